@@ -37,6 +37,7 @@ void add_plot(CLI::App& app, Command& chosen);
 void add_inspect(CLI::App& app, Command& chosen);
 void add_figures(CLI::App& app, Command& chosen);
 void add_validate(CLI::App& app, Command& chosen);
+void add_view(CLI::App& app, Command& chosen);
 void add_bench(CLI::App& app, Command& chosen);
 
 }  // namespace hawser::cli

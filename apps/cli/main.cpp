@@ -50,6 +50,7 @@ int run_main(int argc, char** argv) {
     add_inspect(app, chosen);
     add_figures(app, chosen);
     add_validate(app, chosen);
+    add_view(app, chosen);
     add_bench(app, chosen);
     // CLI11 would say no more than that a command is required.
     const auto named = [&](const CLI::App* c) { return c->get_name() == argv[1]; };

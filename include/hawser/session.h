@@ -19,6 +19,7 @@
 #include <hawser/observer.h>
 #include <hawser/recording.h>
 #include <hawser/scene.h>
+#include <hawser/structure.h>
 #include <hawser/world.h>
 
 #include <cstddef>
@@ -76,6 +77,11 @@ class Session {
     /// From the next step on. @throws DefError with the nearest name where there is no such input,
     /// or the value is not finite; nothing is then changed or recorded.
     void set_input(std::string_view name, double value);
+    /// Go back, or on, to a state of this session: World::restore(), and the timeline and the
+    /// control file go on from its time. A recording goes on from there, and its replay likewise.
+    /// @param made_of, state  World::structure() and World::save() of that time. @throws DefError;
+    /// nothing has changed then.
+    void restore(const Structure& made_of, std::span<const std::byte> state);
 
     // --- Outputs ------------------------------------------------------------------------------
     /// Record from the present state on, in place of a recording that there is. World has one

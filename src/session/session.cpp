@@ -30,7 +30,7 @@ struct Session::Impl {
             return to && (world.step_count() - begun) % every == 0;
         }
         [[nodiscard]] bool behind(const World& world) const {
-            return to && world.step_count() > written;
+            return to && world.step_count() != written;
         }
     };
 
@@ -205,6 +205,21 @@ void Session::set_input(std::string_view name, double value) {
     throw DefError(names.empty() ? fmt::format("there is no input \"{}\": the scene has none", name)
                                  : fmt::format("there is no input \"{}\"; nearest: \"{}\"", name,
                                                record::nearest_name(name, names)));
+}
+
+void Session::restore(const Structure& made_of, std::span<const std::byte> state) {
+    World& world = impl_->world();
+    world.restore(made_of, state);
+    impl_->timeline.skip(impl_->scene.timeline, world);
+    // Values before the step that led to this state were in force in it.
+    const double last = world.time() - (1.0 - 1e-6) * world.settings().step;
+    const auto& control = impl_->control;
+    const auto next = std::find_if(control.begin(), control.end(), [&](const auto& change) {
+        return world.step_count() == 0 || change.time > last;
+    });
+    impl_->next_control = static_cast<std::size_t>(next - control.begin());
+    impl_->last = Status::ok;
+    impl_->objection.clear();
 }
 
 void Session::record(const std::filesystem::path& file, std::int32_t every) {

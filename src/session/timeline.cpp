@@ -14,6 +14,7 @@ constexpr double kSlack = 1e-6;  ///< Times are multiples of the step up to roun
 
 void Timeline::skip(std::span<const scene::Operation> all, const World& world) noexcept {
     const double last = world.time() - (1.0 - kSlack) * world.settings().step;
+    next_ = 0;
     while (world.step_count() > 0 && next_ < all.size() && all[next_].at <= last) ++next_;
 }
 

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view_run.h"
+
+#include "commands.h"
+#include "live/driver.h"
+#include "live/server.h"
+#include "outputs.h"
+#include "realtime.h"
+#include "signals.h"
+
+#include <fmt/format.h>
+#include <spawn.h>
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+extern char** environ;
+
+namespace hawser::cli {
+
+namespace {
+
+/// By its first bytes: docs/recording.md.
+bool is_recording(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string head(8, '\0');
+    return in.read(head.data(), 8) && head == "HAWSERRC";
+}
+
+/// The desktop's own program for addresses; where there is none the address above is enough.
+void open_browser(const std::string& address) {
+    std::string program = "xdg-open", argument = address;
+    char* const argv[] = {program.data(), argument.data(), nullptr};
+    pid_t child = 0;
+    if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, argv, environ) != 0)
+        fmt::print(stderr, "--open: there is no xdg-open; open the address by hand\n");
+}
+
+live::ServerOptions server_options(const ViewOptions& options, bool recording) {
+    live::ServerOptions out;
+    out.address = options.listen;
+    out.port = static_cast<std::uint16_t>(options.port);
+    out.clients = options.clients;
+    out.roles = {live::instructor(), live::watcher()};
+    out.recording = recording;
+    out.log = [](const std::string& line) { fmt::print(stderr, "hawser view: {}\n", line); };
+    return out;
+}
+
+void print_addresses(const live::Server& server, const live::ServerOptions& options) {
+    for (const live::Role& role : options.roles)
+        fmt::print("{:<12} {}\n", role.name, server.address_of(role));
+    if (options.address != "127.0.0.1" && options.address != "::1")
+        fmt::print(
+            "anyone on this network who has an address has its role; nothing is encrypted\n");
+    fmt::print("Ctrl-C ends it\n");
+    std::fflush(stdout);
+}
+
+Session open_session(const ViewOptions& options) {
+    scene::Scene scene = options.scene.load();
+    std::vector<NamedFile> inputs{{"the control file", options.control},
+                                  {"the saved state", options.restore}};
+    for (const std::filesystem::path& file : scene.files)
+        inputs.push_back({"a file of the scene", file.string()});
+    check_outputs(inputs, {{"--record", options.record}});
+    return Session(std::move(scene), {.restore = options.restore,
+                                      .control = options.control,
+                                      .record = options.record,
+                                      .every = options.stride});
+}
+
+int view_scene(const ViewOptions& options) {
+    Session session = open_session(options);
+    live::Hub hub;
+    live::Driver driver(session, hub, {.recording = options.record, .paused = options.paused});
+    const live::ServerOptions to_serve = server_options(options, false);
+    live::Server server(hub, to_serve);
+    print_addresses(server, to_serve);
+    if (options.open) open_browser(server.address_of(to_serve.roles.front()));
+    // The server's thread is there: it is not to have what this one asks for now.
+    if (options.rt) fmt::print(stderr, "--rt: {}\n", request_realtime(options.scene.threads));
+    catch_signals();
+    const CancelledBySignal cancelled(session.world());
+    driver.run([] { return stop_requested(); });
+    session.finish();
+    fmt::print("{:.6g} s in {} steps{}\n", session.time(), session.world().step_count(),
+               options.record.empty() ? "" : ", recorded in " + options.record);
+    return kOk;
+}
+
+}  // namespace
+
+int view(const ViewOptions& options) {
+    if (is_recording(options.scene.file))
+        throw std::runtime_error(options.scene.file + ": recordings are not shown yet");
+    return view_scene(options);
+}
+
+}  // namespace hawser::cli

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/command.h"
+
+#include "record/names.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+
+namespace hawser::live {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A message that is refused; what() says why.
+struct Refused : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Word {
+    CommandKind kind;
+    const char* name;
+    const char* keys;  ///< Beside type and id, with blanks around each.
+};
+
+constexpr Word kWords[] = {
+    {CommandKind::set, "set", " input value inputs "},
+    {CommandKind::pause, "pause", " "},
+    {CommandKind::resume, "resume", " "},
+    {CommandKind::step, "step", " count "},
+    {CommandKind::rate, "rate", " value "},
+    {CommandKind::drag, "drag", " body point wire s target stiffness "},
+    {CommandKind::release, "release", " "},
+    {CommandKind::part, "part", " wire s "},
+    {CommandKind::save, "save", " name "},
+    {CommandKind::restore, "restore", " name "},
+    {CommandKind::pick, "pick", " body wire s joint "},
+    {CommandKind::seek, "seek", " time "},
+};
+constexpr double kMostWhole = 9007199254740992.0;  // 2^53: whole numbers that a double can hold
+constexpr double kMostPlace = 1e7;                 // [m], as World::set_pose() has it
+
+std::string in_quotes(std::string_view text) {
+    constexpr std::size_t kShown = 60;
+    std::string out = "\"" + std::string(text.substr(0, kShown));
+    return out + (text.size() > kShown ? "…\"" : "\"");
+}
+
+double number(const Json& from, const char* key, double least, double most) {
+    const auto at = from.find(key);
+    if (at == from.end()) throw Refused(std::string(key) + " is missing");
+    if (!at->is_number()) throw Refused(std::string(key) + " is to be a number");
+    const double value = at->get<double>();
+    if (!(value >= least && value <= most))
+        throw Refused(std::string(key) + " is to be from " + Json(least).dump() + " to " +
+                      Json(most).dump());
+    return value;
+}
+
+double number_or(const Json& from, const char* key, double least, double most, double otherwise) {
+    return from.contains(key) ? number(from, key, least, most) : otherwise;
+}
+
+double whole(const Json& from, const char* key, double least, double most) {
+    const double value = number(from, key, least, most);
+    if (value != std::floor(value)) throw Refused(std::string(key) + " is to be a whole number");
+    return value;
+}
+
+std::array<double, 3> vector(const Json& from, const char* key) {
+    const auto at = from.find(key);
+    if (at == from.end() || !at->is_array() || at->size() != 3)
+        throw Refused(std::string(key) + " is to be three numbers");
+    std::array<double, 3> out{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Json& entry = (*at)[k];
+        if (!entry.is_number()) throw Refused(std::string(key) + " is to be three numbers");
+        out[k] = entry.get<double>();
+        if (!(std::abs(out[k]) <= kMostPlace))
+            throw Refused(std::string(key) + " is farther away than 10,000 km");
+    }
+    return out;
+}
+
+void take_name(const Json& value, const char* key, std::size_t most, Command& out) {
+    if (!value.is_string()) throw Refused(std::string(key) + " is to be a name");
+    const auto& text = value.get_ref<const std::string&>();
+    if (text.empty() || text.size() > most || !out.name.assign(text))
+        throw Refused(std::string(key) + " is to have 1 to " + std::to_string(most) + " bytes");
+    out.by_name = true;
+}
+
+void take_value(const Json& value, Command& out) {
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+        throw Refused("value is to be a finite number");
+    out.value = value.get<double>();
+}
+
+void read_set(const Json& from, const Command& begun, std::vector<Command>& out) {
+    const auto list = from.find("inputs");
+    if ((list != from.end()) == from.contains("input"))
+        throw Refused("set needs either input and value, or inputs");
+    if (list == from.end()) {
+        Command one = begun;
+        take_name(from["input"], "input", one.name.kMost, one);
+        if (!from.contains("value")) throw Refused("value is missing");
+        take_value(from["value"], one);
+        out.push_back(one);
+        return;
+    }
+    if (!list->is_array() || list->empty() || list->size() > kMostInputs)
+        throw Refused("inputs is to be a list of 1 to 64 pairs of a name and a value");
+    for (const Json& pair : *list) {
+        if (!pair.is_array() || pair.size() != 2)
+            throw Refused("inputs is to be a list of pairs of a name and a value");
+        Command one = begun;
+        take_name(pair[0], "input", one.name.kMost, one);
+        take_value(pair[1], one);
+        one.answer = false;
+        out.push_back(one);
+    }
+    out.back().answer = true;
+}
+
+/// The body, wire or joint that a message is about.
+void read_place(const Json& from, bool joints, bool names, Command& out) {
+    constexpr double kMostPlaces = 2147483647.0;
+    const int given = static_cast<int>(from.contains("body")) +
+                      static_cast<int>(from.contains("wire")) +
+                      static_cast<int>(from.contains("joint"));
+    if (given != 1)
+        throw Refused(joints ? "one of body, wire and joint is to be given"
+                             : "either body or wire is to be given");
+    if (from.contains("body")) {
+        out.target_id = static_cast<std::int32_t>(whole(from, "body", 0.0, kMostPlaces));
+        if (from.contains("s")) throw Refused("s goes with a wire");
+        return;
+    }
+    if (from.contains("joint")) {
+        out.by_joint = true;
+        out.target_id = static_cast<std::int32_t>(whole(from, "joint", 0.0, kMostPlaces));
+        if (from.contains("s")) throw Refused("s goes with a wire");
+        return;
+    }
+    out.by_wire = true;
+    if (names && from["wire"].is_string())
+        take_name(from["wire"], "wire", out.name.kMost, out);
+    else
+        out.target_id = static_cast<std::int32_t>(whole(from, "wire", 0.0, kMostPlaces));
+    out.value = number(from, "s", 0.0, 1.0);
+}
+
+void read_drag(const Json& from, Command& out) {
+    constexpr double kMostStiffness = 1e9;  // [N/m]
+    read_place(from, false, false, out);
+    if (from.contains("point")) {
+        if (out.by_wire) throw Refused("point goes with a body");
+        out.point = vector(from, "point");
+    }
+    out.target = vector(from, "target");
+    out.stiffness = number_or(from, "stiffness", 0.0, kMostStiffness, 0.0);
+}
+
+void read_command(const Json& from, Command one, std::vector<Command>& out) {
+    constexpr double kMostSteps = 1000.0, kLeastRate = 0.1, kMostRate = 10.0, kMostTime = 1e12;
+    constexpr std::size_t kMostName = 64;  // of a restore point
+    switch (one.kind) {
+        case CommandKind::set:
+            return read_set(from, one, out);
+        case CommandKind::step:
+            one.value = from.contains("count") ? whole(from, "count", 1.0, kMostSteps) : 1.0;
+            break;
+        case CommandKind::rate:
+            one.value = number(from, "value", kLeastRate, kMostRate);
+            break;
+        case CommandKind::drag:
+            read_drag(from, one);
+            break;
+        case CommandKind::part:
+            if (!from.contains("wire")) throw Refused("wire is missing");
+            read_place(from, false, true, one);
+            break;
+        case CommandKind::pick:
+            read_place(from, true, false, one);
+            break;
+        case CommandKind::save:
+        case CommandKind::restore:
+            if (!from.contains("name")) throw Refused("name is missing");
+            take_name(from["name"], "name", kMostName, one);
+            break;
+        case CommandKind::seek:
+            one.value = number(from, "time", 0.0, kMostTime);
+            break;
+        default:
+            break;
+    }
+    out.push_back(one);
+}
+
+void check_keys(const Json& from, const Word& word) {
+    const std::string_view keys = word.keys;
+    for (const auto& [key, value] : from.items()) {
+        if (key == "type" || key == "id") continue;
+        if (key.find(' ') == std::string::npos &&
+            keys.find(" " + key + " ") != std::string_view::npos)
+            continue;
+        throw Refused(std::string(word.name) + " has no key " + in_quotes(key));
+    }
+}
+
+void read_hello(const Json& from, Request& out) {
+    out.hello = true;
+    for (const auto& [key, value] : from.items())
+        if (key != "type" && key != "version" && key != "token" && key != "id")
+            throw Refused("hello has no key " + in_quotes(key));
+    out.version = number(from, "version", 0.0, 1e9);
+    if (!from.contains("token") || !from["token"].is_string()) throw Refused("hello needs a token");
+    out.token = from["token"].get<std::string>();
+}
+
+const Word& word_of(const std::string& type) {
+    const auto* const at = std::find_if(std::begin(kWords), std::end(kWords),
+                                        [&](const Word& w) { return type == w.name; });
+    if (at != std::end(kWords)) return *at;
+    std::vector<std::string> names{"hello"};
+    for (const Word& word : kWords) names.emplace_back(word.name);
+    throw Refused("there is no message of the type " + in_quotes(type) + "; nearest: \"" +
+                  record::nearest_name(type, names) + "\"");
+}
+
+void read_message(std::string_view text, Request& out) {
+    if (text.size() > kMostMessage) throw Refused("a message has at most 16 kB");
+    const Json from = Json::parse(text, nullptr, false);
+    if (from.is_discarded()) throw Refused("this is not JSON");
+    if (!from.is_object()) throw Refused("a message is a JSON object");
+    if (from.contains("id")) out.id = static_cast<std::int64_t>(whole(from, "id", 0.0, kMostWhole));
+    const auto type = from.find("type");
+    if (type == from.end() || !type->is_string()) throw Refused("a message has a type");
+    if (*type == "hello") return read_hello(from, out);
+    const Word& word = word_of(type->get_ref<const std::string&>());
+    out.kind = word.kind;
+    check_keys(from, word);
+    Command begun;
+    begun.kind = word.kind;
+    begun.id = out.id;
+    read_command(from, begun, out.commands);
+}
+
+}  // namespace
+
+const char* to_string(CommandKind kind) noexcept {
+    for (const Word& word : kWords)
+        if (word.kind == kind) return word.name;
+    return kind == CommandKind::left ? "left" : "none";
+}
+
+bool parse(std::string_view text, Request& out, std::string& reason) {
+    out = Request{};
+    try {
+        read_message(text, out);
+        return true;
+    } catch (const Refused& refused) {
+        reason = refused.what();
+    } catch (const Json::exception&) {  // a rule of the reader's that nothing above asks for
+        reason = "the message cannot be read";
+    }
+    out.commands.clear();
+    return false;
+}
+
+}  // namespace hawser::live

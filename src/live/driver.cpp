@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/driver.h"
+
+#include "live/scene_text.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace hawser::live {
+namespace {
+
+constexpr double kFarFromOrigin = 2000.0;  // [m] where single precision begins to show
+constexpr int kLookAtOrigin = 300;         // steps
+
+/// Near what moves, rounded so that it has few digits.
+Vec3 middle_of(const World& world, const FramePlan& plan) {
+    Vec3 sum = Vec3::Zero();
+    const std::vector<BodyId>& bodies = !plan.rigid.empty() ? plan.rigid : plan.lumps;
+    for (const BodyId id : bodies) sum += world.pose(id).position;
+    if (bodies.empty()) return sum;
+    sum /= static_cast<double>(bodies.size());
+    for (int k = 0; k < 3; ++k) sum[k] = 10.0 * std::round(sum[k] / 10.0);
+    sum.z() = 0.0;
+    return sum;
+}
+
+}  // namespace
+
+Driver::Driver(Session& session, Hub& hub, const DriverOptions& options)
+    : session_(session),
+      hub_(hub),
+      options_(options),
+      out_(hub),
+      plan_(FramePlan::of(session.scene())),
+      paused_(options.paused) {
+    origin_ = middle_of(session_.world(), plan_);
+    notes_.epoch = 1;
+    save("start");
+    tell_scene();
+    tell_state();
+    publish();
+}
+
+void Driver::tell_scene() {
+    out_.scene(scene_text(session_.scene(), plan_, {.epoch = notes_.epoch, .origin = origin_}));
+    told_ = out_.flush();
+}
+
+void Driver::tell_state() {
+    Json points = Json::array();
+    for (const Point& point : points_)
+        points.push_back({{"name", point.name}, {"time", point.time}});
+    Json state{{"type", "state"},
+               {"paused", paused_},
+               {"rate", rate_},
+               {"time", session_.time()},
+               {"restore_points", points},
+               {"range", nullptr},
+               {"recording", options_.recording.empty() ? Json(nullptr) : Json(options_.recording)},
+               {"clients", hub_.clients.load(std::memory_order_relaxed)},
+               {"failure", nullptr}};
+    if (failure_)
+        state["failure"] = {{"type", "failure"},
+                            {"time", failure_->time},
+                            {"status", failure_->status},
+                            {"element", failure_->element},
+                            {"reason", failure_->reason},
+                            {"remedy", failure_->remedy},
+                            {"restore_point", points_.back().name}};
+    out_.state(state);
+    told_ = out_.flush();
+}
+
+/// Pieces that came or went with the last step, or were changed by hand.
+void Driver::follow_pieces() {
+    if (plan_.current(session_.world())) return;
+    FramePlan next = FramePlan::of(session_.scene());
+    const bool same = next.same_scene(plan_);
+    plan_ = std::move(next);
+    if (same) return;
+    ++notes_.epoch;
+    tell_scene();
+}
+
+void Driver::follow_origin() {
+    if (session_.world().step_count() % kLookAtOrigin != 0) return;
+    const Vec3 middle = middle_of(session_.world(), plan_);
+    if ((middle - origin_).norm() < kFarFromOrigin) return;
+    origin_ = middle;
+    ++notes_.epoch;
+    tell_scene();
+}
+
+void Driver::publish() {
+    const World& world = session_.world();
+    notes_.flags = static_cast<std::uint16_t>((paused_ ? kPaused : 0) | (failure_ ? kFailed : 0) |
+                                              (drags_.any() ? kDragged : 0));
+    notes_.deadline_ms = 1e3 * world.settings().step / rate_;
+    notes_.late_ms = 1e3 * pace_.late();
+    ++notes_.number;
+    // Without their scene frames are of no use to anyone.
+    if (!told_) told_ = out_.flush();
+    if (!told_) return;
+    Bytes& frame = hub_.frames.back();
+    writer_.write(world, plan_, origin_, notes_, frame);
+    figures_.frame_bytes = std::max(figures_.frame_bytes, frame.size());
+    if (keep_) figures_.frame_us.push_back(static_cast<float>(1e6 * writer_.seconds()));
+    ++figures_.frames;
+    hub_.frames.publish();
+    hub_.wake();
+    shown_ = Pace::Clock::now();
+    changed_ = false;
+}
+
+void Driver::fail(Failure failure) {
+    failure_ = std::move(failure);
+    paused_ = true;
+    to_go_ = 0;
+    out_.send(0, {{"type", "failure"},
+                  {"time", failure_->time},
+                  {"status", failure_->status},
+                  {"element", failure_->element},
+                  {"reason", failure_->reason},
+                  {"remedy", failure_->remedy},
+                  {"restore_point", points_.back().name}});
+    tell_state();
+}
+
+void Driver::step() {
+    World& world = session_.world();
+    drags_.before_step(world);
+    Status status = Status::ok;
+    try {
+        status = session_.step();
+    } catch (const DefError& error) {  // an operation of the timeline that cannot be done
+        return fail({.time = world.time(),
+                     .status = "timeline",
+                     .element = {},
+                     .reason = error.what(),
+                     .remedy = "go back to a restore point, or mend the scene's timeline"});
+    }
+    if (status != Status::ok) return fail(failure_of(world, status));
+    ++figures_.steps;
+    if (keep_) figures_.step_ms.push_back(static_cast<float>(1e3 * world.stats().step_seconds));
+    if (!session_.events().empty()) tell_events(world, session_.events(), out_);
+    follow_pieces();
+    follow_origin();
+    if (failure_) {
+        failure_.reset();
+        tell_state();
+    }
+    if (to_go_ > 0 && --to_go_ == 0) tell_state();
+}
+
+void Driver::advance() {
+    take_commands();
+    const int clients = hub_.clients.load(std::memory_order_relaxed);
+    if (clients != clients_) {
+        clients_ = clients;
+        tell_state();
+    }
+    if (runs()) {
+        step();
+        pace_.took(session_.world().settings().step, rate_);
+        publish();
+        return;
+    }
+    // A paused run is shown ten times a second, so that who comes late sees it, too.
+    constexpr std::chrono::milliseconds kShow{100};
+    if (!told_) told_ = out_.flush();
+    if (changed_ || Pace::Clock::now() - shown_ >= kShow) publish();
+}
+
+/// In slices, so that at low rates, too, commands are taken at once.
+void Driver::wait() {
+    constexpr std::chrono::milliseconds kSlice{5};
+    if (!runs()) {
+        std::this_thread::sleep_for(kSlice);
+        pace_.begin();
+        return;
+    }
+    for (auto now = Pace::Clock::now(); runs() && now < pace_.due(); now = Pace::Clock::now()) {
+        const auto until = std::min(pace_.due(), now + kSlice);
+        std::this_thread::sleep_until(until);
+        if (until != pace_.due()) take_commands();
+    }
+}
+
+void Driver::run(const std::function<bool()>& stop) {
+    pace_.begin();
+    while (!stop()) {
+        advance();
+        wait();
+    }
+}
+
+}  // namespace hawser::live

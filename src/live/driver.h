@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file driver.h
+/// Steps a session for clients: what they ask for between two steps, a frame after each.
+///
+/// ```
+///     commands ─► drag forces ─► Session::step() ─► events, frame ─► wait until the next is due
+///         ▲                                                               │
+///         └───────────────────────────────────────────────────────────────┘
+/// ```
+/// All of it is one thread, which waits for the clock alone. What clients do goes through the
+/// session, so that a recording repeats it. A step that fails pauses the run, with a message that
+/// says when, where and what to do.
+
+#include "live/drag.h"
+#include "live/frame_plan.h"
+#include "live/frame_writer.h"
+#include "live/hub.h"
+#include "live/outbox.h"
+#include "live/pace.h"
+#include "live/told.h"
+
+#include <hawser/session.h>
+#include <hawser/structure.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hawser::live {
+
+struct DriverOptions {
+    std::string recording;  ///< File that the session records to, for clients; "": none.
+    bool paused = false;    ///< At the start.
+};
+
+/// Figures of a run, for `hawser bench view`.
+struct DriverFigures {
+    std::int64_t steps = 0, frames = 0;
+    std::vector<float> step_ms, frame_us;  ///< Of each step, where `keep` was set.
+    std::size_t frame_bytes = 0;           ///< Of the largest frame.
+};
+
+class Driver {
+  public:
+    Driver(Session& session, Hub& hub, const DriverOptions& options);
+
+    /// Until `stop` says so. @throws std::exception where a recording cannot be written.
+    void run(const std::function<bool()>& stop);
+    /// What is waiting, one step where the run is not paused, and a frame; without a clock.
+    void advance();
+    [[nodiscard]] bool paused() const noexcept { return paused_; }
+    [[nodiscard]] DriverFigures& figures() noexcept { return figures_; }
+    void keep_figures() { keep_ = true; }
+
+  private:
+    /// A state to go back to.
+    struct Point {
+        std::string name;
+        double time = 0.0;
+        Structure made_of;
+        std::vector<std::byte> state;
+    };
+
+    void take_commands();
+    void perform(const Command& command);
+    void set_input(const Command& command);
+    void drag(const Command& command);
+    void part(const Command& command);
+    void save(const std::string& name);
+    void restore(const Command& command);
+    void step();
+    void follow_pieces();
+    void follow_origin();
+    void publish();
+    void fail(Failure failure);
+    void tell_state();
+    void tell_scene();
+    void wait();
+    [[nodiscard]] bool runs() const noexcept { return !paused_ || to_go_ > 0; }
+
+    Session& session_;
+    Hub& hub_;
+    DriverOptions options_;
+    Outbox out_;
+    FramePlan plan_;
+    FrameWriter writer_;
+    FrameNotes notes_;
+    Vec3 origin_{0.0, 0.0, 0.0};
+    Drags drags_;
+    Pace pace_;
+    std::vector<Point> points_;
+    std::optional<Failure> failure_;
+    bool paused_ = false, told_ = false, keep_ = false, changed_ = true;
+    int to_go_ = 0;  ///< Steps of `step` that are left.
+    int clients_ = 0;
+    double rate_ = 1.0;
+    Pace::Clock::time_point shown_{};  ///< When the last frame was made.
+    DriverFigures figures_;
+};
+
+}  // namespace hawser::live

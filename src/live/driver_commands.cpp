@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What clients ask for, done between two steps.
+#include "live/driver.h"
+#include "live/pick.h"
+
+#include "record/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+namespace hawser::live {
+namespace {
+
+constexpr std::size_t kMostPoints = 17;  // restore points, that of the start included
+constexpr int kMostCommands = 512;       // of one gap between steps
+
+}  // namespace
+
+void Driver::take_commands() {
+    Command command;
+    for (int n = 0; n < kMostCommands && hub_.commands.pop(command); ++n) {
+        try {
+            perform(command);
+        } catch (const DefError& refused) {
+            out_.refuse(command, refused.what());
+        }
+        follow_pieces();
+    }
+}
+
+void Driver::perform(const Command& command) {
+    const double now = session_.time();
+    changed_ = true;
+    switch (command.kind) {
+        case CommandKind::set:
+            set_input(command);
+            break;
+        case CommandKind::pause:
+            paused_ = true;
+            to_go_ = 0;
+            out_.command(now, command, "paused");
+            break;
+        case CommandKind::resume:
+            paused_ = false;
+            to_go_ = 0;
+            pace_.begin();
+            out_.command(now, command, "resumed");
+            break;
+        case CommandKind::step:
+            paused_ = true;
+            to_go_ = static_cast<int>(command.value);
+            pace_.begin();
+            break;
+        case CommandKind::rate:
+            rate_ = command.value;
+            pace_.begin();
+            out_.command(now, command, fmt::format("set the rate to {:.3g}", rate_));
+            break;
+        case CommandKind::drag:
+            drag(command);
+            break;
+        case CommandKind::release:
+        case CommandKind::left:
+            drags_.end(session_.world(), command.client);
+            break;
+        case CommandKind::part:
+            part(command);
+            break;
+        case CommandKind::save:
+            save(std::string(command.name.view()));
+            out_.command(now, command, fmt::format("saved \"{}\"", command.name.view()));
+            break;
+        case CommandKind::restore:
+            restore(command);
+            break;
+        case CommandKind::pick:
+            out_.send(command.client, picked(session_.world(), plan_, command));
+            return;
+        case CommandKind::seek:
+            throw DefError("this run is live: only recordings can be sought through");
+        case CommandKind::none:
+            return;
+    }
+    out_.answer(command);
+    if (command.kind != CommandKind::set && command.kind != CommandKind::drag) tell_state();
+}
+
+void Driver::set_input(const Command& command) {
+    session_.set_input(command.name.view(), command.value);
+}
+
+void Driver::drag(const Command& command) {
+    World& world = session_.world();
+    const Vec3 target(command.target.data()), point(command.point.data());
+    if (!command.by_wire)
+        return drags_.begin(world, command.client, body_of(world, command.target_id), point, target,
+                            command.stiffness);
+    const WireSource& wire = wire_of(plan_, command);
+    if (!wire.wire.valid()) throw DefError("\"" + wire.name + "\" has no nodes to pull at");
+    drags_.begin(world, command.client, node_near(world, wire.wire, command.value), Vec3::Zero(),
+                 target, command.stiffness);
+}
+
+void Driver::part(const Command& command) {
+    World& world = session_.world();
+    const WireSource wire = wire_of(plan_, command);
+    if (wire.wire.valid())
+        world.part(wire.wire, command.value * world.length(wire.wire));
+    else if (!wire.pieces.empty() && !wire.pieces.front().joint)
+        world.part(wire.pieces.front().element);
+    else
+        throw DefError("\"" + wire.name + "\" is a chain of rigid links, which does not part");
+    out_.command(session_.time(), command,
+                 fmt::format("parted {} at {:.0f} %", wire.name, 100.0 * command.value));
+}
+
+void Driver::save(const std::string& name) {
+    drags_.lift(session_.world());
+    const World& world = session_.world();
+    Point point{name, world.time(), world.structure(), world.save()};
+    const auto same = std::find_if(points_.begin(), points_.end(),
+                                   [&](const Point& p) { return p.name == name; });
+    if (same == points_.begin() && !points_.empty())
+        throw DefError("\"start\" is the start, and stays; give another name");
+    if (same != points_.end()) points_.erase(same);
+    if (points_.size() >= kMostPoints)
+        throw DefError("there are 16 restore points already; use one of their names again");
+    points_.push_back(std::move(point));
+}
+
+void Driver::restore(const Command& command) {
+    const auto at = std::find_if(points_.begin(), points_.end(),
+                                 [&](const Point& p) { return p.name == command.name.view(); });
+    if (at == points_.end()) {
+        std::vector<std::string> names;
+        for (const Point& point : points_) names.push_back(point.name);
+        throw DefError(fmt::format("there is no restore point \"{}\"; nearest: \"{}\"",
+                                   command.name.view(),
+                                   record::nearest_name(command.name.view(), names)));
+    }
+    drags_.end_all(session_.world());
+    session_.restore(at->made_of, at->state);
+    failure_.reset();
+    pace_.begin();
+    out_.command(session_.time(), command,
+                 fmt::format("went back to \"{}\" at {:.6g} s", at->name, at->time));
+}
+
+}  // namespace hawser::live

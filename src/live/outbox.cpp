@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/outbox.h"
+
+#include <utility>
+
+namespace hawser::live {
+namespace {
+
+/// Names of a scene may be anything; what is no UTF-8 is replaced.
+std::string compact(const Json& message) {
+    return message.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+bool Outbox::post(MessageKind kind, std::uint32_t to, std::string text) {
+    Message message{kind, to, std::move(text)};
+    const bool sent = hub_.messages.push(std::move(message));
+    hub_.wake();
+    return sent;
+}
+
+void Outbox::send(std::uint32_t client, const Json& message) {
+    (void)post(MessageKind::text, client, compact(message));
+}
+
+void Outbox::event(double time, const std::string& kind, const std::string& name, double value,
+                   const std::string& words) {
+    send(0, {{"type", "event"},
+             {"time", time},
+             {"kind", kind},
+             {"name", name},
+             {"value", value},
+             {"words", words}});
+}
+
+void Outbox::command(double time, const Command& of, const std::string& words) {
+    event(time, "command", to_string(of.kind), of.value, std::string(of.role.view()) + " " + words);
+}
+
+void Outbox::answer(const Command& to) {
+    if (to.id == kNoId || !to.answer) return;
+    send(to.client, {{"type", "ok"}, {"id", to.id}});
+}
+
+void Outbox::refuse(const Command& to, const std::string& reason) {
+    Json out{{"type", "error"}, {"of", to_string(to.kind)}, {"reason", reason}};
+    if (to.id != kNoId) out["id"] = to.id;
+    send(to.client, out);
+}
+
+void Outbox::state(const Json& message) { state_ = compact(message); }
+void Outbox::timeline(const Json& message) { timeline_ = compact(message); }
+
+bool Outbox::flush() {
+    const auto try_one = [this](std::optional<std::string>& waiting, MessageKind kind) {
+        if (!waiting) return;
+        if (hub_.messages.room() == 0) return;
+        (void)post(kind, 0, std::move(*waiting));
+        waiting.reset();
+    };
+    try_one(scene_, MessageKind::scene);
+    if (!scene_) try_one(timeline_, MessageKind::timeline);
+    if (!scene_) try_one(state_, MessageKind::state);
+    return !scene_;
+}
+
+}  // namespace hawser::live

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file pace.h
+/// When the next step is due, at a rate of simulated over wall time.
+
+#include <chrono>
+
+namespace hawser::live {
+
+class Pace {
+  public:
+    using Clock = std::chrono::steady_clock;
+    /// Begin anew: the next step is due at once.
+    void begin() noexcept { due_ = Clock::now(); }
+    /// A step of so much time [s] has been taken. One that fell behind by more than a quarter of a
+    /// second starts its clock anew instead of racing.
+    void took(double step, double rate) noexcept {
+        due_ +=
+            std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(step / rate));
+        const auto now = Clock::now();
+        late_ = std::chrono::duration<double>(now - due_).count();
+        if (late_ > 0.25) due_ = now;
+    }
+    [[nodiscard]] Clock::time_point due() const noexcept { return due_; }
+    /// How late the last step ended, below 0: early [s].
+    [[nodiscard]] double late() const noexcept { return late_; }
+
+  private:
+    Clock::time_point due_ = Clock::now();
+    double late_ = 0.0;
+};
+
+}  // namespace hawser::live

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file pick.h
+/// Numbers of one body, wire or joint, for the client that points at it.
+
+#include "live/command.h"
+#include "live/frame_plan.h"
+
+#include <nlohmann/json.hpp>
+
+namespace hawser::live {
+
+/// The body of a scene by its number in messages. @throws DefError where there is none.
+[[nodiscard]] BodyId body_of(const World& world, std::int32_t number);
+/// The wire of a plan that a command names, by number or name. @throws DefError with the nearest
+/// name.
+[[nodiscard]] const WireSource& wire_of(const FramePlan& plan, const Command& command);
+
+/// The message `picked` (docs/live.md). @throws DefError where there is no such thing.
+[[nodiscard]] nlohmann::json picked(const World& world, const FramePlan& plan,
+                                    const Command& command);
+
+}  // namespace hawser::live
