@@ -81,17 +81,18 @@ class Replay {
                                                : recording_.start_step;
         catch_signals();
         const CancelledBySignal cancelled(world_);
-        Progress progress(last - recording_.start_step, recording_.settings.step, !quiet);
+        Progress progress(steps_to(last), recording_.settings.step, !quiet);
         for (std::size_t i = 0; i < frames; ++i) {
             const record::Frame head = recording_.frame_head(i);
-            if (const int code = advance(head.step, progress); code != kOk) return code;
+            if (const int code = advance(head.step, recording_.take_of(i), progress); code != kOk)
+                return code;
             if (world_.motion_hash() != head.hash) {
                 progress.close();
                 describe_difference(recording_, recording_.frame(i), world_);
                 return kMismatch;
             }
         }
-        if (const int code = ended ? advance(last, progress) : kOk; code != kOk) return code;
+        if (const int code = ended ? conclude(last, progress) : kOk; code != kOk) return code;
         progress.close();
         if (ended && world_.motion_hash() != recording_.end_hash) {
             fmt::print(
@@ -101,15 +102,32 @@ class Replay {
             return kMismatch;
         }
         fmt::print("{}: same state hash at all {} frames{}, {} steps, last {:016x}\n",
-                   recording_.file, frames, ended ? " and at the end" : "",
-                   last - recording_.start_step, world_.motion_hash());
-        return conclude();
+                   recording_.file, frames, ended ? " and at the end" : "", taken_,
+                   world_.motion_hash());
+        return say_end();
     }
 
   private:
+    /// Of all takes.
+    [[nodiscard]] std::int64_t steps_to(std::int64_t last) const {
+        std::int64_t steps = 0, begun = recording_.start_step;
+        for (const record::RecordedTake& take : recording_.takes) {
+            steps += take.from - begun;
+            begun = take.to;
+        }
+        return steps + last - begun;
+    }
+
+    /// To the end, with what was done to the world behind the last step.
+    int conclude(std::int64_t last, Progress& progress) {
+        const int code = advance(last, recording_.takes.size(), progress);
+        if (code == kOk) repeater_.before_step(world_);
+        return code;
+    }
+
     /// How the recorded run ended, if not well. @return kUsageError where the recording does not
     /// say so: what is missing was not repeated.
-    int conclude() const {
+    int say_end() const {
         if (recording_.ending == record::Ending::interrupted)
             fmt::print("the recorded run was interrupted at {:.6g} s\n", world_.time());
         if (recording_.ending == record::Ending::failed)
@@ -122,10 +140,13 @@ class Replay {
         return kUsageError;
     }
 
-    int advance(std::int64_t to, Progress& progress) {
-        while (world_.step_count() < to) {
+    int advance(std::int64_t to, std::size_t take, Progress& progress) {
+        while (world_.step_count() < to || repeater_.take() < take) {
             if (stop_requested()) return kInterrupted;
             repeater_.before_step(world_);
+            // A take may begin with a frame, before its first step.
+            if (world_.step_count() == to && repeater_.take() == take) break;
+            ++taken_;
             if (const Status status = world_.step(); status != Status::ok) {
                 if (status == Status::cancelled) return kInterrupted;
                 progress.close();
@@ -133,7 +154,7 @@ class Replay {
                            failure(world_.stats()));
                 return kFailed;
             }
-            progress.at(world_.step_count() - recording_.start_step);
+            progress.at(taken_);
         }
         return kOk;
     }
@@ -141,6 +162,7 @@ class Replay {
     const record::Recording& recording_;
     World& world_;
     record::Repeater repeater_;
+    std::int64_t taken_ = 0;
 };
 
 int replay(const ReplayOptions& options) {

@@ -113,6 +113,15 @@ struct RecordedLoads {
     std::span<const std::byte> bytes;  ///< For Repeater.
 };
 
+/// Where a run went back, or on, to another state of its own (World::restore()): what follows is
+/// another take, whose steps begin anew. The first take has no entry.
+struct RecordedTake {
+    std::int64_t from = 0;  ///< Steps taken when it did so, …
+    std::int64_t to = 0;    ///< … and those of the state it went to.
+    /// Entries of the recording that belong to takes before it.
+    std::size_t frames = 0, inputs = 0, changes = 0, loads = 0, cuts = 0;
+};
+
 /// A step that left something out to keep to its budget.
 struct RecordedCut {
     std::int64_t step = 0;  ///< Taken when this many steps had been taken.
@@ -177,6 +186,7 @@ class Recording {
     std::vector<RecordedChanges> changes;
     std::vector<RecordedLoads> loads;
     std::vector<RecordedCut> cuts;
+    std::vector<RecordedTake> takes;  ///< Steps of all the above ascend within a take only.
     std::vector<RecordedEvent> events;
     Ending ending = Ending::unknown;
     std::int64_t end_step = 0;   ///< With an ending only.
@@ -185,6 +195,8 @@ class Recording {
 
     [[nodiscard]] std::size_t frame_count() const noexcept { return frames_.size(); }
     [[nodiscard]] Frame frame(std::size_t index) const;
+    /// Of a frame: how many entries of `takes` there are before it.
+    [[nodiscard]] std::size_t take_of(std::size_t frame) const noexcept;
     /// By body: a lump of a wire in some frame in which nodes had come or gone.
     [[nodiscard]] std::vector<bool> wire_lumps() const;
     /// Without poses and tensions: cheap.
@@ -200,6 +212,12 @@ class Recording {
     void read_changes(ByteReader in);
     void read_bodies(ByteReader in);
     void read_loads(ByteReader in);
+    void read_take(ByteReader in);
+    void add_cut(const RecordedCut& cut);
+    void check_gap(std::int64_t step, bool frame) const;
+    template <class T>
+    [[nodiscard]] std::int64_t least_step(const std::vector<T>& all,
+                                          std::size_t RecordedTake::* before) const;
     void read_wires(ByteReader in);
     void read_pulls(std::span<const std::byte> payload);
     void find_wires(std::size_t index, Frame& frame) const;
@@ -239,13 +257,18 @@ class Repeater {
     /// Before each step. @throws std::runtime_error where the recording says what makes no sense,
     ///                            DefError where the world refuses a change.
     void before_step(World& world);
+    /// Entries of Recording::takes that have been entered.
+    [[nodiscard]] std::size_t take() const noexcept { return take_; }
 
   private:
     class Loader;
     void repeat_loads(World& world);
+    void enter_take(World& world);
+    [[nodiscard]] std::size_t end_of(std::size_t all, std::size_t RecordedTake::* before) const;
 
     const Recording& recording_;
     std::size_t input_ = 0, change_ = 0, cut_ = 0, load_ = 0;  ///< The next ones.
+    std::size_t take_ = 0;                                     ///< Those entered.
     Loader* loader_ = nullptr;                                 ///< A system of the world.
 };
 

@@ -27,6 +27,7 @@ inline constexpr char kLoadsChunk[] = "LOAD";
 inline constexpr char kInputsChunk[] = "INPT";
 inline constexpr char kCutChunk[] = "CUTS";
 inline constexpr char kEventChunk[] = "EVNT";
+inline constexpr char kTakeChunk[] = "TAKE";
 inline constexpr char kEndChunk[] = "DONE";
 
 inline constexpr std::size_t kChunkOverhead = 12;

@@ -6,7 +6,7 @@
 namespace hawser::record {
 
 RecordingListener::RecordingListener(RecordingWriter& writer, World& world) noexcept
-    : writer_(writer), world_(world), inputs_(world.input_count()) {
+    : writer_(writer), world_(world), inputs_(world.input_count()), now_(world.step_count()) {
     world.set_change_listener(this);
 }
 
@@ -24,9 +24,21 @@ void RecordingListener::set(InputId id, double value) noexcept {
     }
 }
 
+/// A state has been restored: it belongs to the step at which the world was before.
+void RecordingListener::begin_take() noexcept {
+    try {
+        const std::int64_t before = now_, now = world_.step_count();
+        flush(before);
+        if (before != now) writer_.add_take(before, now);
+    } catch (const std::exception&) {
+        fault_ = std::current_exception();
+    }
+}
+
 void RecordingListener::restored(std::span<const std::byte>) noexcept {
     try {
         ChangeBytes::restored(world_.save_motion());
+        begin_take();
     } catch (const std::exception&) {
         lost();
     }
@@ -34,6 +46,7 @@ void RecordingListener::restored(std::span<const std::byte>) noexcept {
 void RecordingListener::restored(const Structure& made_of, std::span<const std::byte>) noexcept {
     try {
         ChangeBytes::restored(made_of, world_.save_motion());
+        begin_take();
     } catch (const std::exception&) {
         lost();
     }
@@ -45,6 +58,7 @@ void RecordingListener::flush(std::int64_t step) {
     if (fault_) std::rethrow_exception(fault_);
     writer_.add_changes(step, *this);
     clear();
+    now_ = world_.step_count();
 }
 
 }  // namespace hawser::record

@@ -31,9 +31,12 @@ class RecordingListener final : public ChangeBytes {
     void flush(std::int64_t step);
 
   private:
+    void begin_take() noexcept;
+
     RecordingWriter& writer_;
     World& world_;
     std::int32_t inputs_;  ///< Of the scene: the recording has their names.
+    std::int64_t now_;     ///< Steps taken when it looked last.
     std::exception_ptr fault_;
 };
 

@@ -147,6 +147,8 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         read_cut(in);
     } else if (kind == kEventChunk) {
         read_event(in);
+    } else if (kind == kTakeChunk) {
+        read_take(in);
     } else if (kind == kEndChunk) {
         read_end(in);
     }
@@ -159,22 +161,6 @@ void Recording::read_scene(ByteReader in) {
     scene_path = in.get_text();
     scene_text = in.get_text();
     in.expect_end();
-}
-
-/// What the bytes say is for the world to judge that they are done to.
-void Recording::read_changes(ByteReader in) {
-    RecordedChanges out;
-    out.step = get_step(in, changes.empty() ? start_step : changes.back().step);
-    out.inputs_before = inputs.size();
-    out.bytes = in.take(in.left());
-    changes.push_back(out);
-}
-
-void Recording::read_loads(ByteReader in) {
-    RecordedLoads out;
-    out.step = get_step(in, loads.empty() ? start_step : loads.back().step + 1);
-    out.bytes = in.take(in.left());
-    loads.push_back(out);
 }
 
 std::size_t Recording::frame_size() const noexcept {
@@ -190,7 +176,7 @@ const Recording::Layout& Recording::layout_of(std::size_t frame) const {
 
 void Recording::read_cut(ByteReader in) {
     RecordedCut cut;
-    cut.step = get_step(in, start_step);
+    cut.step = get_step(in, 0);
     cut.left_out.iterations = in.get<std::int32_t>();
     if (in.left() > 0) {  // not in recordings of earlier versions
         cut.left_out.hasty = in.get<std::uint8_t>() != 0;
@@ -200,10 +186,9 @@ void Recording::read_cut(ByteReader in) {
     }
     if (in.left() > 0) cut.left_out.wires = in.get<std::int32_t>();  // nor these
     in.expect_end();
-    if (!cut.left_out.any() || cut.left_out.iterations < 0 || cut.left_out.wires < 0 ||
-        (!cuts.empty() && cut.step <= cuts.back().step))
-        throw BadBytes("cuts are not in the order of time");
-    cuts.push_back(cut);
+    if (!cut.left_out.any() || cut.left_out.iterations < 0 || cut.left_out.wires < 0)
+        throw BadBytes("a cut leaves nothing out");
+    add_cut(cut);
 }
 
 void Recording::read_event(ByteReader in) {
@@ -219,27 +204,11 @@ void Recording::read_event(ByteReader in) {
 /// The end belongs to the last frame or comes less than a stride behind it: replay steps there.
 void Recording::read_end(ByteReader in) {
     const auto how = get_enum<Ending>(in, static_cast<int>(Ending::unknown));
-    end_step = get_step(in, start_step);
+    end_step = get_step(in, 0);
     end_hash = in.get<std::uint64_t>();
     in.expect_end();
-    const std::int64_t last = frames_.empty() ? start_step : frame_head(frames_.size() - 1).step;
-    if (end_step < last || end_step - last > settings.stride)
-        throw BadBytes("the end is not behind the last frame");
+    check_gap(end_step, false);
     ending = how;
-}
-
-void Recording::read_inputs(ByteReader in) {
-    std::vector<RecordedInput> given(in.get_count(20));
-    for (RecordedInput& change : given) {
-        change.step = get_step(in, inputs.empty() ? start_step : inputs.back().step);
-        change.input = in.get<std::int32_t>();
-        change.value = get_finite(in);
-        if (change.input < 0 ||
-            (!input_names.empty() && static_cast<std::size_t>(change.input) >= input_names.size()))
-            throw BadBytes("an index is out of range");
-        inputs.push_back(change);
-    }
-    in.expect_end();
 }
 
 void Recording::add_frame(std::span<const std::byte> payload) {
@@ -247,10 +216,7 @@ void Recording::add_frame(std::span<const std::byte> payload) {
         throw BadBytes("a frame does not have the size of the scene");
     ByteReader in(payload);
     const Frame head = get_frame_head(in);
-    const std::int64_t gap =
-        frames_.empty() ? head.step - start_step : head.step - frame_head(frames_.size() - 1).step;
-    if (gap > settings.stride || (frames_.empty() ? gap != 0 : gap <= 0))
-        throw BadBytes("frames are not in the order of time");
+    check_gap(head.step, true);
     // The world's clock counts steps.
     const double time = static_cast<double>(head.step) * settings.step;
     if (!(std::abs(head.time - time) <= 1e-9 * (1.0 + time)))

@@ -246,6 +246,12 @@ void RecordingWriter::add_event(const World& world, const Event& event) {
     write_chunk(kEventChunk);
 }
 
+void RecordingWriter::add_take(std::int64_t from, std::int64_t to) {
+    payload_.put(from);
+    payload_.put(to);
+    write_chunk(kTakeChunk);
+}
+
 void RecordingWriter::finish(const World& world, Ending ending) {
     payload_.put(static_cast<std::uint8_t>(ending));
     payload_.put(world.step_count());

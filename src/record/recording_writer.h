@@ -33,6 +33,8 @@ class RecordingWriter {
     void add_loads(const World& world);
     void add_cut(const RecordedCut& cut);
     void add_event(const World& world, const Event& event);
+    /// The world went to another state of its own, which the last change was.
+    void add_take(std::int64_t from, std::int64_t to);
     void finish(const World& world, Ending ending);
 
   private:

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -63,8 +64,9 @@ void Repeater::repeat_loads(World& world) {
     if (loader_ == nullptr)
         loader_ = &static_cast<Loader&>(world.add_system(std::make_unique<Loader>()));
     loader_->next.clear();
-    while (load_ < loads.size() && loads[load_].step < world.step_count()) ++load_;
-    if (load_ == loads.size() || loads[load_].step != world.step_count()) return;
+    const std::size_t end = end_of(loads.size(), &RecordedTake::loads);
+    while (load_ < end && loads[load_].step < world.step_count()) ++load_;
+    if (load_ >= end || loads[load_].step != world.step_count()) return;
     ByteReader in(loads[load_].bytes);
     constexpr std::size_t kLeast = 4 + 4 + 1 + 4 * 8;
     loader_->next.resize(in.get_count(kLeast));
@@ -82,16 +84,38 @@ void Repeater::repeat_loads(World& world) {
     in.expect_end();
 }
 
+/// Of entries of the recording, where those of the present take end.
+std::size_t Repeater::end_of(std::size_t all, std::size_t RecordedTake::* before) const {
+    return take_ < recording_.takes.size() ? recording_.takes[take_].*before : all;
+}
+
+/// The last change of a take is the state that the next one begins with.
+void Repeater::enter_take(World& world) {
+    const RecordedTake& take = recording_.takes[take_];
+    if (world.step_count() != take.to)
+        throw std::runtime_error("a take of the recording does not begin where it says");
+    input_ = take.inputs;
+    load_ = take.loads;
+    cut_ = take.cuts;
+    ++take_;
+}
+
 void Repeater::before_step(World& world) {
     const auto& inputs = recording_.inputs;
     const auto& changes = recording_.changes;
     const auto& cuts = recording_.cuts;
-    const std::int64_t now = world.step_count();
+    std::int64_t now = world.step_count();
     for (;;) {
-        const bool due = change_ < changes.size() && changes[change_].step <= now;
+        const std::size_t end = end_of(changes.size(), &RecordedTake::changes);
+        const bool due = change_ < end && changes[change_].step <= now;
         if (due && changes[change_].inputs_before <= input_) {
             apply_changes(changes[change_++].bytes, world);
-        } else if (input_ < inputs.size() && inputs[input_].step <= now) {
+            if (change_ == end && take_ < recording_.takes.size()) {
+                enter_take(world);
+                now = world.step_count();
+            }
+        } else if (input_ < end_of(inputs.size(), &RecordedTake::inputs) &&
+                   inputs[input_].step <= now) {
             world.set_input({inputs[input_].input}, inputs[input_].value);
             ++input_;
         } else {
@@ -99,8 +123,9 @@ void Repeater::before_step(World& world) {
         }
     }
     repeat_loads(world);
-    while (cut_ < cuts.size() && cuts[cut_].step < now) ++cut_;
-    if (cut_ < cuts.size() && cuts[cut_].step == now) world.degrade_next_step(cuts[cut_].left_out);
+    const std::size_t end = end_of(cuts.size(), &RecordedTake::cuts);
+    while (cut_ < end && cuts[cut_].step < now) ++cut_;
+    if (cut_ < end && cuts[cut_].step == now) world.degrade_next_step(cuts[cut_].left_out);
 }
 
 }  // namespace hawser::record
