@@ -102,6 +102,7 @@ export class Bodies {
         const made = body.role === 'semi' ? ships.semi({half, water}) : body.role === 'barge' ? ships.barge({half, water})
             : ships.ship({half, water, paint, deck: deck?.z ?? null, break: deck ? deck.front + 0.14 : null});
         body.bridge = new Vector3(...made.bridge);
+        body.eye = made.eye ? new Vector3(...made.eye) : null;
         this.part(body, `hull ${body.role} ${half} ${paint} ${water.toFixed(2)} ${deck?.z}`, () => made.build);
         body.wetted = wetted;
     }
@@ -140,7 +141,8 @@ export class Bodies {
             if (!body || !(r > 0) || body.role === 'none' && body.def.kind !== 'fixed') continue;
             const local = this.laid('y', [d.point[0], d.point[1], d.point[2] - r]);
             const scalar = this.byId.get(d.drum);
-            this.turning.push(this.part(body, `drum ${r}`, () => fit.drum(r, Math.min(4 * r, 2.4)), local, {scalar, ratio: 1}));
+            const head = body.role === 'boom';   // a hoist's wire comes over the head
+            this.turning.push(this.part(body, `${head ? 'sheave' : 'drum'} ${r}`, () => head ? fit.sheave(r) : fit.drum(r, Math.min(4 * r, 2.4)), local, {scalar, ratio: 1}));
         }
         for (const w of scene.wheels ?? []) {
             const body = this.byId.get(w.body), r = Math.abs(w.radius);

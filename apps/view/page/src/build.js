@@ -34,9 +34,9 @@ export class Build {
         this.tri(a, c, d, hex);
     }
 
+    /// A thin wall: seen from both sides, as materials here are.
     both(a, b, c, d, hex) {
         this.quad(a, b, c, d, hex);
-        this.quad(d, c, b, a, hex);
     }
 
     /// A convex polygon, cut at a height and just above it, painted by the height of each part.

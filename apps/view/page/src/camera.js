@@ -103,7 +103,8 @@ export class CameraRig {
         this.mode = mode;
         this.subject = subject;
         this.camera.fov = mode === 'bridge' || mode === 'board' ? 62 : 42;
-        this.look = {azimuth: mode === 'bridge' ? Math.PI : 0, elevation: mode === 'bridge' ? -0.2 : -0.12};
+        const aft = mode === 'bridge' || subject?.aft;
+        this.look = {azimuth: aft ? Math.PI : 0, elevation: mode === 'bridge' ? -0.2 : -0.12};
         if (subject && (mode === 'follow' || mode === 'top')) {
             this.distance = (mode === 'top' ? 4.6 : 2.7) * Math.max(6, subject.size);
             if (mode === 'follow') this.elevation = 0.2;
@@ -159,5 +160,5 @@ export class CameraRig {
 }
 
 /// The view of a body as a subject; the same object is updated each frame.
-export const makeSubject = (size, eye, bridge) =>
-    ({position: new Vector3(), quaternion: new Quaternion(), size, eye, bridge});
+export const makeSubject = (size, eye, bridge, aft = false) =>
+    ({position: new Vector3(), quaternion: new Quaternion(), size, eye, bridge, aft});

@@ -11,10 +11,9 @@ export function boom([hx, hy, hz], colour = PAINT.crane) {
     const b = new Build(), t = 0.6;
     const a = [[-hx, -hy, -hz], [-hx, hy, -hz], [-hx, hy, hz], [-hx, -hy, hz]];
     const c = [[hx, -hy * t, -hz * t], [hx, hy * t, -hz * t], [hx, hy * t, hz * t], [hx, -hy * t, hz * t]];
-    for (let i = 0; i < 4; ++i) b.quad(a[i], c[i], c[(i + 1) % 4], a[(i + 1) % 4], colour);
-    for (let i = 0; i < 4; ++i) b.both(a[i], c[i], c[(i + 1) % 4], a[(i + 1) % 4], colour);
-    b.both(...a, colour);
-    b.both(...c, colour);
+    for (let i = 0; i < 4; ++i) b.quad(a[i], a[(i + 1) % 4], c[(i + 1) % 4], c[i], colour);
+    b.quad(...[...a].reverse(), colour);
+    b.quad(...c, colour);
     b.cylinder([-hx, -hy * 1.25, 0], [-hx, hy * 1.25, 0], hz * 0.8, 12, PAINT.dark);
     b.cylinder([hx, -hy * t * 1.3, 0], [hx, hy * t * 1.3, 0], hz * 0.65, 12, PAINT.dark);
     return b;
@@ -61,8 +60,8 @@ export function anchor([hx, hy, hz]) {
         const y0 = s * hy * 0.3, y1 = s * hy * 0.98;
         const f = [[hx * 0.95, y0, 0], [hx * 0.95, y1, 0], [-hx * 0.45, s * hy * 0.55, hz * 0.95]];
         const g = f.map(([x, y, z]) => [x, y, z - hz * 0.35]);
-        b.tri(f[0], f[1], f[2], c); b.tri(f[0], f[2], f[1], c);
-        b.tri(g[0], g[1], g[2], c); b.tri(g[0], g[2], g[1], c);
+        b.tri(f[0], f[1], f[2], c);
+        b.tri(g[0], g[2], g[1], c);
         for (let i = 0; i < 3; ++i) b.both(f[i], f[(i + 1) % 3], g[(i + 1) % 3], g[i], c);
     }
     return b;
@@ -87,7 +86,7 @@ export function drum(radius, length, rope = true) {
     b.cylinder([0, 0, -h], [0, 0, h], radius * (rope ? 0.97 : 0.93), 24, rope ? PAINT.rope : PAINT.steel);
     for (let i = 0; rope && i < 9; ++i) {   // lays of rope
         const z = -h + length * (i + 0.5) / 9;
-        b.cylinder([0, 0, z - length / 32], [0, 0, z + length / 32], radius, 24, i % 2 ? 0x847a63 : PAINT.rope);
+        b.cylinder([0, 0, z - length / 18.5], [0, 0, z + length / 18.5], radius, 24, i % 2 ? 0x847a63 : PAINT.rope);
     }
     for (const s of [1, -1]) {
         b.cylinder([0, 0, s * h - 0.08 * radius], [0, 0, s * h + 0.08 * radius], radius * 1.35, 28, PAINT.crane);

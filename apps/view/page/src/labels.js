@@ -37,7 +37,7 @@ export class Labels {
         frame?.counts.forEach((n, i) => first.push(first[i] + n));
         for (const item of this.items) {
             let place = null;
-            if (on && frame) {
+            if (on && frame && !(stage.aboard && item.body && item.body === stage.subjectBody)) {
                 const at = this.anchor(item, stage, frame, first), far = at && at.distanceTo(stage.camera.position);
                 const near = item.body ? item.body.size * 90 : 420;
                 if (at && far < Math.min(near, 4000) && far > 2) place = stage.project(at.clone());

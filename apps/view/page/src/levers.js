@@ -18,7 +18,8 @@ export class Levers {
         const kept = this.levers[this.active]?.def.name;
         this.panel.replaceChildren(el('h2', {textContent: 'Levers'}));
         this.levers = [];
-        const shown = scene.inputs.map((def, index) => ({...def, index})).filter(i => i.kind !== 'inner' && i.mine);
+        const may = scene.role.inputs, mine = i => i.mine ?? (may === 'all' || may.includes(i.name));
+        const shown = scene.inputs.map((def, index) => ({...def, index})).filter(i => i.kind !== 'inner' && mine(i));
         document.body.classList.toggle('levers-none', !shown.length || !live);
         if (!shown.length) return;
         const rank = ([g]) => first.includes(g) ? 0 : 1;
@@ -39,15 +40,15 @@ export class Levers {
     }
 
     make(def, group) {
-        const range = leverRange(def), at = this.levers.length, id = `lever-${at}`;
+        const range = leverRange(def), vague = / or /.test(def.unit ?? ''), unit = vague ? '' : def.unit, at = this.levers.length, id = `lever-${at}`;
         const rest = def.spring ?? neutral(range), own = def.name.startsWith(`${group}/`) || def.name.startsWith(`${group}.`) ? def.name.slice(group.length + 1) : def.name;
         const slider = el('input', {type: 'range', id, min: range[0], max: range[1], step: 'any', value: def.value ?? rest});
         const output = el('output', {htmlFor: id});
-        const ends = el('div', {className: 'ends', 'aria-hidden': 'true'}, el('span', {textContent: quantity(range[0], def.unit)}),
-            def.spring === null || def.spring === undefined ? el('span', {}) : el('span', {className: 'home', textContent: `springs to ${quantity(def.spring, def.unit)}`}),
-            el('span', {textContent: quantity(range[1], def.unit)}));
+        const ends = el('div', {className: 'ends', 'aria-hidden': 'true'}, el('span', {textContent: quantity(range[0], unit)}),
+            el('span', {className: 'home', textContent: def.spring === null || def.spring === undefined ? vague ? def.unit : '' : `springs to ${quantity(def.spring, unit)}`}),
+            el('span', {textContent: quantity(range[1], unit)}));
         const element = el('div', {className: 'lever'}, el('div', {className: 'head'}, el('label', {for: id, textContent: readable(own), title: def.name}), output), slider, ends);
-        const lever = {def, range, rest, slider, output, element, value: Number(slider.value), held: new Set(), sent: null, until: 0};
+        const lever = {def, unit, range, rest, slider, output, element, value: Number(slider.value), held: new Set(), sent: null, until: 0};
         this.levers.push(lever);
         slider.dataset.input = def.name;
         slider.addEventListener('input', () => this.move(at, Number(slider.value)));
@@ -152,7 +153,7 @@ export class Levers {
 
     paint(lever) {
         const {slider, range, value, def} = lever, of = v => 100 * (v - range[0]) / (range[1] - range[0]);
-        const words = quantity(value, def.unit);
+        const words = quantity(value, lever.unit);
         lever.output.textContent = words;
         slider.setAttribute('aria-valuetext', words);
         const a = Math.min(of(lever.rest), of(value)), b = Math.max(of(lever.rest), of(value)), grey = 'rgb(255 255 255 / 22%)';

@@ -73,7 +73,7 @@ export class Plots {
             return {title: 'Largest tensions', unit: 'N', series: [...wires].sort((a, b) => most(a) - most(b)).slice(0, 6).map(w => ({label: readable(w.name), index: at(`w:${w.name}`)}))};
         }
         if (what.kind === 'stages') {
-            const series = scene.stages.map(s => ({label: s, index: at(`s:stage_${s}`)})).filter(s => s.index >= 0);
+            const series = scene.stages.map(s => ({label: s, index: Math.max(at(`s:stage_${s}_ms`), at(`s:stage_${s}`))})).filter(s => s.index >= 0);
             return {title: 'Step time by stage', unit: 'ms', stacked: true, series, deadline: at('s:deadline_ms')};
         }
         if (what.kind === 'residual')
@@ -119,7 +119,7 @@ export class Plots {
             width: Math.max(200, this.list.clientWidth), height: plan.series.length > 2 ? 150 : 120, pxAlign: 0, legend: {live: false, show: plan.series.length > 1 || plan.deadline >= 0},
             bands: fills ? plan.series.slice(1).map((_, i) => ({series: [i + 2, i + 1]})) : undefined,
             cursor: {y: false}, scales: {x: {time: false}, y: plan.log ? {distr: 3} : {range: (u, lo, hi) => this.range(plan, lo, hi)}},
-            series: [{}, ...series], axes: [{...axis, size: 28}, {...axis, size: 62, values: plan.log ? undefined : values}],
+            series: [{}, ...series], axes: [{...axis, size: 28}, {...axis, size: 70, values: plan.log ? undefined : values}],
         }, [[]], card.body);
     }
 
@@ -144,9 +144,11 @@ export class Plots {
         if (this.panel.hidden || now < this.due) return;
         this.due = now + 250;
         for (const card of this.cards) {
-            const {plan} = card;
-            if (!card.chart) this.chart(card);
-            const source = card.own ?? this.history, wanted = card.own ? [0] : plan.series.map(s => s.index);
+            if (!card.chart) {
+                card.plan = this.describe(card.what);   // the largest tensions are those of now
+                this.chart(card);
+            }
+            const {plan} = card, source = card.own ?? this.history, wanted = card.own ? [0] : plan.series.map(s => s.index);
             const data = source.columns(plan.deadline >= 0 ? [...wanted, plan.deadline] : wanted, kSpan);
             if (plan.stacked) stack(data, plan.series.length);
             if (plan.log) for (let i = 1; i < data.length; ++i) data[i] = data[i].map(v => v > 0 ? v : null);

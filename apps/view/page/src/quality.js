@@ -15,8 +15,8 @@ export class Quality {
 
     /// A frame was shown at `now` [ms]; `ms` of script and drawing were spent on it.
     shown(now, ms) {
-        if (this.last !== undefined && now - this.last < 1000) this.times.push([now - this.last, ms]);
-        this.last = now;
+        if (this.last !== undefined && now - this.last < 4000) this.times.push([now - this.last, ms]);
+        this.last = globalThis.document?.hidden ? undefined : now;
         const total = this.times.reduce((s, [gap]) => s + gap, 0);
         if (total < 600 || this.times.length < 4) return;
         this.fps = 1000 * this.times.length / total;

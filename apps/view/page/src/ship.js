@@ -156,7 +156,7 @@ export function ship({half, deck: deckHeight = null, break: breakAt = null, wate
         b.box([-0.93 * hx, s * hy * 0.93 - 0.35 * u, low], [(split - 0.05) * hx, s * hy * 0.93 + 0.35 * u, low + 1.15 * u], PAINT.steel);
     }
     b.cylinder([0.86 * hx, 0, high], [0.86 * hx, 0, high + 1.1 * u], 0.9 * u, 10, PAINT.steel);
-    return {build: b, bridge: [bridge0 + 0.4 * u, 0, roof + 1.1 * u], low, high};
+    return {build: b, bridge: [bridge0 + 0.4 * u, 0, roof + 1.1 * u], eye: [(split - 0.02) * hx, -0.62 * hy, low + 4.4 * u], low, high};
 }
 
 function mast(b, x, z, u) {

@@ -16,6 +16,21 @@ import {Wires} from './wires.js';
 
 export const FORCE = {contact: 0x9b2fae, joint: 0x0a7d5a};
 
+/// The scene's box, or that of its bodies.
+function viewBox(scene) {
+    if (scene.view_box?.length === 2) return scene.view_box;
+    const lo = [Infinity, Infinity, Infinity], hi = lo.map(v => -v);
+    for (const b of scene.bodies) {
+        if (b.kind === 'scalar') continue;
+        const r = Math.max(0.5, ...(b.half_size ?? []));
+        b.position.forEach((v, i) => {
+            lo[i] = Math.min(lo[i], v - r);
+            hi[i] = Math.max(hi[i], v + r);
+        });
+    }
+    return hi[0] > lo[0] ? [lo, hi] : [[-10, -10, -5], [10, 10, 10]];
+}
+
 /// Whether pictures are drawn by the processor.
 function softwareGl() {
     const gl = document.createElement('canvas').getContext('webgl2'), info = gl?.getExtension('WEBGL_debug_renderer_info');
@@ -87,7 +102,7 @@ export class Stage {
 
     /// The bottom: that of the sea, else a plane that faces up, else the lowest thing.
     findBed(scene) {
-        const oz = scene.origin[2], box = scene.view_box ?? [[-10, -10, -1], [10, 10, 10]];
+        const oz = scene.origin[2], box = viewBox(scene);
         let bed = scene.sea ? -scene.sea.depth - oz : null;
         for (const s of scene.shapes) {
             if (s.kind !== 'plane') continue;
@@ -99,7 +114,7 @@ export class Stage {
     }
 
     firstView(scene) {
-        const [lo, hi] = scene.view_box ?? [[-10, -10, -5], [10, 10, 10]], o = scene.origin;
+        const [lo, hi] = viewBox(scene), o = scene.origin;
         const size = Math.hypot(...hi.map((v, i) => v - lo[i]));
         this.rig.target.set(...hi.map((v, i) => (v + lo[i]) / 2 - o[i]));
         this.rig.distance = Math.max(3, 1.15 * size);
@@ -131,7 +146,7 @@ export class Stage {
         this.subjectBody = body;
         if (!body) return this.subject = null;
         const [hx, , hz] = body.half ?? [1, 1, 1];
-        this.subject = makeSubject(body.size, new Vector3(-0.15 * hx, 0, hz + Math.max(1.8, 0.15 * hz)), body.bridge ?? null);
+        this.subject = makeSubject(body.size, body.eye ?? new Vector3(-0.15 * hx, 0, hz + Math.max(1.8, 0.15 * hz)), body.bridge ?? null, Boolean(body.eye));
         this.subject.position.copy(body.position);
         this.subject.quaternion.copy(body.quaternion);
         this.rig.subject = this.subject;
@@ -210,7 +225,7 @@ export class Stage {
         if (this.light.sun.castShadow !== on) this.light.sun.castShadow = on;
         if (!on || now < this.shadowDue) return;
         this.shadowDue = now + (this.quality.tubes ? 60 : 250);
-        const aboard = this.rig.mode === 'board' || this.rig.mode === 'bridge';
+        const {aboard} = this;
         aimSun(this.light, aboard && this.subject ? this.subject.position : this.rig.target,
                aboard ? 70 : 0.62 * this.rig.distance);
         map.needsUpdate = true;
@@ -221,13 +236,13 @@ export class Stage {
         if (!frame) return;
         arrows.reserve((show.contacts ? frame.contactCount : 0) + (show.joints ? frame.jointCount : 0));
         arrows.begin();
-        const {v} = this.scratch, unit = 0.011 * Math.min(this.rig.distance, 400);
+        const {v} = this.scratch, unit = 0.006 * (this.aboard ? 30 : Math.min(this.rig.distance, 400));
         this.forceUnit = unit;
         if (show.contacts) {
             const c = frame.contacts;
             for (let i = 0; i < c.length; i += 6) {
                 const far = Math.hypot(c[i] - eye.x, c[i + 1] - eye.y, c[i + 2] - eye.z);
-                if (far < 60 * this.rig.distance) arrows.add(c[i], c[i + 1], c[i + 2], c[i + 3], c[i + 4], c[i + 5], unit, FORCE.contact);
+                if (far < (this.aboard ? 300 : 60 * this.rig.distance)) arrows.add(c[i], c[i + 1], c[i + 2], c[i + 3], c[i + 4], c[i + 5], unit, FORCE.contact);
             }
         }
         if (show.joints) {
@@ -239,6 +254,11 @@ export class Stage {
             }
         }
         arrows.end();
+    }
+
+    /// Whether the camera is on the body that it goes with.
+    get aboard() {
+        return this.rig.mode === 'board' || this.rig.mode === 'bridge';
     }
 
     ray(x, y) {

@@ -85,8 +85,8 @@ void main() {
 }
 
 export function makeLight() {
-    const group = new Group(), sky = new HemisphereLight(0xdcebf5, 0x55636b, 1.7);
-    const sun = new DirectionalLight(0xfff2dc, 2.6);
+    const group = new Group(), sky = new HemisphereLight(0xe4f0f8, 0x64727a, 2.3);
+    const sun = new DirectionalLight(0xfff2dc, 2.5);
     sky.position.set(0, 0, 1);
     sun.castShadow = true;
     sun.shadow.mapSize.set(1024, 1024);
