@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view_run.h"
 
+#include <hawser/recording.h>
 #include "commands.h"
 #include "live/driver.h"
+#include "live/player.h"
 #include "live/server.h"
 #include "outputs.h"
 #include "realtime.h"
@@ -93,12 +95,31 @@ int view_scene(const ViewOptions& options) {
     return kOk;
 }
 
+int view_recording(const ViewOptions& options) {
+    if (!options.record.empty() || !options.restore.empty() || !options.control.empty())
+        throw std::runtime_error(
+            options.scene.file +
+            ": a recording is shown as it is: --record, --restore and --control are for scenes");
+    const record::Recording recording = record::Recording::open(options.scene.file);
+    if (!recording.damage.empty())
+        fmt::print(stderr, "{}: not complete: {}\n", recording.file, recording.damage);
+    live::Hub hub;
+    live::Player player(recording, hub);
+    if (!player.fault().empty())
+        fmt::print(stderr, "{}: shown without its shapes: {}\n", recording.file, player.fault());
+    const live::ServerOptions to_serve = server_options(options, true);
+    live::Server server(hub, to_serve);
+    print_addresses(server, to_serve);
+    if (options.open) open_browser(server.address_of(to_serve.roles.front()));
+    catch_signals();
+    player.run([] { return stop_requested(); });
+    return kOk;
+}
+
 }  // namespace
 
 int view(const ViewOptions& options) {
-    if (is_recording(options.scene.file))
-        throw std::runtime_error(options.scene.file + ": recordings are not shown yet");
-    return view_scene(options);
+    return is_recording(options.scene.file) ? view_recording(options) : view_scene(options);
 }
 
 }  // namespace hawser::cli

@@ -44,7 +44,8 @@ Driver::Driver(Session& session, Hub& hub, const DriverOptions& options)
 }
 
 void Driver::tell_scene() {
-    out_.scene(scene_text(session_.scene(), plan_, {.epoch = notes_.epoch, .origin = origin_}));
+    out_.scene(
+        text_of(scene_json(session_.scene(), plan_, {.epoch = notes_.epoch, .origin = origin_})));
     told_ = out_.flush();
 }
 

@@ -37,12 +37,13 @@ class FrameWriter {
     void add_wire(const World& world, const WireSource& wire, const StateView& state,
                   const Vec3& origin);
     void add_contacts(const World& world, const Vec3& origin, FrameHeader& head);
-    void add_stats(const World& world, const FrameNotes& notes, float* to, FrameHeader& head) const;
+    void add_stats(const World& world, const FrameNotes& notes, float* to, FrameHeader& head);
 
     std::vector<std::uint32_t> counts_;
     std::vector<float> points_, tensions_, forces_;
     std::vector<ContactView> contacts_;
-    double seconds_ = 0.0;
+    double seconds_ = 0.0, energy_ = 0.0;
+    std::int64_t energy_of_ = -1;  ///< Step that it is of.
 };
 
 }  // namespace hawser::live

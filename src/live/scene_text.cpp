@@ -224,7 +224,7 @@ const char* to_string(BodyKind kind) noexcept {
     return "";
 }
 
-std::string scene_text(const scene::Scene& scene, const FramePlan& plan, const SceneNotes& notes) {
+Json scene_json(const scene::Scene& scene, const FramePlan& plan, const SceneNotes& notes) {
     const World& world = scene.world;
     Json out{{"type", "scene"},
              {"version", kProtocolVersion},
@@ -253,7 +253,7 @@ std::string scene_text(const scene::Scene& scene, const FramePlan& plan, const S
     out["inputs"] = inputs_of(world, plan);
     out["outputs"] = outputs_of(world, plan);
     add_sea(world, out);
-    return text_of(out);
+    return out;
 }
 
 }  // namespace hawser::live

@@ -23,9 +23,9 @@ struct SceneNotes {
     bool recording = false;
 };
 
-/// @param plan  Of this scene as it is.
-[[nodiscard]] std::string scene_text(const scene::Scene& scene, const FramePlan& plan,
-                                     const SceneNotes& notes);
+/// @param plan  Of this scene as it is. @return the message for text_of().
+[[nodiscard]] Json scene_json(const scene::Scene& scene, const FramePlan& plan,
+                              const SceneNotes& notes);
 
 // --- Pieces of it, also for recordings --------------------------------------------------------
 /// Numbers with the digits that matter: of lengths 0.1 mm, of directions 1e-7.

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file client.h
+/// A client of the socket /live: its rights, what it is sent, and the rules it has to keep.
+
+#include "live/beast/floor.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <deque>
+
+namespace hawser::live::net {
+
+inline constexpr std::size_t kMostWaiting = 4096;          ///< Texts for one client …
+inline constexpr std::size_t kMostWaitingBytes = 1 << 20;  ///< … and their bytes, but for scenes.
+inline constexpr double kMostRate = 200.0;                 ///< Messages a second of a client.
+inline constexpr int kMostFaults = 3;                      ///< Of a client.
+
+/// A client at the socket /live.
+class Client : public std::enable_shared_from_this<Client> {
+  public:
+    Client(Floor& floor, beast::tcp_stream stream, std::uint32_t number, std::string from)
+        : floor_(floor),
+          socket_(std::move(stream)),
+          number_(number),
+          from_(std::move(from)),
+          born_(clock_now()),
+          allowance_since_(born_) {}
+
+    void begin(const http::request<http::empty_body>& request) {
+        beast::get_lowest_layer(socket_).expires_never();
+        websocket::stream_base::timeout limits{};
+        limits.handshake_timeout =
+            std::chrono::milliseconds(static_cast<int>(1e3 * floor_.options_.handshake_seconds));
+        limits.idle_timeout = websocket::stream_base::none();
+        limits.keep_alive_pings = false;
+        socket_.set_option(limits);
+        socket_.read_message_max(kMostMessage);
+        socket_.auto_fragment(false);
+        socket_.async_accept(request, [self = shared_from_this()](Error error) {
+            if (error) return self->drop();
+            self->read();
+        });
+    }
+
+    [[nodiscard]] bool known() const { return role_ != nullptr; }
+    [[nodiscard]] const Role* role() const { return role_; }
+
+    void send(Text text) {
+        if (!known() || closing_) return;
+        push(std::move(text));
+    }
+    void send_scene(const std::string& scene) {
+        send(std::make_shared<const std::string>("{\"role\":" + role_text(*role_) + "," + scene));
+    }
+    void show(const Frame& frame) {
+        if (!known() || closing_) return;
+        if (frame_) floor_.left_out_.fetch_add(1, std::memory_order_relaxed);
+        frame_ = frame;
+        pump();
+    }
+    void close(websocket::close_code code, const std::string& reason) {
+        if (closing_) return;
+        closing_ = true;
+        close_reason_ = {code, reason.substr(0, 120)};
+        closing_since_ = clock_now();
+        frame_.reset();
+        pump();
+    }
+    /// Once a second.
+    void look(double now) {
+        const ServerOptions& o = floor_.options_;
+        if (!known() && !closing_ && now - born_ > o.handshake_seconds) {
+            fault("no hello within " + std::to_string(static_cast<int>(o.handshake_seconds)) + " s",
+                  true);
+        } else if (writing_ && now - writing_since_ > o.slow_seconds) {
+            floor_.log("dropped: " + from_ + " took nothing for " +
+                       std::to_string(static_cast<int>(std::round(o.slow_seconds))) + " s");
+            floor_.dropped_.fetch_add(1, std::memory_order_relaxed);
+            drop();
+        } else if (closing_ && now - closing_since_ > o.handshake_seconds) {
+            drop();
+        }
+    }
+    void drop() {
+        if (gone_) return;
+        gone_ = closing_ = true;
+        Error ignored;
+        beast::get_lowest_layer(socket_).socket().close(ignored);
+        floor_.left(number_);
+    }
+
+  private:
+    void read() {
+        socket_.async_read(
+            buffer_, [self = shared_from_this()](Error error, std::size_t) { self->got(error); });
+    }
+
+    void got(Error error) {
+        if (gone_) return;
+        if (error) {
+            if (error == websocket::error::message_too_big ||
+                error == websocket::error::buffer_overflow)
+                floor_.refuse(from_ + ": a message of more than 16 kB");
+            return drop();
+        }
+        const auto bytes = buffer_.data();
+        if (closing_) {
+            // It is on its way out.
+        } else if (!within_rate()) {
+            fault("more than 200 messages a second");
+        } else if (!socket_.got_text()) {
+            fault("a message that is no text");
+        } else {
+            take({static_cast<const char*>(bytes.data()), bytes.size()});
+        }
+        buffer_.consume(buffer_.size());
+        read();
+    }
+
+    /// A bucket that holds the messages of a second.
+    bool within_rate() {
+        const double now = clock_now();
+        allowance_ = std::min(kMostRate, allowance_ + kMostRate * (now - allowance_since_));
+        allowance_since_ = now;
+        if (allowance_ < 1.0) return false;
+        allowance_ -= 1.0;
+        return true;
+    }
+
+    void take(std::string_view text) {
+        Request request;
+        std::string reason;
+        if (!parse(text, request, reason)) return fault(reason, false, request.id, request.kind);
+        if (request.hello) return hello(request);
+        if (!known()) return fault("the first message is a hello", true);
+        for (Command& command : request.commands)
+            if (std::string why = forbidden(*role_, command, floor_.options_.recording);
+                !why.empty())
+                return fault(why, false, request.id, request.kind);
+        if (floor_.hub_.commands.room() < request.commands.size())
+            return error("too many commands are waiting; try again", request.id, request.kind);
+        for (Command& command : request.commands) {
+            command.client = number_;
+            (void)command.role.assign(role_->name.substr(0, command.role.kMost));
+            (void)floor_.hub_.commands.push(std::move(command));
+        }
+    }
+
+    void hello(const Request& request) {
+        if (known()) return fault("hello has been said");
+        if (request.version != kVersionOfHello)
+            return fault("this server speaks version 1 of the protocol", true);
+        const Role* role = role_of(floor_.options_.roles, request.token);
+        if (!role) return fault("no role has this token", true);
+        role_ = role;
+        floor_.hub_.clients.fetch_add(1, std::memory_order_relaxed);
+        if (floor_.scene_) send_scene(*floor_.scene_);
+        if (floor_.timeline_) send(floor_.timeline_);
+        if (floor_.state_) send(floor_.state_);
+        if (floor_.newest_) show(floor_.newest_);
+    }
+
+    /// A rule was broken. @param last  This closes the connection.
+    void fault(const std::string& reason, bool last = false, std::int64_t id = kNoId,
+               CommandKind of = CommandKind::none) {
+        ++faults_;
+        last = last || faults_ >= kMostFaults;
+        floor_.refuse(from_ + (role_ ? " (" + role_->name + ")" : std::string()) + ": " + reason +
+                      (last ? "; closed" : ""));
+        error(reason, id, of);
+        if (last) close(websocket::close_code::policy_error, reason);
+    }
+
+    void error(const std::string& reason, std::int64_t id, CommandKind of) {
+        push(std::make_shared<const std::string>(error_text(reason, id, of)));
+    }
+
+    static std::string error_text(const std::string& reason, std::int64_t id, CommandKind of) {
+        std::string out = "{\"type\":\"error\"";
+        if (id != kNoId) out += ",\"id\":" + std::to_string(id);
+        if (of != CommandKind::none) out += std::string(",\"of\":\"") + to_string(of) + "\"";
+        return out + ",\"reason\":" + json_text(reason) + "}";
+    }
+
+    /// A JSON string of valid UTF-8.
+    static std::string json_text(const std::string& text) {
+        std::string out = "\"";
+        for (const char c : text) {
+            if (c == '"' || c == '\\') out += '\\';
+            if (static_cast<unsigned char>(c) >= 0x20) out += c;
+        }
+        return out + "\"";
+    }
+
+    void push(Text text) {
+        if (gone_) return;
+        waiting_bytes_ += text->size();
+        texts_.push_back(std::move(text));
+        if (texts_.size() > kMostWaiting ||
+            (texts_.size() > 4 && waiting_bytes_ > kMostWaitingBytes + texts_.front()->size())) {
+            floor_.log("dropped: " + from_ + " takes no messages");
+            floor_.dropped_.fetch_add(1, std::memory_order_relaxed);
+            return drop();
+        }
+        pump();
+    }
+
+    void pump() {
+        if (writing_ || gone_) return;
+        if (!texts_.empty()) {
+            write_text();
+        } else if (closing_) {
+            writing_ = true;
+            writing_since_ = clock_now();
+            socket_.async_close({close_reason_.first, close_reason_.second},
+                                [self = shared_from_this()](Error) { self->drop(); });
+        } else if (frame_) {
+            write_frame();
+        }
+    }
+
+    void write_text() {
+        const Text text = std::move(texts_.front());
+        texts_.pop_front();
+        waiting_bytes_ -= text->size();
+        begin_write();
+        socket_.text(true);
+        socket_.async_write(
+            asio::buffer(*text),
+            [self = shared_from_this(), text](Error error, std::size_t) { self->wrote(error); });
+    }
+
+    void write_frame() {
+        const Frame frame = std::move(frame_);
+        frame_.reset();
+        begin_write();
+        floor_.sent_.fetch_add(1, std::memory_order_relaxed);
+        socket_.binary(true);
+        socket_.async_write(
+            asio::buffer(*frame),
+            [self = shared_from_this(), frame](Error error, std::size_t) { self->wrote(error); });
+    }
+
+    void begin_write() {
+        writing_ = true;
+        writing_since_ = clock_now();
+    }
+    void wrote(Error error) {
+        writing_ = false;
+        if (error) return drop();
+        pump();
+    }
+
+    static constexpr double kVersionOfHello = 1.0;
+    Floor& floor_;
+    websocket::stream<beast::tcp_stream> socket_;
+    beast::flat_static_buffer<kMostMessage + 1024> buffer_;
+    std::uint32_t number_;
+    std::string from_;
+    const Role* role_ = nullptr;
+    std::deque<Text> texts_;
+    std::size_t waiting_bytes_ = 0;
+    Frame frame_;  ///< The one that waits.
+    bool writing_ = false, closing_ = false, gone_ = false;
+    int faults_ = 0;
+    double born_, writing_since_ = 0.0, closing_since_ = 0.0;
+    double allowance_ = kMostRate, allowance_since_;
+    std::pair<websocket::close_code, std::string> close_reason_{websocket::close_code::normal, ""};
+};
+
+}  // namespace hawser::live::net

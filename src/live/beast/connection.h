@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file connection.h
+/// A connection until it is answered with a file or a refusal, or becomes a client.
+
+#include "live/beast/client.h"
+
+namespace hawser::live::net {
+
+inline constexpr std::size_t kMostHeader = 8 * 1024;  ///< Of a request [bytes].
+inline constexpr int kSendBuffer = 128 * 1024;        ///< Of the kernel, of a client [bytes].
+
+/// A connection until it is answered, or becomes a client.
+class Connection : public std::enable_shared_from_this<Connection> {
+  public:
+    Connection(Floor& floor, Tcp::socket socket) : floor_(floor), stream_(std::move(socket)) {
+        ++floor_.connections_;
+        Error error;
+        const auto end = stream_.socket().remote_endpoint(error);
+        if (!error) from_ = end.address().to_string() + ":" + std::to_string(end.port());
+        stream_.socket().set_option(Tcp::no_delay(true), error);
+        stream_.socket().set_option(asio::socket_base::send_buffer_size(kSendBuffer), error);
+    }
+    ~Connection() { --floor_.connections_; }
+
+    void begin() {
+        parser_.header_limit(kMostHeader);
+        parser_.body_limit(0);
+        stream_.expires_after(
+            std::chrono::milliseconds(static_cast<int>(1e3 * floor_.options_.handshake_seconds)));
+        http::async_read(
+            stream_, buffer_, parser_,
+            [self = shared_from_this()](Error error, std::size_t) { self->got(error); });
+    }
+
+  private:
+    void got(Error error) {
+        if (error == beast::error::timeout)
+            return floor_.refuse(from_ + ": no complete request in time");
+        if (error == http::error::end_of_stream || error == asio::error::eof ||
+            error == asio::error::connection_reset || error == http::error::partial_message)
+            return;
+        if (error) {
+            floor_.refuse(from_ + ": a request that makes no sense (" + error.message() + ")");
+            return answer(http::status::bad_request, "This is no request.\n");
+        }
+        const auto& request = parser_.get();
+        host_ = std::string(view_of(request[http::field::host]));
+        if (!host_allowed(floor_.names_, host_)) {
+            floor_.refuse(from_ + ": foreign Host " + shown(host_));
+            host_.clear();
+            return answer(http::status::forbidden, "This server is not called so.\n");
+        }
+        if (websocket::is_upgrade(request)) return upgrade();
+        if (request.method() != http::verb::get && request.method() != http::verb::head) {
+            floor_.refuse(from_ + ": method " + shown(view_of(request.method_string())));
+            return answer(http::status::method_not_allowed, "Only GET and HEAD.\n");
+        }
+        const PageFile* file = file_at(view_of(request.target()));
+        if (!file) {
+            floor_.refuse(from_ + ": no file " + shown(view_of(request.target())));
+            return answer(http::status::not_found, "There is no such file.\n");
+        }
+        send_file(*file, request.method() == http::verb::head);
+    }
+
+    void upgrade() {
+        const auto& request = parser_.get();
+        const std::string_view origin = view_of(request[http::field::origin]);
+        if (!origin_allowed(origin, host_)) {
+            floor_.refuse(from_ + ": foreign Origin " + shown(origin));
+            return answer(http::status::forbidden, "This page may not connect.\n");
+        }
+        if (request.target() != "/live") {
+            floor_.refuse(from_ + ": no socket " + shown(view_of(request.target())));
+            return answer(http::status::not_found, "The socket is /live.\n");
+        }
+        if (floor_.clients_.size() >= static_cast<std::size_t>(floor_.options_.clients)) {
+            floor_.refuse(from_ + ": all places for clients are taken (--clients " +
+                          std::to_string(floor_.options_.clients) + ")");
+            return answer(http::status::service_unavailable, "All places are taken.\n");
+        }
+        const std::uint32_t number = floor_.next_number();
+        auto client = std::make_shared<Client>(floor_, std::move(stream_), number, from_);
+        floor_.clients_.emplace(number, client);
+        client->begin(request);
+    }
+
+    /// What a stranger sent, for the log: short, and nothing that a terminal obeys.
+    static std::string shown(std::string_view text) {
+        constexpr std::size_t kShown = 60;
+        std::string out = "\"";
+        for (const char c : text.substr(0, kShown)) out += c >= ' ' && c <= '~' ? c : '?';
+        return out + (text.size() > kShown ? "…\"" : "\"");
+    }
+
+    template <class Body>
+    void send(std::shared_ptr<http::response<Body>> response) {
+        for (const auto& [name, value] : safe_headers(host_)) response->set(name, value);
+        response->keep_alive(false);
+        http::async_write(stream_, *response,
+                          [self = shared_from_this(), response](Error, std::size_t) {
+                              Error ignored;
+                              self->stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
+                          });
+    }
+
+    void answer(http::status status, const char* words) {
+        auto response = std::make_shared<http::response<http::string_body>>(status, 11);
+        response->set(http::field::content_type, "text/plain; charset=utf-8");
+        response->body() = words;
+        response->prepare_payload();
+        send(response);
+    }
+
+    void send_file(const PageFile& file, bool head_only) {
+        using Span = http::span_body<const unsigned char>;
+        auto response = std::make_shared<http::response<Span>>(http::status::ok, 11);
+        response->set(http::field::content_type,
+                      beast::string_view(file.type.data(), file.type.size()));
+        if (is_compressed(file)) response->set(http::field::content_encoding, "gzip");
+        response->content_length(file.gzip.size());
+        if (!head_only) response->body() = {file.gzip.data(), file.gzip.size()};
+        if (!head_only) return send(response);
+        auto empty = std::make_shared<http::response<http::empty_body>>(http::status::ok, 11);
+        empty->base() = response->base();
+        send(empty);
+    }
+
+    Floor& floor_;
+    beast::tcp_stream stream_;
+    beast::flat_static_buffer<kMostHeader + 1024> buffer_;
+    http::request_parser<http::empty_body> parser_;
+    std::string from_, host_;
+};
+
+}  // namespace hawser::live::net

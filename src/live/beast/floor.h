@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file floor.h
+/// What the parts of the server share: options, clients, what is told to all, the log. Only
+/// server.cpp includes this folder, since Boost.Beast takes ten seconds to compile.
+
+#include "live/hub.h"
+#include "live/server_options.h"
+#include "live/web_rules.h"
+
+#include <utility>  // Asio 1.74 uses std::exchange without it
+
+#include <boost/asio.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace hawser::live::net {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using Tcp = asio::ip::tcp;
+using Error = beast::error_code;
+using Text = std::shared_ptr<const std::string>;
+using Frame = std::shared_ptr<const Bytes>;
+
+[[nodiscard]] inline std::string_view view_of(beast::string_view text) {
+    return {text.data(), text.size()};
+}
+
+class Client;
+
+/// What connections need of the server.
+class Floor {
+  public:
+    Floor(Hub& hub, ServerOptions options) : hub_(hub), options_(std::move(options)) {}
+    virtual ~Floor() = default;
+
+    Hub& hub_;
+    const ServerOptions options_;
+    HostNames names_;
+    std::map<std::uint32_t, std::shared_ptr<Client>> clients_;
+    int connections_ = 0;
+    Text scene_, state_, timeline_;
+    Frame newest_;
+    std::atomic<std::int64_t> sent_{0}, left_out_{0}, refused_{0}, dropped_{0};
+
+    /// One line of the log; the rest of a flood is counted.
+    void log(const std::string& line) {
+        constexpr int kMostLines = 20;
+        constexpr double kWhile = 10.0;  // [s]
+        const double now = clock_now();
+        if (now - log_since_ > kWhile) {
+            if (unsaid_ > 0 && options_.log)
+                options_.log("and " + std::to_string(unsaid_) + " more refusals");
+            log_since_ = now;
+            lines_ = unsaid_ = 0;
+        }
+        if (++lines_ > kMostLines)
+            ++unsaid_;
+        else if (options_.log)
+            options_.log(line);
+    }
+    void refuse(const std::string& line) {
+        refused_.fetch_add(1, std::memory_order_relaxed);
+        log("refused: " + line);
+    }
+    virtual void left(std::uint32_t number) = 0;
+    virtual std::uint32_t next_number() = 0;
+
+  private:
+    double log_since_ = -1e9;
+    int lines_ = 0, unsaid_ = 0;
+};
+
+}  // namespace hawser::live::net

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/player.h"
+
+#include "live/scene_text.h"
+#include "live/told.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace hawser::live {
+
+Player::Player(const record::Recording& recording, Hub& hub)
+    : recording_(recording), hub_(hub), out_(hub), scene_(recording) {
+    out_.scene(text_of(scene_.json()));
+    tell_timeline();
+    tell_state();
+    publish();
+}
+
+void Player::tell_timeline() {
+    constexpr std::size_t kMost = 4096;
+    Json events = Json::array(), inputs = Json::array(), takes = Json::array();
+    // What happens seldom is worth a mark on the line.
+    for (const bool often : {false, true})
+        for (const record::RecordedEvent& event : recording_.events) {
+            const bool frequent = event.kind == EventKind::slack || event.kind == EventKind::taut;
+            if (frequent != often || events.size() >= kMost) continue;
+            events.push_back({{"time", event.time},
+                              {"kind", to_string(event.kind)},
+                              {"name", event.where},
+                              {"value", event.value},
+                              {"words", event_words(event.where, event.kind, event.value)}});
+        }
+    for (const record::RecordedInput& input : recording_.inputs)
+        if (inputs.size() < kMost &&
+            static_cast<std::size_t>(input.input) < recording_.input_names.size())
+            inputs.push_back({static_cast<double>(input.step) * recording_.settings.step,
+                              recording_.input_names[static_cast<std::size_t>(input.input)],
+                              input.value});
+    for (const record::RecordedTake& take : recording_.takes)
+        takes.push_back({static_cast<double>(take.from) * recording_.settings.step,
+                         static_cast<double>(take.to) * recording_.settings.step});
+    out_.timeline({{"type", "timeline"}, {"events", events}, {"inputs", inputs}, {"takes", takes}});
+}
+
+void Player::tell_state() {
+    double first = recording_.frame_head(0).time, last = first;
+    for (std::size_t f = 0; f < recording_.frame_count(); ++f) {
+        const double time = recording_.frame_head(f).time;
+        first = std::min(first, time);
+        last = std::max(last, time);
+    }
+    out_.state({{"type", "state"},
+                {"paused", paused_},
+                {"rate", rate_},
+                {"time", recording_.frame_head(frame_).time},
+                {"restore_points", Json::array()},
+                {"range", {first, last}},
+                {"recording", nullptr},
+                {"clients", hub_.clients.load(std::memory_order_relaxed)},
+                {"failure", nullptr}});
+    (void)out_.flush();
+}
+
+std::size_t Player::frame_at(double time) const {
+    constexpr double kSlack = 1e-9;  // times go through text
+    const auto& takes = recording_.takes;
+    for (std::size_t t = takes.size() + 1; t-- > 0;) {
+        const std::size_t begin = t == 0 ? 0 : takes[t - 1].frames;
+        std::size_t low = begin,
+                    high = t < takes.size() ? takes[t].frames : recording_.frame_count();
+        if (low == high || recording_.frame_head(low).time > time + kSlack) continue;
+        while (high - low > 1) {
+            const std::size_t mid = low + (high - low) / 2;
+            (recording_.frame_head(mid).time <= time + kSlack ? low : high) = mid;
+        }
+        return low;
+    }
+    return 0;
+}
+
+double Player::gap() const {
+    if (frame_ + 1 >= recording_.frame_count()) return recording_.settings.step;
+    const double gap = recording_.frame_head(frame_ + 1).time - recording_.frame_head(frame_).time;
+    return gap > 0.0 ? gap : recording_.settings.step;  // where a take begins
+}
+
+void Player::publish() {
+    if (!out_.flush()) return;
+    const auto flags = static_cast<std::uint16_t>(paused_ ? kPaused : 0);
+    scene_.write(frame_, flags, ++number_, hub_.frames.back());
+    hub_.frames.publish();
+    hub_.wake();
+    shown_ = Pace::Clock::now();
+    changed_ = false;
+}
+
+void Player::perform(const Command& command) {
+    changed_ = true;
+    const std::size_t last = recording_.frame_count() - 1;
+    switch (command.kind) {
+        case CommandKind::pause:
+            paused_ = true;
+            to_go_ = 0;
+            break;
+        case CommandKind::resume:
+            if (frame_ == last) frame_ = 0;  // from the beginning
+            paused_ = false;
+            pace_.begin();
+            break;
+        case CommandKind::step:
+            paused_ = true;
+            to_go_ = static_cast<int>(command.value);
+            pace_.begin();
+            break;
+        case CommandKind::rate:
+            rate_ = command.value;
+            pace_.begin();
+            break;
+        case CommandKind::seek:
+            frame_ = frame_at(command.value);
+            to_go_ = 0;
+            pace_.begin();
+            break;
+        case CommandKind::left:
+        case CommandKind::none:
+            return;
+        case CommandKind::pick:
+            throw DefError("a recording has poses and tensions alone, which frames show");
+        default:
+            throw DefError("a recording cannot be changed");
+    }
+    out_.answer(command);
+    tell_state();
+}
+
+void Player::take_commands() {
+    Command command;
+    while (hub_.commands.pop(command)) {
+        try {
+            perform(command);
+        } catch (const DefError& refused) {
+            out_.refuse(command, refused.what());
+        }
+    }
+}
+
+void Player::advance() {
+    take_commands();
+    const int clients = hub_.clients.load(std::memory_order_relaxed);
+    if (clients != clients_) {
+        clients_ = clients;
+        tell_state();
+    }
+    const bool plays = !paused_ || to_go_ > 0;
+    if (plays && !changed_) {
+        pace_.took(gap(), rate_);
+        if (frame_ + 1 < recording_.frame_count()) ++frame_;
+        if (to_go_ > 0 && --to_go_ == 0) tell_state();
+        if (frame_ + 1 == recording_.frame_count() && !paused_) {
+            paused_ = true;
+            tell_state();
+        }
+        return publish();
+    }
+    constexpr std::chrono::milliseconds kShow{100};
+    if (changed_ || Pace::Clock::now() - shown_ >= kShow) publish();
+}
+
+void Player::run(const std::function<bool()>& stop) {
+    constexpr std::chrono::milliseconds kSlice{5};
+    pace_.begin();
+    while (!stop()) {
+        advance();
+        const bool plays = !paused_ || to_go_ > 0;
+        if (!plays) pace_.begin();
+        const auto now = Pace::Clock::now();
+        for (auto at = now; (plays ? pace_.due() : now + kSlice) > at && !changed_;
+             at = Pace::Clock::now()) {
+            std::this_thread::sleep_for(
+                std::min<Pace::Clock::duration>(kSlice, (plays ? pace_.due() : now + kSlice) - at));
+            take_commands();
+        }
+    }
+}
+
+}  // namespace hawser::live
