@@ -6,6 +6,9 @@ import {leftOutWords} from './protocol.js';
 import {readable} from './roles.js';
 import {FORCE} from './stage.js';
 
+/// Pairs of name and value, however they are written.
+const words = text => Array.isArray(text) ? text : Object.entries(text ?? {});
+
 /// Numbers of what was picked, and of the run.
 export class Inspector {
     constructor(panel, app) {
@@ -52,7 +55,7 @@ export class Inspector {
         const answer = await app.link.ask(message);
         this.asking = false;
         if (this.what !== what || answer.type !== 'picked') return;
-        this.facts.replaceChildren(...(answer.text ?? []).flatMap(([key, value]) => [el('dt', {textContent: key}), el('dd', {textContent: value})]),
+        this.facts.replaceChildren(...words(answer.text).flatMap(([key, value]) => [el('dt', {textContent: key}), el('dd', {textContent: value})]),
             ...answer.numbers.flatMap(([key, unit, value]) => [el('dt', {textContent: key}), el('dd', {textContent: quantity(value, unit, 4)})]));
     }
 
