@@ -4,6 +4,10 @@
 import {Matrix4, Vector3} from 'three';
 import {$, toast} from './dom.js';
 
+/// Of the spring [N/m] for a mass [kg]: what weighs up to 100 t is lifted by a pull of 2 m; of what is
+/// heavier the program chooses (0), softer for its mass, as a tug would.
+export const pullStiffness = mass => mass > 0 && mass <= 1e5 ? 9.81 / 2 * mass : 0;
+
 export class Drag {
     constructor(app) {
         this.app = app;
@@ -55,7 +59,7 @@ export class Drag {
         this.next = now + 40;
         held.fresh = false;
         const o = app.scene.origin, target = held.target.toArray().map((v, i) => v + o[i]);
-        const of = held.what.body ? {body: held.what.body.id, point: held.point.toArray()} : {wire: app.scene.wires[held.what.wire].id, s: held.what.share};
+        const of = held.what.body ? {body: held.what.body.id, point: held.point.toArray(), stiffness: pullStiffness(held.what.body.def.mass)} : {wire: app.scene.wires[held.what.wire].id, s: held.what.share};
         if (!app.link.send({type: 'drag', ...of, target})) {
             toast('There is no connection');
             this.end();

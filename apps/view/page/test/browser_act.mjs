@@ -139,13 +139,16 @@ async function dragging(kit, page) {
         const before = await at(), p = await placeOf(page, 'crate');
         await page.mouse.move(p.x, p.y);
         await page.mouse.down();
-        await page.mouse.move(p.x + 40, p.y - 30, {steps: 6});
-        await kit.until(page, () => (hawser.frame.flags & 8) !== 0 && hawser.stage.spring.visible);
-        await kit.until(page, b => {
-            const c = hawser.stage.bodies.bodies.find(x => x.name === 'crate').position;
-            return Math.hypot(c.x - b[0], c.y - b[1], c.z - b[2]) > 0.5;
-        }, before);
-        await page.mouse.up();
+        await page.mouse.move(p.x + 60, p.y - 150, {steps: 6});   // the spring pulls k d: beyond friction
+        try {
+            await kit.until(page, () => (hawser.frame.flags & 8) !== 0 && hawser.stage.spring.visible);
+            await kit.until(page, b => {
+                const c = hawser.stage.bodies.bodies.find(x => x.name === 'crate').position;
+                return Math.hypot(c.x - b[0], c.y - b[1], c.z - b[2]) > 0.5;
+            }, before);
+        } finally {
+            await page.mouse.up();
+        }
         await kit.until(page, () => (hawser.frame.flags & 8) === 0);
         await page.keyboard.press('Escape');
         const after = await at();
