@@ -6,6 +6,7 @@ import {join} from 'node:path';
 /// The reddest of the pixels round points of a wire, (r − b)/(r + b), from the picture itself.
 export const redness = (page, wire) => page.evaluate(async w => {
     const {stage} = hawser, {frame} = stage;
+    stage.draw(performance.now());   // the camera is where it will be
     let first = 0;
     for (let i = 0; i < w; ++i) first += frame.counts[i];
     window.places ??= [];
@@ -15,7 +16,7 @@ export const redness = (page, wire) => page.evaluate(async w => {
             return stage.project(p);
         }).filter(Boolean);
     stage.draw(performance.now());
-    const bitmap = await createImageBitmap(await stage.screenshot()), c = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+    const bitmap = await createImageBitmap(await stage.screenshot()), c = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d', {willReadFrequently: true});
     c.drawImage(bitmap, 0, 0);
     const all = window.places.map(({x, y}) => {
         const d = c.getImageData(Math.round(x * stage.ratio) - 4, Math.round(y * stage.ratio) - 4, 9, 9).data;
@@ -177,7 +178,7 @@ async function pad(kit, page) {
             await press(true);
             await until(page, p => hawser.state.paused === p, paused);
             await press(false);
-            await page.waitForTimeout(200);
+            await until(page, () => !hawser.pads.before.get(0).pressed[0]);   // seen by the page
         }
     });
     await page.evaluate(() => { window.fakePads = []; });
@@ -193,6 +194,7 @@ async function wire(kit, page) {
         Object.assign(hawser.stage.rig, {distance: 34, elevation: 0.35, azimuth: -1.5});
         hawser.stage.show.contacts = hawser.stage.show.names = false;
         hawser.stage.choose(null);
+        hawser.stage.full = 0.25;
     });
     await check('a restore point goes back in time', async () => {
         await page.locator('[data-panel="restore"]').click();
@@ -201,9 +203,14 @@ async function wire(kit, page) {
         const t = await until(page, () => hawser.state.restore_points.find(p => p.name === 'slack wire')?.time);
         await page.waitForTimeout(1000);
         await page.evaluate(() => document.activeElement.blur());
+        await page.evaluate(() => hawser.play());
+        await until(page, () => hawser.state.paused && (hawser.frame.flags & 1));
         const later = await page.evaluate(() => hawser.frame.time);
+        assert.ok(later > t + 0.5, `${t} to ${later}`);
         await page.getByRole('button', {name: /slack wire/}).click();
-        await until(page, ([a, b]) => hawser.frame.time >= a && hawser.frame.time < b, [t, later]);
+        await until(page, a => Math.abs(hawser.frame.time - a) < 0.02, t);
+        await page.evaluate(() => hawser.state.paused && hawser.play());
+        await until(page, () => !hawser.state.paused);
         await page.locator('[data-panel="restore"]').click();
         return `from ${later.toFixed(2)} s to ${t.toFixed(2)} s`;
     });
@@ -215,15 +222,15 @@ async function wire(kit, page) {
         await page.keyboard.down(haul);
         const most = await until(page, () => {
             const i = hawser.scene.outputs.findIndex(o => o.name === 'tow_tension');
-            return hawser.frame.outputs[i] > 150e3 && hawser.frame.outputs[i];
+            return hawser.frame.outputs[i] > 40e3 && hawser.frame.outputs[i];
         }, null, 40000);
         await page.evaluate(() => hawser.play());
         await until(page, () => hawser.state.paused);
         await page.keyboard.up(haul);
         await page.waitForTimeout(300);
         const hot = await redness(page, 0);
-        assert.ok(hot > cold + 0.4, `${cold} to ${hot}`);
         await page.screenshot({path: join(kit.out, 'hauled.png')});
+        assert.ok(hot > cold + 0.4, `${cold} to ${hot}`);
         return `(r − b)/(r + b) from ${cold.toFixed(2)} to ${hot.toFixed(2)} at ${(most / 1000).toFixed(0)} kN`;
     });
     await check('a parted wire is gone from where it was', async () => {
@@ -264,6 +271,7 @@ async function rest(kit, page) {
         await page.keyboard.press('Enter');
         await until(page, was => hawser.frame.time < was, t + 1);
     });
+    await page.evaluate(() => hawser.state.paused && hawser.play());
     await check('every control has a name and can be reached by Tab', async () => {
         const nameless = await page.evaluate(() => [...document.querySelectorAll('button, input, select')].filter(e => {
             const label = e.labels?.[0]?.textContent || e.getAttribute('aria-label') || e.textContent;
