@@ -34,6 +34,9 @@ int hashes_command(int argc, char** argv);
 /// Run random mechanisms, and judge those that end ok.
 int random_command(int argc, char** argv);
 
+/// Clients of `hawser view`, and what they cost the run.
+int view_command(int argc, char** argv);
+
 /// What it costs a client to read a world.
 int interface_command(int argc, char** argv);
 

@@ -33,6 +33,7 @@ constexpr Command kCommands[] = {
      hawser::bench::hashes_command},
     {"random", "mechanisms that no one has tuned: is what ends ok right?",
      hawser::bench::random_command},
+    {"view", "clients of `hawser view`, and what they cost the run", hawser::bench::view_command},
     {"interface", "what it costs to read a world: state, outputs, save, restore",
      hawser::bench::interface_command},
     {"edits", "what it costs to add and remove while a world runs", hawser::bench::edits_command},

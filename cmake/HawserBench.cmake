@@ -54,8 +54,11 @@ endif()
 set(command_sources ${bench_sources})
 list(FILTER command_sources INCLUDE REGEX "/bench/([a-z_]+|hashes/[a-z]+|partition/cost_study)\\.cpp$")
 list(REMOVE_ITEM bench_sources ${command_sources})
+# `hawser bench view` has the client of the tests, which knows nothing of the server's code.
+list(APPEND command_sources "${PROJECT_SOURCE_DIR}/tests/live/client.cpp")
 add_library(hawser_bench_commands OBJECT ${command_sources})
 hawser_use(hawser_bench_commands hawser_report hawser_scene)
+target_include_directories(hawser_bench_commands PRIVATE "${PROJECT_SOURCE_DIR}/tests")
 hawser_unity(hawser_bench_commands 7)
 hawser_compile_fast(hawser_bench_commands)
 add_executable(hawser_bench ${bench_sources} $<TARGET_OBJECTS:hawser_bench_own>

@@ -24,8 +24,8 @@ set(HAWSER_PROGRAM_TESTS bench cli)
 set(HAWSER_THREAD_TESTS runtime threads)
 set(HAWSER_UNSANITIZED_TESTS assembly draw record report verify)
 # Tests that need more than the library.
-set(HAWSER_REPORT_TESTS cli draw files marine record report session verify)
-set(HAWSER_SCENE_TESTS bench cli draw files record report scene scenes session slow stepper
+set(HAWSER_REPORT_TESTS cli draw files live marine record report session verify)
+set(HAWSER_SCENE_TESTS bench cli draw files live record report scene scenes session slow stepper
                        threads validate verify world)
 # Tests that take seconds, each with its folder: they start first, so that all processors end
 # together on a machine that has not run them before.
@@ -82,6 +82,9 @@ function(hawser_add_test_executable target folder)
     endif()
     if(folder IN_LIST HAWSER_SCENE_TESTS)
         list(APPEND libraries hawser_scene)
+    endif()
+    if(folder STREQUAL live)
+        list(PREPEND libraries hawser_live)
     endif()
     hawser_use(${target} ${libraries})
     hawser_unity(${target} 6)

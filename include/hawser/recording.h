@@ -263,6 +263,7 @@ class Repeater {
   private:
     class Loader;
     void repeat_loads(World& world);
+    void drop_loader(std::span<const std::byte> change, World& world);
     void enter_take(World& world);
     [[nodiscard]] std::size_t end_of(std::size_t all, std::size_t RecordedTake::* before) const;
 

@@ -107,7 +107,6 @@ void Driver::publish() {
     Bytes& frame = hub_.frames.back();
     writer_.write(world, plan_, origin_, notes_, frame);
     figures_.frame_bytes = std::max(figures_.frame_bytes, frame.size());
-    if (keep_) figures_.frame_us.push_back(static_cast<float>(1e6 * writer_.seconds()));
     ++figures_.frames;
     hub_.frames.publish();
     hub_.wake();
@@ -144,7 +143,6 @@ void Driver::step() {
     }
     if (status != Status::ok) return fail(failure_of(world, status));
     ++figures_.steps;
-    if (keep_) figures_.step_ms.push_back(static_cast<float>(1e3 * world.stats().step_seconds));
     if (!session_.events().empty()) tell_events(world, session_.events(), out_);
     follow_pieces();
     follow_origin();

@@ -36,11 +36,10 @@ struct DriverOptions {
     bool paused = false;    ///< At the start.
 };
 
-/// Figures of a run, for `hawser bench view`.
+/// What a run came to.
 struct DriverFigures {
     std::int64_t steps = 0, frames = 0;
-    std::vector<float> step_ms, frame_us;  ///< Of each step, where `keep` was set.
-    std::size_t frame_bytes = 0;           ///< Of the largest frame.
+    std::size_t frame_bytes = 0;  ///< Of the largest frame.
 };
 
 class Driver {
@@ -52,8 +51,7 @@ class Driver {
     /// What is waiting, one step where the run is not paused, and a frame; without a clock.
     void advance();
     [[nodiscard]] bool paused() const noexcept { return paused_; }
-    [[nodiscard]] DriverFigures& figures() noexcept { return figures_; }
-    void keep_figures() { keep_ = true; }
+    [[nodiscard]] const DriverFigures& figures() const noexcept { return figures_; }
 
   private:
     /// A state to go back to.
@@ -93,7 +91,7 @@ class Driver {
     Pace pace_;
     std::vector<Point> points_;
     std::optional<Failure> failure_;
-    bool paused_ = false, told_ = false, keep_ = false, changed_ = true;
+    bool paused_ = false, told_ = false, changed_ = true;
     int to_go_ = 0;  ///< Steps of `step` that are left.
     int clients_ = 0;
     double rate_ = 1.0;

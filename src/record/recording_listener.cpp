@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording_listener.h"
 
+#include <new>
 #include <span>
 
 namespace hawser::record {
@@ -24,32 +25,28 @@ void RecordingListener::set(InputId id, double value) noexcept {
     }
 }
 
-/// A state has been restored: it belongs to the step at which the world was before.
-void RecordingListener::begin_take() noexcept {
+/// A state has been restored: it belongs to the step at which the world was before, in a chunk of
+/// its own, before which a replay makes its world like that of the start.
+template <class F>
+void RecordingListener::begin_take(F&& told) noexcept {
+    const std::int64_t before = now_;
     try {
-        const std::int64_t before = now_, now = world_.step_count();
         flush(before);
-        if (before != now) writer_.add_take(before, now);
+        told();
+        flush(before);
+        if (before != now_) writer_.add_take(before, now_);
+    } catch (const std::bad_alloc&) {
+        lost();
     } catch (const std::exception&) {
         fault_ = std::current_exception();
     }
 }
 
 void RecordingListener::restored(std::span<const std::byte>) noexcept {
-    try {
-        ChangeBytes::restored(world_.save_motion());
-        begin_take();
-    } catch (const std::exception&) {
-        lost();
-    }
+    begin_take([&] { ChangeBytes::restored(world_.save_motion()); });
 }
 void RecordingListener::restored(const Structure& made_of, std::span<const std::byte>) noexcept {
-    try {
-        ChangeBytes::restored(made_of, world_.save_motion());
-        begin_take();
-    } catch (const std::exception&) {
-        lost();
-    }
+    begin_take([&] { ChangeBytes::restored(made_of, world_.save_motion()); });
 }
 
 void RecordingListener::flush() { flush(world_.step_count()); }

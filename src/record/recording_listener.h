@@ -31,7 +31,8 @@ class RecordingListener final : public ChangeBytes {
     void flush(std::int64_t step);
 
   private:
-    void begin_take() noexcept;
+    template <class F>
+    void begin_take(F&& told) noexcept;
 
     RecordingWriter& writer_;
     World& world_;

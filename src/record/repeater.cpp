@@ -3,6 +3,7 @@
 #include <hawser/recording.h>
 
 #include "record/bytes.h"
+#include "record/change_fields.h"
 #include "record/changes.h"
 
 #include <algorithm>
@@ -89,6 +90,15 @@ std::size_t Repeater::end_of(std::size_t all, std::size_t RecordedTake::* before
     return take_ < recording_.takes.size() ? recording_.takes[take_].*before : all;
 }
 
+/// States in recordings are those of worlds without systems, and fit such worlds alone.
+void Repeater::drop_loader(std::span<const std::byte> change, World& world) {
+    if (loader_ == nullptr || change.empty()) return;
+    const auto kind = static_cast<ChangeKind>(change.front());
+    if (kind != ChangeKind::restore && kind != ChangeKind::rebuild) return;
+    (void)world.remove_system(*loader_);
+    loader_ = nullptr;
+}
+
 /// The last change of a take is the state that the next one begins with.
 void Repeater::enter_take(World& world) {
     const RecordedTake& take = recording_.takes[take_];
@@ -109,6 +119,7 @@ void Repeater::before_step(World& world) {
         const std::size_t end = end_of(changes.size(), &RecordedTake::changes);
         const bool due = change_ < end && changes[change_].step <= now;
         if (due && changes[change_].inputs_before <= input_) {
+            drop_loader(changes[change_].bytes, world);
             apply_changes(changes[change_++].bytes, world);
             if (change_ == end && take_ < recording_.takes.size()) {
                 enter_take(world);

@@ -38,6 +38,12 @@ class Client : public std::enable_shared_from_this<Client> {
         socket_.set_option(limits);
         socket_.read_message_max(kMostMessage);
         socket_.auto_fragment(false);
+        // Beast answers a goodbye and waits for the other side to hang up: look() ends that.
+        socket_.control_callback([this](websocket::frame_type kind, beast::string_view) {
+            if (kind != websocket::frame_type::close || closing_) return;
+            closing_ = true;
+            closing_since_ = clock_now();
+        });
         socket_.async_accept(request, [self = shared_from_this()](Error error) {
             if (error) return self->drop();
             self->read();
