@@ -70,7 +70,7 @@ export class Timeline {
 
     /// Something happened: shown, and told to screen readers.
     tell(event) {
-        if (event.kind === 'slack' || event.kind === 'taut') return;
+        if (['slack', 'taut', 'more'].includes(event.kind)) return;
         const words = event.words ?? `${event.name} ${event.kind}`;
         const item = el('li', {className: bad.test(event.kind) ? 'bad' : 'note', textContent: `${clock(event.time)} ${words}`});
         $('events').prepend(item);
