@@ -6,14 +6,17 @@ PRESET ?= release
 JOBS   ?= $(shell nproc)
 BIN    := build/$(PRESET)/bin
 DEMO   := out/demo
+VIEW_PORT ?= 8080
 CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 
-.PHONY: help demo test test-long test-bare build bench format format-check layers tidy check clean packages
+.PHONY: help demo view page test test-page test-long test-bare build bench format format-check layers tidy check clean packages
 .NOTPARALLEL:
 
 help:
 	@echo "make demo      install what is missing, build, simulate the anchor lines of a rig, plot"
+	@echo "make view      install what is missing (node too), build the page, open a scene with its levers in a browser"
 	@echo "make test      install what is missing, build, run all tests"
+	@echo "make test-page drive the page of 'hawser view' in a browser (Debian's chromium), make its pictures"
 	@echo "make test-long 100,000 random pairs of shapes of each two kinds, a million forged files, 50,000 random edits, hashes, memory that ends anywhere, 100,000 operations on wires under sanitizers: an hour"
 	@echo "make test-bare demo and test in a bare Debian 12 that debootstrap makes: root, network, minutes"
 	@echo "make bench     build with the foreign engines installed, run the comparisons"
@@ -50,6 +53,24 @@ demo: packages build/$(PRESET)/build.ninja
 	@echo "Results:  summary.json, anchor_lines.csv, anchor_lines.hwr in $(DEMO) and $(DEMO)/exercise"
 	@echo "Pictures:" && ls $(DEMO)/*.png $(DEMO)/*.svg $(DEMO)/exercise/*.png $(DEMO)/exercise/*.svg | \
 	    sed 's/^/  /'
+	@echo "Next:     make view    drives anchor_contact in a browser, with levers"
+
+# The page, built and embedded where the program finds it (docs/live.md, "The page's files").
+page:
+	@scripts/build_page.sh build/page
+
+view: packages page
+	@cmake --preset $(PRESET) >/dev/null
+	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_program
+	$(BIN)/hawser view scenes/anchor_contact.json --port $(VIEW_PORT) --open
+
+# Screenshots in docs/pictures are made anew.
+test-page: packages page
+	@command -v chromium >/dev/null || scripts/install_packages.sh browser
+	@cmake --preset $(PRESET) >/dev/null
+	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_program
+	@cd apps/view/page && node --test test/*_test.mjs
+	@node apps/view/page/test/browser.mjs $(BIN)/hawser
 
 test: build
 	@ctest --test-dir build/$(PRESET) --output-on-failure --no-tests=error -j $(JOBS)

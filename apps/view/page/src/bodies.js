@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Bodies of a scene as instanced meshes: what looks the same is one mesh, of which each body is an
+/// instance. Moving instances are never culled by the sphere of where they began.
+import {BackSide, InstancedMesh, Matrix4, MeshLambertMaterial, DynamicDrawUsage, Quaternion, Vector3, DoubleSide} from 'three';
+import {geometryOf} from './geometry.js';
+import * as fit from './fittings.js';
+import {heightfieldBuild, hullBuild, meshBuild, pointsBuild} from './meshes.js';
+import {ballRadius, longAxis, roleOf, workingDeck} from './roles.js';
+import * as ships from './ship.js';
+
+const unit = new Vector3(1, 1, 1), identity = new Matrix4();
+const kTo = {   // a part about z laid along an axis
+    x: new Quaternion(0, Math.SQRT1_2, 0, Math.SQRT1_2), y: new Quaternion(-Math.SQRT1_2, 0, 0, Math.SQRT1_2), z: new Quaternion(),
+};
+export const toQuaternion = ([w, x, y, z], out = new Quaternion()) => out.set(x, y, z, w);
+
+export class Bodies {
+    constructor(scene) {
+        this.scene = scene;
+        this.material = new MeshLambertMaterial({vertexColors: true, side: DoubleSide, shadowSide: BackSide});
+        this.batches = new Map();
+        this.bodies = [];
+        this.scratch = {m: new Matrix4(), p: new Vector3(), q: new Quaternion(), turn: new Quaternion(), local: new Matrix4()};
+    }
+
+    clear() {
+        for (const batch of this.batches.values()) {
+            this.scene.remove(batch.mesh);
+            batch.mesh.geometry.dispose();
+            batch.mesh.dispose();
+        }
+        this.batches.clear();
+        this.bodies = [];
+    }
+
+    /// Everything that the scene says of bodies. level: height of still water [m].
+    setScene(scene, level) {
+        this.clear();
+        const origin = new Vector3(...scene.origin);
+        const floats = new Set((scene.hulls ?? []).map(h => h.body));
+        for (const j of scene.joints) if (/hydrostatic|buoyan/.test(j.kind)) for (const b of j.bodies) floats.add(b);
+        let ship = 0;
+        this.bodies = scene.bodies.map(def => {
+            const half = def.half_size?.some(v => v > 0) ? def.half_size : null;
+            const body = {
+                def, half, id: def.id, name: def.name, slot: def.slot,
+                position: new Vector3(...def.position).sub(origin), quaternion: toQuaternion(def.orientation),
+                matrix: new Matrix4(), shapes: scene.shapes.filter(s => s.body === def.id), coordinate: 0,
+            };
+            body.role = roleOf({name: def.name, kind: def.kind, half, afloat: floats.has(def.id)});
+            body.size = half ? Math.max(...half) : 1;
+            body.water = level - body.position.z;
+            if (body.role === 'ship') body.paint = ships.HULLS[ship++ % ships.HULLS.length];
+            return body;
+        });
+        this.byId = new Map(this.bodies.map(b => [b.id, b]));
+        for (const body of this.bodies) this.dress(body, scene);
+        this.turning = [];
+        this.dressMachines(scene);
+        for (const batch of this.batches.values()) this.finish(batch);
+    }
+
+    /// One part: `make()` gives a Build; parts of the same key share a mesh.
+    part(body, key, make, local = identity, more = {}) {
+        if (!this.batches.has(key)) this.batches.set(key, {key, geometry: geometryOf(make()), members: []});
+        const member = {body, local: local.clone(), ...more};
+        this.batches.get(key).members.push(member);
+        return member;
+    }
+
+    finish(batch) {
+        batch.mesh = new InstancedMesh(batch.geometry, this.material, batch.members.length);
+        batch.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
+        batch.mesh.frustumCulled = false;
+        batch.mesh.castShadow = batch.mesh.receiveShadow = true;
+        batch.mesh.userData.batch = batch;
+        this.scene.add(batch.mesh);
+    }
+
+    dress(body, scene) {
+        const wetted = (scene.hulls ?? []).find(h => h.body === body.id);
+        const {half, role} = body, key = `${role} ${half}`;
+        if (role === 'ship' || role === 'barge' || role === 'semi') {
+            this.dressHull(body, wetted);
+        } else if (wetted) {
+            this.part(body, `wet ${body.id}`, () => meshBuild(wetted, fit.PAINT.cargo));
+        } else if (role === 'anchor') this.part(body, key, () => fit.anchor(half));
+        else if (role === 'hook') this.part(body, key, () => fit.hook(half));
+        else if (role === 'boom') this.part(body, key, () => half[0] > 12 * Math.max(half[1], half[2]) ? fit.truss(half) : fit.boom(half));
+        else if (role === 'lattice') this.part(body, key, () => fit.tower(half));
+        else if (role === 'cylinder') this.dressCylinder(body);
+        else if (role === 'ball') {
+            const r = ballRadius(body.def.mass);
+            this.part(body, `ball ${r}`, () => fit.ball(r));
+        } else if (role === 'box' && !body.shapes.length) this.part(body, key, () => fit.crate(half));
+        for (const s of body.shapes) this.dressShape(body, s);
+    }
+
+    dressHull(body, wetted) {
+        const {half, water} = body, deck = workingDeck(body.shapes, half);
+        const paint = body.paint ?? ships.HULLS[0];
+        const made = body.role === 'semi' ? ships.semi({half, water}) : body.role === 'barge' ? ships.barge({half, water})
+            : ships.ship({half, water, paint, deck: deck?.z ?? null, break: deck ? deck.front + 0.14 : null});
+        body.bridge = new Vector3(...made.bridge);
+        body.eye = made.eye ? new Vector3(...made.eye) : null;
+        this.part(body, `hull ${body.role} ${half} ${paint} ${water.toFixed(2)} ${deck?.z}`, () => made.build);
+        body.wetted = wetted;
+    }
+
+    dressCylinder(body) {
+        const axis = longAxis(body.half), k = 'xyz'.indexOf(axis), r = Math.max(...body.half.filter((_, i) => i !== k));
+        const thin = r < 0.25 * body.half[k], colour = /rod/.test(body.name) ? 0xd5dade : thin || /tower|column|barrel/.test(body.name) ? fit.PAINT.crane : fit.PAINT.steel;
+        this.part(body, `cylinder ${axis} ${body.half} ${colour}`, () => fit.roller(r, 2 * body.half[k], colour, !thin), this.laid(axis));
+    }
+
+    laid(axis, at = [0, 0, 0], turn = new Quaternion()) {
+        return new Matrix4().compose(new Vector3(...at), turn.clone().multiply(kTo[axis]), unit);
+    }
+
+    dressShape(body, s) {
+        const local = new Matrix4().compose(new Vector3(...s.position), toQuaternion(s.orientation), unit);
+        const painted = ['ship', 'barge', 'semi', 'anchor', 'hook', 'boom', 'lattice'].includes(body.role);
+        const key = JSON.stringify([s.kind, s.radius, s.half_length, s.half_size]);
+        if (s.kind === 'sphere') this.part(body, key, () => fit.ball(s.radius), local);
+        else if (s.kind === 'capsule') this.part(body, key, () => fit.capsule(s.radius, 2 * s.half_length, 0x2c3136), local);
+        else if (s.kind === 'cylinder') {
+            if (body.role !== 'cylinder') this.part(body, key, () => fit.roller(s.radius, 2 * s.half_length), local);
+        } else if (s.kind === 'box') {
+            if (!painted) this.part(body, key, () => fit.crate(s.half_size, body.def.kind === 'fixed' ? 0x8a8f86 : fit.PAINT.cargo), local);
+        } else if (s.kind === 'heightfield') this.part(body, `field ${body.id} ${s.name}`, () => heightfieldBuild(s, 0x9c8b6a), local);
+        else if (painted) return;
+        else if (s.kind === 'hull') this.part(body, `convex ${body.id} ${s.name} ${s.vertices?.length}`, () => hullBuild(s.vertices, fit.PAINT.cargo), local);
+        else if (s.kind === 'mesh') this.part(body, `mesh ${body.id} ${s.name} ${s.vertices?.length}`, () => meshBuild(s, fit.PAINT.steel), local);
+        else if (s.kind === 'points') this.part(body, `points ${body.id} ${s.vertices?.length} ${s.vertices?.[0]}`, () => pointsBuild(s, fit.PAINT.steel), local);
+    }
+
+    /// Drums of winches and sheaves; they turn with the coordinate of a scalar body.
+    dressMachines(scene) {
+        for (const d of scene.drums ?? []) {
+            const body = this.byId.get(d.body), r = d.radius;
+            if (!body || !(r > 0) || body.role === 'none' && body.def.kind !== 'fixed') continue;
+            const local = this.laid('y', [d.point[0], d.point[1], d.point[2] - r]);
+            const scalar = this.byId.get(d.drum);
+            const head = body.role === 'boom';   // a hoist's wire comes over the head
+            this.turning.push(this.part(body, `${head ? 'sheave' : 'drum'} ${r}`, () => head ? fit.sheave(r) : fit.drum(r, Math.min(4 * r, 2.4)), local, {scalar, ratio: 1}));
+        }
+        for (const w of scene.wheels ?? []) {
+            const body = this.byId.get(w.body), r = Math.abs(w.radius);
+            if (!body || !(r > 0)) continue;
+            const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...w.axis).normalize());
+            const local = new Matrix4().compose(new Vector3(...w.point), turn, unit), scalar = this.byId.get(w.slide);
+            this.turning.push(this.part(body, `sheave ${r}`, () => fit.sheave(r), local, {scalar, ratio: scalar ? 1 / w.radius : 0}));
+        }
+    }
+
+    /// Poses of a frame.
+    update(frame) {
+        const {m, turn, local} = this.scratch;
+        for (const b of this.bodies) {
+            if (b.slot < 0) {
+                b.matrix.compose(b.position, b.quaternion, unit);
+                continue;
+            }
+            if (b.def.kind === 'scalar') b.coordinate = frame.scalars[b.slot];
+            else if (b.def.kind === 'lump') b.position.fromArray(frame.lumps, 3 * b.slot);
+            else {
+                const r = frame.rigid, k = 7 * b.slot;
+                b.position.set(r[k], r[k + 1], r[k + 2]);
+                b.quaternion.set(r[k + 4], r[k + 5], r[k + 6], r[k + 3]);
+            }
+            b.matrix.compose(b.position, b.quaternion, unit);
+        }
+        for (const batch of this.batches.values()) {
+            batch.members.forEach((member, i) => {
+                m.multiplyMatrices(member.body.matrix, member.local);
+                if (member.scalar) m.multiply(local.makeRotationFromQuaternion(turn.setFromAxisAngle(kAxis, (member.scalar.coordinate * member.ratio) % (2 * Math.PI))));
+                batch.mesh.setMatrixAt(i, m);
+            });
+            batch.mesh.instanceMatrix.needsUpdate = true;
+        }
+    }
+
+    /// What a ray meets first: {body, point} in the world of the picture; null: nothing.
+    pick(raycaster) {
+        let best = null;
+        for (const {mesh, members} of this.batches.values()) {
+            mesh.boundingSphere = null;
+            for (const hit of raycaster.intersectObject(mesh, false))
+                if (!best || hit.distance < best.distance)
+                    best = {distance: hit.distance, point: hit.point, body: members[hit.instanceId].body};
+        }
+        return best;
+    }
+}
+const kAxis = new Vector3(0, 0, 1);

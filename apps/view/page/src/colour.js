@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Colours of the page: the map from utilisation (tension over breaking load) to a colour.
+///
+/// The map runs from pale blue over yellow and orange to dark red. Its order survives the three
+/// common kinds of colour blindness: blue against yellow is seen by those who miss red or green,
+/// and from yellow on it darkens steadily. test/colour_test.mjs simulates all three (G. M. Machado,
+/// M. M. Oliveira, L. A. F. Fernandes, "A physiologically-based model for simulation of color
+/// vision deficiency", IEEE TVCG 15, 2009) and measures the distances that remain.
+
+/// [share of the range, r, g, b], sRGB 0 to 255.
+export const STOPS = [
+    [0.0, 58, 118, 196],
+    [0.2, 120, 186, 224],
+    [0.4, 244, 232, 150],
+    [0.6, 246, 170, 52],
+    [0.8, 214, 78, 20],
+    [1.0, 122, 4, 8],
+];
+
+/// What is parted, or has no known strength.
+export const GREY = [150, 156, 162];
+
+/// sRGB 0 to 255 of a utilisation 0 to 1, clamped; not a number: grey.
+export function tensionColour(share) {
+    if (!Number.isFinite(share)) return GREY.slice();
+    const x = Math.min(1, Math.max(0, share));
+    let i = 1;
+    while (i < STOPS.length - 1 && x > STOPS[i][0]) ++i;
+    const [a, ...from] = STOPS[i - 1], [b, ...to] = STOPS[i];
+    const t = (x - a) / (b - a);
+    return from.map((v, k) => Math.round(v + t * (to[k] - v)));
+}
+
+const linear = v => {
+    const s = v / 255;
+    return s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
+};
+
+/// Linear RGB 0 to 1 for the renderer.
+export const toLinear = rgb => rgb.map(linear);
+
+/// A table of linear RGB floats: utilisation 0 to 1 in `size` steps, then one entry of grey.
+export function colourTable(size) {
+    const out = new Float32Array(3 * (size + 1));
+    for (let i = 0; i < size; ++i) out.set(toLinear(tensionColour(i / (size - 1))), 3 * i);
+    out.set(toLinear(GREY), 3 * size);
+    return out;
+}
+
+/// CSS gradient of the map, left to right.
+export const gradient = () => 'linear-gradient(to right, ' +
+    STOPS.map(([x, r, g, b]) => `rgb(${r} ${g} ${b}) ${100 * x}%`).join(', ') + ')';
+
+/// Relative luminance (WCAG 2.1) of sRGB 0 to 255.
+export const luminance = rgb => {
+    const [r, g, b] = toLinear(rgb);
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+};
+
+/// Contrast ratio of two colours (WCAG 2.1), 1 to 21.
+export function contrast(a, b) {
+    const x = luminance(a), y = luminance(b);
+    return (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05);
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Booms, towers, hooks, anchors, drums and sheaves from boxes and cylinders. Frames and sizes are
+/// those of the body [m].
+import {Build} from './build.js';
+
+export const PAINT = {crane: 0xe7a416, dark: 0x31383e, steel: 0x8b949a, anchor: 0x4a5157,
+                      red: 0xb5481f, white: 0xf1f2ee, rope: 0x9a8f78, cargo: 0x4d7a8c};
+
+/// A box girder that narrows towards its head (+x), with dark pins at both ends.
+export function boom([hx, hy, hz], colour = PAINT.crane) {
+    const b = new Build(), t = 0.6;
+    const a = [[-hx, -hy, -hz], [-hx, hy, -hz], [-hx, hy, hz], [-hx, -hy, hz]];
+    const c = [[hx, -hy * t, -hz * t], [hx, hy * t, -hz * t], [hx, hy * t, hz * t], [hx, -hy * t, hz * t]];
+    for (let i = 0; i < 4; ++i) b.quad(a[i], a[(i + 1) % 4], c[(i + 1) % 4], c[i], colour);
+    b.quad(...[...a].reverse(), colour);
+    b.quad(...c, colour);
+    b.cylinder([-hx, -hy * 1.25, 0], [-hx, hy * 1.25, 0], hz * 0.8, 12, PAINT.dark);
+    b.cylinder([hx, -hy * t * 1.3, 0], [hx, hy * t * 1.3, 0], hz * 0.65, 12, PAINT.dark);
+    return b;
+}
+
+/// A long truss boom along x.
+export function truss([hx, hy, hz], colour = PAINT.crane) {
+    const b = new Build(), bays = Math.max(4, Math.min(16, Math.round(hx / Math.max(hy, hz))));
+    b.lattice(hx, [hy, hz], [hy * 0.6, hz * 0.6], bays, Math.min(hy, hz) * 0.12, colour);
+    return b;
+}
+
+/// An upright lattice tower: a derrick with a crown block.
+export function tower([hx, hy, hz]) {
+    const b = new Build();
+    b.lattice(hz, [hx, hy], [hx * 0.3, hy * 0.3], 9, Math.min(hx, hy) * 0.055, PAINT.red, PAINT.white);
+    b.transform([[0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 0]]);
+    b.box([-hx * 0.34, -hy * 0.34, hz - 0.02 * hz], [hx * 0.34, hy * 0.34, hz * 1.03], PAINT.crane);
+    b.box([-hx, -hy, -hz], [hx, hy, -hz * 0.97], PAINT.steel);
+    return b;
+}
+
+/// Hook block: two cheeks with a sheave, and the hook below.
+export function hook([hx, hy, hz]) {
+    const b = new Build(), r = Math.min(hx, hy, hz);
+    for (const s of [1, -1]) b.box([-hx, s * hy * 0.7 - 0.1 * hy, -0.2 * hz], [hx, s * hy * 0.7 + 0.1 * hy, hz], PAINT.crane);
+    b.cylinder([0, -hy * 0.6, hz * 0.35], [0, hy * 0.6, hz * 0.35], r * 0.75, 16, PAINT.dark);
+    b.cylinder([0, 0, -0.2 * hz], [0, 0, -0.55 * hz], r * 0.22, 8, PAINT.dark);
+    const n = 9;
+    for (let i = 0; i < n; ++i) {
+        const at = k => [r * 0.5 * Math.sin(-0.4 + 4.2 * k / n), 0, -hz * 0.75 + r * 0.5 * Math.cos(-0.4 + 4.2 * k / n)];
+        b.cylinder(at(i), at(i + 1), r * 0.17, 7, PAINT.dark, r * (0.17 - 0.01 * i));
+    }
+    return b;
+}
+
+/// Stockless-type anchor in its box: shank along +x, two flukes.
+export function anchor([hx, hy, hz]) {
+    const b = new Build(), c = PAINT.anchor;
+    b.box([-hx, -hy * 0.1, -hz * 0.35], [hx * 0.85, hy * 0.1, hz * 0.35], c);
+    b.cylinder([-hx, -hy * 0.22, 0], [-hx, hy * 0.22, 0], hz * 0.5, 12, c);
+    b.box([hx * 0.55, -hy * 0.7, -hz * 0.6], [hx, hy * 0.7, hz * 0.6], c);
+    for (const s of [1, -1]) {
+        const y0 = s * hy * 0.3, y1 = s * hy * 0.98;
+        const f = [[hx * 0.95, y0, 0], [hx * 0.95, y1, 0], [-hx * 0.45, s * hy * 0.55, hz * 0.95]];
+        const g = f.map(([x, y, z]) => [x, y, z - hz * 0.35]);
+        b.tri(f[0], f[1], f[2], c);
+        b.tri(g[0], g[2], g[1], c);
+        for (let i = 0; i < 3; ++i) b.both(f[i], f[(i + 1) % 3], g[(i + 1) % 3], g[i], c);
+    }
+    return b;
+}
+
+/// A cylinder about z, with caps a shade darker and stripes by which one sees it turn.
+export function roller(radius, length, colour = PAINT.steel, stripes = true) {
+    const b = new Build(), h = length / 2;
+    b.cylinder([0, 0, -h], [0, 0, h], radius, 28, colour);
+    if (stripes && radius > 0.25)
+        for (let i = 0; i < 4; ++i) {
+            const w = i * Math.PI / 2, c = Math.cos(w), s = Math.sin(w), e = radius * 1.004, t = radius * 0.09;
+            const p = (d, z) => [e * c - d * s, e * s + d * c, z];
+            b.both(p(-t, -h), p(t, -h), p(t, h), p(-t, h), PAINT.dark);
+        }
+    return b;
+}
+
+/// A drum about z: barrel, flanges with spokes, rope on it.
+export function drum(radius, length, rope = true) {
+    const b = new Build(), h = length / 2;
+    b.cylinder([0, 0, -h], [0, 0, h], radius * (rope ? 0.97 : 0.93), 24, rope ? PAINT.rope : PAINT.steel);
+    for (let i = 0; rope && i < 9; ++i) {   // lays of rope
+        const z = -h + length * (i + 0.5) / 9;
+        b.cylinder([0, 0, z - length / 18.5], [0, 0, z + length / 18.5], radius, 24, i % 2 ? 0x847a63 : PAINT.rope);
+    }
+    for (const s of [1, -1]) {
+        b.cylinder([0, 0, s * h - 0.08 * radius], [0, 0, s * h + 0.08 * radius], radius * 1.35, 28, PAINT.crane);
+        for (let i = 0; i < 6; ++i) {
+            const w = i * Math.PI / 3, c = Math.cos(w), n = Math.sin(w), z = s * (h + 0.09 * radius);
+            const lo = radius * 0.3, hi = radius * 1.3, t = radius * 0.09;
+            b.both([lo * c - t * n, lo * n + t * c, z], [hi * c - t * n, hi * n + t * c, z],
+                   [hi * c + t * n, hi * n - t * c, z], [lo * c + t * n, lo * n - t * c, z], PAINT.dark);
+        }
+    }
+    return b;
+}
+
+/// A sheave about z: a grooved wheel with holes that show its turning.
+export function sheave(radius, width = radius * 0.25) {
+    const b = new Build(), h = width / 2;
+    b.cylinder([0, 0, -h * 0.4], [0, 0, h * 0.4], radius * 0.94, 24, PAINT.steel);
+    for (const s of [1, -1]) b.cylinder([0, 0, s * h], [0, 0, s * h * 0.4], radius, 24, PAINT.crane);
+    for (const s of [1, -1])
+        for (let i = 0; i < 5; ++i) {
+            const w = i * 2 * Math.PI / 5, at = [0.6 * radius * Math.cos(w), 0.6 * radius * Math.sin(w)];
+            b.cylinder([...at, s * h * 1.0], [...at, s * h * 1.04], radius * 0.15, 10, PAINT.dark);
+        }
+    b.cylinder([0, 0, -h * 1.3], [0, 0, h * 1.3], radius * 0.2, 12, PAINT.dark);
+    return b;
+}
+
+/// A capsule about z.
+export function capsule(radius, length, colour = PAINT.dark) {
+    const b = new Build(), h = length / 2, n = 4;
+    b.cylinder([0, 0, -h], [0, 0, h], radius, 16, colour);
+    for (const s of [1, -1])
+        for (let i = 0; i < n; ++i) {
+            const a = Math.PI / 2 * i / n, c = Math.PI / 2 * (i + 1) / n;
+            b.cylinder([0, 0, s * (h + radius * Math.sin(a))], [0, 0, s * (h + radius * Math.sin(c))],
+                       radius * Math.cos(a), 16, colour, radius * Math.cos(c) + 1e-6);
+        }
+    return b;
+}
+
+/// A ball.
+export function ball(radius, colour = PAINT.red) {
+    const b = new Build(), n = 10, m = 18;
+    const at = (i, k) => {
+        const a = Math.PI * i / n - Math.PI / 2, w = 2 * Math.PI * k / m;
+        return [Math.cos(a) * Math.cos(w), Math.cos(a) * Math.sin(w), Math.sin(a)];
+    };
+    for (let i = 0; i < n; ++i)
+        for (let k = 0; k < m; ++k) {
+            const hue = i === n / 2 ? PAINT.white : colour;
+            const p = [at(i, k), at(i, k + 1), at(i + 1, k + 1), at(i + 1, k)].map(v => v.map(x => x * radius));
+            b.quad(...p, hue);
+        }
+    return b;
+}
+
+/// A container-like box with ribs.
+export function crate([hx, hy, hz], colour = PAINT.cargo) {
+    const b = new Build(), t = 0.04 * Math.min(hx, hy, hz);
+    b.box([-hx + t, -hy + t, -hz], [hx - t, hy - t, hz - t], colour);
+    const e = 0.09 * Math.min(hx, hy, hz);
+    for (const x of [-1, 1])
+        for (const y of [-1, 1]) {
+            const [a, c] = [x * hx, y * hy];
+            b.box([Math.min(a, a - x * e), Math.min(c, c - y * e), -hz], [Math.max(a, a - x * e), Math.max(c, c - y * e), hz], PAINT.dark);
+        }
+    for (const z of [-hz, hz - e]) {
+        for (const y of [-1, 1]) b.box([-hx, y > 0 ? hy - e : -hy, z], [hx, y > 0 ? hy : -hy + e, z + e], PAINT.dark);
+        for (const x of [-1, 1]) b.box([x > 0 ? hx - e : -hx, -hy, z], [x > 0 ? hx : -hx + e, hy, z + e], PAINT.dark);
+    }
+    return b;
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a lever does, without the page: ranges, steps, springs, dead zones.
+
+/// Range of an input [min, max] as the levers use it. An open end gets `nominal`, or ten times the
+/// value at hand, or 1.
+export function leverRange(input) {
+    const size = input.nominal > 0 ? input.nominal : Math.max(1, 10 * Math.abs(input.value ?? 0));
+    const min = Number.isFinite(input.min) ? input.min : -size;
+    const max = Number.isFinite(input.max) ? input.max : size;
+    return min < max ? [min, max] : [min, min + size];
+}
+
+/// Where a lever rests: 0 where the range has it, else the end nearest to 0.
+export const neutral = ([min, max]) => Math.min(max, Math.max(min, 0));
+
+export const clampTo = ([min, max], v) => Math.min(max, Math.max(min, v));
+
+/// Value for a deflection −1 to 1: 0 is neutral, ±1 the ends.
+export function fromDeflection(range, d) {
+    const rest = neutral(range), x = Math.min(1, Math.max(-1, d));
+    return x >= 0 ? rest + x * (range[1] - rest) : rest + x * (rest - range[0]);
+}
+
+/// Deflection −1 to 1 of a value.
+export function toDeflection(range, v) {
+    const rest = neutral(range), side = v >= rest ? range[1] - rest : rest - range[0];
+    return side > 0 ? Math.min(1, Math.max(-1, (v - rest) / side)) : 0;
+}
+
+/// One press of a key: a twentieth of the range, a round number of the neutral value apart.
+export function nudge(range, v, steps) {
+    const unit = (range[1] - range[0]) / 20, rest = neutral(range);
+    const at = Math.round((v - rest) / unit) + steps;
+    return clampTo(range, rest + at * unit);
+}
+
+/// A value that springs home moves there at this rate: the whole range in `seconds`.
+export function springHome(range, v, dt, seconds = 0.3) {
+    const rest = neutral(range), most = (range[1] - range[0]) * dt / seconds;
+    return Math.abs(v - rest) <= most ? rest : v - Math.sign(v - rest) * most;
+}
+
+/// Deflection of a stick beyond its dead zone, from 0 at its edge to ±1; `curve` 1: straight, 2:
+/// finer near the middle. What is no number counts as 0.
+export function deadZone(x, zone = 0.12, curve = 1.5) {
+    if (!Number.isFinite(x)) return 0;
+    const size = Math.abs(x);
+    if (size <= zone) return 0;
+    const beyond = Math.min(1, (size - zone) / (1 - zone));
+    return Math.sign(x) * beyond ** curve;
+}
+
+/// What a lever sends: not more often than `every` [ms], the last value always.
+export class Throttle {
+    constructor(send, every = 40) {
+        this.send = send;
+        this.every = every;
+        this.last = -Infinity;
+        this.waiting = new Map();
+    }
+    set(name, value) {
+        this.waiting.set(name, value);
+    }
+    /// To be called each frame with a clock [ms].
+    flush(now) {
+        if (!this.waiting.size || now - this.last < this.every) return 0;
+        this.last = now;
+        const due = [...this.waiting];
+        this.waiting.clear();
+        for (const [name, value] of due) this.send(name, value);
+        return due.length;
+    }
+}
+
+/// Levers by heading: the `group` that the scene gives, else the name up to its last "/".
+export function groupLevers(inputs) {
+    const groups = new Map();
+    inputs.forEach((input, index) => {
+        const cut = input.name.lastIndexOf('/');
+        const group = input.group || (cut > 0 ? input.name.slice(0, cut) : 'Levers');
+        if (!groups.has(group)) groups.set(group, []);
+        groups.get(group).push(index);
+    });
+    return groups;
+}
+
+/// A number with four digits and its unit, thousands as k, M: "612 kN".
+export function quantity(value, unit = '', digits = 3) {
+    if (!Number.isFinite(value)) return '–';
+    const scaled = /^(N|N m|W|J|kg|Pa|Hz|m\^2|N\/m|N s\/m)$/.test(unit);
+    let v = value, prefix = '';
+    if (scaled && unit !== 'kg') {
+        const size = Math.abs(value);
+        if (size >= 0.9995e9) [v, prefix] = [value / 1e9, 'G'];
+        else if (size >= 0.9995e6) [v, prefix] = [value / 1e6, 'M'];
+        else if (size >= 0.9995e3) [v, prefix] = [value / 1e3, 'k'];
+    } else if (unit === 'kg' && Math.abs(value) >= 1000) {
+        [v, unit] = [value / 1000, 't'];
+    }
+    const size = Math.abs(v);
+    let text;
+    if (size !== 0 && (size < 1e-3 || size >= 1e6)) text = v.toExponential(digits - 1);
+    else text = v.toFixed(Math.max(0, digits - 1 - Math.max(0, Math.floor(Math.log10(size || 1)))));
+    if (/^-0(\.0*)?$/.test(text)) text = text.slice(1);
+    return (text + ' ' + prefix + unit).trim().replaceAll('-', '−');
+}

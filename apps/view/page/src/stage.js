@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The picture: renderer, surroundings, bodies, wires, forces, and what the pointer does in it.
+import {
+    ACESFilmicToneMapping, BufferAttribute, BufferGeometry, Fog, Line, LineBasicMaterial, PCFShadowMap,
+    PerspectiveCamera, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+} from 'three';
+import {Arrows} from './arrows.js';
+import {Bodies} from './bodies.js';
+import {CameraRig, makeSubject} from './camera.js';
+import {Labels} from './labels.js';
+import {nearestPiece} from './picking.js';
+import {Quality} from './quality.js';
+import {seaComponents} from './protocol.js';
+import {aimSun, HORIZON, makeLight, makeSky, Seabed, Water} from './surroundings.js';
+import {Wires} from './wires.js';
+
+export const FORCE = {contact: 0x9b2fae, joint: 0x0a7d5a};
+
+/// The scene's box, or that of its bodies.
+function viewBox(scene) {
+    if (scene.view_box?.length === 2) return scene.view_box;
+    const lo = [Infinity, Infinity, Infinity], hi = lo.map(v => -v);
+    for (const b of scene.bodies) {
+        if (b.kind === 'scalar') continue;
+        const r = Math.max(0.5, ...(b.half_size ?? []));
+        b.position.forEach((v, i) => {
+            lo[i] = Math.min(lo[i], v - r);
+            hi[i] = Math.max(hi[i], v + r);
+        });
+    }
+    return hi[0] > lo[0] ? [lo, hi] : [[-10, -10, -5], [10, 10, 10]];
+}
+
+/// Whether pictures are drawn by the processor.
+function softwareGl() {
+    const gl = document.createElement('canvas').getContext('webgl2'), info = gl?.getExtension('WEBGL_debug_renderer_info');
+    const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+    gl?.getExtension('WEBGL_lose_context')?.loseContext();
+    return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
+export class Stage {
+    /// quality: 'high', 'low', or '': by the machine.
+    constructor(canvas, labelLayer, quality = '') {
+        this.canvas = canvas;
+        this.low = quality === 'low' || quality !== 'high' && softwareGl();
+        this.renderer = new WebGLRenderer({canvas, antialias: !this.low, powerPreference: 'high-performance'});
+        this.renderer.shadowMap.enabled = true;
+        this.renderer.shadowMap.type = PCFShadowMap;
+        this.renderer.shadowMap.autoUpdate = false;
+        this.renderer.toneMapping = ACESFilmicToneMapping;
+        this.renderer.toneMappingExposure = 1.15;
+        this.scene = new Scene();
+        this.scene.fog = new Fog(HORIZON, 500, 9000);
+        this.camera = new PerspectiveCamera(42, 1, 0.5, 20000);
+        this.rig = new CameraRig(this.camera, canvas);
+        this.bodies = new Bodies(this.scene);
+        this.wires = new Wires();
+        this.water = new Water(this.low);
+        this.seabed = new Seabed(this.low);
+        this.light = makeLight();
+        this.arrows = new Arrows(this.scene);
+        this.labels = new Labels(labelLayer);
+        this.quality = new Quality();
+        this.show = {names: true, contacts: true, joints: false, water: true, clear: true, seabed: true, shadows: true, tubes: 'auto'};
+        this.scene.add(makeSky(), this.light, this.water.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
+        this.spring = this.makeSpring();
+        this.full = 0.5;
+        this.scratch = {ray: new Raycaster(), v: new Vector3(), p: new Vector2(), plane: new Plane()};
+        this.selected = null;
+        this.stats = {ms: 0, fps: 0};
+        this.shadowDue = 0;
+    }
+
+    makeSpring() {
+        const g = new BufferGeometry();
+        g.setAttribute('position', new BufferAttribute(new Float32Array(6), 3));
+        const line = new Line(g, new LineBasicMaterial({color: 0xffe14d, depthTest: false}));
+        line.frustumCulled = false;
+        line.visible = false;
+        line.renderOrder = 20;
+        this.scene.add(line);
+        return line;
+    }
+
+    setScene(scene) {
+        const first = !this.info || this.info.name !== scene.name;
+        this.info = scene;
+        this.level = scene.sea?.level ?? 0;
+        this.levelInput = scene.inputs.findIndex(i => i.name === 'sea.level');
+        this.factorInput = scene.inputs.findIndex(i => i.name === 'sea.waves');
+        this.tideOutput = scene.outputs.findIndex(o => o.name === 'sea.tide');
+        this.bodies.setScene(scene, this.level);
+        this.wires.setScene(scene.wires.map(w => ({...w, radius: Math.max(0.01, (w.diameter || 0.06) / 2)})));
+        this.water.setWaves(seaComponents(scene.sea));
+        this.afloat = Boolean(scene.sea) || this.bodies.bodies.some(b => ['ship', 'semi', 'barge'].includes(b.role));
+        this.findBed(scene);
+        this.labels.setScene(this.bodies.bodies, scene.wires);
+        if (first) this.firstView(scene);
+        else if (this.subjectBody) this.follow(this.bodies.byId.get(this.subjectBody.id) ?? null);
+    }
+
+    /// The bottom: that of the sea, else a plane that faces up, else the lowest thing.
+    findBed(scene) {
+        const oz = scene.origin[2], box = viewBox(scene);
+        let bed = scene.sea ? -scene.sea.depth - oz : null;
+        for (const s of scene.shapes) {
+            if (s.kind !== 'plane') continue;
+            const body = this.bodies.byId.get(s.body), up = new Vector3(0, 0, 1).applyQuaternion(body.quaternion);
+            if (up.z > 0.97 && bed === null) bed = body.position.z + s.position[2];
+        }
+        this.bed = bed ?? (this.afloat ? box[0][2] - oz - 20 : box[0][2] - oz - 0.02 * Math.max(1, box[1][2] - box[0][2]));
+        this.seabed.set(this.bed, this.afloat ? this.level - this.bed : 0);
+    }
+
+    firstView(scene) {
+        const [lo, hi] = viewBox(scene), o = scene.origin;
+        const size = Math.hypot(...hi.map((v, i) => v - lo[i]));
+        this.rig.target.set(...hi.map((v, i) => (v + lo[i]) / 2 - o[i]));
+        this.rig.distance = Math.max(3, 1.15 * size);
+        this.rig.elevation = this.afloat ? 0.35 : 0.18;
+        this.rig.azimuth = -1.9;
+        const ship = this.mainBody();
+        if (ship) {
+            this.follow(ship);
+            this.rig.setMode('follow', this.subject);
+        } else this.rig.setMode('free', null);
+    }
+
+    /// The body that cameras begin with: the first ship, else a barge or rig, else none.
+    mainBody() {
+        const all = this.bodies.bodies;
+        for (const role of ['ship', 'barge', 'semi']) {
+            const found = all.find(b => b.role === role);
+            if (found) return found;
+        }
+        return null;
+    }
+
+    /// Bodies that a camera can go along with.
+    subjects() {
+        return this.bodies.bodies.filter(b => b.half && b.size > 0.8 && b.role !== 'none' && b.slot >= 0);
+    }
+
+    follow(body) {
+        this.subjectBody = body;
+        if (!body) return this.subject = null;
+        const [hx, , hz] = body.half ?? [1, 1, 1];
+        this.subject = makeSubject(body.size, body.eye ?? new Vector3(-0.15 * hx, 0, hz + Math.max(1.8, 0.15 * hz)), body.bridge ?? null, Boolean(body.eye));
+        this.subject.position.copy(body.position);
+        this.subject.quaternion.copy(body.quaternion);
+        this.rig.subject = this.subject;
+        return this.subject;
+    }
+
+    setMode(mode) {
+        if (mode !== 'free' && !this.subjectBody) this.follow(this.mainBody() ?? this.subjects()[0] ?? null);
+        if (!this.subjectBody && mode !== 'free' && mode !== 'top') return false;
+        this.rig.setMode(mode, this.subject);
+        return true;
+    }
+
+    resize(width, height, ratio) {
+        this.width = width;
+        this.height = height;
+        this.ratio = ratio;
+        this.renderer.setPixelRatio(ratio);
+        this.renderer.setSize(width, height, false);
+        this.camera.aspect = width / height;
+        this.inset(this.left ?? 0, this.right ?? 0);
+    }
+
+    /// Pixels that panels cover at the left and right: the picture's middle is between them.
+    inset(left, right) {
+        this.left = left;
+        this.right = right;
+        this.camera.setViewOffset(this.width, this.height, (right - left) / 2, 0, this.width, this.height);
+        this.camera.updateProjectionMatrix();
+    }
+
+    /// Takes over a frame (not yet drawn).
+    take(frame) {
+        this.frame = frame;
+        if (this.levelInput >= 0) this.level = frame.inputs[this.levelInput] + (this.tideOutput >= 0 ? frame.outputs[this.tideOutput] : 0);
+        this.bodies.update(frame);
+        this.wires.fill(frame, this.full, this.reference ?? 0);
+        if (this.subjectBody) {
+            this.subject.position.copy(this.subjectBody.position);
+            this.subject.quaternion.copy(this.subjectBody.quaternion);
+        }
+    }
+
+    draw(now) {
+        const {camera, frame} = this;
+        this.rig.update();
+        camera.updateMatrixWorld();
+        const eye = camera.position, pixel = 2 * Math.tan(camera.fov * Math.PI / 360) / this.height;
+        const under = this.afloat && eye.z < this.level - 0.3;
+        this.water.mesh.visible = this.afloat && this.show.water;
+        this.water.material.uniforms.opacity.value = this.show.clear ? 0.42 : 0.97;
+        const factor = frame && this.factorInput >= 0 ? frame.inputs[this.factorInput] : this.info?.sea?.waves_factor ?? 1;
+        this.water.update(frame?.time ?? 0, this.level, eye, factor);
+        this.seabed.mesh.visible = this.show.seabed;
+        this.seabed.update(eye);
+        this.haze(under);
+        this.wires.view(pixel, this.width, this.height, this.ratio, this.level, this.afloat && !under ? 1 : 0);
+        this.wires.asTubes = this.show.tubes === 'auto' ? this.quality.tubes : this.show.tubes === 'tubes';
+        this.drawForces(eye);
+        this.shadows(now);
+        this.renderer.render(this.scene, camera);
+        this.labels.update(this, this.show.names);
+    }
+
+    haze(under) {
+        const fog = this.scene.fog;
+        if (under === this.under) return;
+        this.under = under;
+        fog.color.set(under ? 0x1c5266 : HORIZON);
+        fog.near = under ? 5 : 500;
+        fog.far = under ? 700 : 9000;
+    }
+
+    shadows(now) {
+        const map = this.renderer.shadowMap, on = this.show.shadows && !this.quality.poor;
+        if (this.light.sun.castShadow !== on) this.light.sun.castShadow = on;
+        if (!on || now < this.shadowDue) return;
+        this.shadowDue = now + (this.quality.tubes ? 60 : 250);
+        const {aboard} = this;
+        aimSun(this.light, aboard && this.subject ? this.subject.position : this.rig.target,
+               aboard ? 70 : 0.62 * this.rig.distance);
+        map.needsUpdate = true;
+    }
+
+    drawForces(eye) {
+        const {frame, arrows, show, info} = this;
+        if (!frame) return;
+        arrows.reserve((show.contacts ? frame.contactCount : 0) + (show.joints ? frame.jointCount : 0));
+        arrows.begin();
+        const {v} = this.scratch, unit = 0.006 * (this.aboard ? 30 : Math.min(this.rig.distance, 400));
+        this.forceUnit = unit;
+        if (show.contacts) {
+            const c = frame.contacts;
+            for (let i = 0; i < c.length; i += 6) {
+                const far = Math.hypot(c[i] - eye.x, c[i + 1] - eye.y, c[i + 2] - eye.z);
+                if (far < (this.aboard ? 300 : 60 * this.rig.distance)) arrows.add(c[i], c[i + 1], c[i + 2], c[i + 3], c[i + 4], c[i + 5], unit, FORCE.contact);
+            }
+        }
+        if (show.joints) {
+            for (let j = 0; j < frame.jointCount; ++j) {
+                const def = info.joints[j], body = this.bodies.byId.get(def.bodies[1]) ?? this.bodies.byId.get(def.bodies[0]), f = frame.joints;
+                if (!body) continue;
+                v.set(...(def.point ?? [0, 0, 0])).applyMatrix4(body.matrix);
+                arrows.add(v.x, v.y, v.z, f[3 * j], f[3 * j + 1], f[3 * j + 2], unit, FORCE.joint);
+            }
+        }
+        arrows.end();
+    }
+
+    /// Whether the camera is on the body that it goes with.
+    get aboard() {
+        return this.rig.mode === 'board' || this.rig.mode === 'bridge';
+    }
+
+    ray(x, y) {
+        const {ray, p} = this.scratch, r = this.canvas.getBoundingClientRect();
+        p.set((x - r.left) / r.width * 2 - 1, 1 - (y - r.top) / r.height * 2);
+        ray.setFromCamera(p, this.camera);
+        return ray;
+    }
+
+    /// What is at a place of the window: {body, point} or {wire, share}; null: nothing.
+    pick(x, y) {
+        const body = this.bodies.pick(this.ray(x, y)), r = this.canvas.getBoundingClientRect();
+        const wire = this.frame && nearestPiece(this.frame, this.camera, x - r.left, y - r.top, r.width, r.height, 9);
+        if (wire && (!body || wire.distance < body.distance + 0.5)) return {wire: wire.wire, share: wire.share, point: wire.point};
+        return body && {body: body.body, point: body.point.clone()};
+    }
+
+    /// Where a ray through the window meets the plane through `through` that faces the camera.
+    onPlane(x, y, through) {
+        const {plane, v} = this.scratch, at = new Vector3();
+        plane.setFromNormalAndCoplanarPoint(this.camera.getWorldDirection(v), through);
+        return this.ray(x, y).ray.intersectPlane(plane, at) ? at : null;
+    }
+
+    /// A point of the world on the screen [pixels of the canvas]; null: behind the eye.
+    project(point, out = this.scratch.v) {
+        out.copy(point).project(this.camera);
+        return out.z > 1 || out.z < -1 ? null : {x: (out.x + 1) / 2 * this.width, y: (1 - out.y) / 2 * this.height};
+    }
+
+    /// The spring of a drag from a to b; without them it goes.
+    setSpring(a, b) {
+        this.spring.visible = Boolean(a);
+        if (!a) return;
+        const p = this.spring.geometry.getAttribute('position');
+        p.setXYZ(0, a.x, a.y, a.z);
+        p.setXYZ(1, b.x, b.y, b.z);
+        p.needsUpdate = true;
+    }
+
+    choose(what) {
+        this.selected = what;
+        this.wires.choose(what?.wire ?? -1);
+    }
+
+    /// The picture as a PNG, drawn now.
+    screenshot() {
+        this.renderer.render(this.scene, this.camera);
+        return new Promise(done => this.canvas.toBlob(done, 'image/png'));
+    }
+}

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Sky, light, sea surface and seabed.
+import {
+    BackSide, BufferAttribute, BufferGeometry, Color, DataTexture, DirectionalLight, Group, HemisphereLight,
+    LinearFilter, LinearMipmapLinearFilter, Mesh, RepeatWrapping, RGBAFormat, ShaderMaterial, SphereGeometry, UniformsLib, UniformsUtils, Vector3, Vector4, DoubleSide,
+} from 'three';
+
+export const HORIZON = new Color(0xc3d5e0);
+const ZENITH = new Color(0x3f7fc0), DEEP = new Color(0x0b3550), SAND = new Color(0xb7a583);
+export const SUN = new Vector3(0.55, -0.5, 0.62).normalize();
+export const kWaves = 40;  // components that the surface is drawn with, the largest first
+
+/// A tile of smooth noise, periodic: red and green its slope, blue its height, each about ½.
+export function noiseTile(size = 128) {
+    const height = new Float32Array(size * size);
+    let seed = 20240607;
+    const random = () => {   // Numerical Recipes' quick generator: the same tile each time
+        seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+        return seed / 4294967296;
+    };
+    for (const [cells, weight] of [[4, 0.5], [9, 0.3], [21, 0.17], [47, 0.08]]) {
+        const grid = Float32Array.from({length: cells * cells}, random);
+        for (let j = 0; j < size; ++j)
+            for (let i = 0; i < size; ++i) {
+                const x = i * cells / size, y = j * cells / size, a = Math.floor(x), b = Math.floor(y);
+                const ease = t => t * t * t * (t * (6 * t - 15) + 10), u = ease(x - a), v = ease(y - b);
+                const g = (p, q) => grid[(q % cells) * cells + p % cells];
+                height[j * size + i] += weight * ((g(a, b) * (1 - u) + g(a + 1, b) * u) * (1 - v) + (g(a, b + 1) * (1 - u) + g(a + 1, b + 1) * u) * v - 0.5);
+            }
+    }
+    const out = new Uint8Array(4 * size * size), h = (i, j) => height[((j + size) % size) * size + (i + size) % size];
+    const byte = v => Math.max(0, Math.min(255, Math.round(127.5 + 127.5 * v)));
+    for (let j = 0; j < size; ++j)
+        for (let i = 0; i < size; ++i) {
+            const slope = size / 20;
+            out.set([byte(slope * (h(i + 1, j) - h(i - 1, j))), byte(slope * (h(i, j + 1) - h(i, j - 1))), byte(1.6 * h(i, j)), 255], 4 * (j * size + i));
+        }
+    return out;
+}
+
+function noiseTexture() {
+    const size = 128, t = new DataTexture(noiseTile(size), size, size, RGBAFormat);
+    t.wrapS = t.wrapT = RepeatWrapping;
+    t.minFilter = LinearMipmapLinearFilter;
+    t.magFilter = LinearFilter;
+    t.generateMipmaps = true;
+    t.anisotropy = 4;
+    t.needsUpdate = true;
+    return t;
+}
+const tile = {value: null};
+const noise = `uniform sampler2D tile;
+float noise(vec2 p) { return texture2D(tile, p * 0.11).b; }
+vec2 ripple(vec2 p) { return texture2D(tile, p * 0.11).rg - 0.5; }`;
+
+export function makeSky() {
+    tile.value ??= noiseTexture();
+    const material = new ShaderMaterial({
+        side: BackSide, depthWrite: false, fog: false,
+        uniforms: {zenith: {value: ZENITH}, horizon: {value: HORIZON}, sun: {value: SUN}, tile},
+        vertexShader: `varying vec3 way;
+void main() {
+    way = position;
+    vec4 p = projectionMatrix * mat4(mat3(modelViewMatrix)) * vec4(position, 1.0);
+    gl_Position = p.xyww;
+}`,
+        fragmentShader: `uniform vec3 zenith, horizon, sun; varying vec3 way; ${noise}
+void main() {
+    vec3 d = normalize(way);
+    float up = max(d.z, 0.0);
+    vec3 c = mix(horizon, zenith, pow(up, 0.55));
+    vec2 q = d.xy / (0.14 + up) * 0.9;
+    float cloud = smoothstep(0.48, 0.8, 0.62 * noise(q) + 0.38 * noise(q * 2.7 + 3.0));
+    c = mix(c, vec3(0.95, 0.97, 0.98), 0.75 * cloud * smoothstep(0.01, 0.2, up));
+    float s = max(dot(d, sun), 0.0);
+    c += vec3(1.0, 0.9, 0.7) * (0.25 * pow(s, 24.0) + 1.5 * pow(s, 900.0));
+    gl_FragColor = vec4(c, 1.0);
+    #include <colorspace_fragment>
+}`,
+    });
+    const mesh = new Mesh(new SphereGeometry(1, 24, 16), material);
+    mesh.frustumCulled = false;
+    mesh.renderOrder = -10;
+    return mesh;
+}
+
+export function makeLight() {
+    const group = new Group(), sky = new HemisphereLight(0xe4f0f8, 0x64727a, 2.3);
+    const sun = new DirectionalLight(0xfff2dc, 2.5);
+    sky.position.set(0, 0, 1);
+    sun.castShadow = true;
+    sun.shadow.mapSize.set(1024, 1024);
+    sun.shadow.bias = -0.0004;
+    sun.shadow.normalBias = 0.25;
+    group.add(sky, sun, sun.target);
+    group.sun = sun;
+    return group;
+}
+
+/// The sun's shadow covers a square of `reach` metres about `at`.
+export function aimSun(light, at, reach) {
+    const {sun} = light, c = sun.shadow.camera, r = Math.max(15, Math.min(reach, 260));
+    sun.target.position.copy(at);
+    sun.position.copy(at).addScaledVector(SUN, 3 * r);
+    if (Math.abs(c.right - r) > 0.15 * r) {
+        Object.assign(c, {left: -r, right: r, top: r, bottom: -r, near: 0.5 * r, far: 6 * r});
+        c.updateProjectionMatrix();
+    }
+}
+
+/// Rings about the eye: fine near it, to `far` metres. Vertices in units of 1 m, scaled by script.
+function rings(far, inner, spokes = 96, count = 76) {
+    const position = [0, 0, 0], index = [];
+    for (let i = 0; i < count; ++i) {
+        const r = inner * (far / inner) ** (i / (count - 1));
+        for (let k = 0; k < spokes; ++k)
+            position.push(r * Math.cos(2 * Math.PI * k / spokes), r * Math.sin(2 * Math.PI * k / spokes), 0);
+    }
+    for (let k = 0; k < spokes; ++k) index.push(0, 1 + k, 1 + (k + 1) % spokes);
+    for (let i = 0; i + 1 < count; ++i)
+        for (let k = 0; k < spokes; ++k) {
+            const a = 1 + i * spokes + k, b = 1 + i * spokes + (k + 1) % spokes;
+            index.push(a, a + spokes, b + spokes, a, b + spokes, b);
+        }
+    const g = new BufferGeometry();
+    g.setAttribute('position', new BufferAttribute(new Float32Array(position), 3));
+    g.setIndex(index);
+    return g;
+}
+
+/// The wave components that are drawn: [amplitude, kx, ky, phase at t = 0 … ω t], the largest.
+export function largestWaves(components, limit = kWaves) {
+    return [...components].sort((a, b) => b.amplitude - a.amplitude).slice(0, limit);
+}
+
+/// Height of the drawn surface at a place and time; the same sum as in the shader.
+export function waveHeight(waves, t, x, y) {
+    let z = 0;
+    for (const w of waves)
+        z += w.amplitude * Math.cos(w.wave_number * (x * Math.cos(w.direction) + y * Math.sin(w.direction))
+                                    - w.frequency * t + w.phase);
+    return z;
+}
+
+export class Water {
+    /// low: with half of the detail, for processors that draw.
+    constructor(low = false) {
+        this.waves = [];
+        const uniforms = UniformsUtils.merge([UniformsLib.fog, {
+            count: {value: 0}, wave: {value: Array.from({length: kWaves}, () => new Vector4())},
+            eye: {value: new Vector3()}, origin: {value: new Vector3()}, time: {value: 0},
+            opacity: {value: 0.62}, below: {value: 0},
+            horizon: {value: HORIZON}, zenith: {value: ZENITH}, deep: {value: DEEP}, sun: {value: SUN},
+        }]);
+        uniforms.tile = tile;
+        this.material = new ShaderMaterial({
+            uniforms, defines: low ? {LOW: 1} : {}, transparent: true, depthWrite: false, fog: true, side: DoubleSide,
+            vertexShader: waterVertex, fragmentShader: waterFragment,
+        });
+        this.mesh = new Mesh(low ? rings(14000, 1.2, 64, 52) : rings(14000, 1.2), this.material);
+        this.mesh.frustumCulled = false;
+        this.mesh.renderOrder = 5;
+    }
+
+    setWaves(components) {
+        this.waves = largestWaves(components ?? []);
+        this.material.uniforms.count.value = this.waves.length;
+    }
+
+    /// t [s], the level of still water [m], the eye, a factor on all waves.
+    update(t, level, eye, factor = 1) {
+        const u = this.material.uniforms;
+        this.waves.forEach((w, i) => u.wave.value[i].set(
+            w.amplitude * factor, w.wave_number * Math.cos(w.direction), w.wave_number * Math.sin(w.direction),
+            (w.phase - w.frequency * t) % (2 * Math.PI)));
+        u.time.value = t % 1000;
+        u.eye.value.copy(eye);
+        u.below.value = eye.z < level ? 1 : 0;
+        this.mesh.position.set(eye.x, eye.y, level);
+    }
+}
+
+const waterVertex = `
+uniform int count; uniform vec4 wave[${kWaves}]; uniform vec3 eye;
+varying vec3 at; varying vec3 tilt;
+#include <common>
+#include <fog_pars_vertex>
+void main() {
+    vec4 w = modelMatrix * vec4(position, 1.0);
+    float z = 0.0; vec2 slope = vec2(0.0);
+    float reach = length(w.xy - eye.xy), spacing = 0.14 * reach + 0.5;
+    for (int i = 0; i < ${kWaves}; ++i) {
+        if (i >= count) break;
+        // What the grid cannot carry there would alias: it fades.
+        float fade = 1.0 - smoothstep(0.25, 0.7, length(wave[i].yz) * spacing / 3.14159);
+        float a = wave[i].x * fade, arg = dot(wave[i].yz, w.xy) + wave[i].w;
+        z += a * cos(arg);
+        slope -= a * sin(arg) * wave[i].yz;
+    }
+    w.z += z;
+    at = w.xyz; tilt = vec3(-slope, 1.0);
+    vec4 mvPosition = viewMatrix * w;
+    gl_Position = projectionMatrix * mvPosition;
+    #include <fog_vertex>
+}`;
+
+const waterFragment = `
+uniform vec3 eye, horizon, zenith, deep, sun; uniform float time, opacity, below;
+varying vec3 at; varying vec3 tilt;
+#include <common>
+#include <fog_pars_fragment>
+${noise}
+void main() {
+    vec3 v = eye - at; float far = length(v); v /= far;
+    float calm = 1.0 / (1.0 + far * far * 1.2e-5);
+    vec2 p = at.xy;
+    vec2 swell = ripple(p * 0.035 + time * vec2(0.012, -0.009));
+#ifdef LOW
+    vec2 r = 2.0 * ripple(p * 0.6 + vec2(time * 0.4, time * 0.2));
+#else
+    vec2 r = ripple(p * 0.9 + vec2(time * 0.62, time * 0.31)) + ripple(p * 0.37 + vec2(-time * 0.21, time * 0.34));
+#endif
+    vec3 n = normalize(tilt + vec3((0.05 + 0.22 * calm) * r + 0.14 * swell, 0.0));
+    if (below > 0.5) n = -n;
+    float c = clamp(dot(n, v), 0.0, 1.0), q = 1.0 - c, f = 0.02 + 0.98 * q * q * q * q * q;
+    vec3 m = reflect(-v, n); m.z = abs(m.z);
+    vec3 sky = mix(horizon, zenith, sqrt(clamp(m.z, 0.0, 1.0)));
+    float lit = 0.75 + 0.5 * dot(n, sun);
+    vec3 body = mix(deep, vec3(0.02, 0.25, 0.32), clamp(0.4 + 2.2 * (n.x * sun.x + n.y * sun.y), 0.0, 1.0)) * lit;
+    float glint = pow(max(dot(m, sun), 0.0), 160.0) * 0.9;
+    vec3 colour = mix(body, sky, f) + vec3(1.0, 0.92, 0.75) * glint;
+    float alpha = mix(opacity, 1.0, max(f, smoothstep(400.0, 5000.0, far)));
+    if (below > 0.5) { colour = mix(vec3(0.16, 0.42, 0.5), vec3(0.4, 0.62, 0.68), c); alpha = 0.75; }
+    gl_FragColor = vec4(colour, clamp(alpha + glint, 0.0, 1.0));
+    #include <colorspace_fragment>
+    #include <fog_fragment>
+}`;
+
+export class Seabed {
+    constructor(low = false) {
+        const uniforms = UniformsUtils.merge([UniformsLib.fog, {
+            eye: {value: new Vector3()}, sand: {value: SAND}, deep: {value: DEEP}, depth: {value: 100}, wet: {value: 1},
+        }]);
+        uniforms.tile = tile;
+        this.material = new ShaderMaterial({
+            fog: true, uniforms, defines: low ? {LOW: 1} : {},
+            vertexShader: `varying vec3 at;
+#include <fog_pars_vertex>
+void main() { vec4 w = modelMatrix * vec4(position, 1.0); at = w.xyz; vec4 mvPosition = viewMatrix * w;
+gl_Position = projectionMatrix * mvPosition;
+#include <fog_vertex>
+}`,
+            fragmentShader: `uniform vec3 eye, sand, deep; uniform float depth, wet; varying vec3 at;
+#include <fog_pars_fragment>
+${noise}
+float grid(vec2 p, float s) {
+    vec2 q = abs(fract(p / s - 0.5) - 0.5) * s, w = fwidth(p) * 1.2;
+    vec2 l = 1.0 - smoothstep(w * 0.5, w * 1.5, q);
+    return max(l.x, l.y) * (1.0 - smoothstep(s * 0.1, s * 0.4, max(w.x, w.y)));
+}
+void main() {
+    float far = distance(eye, at);
+    float g = noise(at.xy * 0.02);
+#ifndef LOW
+    g = 0.6 * g + 0.4 * noise(at.xy * 0.31);
+#endif
+    vec3 c = sand * (0.72 + 0.45 * g);
+    c = mix(c, vec3(0.95), 0.25 * grid(at.xy, 100.0));
+    float murk = wet * (1.0 - exp(-depth / 160.0));
+    c = mix(c, deep * 1.5, 0.25 + 0.6 * murk);
+    c = mix(c, deep * 1.15, wet * smoothstep(300.0, 2600.0, far));
+    gl_FragColor = vec4(c, 1.0);
+    #include <colorspace_fragment>
+    #include <fog_fragment>
+}`,
+        });
+        this.mesh = new Mesh(rings(9000, 10, 48, 24), this.material);
+        this.mesh.frustumCulled = false;
+        this.mesh.renderOrder = -1;
+    }
+
+    /// Height of the bed [m], depth of water over it [m]; 0: dry.
+    set(height, depth) {
+        this.height = height;
+        this.material.uniforms.depth.value = Math.max(0, depth);
+        this.material.uniforms.wet.value = depth > 0 ? 1 : 0;
+    }
+
+    update(eye) {
+        this.material.uniforms.eye.value.copy(eye);
+        this.mesh.position.set(eye.x, eye.y, this.height);
+    }
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The foot of the page: scrubbing of recordings with events on the line, and what happened last.
+import {$, clock, el} from './dom.js';
+
+const kShown = 12;
+const bad = /break|fail|overload|alarm|part|diverg/;
+
+export class Timeline {
+    constructor(seek) {
+        this.seek = seek;
+        this.scrub = $('scrub');
+        this.marks = $('marks');
+        this.range = null;
+        this.pending = null;
+        this.busy = false;
+        this.scrub.addEventListener('input', () => this.want(Number(this.scrub.value)));
+    }
+
+    /// The first and last time of a recording; null: there is none.
+    setRange(range) {
+        this.range = range;
+        $('track').hidden = !range;
+        if (!range) return;
+        this.scrub.min = range[0];
+        this.scrub.max = range[1];
+        this.paintMarks();
+    }
+
+    setEvents(events) {
+        this.events = events;
+        this.paintMarks();
+        $('events').replaceChildren();
+    }
+
+    paintMarks() {
+        if (!this.range) return;
+        const [a, b] = this.range;
+        this.marks.replaceChildren(...(this.events ?? []).slice(0, 600).map(e => {
+            const mark = el('i', {className: e.kind === 'command' ? 'command' : '', title: `${clock(e.time)} ${e.words ?? e.name}`});
+            mark.style.left = `${100 * (e.time - a) / Math.max(1e-9, b - a)}%`;
+            return mark;
+        }));
+    }
+
+    /// One seek is under way at a time; the newest waits.
+    async want(time) {
+        this.pending = time;
+        this.held = performance.now() + 400;
+        if (this.busy) return;
+        this.busy = true;
+        while (this.pending !== null) {
+            const t = this.pending;
+            this.pending = null;
+            await this.seek(t);
+        }
+        this.busy = false;
+    }
+
+    /// The event before or after a time, of those on the line.
+    neighbour(time, way) {
+        const times = (this.events ?? []).map(e => e.time).sort((a, b) => a - b);
+        return way > 0 ? times.find(t => t > time + 1e-6) : times.reverse().find(t => t < time - 1e-6);
+    }
+
+    update(time) {
+        if (!this.range || performance.now() < (this.held ?? 0)) return;
+        this.scrub.value = time;
+        this.scrub.setAttribute('aria-valuetext', `${clock(time)} of ${clock(this.range[1])}`);
+    }
+
+    /// Something happened: shown, and told to screen readers.
+    tell(event) {
+        if (['slack', 'taut', 'more'].includes(event.kind)) return;
+        const words = event.words ?? `${event.name} ${event.kind}`;
+        const item = el('li', {className: bad.test(event.kind) ? 'bad' : 'note', textContent: `${clock(event.time)} ${words}`});
+        $('events').prepend(item);
+        while ($('events').children.length > kShown) $('events').lastChild.remove();
+        const said = $('said');
+        said.append(el('p', {textContent: words}));
+        while (said.children.length > 20) said.firstChild.remove();
+    }
+}

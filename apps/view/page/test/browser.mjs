@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drives the page in a browser against the real program: node test/browser.mjs HAWSER [PART …]
+// Parts: act (levers to restore), record (scrubbing), look (pictures, rates). All by default.
+// Debian's chromium without a graphics card: software GL. CHROMIUM names another one.
+import assert from 'node:assert/strict';
+import {spawn} from 'node:child_process';
+import {mkdirSync, mkdtempSync, statSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {dirname, join, resolve} from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {chromium} from 'playwright-core';
+import {actPart} from './browser_act.mjs';
+import {lookPart} from './browser_look.mjs';
+import {recordPart} from './browser_record.mjs';
+
+const here = dirname(fileURLToPath(import.meta.url)), root = resolve(here, '../../../..');
+const hawser = resolve(process.argv[2] ?? join(root, 'build/release/bin/hawser'));
+const parts = process.argv.length > 3 ? process.argv.slice(3) : ['act', 'record', 'look'];
+const kArguments = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
+
+let passed = 0, failed = 0;
+const problems = [];
+
+/// One thing that is checked; what it returns is printed behind its name.
+async function check(name, f) {
+    try {
+        const words = await f();
+        ++passed;
+        console.log(`ok    ${name}${words ? `: ${words}` : ''}`);
+    } catch (e) {
+        ++failed;
+        problems.push(name);
+        console.log(`FAIL  ${name}: ${String(e.message).split('\n').slice(0, 3).join(' | ')}`);
+    }
+}
+
+/// The program on a port of its own: {instructor, watcher, end}.
+function serve(scene, ...options) {
+    const child = spawn(hawser, ['view', scene, '--port', '0', ...options], {cwd: root, stdio: ['ignore', 'pipe', 'pipe']});
+    const addresses = {};
+    let text = '';
+    return new Promise((done, fail) => {
+        const late = setTimeout(() => fail(new Error(`no address within 30 s: ${text}`)), 30000);
+        const read = chunk => {
+            text += chunk;
+            for (const m of text.matchAll(/^(\w+)\s+(http:\S+)$/gm)) addresses[m[1]] = m[2];
+            if (!/Ctrl-C/.test(text)) return;
+            clearTimeout(late);
+            done({...addresses, pid: child.pid, end: () => new Promise(over => {
+                if (child.exitCode !== null) return over(child.exitCode);
+                child.once('exit', over);
+                child.kill('SIGINT');
+            })});
+        };
+        child.stdout.on('data', read);
+        child.stderr.on('data', read);
+        child.once('exit', code => fail(new Error(`hawser view ended with ${code}: ${text}`)));
+    });
+}
+
+/// A page at an address, connected. Whatever it says as an error counts as a failure.
+async function open(browser, address, {query = '', ...options} = {}) {
+    const context = await browser.newContext({viewport: {width: 640, height: 360}, ...options}), page = await context.newPage();
+    page.errors = [];
+    page.on('pageerror', e => page.errors.push(e.message));
+    page.on('console', m => { if (m.type() === 'error') page.errors.push(m.text()); });
+    await page.addInitScript(() => {
+        window.fakePads = [];
+        navigator.getGamepads = () => window.fakePads;
+    });
+    await page.goto(address.replace('/#', `/${query}#`));
+    await page.waitForFunction(() => window.hawser?.frame, null, {timeout: 60000});
+    return page;
+}
+
+/// Waits for an expression of the page; tells its last value where it does not come true.
+async function until(page, f, argument, timeout = 20000) {
+    const end = Date.now() + timeout;
+    for (;;) {
+        const value = await page.evaluate(f, argument);
+        if (value) return value;
+        if (Date.now() > end) throw new Error(`not within ${timeout / 1000} s: ${f.toString().slice(0, 160)}`);
+        await page.waitForTimeout(60);
+    }
+}
+
+const out = mkdtempSync(join(tmpdir(), 'hawser-page-')), pictures = join(root, 'docs/pictures');
+mkdirSync(pictures, {recursive: true});
+const browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kArguments});
+const kit = {browser, serve, open, until, check, out, root, pictures, hawser, size: f => statSync(f).size,
+    quiet: page => check('the page said no error', () => assert.ok(!page.errors.length, page.errors.slice(0, 3).join(' ; ').slice(0, 500)))};
+try {
+    if (parts.includes('act')) await actPart(kit);
+    if (parts.includes('record')) await recordPart(kit);
+    if (parts.includes('look')) await lookPart(kit);
+} catch (e) {
+    ++failed;
+    problems.push(e.message);
+    console.log(e.stack);
+} finally {
+    await browser.close();
+}
+if (problems.length) console.log(`not ok: ${problems.join('; ')}`);
+console.log(`${passed} passed, ${failed} failed`);
+process.exit(failed ? 1 : 0);

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+import {Build} from '../src/build.js';
+import {History} from '../src/history.js';
+import {convexFaces, heightfieldBuild} from '../src/meshes.js';
+import {toSegment} from '../src/picking.js';
+import {Quality} from '../src/quality.js';
+import {longAxis, readable, roleOf, workingDeck} from '../src/roles.js';
+import {barge, deckLine, keelLine, semi, ship} from '../src/ship.js';
+import {arrowLength} from '../src/arrows.js';
+import {waveHeight, largestWaves, noiseTile} from '../src/surroundings.js';
+
+test('bodies look like what they are', () => {
+    const rigid = (name, half, afloat = false) => roleOf({name, kind: 'rigid', half, afloat});
+    assert.equal(rigid('ahts1/hull', [40, 9, 4]), 'ship');
+    assert.equal(rigid('thing', [40, 9, 4], true), 'ship');
+    assert.equal(rigid('thing', [40, 9, 4]), 'box');
+    assert.equal(rigid('rig', [40, 36, 13]), 'semi');
+    assert.equal(rigid('barge', [30, 7, 3]), 'barge');
+    assert.equal(rigid('a/deck_anchor1', [2.5, 2.5, 0.8]), 'anchor');
+    assert.equal(rigid('derrick', [7, 7, 24]), 'lattice');
+    assert.equal(rigid('crane/luff_rod', [1.9, 0.1, 0.1]), 'cylinder');
+    assert.equal(rigid('x', null), 'none');
+    assert.equal(roleOf({name: 'n', kind: 'lump', half: null}), 'ball');
+    assert.equal(roleOf({name: 'drum', kind: 'scalar', half: null}), 'none');
+    assert.deepEqual([[1, 1, 2.5], [1.9, 0.1, 0.1], [1.75, 3, 1.75]].map(longAxis), ['z', 'x', 'y']);
+    assert.equal(readable('ahts1/work_drum'), 'ahts1 › work drum');
+});
+
+test('the working deck is the top of the largest flat box', () => {
+    const shapes = [{kind: 'box', position: [-18, 0, 0.7], half_size: [20, 8, 0.5]}, {kind: 'box', position: [0, 0, 0], half_size: [35, 9, 3]}, {kind: 'capsule', position: [0, 0, 0]}];
+    const d = workingDeck(shapes, [40, 9, 4]);
+    assert.ok(Math.abs(d.z - 1.2) < 1e-12 && Math.abs(d.front - 0.05) < 1e-12);
+    assert.equal(workingDeck([], [40, 9, 4]), null);
+});
+
+test('hulls stay within their boxes below the deck and are mirror images of themselves', () => {
+    assert.ok(deckLine(1) === 0 && keelLine(1) === 0);
+    for (const make of [ship, barge, semi]) {
+        const half = make === semi ? [40, 36, 13] : [40, 9, 4], {build} = make({half, water: -1, deck: 1.2, break: 0.1}), p = build.position;
+        assert.ok(build.triangles > 50 && p.every(Number.isFinite));
+        let sum = 0, least = Infinity;
+        for (let i = 0; i < p.length; i += 3) {
+            sum += p[i + 1];
+            least = Math.min(least, p[i + 2]);
+            if (p[i + 2] < half[2] * 0.3) assert.ok(Math.abs(p[i]) <= half[0] + 1 && Math.abs(p[i + 1]) <= half[1] * 1.02, `${p.slice(i, i + 3)}`);
+        }
+        assert.ok(Math.abs(sum / p.length) < 0.02 * half[1], `${make.name}: ${sum / p.length}`);
+        assert.ok(Math.abs(least + half[2]) < 1e-6 * half[2] + 1e-9, `${make.name}: ${least}`);
+    }
+});
+
+test('a box of a Build has outward normals and the right area', () => {
+    const b = new Build();
+    b.box([-1, -2, -3], [1, 2, 3], 0xffffff);
+    let area = 0;
+    for (let i = 0; i < b.position.length; i += 9) {
+        const [p, q, r] = [0, 3, 6].map(k => b.position.slice(i + k, i + k + 3)), u = q.map((v, k) => v - p[k]), w = r.map((v, k) => v - p[k]);
+        const n = [u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]];
+        area += Math.hypot(...n) / 2;
+        assert.ok(n[0] * p[0] + n[1] * p[1] + n[2] * p[2] > 0);
+    }
+    assert.ok(Math.abs(area - 2 * (8 + 12 + 24)) < 1e-9);
+});
+
+test('the convex hull of a cube with a point inside has six faces', () => {
+    const v = [];
+    for (const x of [-1, 1]) for (const y of [-1, 1]) for (const z of [-1, 1]) v.push(x, y, z);
+    const faces = convexFaces([...v, 0.1, 0.2, 0]);
+    assert.equal(faces.length, 6);
+    assert.ok(faces.every(f => f.length === 4));
+});
+
+test('a heightfield has its heights where docs/live.md says', () => {
+    const b = heightfieldBuild({rows: 2, columns: 3, cell: [2, 4], heights: [0, 1, 2, 3, 4, 5]}, 0);
+    assert.equal(b.triangles, 4);
+    const has = (x, y, z) => b.position.some((_, i) => i % 3 === 0 && b.position[i] === x && b.position[i + 1] === y && b.position[i + 2] === z);
+    assert.ok(has(-2, -2, 0) && has(2, -2, 2) && has(0, 2, 4));
+});
+
+test('the drawn surface is the sum of the components', () => {
+    const waves = [{amplitude: 2, wave_number: 0.1, direction: Math.PI / 2, frequency: 1, phase: 0.3}, {amplitude: 1, wave_number: 0.2, direction: 0, frequency: 1.4, phase: 0}];
+    const want = 2 * Math.cos(0.1 * 7 - 3 + 0.3) + Math.cos(0.2 * 5 - 1.4 * 3);   // docs/live.md, `sea`
+    assert.ok(Math.abs(waveHeight(waves, 3, 5, 7) - want) < 1e-12);
+    assert.deepEqual(largestWaves([{amplitude: 1}, {amplitude: 3}, {amplitude: 2}], 2).map(w => w.amplitude), [3, 2]);
+});
+
+test('the noise tile is periodic and not flat', () => {
+    const n = 32, t = noiseTile(n), blue = (i, j) => t[4 * (j * n + i) + 2];
+    let jump = 0, least = 255, most = 0;
+    for (let i = 0; i < n; ++i) {
+        jump = Math.max(jump, Math.abs(blue(0, i) - blue(n - 1, i)));
+        for (let j = 0; j < n; ++j) [least, most] = [Math.min(least, blue(i, j)), Math.max(most, blue(i, j))];
+    }
+    assert.ok(most - least > 60 && jump < 70, `${least}…${most}, ${jump}`);
+});
+
+test('the history keeps the newest, forgets what lies after a time that went back', () => {
+    const h = new History(['a', 'b'], 4, 0.1), add = t => h.add(t, i => t * (i + 1));
+    for (const t of [0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5]) add(t);
+    assert.deepEqual(h.columns([1], 10)[0], [0.2, 0.3, 0.4, 0.5]);
+    add(0.25);                                      // a restore
+    assert.deepEqual(h.columns([0], 10)[0], [0.2]);   // 0.25 is too near to be kept
+    add(0.3);
+    const [time, b] = h.columns([1], 10);
+    assert.deepEqual(time, [0.2, 0.3]);
+    assert.ok(Math.abs(b[1] - 0.6) < 1e-6);
+});
+
+test('wires become lines where pictures are slow, and tubes again after a while', () => {
+    const q = new Quality();
+    let now = 0;
+    const run = (gap, time) => { for (const end = now + time; now < end; now += gap) q.shown(now, 1); };
+    run(16, 2000);
+    assert.ok(q.tubes);
+    run(60, 1500);
+    assert.ok(!q.tubes && !q.poor && Math.abs(q.fps - 1000 / 60) < 3);
+    run(60, 1500);
+    assert.ok(q.poor);
+    run(16, 10000);
+    assert.ok(!q.tubes);
+    run(16, 15000);
+    assert.ok(q.tubes);
+});
+
+test('distance to a piece; lengths of arrows', () => {
+    assert.deepEqual(toSegment(5, 3, 0, 0, 10, 0), [3, 0.5]);
+    assert.deepEqual(toSegment(-4, 3, 0, 0, 10, 0), [5, 0]);
+    assert.deepEqual(toSegment(3, 4, 0, 0, 0, 0), [5, 0]);
+    assert.ok(Math.abs(arrowLength(1e6, 2) - 20) < 1e-9 && arrowLength(-5, 1) === 0);
+});
