@@ -107,6 +107,13 @@ struct RecordedChanges {
     std::span<const std::byte> bytes;  ///< For apply_changes().
 };
 
+/// What a program kept beside the motion (Session::note()).
+struct RecordedNote {
+    std::int64_t step = 0;             ///< When this many steps had been taken.
+    std::string kind;                  ///< Whose it is.
+    std::span<const std::byte> bytes;  ///< For whose it is.
+};
+
 /// What systems loaded bodies with in one step (system.h).
 struct RecordedLoads {
     std::int64_t step = 0;             ///< Taken when this many steps had been taken.
@@ -176,6 +183,7 @@ class Recording {
     std::vector<RecordedInput> inputs;
     std::vector<RecordedChanges> changes;
     std::vector<RecordedLoads> loads;
+    std::vector<RecordedNote> notes;
     std::vector<RecordedCut> cuts;
     std::vector<RecordedEvent> events;
     Ending ending = Ending::unknown;
@@ -200,6 +208,7 @@ class Recording {
     void read_changes(ByteReader in);
     void read_bodies(ByteReader in);
     void read_loads(ByteReader in);
+    void read_note(ByteReader in);
     void read_wires(ByteReader in);
     void read_pulls(std::span<const std::byte> payload);
     void find_wires(std::size_t index, Frame& frame) const;

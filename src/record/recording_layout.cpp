@@ -103,4 +103,13 @@ void Recording::read_layout(ByteReader in) {
     element_count = static_cast<std::int32_t>(elements);
 }
 
+/// Steps may go back where a state was restored: whose notes they are knows.
+void Recording::read_note(ByteReader in) {
+    RecordedNote note;
+    note.step = get_step(in, 0);
+    note.kind = in.get_text();
+    note.bytes = in.take(in.left());
+    notes.push_back(std::move(note));
+}
+
 }  // namespace hawser::record

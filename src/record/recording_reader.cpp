@@ -137,6 +137,8 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         read_changes(in);
     } else if (kind == kLoadsChunk) {
         read_loads(in);
+    } else if (kind == kNoteChunk) {
+        read_note(in);
     } else if (kind == kBodiesChunk) {
         read_bodies(in);
     } else if (kind == kWiresChunk) {
