@@ -6,6 +6,21 @@
 
 namespace hawser::record {
 
+int pose_floats(BodyKind kind) noexcept {
+    switch (kind) {
+        case BodyKind::rigid:
+        case BodyKind::kinematic:
+            return 7;
+        case BodyKind::lump:
+            return 3;
+        case BodyKind::scalar:
+            return 1;
+        case BodyKind::fixed:
+            return 0;
+    }
+    return 0;
+}
+
 void Recording::read_settings(ByteReader in) {
     settings.step = in.get<double>();
     settings.form = get_enum<Form>(in, 3);
