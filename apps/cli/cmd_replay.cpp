@@ -5,7 +5,7 @@
 #include "commands.h"
 #include "failure.h"
 #include "progress.h"
-#include "repeated_contacts.h"
+#include "record/recorded_scene.h"
 #include "signals.h"
 
 #include <fmt/format.h>
@@ -147,7 +147,7 @@ class Replay {
 int replay(const ReplayOptions& options) {
     const record::Recording recording = record::Recording::open(options.file);
     if (!same_instruction_set(recording)) return kMismatch;
-    scene::Scene scene = recorded_scene(recording, options.threads);
+    scene::Scene scene = record::recorded_scene(recording, options.threads);
     World& world = scene.world;
     if (world.motion_hash() != recording.start_hash) {
         fmt::print("difference at the start: recorded hash {:016x}, restored {:016x}\n",

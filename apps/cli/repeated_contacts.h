@@ -13,10 +13,6 @@
 
 namespace hawser::cli {
 
-/// The scene in a recording, without systems, in the state in which the recording began.
-/// @throws record::RecordingError where it has none that fits.
-[[nodiscard]] scene::Scene recorded_scene(const record::Recording& recording, int threads);
-
 class RepeatedContacts {
   public:
     RepeatedContacts(const record::Recording& recording, int threads);

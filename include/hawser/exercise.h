@@ -206,6 +206,11 @@ struct Result {
     std::vector<Tally> goals, penalties, alarms;
     std::vector<Entry> entries;  ///< In the order in which they happened.
 };
+/// Displays over time, thinned so that there are at most some thousand.
+struct Curves {
+    std::vector<double> time;                 ///< [s]
+    std::vector<std::vector<double>> values;  ///< Of each of Exercise::displays.
+};
 /// With all numbers to 17 digits: equal texts are equal scores.
 [[nodiscard]] std::string to_json(const Result& result);
 
@@ -252,6 +257,7 @@ class Run {
     /// Ends it now, for instance where a step failed. @param why  In words.
     void end(const std::string& why, bool failed);
     [[nodiscard]] const Result& result() const noexcept;
+    [[nodiscard]] const Curves& curves() const noexcept;
 
     // --- Going back
     // -------------------------------------------------------------------------------
@@ -270,6 +276,7 @@ class Run {
 struct Rescored {
     Exercise exercise;
     Result result;
+    Curves curves;
     bool same = true;  ///< Every frame had the recorded hash; else `difference` says more.
     std::string difference;
 };
