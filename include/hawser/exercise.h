@@ -55,7 +55,7 @@ struct Refused : std::runtime_error {
 
 /// Holds while the output is at least `above` and at most `below`; not where it is NaN.
 struct Condition {
-    std::string output;  ///< Of the world, by name.
+    std::string output{};  ///< Of the world, by name.
     double above = -std::numeric_limits<double>::infinity();
     double below = std::numeric_limits<double>::infinity();
 };
@@ -63,16 +63,16 @@ struct Condition {
 /// When something counts: all conditions have held for `hold` without a break; or where
 /// `conditions` is empty an event of this kind happened.
 struct Trigger {
-    std::vector<Condition> conditions;
+    std::vector<Condition> conditions{};
     double hold = 0.0;                        ///< [s]
     EventKind event = EventKind::line_break;  ///< Where there are no conditions …
-    std::string of;                           ///< … of what has a name that begins so; "": any.
+    std::string of{};                         ///< … of what has a name that begins so; "": any.
 };
 
 struct Station {
-    std::string name;  ///< Of the role.
-    std::string text;
-    std::vector<std::string> inputs;
+    std::string name{};  ///< Of the role.
+    std::string text{};
+    std::vector<std::string> inputs{};
 };
 
 enum class FaultKind : std::uint8_t {
@@ -89,59 +89,59 @@ inline constexpr int kFaultKindCount = 6;
 [[nodiscard]] const char* to_string(FaultKind kind) noexcept;
 
 struct Fault {
-    std::string name, text;
+    std::string name{}, text{};
     FaultKind kind = FaultKind::line_parts;
-    std::string target;        ///< Wire, element, winch, interaction, input or output.
-    double s = kDefault;       ///< From the wire's first end [m]; NaN: its middle.
-    double share = 0.0;        ///< 0 to 1.
-    double value = kDefault;   ///< NaN: the value it has.
-    double delay = 0.0;        ///< [s]
-    std::optional<double> at;  ///< Comes by itself at this time [s]; else the instructor's.
+    std::string target{};        ///< Wire, element, winch, interaction, input or output.
+    double s = kDefault;         ///< From the wire's first end [m]; NaN: its middle.
+    double share = 0.0;          ///< 0 to 1.
+    double value = kDefault;     ///< NaN: the value it has.
+    double delay = 0.0;          ///< [s]
+    std::optional<double> at{};  ///< Comes by itself at this time [s]; else the instructor's.
     double lasts = std::numeric_limits<double>::infinity();  ///< [s]
 };
 
 struct Alarm {
-    std::string name, text;
-    Trigger when;
+    std::string name{}, text{};
+    Trigger when{};
 };
 
 struct Goal {
-    std::string name, text;
-    Trigger when;
+    std::string name{}, text{};
+    Trigger when{};
     double points = 0.0;
-    std::string after;         ///< Goal that must have been reached before; "": none.
-    std::optional<double> by;  ///< Later it gives nothing [s].
+    std::string after{};         ///< Goal that must have been reached before; "": none.
+    std::optional<double> by{};  ///< Later it gives nothing [s].
 };
 
 struct Penalty {
-    std::string name, text;
-    Trigger when;
+    std::string name{}, text{};
+    Trigger when{};
     double points = 0.0;                                    ///< Each time it begins.
     double per_second = 0.0;                                ///< And while it lasts.
     double most = std::numeric_limits<double>::infinity();  ///< Points in all.
 };
 
 struct End {
-    std::string name, text;
-    Trigger when;
+    std::string name{}, text{};
+    Trigger when{};
     bool failed = false;  ///< The exercise has then failed, whatever the points.
 };
 
 struct Exercise {
-    std::string name, description;
-    std::string file;         ///< For messages.
-    std::string text;         ///< Document (JSON), goes into recordings.
+    std::string name{}, description{};
+    std::string file{};       ///< For messages.
+    std::string text{};       ///< Document (JSON), goes into recordings.
     double duration = 600.0;  ///< It ends then [s].
     double pass = 0.0;        ///< Points needed.
     bool until_done = true;   ///< It also ends when all goals have been reached.
-    std::vector<Station> stations;
-    std::vector<Fault> faults;
-    std::vector<Alarm> alarms;
-    std::vector<Goal> goals;
-    std::vector<Penalty> penalties;
-    std::vector<End> ends;
-    std::vector<std::string> displays;     ///< Outputs that stations see and reports plot.
-    std::vector<scene::Operation> levers;  ///< `set` of timelines: Run does them, by time.
+    std::vector<Station> stations{};
+    std::vector<Fault> faults{};
+    std::vector<Alarm> alarms{};
+    std::vector<Goal> goals{};
+    std::vector<Penalty> penalties{};
+    std::vector<End> ends{};
+    std::vector<std::string> displays{};     ///< Outputs that stations see and reports plot.
+    std::vector<scene::Operation> levers{};  ///< `set` of timelines: Run does them, by time.
 };
 
 /// An exercise with its scene, to which it has added its inputs, outputs and timeline.
