@@ -59,7 +59,7 @@ void follow_wires(const std::vector<WireLine>& lines, Layout& out) {
         wire->segments = std::max(wire->segments, line.segments.size());
         wire->peak.resize(wire->segments, 0.0F);
         for (std::size_t i = 0; i < line.segments.size(); ++i) {
-            const Segment& s = line.segments[i];
+            const WirePiece& s = line.segments[i];
             wire->peak[i] = std::max(wire->peak[i], s.tension);
             if (s.parted || (i > 0 && (line.segments[i - 1].to - s.from).norm() > kTogether))
                 wire->joined = false;
@@ -87,7 +87,7 @@ Layout lay_out(const record::Recording& recording, const Frames& frames) {
         follow_wires(lines, out);
     }
     for (const WireLine& line : lines)
-        for (const Segment& s : line.segments) bounds.add(s.from);
+        for (const WirePiece& s : line.segments) bounds.add(s.from);
     if (!bounds.empty()) out.size = std::max(1e-3, (bounds.high - bounds.low).norm());
     for (const WireNodes& wire : out.wires)
         for (const float t : wire.peak) out.most_tension = std::max(out.most_tension, t);
@@ -100,7 +100,7 @@ void place_joints(const WireNodes& wire, const WireLine& line, std::vector<Vec3>
     for (std::size_t i = 0; i < wire.segments; ++i) {
         Vec3 from = last, to = last;
         if (i < line.segments.size()) {
-            const Segment& s = line.segments[i];
+            const WirePiece& s = line.segments[i];
             from = s.from;
             last = s.to;
             to = s.parted ? s.from : s.to;

@@ -3,8 +3,8 @@
 /// @file gltf_layout.h
 /// What a glTF of a recording is made of, and where it stands in the file.
 
+#include "draw/wire_lines.h"
 #include "export/export.h"
-#include "export/wire_lines.h"
 #include "record/solids.h"
 
 #include <cstdint>
@@ -12,6 +12,10 @@
 #include <vector>
 
 namespace hawser::exporting {
+
+using draw::WireLine;
+using draw::WirePiece;
+using draw::WireReader;
 
 /// A body that has a node.
 struct BodyNode {

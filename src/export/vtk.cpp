@@ -2,8 +2,8 @@
 /// VTK XML (W. Schroeder, K. Martin, B. Lorensen, *The Visualization Toolkit*, 4th ed., 2006;
 /// "VTK File Formats", docs.vtk.org): PolyData with raw appended blocks, each behind its size.
 #include "draw/projection.h"
+#include "draw/wire_lines.h"
 #include "export/export.h"
-#include "export/wire_lines.h"
 #include "record/files.h"
 #include "record/solids.h"
 
@@ -14,6 +14,10 @@
 #include <stdexcept>
 
 namespace hawser::exporting {
+
+using draw::WireLine;
+using draw::WirePiece;
+using draw::WireReader;
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
@@ -123,7 +127,7 @@ class VtkWriter {
     void put_wires(const record::Frame& frame, Cells& cells) {
         reader_.read(frame, lines_);
         for (std::size_t w = 0; w < lines_.size(); ++w)
-            for (const Segment& s : lines_[w].segments) {
+            for (const WirePiece& s : lines_[w].segments) {
                 cells.lines.push_back(cells.point(s.from));
                 cells.lines.push_back(cells.point(s.to));
                 cells.lines_end.push_back(static_cast<std::int32_t>(cells.lines.size()));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "export/wire_lines.h"
+#include "draw/wire_lines.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace hawser::exporting {
+namespace hawser::draw {
 namespace {
 
-Vec3 place(const record::Frame& frame, std::int32_t body, const Vec3& point) {
+Vec3 place_of(const record::Frame& frame, std::int32_t body, const Vec3& point) {
     const Pose& pose = frame.poses[static_cast<std::size_t>(body)];
     return pose.position + pose.orientation.normalized() * point;
 }
@@ -16,7 +16,7 @@ Vec3 place(const record::Frame& frame, std::int32_t body, const Vec3& point) {
 
 WireReader::WireReader(const record::Recording& recording)
     : recording_(recording),
-      parted_(draw::parted_elements(recording, std::numeric_limits<double>::infinity())) {
+      parted_(parted_elements(recording, std::numeric_limits<double>::infinity())) {
     for (std::size_t c = 0; c < recording.cables.size(); ++c)
         cables_.emplace(recording.cables[c].name, c);
 }
@@ -32,19 +32,19 @@ void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireL
         const Vec3 local = i == 0                        ? cable.end[0]
                            : i + 1 == cable.nodes.size() ? cable.end[1]
                                                          : Vec3(Vec3::Zero());
-        points.push_back(place(frame, node, local));
+        points.push_back(place_of(frame, node, local));
     }
     const auto pieces = static_cast<std::int32_t>(points.size()) - 1;
     for (std::int32_t i = 0; i < pieces; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        Segment segment{points[at], points[at + 1]};
+        WirePiece segment{points[at], points[at + 1]};
         if (cable.elements > 0) {
             const std::int32_t element =
                 std::min(cable.elements - 1, std::max(0, cable.elements - pieces + i));
             segment.tension = frame.tensions[static_cast<std::size_t>(cable.first_element) +
                                              static_cast<std::size_t>(element)];
             segment.parted =
-                std::any_of(parted_.begin(), parted_.end(), [&](const draw::PartedElement& p) {
+                std::any_of(parted_.begin(), parted_.end(), [&](const PartedElement& p) {
                     return p.cable == index && p.element == element && p.time <= frame.time;
                 });
         }
@@ -58,9 +58,9 @@ void WireReader::read_wire(const record::RecordedWire& wire, const record::Frame
     for (std::size_t i = 0; i < wire.pieces.size(); ++i) {
         const record::RecordedPiece& piece = wire.pieces[i];
         const float pull = frame.pulls[wire.first_piece + i];
-        const Segment segment{place(frame, piece.body[0], piece.point[0]),
-                              place(frame, piece.body[1], piece.point[1]), std::max(0.0F, pull),
-                              pull < 0.0F};
+        const WirePiece segment{place_of(frame, piece.body[0], piece.point[0]),
+                                place_of(frame, piece.body[1], piece.point[1]),
+                                std::max(0.0F, pull), pull < 0.0F};
         const bool chord = i > 0 && !segment.parted && !out.segments.back().parted &&
                            wire.pieces[i - 1].body[1] == piece.body[0] &&
                            wire.pieces[i - 1].point[1] != piece.point[0];
@@ -98,4 +98,4 @@ void WireReader::read(const record::Frame& frame, std::vector<WireLine>& out) co
         if (!changed[c]) read_cable(c, frame, out[c]);
 }
 
-}  // namespace hawser::exporting
+}  // namespace hawser::draw

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
-namespace hawser::exporting {
+namespace hawser::draw {
 
 /// An element of a wire, straight between its ends.
-struct Segment {
+struct WirePiece {
     Vec3 from, to;         ///< World frame [m].
     float tension = 0.0F;  ///< [N]; of what has parted 0.
     bool parted = false;
@@ -25,7 +25,7 @@ struct WireLine {
     std::string_view name;
     double EA = 0.0;             ///< [N]; 0: not known.
     double breaking_load = 0.0;  ///< [N]; 0: not given.
-    std::vector<Segment> segments;
+    std::vector<WirePiece> segments;
 };
 
 /// Takes wires from frames of one recording, which has to outlive it.
@@ -43,7 +43,7 @@ class WireReader {
 
     const record::Recording& recording_;
     std::map<std::string, std::size_t, std::less<>> cables_;
-    std::vector<draw::PartedElement> parted_;
+    std::vector<PartedElement> parted_;
 };
 
-}  // namespace hawser::exporting
+}  // namespace hawser::draw
