@@ -138,9 +138,11 @@ std::string pictures(const record::Recording& recording) {
     std::string out = "<h2>Pictures</h2>\n";
     const std::size_t last = recording.frame_count() - 1;
     for (const std::size_t frame : {last / 2, last})
-        if (const auto view = draw::plot_views(recording, series, frame))
+        if (const auto view = draw::plot_space(recording, series, frame, {}))
             out += figure(*view,
                           fmt::format("The scene at {}.", clock(recording.frame_head(frame).time)));
+    if (const auto view = draw::plot_views(recording, series, last))
+        out += figure(*view, "From the side and from above, at the end.");
     if (const auto tensions = draw::plot_tensions(recording, series))
         out += figure(*tensions, "Tensions of the wires.");
     return out;

@@ -208,15 +208,15 @@ std::optional<Drawing> plot_views(const record::Recording& recording, const reco
         const View& view = layout.view[k];
         draw_water(drawing, axes, view, water);
         axes.draw(drawing);
-        drawing.add(Clip{axes.frame});
         draw_grounds(drawing, axes, view, recording, frame);
+        if (options.box) drawing.add(Clip{axes.frame});
         draw_solids(drawing, axes, view, recording, first, true);
         draw_frame(drawing, axes, view, recording, first, {true, tension});
         draw_paths(drawing, axes, view, recording, series);
         draw_solids(drawing, axes, view, recording, frame, false);
         draw_frame(drawing, axes, view, recording, frame, {false, tension});
         draw_names(drawing, axes, view, recording, frame);
-        drawing.add(Clip{});
+        if (options.box) drawing.add(Clip{});
         low = std::max(low, axes.frame.bottom());
     }
     if (recording.element_count > 0) {

@@ -179,7 +179,7 @@ TEST(Debriefing, IsOneFileWithoutScriptsThatEscapesAllText) {
     for (std::size_t at = html.find("<figure"); at != std::string::npos;
          at = html.find("<figure", at + 1))
         ++plots;
-    EXPECT_EQ(plots, 4U) << "displays, two views, tensions";
+    EXPECT_EQ(plots, 5U) << "displays, two in space, side and top, tensions";
 }
 
 }  // namespace
