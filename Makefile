@@ -9,7 +9,7 @@ DEMO   := out/demo
 VIEW_PORT ?= 8080
 CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 
-.PHONY: help demo view page test test-page test-long test-bare build bench format format-check layers tidy check clean packages
+.PHONY: help demo view page test test-page test-long test-bare test-export build bench format format-check layers tidy check clean packages
 .NOTPARALLEL:
 
 help:
@@ -19,6 +19,7 @@ help:
 	@echo "make test-page drive the page of 'hawser view' in a browser (Debian's chromium), make its pictures"
 	@echo "make test-long 100,000 random pairs of shapes of each two kinds, a million forged files, 50,000 random edits, hashes, memory that ends anywhere, 100,000 operations on wires under sanitizers: an hour"
 	@echo "make test-bare demo and test in a bare Debian 12 that debootstrap makes: root, network, minutes"
+	@echo "make test-export 60 s of anchor_contact as glTF and VTK, judged by Khronos' validator and VTK"
 	@echo "make bench     build with the foreign engines installed, run the comparisons"
 	@echo "make build     build everything   (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
 	@echo "make format    format all C++ files; format-check only looks"
@@ -96,6 +97,20 @@ test-long: build
 # Not part of check: it fetches a system.
 test-bare:
 	@scripts/test_bare.sh
+
+# Not part of check: it needs npm's gltf-validator and VTK. A node that is there is taken.
+EXPORT := out/export
+test-export: build
+	@scripts/install_packages.sh export
+	@command -v npm >/dev/null || scripts/install_packages.sh node
+	@mkdir -p $(EXPORT)
+	@cd $(EXPORT) && npm install --silent --no-audit --no-fund --prefix . gltf-validator@2
+	$(BIN)/hawser run scenes/anchor_contact.json --duration 60 --record $(EXPORT)/run.hwr \
+	    --record-every 1 --quiet
+	$(BIN)/hawser export $(EXPORT)/run.hwr --to gltf -o $(EXPORT)/run.glb
+	$(BIN)/hawser export $(EXPORT)/run.hwr --to vtk --every 10 -o $(EXPORT)/run.pvd
+	@node scripts/check_gltf.mjs $(EXPORT) $(EXPORT)/run.glb
+	@/usr/bin/python3 scripts/check_export.py $(EXPORT)/run.hwr $(EXPORT)/run.glb $(EXPORT)/run.pvd
 
 bench:
 	@scripts/install_packages.sh build bench

@@ -26,7 +26,7 @@ if(TARGET hawser_program)
     install(TARGETS hawser_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
         COMPONENT program)
 endif()
-foreach(folder IN ITEMS scenes schema)
+foreach(folder IN ITEMS scenes exercises schema)
     if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}")
         install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/hawser
             COMPONENT program)

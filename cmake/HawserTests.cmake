@@ -16,16 +16,17 @@ include(GoogleTest)
 
 # Labels. `slow`: takes long. `program`: belongs to the programs. `fast` and `threads`: the rest,
 # without and with several threads in the code under test. The preset asan-ubsan builds and runs
-# both but for the tests of `assembly` and of the rooms that record, verify, report and draw, which
+# both but for the tests of `assembly` and of the rooms that record, verify, report, draw, export and exercise, which
 # take long to compile (the kernels of assembly run in the tests of `stepper` and `world`); tsan those labelled `threads`. The targets
 # hawser_fast_tests and hawser_thread_tests build them.
 set(HAWSER_SLOW_TESTS slow validate)
 set(HAWSER_PROGRAM_TESTS bench cli)
 set(HAWSER_THREAD_TESTS runtime threads)
-set(HAWSER_UNSANITIZED_TESTS assembly draw record report verify)
+set(HAWSER_UNSANITIZED_TESTS assembly draw exercise export record report verify)
 # Tests that need more than the library.
-set(HAWSER_REPORT_TESTS cli draw files live marine record report session verify)
-set(HAWSER_SCENE_TESTS bench cli draw files live record report scene scenes session slow stepper
+set(HAWSER_REPORT_TESTS cli draw exercise export files live marine record report session verify)
+set(HAWSER_SCENE_TESTS bench cli draw exercise export files live record report scene scenes session
+                       slow stepper
                        threads validate verify world)
 # Tests that take seconds, each with its folder: they start first, so that all processors end
 # together on a machine that has not run them before.

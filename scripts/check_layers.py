@@ -27,7 +27,8 @@ TABLE = ROOT / "docs/architecture.md"
 MAX_LINES = 400
 LICENCE = "SPDX-License-Identifier: Apache-2.0"
 # Rooms above the library: they may use foreign libraries and only the public headers.
-USERS = {"scene", "record", "verify", "session", "report", "draw", "validate", "live"}
+USERS = {"scene", "record", "verify", "session", "report", "draw", "validate", "live", "export",
+         "exercise", "debrief"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
 # Modules that take part in circles within their room.
 CIRCLES: dict[str, int] = {}

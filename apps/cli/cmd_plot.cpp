@@ -3,15 +3,21 @@
 #include "commands.h"
 #include "draw/plots.h"
 #include "draw/png.h"
+#include "draw/raster.h"
+#include "record/names.h"
 #include "record/series.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace hawser::cli {
 
@@ -19,14 +25,27 @@ namespace {
 
 constexpr const char* kPlotFooter = R"(Examples:
   hawser plot run.hwr -o pictures
-  hawser plot run.hwr -o pictures --at 12.5     # the scene at 12.5 s instead of the end
+  hawser plot run.hwr -o pictures --at 12.5               # the scene at 12.5 s instead of the end
+  hawser plot run.hwr --only scene --view 3d --azimuth -40
+  hawser plot run.hwr --only scene --view side --frames 100 --size 1280x720 -o film
+  hawser plot run.hwr --only scene --view 3d --axes 0,-20,-10,60,20,30
 
-Writes tensions, wires, motions, scene and details, each as .svg and .png. Exit codes: 0 written, 1 unreadable
-recording or a file that cannot be written.)";
+Writes tensions, wires, motions, scene, space and details, each as .svg and .png. Exit codes: 0 written, 1 unreadable
+recording, an unknown picture, or a file that cannot be written.)";
+
+constexpr const char* kPictures[] = {"tensions", "wires", "motions", "scene", "space", "details"};
 
 struct PlotOptions {
-    std::string file, folder = ".";
+    std::string file, folder = ".", view, size;
+    std::vector<std::string> only;
+    std::vector<double> axes;
     std::optional<double> at;
+    std::size_t frames = 0;
+    draw::ViewOptions scene;
+
+    [[nodiscard]] bool wants(const std::string& picture) const {
+        return only.empty() || std::find(only.begin(), only.end(), picture) != only.end();
+    }
 };
 
 std::size_t frame_at(const record::Recording& recording, std::optional<double> time) {
@@ -40,7 +59,70 @@ std::size_t frame_at(const record::Recording& recording, std::optional<double> t
     return best;
 }
 
+/// What the options say of views. @throws std::runtime_error where they make no sense.
+draw::ViewOptions view_of(const PlotOptions& options) {
+    draw::ViewOptions out = options.scene;
+    if (options.view == "side") out.shown = draw::Shown::side;
+    if (options.view == "top") out.shown = draw::Shown::top;
+    if (options.view == "3d") out.shown = draw::Shown::space;
+    if (!options.size.empty()) {
+        int width = 0, height = 0;
+        char left = 0;
+        if (std::sscanf(options.size.c_str(), "%dx%d%c", &width, &height, &left) != 2 ||
+            width < 320 || height < 240 || width > 8192 || height > 8192)
+            throw std::runtime_error(fmt::format(
+                "--size {}: expected WIDTHxHEIGHT, such as 1280x720, from 320x240 to 8192x8192",
+                options.size));
+        // A picture has two pixels a point.
+        out.width = 0.5 * width;
+        out.height = 0.5 * height;
+    }
+    if (!options.axes.empty()) {
+        const Vec3 low(options.axes[0], options.axes[1], options.axes[2]),
+            high(options.axes[3], options.axes[4], options.axes[5]);
+        if (!low.allFinite() || !high.allFinite() || !((high - low).minCoeff() >= 0.0) ||
+            !((high - low).maxCoeff() > 0.0))
+            throw std::runtime_error("--axes: expected the lower corner x,y,z and the upper one");
+        out.box = std::pair(low, high);
+    }
+    return out;
+}
+
+void check_pictures(const PlotOptions& options) {
+    const std::vector<std::string> known{std::begin(kPictures), std::end(kPictures)};
+    for (const std::string& name : options.only)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw std::runtime_error(
+                fmt::format("--only: there is no picture \"{}\"; nearest: \"{}\"", name,
+                            record::nearest_name(name, known)));
+}
+
+/// Pictures of the scene for a film, with the same axes: frame_0000.png and on.
+int plot_frames(const PlotOptions& options, const record::Recording& recording,
+                const record::Series& series) {
+    const std::size_t n = recording.frame_count(), count = std::min(options.frames, n);
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < count; ++i)
+        chosen.push_back(count == 1 ? n - 1 : i * (n - 1) / (count - 1));
+    draw::ViewOptions view = view_of(options);
+    if (!view.box) view.box = draw::shown_box(recording, chosen);
+    if (view.width <= 0.0) view.width = 960.0, view.height = 540.0;
+    std::filesystem::create_directories(options.folder);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const auto drawing = draw::plot_views(recording, series, chosen[i], view);
+        if (!drawing) throw record::RecordingError(options.file + ": nothing has a place");
+        draw::write_png(draw::rasterise(*drawing),
+                        std::filesystem::path(options.folder) / fmt::format("frame_{:04}.png", i),
+                        *drawing);
+    }
+    fmt::print("wrote {} pictures {}/frame_0000.png to frame_{:04}.png\n", chosen.size(),
+               options.folder, chosen.size() - 1);
+    return kOk;
+}
+
 int plot(const PlotOptions& options) {
+    check_pictures(options);
+    const draw::ViewOptions view = view_of(options);
     const record::Recording recording = record::Recording::open(options.file);
     if (recording.frame_count() == 0)
         throw record::RecordingError(options.file + ": the recording has no complete frame");
@@ -48,9 +130,12 @@ int plot(const PlotOptions& options) {
         fmt::print(stderr, "{}: not complete ({}); plotting its {} frames\n", options.file,
                    recording.damage, recording.frame_count());
     const record::Series series = record::collect_series(recording);
+    if (options.frames > 0) return plot_frames(options, recording, series);
     const std::filesystem::path folder = options.folder;
-    const auto write = [&](const char* name, const std::optional<draw::Drawing>& drawing,
-                           const char* why_not) {
+    const std::size_t frame = frame_at(recording, options.at);
+    const auto write = [&](const char* name, const auto& make, const char* why_not) {
+        if (!options.wants(name)) return;
+        const std::optional<draw::Drawing> drawing = make();
         if (!drawing) {
             fmt::print("no picture \"{}\": {}\n", name, why_not);
             return;
@@ -58,13 +143,22 @@ int plot(const PlotOptions& options) {
         for (const auto& file : draw::write_pictures(*drawing, folder / name))
             fmt::print("wrote {}\n", file.string());
     };
-    write("tensions", draw::plot_tensions(recording, series), "the scene has no cables");
-    write("wires", draw::plot_wires(recording, series), "the scene has no cables");
-    write("motions", draw::plot_motions(recording, series), "the scene has no moving bodies");
-    write("scene", draw::plot_views(recording, series, frame_at(recording, options.at)),
-          "nothing in the scene has a place");
-    write("details", draw::plot_details(recording, frame_at(recording, options.at)),
-          "no plotted body is small in the scene");
+    write(
+        "tensions", [&] { return draw::plot_tensions(recording, series); },
+        "the scene has no cables");
+    write("wires", [&] { return draw::plot_wires(recording, series); }, "the scene has no cables");
+    write(
+        "motions", [&] { return draw::plot_motions(recording, series); },
+        "the scene has no moving bodies");
+    write(
+        "scene", [&] { return draw::plot_views(recording, series, frame, view); },
+        "nothing in the scene has a place");
+    write(
+        "space", [&] { return draw::plot_space(recording, series, frame, view); },
+        "nothing in the scene has a place");
+    write(
+        "details", [&] { return draw::plot_details(recording, frame); },
+        "no plotted body is small in the scene");
     return kOk;
 }
 
@@ -80,6 +174,37 @@ void add_plot(CLI::App& app, Command& chosen) {
         ->capture_default_str();
     command->add_option("--at", options->at, "Time of the views of the scene [s]; else the end")
         ->check(finite());
+    command
+        ->add_option("--only", options->only,
+                     "Pictures to write, by name, with commas between them: tensions, wires, "
+                     "motions, scene, space, details")
+        ->delimiter(',');
+    command
+        ->add_option("--view", options->view,
+                     "What `scene` shows: side, top or 3d; by default side and top")
+        ->check(CLI::IsMember({"side", "top", "3d"}));
+    command->add_option("--size", options->size,
+                        "Of the pictures of the scene, WIDTHxHEIGHT in pixels");
+    command
+        ->add_option("--axes", options->axes,
+                     "What they show: lower corner x,y,z and upper corner x,y,z [m]")
+        ->delimiter(',')
+        ->expected(6);
+    command
+        ->add_option("--frames", options->frames,
+                     "So many pictures of the scene from the start to the end, with the same axes, "
+                     "as frame_0000.png and on; nothing else")
+        ->check(CLI::Range(1, 100000));
+    command
+        ->add_option("--azimuth", options->scene.azimuth,
+                     "Of the viewer of 3d, from x towards y [deg]")
+        ->check(CLI::Range(-360.0, 360.0))
+        ->capture_default_str();
+    command
+        ->add_option("--elevation", options->scene.elevation,
+                     "Of the viewer of 3d above the level [deg]")
+        ->check(CLI::Range(5.0, 85.0))
+        ->capture_default_str();
     command->callback([&chosen, options] { chosen = [options] { return plot(*options); }; });
 }
 

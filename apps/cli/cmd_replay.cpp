@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "failure.h"
 #include "progress.h"
+#include "record/recorded_scene.h"
 #include "signals.h"
 
 #include <fmt/format.h>
@@ -168,28 +169,8 @@ class Replay {
 int replay(const ReplayOptions& options) {
     const record::Recording recording = record::Recording::open(options.file);
     if (!same_instruction_set(recording)) return kMismatch;
-    if (recording.scene_text.empty())
-        throw record::RecordingError(
-            options.file +
-            ": a recording without a scene, of a world that a program built; it can be "
-            "drawn, not repeated");
-    scene::Options scene_options;
-    scene_options.threads = options.threads;
-    scene::Scene scene =
-        scene::load_text(recording.scene_text, options.file + " (embedded scene)", scene_options);
+    scene::Scene scene = record::recorded_scene(recording, options.threads);
     World& world = scene.world;
-    // What systems of the scene did is in the recording.
-    while (world.system_count() > 0) (void)world.remove_system(world.system(0));
-    const auto bad_input = [&](const record::RecordedInput& input) {
-        return input.input < 0 || input.input >= world.input_count();
-    };
-    if (world.body_count() != static_cast<std::int32_t>(recording.start_bodies) ||
-        world.settings().step != recording.settings.step ||
-        std::any_of(recording.inputs.begin(), recording.inputs.end(), bad_input))
-        throw record::RecordingError(options.file +
-                                     ": the embedded scene does not fit the recording");
-    world.prepare();
-    world.restore(recording.snapshot);
     if (world.motion_hash() != recording.start_hash) {
         fmt::print("difference at the start: recorded hash {:016x}, restored {:016x}\n",
                    recording.start_hash, world.motion_hash());

@@ -47,6 +47,8 @@ int run_main(int argc, char** argv) {
     add_settle(app, chosen);
     add_replay(app, chosen);
     add_plot(app, chosen);
+    add_exercise(app, chosen);
+    add_export(app, chosen);
     add_inspect(app, chosen);
     add_figures(app, chosen);
     add_validate(app, chosen);

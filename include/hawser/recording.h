@@ -107,6 +107,13 @@ struct RecordedChanges {
     std::span<const std::byte> bytes;  ///< For apply_changes().
 };
 
+/// What a program kept beside the motion (Session::note()).
+struct RecordedNote {
+    std::int64_t step = 0;             ///< When this many steps had been taken.
+    std::string kind;                  ///< Whose it is.
+    std::span<const std::byte> bytes;  ///< For whose it is.
+};
+
 /// What systems loaded bodies with in one step (system.h).
 struct RecordedLoads {
     std::int64_t step = 0;             ///< Taken when this many steps had been taken.
@@ -185,6 +192,7 @@ class Recording {
     std::vector<RecordedInput> inputs;
     std::vector<RecordedChanges> changes;
     std::vector<RecordedLoads> loads;
+    std::vector<RecordedNote> notes;
     std::vector<RecordedCut> cuts;
     std::vector<RecordedTake> takes;  ///< Steps of all the above ascend within a take only.
     std::vector<RecordedEvent> events;
@@ -218,6 +226,7 @@ class Recording {
     template <class T>
     [[nodiscard]] std::int64_t least_step(const std::vector<T>& all,
                                           std::size_t RecordedTake::* before) const;
+    void read_note(ByteReader in);
     void read_wires(ByteReader in);
     void read_pulls(std::span<const std::byte> payload);
     void find_wires(std::size_t index, Frame& frame) const;

@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -91,6 +92,10 @@ class Session {
     void record(const std::filesystem::path& file, std::int32_t every = 1);
     /// Write tensions and motions over time. @throws std::runtime_error.
     void write_csv(const std::filesystem::path& file, std::int32_t every = 1);
+    /// Bytes of the caller's for the recording, before the step that comes next; without a
+    /// recording nothing. They change nothing of a replay. @param kind  Whose they are, up to 32
+    /// bytes. @throws record::RecordingError, DefError.
+    void note(std::string_view kind, std::span<const std::byte> bytes);
     /// Call `observer` before and after each step from now on. It must outlive the session.
     void observe(Observer& observer);
     /// The present state in a file that only this scene restores (docs/recording.md).

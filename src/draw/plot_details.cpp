@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/plots.h"
 #include "draw/projection.h"
+#include "draw/shapes.h"
 #include "draw/view_labels.h"
 #include "record/units.h"
 
@@ -94,8 +95,10 @@ std::optional<Drawing> plot_details(const record::Recording& recording, std::siz
                    kTop + static_cast<double>(k / columns) * (height + 84)},
                   height);
         axes.draw(drawing);
+        draw_grounds(drawing, axes, view, recording, frame);
         drawing.add(Clip{axes.frame});
         draw_frame(drawing, axes, view, recording, first, {true, tension});
+        draw_solids(drawing, axes, view, recording, frame, false);
         draw_frame(drawing, axes, view, recording, frame, {false, tension});
         const std::string& name = recording.bodies[i].name;
         draw_names(drawing, axes, view, recording, frame, name.substr(0, name.rfind('/') + 1));

@@ -4,6 +4,7 @@
 #include "draw/projection.h"
 #include "draw/shapes.h"
 #include "draw/view_labels.h"
+#include "draw/water.h"
 #include "record/units.h"
 
 #include <fmt/format.h>
@@ -23,8 +24,9 @@ constexpr double kWidth = 1280, kMaxHeight = 1180, kMinHeight = 640;
 struct Layout {
     View view[2];
     Axes axes[2];
-    double height = 0.0;  // Of the picture.
-    double bar_x = 0.0;   // Left edge of the colour bar.
+    double width = kWidth, height = 0.0;  // Of the picture.
+    int panels = 2;
+    double bar_x = 0.0;  // Left edge of the colour bar.
 };
 
 Axes panel(const View& view, const Bounds& b, Box frame) {
@@ -124,11 +126,61 @@ void note_parted(Drawing& drawing, Point at, const record::Recording& recording,
     drawing.text(at, text + ".", 12.0, Anchor::start, kPartedColor);
 }
 
+/// One panel, as large as the picture lets it be; both of its axes have the same scale.
+Layout arrange_one(const Bounds& b, const ViewOptions& options, double margin) {
+    const Vec3 extent = b.high - b.low;
+    const int across = extent.x() >= extent.y() ? 0 : 1;
+    Layout out;
+    out.panels = 1;
+    out.view[0] =
+        options.shown == Shown::side
+            ? View{across, 2, 1.0, across == 0 ? "Side view (along y)" : "Side view (along −x)"}
+            : View{across, 1 - across, across == 0 ? 1.0 : -1.0, "Top view"};
+    const View& view = out.view[0];
+    out.width = options.width > 0.0 ? options.width : kWidth;
+    const double room_x = out.width - kViewsLeft - kRight;
+    const double wide = std::max(1e-3, extent[view.right] * margin);
+    double high = std::max(extent[view.up] * margin, wide / 7.0);
+    double scale = room_x / wide;
+    out.height = options.height > 0.0
+                     ? options.height
+                     : std::clamp(scale * high + kViewsTop + kBottom, kMinHeight, kMaxHeight);
+    const double room_y = out.height - kViewsTop - kBottom;
+    scale = std::min(scale, room_y / high);
+    // What room is left over shows more.
+    Bounds shown = b;
+    const double half[2] = {0.5 * room_x / scale, 0.5 * room_y / scale};
+    for (int k = 0; k < 2; ++k) {
+        const int axis = k == 0 ? view.right : view.up;
+        const double middle = 0.5 * (b.low[axis] + b.high[axis]);
+        shown.low[axis] = middle - half[k];
+        shown.high[axis] = middle + half[k];
+    }
+    out.axes[0] = panel(view, shown, {kViewsLeft, kViewsTop, room_x, room_y});
+    out.bar_x = out.axes[0].frame.right() + 40;
+    return out;
+}
+
+/// Still water and seabed of a side view, behind everything.
+void draw_water(Drawing& drawing, const Axes& axes, const View& view, const Water& water) {
+    if (view.up != 2) return;
+    const auto below = [&](double z, Color fill, Color line) {
+        const double left = axes.frame.x, right = axes.frame.right();
+        const double y = std::max(axes.at(0.0, z).y, axes.frame.y);
+        if (y > axes.frame.bottom()) return;
+        drawing.box({left, y, right - left, axes.frame.bottom() - y}, fill);
+        if (axes.at(0.0, z).y >= axes.frame.y) drawing.line({left, y}, {right, y}, line, 1.4);
+    };
+    if (water.level) below(*water.level, {120, 175, 215, 40}, {70, 130, 180, 255});
+    if (water.seabed) below(*water.seabed, {226, 214, 194, 255}, {150, 128, 96, 255});
+}
+
 }  // namespace
 
 std::optional<Drawing> plot_views(const record::Recording& recording, const record::Series& series,
-                                  std::size_t frame_index) {
+                                  std::size_t frame_index, const ViewOptions& options) {
     if (frame_index >= recording.frame_count()) return std::nullopt;
+    if (options.shown == Shown::space) return plot_space(recording, series, frame_index, options);
     const record::Frame first = recording.frame(0), frame = recording.frame(frame_index);
     Bounds bounds;
     add_to_bounds(recording, first, bounds);
@@ -137,24 +189,34 @@ std::optional<Drawing> plot_views(const record::Recording& recording, const reco
     add_outlines_to_bounds(recording, frame, bounds);
     widen_by_paths(recording, series, bounds);
     if (bounds.empty()) return std::nullopt;
-    const Layout layout = arrange(bounds);
-    Drawing drawing{.width = kWidth, .height = layout.height};
+    if (options.box) {
+        bounds.low = options.box->first;
+        bounds.high = options.box->second;
+    }
+    const bool both = options.shown == Shown::side_and_top;
+    const Water water = water_of(recording);
+    Layout layout = both ? arrange(bounds) : arrange_one(bounds, options, options.box ? 1.0 : 1.12);
+    if (both && options.height > 0.0) layout.height = std::max(layout.height, options.height);
+    Drawing drawing{.width = layout.width, .height = layout.height};
     draw_heading(drawing,
                  fmt::format("{}: the scene at {:.6g} s", recording.scene_name, frame.time),
                  record::parameter_line(recording));
     const Range tension = tension_range(frame);
     double low = 0.0;
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k < layout.panels; ++k) {
         const Axes& axes = layout.axes[k];
         const View& view = layout.view[k];
+        draw_water(drawing, axes, view, water);
         axes.draw(drawing);
         draw_grounds(drawing, axes, view, recording, frame);
+        if (options.box) drawing.add(Clip{axes.frame});
         draw_solids(drawing, axes, view, recording, first, true);
         draw_frame(drawing, axes, view, recording, first, {true, tension});
         draw_paths(drawing, axes, view, recording, series);
         draw_solids(drawing, axes, view, recording, frame, false);
         draw_frame(drawing, axes, view, recording, frame, {false, tension});
         draw_names(drawing, axes, view, recording, frame);
+        if (options.box) drawing.add(Clip{});
         low = std::max(low, axes.frame.bottom());
     }
     if (recording.element_count > 0) {
@@ -167,8 +229,8 @@ std::optional<Drawing> plot_views(const record::Recording& recording, const reco
     note_parted(drawing, {28, layout.height - 34}, recording, frame.time);
     drawing.text({28, layout.height - 16},
                  fmt::format("Grey: at {:.6g} s. Coloured thin lines: paths of the plotted "
-                             "bodies.",
-                             first.time),
+                             "bodies.{}",
+                             first.time, water.level ? " Blue: still water." : ""),
                  12.0, Anchor::start, kSoft);
     return drawing;
 }

@@ -187,7 +187,8 @@ Range tension_range(const record::Frame& frame) {
     for (double& value : values) value = std::max(0.0, value);  // of what has parted −1
     Range r = range_of(values);
     if (r.low > 0.0 && r.low < 0.6 * r.high) r.low = 0.0;
-    return widened(r, 0.0, std::max(1.0, 1e-3 * std::abs(r.high)));
+    // Less than a hundredth of the value would colour noise.
+    return widened(r, 0.0, std::max(1.0, 1e-2 * std::abs(r.high)));
 }
 
 }  // namespace hawser::draw

@@ -24,6 +24,7 @@ inline constexpr char kBodiesChunk[] = "BODS";
 inline constexpr char kWiresChunk[] = "WIRE";
 inline constexpr char kPullsChunk[] = "PULL";
 inline constexpr char kLoadsChunk[] = "LOAD";
+inline constexpr char kNoteChunk[] = "NOTE";
 inline constexpr char kInputsChunk[] = "INPT";
 inline constexpr char kCutChunk[] = "CUTS";
 inline constexpr char kEventChunk[] = "EVNT";

@@ -6,6 +6,21 @@
 
 namespace hawser::record {
 
+int pose_floats(BodyKind kind) noexcept {
+    switch (kind) {
+        case BodyKind::rigid:
+        case BodyKind::kinematic:
+            return 7;
+        case BodyKind::lump:
+            return 3;
+        case BodyKind::scalar:
+            return 1;
+        case BodyKind::fixed:
+            return 0;
+    }
+    return 0;
+}
+
 void Recording::read_settings(ByteReader in) {
     settings.step = in.get<double>();
     settings.form = get_enum<Form>(in, 3);
@@ -101,6 +116,15 @@ void Recording::read_layout(ByteReader in) {
     }
     in.expect_end();
     element_count = static_cast<std::int32_t>(elements);
+}
+
+/// Steps may go back where a state was restored: whose notes they are knows.
+void Recording::read_note(ByteReader in) {
+    RecordedNote note;
+    note.step = get_step(in, 0);
+    note.kind = in.get_text();
+    note.bytes = in.take(in.left());
+    notes.push_back(std::move(note));
 }
 
 }  // namespace hawser::record

@@ -32,21 +32,6 @@ Frame get_frame_head(ByteReader& in) {
 
 }  // namespace
 
-int pose_floats(BodyKind kind) noexcept {
-    switch (kind) {
-        case BodyKind::rigid:
-        case BodyKind::kinematic:
-            return 7;
-        case BodyKind::lump:
-            return 3;
-        case BodyKind::scalar:
-            return 1;
-        case BodyKind::fixed:
-            return 0;
-    }
-    return 0;
-}
-
 std::vector<bool> cable_interior(const Recording& recording) {
     std::vector<bool> interior = recording.wire_lumps();
     const auto is_lump = [&](std::int32_t body) {
@@ -137,6 +122,8 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         read_changes(in);
     } else if (kind == kLoadsChunk) {
         read_loads(in);
+    } else if (kind == kNoteChunk) {
+        read_note(in);
     } else if (kind == kBodiesChunk) {
         read_bodies(in);
     } else if (kind == kWiresChunk) {

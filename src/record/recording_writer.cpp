@@ -225,6 +225,14 @@ void RecordingWriter::add_loads(const World& world) {
     write_chunk(kLoadsChunk);
 }
 
+void RecordingWriter::add_note(std::int64_t step, std::string_view kind,
+                               std::span<const std::byte> bytes) {
+    payload_.put(step);
+    payload_.put_text(kind);
+    payload_.put_bytes(bytes);
+    write_chunk(kNoteChunk);
+}
+
 void RecordingWriter::add_cut(const RecordedCut& cut) {
     payload_.put(cut.step);
     payload_.put(cut.left_out.iterations);

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace hawser::record {
@@ -31,6 +32,7 @@ class RecordingWriter {
     void add_changes(std::int64_t step, const ChangeBytes& changes);
     /// What systems loaded bodies with in the last step; nothing where they did not.
     void add_loads(const World& world);
+    void add_note(std::int64_t step, std::string_view kind, std::span<const std::byte> bytes);
     void add_cut(const RecordedCut& cut);
     void add_event(const World& world, const Event& event);
     /// The world went to another state of its own, which the last change was.

@@ -200,4 +200,16 @@ std::string schema_text() {
     return schema.dump(1) + "\n";
 }
 
+std::string schema_of(const Shape& root, const std::string& title, const std::string& source) {
+    Writer writer;
+    const Ordered shape = writer.write(root, false);
+    const Ordered schema{
+        {"$schema", "http://json-schema.org/draft-07/schema#"},
+        {"$comment", "Generated from the source (" + source + "); do not edit by hand."},
+        {"title", title},
+        {"allOf", {shape}},
+        {"definitions", writer.definitions()}};
+    return schema.dump(1) + "\n";
+}
+
 }  // namespace hawser::scene

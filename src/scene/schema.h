@@ -13,6 +13,11 @@ namespace hawser::scene {
 /// "part" and "state_file" describe included files and state files.
 [[nodiscard]] std::string schema_text();
 
+struct Shape;
+/// The same of another format that is described so.
+[[nodiscard]] std::string schema_of(const Shape& root, const std::string& title,
+                                    const std::string& source);
+
 /// docs/scenes_reference.md.
 [[nodiscard]] std::string reference_text();
 

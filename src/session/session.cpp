@@ -248,6 +248,15 @@ void Session::write_csv(const std::filesystem::path& file, std::int32_t every) {
     if (world.step_count() > 0) impl_->add_row();  // Before the first step no tension is known.
 }
 
+void Session::note(std::string_view kind, std::span<const std::byte> bytes) {
+    constexpr std::size_t kMostKind = 32;
+    if (kind.empty() || kind.size() > kMostKind)
+        throw DefError("the kind of a note has 1 to 32 bytes");
+    if (!impl_->recording.to) return;
+    if (impl_->listener) impl_->listener->flush();
+    impl_->recording.to->add_note(world().step_count(), kind, bytes);
+}
+
 void Session::observe(Observer& observer) { impl_->observers.push_back(&observer); }
 
 void Session::save(const std::filesystem::path& file) const {

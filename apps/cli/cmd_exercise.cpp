@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/exercise.h>
+#include "commands.h"
+#include "debrief/debrief.h"
+#include "failure.h"
+#include "outputs.h"
+#include "progress.h"
+#include "record/control.h"
+#include "signals.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace hawser::cli {
+
+namespace {
+
+constexpr const char* kExerciseFooter = R"(Examples:
+  hawser exercise exercises/tow_out.json --control exercises/tow_out.control.csv
+  hawser exercise exercises/tow_out.json --control levers.csv --record run.hwr --report report.html
+  hawser exercise exercises/tow_out.json --replay run.hwr     # the same score from the recording
+
+A CONTROL file has the line "time,<input>,…": inputs that stations have, and fault.NAME, which
+triggers the fault NAME where it is not 0 and ends it where it is. Exit codes: 0 passed, 1 wrong
+option or file, 2 a step failed, 3 the replay came out differently, 4 not passed, 130 interrupted.)";
+
+constexpr int kNotPassed = 4;
+
+struct ExerciseOptions {
+    std::string file, control, record, report, summary, replay;
+    std::int32_t stride = 1;
+    int threads = 1;
+    bool quiet = false;
+};
+
+/// A file that goes when it is no longer needed.
+struct TemporaryFile {
+    std::filesystem::path path;
+    TemporaryFile() = default;
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        std::error_code ignored;
+        if (!path.empty()) std::filesystem::remove(path, ignored);
+    }
+};
+
+/// Levers and faults over time, each set by a role that may.
+class Controls {
+  public:
+    Controls(const std::string& file, const exercise::Exercise& exercise) {
+        for (const exercise::Station& station : exercise.stations)
+            for (const std::string& input : station.inputs) {
+                names_.push_back(input);
+                roles_.push_back(station.name);
+            }
+        levers_ = names_.size();
+        for (const exercise::Fault& fault : exercise.faults)
+            names_.push_back("fault." + fault.name);
+        if (!file.empty()) changes_ = record::read_control(file, names_);
+    }
+    void take(double now, exercise::Run& run) {
+        for (; next_ < changes_.size() && changes_[next_].time <= now; ++next_) {
+            const auto k = static_cast<std::size_t>(changes_[next_].input);
+            const double value = changes_[next_].value;
+            if (k < levers_) {
+                run.set_input(roles_[k], names_[k], value);
+                continue;
+            }
+            const std::string fault = names_[k].substr(std::string("fault.").size());
+            if (value != 0.0)
+                run.trigger(exercise::kInstructor, fault);
+            else if (run.active(fault))
+                run.clear(exercise::kInstructor, fault);
+        }
+    }
+
+  private:
+    std::vector<std::string> names_, roles_;
+    std::vector<record::ControlChange> changes_;
+    std::size_t levers_ = 0, next_ = 0;
+};
+
+std::string clock(double time) {
+    const auto tenths = static_cast<std::int64_t>(std::llround(10.0 * time));
+    return fmt::format("{}:{:02}.{}", tenths / 600, tenths / 10 % 60, tenths % 10);
+}
+
+void print(const exercise::Result& r) {
+    for (const exercise::Entry& e : r.entries)
+        fmt::print("  {:>8}  {:<9}  {}{}{}\n", clock(e.time), exercise::to_string(e.kind), e.name,
+                   e.by.empty() ? "" : " (by " + e.by + ")",
+                   e.points == 0.0 ? "" : fmt::format("  {:+.6g}", e.points));
+    for (const exercise::Tally& t : r.penalties)
+        if (t.seconds > 0.0 && t.points != 0.0)
+            fmt::print("  penalty {}: {:.1f} s, {:+.6g}\n", t.name, t.seconds, t.points);
+    fmt::print("{}: {}, {:.6g} of {:.6g} points ({:.6g} needed), {} at {}\n", r.exercise,
+               exercise::to_string(r.outcome), r.points, r.possible, r.pass, r.end, clock(r.time));
+}
+
+int conclude(const ExerciseOptions& options, const exercise::Exercise& exercise,
+             const exercise::Result& result, const exercise::Curves& curves,
+             const std::string& recording) {
+    if (!options.summary.empty())
+        write_output(options.summary, exercise::to_json(result), "the summary");
+    if (!options.report.empty()) {
+        std::optional<record::Recording> run;
+        if (!recording.empty()) run = record::Recording::open(recording);
+        write_output(options.report,
+                     debrief::to_html(exercise, result, curves, run ? &*run : nullptr),
+                     "the report");
+    }
+    if (!options.quiet) print(result);
+    return result.outcome == exercise::Outcome::passed ? kOk : kNotPassed;
+}
+
+int rescore(const ExerciseOptions& options) {
+    const record::Recording recording = record::Recording::open(options.replay);
+    const exercise::Rescored rescored = exercise::rescore(recording, options.threads);
+    const exercise::Loaded own = exercise::load_file(options.file);
+    if (own.exercise.name != rescored.exercise.name)
+        throw record::RecordingError(
+            fmt::format("{}: a recording of the exercise \"{}\", not of \"{}\"", options.replay,
+                        rescored.exercise.name, own.exercise.name));
+    if (own.exercise.text != rescored.exercise.text)
+        fmt::print(stderr,
+                   "{}: recorded with another version of the exercise; its score is by "
+                   "that one\n",
+                   options.replay);
+    const int code =
+        conclude(options, rescored.exercise, rescored.result, rescored.curves, options.replay);
+    if (rescored.same) return code;
+    fmt::print(stderr, "hawser: {}: {}\n", options.replay, rescored.difference);
+    return kMismatch;
+}
+
+void check_files(const ExerciseOptions& options, const scene::Scene& scene) {
+    std::vector<NamedFile> inputs{{"the exercise", options.file},
+                                  {"the control file", options.control}};
+    for (const std::filesystem::path& file : scene.files)
+        inputs.push_back({"a file of the scene", file.string()});
+    check_outputs(inputs, {{"--record", options.record},
+                           {"--report", options.report},
+                           {"--summary", options.summary}});
+}
+
+/// @return how it ended, kOk where the exercise did.
+int drive(exercise::Run& run, Session& session, Controls& controls, Progress& progress) {
+    constexpr double kSlack = 1e-6;  // Times are multiples of the step up to rounding.
+    catch_signals();
+    const CancelledBySignal cancelled(session.world());
+    while (!run.ended()) {
+        if (stop_requested()) break;
+        controls.take(session.time() + kSlack * session.world().settings().step, run);
+        if (const Status status = run.step(); status == Status::cancelled) {
+            break;
+        } else if (status != Status::ok) {
+            progress.close();
+            const std::string why = session.objection().empty() ? failure(session.world().stats())
+                                                                : session.objection();
+            fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", session.time(), why);
+            run.end("a step failed: " + why, true);
+            return kFailed;
+        }
+        progress.at(session.world().step_count());
+    }
+    if (run.ended()) return kOk;
+    run.end("interrupted", true);
+    return kInterrupted;
+}
+
+int perform(const ExerciseOptions& options) {
+    if (!options.replay.empty()) return rescore(options);
+    scene::Options scene_options;
+    scene_options.threads = options.threads;
+    exercise::Loaded loaded = exercise::load_file(options.file, scene_options);
+    check_files(options, loaded.scene);
+    Controls controls(options.control, loaded.exercise);
+    TemporaryFile temporary;
+    std::string recording = options.record;
+    if (recording.empty() && !options.report.empty()) {
+        temporary.path = options.report + ".hwr.part";
+        recording = temporary.path.string();
+    }
+    Session session(std::move(loaded.scene), {.record = recording, .every = options.stride});
+    exercise::Run run(loaded.exercise, session);
+    const double h = session.world().settings().step;
+    Progress progress(std::llround(loaded.exercise.duration / h), h, !options.quiet);
+    const int end = drive(run, session, controls, progress);
+    progress.close();
+    (void)session.finish(end == kInterrupted);
+    const int code = conclude(options, loaded.exercise, run.result(), run.curves(), recording);
+    return end == kOk ? code : end;
+}
+
+}  // namespace
+
+void add_exercise(CLI::App& app, Command& chosen) {
+    auto options = std::make_shared<ExerciseOptions>();
+    CLI::App* command =
+        app.add_subcommand("exercise", "Run an exercise without a page, and tell its score");
+    command->footer(kExerciseFooter);
+    command->add_option("EXERCISE", options->file, "Exercise file (JSON)")->required();
+    CLI::Option* control =
+        command->add_option("--control", options->control, "Levers and faults over time (CSV)");
+    CLI::Option* record = command->add_option("--record", options->record,
+                                              "Write a recording (for --replay, replay, plot)");
+    command
+        ->add_option("--record-every", options->stride,
+                     "Steps from one frame of the recording to the next")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_option("--report", options->report, "Write a report for the debriefing (HTML)");
+    command->add_option("--summary", options->summary, "Write the score as JSON");
+    command
+        ->add_option("--replay", options->replay,
+                     "Score of a recording of this exercise, whose motion is repeated")
+        ->excludes(control)
+        ->excludes(record);
+    command
+        ->add_option("--threads", options->threads, "Worker threads; results do not depend on it")
+        ->check(CLI::Range(1, kMostThreads))
+        ->capture_default_str();
+    command->add_flag("--quiet", options->quiet, "No progress and no score on the terminal");
+    command->callback([&chosen, options] { chosen = [options] { return perform(*options); }; });
+}
+
+}  // namespace hawser::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file repeated_contacts.h
+/// Contact forces of a recording, from repeating it: recordings do not hold them.
+
+#include <hawser/recording.h>
+#include <hawser/scene.h>
+
+#include "export/export.h"
+
+#include <memory>
+#include <string>
+
+namespace hawser::cli {
+
+class RepeatedContacts {
+  public:
+    RepeatedContacts(const record::Recording& recording, int threads);
+    /// Steps on to a frame, which is not before the last one asked for. @throws
+    /// record::RecordingError where a step fails, or comes to another state than the recorded one.
+    const exporting::ContactForces& at(const record::Frame& frame);
+
+  private:
+    const record::Recording& recording_;
+    scene::Scene scene_;
+    record::Repeater repeater_;
+    std::vector<ContactView> contacts_;
+    exporting::ContactForces out_;
+};
+
+}  // namespace hawser::cli

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/wire_lines.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace hawser::draw {
+namespace {
+
+Vec3 place_of(const record::Frame& frame, std::int32_t body, const Vec3& point) {
+    const Pose& pose = frame.poses[static_cast<std::size_t>(body)];
+    return pose.position + pose.orientation.normalized() * point;
+}
+
+}  // namespace
+
+WireReader::WireReader(const record::Recording& recording)
+    : recording_(recording),
+      parted_(parted_elements(recording, std::numeric_limits<double>::infinity())) {
+    for (std::size_t c = 0; c < recording.cables.size(); ++c)
+        cables_.emplace(recording.cables[c].name, c);
+}
+
+/// A cable from a drum, which has no place, has an element more than drawn segments; the last ones
+/// correspond.
+void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireLine& out) const {
+    const record::RecordedCable& cable = recording_.cables[index];
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < cable.nodes.size(); ++i) {
+        const std::int32_t node = cable.nodes[i];
+        if (recording_.bodies[static_cast<std::size_t>(node)].kind == BodyKind::scalar) continue;
+        const Vec3 local = i == 0                        ? cable.end[0]
+                           : i + 1 == cable.nodes.size() ? cable.end[1]
+                                                         : Vec3(Vec3::Zero());
+        points.push_back(place_of(frame, node, local));
+    }
+    const auto pieces = static_cast<std::int32_t>(points.size()) - 1;
+    for (std::int32_t i = 0; i < pieces; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        WirePiece segment{points[at], points[at + 1]};
+        if (cable.elements > 0) {
+            const std::int32_t element =
+                std::min(cable.elements - 1, std::max(0, cable.elements - pieces + i));
+            segment.tension = frame.tensions[static_cast<std::size_t>(cable.first_element) +
+                                             static_cast<std::size_t>(element)];
+            segment.parted =
+                std::any_of(parted_.begin(), parted_.end(), [&](const PartedElement& p) {
+                    return p.cable == index && p.element == element && p.time <= frame.time;
+                });
+        }
+        out.segments.push_back(segment);
+    }
+}
+
+/// Between pieces that lie on a wheel a chord joins them, with the tension of the one before.
+void WireReader::read_wire(const record::RecordedWire& wire, const record::Frame& frame,
+                           WireLine& out) const {
+    for (std::size_t i = 0; i < wire.pieces.size(); ++i) {
+        const record::RecordedPiece& piece = wire.pieces[i];
+        const float pull = frame.pulls[wire.first_piece + i];
+        const WirePiece segment{place_of(frame, piece.body[0], piece.point[0]),
+                                place_of(frame, piece.body[1], piece.point[1]),
+                                std::max(0.0F, pull), pull < 0.0F};
+        const bool chord = i > 0 && !segment.parted && !out.segments.back().parted &&
+                           wire.pieces[i - 1].body[1] == piece.body[0] &&
+                           wire.pieces[i - 1].point[1] != piece.point[0];
+        if (chord)
+            out.segments.push_back(
+                {out.segments.back().to, segment.from, out.segments.back().tension, false});
+        out.segments.push_back(segment);
+    }
+}
+
+void WireReader::read(const record::Frame& frame, std::vector<WireLine>& out) const {
+    out.clear();
+    for (const record::RecordedCable& cable : recording_.cables)
+        out.push_back({cable.name, cable.EA, cable.breaking_load, {}});
+    std::vector<bool> changed(out.size(), false);
+    if (frame.wires != nullptr)
+        for (const record::RecordedWire& wire : *frame.wires) {
+            auto own = cables_.find(wire.name);
+            if (own != cables_.end()) {
+                changed[own->second] = true;
+                read_wire(wire, frame, out[own->second]);
+                continue;
+            }
+            // Piece "tow/2" of the cable "tow".
+            own = cables_.find(std::string_view(wire.name).substr(0, wire.name.rfind('/')));
+            WireLine line{wire.name, 0.0, 0.0, {}};
+            if (own != cables_.end()) {
+                line.EA = recording_.cables[own->second].EA;
+                line.breaking_load = recording_.cables[own->second].breaking_load;
+            }
+            read_wire(wire, frame, line);
+            out.push_back(std::move(line));
+        }
+    for (std::size_t c = 0; c < recording_.cables.size(); ++c)
+        if (!changed[c]) read_cable(c, frame, out[c]);
+}
+
+}  // namespace hawser::draw

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exercise/format.h"
+
+#include <hawser/exercise.h>
+
+#include "scene/format.h"
+
+#include <utility>
+
+namespace hawser::exercise {
+namespace {
+
+using namespace scene::make;
+using scene::Field;
+using scene::ShapePtr;
+
+constexpr const char* kFaults[] = {"line_parts",  "motor_loses_force", "brake_slips",
+                                   "input_stuck", "input_late",        "output_frozen"};
+constexpr double kMostTime = 1e6, kMostPoints = 1e6;
+constexpr std::size_t kMostConditions = 16;
+
+ShapePtr some(std::string what, ShapePtr item) {
+    return list(std::move(what), std::move(item), 0, kMostEntries);
+}
+ShapePtr time_shape() { return number("a time", 0.0, kMostTime); }
+ShapePtr points_shape() { return number("points", 0.0, kMostPoints); }
+
+Field text_field() {
+    return {"text", text("a text"), false, "", "", "In words, for displays and reports."};
+}
+
+/// Name, text, and when it counts.
+std::vector<Field> triggered(const char* which) {
+    const ShapePtr condition =
+        object("condition", "a condition",
+               "Holds while the output is at least `above` and at most `below`.",
+               {{"output", text("an output"), true, "", "",
+                 "Of the scene or of the exercise, or of a system (name.signal)."},
+                {"above", number("a number", -1e30, 1e30), false, "-inf", "", "Least value."},
+                {"below", number("a number", -1e30, 1e30), false, "inf", "", "Largest value."}});
+    return {{"name", name("a name"), true, "", "", which},
+            text_field(),
+            {"when", list("a list of conditions", condition, 1, kMostConditions), false, "", "",
+             "All of them hold …"},
+            {"hold", time_shape(), false, "0", "s", "… for so long without a break; or …"},
+            {"event", word("a kind of event", event_words()), false, "", "",
+             "… an event of this kind happens …"},
+            {"of", text("the beginning of a name"), false, "any", "",
+             "… of something with a name that begins so."}};
+}
+
+ShapePtr with(const char* id, const char* what, const char* doc, std::vector<Field> more,
+              const char* which) {
+    std::vector<Field> fields = triggered(which);
+    fields.insert(fields.end(), more.begin(), more.end());
+    return object(id, what, doc, std::move(fields),
+                  {{"when", "event"}, {"hold", "event"}, {"when", "of"}});
+}
+
+ShapePtr station() {
+    return object(
+        "station", "a station", "A role that operates some inputs.",
+        {{"name", name("a name"), true, "", "", "Of the role; not instructor or watcher."},
+         text_field(),
+         {"inputs", some("a list of inputs", text("an input")), true, "", "",
+          "That it may set: inputs, and signals of systems (winch.speed)."}});
+}
+
+ShapePtr fault() {
+    const Field common[] = {
+        {"name", name("a name"), true, "", "", "Unique among faults."},
+        text_field(),
+        {"kind", word("a kind of fault", {std::begin(kFaults), std::end(kFaults)}), true, "", "",
+         "Kind."},
+        {"at", time_shape(), false, "when the instructor says", "s", "Comes by itself then."}};
+    const Field lasts{"lasts", time_shape(), false, "to the end", "s", "Ends by itself."};
+    const Field share{"share", number("a share", 0.0, 1.0), false, "0", "1", "What is left."};
+    const auto of = [&](const char* id, const char* doc, std::vector<Field> own) {
+        std::vector<Field> fields{std::begin(common), std::end(common)};
+        fields.insert(fields.end(), own.begin(), own.end());
+        return object(id, "a fault", doc, std::move(fields));
+    };
+    auto out = std::make_shared<scene::Shape>();
+    out->type = scene::Shape::Type::switched;
+    out->id = "fault";
+    out->what = "a fault";
+    out->doc = "Something that goes wrong, at a time or by the instructor.";
+    out->key = "kind";
+    const auto target = [](const char* key, const char* doc) {
+        return Field{key, text("a name"), true, "", "", doc};
+    };
+    out->cases = {
+        {kFaults[0], of("fault_line", "A line parts, for good.",
+                        {target("wire", "Wire, or one of its elements."),
+                         {"s", number("a length", 0.0, 1e6), false, "its middle", "m",
+                          "From the wire's first end, unstretched."}})},
+        {kFaults[1],
+         of("fault_motor",
+            "A motor loses force. Of a winch all of it: its modes speed, tension and render act as "
+            "free.",
+            {target("motor", "Winch, or interaction of a kind that drives."), share, lasts})},
+        {kFaults[2],
+         of("fault_brake", "A brake holds less.",
+            {target("brake", "Winch, or interaction of a kind that rubs."), share, lasts})},
+        {kFaults[3], of("fault_stuck", "An input stays as it is.",
+                        {target("input", "Input."),
+                         {"value", number("a number", -1e30, 1e30), false, "what it is then", "",
+                          "Goes there instead."},
+                         lasts})},
+        {kFaults[4], of("fault_late", "An input takes effect late.",
+                        {target("input", "Input."),
+                         {"delay", positive("a time", 600.0), true, "", "s", "So late."},
+                         lasts})},
+        {kFaults[5], of("fault_frozen", "Displays and alarms keep the value that an output had.",
+                        {target("output", "Output."), lasts})}};
+    return out;
+}
+
+std::vector<Field> lists() {
+    const Field points{"points", points_shape(), false, "0", "", "What it gives."};
+    const ShapePtr goal =
+        with("goal", "a goal", "What is to be done.",
+             {{"points", points_shape(), true, "", "", "What it gives."},
+              {"after", text("a goal"), false, "", "", "Counts only once that goal is reached."},
+              {"by", time_shape(), false, "the end", "s", "Later it gives nothing."}},
+             "Unique among goals.");
+    const ShapePtr penalty =
+        with("penalty", "a penalty", "What costs points.",
+             {{"points", points_shape(), false, "0", "", "Each time it begins."},
+              {"per_second", points_shape(), false, "0", "", "And while it lasts."},
+              {"most", points_shape(), false, "no limit", "", "In all."}},
+             "Unique among penalties.");
+    const ShapePtr end = with("end", "an end", "What ends the exercise.",
+                              {{"failed", boolean("true or false"), false, "false", "",
+                                "Whether it has then failed, whatever the points."}},
+                              "Unique among ends.");
+    return {{"stations", some("a list of stations", station()), false, "none", "", "Roles."},
+            {"displays", some("a list of outputs", text("an output")), false, "none", "",
+             "What stations see, and reports draw."},
+            {"faults", some("a list of faults", fault()), false, "none", "", "Faults."},
+            {"alarms",
+             some("a list of alarms",
+                  with("alarm", "an alarm", "Sounds while it holds.", {}, "Unique among alarms.")),
+             false, "none", "", "Alarms."},
+            {"goals", some("a list of goals", goal), false, "none", "", "Goals."},
+            {"penalties", some("a list of penalties", penalty), false, "none", "", "Penalties."},
+            {"ends", some("a list of ends", end), false, "none", "",
+             "Beside the time, and all goals reached."}};
+}
+
+ShapePtr make_shape() {
+    std::vector<Field> fields{
+        {"$schema", text("a text"), false, "", "", "For editors."},
+        {"version", integer("the version 1", 1, 1), true, "", "", "Version of the format: 1."},
+        {"exercise", name("a name"), true, "", "", "Name of the exercise."},
+        {"description", text("a text"), false, "", "", "What it is about."},
+        {"scene", text("a file name"), true, "", "",
+         "Scene, relative to this file and not above the folder that its folder is in."},
+        {"set", list("a list of changes", text("path=value"), 0, 64), false, "none", "",
+         "Changes to the scene, as --set."},
+        {"duration", number("a time", 1e-3, kMostTime), true, "", "s", "It ends then."},
+        {"until_done", boolean("true or false"), false, "true", "",
+         "It also ends once all goals have been reached, or are too late."},
+        {"pass", points_shape(), false, "0", "", "Points that are needed."},
+        {"inputs", list_of("a list of inputs", scene::input_shape()), false, "none", "",
+         "Added to the scene's."},
+        {"outputs", list_of("a list of outputs", scene::output_shape()), false, "none", "",
+         "Added to the scene's."},
+        {"timeline", list_of("a list of operations", scene::operation_shape()), false,
+         "the scene's", "", "In place of the scene's."}};
+    for (Field& field : lists()) fields.push_back(std::move(field));
+    return object("exercise", "an exercise", "An exercise file.", std::move(fields));
+}
+
+}  // namespace
+
+std::span<const char* const> fault_words() noexcept { return kFaults; }
+
+std::vector<std::string> event_words() {
+    std::vector<std::string> out;
+    for (int k = 0; k < kEventKindCount; ++k)
+        out.emplace_back(hawser::to_string(static_cast<EventKind>(k)));
+    return out;
+}
+
+const scene::ShapePtr& exercise_shape() {
+    static const ShapePtr kShape = make_shape();
+    return kShape;
+}
+
+const char* to_string(FaultKind kind) noexcept { return kFaults[static_cast<std::size_t>(kind)]; }
+
+}  // namespace hawser::exercise

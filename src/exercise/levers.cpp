@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exercise/levers.h"
+
+#include <hawser/hawser.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace hawser::exercise {
+namespace {
+
+constexpr double kLeverRounding = 1e-9;  ///< Times are multiples of the step up to rounding [s].
+constexpr std::size_t kMostLate = 4096;  ///< Values on their way; older ones are dropped.
+
+bool same(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+}  // namespace
+
+Levers::Lever& Levers::lever(const Session& session, const std::string& input) {
+    const auto [at, fresh] = levers_.try_emplace(input);
+    if (fresh) at->second.start = present_value(session.world(), input);
+    return at->second;
+}
+
+double Levers::asked(const std::string& input) const noexcept {
+    const auto at = levers_.find(input);
+    return at == levers_.end() ? kDefault : at->second.asked;
+}
+
+void Levers::ask(const Session& session, const std::string& input, double value) {
+    Lever& l = lever(session, input);
+    for (const Fault* f : l.faults)
+        if (f->kind == FaultKind::input_late) {
+            if (std::isnan(l.passed)) l.passed = std::isnan(l.asked) ? l.start : l.asked;
+            if (l.late.size() == kMostLate) l.late.pop_front();
+            l.late.emplace_back(session.time() + f->delay, value);
+            break;
+        }
+    l.asked = value;
+}
+
+void Levers::begin(const Session& session, const Fault& fault) {
+    std::vector<Bent> inputs;
+    if (fault.kind == FaultKind::input_stuck || fault.kind == FaultKind::input_late)
+        inputs.push_back({resolved(session.scene(), fault.target, 0.0).first, false});
+    else if (fault.kind == FaultKind::motor_loses_force || fault.kind == FaultKind::brake_slips)
+        inputs = bent_inputs(fault, session.world());
+    for (const auto& [input, mode] : inputs) {
+        Lever& l = lever(session, input);
+        l.mode = l.mode || mode;
+        l.faults.push_back(&fault);
+        if (fault.kind == FaultKind::input_stuck)
+            l.stuck[&fault] = std::isnan(fault.value)
+                                  ? present_value(session.world(), input)
+                                  : resolved(session.scene(), fault.target, fault.value).second;
+    }
+}
+
+void Levers::end(const Fault& fault) {
+    for (auto& [name, l] : levers_) {
+        std::erase(l.faults, &fault);
+        l.stuck.erase(&fault);
+        const bool late = std::any_of(l.faults.begin(), l.faults.end(), [](const Fault* f) {
+            return f->kind == FaultKind::input_late;
+        });
+        if (late) continue;
+        l.late.clear();
+        l.passed = kDefault;
+    }
+}
+
+/// First late, then bent, last stuck.
+double Levers::let_through(Lever& l, double now) {
+    double value = std::isnan(l.asked) ? l.start : l.asked;
+    while (!l.late.empty() && l.late.front().first <= now + kLeverRounding) {
+        l.passed = l.late.front().second;
+        l.late.pop_front();
+    }
+    if (!std::isnan(l.passed)) value = l.passed;
+    for (const Fault* f : l.faults) {
+        if (f->kind == FaultKind::brake_slips) value *= f->share;
+        if (f->kind != FaultKind::motor_loses_force) continue;
+        if (!l.mode)
+            value *= f->share;
+        else if (value < static_cast<double>(WinchMode::brake) - 0.5)
+            value = static_cast<double>(WinchMode::free);
+    }
+    for (const Fault* f : l.faults)
+        if (f->kind == FaultKind::input_stuck) value = l.stuck.at(f);
+    return value;
+}
+
+void Levers::apply(Session& session) {
+    for (auto& [name, l] : levers_) {
+        const bool touched = !std::isnan(l.asked) || !l.faults.empty() || !std::isnan(l.applied);
+        if (!touched) continue;
+        const double value = let_through(l, session.time());
+        if (same(value, l.applied)) continue;
+        session.set_input(name, value);
+        l.applied = value;
+    }
+}
+
+void Levers::forget_applied() {
+    for (auto& [name, l] : levers_) l.applied = kDefault;
+}
+
+}  // namespace hawser::exercise

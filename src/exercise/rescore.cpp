@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The score of a recording: its motion repeated, its notes read.
+#include <hawser/hawser.h>
+
+#include "exercise/curves.h"
+#include "exercise/notes.h"
+#include "exercise/reader.h"
+#include "exercise/scorer.h"
+#include "record/recorded_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hawser::exercise {
+namespace {
+
+/// What goes back to a mark.
+struct State {
+    Scorer scorer;
+    Curves curves;
+    std::size_t every = 1, seen = 0;
+};
+
+class Rescorer {
+  public:
+    Rescorer(const record::Recording& recording, int threads)
+        : recording_(recording), repeater_(recording) {
+        while (next_ < notes().size() && notes()[next_].kind != kNoteKind) ++next_;
+        if (next_ == notes().size())
+            throw record::RecordingError(recording.file + ": no recording of an exercise");
+        record::ByteReader in(notes()[next_].bytes);
+        if (in.get<std::uint8_t>() != static_cast<std::uint8_t>(NoteKind::begin))
+            throw record::BadBytes("its notes of the exercise have no beginning");
+        // Its scene is that of the recording.
+        out_.exercise = parse_exercise(in.get_text(), recording.file + " (exercise)");
+        channels_ = channels_of(out_.exercise);
+        noted_.resize(in.get_count(1));
+        for (std::size_t i = 0; i < noted_.size(); ++i) noted_[i] = in.get<std::uint8_t>() != 0;
+        if (noted_.size() != channels_.size())
+            throw record::BadBytes("its notes are of another exercise");
+        ++next_;
+        scene_ = record::recorded_scene(recording, threads);
+    }
+
+    Rescored run() {
+        World& world = scene_.world;
+        State state{Scorer(out_.exercise, world.settings().step), {}, 1, 0};
+        state.curves.values.resize(out_.exercise.displays.size());
+        state_ = &state;
+        if (world.motion_hash() != recording_.start_hash) differ(world, "at the start");
+        take_notes(world);
+        const std::size_t frames = recording_.frame_count();
+        const bool ended = recording_.ending != record::Ending::unknown;
+        for (std::size_t i = 0; i < frames; ++i) {
+            const record::Frame head = recording_.frame_head(i);
+            advance(head.step);
+            if (world.motion_hash() != head.hash) differ(world, "");
+        }
+        if (ended) advance(recording_.end_step);
+        if (ended && world.motion_hash() != recording_.end_hash) differ(world, "");
+        out_.result = state.scorer.result();
+        out_.curves = std::move(state.curves);
+        return std::move(out_);
+    }
+
+  private:
+    [[nodiscard]] const std::vector<record::RecordedNote>& notes() const {
+        return recording_.notes;
+    }
+
+    void differ(const World& world, const char* where) {
+        if (!out_.same) return;
+        out_.same = false;
+        out_.difference = fmt::format("the state at {:.6g} s is not the recorded one{}{}",
+                                      world.time(), *where != '\0' ? ", " : "", where);
+    }
+
+    void advance(std::int64_t to) {
+        World& world = scene_.world;
+        while (world.step_count() < to) {
+            repeater_.before_step(world);
+            if (world.step() != Status::ok)
+                throw record::RecordingError(fmt::format("{}: the step from {:.6g} s failed: {}",
+                                                         recording_.file, world.time(),
+                                                         hawser::to_string(world.stats().status)));
+            const std::vector<Event> events = world.take_events();
+            read_channels(channels_, noted_, world, events, false, values_);
+            take_values(world.step_count());
+            state_->scorer.after_step(world.time(), values_);
+            add_sample(state_->curves, state_->every, state_->seen, world.time(), values_);
+            take_notes(world);
+        }
+    }
+
+    /// Reader of the next note of the exercise for a step; its kind is read.
+    bool next(std::int64_t step, NoteKind& kind, record::ByteReader& in) {
+        while (next_ < notes().size() && notes()[next_].kind != kNoteKind) ++next_;
+        if (next_ == notes().size() || notes()[next_].step > step) return false;
+        in = record::ByteReader(notes()[next_].bytes);
+        const auto number = in.get<std::uint8_t>();
+        if (number > static_cast<std::uint8_t>(NoteKind::asked))
+            throw record::BadBytes("a note of the exercise has no kind");
+        kind = static_cast<NoteKind>(number);
+        return true;
+    }
+
+    void take_values(std::int64_t step) {
+        record::ByteReader in({});
+        NoteKind kind{};
+        if (!next(step, kind, in) || kind != NoteKind::values) return;
+        ++next_;
+        const std::size_t count = in.get_count(12);
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto channel = in.get<std::uint32_t>();
+            const auto value = in.get<double>();
+            if (channel >= values_.size() || !noted_[channel])
+                throw record::BadBytes("a note of the exercise names no channel");
+            values_[channel] = value;
+        }
+        in.expect_end();
+    }
+
+    void take_notes(const World& world) {
+        record::ByteReader in({});
+        for (NoteKind kind{}; next(world.step_count(), kind, in); ++next_) {
+            switch (kind) {
+                case NoteKind::fault:
+                    take_fault(world, in);
+                    break;
+                case NoteKind::mark:
+                    marks_.push_back(*state_);
+                    break;
+                case NoteKind::back: {
+                    const auto mark = in.get<std::int32_t>();
+                    if (mark < 0 || static_cast<std::size_t>(mark) >= marks_.size())
+                        throw record::BadBytes("a note of the exercise names no mark");
+                    *state_ = marks_[static_cast<std::size_t>(mark)];
+                    state_->scorer.restored(world.time());
+                    break;
+                }
+                case NoteKind::end: {
+                    const std::string why = in.get_text();
+                    state_->scorer.end(world.time(), why, in.get<std::uint8_t>() != 0);
+                    break;
+                }
+                case NoteKind::begin:
+                case NoteKind::values:
+                case NoteKind::asked:
+                    break;
+            }
+        }
+    }
+
+    void take_fault(const World& world, record::ByteReader& in) {
+        const bool begins = in.get<std::uint8_t>() != 0;
+        const std::string name = in.get_text(), by = in.get_text();
+        const auto& faults = out_.exercise.faults;
+        const auto at = std::find_if(faults.begin(), faults.end(),
+                                     [&](const Fault& f) { return f.name == name; });
+        if (at == faults.end()) throw record::BadBytes("a note of the exercise names no fault");
+        if (begins && at->kind == FaultKind::output_frozen)
+            if (const OutputId id = world.find_output(at->target); id.valid())
+                state_->scorer.freeze(at->target, world.output(id));
+        state_->scorer.fault(world.time(), *at, by, begins);
+    }
+
+    const record::Recording& recording_;
+    record::Repeater repeater_;
+    scene::Scene scene_;
+    Rescored out_;
+    std::vector<Channel> channels_;
+    std::vector<bool> noted_;
+    std::vector<double> values_;
+    std::vector<State> marks_;
+    State* state_ = nullptr;
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+Rescored rescore(const record::Recording& recording, int threads) {
+    try {
+        return Rescorer(recording, threads).run();
+    } catch (const record::BadBytes& error) {
+        throw record::RecordingError(recording.file + ": " + error.what());
+    }
+}
+
+}  // namespace hawser::exercise

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "export/gltf_document.h"
+
+#include <hawser/hawser.h>
+
+#include "draw/axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace hawser::exporting {
+namespace {
+
+// Constants of the format.
+constexpr int kFloat = 5126, kShort = 5123, kInt = 5125, kByte = 5121;
+constexpr int kVertices = 34962, kIndices = 34963;
+
+// Materials by their number.
+enum Material : int { kHull, kStructure, kPlain, kWireMaterial, kMaterialCount };
+
+nlohmann::json material(const char* name, double r, double g, double b, bool both_sides) {
+    return {{"name", name},
+            {"doubleSided", both_sides},
+            {"pbrMetallicRoughness",
+             {{"baseColorFactor", {r, g, b, 1.0}},
+              {"metallicFactor", 0.0},
+              {"roughnessFactor", 0.75}}}};
+}
+
+int look_of(const record::RecordedBody& body, double scene) {
+    if (body.half_size.maxCoeff() > 0.03 * scene && body.half_size.maxCoeff() > 5.0) return kHull;
+    return body.half_size.maxCoeff() > 0.0 ? kStructure : kPlain;
+}
+
+int size_of(const nlohmann::json& array) { return static_cast<int>(array.size()); }
+
+}  // namespace
+
+GltfDocument::GltfDocument(const record::Recording& recording, const Frames& frames, Layout& layout)
+    : recording_(recording), frames_(frames), layout_(layout) {
+    root_["asset"] = {{"version", "2.0"}, {"generator", std::string("hawser ") + version()}};
+    for (const char* key : {"bufferViews", "accessors", "meshes", "nodes"})
+        root_[key] = Json::array();
+    root_["materials"] = {
+        material("hull", 0.10, 0.22, 0.38, false), material("structure", 0.85, 0.45, 0.08, false),
+        material("plain", 0.45, 0.47, 0.50, false), material("wire", 1.0, 1.0, 1.0, true)};
+    // z up to y up: a turn by -90 degrees about x.
+    root_["nodes"].push_back(
+        {{"name", recording.scene_name.empty() ? "world" : recording.scene_name + " (z up)"},
+         {"rotation", {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}}});
+    scene_nodes_.push_back(0);
+    put_times();
+    put_bodies();
+    put_rods();
+    for (WireNodes& wire : layout_.wires) put_wire(wire);
+    bytes_ = fixed_.size();
+    put_channels();
+    if (!children_.empty()) root_["nodes"][0]["children"] = std::move(children_);
+    root_["scenes"] = {{{"nodes", std::move(scene_nodes_)}}};
+    root_["scene"] = 0;
+    if (root_["meshes"].empty()) root_.erase("meshes");
+    root_["buffers"] = {{{"byteLength", bytes_}}};
+}
+
+int GltfDocument::put_view(const void* data, std::size_t size, int target) {
+    fixed_.resize((fixed_.size() + 3) / 4 * 4);
+    Json view{{"buffer", 0}, {"byteOffset", fixed_.size()}, {"byteLength", size}};
+    if (target != 0) view["target"] = target;
+    const auto* bytes = static_cast<const std::byte*>(data);
+    fixed_.insert(fixed_.end(), bytes, bytes + size);
+    fixed_.resize((fixed_.size() + 3) / 4 * 4);
+    root_["bufferViews"].push_back(std::move(view));
+    return size_of(root_["bufferViews"]) - 1;
+}
+
+int GltfDocument::put_accessor(int view, int type, std::size_t count, const char* shape) {
+    root_["accessors"].push_back(
+        {{"bufferView", view}, {"componentType", type}, {"count", count}, {"type", shape}});
+    return size_of(root_["accessors"]) - 1;
+}
+
+int GltfDocument::put_points(const std::vector<Vec3>& points) {
+    std::vector<float> values;
+    float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (const Vec3& p : points)
+        for (int k = 0; k < 3; ++k) {
+            values.push_back(static_cast<float>(p[k]));
+            low[k] = std::min(low[k], values.back());
+            high[k] = std::max(high[k], values.back());
+        }
+    const int view = put_view(values.data(), values.size() * sizeof(float), kVertices);
+    const int accessor = put_accessor(view, kFloat, points.size(), "VEC3");
+    Json& a = root_["accessors"].back();
+    a["min"] = {low[0], low[1], low[2]};
+    a["max"] = {high[0], high[1], high[2]};
+    return accessor;
+}
+
+int GltfDocument::put_triangles(const record::Triangles& surface, int material) {
+    const int points = put_points(surface.points);
+    const int view = put_view(surface.corners.data(),
+                              surface.corners.size() * sizeof surface.corners[0], kIndices);
+    const int indices = put_accessor(view, kInt, 3 * surface.corners.size(), "SCALAR");
+    root_["meshes"].push_back({{"primitives",
+                                {{{"attributes", {{"POSITION", points}}},
+                                  {"indices", indices},
+                                  {"material", material}}}}});
+    return size_of(root_["meshes"]) - 1;
+}
+
+void GltfDocument::put_times() {
+    std::vector<float> times;
+    const double start = frames_.empty() ? 0.0 : recording_.frame_head(frames_.front()).time;
+    for (const std::size_t f : frames_)
+        times.push_back(static_cast<float>(recording_.frame_head(f).time - start));
+    times_ = put_accessor(put_view(times.data(), times.size() * sizeof(float), 0), kFloat,
+                          times.size(), "SCALAR");
+    root_["accessors"].back()["min"] = {times.front()};
+    root_["accessors"].back()["max"] = {times.back()};
+}
+
+void GltfDocument::put_bodies() {
+    const record::Frame first = recording_.frame(frames_.front());
+    for (BodyNode& b : layout_.bodies) {
+        const auto index = static_cast<std::size_t>(b.body);
+        const record::RecordedBody& body = recording_.bodies[index];
+        Json node{{"name", body.name.empty() ? "body " + std::to_string(index) : body.name}};
+        const Vec3& p = first.poses[index].position;
+        const Quat& q = first.poses[index].orientation;
+        node["translation"] = {p.x(), p.y(), p.z()};
+        if (b.turns || body.kind == BodyKind::fixed)
+            node["rotation"] = {q.x(), q.y(), q.z(), q.w()};
+        b.node = size_of(root_["nodes"]);
+        Json parts = Json::array();
+        if (b.surfaces.empty() && body.kind != BodyKind::fixed)
+            b.surfaces.push_back(record::outline_surface(
+                {.radius = 0.003 * layout_.size, .points = {Vec3::Zero()}}));
+        for (const record::Triangles& surface : b.surfaces)
+            parts.push_back(put_triangles(surface, look_of(body, layout_.size)));
+        if (!parts.empty()) node["mesh"] = parts[0];
+        root_["nodes"].push_back(std::move(node));
+        for (std::size_t k = 1; k < parts.size(); ++k) {
+            root_["nodes"][static_cast<std::size_t>(b.node)]["children"].push_back(
+                root_["nodes"].size());
+            root_["nodes"].push_back({{"mesh", parts[k]}});
+        }
+        children_.push_back(b.node);
+    }
+}
+
+/// Ribbons along the three axes about each segment between joints, which carry their corners: seen
+/// from anywhere at least two of the three are wide.
+/// @param share  Of each segment, of the scale of colours.
+int GltfDocument::put_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments,
+                              double radius, const std::vector<float>& share) {
+    std::vector<Vec3> points;
+    std::vector<std::uint16_t> owners;
+    std::vector<float> weights;
+    std::vector<std::uint8_t> colors;
+    std::vector<std::uint32_t> indices;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const draw::Color color = draw::scale_color(share[i]);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto first = static_cast<std::uint32_t>(points.size());
+            for (const std::size_t joint : {segments[i].first, segments[i].second})
+                for (const double side : {-radius, radius}) {
+                    points.push_back(side * Vec3::Unit(axis));
+                    owners.insert(owners.end(), {static_cast<std::uint16_t>(joint), 0, 0, 0});
+                    weights.insert(weights.end(), {1.0F, 0.0F, 0.0F, 0.0F});
+                    colors.insert(colors.end(), {color.r, color.g, color.b, 255});
+                }
+            for (const std::uint32_t k : {0U, 1U, 2U, 2U, 1U, 3U}) indices.push_back(first + k);
+        }
+    }
+    Json attributes{{"POSITION", put_points(points)}};
+    const auto put = [&](const char* key, const auto& data, int type) {
+        const int view = put_view(data.data(), data.size() * sizeof data[0], kVertices);
+        attributes[key] = put_accessor(view, type, points.size(), "VEC4");
+    };
+    put("JOINTS_0", owners, kShort);
+    put("WEIGHTS_0", weights, kFloat);
+    put("COLOR_0", colors, kByte);
+    root_["accessors"].back()["normalized"] = true;
+    const int view = put_view(indices.data(), indices.size() * sizeof indices[0], kIndices);
+    root_["meshes"].push_back({{"primitives",
+                                {{{"attributes", std::move(attributes)},
+                                  {"indices", put_accessor(view, kInt, indices.size(), "SCALAR")},
+                                  {"material", static_cast<int>(kWireMaterial)}}}}});
+    return size_of(root_["meshes"]) - 1;
+}
+
+void GltfDocument::put_rods() {
+    if (layout_.rods.empty()) return;
+    std::vector<std::pair<std::size_t, std::size_t>> segments;
+    Json joints = Json::array();
+    constexpr std::size_t kMostJoints = 60'000;
+    for (const Rod& rod : layout_.rods) {
+        if (joints.size() >= kMostJoints) break;
+        segments.emplace_back(joints.size(), joints.size() + 1);
+        for (int k = 0; k < 2; ++k) {
+            joints.push_back(root_["nodes"].size());
+            root_["nodes"][static_cast<std::size_t>(layout_.bodies[rod.body[k]].node)]["children"]
+                .push_back(root_["nodes"].size());
+            root_["nodes"].push_back(
+                {{"translation", {rod.point[k].x(), rod.point[k].y(), rod.point[k].z()}}});
+        }
+    }
+    const std::vector<float> dark(segments.size(), 0.0F);
+    const int mesh = put_ribbons(segments, 0.0008 * layout_.size, dark);
+    root_["skins"].push_back({{"name", "rods"}, {"joints", std::move(joints)}});
+    scene_nodes_.push_back(root_["nodes"].size());
+    root_["nodes"].push_back(
+        {{"name", "rods"}, {"mesh", mesh}, {"skin", size_of(root_["skins"]) - 1}});
+}
+
+void GltfDocument::put_wire(WireNodes& wire) {
+    // 16 bits number the joints of a skin.
+    constexpr std::size_t kMostJoints = 65'000;
+    if (wire.segments == 0 || wire.joints() > kMostJoints) {
+        wire.segments = 0;
+        return;
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> segments;
+    std::vector<float> share;
+    for (std::size_t i = 0; i < wire.segments; ++i) {
+        segments.emplace_back(wire.joint(i, 0), wire.joint(i, 1));
+        share.push_back(wire.peak[i] / layout_.most_tension);
+    }
+    Json joints = Json::array();
+    wire.node = size_of(root_["nodes"]);
+    for (std::size_t j = 0; j < wire.joints(); ++j) {
+        joints.push_back(root_["nodes"].size());
+        children_.push_back(root_["nodes"].size());
+        root_["nodes"].push_back({{"name", wire.name + "@" + std::to_string(j)}});
+    }
+    const int mesh = put_ribbons(segments, 0.0006 * layout_.size, share);
+    root_["skins"].push_back({{"name", wire.name}, {"joints", std::move(joints)}});
+    scene_nodes_.push_back(root_["nodes"].size());
+    root_["nodes"].push_back(
+        {{"name", wire.name}, {"mesh", mesh}, {"skin", size_of(root_["skins"]) - 1}});
+}
+
+/// Room for the numbers of a channel behind what there is. @return its accessor.
+int GltfDocument::put_channel_data(std::size_t& place, std::size_t width) {
+    place = bytes_;
+    const std::size_t size = width * sizeof(float) * frames_.size();
+    root_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes_}, {"byteLength", size}});
+    bytes_ += size;
+    return put_accessor(size_of(root_["bufferViews"]) - 1, kFloat, frames_.size(),
+                        width == 4 ? "VEC4" : "VEC3");
+}
+
+void GltfDocument::put_channel(int node, const char* path, int output, const char* interpolation) {
+    Json& animation = root_["animations"][0];
+    animation["name"] = "run";
+    animation["samplers"].push_back(
+        {{"input", times_}, {"output", output}, {"interpolation", interpolation}});
+    animation["channels"].push_back({{"sampler", size_of(animation["samplers"]) - 1},
+                                     {"target", {{"node", node}, {"path", path}}}});
+}
+
+void GltfDocument::put_channels() {
+    for (BodyNode& b : layout_.bodies) {
+        if (b.moves) put_channel(b.node, "translation", put_channel_data(b.data, 3), "LINEAR");
+        if (b.turns) put_channel(b.node, "rotation", put_channel_data(b.turn, 4), "LINEAR");
+        if (b.comes) put_channel(b.node, "scale", put_channel_data(b.size, 3), "STEP");
+    }
+    for (WireNodes& wire : layout_.wires)
+        for (std::size_t j = 0; j < wire.joints(); ++j) {
+            std::size_t place = 0;
+            const int output = put_channel_data(place, 3);
+            if (j == 0) wire.data = place;
+            put_channel(wire.node + static_cast<int>(j), "translation", output, "LINEAR");
+        }
+}
+
+}  // namespace hawser::exporting

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Views in space: what stands before what, what a solid hides, water, colours.
+#include "draw/plots.h"
+#include "draw/solids_view.h"
+#include "draw/svg.h"
+#include "draw/view_labels.h"
+#include "draw/water.h"
+#include "record/series.h"
+#include "record/small_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace hawser::test {
+namespace {
+
+using draw::Camera;
+using draw::Solid;
+
+Solid box_at(const Vec3& where, const Vec3& half, const Camera& camera, double turn = 0.0) {
+    record::Triangles t = record::box_surface(half);
+    const Mat3 r = Eigen::AngleAxisd(turn, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    for (Vec3& p : t.points) p = where + r * p;
+    return draw::make_solid(std::move(t), {}, camera);
+}
+
+TEST(SpaceView, TheCameraIsAFrame) {
+    for (const double azimuth : {-170.0, -60.0, 0.0, 33.0, 120.0})
+        for (const double elevation : {5.0, 22.0, 85.0}) {
+            const Camera c = Camera::at(azimuth, elevation);
+            EXPECT_NEAR(c.right.cross(c.up).dot(c.to_viewer), 1.0, 1e-12);
+            EXPECT_NEAR(c.right.z(), 0.0, 1e-12) << "the horizon is level";
+            EXPECT_GT(c.up.z(), 0.0);
+        }
+    // From the south, y runs away from the viewer and x to the right.
+    const Camera south = Camera::at(-90.0, 0.0);
+    EXPECT_NEAR(south.right.x(), 1.0, 1e-12);
+    EXPECT_NEAR(south.to_viewer.y(), -1.0, 1e-12);
+}
+
+/// By rays: at points of the picture where two boxes overlap, the nearer one is painted later.
+TEST(SpaceView, PaintsSolidsSoThatNearOnesCoverFarOnes) {
+    const Camera camera = Camera::at(-60.0, 22.0);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> at(-10.0, 10.0), size(0.3, 3.0);
+    int compared = 0;
+    for (int round = 0; round < 40; ++round) {
+        std::vector<Solid> solids;
+        for (int i = 0; i < 12; ++i) {
+            Solid one = box_at({at(random), at(random), at(random)},
+                               {size(random), size(random), size(random)}, camera, 0.0);
+            // Boxes that overlap have no order.
+            const bool free = std::none_of(solids.begin(), solids.end(), [&](const Solid& other) {
+                for (int k = 0; k < 3; ++k) {
+                    double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
+                    for (int s = 0; s < 2; ++s)
+                        for (const Vec3& p : (s == 0 ? one : other).surface.points) {
+                            low[s] = std::min(low[s], p[k]);
+                            high[s] = std::max(high[s], p[k]);
+                        }
+                    if (low[0] > high[1] || low[1] > high[0]) return false;
+                }
+                return true;
+            });
+            if (free) solids.push_back(std::move(one));
+        }
+        const std::vector<std::size_t> order = draw::painting_order(solids, camera);
+        ASSERT_EQ(order.size(), solids.size());
+        for (std::size_t i = 0; i < order.size(); ++i)
+            for (std::size_t j = i + 1; j < order.size(); ++j) {
+                // A corner of what is painted later must not be hidden by what was painted earlier
+                // … unless it hides itself behind its own solid.
+                const Solid &early = solids[order[i]], &late = solids[order[j]];
+                for (const Vec3& p : late.surface.points) {
+                    EXPECT_FALSE(draw::is_hidden(p, {early}, camera));
+                    ++compared;
+                }
+            }
+    }
+    EXPECT_GT(compared, 5000);
+}
+
+TEST(SpaceView, HidesWhatStandsBehindASolid) {
+    const Camera camera = Camera::at(0.0, 0.0);  // the viewer looks along −x
+    const std::vector<Solid> solids{box_at({0, 0, 0}, {1, 2, 3}, camera)};
+    EXPECT_TRUE(draw::is_hidden({-5, 1.9, 2.9}, solids, camera));
+    EXPECT_FALSE(draw::is_hidden({5, 0, 0}, solids, camera)) << "before it";
+    EXPECT_FALSE(draw::is_hidden({-5, 2.1, 0}, solids, camera)) << "beside it";
+    EXPECT_TRUE(draw::is_hidden({0, 0, 0}, solids, camera)) << "in it";
+    EXPECT_FALSE(draw::is_hidden({1, 0, 0}, solids, camera)) << "on the side that is seen";
+    EXPECT_TRUE(draw::is_hidden({-1, 0, 0}, solids, camera)) << "on the side that is not";
+    // Of a box seen along an axis the four edges of its face; seen askew nine of its twelve.
+    EXPECT_EQ(draw::visible_creases(solids[0], camera).size(), 4U);
+    const Camera askew = Camera::at(-60.0, 22.0);
+    EXPECT_EQ(draw::visible_creases(box_at({0, 0, 0}, {1, 2, 3}, askew), askew).size(), 9U);
+}
+
+TEST(SpaceView, CutsPolygonsAtTheWater) {
+    const std::vector<Vec3> square{{0, 0, -1}, {4, 0, -1}, {4, 0, 3}, {0, 0, 3}};
+    const auto area = [](const std::vector<Vec3>& p) {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t i = 0; i < p.size(); ++i) sum += 0.5 * p[i].cross(p[(i + 1) % p.size()]);
+        return sum.norm();
+    };
+    EXPECT_NEAR(area(draw::clipped(square, 0.0, true)), 12.0, 1e-12);
+    EXPECT_NEAR(area(draw::clipped(square, 0.0, false)), 4.0, 1e-12);
+    EXPECT_TRUE(draw::clipped(square, 5.0, true).empty());
+    EXPECT_EQ(draw::clipped(square, 5.0, false).size(), 4U);
+}
+
+TEST(SpaceView, FindsWaterAndSeabedOfAScene) {
+    SmallScene scene;
+    const auto file = fresh_folder() / "r.hwr";
+    scene.record(file, 3);
+    record::Recording r = record::Recording::open(file);
+    EXPECT_FALSE(draw::water_of(r).level);
+    r.scene_text = R"({"sea": {"depth": 80}})";
+    EXPECT_EQ(draw::water_of(r).level, 0.0);
+    EXPECT_EQ(draw::water_of(r).seabed, -80.0);
+    r.scene_text = R"({"interactions": [{"kind": "hinge"}, {"kind": "hydrostatic"}]})";
+    EXPECT_EQ(draw::water_of(r).level, 0.0);
+    EXPECT_FALSE(draw::water_of(r).seabed);
+    r.outlines.push_back({.body = 0,
+                          .kind = record::OutlineKind::plane,
+                          .points = {Vec3(0, 0, -30), Vec3::UnitZ()}});
+    EXPECT_EQ(draw::water_of(r).seabed, -30.0);
+    for (const char* text : {"", "[]", "{", "{\"sea\": 3}", "{\"interactions\": [1, {}]}",
+                             "{\"sea\": {\"depth\": \"x\"}}"}) {
+        r.scene_text = text;
+        EXPECT_NO_THROW((void)draw::water_of(r)) << text;
+    }
+}
+
+TEST(SpaceView, DrawsAFrameAndCrossesWhatHasParted) {
+    SmallScene scene;
+    const auto file = fresh_folder() / "r.hwr";
+    scene.record(file, 90);  // wire/s1 parts at its end
+    record::Recording r = record::Recording::open(file);
+    r.scene_text = R"({"sea": {"depth": 80}})";
+    const record::Series series = record::collect_series(r);
+    const auto red = [&](std::size_t frame) {
+        const std::string svg = draw::to_svg(draw::plot_space(r, series, frame, {}).value());
+        std::size_t count = 0;
+        for (std::size_t at = svg.find("stroke=\"#be1e1e\""); at != std::string::npos;
+             at = svg.find("stroke=\"#be1e1e\"", at + 1))
+            ++count;
+        return count;
+    };
+    EXPECT_EQ(red(89), 0U);
+    EXPECT_GE(red(90), 2U);
+    EXPECT_FALSE(draw::plot_space(r, series, 91, {}));
+    // A size and axes that are given are those of every frame.
+    draw::ViewOptions fixed;
+    fixed.width = 640;
+    fixed.height = 400;
+    fixed.box = std::pair(Vec3(-3, -3, -3), Vec3(3, 3, 1));
+    for (const auto shown : {draw::Shown::space, draw::Shown::side, draw::Shown::top}) {
+        fixed.shown = shown;
+        const auto grid = [&](std::size_t frame) {
+            const auto drawing = draw::plot_views(r, series, frame, fixed);
+            EXPECT_EQ(drawing->width, 640.0);
+            EXPECT_EQ(drawing->height, 400.0);
+            std::string out;
+            for (const draw::Shape& shape : drawing->shapes)
+                if (const auto* text = std::get_if<draw::Text>(&shape);
+                    text != nullptr && text->size < 13.0 && !text->bold && text->at.x < 560)
+                    out += text->text + " ";
+            return out;
+        };
+        EXPECT_EQ(grid(5).substr(0, 40), grid(60).substr(0, 40));
+    }
+}
+
+TEST(SpaceView, ColoursCoverAHundredthOfTheTension) {
+    SmallScene scene;
+    const auto file = fresh_folder() / "r.hwr";
+    scene.record(file, 3);
+    const record::Recording r = record::Recording::open(file);
+    record::Frame frame = r.frame(3);
+    frame.tensions = {280000.0F, 280010.0F};
+    const draw::Range range = draw::tension_range(frame);
+    EXPECT_NEAR(range.span(), 2800.1, 0.1);
+    EXPECT_LE(range.low, 280000.0);
+    EXPECT_GE(range.high, 280010.0);
+    frame.tensions = {200000.0F, 280000.0F};
+    EXPECT_NEAR(draw::tension_range(frame).span(), 80000.0, 1e-6) << "as it is";
+}
+
+}  // namespace
+}  // namespace hawser::test
