@@ -162,6 +162,36 @@ WaterPoint Sea::water(const SeaMoment& now, const Vec3& point) const noexcept {
     return out;
 }
 
+Vec3 Sea::convection(const SeaMoment& now, const Vec3& point) const noexcept {
+    // By components: ∂u/∂x, ∂u/∂y, ∂u/∂z of the stretched column; no kernel, it is asked for
+    // seldom.
+    Vec3 u = Vec3::Zero();
+    Mat3 gradient = Mat3::Zero();
+    const double z = stretched(point.z(), elevation(now, point.x(), point.y()));
+    for (std::size_t i = 0; i < waves_.size(); ++i) {
+        const WaveComponent& w = waves_[i];
+        const double k = w.wave_number, dx = std::cos(w.direction), dy = std::sin(w.direction);
+        const double theta = k * (dx * point.x() + dy * point.y()) + kTwoPi * now.phase[i];
+        const double up = std::exp(k * z), down = std::exp(-k * (z + 2.0 * depth_));
+        const double part = -now.waves * w.amplitude * w.frequency / std::expm1(-2.0 * k * depth_);
+        const double c = part * (up + down), s = part * (up - down);
+        const double along = c * std::cos(theta), steep = s * std::sin(theta);
+        u += Vec3(dx * along, dy * along, steep);
+        // ∂/∂x of cos θ is −k_x sin θ, ∂/∂z of C is k S.
+        const double level = -k * c * std::sin(theta), slope = k * s * std::cos(theta);
+        gradient(0, 0) += dx * dx * level;
+        gradient(0, 1) += dx * dy * level;
+        gradient(1, 1) += dy * dy * level;
+        gradient(0, 2) += dx * slope;
+        gradient(1, 2) += dy * slope;
+        gradient(2, 2) -= level;
+    }
+    gradient(1, 0) = gradient(0, 1);
+    gradient(2, 0) = gradient(0, 2);
+    gradient(2, 1) = gradient(1, 2);
+    return gradient * u;
+}
+
 double Sea::shortest_period() const noexcept {
     double highest = 0.0;
     for (const WaveComponent& w : waves_) highest = std::max(highest, w.frequency);
