@@ -3,6 +3,9 @@
 
 #include <hawser/world.h>
 
+#include "marine/radiation.h"
+#include "marine/spectra.h"
+
 #include <limits>
 
 namespace hawser::marine {
@@ -15,8 +18,16 @@ void check_memory(const World& world, const WaterHull& h, const std::string& at)
         throw SeaError(at + "/coefficients",
                        "they have no added mass and damping, which radiation needs; give them, or "
                        "radiation \"none\"");
-    if (h.radiation == RadiationKind::constant)
-        return check_range(at + "/constant_period", h.constant_period, 0.0, 1e4, true, "s");
+    if (h.radiation == RadiationKind::constant) {
+        check_range(at + "/constant_period", h.constant_period, 0.0, 1e4, true, "s");
+        const Matrix6 a = linear_at(c.frequency, c.added_mass, kTwoPi / h.constant_period);
+        const Matrix6 good = without_negative(a);
+        if ((good - 0.5 * (a + a.transpose())).norm() > 1e-3 * good.norm())
+            throw SeaError(at + "/constant_period",
+                           "the added mass of " + number(h.constant_period) +
+                               " s is not positive semi-definite; give another period");
+        return;
+    }
     if (c.frequency.size() < 4)
         throw SeaError(at + "/coefficients", std::to_string(c.frequency.size()) +
                                                  " frequencies are too few for a memory; give 4 "

@@ -54,18 +54,18 @@ void stable_part(Matrix6& m) noexcept {
 
 void HullWater::add_matrix(const Matrix6& m, std::array<double, 21>& to) const noexcept {
     Matrix6 turn = Matrix6::Zero();
-    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = axes_;
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = frame_;
     const Matrix6 w = turn * m * turn.transpose();
     for (int i = 0; i < 6; ++i)
         for (int j = 0; j <= i; ++j)
             to[static_cast<std::size_t>(triangle(i, j))] += 0.5 * (w(i, j) + w(j, i));
 }
 
-/// A force and moment at the reference, along `axes`.
-void HullWater::add_at_reference(const Vec6& f, const Mat3& axes) noexcept {
-    const Vec3 push = axes * f.head<3>();
-    const Vec3 arm = axes_ * def_->coefficients->reference;
-    const Vec3 turn = axes * f.tail<3>() + arm.cross(push);
+/// A force and moment at the reference.
+void HullWater::add_at_reference(const Vec6& f) noexcept {
+    const Vec3 push = frame_ * f.head<3>();
+    const Vec3 arm = frame_ * def_->coefficients->reference;
+    const Vec3 turn = frame_ * f.tail<3>() + arm.cross(push);
     for (int k = 0; k < 3; ++k) {
         force[static_cast<std::size_t>(k)] += push[k];
         force[static_cast<std::size_t>(3 + k)] += turn[k];
@@ -75,38 +75,40 @@ void HullWater::add_at_reference(const Vec6& f, const Mat3& axes) noexcept {
 void HullWater::remember(const Sea& sea, const SeaMoment& now) noexcept {
     lost_ = false;
     if (!def_->coefficients) return;
-    const Vec3 arm = axes_ * def_->coefficients->reference;
-    if (memory_.any()) {
-        Vec6 v;
-        v << axes_.transpose() * (twist_.linear + twist_.angular.cross(arm)),
-            axes_.transpose() * twist_.angular;
-        memory_.push(v);
-        remembered_ = memory_.force();
-    }
+    frame_ = axes_;
     if (waves_.any()) {
-        const Vec3 at = pose_.position + arm;
+        const Vec3 at = pose_.position + axes_ * def_->coefficients->reference;
         waves_.follow(at.x(), at.y(), heading_of(pose_.orientation));
         lost_ = !waves_.act(sea, now, pushed_);
+        frame_ = about_z(waves_.heading());
     }
+    if (!memory_.any()) return;
+    const Vec3 arm = frame_ * def_->coefficients->reference;
+    Vec6 v;
+    v << frame_.transpose() * (twist_.linear + twist_.angular.cross(arm)),
+        frame_.transpose() * twist_.angular;
+    memory_.push(v);
+    remembered_ = memory_.force();
 }
 
 void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept {
     if (!def_->coefficients) return;
     add_matrix(added_, mass);
     add_matrix(constant_, damping);
-    if (memory_.any()) add_at_reference(remembered_, axes_);
-    if (waves_.any()) add_at_reference(pushed_, about_z(waves_.heading()));
+    if (memory_.any()) add_at_reference(remembered_);
+    if (waves_.any()) add_at_reference(pushed_);
     if (!def_->coriolis) return;
-    // dP/dt of P = A ν in the body's axes, less what A (V₊ − V) has of it in those of the world.
-    const Vec3 past = axes_.transpose() *
+    // dP/dt of P = A ν in turning axes, less what A (V₊ − V) has of it in those of the world.
+    const Vec3 past = frame_.transpose() *
                       (twist_.linear - sea.current(now, std::min(pose_.position.z(), now.level)));
-    const Vec3 turn = axes_.transpose() * twist_.angular;
+    const Vec3 turn = frame_.transpose() * twist_.angular;
     Vec6 v, swept = Vec6::Zero();
     v << past, turn;
     swept.head<3>() = turn.cross(past);
     const Vec6 p = added_ * v, same = added_ * swept;
-    const Vec3 push = axes_ * (same.head<3>() - turn.cross(p.head<3>()));
-    const Vec3 twist = axes_ * (same.tail<3>() - turn.cross(p.tail<3>()) - past.cross(p.head<3>()));
+    const Vec3 push = frame_ * (same.head<3>() - turn.cross(p.head<3>()));
+    const Vec3 twist =
+        frame_ * (same.tail<3>() - turn.cross(p.tail<3>()) - past.cross(p.head<3>()));
     for (int k = 0; k < 3; ++k) {
         force[static_cast<std::size_t>(k)] += push[k];
         force[static_cast<std::size_t>(3 + k)] += twist[k];
@@ -115,7 +117,7 @@ void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept 
 
 /// Small motions about rest: weight of the displaced water less C (x − x₀).
 void HullWater::add_linear(const Sea&, const SeaMoment& now) noexcept {
-    const Mat3 level = about_z(heading_of(pose_.orientation));
+    const Mat3 level = waves_.any() ? frame_ : about_z(heading_of(pose_.orientation));
     const Mat3 tilt = level.transpose() * axes_;
     Vec6 x = Vec6::Zero();
     x[2] = pose_.position.z() - now.level - def_->linear.height;

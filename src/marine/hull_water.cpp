@@ -3,6 +3,7 @@
 
 #include "marine/sea_system.h"
 #include "marine/spectra.h"
+#include "marine/wave_sums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +22,6 @@ void add_axes(const Mat3& axes, const double* c, int first, std::array<double, 2
     for (int i = 0, n = 0; i < 3; ++i)
         for (int j = 0; j <= i; ++j, ++n)
             to[static_cast<std::size_t>(triangle(first + i, first + j))] += sum.m[n];
-}
-
-/// Linear between frequencies, constant beyond them.
-Matrix6 at_frequency(const std::vector<double>& w, const std::vector<Matrix6>& m, double omega) {
-    const auto after = std::upper_bound(w.begin(), w.end(), omega);
-    if (after == w.begin()) return m.front();
-    if (after == w.end()) return m.back();
-    const auto i = static_cast<std::size_t>(after - w.begin());
-    const double share = (omega - w[i - 1]) / (w[i] - w[i - 1]);
-    return (1.0 - share) * m[i - 1] + share * m[i];
 }
 
 double volume_of(const HullMesh& mesh) noexcept {
@@ -59,10 +50,10 @@ HullWater::HullWater(const WaterHull& def, const Sea& sea, double step, double h
     const Matrix6 t = motion_at(c.reference);
     if (def.radiation == RadiationKind::constant) {
         const double omega = kTwoPi / def.constant_period;
-        added_ = at_frequency(c.frequency, c.added_mass, omega);
-        constant_ = at_frequency(c.frequency, c.damping, omega);
+        added_ = without_negative(linear_at(c.frequency, c.added_mass, omega));
+        constant_ = linear_at(c.frequency, c.damping, omega);
     } else if (def.radiation != RadiationKind::none) {
-        added_ = c.has_infinite ? c.infinite : infinite_added_mass(c);
+        added_ = c.infinite;
         constant_ = memory_.damping();
     }
     for (Matrix6* m : {&added_, &constant_}) *m = t.transpose() * (0.5 * (*m + m->transpose())) * t;
@@ -79,21 +70,33 @@ void HullWater::begin(const World& world, bool convective) noexcept {
     axes_ = pose_.orientation.toRotationMatrix();
 }
 
-void HullWater::press(const Sea& sea, const SeaMoment& now, int chunk) noexcept {
+void HullWater::press(const Sea& sea, const std::vector<double>& table, const SeaMoment& now,
+                      int chunk) noexcept {
+    // Pressure alone, and only where it is wet: half of what all of Sea::water() takes.
+    const WaveKernels& by = wave_kernels();
+    const int padded = static_cast<int>(table.size()) / kWaveRows;
+    // Where coefficients have all that waves do, the water is still.
+    const bool waves = padded > 0 && now.waves != 0.0 && def_->excitation != ExcitationKind::full;
+    double circle[2 * kMaxWaveComponents];
     const int end = std::min((chunk + 1) * kChunk, static_cast<int>(corners_.size()));
     for (int i = chunk * kChunk; i < end; ++i) {
         HullCorner& c = corners_[static_cast<std::size_t>(i)];
         c.x = axes_ * def_->mesh.vertices[static_cast<std::size_t>(i)];
         const Vec3 place = pose_.position + c.x;
-        if (def_->wave_pressure) {
-            const WaterPoint water = sea.water(now, place);
-            c.depth = water.elevation - place.z();
-            c.pressure = water.pressure;
-        } else {
-            // Where coefficients have all that waves do, the water is still.
-            const bool full = def_->excitation == ExcitationKind::full;
-            c.depth = (full ? now.level : sea.elevation(now, place.x(), place.y())) - place.z();
+        double surface = now.level;
+        if (waves)
+            surface += now.waves * by.surface(table.data(), padded, now.phase.data(), place.x(),
+                                              place.y(), circle);
+        c.depth = surface - place.z();
+        c.pressure = 0.0;
+        if (!def_->wave_pressure) {
             c.pressure = sea.density() * sea.gravity() * std::max(c.depth, 0.0);
+        } else if (place.z() < surface) {
+            const double rise =
+                waves ? by.pressure(table.data(), padded, circle, sea.stretched(place.z(), surface))
+                      : 0.0;
+            c.pressure = sea.density() * sea.gravity() * (now.level - place.z()) +
+                         now.waves * sea.density() * rise;
         }
     }
 }

@@ -69,7 +69,9 @@ std::string sizes_fault(const WaveCoefficients& c) {
 }
 
 std::string finite_fault(const WaveCoefficients& c) {
-    const auto bad = [](const Matrix6& m) { return !(m.cwiseAbs().maxCoeff() < 1e30); };
+    const auto bad = [](const Matrix6& m) {
+        return !m.allFinite() || !(m.cwiseAbs().maxCoeff() < 1e30);
+    };
     for (std::size_t i = 0; i < c.added_mass.size(); ++i) {
         const std::string at = " at " + marine::number(c.frequency[i]) + " rad/s";
         if (bad(c.added_mass[i])) return "added_mass" + at + ": a number is not finite";

@@ -191,7 +191,7 @@ MemoryModel memory_model(const WaveCoefficients& coefficients, int order, double
         out.c.push_back(column);
     }
     const Matrix6 first = out.at(0.0);
-    out.first = 0.5 * (first + first.transpose());
+    out.first = without_negative(first);
     for (const int i : k.motions) out.added(i, i) = std::max(lack, 0.0) * k.scale[i] * k.scale[i];
     return out;
 }

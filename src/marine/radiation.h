@@ -16,6 +16,16 @@ namespace hawser::marine {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
+/// Coefficients whose A(∞), A and B are positive semi-definite to rounding: programs give them with
+/// some noise, which coefficients_fault() bounds.
+[[nodiscard]] WaveCoefficients without_noise(const WaveCoefficients& c);
+
+/// Linear between frequencies, constant beyond them.
+[[nodiscard]] Matrix6 linear_at(const std::vector<double>& frequency,
+                                const std::vector<Matrix6>& matrix, double omega);
+/// The nearest matrix without negative eigenvalues, with the diagonal scaled to ones.
+[[nodiscard]] Matrix6 without_negative(const Matrix6& m);
+
 /// Nodes of B(ω), linear between them, from 0 on, to where it ends.
 struct DampingNodes {
     std::vector<double> frequency;  ///< [rad/s].

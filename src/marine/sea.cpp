@@ -12,6 +12,35 @@
 
 namespace hawser {
 
+namespace marine {
+
+std::vector<double> wave_table(std::span<const WaveComponent> waves, double depth) {
+    const std::size_t padded = 8 * ((waves.size() + 7) / 8);
+    std::vector<double> table(static_cast<std::size_t>(kWaveRows) * padded, 0.0);
+    for (std::size_t i = 0; i < waves.size(); ++i) {
+        const WaveComponent& w = waves[i];
+        const auto set = [&](WaveRow row, double value) {
+            table[static_cast<std::size_t>(row) * padded + i] = value;
+        };
+        const double dx = std::cos(w.direction), dy = std::sin(w.direction);
+        const double below = -2.0 * w.wave_number * depth;
+        const double speed = -w.amplitude * w.frequency / std::expm1(below);
+        set(kTurnsX, w.wave_number * dx / kTwoPi);
+        set(kTurnsY, w.wave_number * dy / kTwoPi);
+        set(kAmplitude, w.amplitude);
+        set(kDecay, w.wave_number * std::numbers::log2e);
+        set(kBottom, std::exp(below));
+        set(kSpeedX, speed * dx);
+        set(kSpeedY, speed * dy);
+        set(kSpeedZ, speed);
+        set(kRate, w.frequency);
+        set(kPressure, speed * w.frequency / w.wave_number);
+    }
+    return table;
+}
+
+}  // namespace marine
+
 using marine::kTwoPi;
 
 Sea::Sea(const SeaDef& def, double gravity)
@@ -28,27 +57,8 @@ Sea::Sea(const SeaDef& def, double gravity)
 }
 
 void Sea::make_table() {
-    padded_ = 8 * ((static_cast<int>(waves_.size()) + 7) / 8);
-    table_.assign(static_cast<std::size_t>(marine::kWaveRows * padded_), 0.0);
-    for (std::size_t i = 0; i < waves_.size(); ++i) {
-        const WaveComponent& w = waves_[i];
-        const auto set = [&](marine::WaveRow row, double value) {
-            table_[static_cast<std::size_t>(row * padded_) + i] = value;
-        };
-        const double dx = std::cos(w.direction), dy = std::sin(w.direction);
-        const double below = -2.0 * w.wave_number * depth_;
-        const double speed = -w.amplitude * w.frequency / std::expm1(below);
-        set(marine::kTurnsX, w.wave_number * dx / kTwoPi);
-        set(marine::kTurnsY, w.wave_number * dy / kTwoPi);
-        set(marine::kAmplitude, w.amplitude);
-        set(marine::kDecay, w.wave_number * std::numbers::log2e);
-        set(marine::kBottom, std::exp(below));
-        set(marine::kSpeedX, speed * dx);
-        set(marine::kSpeedY, speed * dy);
-        set(marine::kSpeedZ, speed);
-        set(marine::kRate, w.frequency);
-        set(marine::kPressure, speed * w.frequency / w.wave_number);
-    }
+    table_ = marine::wave_table(waves_, depth_);
+    padded_ = static_cast<int>(table_.size()) / marine::kWaveRows;
 }
 
 SeaInputs Sea::inputs() const noexcept {

@@ -4,6 +4,7 @@
 #include <hawser/world.h>
 
 #include "marine/bodies.h"
+#include "marine/spectra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,7 @@ SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start s
       start_(std::move(start)),
       sea_(def, gravity),
       in_(sea_.inputs()),
+      table_(wave_table(sea_.components(), sea_.depth())),
       moment_(sea_.at(0.0)),
       lines_(std::move(lines)),
       bodies_(def_.bodies.size()) {
@@ -55,6 +57,9 @@ SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start s
     for (std::size_t i = 0; i < def_.hulls.size(); ++i) {
         WaterHull& hull = def_.hulls[i];
         if (std::isnan(hull.linear.weight)) hull.linear.weight = start_.weight[i];
+        if (hull.coefficients)
+            hull.coefficients =
+                std::make_shared<const WaveCoefficients>(without_noise(*hull.coefficients));
         try {
             hulls_.emplace_back(hull, sea_, start_.step, start_.heading[i]);
         } catch (const DefError& error) {
@@ -151,7 +156,7 @@ bool SeaSystem::load_hulls(Prestep& now) noexcept {
     for (HullWater& hull : hulls_) {
         if (hull.lost()) return false;
         now.for_each(hull.corner_chunks(),
-                     [&](int chunk) noexcept { hull.press(sea_, moment_, chunk); });
+                     [&](int chunk) noexcept { hull.press(sea_, table_, moment_, chunk); });
         now.for_each(hull.triangle_chunks(), [&](int chunk) noexcept { hull.sum(chunk); });
         hull.finish(sea_, moment_, def_.wind.density);
     }

@@ -88,7 +88,9 @@ class HullWater {
     void remember(const Sea& sea, const SeaMoment& now) noexcept;
     [[nodiscard]] int corner_chunks() const noexcept;
     [[nodiscard]] int triangle_chunks() const noexcept;
-    void press(const Sea& sea, const SeaMoment& now, int chunk) noexcept;
+    /// @param table  wave_table() of the sea.
+    void press(const Sea& sea, const std::vector<double>& table, const SeaMoment& now,
+               int chunk) noexcept;
     void sum(int chunk) noexcept;
     /// Adds the parts up and the forces at the centre of mass.
     void finish(const Sea& sea, const SeaMoment& now, double air) noexcept;
@@ -108,14 +110,17 @@ class HullWater {
     void add_motion(const Sea& sea, const SeaMoment& now, double wet, double air) noexcept;
     void add_coefficients(const Sea& sea, const SeaMoment& now) noexcept;
     void add_strips(const Sea& sea, const SeaMoment& now, double wet) noexcept;
-    void add_matrix(const Matrix6& at_body, std::array<double, 21>& to) const noexcept;
-    void add_at_reference(const Vec6& f, const Mat3& axes) noexcept;
+    void add_matrix(const Matrix6& in_frame, std::array<double, 21>& to) const noexcept;
+    void add_at_reference(const Vec6& f) noexcept;
 
     const WaterHull* def_;
     double volume_ = 0.0;  ///< Of all of it [m³].
     Pose pose_{};
     Twist twist_{};
     Mat3 axes_ = Mat3::Identity();
+    /// Of coefficients: the body's axes; where waves act by them, level ones at the slow heading,
+    /// in which they are linear, so that their means are those of the drift's table alone.
+    Mat3 frame_ = Mat3::Identity();
     std::vector<HullCorner> corners_;  ///< About the centre of mass, in world axes.
     std::vector<HullSums> parts_;
     bool any_ = false, lost_ = false, convective_ = false;
@@ -162,6 +167,7 @@ class SeaSystem final : public System {
     Start start_;
     Sea sea_;
     SeaInputs in_;
+    std::vector<double> table_;  ///< wave_table() of the sea.
     SeaMoment moment_;
     LineLumps lines_;
     std::vector<PointLoad> bodies_;

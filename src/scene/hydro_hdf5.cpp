@@ -168,6 +168,9 @@ class Bemio {
                 refuse_hydro(path_, "data set '" + at_ + name + "': not 6 x " +
                                         std::to_string(out_.heading.size()) + " x " +
                                         std::to_string(frequencies));
+        // BEMIO writes what a program did not give as numbers that are none.
+        if (std::all_of(re.value.begin(), re.value.end(), [](double x) { return std::isnan(x); }))
+            return;
         for (std::size_t h = 0; h < out_.heading.size(); ++h)
             for (const std::size_t w : order_)
                 for (std::size_t k = 0; k < 6; ++k)

@@ -142,7 +142,7 @@ WaveCoefficients read_capytaine(const Path& path, const HydroUnits& units) {
     const NetcdfFile file(path);
     WaveCoefficients out;
     const std::vector<double> omega = file.read("omega").value;
-    const std::vector<std::size_t> order = ordinary(omega);
+    std::vector<std::size_t> order = ordinary(omega);
     const auto first = static_cast<std::size_t>(6 * units.body);
     const auto a = file.read("added_mass"), b = file.read("radiation_damping");
     for (const auto* m : {&a, &b}) {
@@ -162,6 +162,10 @@ WaveCoefficients read_capytaine(const Path& path, const HydroUnits& units) {
                     {{"omega", w}, {"radiating_dof", first + j}, {"influenced_dof", first + i}});
         return to;
     };
+    // Capytaine stores runs that failed as matrices of numbers that are none.
+    std::erase_if(order, [&](std::size_t w) {
+        return matrix(a, w).array().isNaN().all() && matrix(b, w).array().isNaN().all();
+    });
     for (const std::size_t w : order) {
         out.frequency.push_back(omega[w]);
         out.added_mass.push_back(matrix(a, w));

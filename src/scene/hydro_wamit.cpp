@@ -186,7 +186,8 @@ class Wamit {
         out_.drift.assign(out_.heading.size() * out_.frequency.size() * 6, 0.0);
         std::vector<int> given(out_.drift.size(), 0);
         for (const NumberLine& row : rows) {
-            if (row.value[1] != row.value[2]) continue;  // of two directions at once
+            // Of two directions at once; moments in axes that turn with the body, as 4 to 6 again.
+            if (row.value[1] != row.value[2] || row.value[3] < 0.0) continue;
             const std::size_t w = frequency_of(file, row);
             const std::size_t h = heading_.find(row.value[1] * kDegree);
             const int k = motion_of(file, row, 3, body_);

@@ -38,7 +38,6 @@ std::vector<Spot> wet_part(const Spot (&corner)[3]) {
 
 void SeaVerifier::add_hull(const WaterHull& def, const Pose& pose, const Twist& twist) {
     const Vec3& velocity = twist.linear;
-    const Mat3 axes = pose.orientation.toRotationMatrix();
     const double weight = def_->density * gravity_;
     std::vector<Spot> spots;
     for (const Vec3& vertex : def.mesh.vertices) {
@@ -83,10 +82,7 @@ void SeaVerifier::add_hull(const WaterHull& def, const Pose& pose, const Twist& 
     }
     const double wet = def.linear.on ? 1.0 : std::clamp(volume / whole, 0.0, 1.0);
     out.wet = wet > 0.0 || !def.wind_area.isZero(0.0);
-    if (def.linear.on) {
-        out.force.setZero();
-        add_statics(def, pose, out);
-    }
+    if (def.linear.on) out.force.setZero();  // add_statics() has what presses it
     add_strips(def, pose, twist, wet, out);
     if (wet > 0.0 && !def.linear.on) {
         if (plane > 1e-9 * std::pow(volume, 2.0 / 3.0))
@@ -96,6 +92,12 @@ void SeaVerifier::add_hull(const WaterHull& def, const Pose& pose, const Twist& 
         out.stiffness(2, 2) = std::max(out.stiffness(2, 2), weight * volume / deepest);
         for (int k = 3; k < 5; ++k) out.stiffness(k, k) += weight * std::max(lever, 0.0);
     }
+    add_motion(def, pose, velocity, wet, out);
+}
+
+void SeaVerifier::add_motion(const WaterHull& def, const Pose& pose, const Vec3& velocity,
+                             double wet, Load& out) {
+    const Mat3 axes = pose.orientation.toRotationMatrix();
     if (wet > 0.0) {
         Water at = water(pose.position);
         if (def_->convective) at.rate += convection(pose.position);

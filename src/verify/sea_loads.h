@@ -47,6 +47,8 @@ class SeaVerifier {
                   const std::vector<Pose>& pose, const std::vector<Twist>& before);
     void add_body(const WaterBody& def, const Pose& pose, const Vec3& velocity);
     void add_hull(const WaterHull& def, const Pose& pose, const Twist& twist);
+    void add_motion(const WaterHull& def, const Pose& pose, const Vec3& velocity, double wet,
+                    Load& out);
     [[nodiscard]] Vec3 convection(const Vec3& x) const;
     // sea_radiation.cpp
     struct Past {
@@ -62,10 +64,11 @@ class SeaVerifier {
     };
     void begin_past(const World& world, std::size_t hull);
     void add_coefficients(const WaterHull& def, Past& past, const Pose& pose, const Twist& twist);
-    void add_memory(const WaterHull& def, Past& past, const Pose& pose, const Twist& twist,
+    void add_memory(const WaterHull& def, Past& past, const Mat3& axes, const Twist& twist,
                     Load& out);
     [[nodiscard]] Vec6 waves_on(const WaterHull& def, const Past& past) const;
-    void add_statics(const WaterHull& def, const Pose& pose, Load& out) const;
+    [[nodiscard]] Mat3 frame_of(const WaterHull& def, Past& past, const Pose& pose) const;
+    void add_statics(const WaterHull& def, const Pose& pose, const Mat3& level, Load& out) const;
     void add_strips(const WaterHull& def, const Pose& pose, const Twist& twist, double wet,
                     Load& out) const;
     static void add_drag(const Mat3& axes, const Vec3& areas, double half_density, const Vec3& flow,

@@ -109,11 +109,10 @@ void SeaVerifier::begin_past(const World& world, std::size_t hull) {
     past.c = Eigen::Map<const Rows>(m.c.data(), 6, n);
 }
 
-void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Pose& pose, const Twist& twist,
+void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Mat3& axes, const Twist& twist,
                              Load& out) {
     const RadiationKind kind = past.at_start.kind;
     if (kind == RadiationKind::none) return;
-    const Mat3 axes = pose.orientation.toRotationMatrix();
     const M6 to_reference = motions_at(def.coefficients->reference);
     V6 v;
     v << axes.transpose() * twist.linear, axes.transpose() * twist.angular;
@@ -136,8 +135,7 @@ void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Pose& pose,
         for (std::size_t m = 0; m < past.velocity.size(); ++m)
             force -= step_ * past.kernel[m + 1] * past.velocity[m];
     } else {
-        const M6 cb = past.c * past.b;
-        first = 0.5 * (cb + cb.transpose());
+        first = past.at_start.first;  // of the fit, without what is negative of it
         force = -past.c * past.states;
     }
     const M6 turn = blocks(axes);
@@ -146,11 +144,36 @@ void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Pose& pose,
     out.force += turn * to_reference.transpose() * force;
 }
 
+/// Axes of coefficients: the body's, or level ones at the slow heading, which it follows here.
+Mat3 SeaVerifier::frame_of(const WaterHull& def, Past& past, const Pose& pose) const {
+    const Mat3 axes = pose.orientation.toRotationMatrix();
+    if (def.excitation == ExcitationKind::none && !def.drift) return axes;
+    const Vec3 arm = axes * def.coefficients->reference;
+    std::array<double, 3> to{pose.position.x() + arm.x(), pose.position.y() + arm.y(),
+                             heading_about_z(pose)};
+    if (!past.slow_begun) past.lag.fill(to);
+    to[2] = past.lag[0][2] + less_turns(to[2] - past.lag[0][2]);
+    const double share = def.slow_time > 0.0 ? 1.0 - std::exp(-step_ / def.slow_time) : 1.0;
+    for (auto& lag : past.lag) {
+        for (std::size_t k = 0; k < 3; ++k) lag[k] = (1.0 - share) * lag[k] + share * to[k];
+        to = lag;
+    }
+    past.slow_begun = true;
+    const double heading = 4.0 * past.lag[2][2] - 3.0 * past.lag[3][2];
+    return Eigen::AngleAxisd(heading, Vec3(0, 0, 1)).toRotationMatrix();
+}
+
 void SeaVerifier::add_coefficients(const WaterHull& def, Past& past, const Pose& pose,
                                    const Twist& twist) {
     Load& out = load_[static_cast<std::size_t>(def.body.index)];
     const WaveCoefficients& c = *def.coefficients;
-    const Mat3 axes = pose.orientation.toRotationMatrix();
+    const Mat3 axes = frame_of(def, past, pose);
+    if (def.linear.on) {
+        const bool waves = def.excitation != ExcitationKind::none || def.drift;
+        const Mat3 level =
+            Eigen::AngleAxisd(heading_about_z(pose), Vec3(0, 0, 1)).toRotationMatrix();
+        add_statics(def, pose, waves ? axes : level, out);
+    }
     const M6 turn = blocks(axes), t = motions_at(c.reference);
     M6 a = M6::Zero();
     if (def.radiation == RadiationKind::constant) {
@@ -171,22 +194,11 @@ void SeaVerifier::add_coefficients(const WaterHull& def, Past& past, const Pose&
     }
     const M6 mass = turn * t.transpose() * (0.5 * (a + a.transpose())) * t * turn.transpose();
     out.mass += mass;
-    add_memory(def, past, pose, twist, out);
+    add_memory(def, past, axes, twist, out);
     const Vec3 arm = axes * c.reference;
     if (def.excitation != ExcitationKind::none || def.drift) {
-        std::array<double, 3> to{pose.position.x() + arm.x(), pose.position.y() + arm.y(),
-                                 heading_about_z(pose)};
-        if (!past.slow_begun) past.lag.fill(to);
-        to[2] = past.lag[0][2] + less_turns(to[2] - past.lag[0][2]);
-        const double share = def.slow_time > 0.0 ? 1.0 - std::exp(-step_ / def.slow_time) : 1.0;
-        for (auto& lag : past.lag) {
-            for (std::size_t k = 0; k < 3; ++k) lag[k] = (1.0 - share) * lag[k] + share * to[k];
-            to = lag;
-        }
-        past.slow_begun = true;
         V6 f = waves_on(def, past);
-        const double heading = 4.0 * past.lag[2][2] - 3.0 * past.lag[3][2];
-        f = blocks(Eigen::AngleAxisd(heading, Vec3(0, 0, 1)).toRotationMatrix()) * f;
+        f = turn * f;
         f.tail<3>() += arm.cross(f.head<3>());
         out.force += f;
     }

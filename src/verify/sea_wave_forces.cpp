@@ -120,9 +120,9 @@ Eigen::Matrix<double, 6, 1> SeaVerifier::waves_on(const WaterHull& def, const Pa
     return out;
 }
 
-void SeaVerifier::add_statics(const WaterHull& def, const Pose& pose, Load& out) const {
+void SeaVerifier::add_statics(const WaterHull& def, const Pose& pose, const Mat3& level,
+                              Load& out) const {
     const WaveCoefficients& c = *def.coefficients;
-    const Mat3 level = Eigen::AngleAxisd(heading_about_z(pose), Vec3(0, 0, 1)).toRotationMatrix();
     const Mat3 tilt = level.transpose() * pose.orientation.toRotationMatrix();
     const M6 t = motions_at(c.reference);
     const M6 k = t.transpose() * (0.5 * (c.stiffness + c.stiffness.transpose())) * t;
