@@ -40,6 +40,9 @@ int view_command(int argc, char** argv);
 /// What it costs a client to read a world.
 int interface_command(int argc, char** argv);
 
+/// What waves, hulls and their memory cost.
+int sea_command(int argc, char** argv);
+
 /// What it costs to add and remove while a world runs.
 int edits_command(int argc, char** argv);
 

@@ -36,6 +36,8 @@ constexpr Command kCommands[] = {
     {"view", "clients of `hawser view`, and what they cost the run", hawser::bench::view_command},
     {"interface", "what it costs to read a world: state, outputs, save, restore",
      hawser::bench::interface_command},
+    {"sea", "what waves, hulls and their memory cost, and a step of anchor_sea",
+     hawser::bench::sea_command},
     {"edits", "what it costs to add and remove while a world runs", hawser::bench::edits_command},
     {"peers", "our steps against other engines, on six scenes", hawser::bench::peers_command},
 };

@@ -14,6 +14,7 @@ constexpr const char* kValidateFooter = R"(Examples:
   hawser validate robust
   hawser validate wires
   hawser validate sea
+  hawser validate rao --data FOLDER
   hawser validate pendulum catenary --json validation.json
 
 Runs cases with a known answer and prints case, quantity, reference, ours, error and observed
@@ -21,7 +22,7 @@ order. Exit codes: 0 all within tolerance, 1 unknown case, 3 at least one is not
 
 struct ValidateOptions {
     std::vector<std::string> cases;
-    std::string json;
+    std::string json, data;
     bool list = false;
 };
 
@@ -35,10 +36,14 @@ void add_validate(CLI::App& app, Command& chosen) {
                         "Names of cases; none = all but `robust`, `wires` and `sea`, which name "
                         "sets of their own");
     command->add_option("--json", options->json, "Write the results as JSON");
+    command
+        ->add_option("--data", options->data,
+                     "Folder with data of others: `rao` needs it, `sea_sphere` takes more of it")
+        ->check(CLI::ExistingDirectory);
     command->add_flag("--list", options->list, "Print the names of the cases");
     command->callback([&chosen, options] {
         chosen = [options] {
-            return validate::run_cases(options->cases, options->json, options->list);
+            return validate::run_cases(options->cases, options->json, options->list, options->data);
         };
     });
 }

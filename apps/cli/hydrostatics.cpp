@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <numbers>
 
@@ -31,13 +32,39 @@ void print_hull(const World& world, const SeaDef& sea, const WaterHull& hull) {
     fmt::print("  KB               {:.9g} m\n  BM               {:.9g} m, along {:.9g} m\n", at.kb,
                at.bm, at.bm_long);
     fmt::print("  KG               {:.9g} m\n  GM               {:.9g} m\n", at.kg, at.gm);
-    fmt::print("  heel [deg]       GZ [m], draught [m]; trim stays\n");
+    fmt::print("  heel [deg]       GZ [m], draught [m]; GZ [m] and trim [deg] where it trims\n");
     for (const int heel : {0, 5, 10, 15, 20, 25, 30, 40, 50, 60, 70, 80, 90}) {
         const double angle = heel * std::numbers::pi / 180.0;
         const Flotation f = float_hull(hull.mesh, def.mass, sea.density, angle);
-        fmt::print("  {:>4}             {:>12.9f} {:>12.6f}\n", heel, -f.statics.buoyancy.y() + 0.0,
-                   f.draught);
+        const Flotation t = float_hull(hull.mesh, def.mass, sea.density, angle, true);
+        fmt::print("  {:>4}             {:>12.9f} {:>12.6f} {:>12.9f} {:>8.4f}\n", heel,
+                   -f.statics.buoyancy.y() + 0.0, f.draught, -t.statics.buoyancy.y() + 0.0,
+                   t.trim * 180.0 / std::numbers::pi);
     }
+}
+
+void print_radiation(const WaterHull& hull, const HullMemory& m) {
+    const WaveCoefficients& c = *hull.coefficients;
+    fmt::print("  coefficients     {} frequencies, {:.4g} to {:.4g} rad/s, {} directions\n",
+               c.frequency.size(), c.frequency.front(), c.frequency.back(), c.heading.size());
+    if (m.kind == RadiationKind::convolution)
+        fmt::print("  memory           {} samples of {:.4g} s", m.past.size(), m.step);
+    else if (m.kind == RadiationKind::state_space)
+        fmt::print("  memory           {} states, off by {:.3g} of K(0) at most", m.states.size(),
+                   m.fit_error);
+    else
+        return;
+    double most = 0.0;
+    for (int k = 0; k < 6; ++k)
+        if (m.first(k, k) > 0.0) most = std::max(most, m.added(k, k) / m.first(k, k));
+    fmt::print("; damping added for passivity {:.3g} s of K(0)\n", most);
+    if (c.added_mass.empty()) return;
+    const Matrix6 told = infinite_added_mass(c);
+    fmt::print("  A(inf)           by the damping, and as it is taken\n");
+    for (int k = 0; k < 6; ++k)
+        if (told(k, k) != 0.0)
+            fmt::print("    motion {}       {:>14.6g} {:>14.6g}\n", k + 1, told(k, k),
+                       c.infinite(k, k));
 }
 
 }  // namespace
@@ -48,7 +75,15 @@ bool print_hydrostatics(const World& world) {
         fmt::print(stderr, "hawser: the scene has no hull; \"sea\" takes \"hulls\"\n");
         return false;
     }
-    for (const WaterHull& hull : sea->hulls) print_hull(world, *sea, hull);
+    for (std::size_t i = 0; i < sea->hulls.size(); ++i) {
+        const WaterHull& hull = sea->hulls[i];
+        if (hull.mesh.triangles.empty())
+            fmt::print("{}\n  no mesh          linear about z = {:.6g} m\n",
+                       world.body_def(hull.body).name, hull.linear.height);
+        else
+            print_hull(world, *sea, hull);
+        if (hull.coefficients) print_radiation(hull, hull_memory(world, i));
+    }
     return true;
 }
 

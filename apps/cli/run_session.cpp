@@ -169,7 +169,9 @@ int RunSession::run() {
 /// An operation of the timeline that cannot be done ends the run, with all files complete.
 Status RunSession::take_step(Progress& progress) {
     try {
-        return session_.step();
+        const Status status = session_.step();
+        if (status == Status::ok) collector_->add_step_cpu(session_.step_cpu_seconds());
+        return status;
     } catch (const DefError&) {
         progress.close();
         (void)session_.finish();

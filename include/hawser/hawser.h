@@ -11,6 +11,7 @@
 #include <hawser/factor.h>
 #include <hawser/guide.h>
 #include <hawser/hull.h>
+#include <hawser/hydro.h>
 #include <hawser/id.h>
 #include <hawser/inspect.h>
 #include <hawser/interactions.h>
@@ -34,6 +35,7 @@
 #include <hawser/system.h>
 #include <hawser/systems/pid.h>
 #include <hawser/trace.h>
+#include <hawser/water_hull.h>
 #include <hawser/winch.h>
 #include <hawser/wire.h>
 #include <hawser/world.h>

@@ -45,9 +45,15 @@ struct HullMesh {
 /// its normals point outwards.
 [[nodiscard]] std::string hull_fault(const HullMesh& mesh);
 
-/// Read an OBJ file, or an STL file, text or binary, by its ending; corners at the same place
-/// become one. Polygons are cut into triangles. @throws DefError with the line where it is wrong.
+/// Read an OBJ file, an STL file, text or binary, a GDF file (WAMIT) or a mesh of NEMOH (.dat), by
+/// its ending; corners at the same place become one. Polygons are cut into triangles; halves of
+/// GDF and NEMOH files get their mirror images. @throws DefError with the line where it is wrong.
 [[nodiscard]] HullMesh read_hull(const std::string& file);
+
+/// Meshes of WAMIT and NEMOH end at the waterline: walls up from there, and a deck.
+/// @param top  z of the deck, above that of all open edges [m]; at it: a deck alone.
+/// @throws DefError where an edge is open that does not lie within 1e-3 m of the highest.
+void close_hull(HullMesh& mesh, double top);
 
 /// A box as a mesh; each side of nx × ny × nz pieces. @param half  Half sizes [m].
 [[nodiscard]] HullMesh box_hull(const Vec3& half, int nx = 1, int ny = 1, int nz = 1);
@@ -77,13 +83,16 @@ struct Flotation {
     double bm_long = 0.0;  ///< I_y/V, about y [m].
     double kg = 0.0;       ///< Centre of mass above the lowest point [m].
     double gm = 0.0;       ///< KB + BM − KG [m].
+    double trim = 0.0;     ///< About y, positive bow down [rad].
 };
 
-/// Where a hull of a mass floats at a heel (about the body's x axis, which stays level) [rad], with
-/// its centre of mass at the origin of the mesh: sinkage by Newton's method.
+/// Where a hull of a mass floats at a heel (about the body's x axis) [rad], with its centre of mass
+/// at the origin of the mesh: sinkage by Newton's method. The x axis stays level, or
+/// @param trims  turns about the heeled y axis until the moment about that is gone.
 [[nodiscard]] Flotation float_hull(const HullMesh& mesh, double mass, double density,
-                                   double heel = 0.0);
+                                   double heel = 0.0, bool trims = false);
 /// Righting lever at a heel [m]: horizontal distance of B from G, positive where it rights.
-[[nodiscard]] double righting_lever(const HullMesh& mesh, double mass, double density, double heel);
+[[nodiscard]] double righting_lever(const HullMesh& mesh, double mass, double density, double heel,
+                                    bool trims = false);
 
 }  // namespace hawser

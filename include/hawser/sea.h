@@ -51,20 +51,20 @@
 ///
 /// **Hulls**: hull.h.
 ///
-/// Limits: waves of first order (accelerations are ∂u/∂t alone), no breaking, no diffraction or
-/// radiation, no bottom that is not level; waves have the depth `depth` whatever the level; gusts
-/// act everywhere at once. Half elements that end on bodies have neither mass nor water. What is
-/// loaded does not sleep.
+/// Limits: waves of first order, no breaking, no diffraction or radiation but by coefficients
+/// (hydro.h) and on one body by itself, no bottom that is not level; waves have the depth `depth`
+/// whatever the level; gusts act everywhere at once. Half elements that end on bodies have neither
+/// mass nor water. What is loaded does not sleep.
 ///
 /// A world has one sea, the system "sea". Signals, as "sea.name". Inputs: `waves` (factor of all
 /// amplitudes), `current` (factor), `wind` (U₁₀ [m/s]), `wind_direction` [rad], `level` (on top of
 /// the tide [m]). Outputs: `elevation` (at SeaDef::gauge [m]), `gust` [m/s], `tide` [m].
 
 #include <hawser/def.h>
-#include <hawser/hull.h>
 #include <hawser/id.h>
 #include <hawser/math.h>
 #include <hawser/system.h>
+#include <hawser/water_hull.h>
 
 #include <array>
 #include <cstdint>
@@ -160,22 +160,6 @@ struct WaterBody {
     double height = 0.0;  ///< From its lowest to its highest point [m]; 0: of a ball of the volume.
 };
 
-/// Hull of a rigid body.
-struct WaterHull {
-    BodyId body{};    ///< Required; of the kind rigid.
-    HullMesh mesh{};  ///< In the body's frame, from its centre of mass [m]. Required, closed.
-    /// False: pressure ρg(η − z), hydrostatic below the surface; true: Airy's (Froude-Krylov).
-    bool wave_pressure = true;
-    /// A along and about the body's axes at the centre of mass [kg, kg m²], as it is afloat:
-    /// A (a − v̇) with the waves' acceleration there.
-    std::array<double, 6> added_mass{};
-    std::array<double, 6> damping{};  ///< Linear, of the water's velocity there [N s/m, N m s].
-    /// C_d A when all of it is wet, or dry, at the centre of mass; the share of the volume counts
-    /// [m²]. Wind is that of 10 m, or of the centre of mass where that is higher.
-    Vec3 drag_area{0.0, 0.0, 0.0};
-    Vec3 wind_area{0.0, 0.0, 0.0};
-};
-
 /// A definition: World::add copies it whole.
 struct SeaDef {
     double depth = 0.0;                 ///< Of still water at level 0 [m]. Required.
@@ -185,6 +169,8 @@ struct SeaDef {
     std::vector<SeaCurrent> current{};  ///< By depth; empty: none.
     WindDef wind{};
     std::array<double, 2> gauge{};  ///< x, y of the output `elevation` [m].
+    /// Accelerations are ∂u/∂t + (u·∇)u of the waves, at lines, bodies and hulls' centres.
+    bool convective = false;
     std::vector<WaterLine> lines{};
     std::vector<WaterBody> bodies{};
     std::vector<WaterHull> hulls{};
@@ -261,6 +247,8 @@ class Sea {
     [[nodiscard]] double depth() const noexcept { return depth_; }
     [[nodiscard]] double density() const noexcept { return density_; }
     [[nodiscard]] double gravity() const noexcept { return gravity_; }
+    /// (u·∇)u of the waves at a point; above the surface that at it [m/s²].
+    [[nodiscard]] Vec3 convection(const SeaMoment& now, const Vec3& point) const noexcept;
     /// z' of a point under a surface at `elevation`; 0 at it and above.
     [[nodiscard]] double stretched(double z, double elevation) const noexcept;
     /// Shortest period of a component [s]; infinite: there are no waves.

@@ -109,6 +109,8 @@ class Session {
     /// Status::diverged where an observer or the verifier objects to a step, which is then taken
     /// all the same: see objection().
     Status step();
+    /// CPU time of the thread that called step(), in World::step() of the last one [s].
+    [[nodiscard]] double step_cpu_seconds() const noexcept;
     /// End the step under way, or else the next one, with Status::cancelled. See World::cancel().
     void cancel() noexcept;
     /// What an observer or the verifier found wrong; "": nothing.

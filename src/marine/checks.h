@@ -30,4 +30,7 @@ inline void check_range(const std::string& field, double value, double least, do
 /// Depth, level, waves, current, wind. @throws SeaError
 void check_sea(const SeaDef& def, double gravity);
 
+/// Coefficients, memory, strips and linear statics of a hull. @throws SeaError
+void check_coefficients(const World& world, const WaterHull& hull, const std::string& at);
+
 }  // namespace hawser::marine

@@ -41,10 +41,15 @@ void check_water_hull(const World& world, const WaterHull& h, const std::string&
     const BodyKind kind = world.body_def(h.body).kind;
     if (kind == BodyKind::lump || kind == BodyKind::scalar)
         throw SeaError(at + "/body", "a hull needs a rigid body");
-    if (const std::string fault = hull_fault(h.mesh); !fault.empty())
+    if (h.linear.on && h.mesh.triangles.empty()) {
+        if (h.wave_pressure && h.excitation == ExcitationKind::scattering)
+            throw SeaError(at + "/mesh", "scattering comes on top of the pressure on a mesh");
+    } else if (const std::string fault = hull_fault(h.mesh); !fault.empty()) {
         throw SeaError(at + "/mesh", fault);
+    }
     for (const double a : h.added_mass) check_range(at + "/added_mass", a, 0.0, 1e18, false, "");
     for (const double d : h.damping) check_range(at + "/damping", d, 0.0, 1e18, false, "");
+    marine::check_coefficients(world, h, at);
     check_areas(at + "/drag_area", h.drag_area);
     check_areas(at + "/wind_area", h.wind_area);
 }
@@ -82,8 +87,14 @@ System* define(World& world, const SeaDef& def) {
         check_water_body(world, def.bodies[i], entry("bodies", i));
     for (std::size_t i = 0; i < def.hulls.size(); ++i)
         check_water_hull(world, def.hulls[i], entry("hulls", i));
-    return &world.add_system(
-        std::make_unique<marine::SeaSystem>(def, gravity, marine::line_table(world, def)));
+    marine::SeaSystem::Start start;
+    start.step = world.settings().step;
+    for (const WaterHull& hull : def.hulls) {
+        start.heading.push_back(marine::heading_of(world.pose(hull.body).orientation));
+        start.weight.push_back(world.body_def(hull.body).mass * gravity);
+    }
+    return &world.add_system(std::make_unique<marine::SeaSystem>(
+        def, gravity, marine::line_table(world, def), std::move(start)));
 }
 
 const SeaDef* find_sea(const World& world) noexcept {
@@ -94,6 +105,12 @@ const SeaDef* find_sea(const World& world) noexcept {
 std::vector<LoadView> sea_loads(const World& world) {
     const auto* sea = dynamic_cast<const marine::SeaSystem*>(world.find_system("sea"));
     return sea == nullptr ? std::vector<LoadView>() : sea->loads();
+}
+
+HullMemory hull_memory(const World& world, std::size_t i) {
+    const auto* sea = dynamic_cast<const marine::SeaSystem*>(world.find_system("sea"));
+    if (sea == nullptr) throw DefError("hull_memory: the world has no sea");
+    return sea->memory(i);
 }
 
 }  // namespace hawser

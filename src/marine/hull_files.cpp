@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Readers of OBJ (Wavefront, 1990s: "v" and "f" lines) and STL files (3D Systems, 1988).
+/// Readers of OBJ (Wavefront, 1990s: "v" and "f" lines), STL (3D Systems, 1988), GDF (WAMIT, low
+/// order: four corners a panel, counterclockwise seen from the water) and NEMOH's meshes.
 #include <hawser/def.h>
 #include <hawser/hull.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -144,6 +147,113 @@ HullMesh read_stl_bytes(const std::string& bytes, const std::string& file) {
     return std::move(make.mesh);
 }
 
+/// Words of a text with the lines they stand in.
+class Words {
+  public:
+    Words(const std::string& text, const std::string& file) : in_(text), file_(file) {}
+    void skip_line() {
+        std::string rest;
+        std::getline(in_, rest);
+        ++line_;
+    }
+    /// Rest of the line, and the next one.
+    double number(const char* what) {
+        std::string word;
+        for (int c = in_.peek(); c != EOF && std::isspace(c) != 0; c = in_.peek()) {
+            if (c == '\n') ++line_;
+            in_.get();
+        }
+        if (!(in_ >> word))
+            refuse_hull(file_,
+                        "line " + std::to_string(line_) + ": it ends where " + what + " should be");
+        return number_of(word, file_, line_);
+    }
+    [[nodiscard]] std::size_t line() const { return line_; }
+
+  private:
+    std::istringstream in_;
+    const std::string& file_;
+    std::size_t line_ = 1;
+};
+
+/// A panel of four corners, of which two may be one, and its mirror images.
+void add_panel(MeshMaker& make, const std::array<Vec3, 4>& corner, bool mirror_x, bool mirror_y) {
+    for (const bool x : {false, true})
+        for (const bool y : {false, true}) {
+            if ((x && !mirror_x) || (y && !mirror_y)) continue;
+            std::int32_t c[4];
+            for (std::size_t k = 0; k < 4; ++k) {
+                Vec3 at = corner[k];
+                if (x) at.x() = -at.x();
+                if (y) at.y() = -at.y();
+                c[k] = make.vertex(at);
+            }
+            if (x != y) std::swap(c[1], c[3]);
+            make.triangle(c[0], c[1], c[2]);
+            make.triangle(c[0], c[2], c[3]);
+        }
+}
+
+HullMesh read_gdf(const std::string& text, const std::string& file) {
+    Words words(text, file);
+    words.skip_line();
+    const double length = words.number("ULEN");
+    if (!(length > 0.0)) refuse_hull(file, "line 2: ULEN is not above 0");
+    (void)words.number("gravity");
+    const bool mirror_x = words.number("ISX") == 1.0, mirror_y = words.number("ISY") == 1.0;
+    const double count = words.number("the number of panels");
+    if (!(count >= 1.0 && count <= static_cast<double>(kMostTriangles)))
+        refuse_hull(file, "line " + std::to_string(words.line()) +
+                              ": the number of panels is not among 1 to 2000000 (higher-order "
+                              "files are not read)");
+    MeshMaker make(file);
+    for (long i = 0; i < static_cast<long>(count); ++i) {
+        std::array<Vec3, 4> corner;
+        for (Vec3& x : corner)
+            for (int k = 0; k < 3; ++k) x[k] = length * words.number("a corner");
+        add_panel(make, corner, mirror_x, mirror_y);
+    }
+    return std::move(make.mesh);
+}
+
+/// "2 symmetry", lines "number x y z" to one of number 0, panels of four numbers to one of zeros.
+HullMesh read_nemoh(const std::string& text, const std::string& file) {
+    Words words(text, file);
+    if (words.number("2") != 2.0) refuse_hull(file, "line 1: a mesh of NEMOH begins with 2");
+    const bool mirror_y = words.number("the symmetry") == 1.0;
+    std::vector<Vec3> vertices;
+    for (;;) {
+        const double number = words.number("the number of a vertex");
+        Vec3 x;
+        for (int k = 0; k < 3; ++k) x[k] = words.number("a coordinate");
+        if (number == 0.0) break;
+        if (number != static_cast<double>(vertices.size() + 1) || vertices.size() >= kMostTriangles)
+            refuse_hull(file, "line " + std::to_string(words.line()) +
+                                  ": vertices have to be numbered 1, 2, 3 …");
+        vertices.push_back(x);
+    }
+    MeshMaker make(file);
+    for (;;) {
+        std::array<Vec3, 4> corner;
+        bool end = true;
+        double at[4];
+        for (double& i : at) {
+            i = words.number("a corner of a panel");
+            end = end && i == 0.0;
+        }
+        if (end) break;
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (!(at[k] >= 1.0 && at[k] <= static_cast<double>(vertices.size()) &&
+                  at[k] == std::floor(at[k])))
+                refuse_hull(file, "line " + std::to_string(words.line()) +
+                                      ": a panel has a vertex that is not there");
+            corner[k] = vertices[static_cast<std::size_t>(at[k]) - 1];
+        }
+        add_panel(make, corner, false, mirror_y);
+    }
+    return std::move(make.mesh);
+}
+
 bool ends_with(std::string name, std::string_view ending) {
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
         return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
@@ -169,8 +279,12 @@ HullMesh read_hull(const std::string& file) {
             refuse_hull(file, "it is no STL file: too short");
         mesh = !exact && bytes.starts_with("solid") ? read_stl_text(bytes, file)
                                                     : read_stl_bytes(bytes, file);
+    } else if (ends_with(file, ".gdf")) {
+        mesh = read_gdf(bytes, file);
+    } else if (ends_with(file, ".dat")) {
+        mesh = read_nemoh(bytes, file);
     } else {
-        refuse_hull(file, "its name ends neither with .obj nor with .stl");
+        refuse_hull(file, "its name ends with none of .obj, .stl, .gdf, .dat");
     }
     if (mesh.triangles.empty()) refuse_hull(file, "it has no triangles");
     return mesh;

@@ -132,48 +132,4 @@ HullStatics hull_statics(const HullMesh& mesh, const Pose& pose, double level) {
     return out;
 }
 
-Flotation float_hull(const HullMesh& mesh, double mass, double density, double heel) {
-    Flotation out;
-    out.pose.orientation = Quat(std::cos(0.5 * heel), std::sin(0.5 * heel), 0.0, 0.0);
-    const double wanted = mass / density;
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Vec3& v : mesh.vertices) {
-        const double z = (out.pose.orientation * v).z();
-        low = std::min(low, z);
-        high = std::max(high, z);
-    }
-    // The volume grows from 0 to all of it as the origin sinks from −low to −high: Newton's method,
-    // by halves where it would leave what encloses the solution.
-    double above = -low, below = -high, z = 0.5 * (above + below);
-    const auto volume = [&](double at) {
-        out.pose.position = {0.0, 0.0, at};
-        out.statics = hull_statics(mesh, out.pose);
-        return out.statics.volume;
-    };
-    out.floats = volume(below) > wanted;
-    if (!out.floats) return out;
-    for (int i = 0; i < 200; ++i) {
-        const double excess = volume(z) - wanted;
-        (excess > 0.0 ? below : above) = z;
-        const double change = out.statics.plane_area > 0.0 ? excess / out.statics.plane_area : 0.0;
-        double next = z + change;
-        if (!(next > below && next < above)) next = 0.5 * (above + below);
-        if (std::abs(next - z) <= 1e-15 * (high - low) || next == z) break;
-        z = next;
-    }
-    const HullStatics& s = out.statics;
-    out.draught = -s.lowest;
-    out.kb = s.buoyancy.z() - s.lowest;
-    out.bm = s.inertia_x / s.volume;
-    out.bm_long = s.inertia_y / s.volume;
-    out.kg = out.pose.position.z() - s.lowest;
-    out.gm = out.kb + out.bm - out.kg;
-    return out;
-}
-
-double righting_lever(const HullMesh& mesh, double mass, double density, double heel) {
-    const Flotation at = float_hull(mesh, mass, density, heel);
-    return at.floats ? -at.statics.buoyancy.y() : 0.0;
-}
-
 }  // namespace hawser

@@ -2,6 +2,8 @@
 #include <hawser/world.h>
 
 #include "marine/sea_system.h"
+#include "marine/spectra.h"
+#include "marine/wave_sums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,34 +37,66 @@ double volume_of(const HullMesh& mesh) noexcept {
 
 }  // namespace
 
-HullWater::HullWater(const WaterHull& def)
+HullWater::HullWater(const WaterHull& def, const Sea& sea, double step, double heading)
     : def_(&def),
       volume_(volume_of(def.mesh)),
       corners_(def.mesh.vertices.size()),
-      parts_(static_cast<std::size_t>(chunks_of(def.mesh.triangles.size()))) {}
+      parts_(static_cast<std::size_t>(chunks_of(def.mesh.triangles.size()))),
+      weight_(def.linear.weight),
+      memory_(def, step),
+      waves_(def, sea, step, heading) {
+    if (!def.coefficients) return;
+    const WaveCoefficients& c = *def.coefficients;
+    const Matrix6 t = motion_at(c.reference);
+    if (def.radiation == RadiationKind::constant) {
+        const double omega = kTwoPi / def.constant_period;
+        added_ = without_negative(linear_at(c.frequency, c.added_mass, omega));
+        constant_ = linear_at(c.frequency, c.damping, omega);
+    } else if (def.radiation != RadiationKind::none) {
+        added_ = c.infinite;
+        constant_ = memory_.damping();
+    }
+    for (Matrix6* m : {&added_, &constant_}) *m = t.transpose() * (0.5 * (*m + m->transpose())) * t;
+    statics_ = t.transpose() * (0.5 * (c.stiffness + c.stiffness.transpose())) * t;
+}
 
 int HullWater::corner_chunks() const noexcept { return chunks_of(corners_.size()); }
 int HullWater::triangle_chunks() const noexcept { return static_cast<int>(parts_.size()); }
 
-void HullWater::begin(const World& world) noexcept {
+void HullWater::begin(const World& world, bool convective) noexcept {
+    convective_ = convective;
     pose_ = world.pose(def_->body);
     twist_ = world.velocity(def_->body);
     axes_ = pose_.orientation.toRotationMatrix();
 }
 
-void HullWater::press(const Sea& sea, const SeaMoment& now, int chunk) noexcept {
+void HullWater::press(const Sea& sea, const std::vector<double>& table, const SeaMoment& now,
+                      int chunk) noexcept {
+    // Pressure alone, and only where it is wet: half of what all of Sea::water() takes.
+    const WaveKernels& by = wave_kernels();
+    const int padded = static_cast<int>(table.size()) / kWaveRows;
+    // Where coefficients have all that waves do, the water is still.
+    const bool waves = padded > 0 && now.waves != 0.0 && def_->excitation != ExcitationKind::full;
+    double circle[2 * kMaxWaveComponents];
     const int end = std::min((chunk + 1) * kChunk, static_cast<int>(corners_.size()));
     for (int i = chunk * kChunk; i < end; ++i) {
         HullCorner& c = corners_[static_cast<std::size_t>(i)];
         c.x = axes_ * def_->mesh.vertices[static_cast<std::size_t>(i)];
         const Vec3 place = pose_.position + c.x;
-        if (def_->wave_pressure) {
-            const WaterPoint water = sea.water(now, place);
-            c.depth = water.elevation - place.z();
-            c.pressure = water.pressure;
-        } else {
-            c.depth = sea.elevation(now, place.x(), place.y()) - place.z();
+        double surface = now.level;
+        if (waves)
+            surface += now.waves * by.surface(table.data(), padded, now.phase.data(), place.x(),
+                                              place.y(), circle);
+        c.depth = surface - place.z();
+        c.pressure = 0.0;
+        if (!def_->wave_pressure) {
             c.pressure = sea.density() * sea.gravity() * std::max(c.depth, 0.0);
+        } else if (place.z() < surface) {
+            const double rise =
+                waves ? by.pressure(table.data(), padded, circle, sea.stretched(place.z(), surface))
+                      : 0.0;
+            c.pressure = sea.density() * sea.gravity() * (now.level - place.z()) +
+                         now.waves * sea.density() * rise;
         }
     }
 }
@@ -87,30 +121,40 @@ void HullWater::finish(const Sea& sea, const SeaMoment& now, double air) noexcep
     stiffness.fill(0.0);
     HullSums all;
     for (const HullSums& part : parts_) all.add(part);
-    const double wet = std::clamp(all.volume / volume_, 0.0, 1.0);
-    const double weight = sea.density() * sea.gravity();
+    const bool linear = def_->linear.on;
+    const double wet = linear ? 1.0 : std::clamp(all.volume / volume_, 0.0, 1.0);
+    if (linear)
+        add_linear(sea, now);
+    else if (wet > 0.0)
+        add_pressure(sea, all);
     if (wet > 0.0) {
-        for (int k = 0; k < 3; ++k) {
-            force[static_cast<std::size_t>(k)] = all.force[k];
-            force[static_cast<std::size_t>(3 + k)] = all.torque[k];
-        }
-        double plane[6];
-        plane_stiffness(all, plane);
-        for (int i = 0, n = 0; i < 3; ++i)  // heave, turns about x and y are rows 2, 3, 4
-            for (int j = 0; j <= i; ++j, ++n)
-                stiffness[static_cast<std::size_t>(triangle(2 + i, 2 + j))] += weight * plane[n];
-        // At least the secant to where it is out of the water: a light hull below the surface is
-        // not thrown out by a step in which its buoyancy would have ended.
-        double deepest = 0.0;
-        for (const HullCorner& c : corners_) deepest = std::max(deepest, c.depth);
-        double& heave = stiffness[static_cast<std::size_t>(triangle(2, 2))];
-        heave = std::max(heave, weight * all.volume / deepest);
-        const double stable = weight * std::max(all.moment.z(), 0.0);
-        stiffness[static_cast<std::size_t>(triangle(3, 3))] += stable;
-        stiffness[static_cast<std::size_t>(triangle(4, 4))] += stable;
+        add_coefficients(sea, now);
+        add_strips(sea, now, wet);
     }
     add_motion(sea, now, wet, air);
     any_ = wet > 0.0 || (def_->wind_area.array() != 0.0).any();
+}
+
+void HullWater::add_pressure(const Sea& sea, const HullSums& all) noexcept {
+    const double weight = sea.density() * sea.gravity();
+    for (int k = 0; k < 3; ++k) {
+        force[static_cast<std::size_t>(k)] = all.force[k];
+        force[static_cast<std::size_t>(3 + k)] = all.torque[k];
+    }
+    double plane[6];
+    plane_stiffness(all, plane);
+    for (int i = 0, n = 0; i < 3; ++i)  // heave, turns about x and y are rows 2, 3, 4
+        for (int j = 0; j <= i; ++j, ++n)
+            stiffness[static_cast<std::size_t>(triangle(2 + i, 2 + j))] += weight * plane[n];
+    // At least the secant to where it is out of the water: a light hull below the surface is
+    // not thrown out by a step in which its buoyancy would have ended.
+    double deepest = 0.0;
+    for (const HullCorner& c : corners_) deepest = std::max(deepest, c.depth);
+    double& heave = stiffness[static_cast<std::size_t>(triangle(2, 2))];
+    heave = std::max(heave, weight * all.volume / deepest);
+    const double stable = weight * std::max(all.moment.z(), 0.0);
+    stiffness[static_cast<std::size_t>(triangle(3, 3))] += stable;
+    stiffness[static_cast<std::size_t>(triangle(4, 4))] += stable;
 }
 
 /// Added mass and linear damping by the velocity of the water at the centre of mass, and drag.
@@ -118,7 +162,8 @@ void HullWater::add_motion(const Sea& sea, const SeaMoment& now, double wet, dou
     Vec3 push = Vec3::Zero();
     Sym3 drag;
     if (wet > 0.0) {
-        const WaterPoint water = sea.water(now, pose_.position);
+        WaterPoint water = sea.water(now, pose_.position);
+        if (convective_) water.acceleration += sea.convection(now, pose_.position);
         const auto& m = def_->added_mass;
         const auto& d = def_->damping;
         add_axes(axes_, m.data(), 0, mass);

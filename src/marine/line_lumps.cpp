@@ -150,11 +150,12 @@ void LineLumps::find(const World& world) {
     loads_.resize(lumps_.size());
 }
 
-void LineLumps::load(const Sea& sea, const SeaMoment& now, int i) noexcept {
+void LineLumps::load(const Sea& sea, const SeaMoment& now, bool convective, int i) noexcept {
     const Lump& lump = lumps_[at(i)];
     PointLoad& out = loads_[at(i)];
     out = {};
-    const WaterPoint water = sea.water(now, lump.motion.position);
+    WaterPoint water = sea.water(now, lump.motion.position);
+    if (convective) water.acceleration += sea.convection(now, lump.motion.position);
     const WaterLaw law{sea.density(), sea.gravity()};
     for (int k = 0; k < lump.halves; ++k)
         add_half_element(lump.half[k], lump.motion, water, law, out);

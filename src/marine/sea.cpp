@@ -12,6 +12,35 @@
 
 namespace hawser {
 
+namespace marine {
+
+std::vector<double> wave_table(std::span<const WaveComponent> waves, double depth) {
+    const std::size_t padded = 8 * ((waves.size() + 7) / 8);
+    std::vector<double> table(static_cast<std::size_t>(kWaveRows) * padded, 0.0);
+    for (std::size_t i = 0; i < waves.size(); ++i) {
+        const WaveComponent& w = waves[i];
+        const auto set = [&](WaveRow row, double value) {
+            table[static_cast<std::size_t>(row) * padded + i] = value;
+        };
+        const double dx = std::cos(w.direction), dy = std::sin(w.direction);
+        const double below = -2.0 * w.wave_number * depth;
+        const double speed = -w.amplitude * w.frequency / std::expm1(below);
+        set(kTurnsX, w.wave_number * dx / kTwoPi);
+        set(kTurnsY, w.wave_number * dy / kTwoPi);
+        set(kAmplitude, w.amplitude);
+        set(kDecay, w.wave_number * std::numbers::log2e);
+        set(kBottom, std::exp(below));
+        set(kSpeedX, speed * dx);
+        set(kSpeedY, speed * dy);
+        set(kSpeedZ, speed);
+        set(kRate, w.frequency);
+        set(kPressure, speed * w.frequency / w.wave_number);
+    }
+    return table;
+}
+
+}  // namespace marine
+
 using marine::kTwoPi;
 
 Sea::Sea(const SeaDef& def, double gravity)
@@ -28,27 +57,8 @@ Sea::Sea(const SeaDef& def, double gravity)
 }
 
 void Sea::make_table() {
-    padded_ = 8 * ((static_cast<int>(waves_.size()) + 7) / 8);
-    table_.assign(static_cast<std::size_t>(marine::kWaveRows * padded_), 0.0);
-    for (std::size_t i = 0; i < waves_.size(); ++i) {
-        const WaveComponent& w = waves_[i];
-        const auto set = [&](marine::WaveRow row, double value) {
-            table_[static_cast<std::size_t>(row * padded_) + i] = value;
-        };
-        const double dx = std::cos(w.direction), dy = std::sin(w.direction);
-        const double below = -2.0 * w.wave_number * depth_;
-        const double speed = -w.amplitude * w.frequency / std::expm1(below);
-        set(marine::kTurnsX, w.wave_number * dx / kTwoPi);
-        set(marine::kTurnsY, w.wave_number * dy / kTwoPi);
-        set(marine::kAmplitude, w.amplitude);
-        set(marine::kDecay, w.wave_number * std::numbers::log2e);
-        set(marine::kBottom, std::exp(below));
-        set(marine::kSpeedX, speed * dx);
-        set(marine::kSpeedY, speed * dy);
-        set(marine::kSpeedZ, speed);
-        set(marine::kRate, w.frequency);
-        set(marine::kPressure, speed * w.frequency / w.wave_number);
-    }
+    table_ = marine::wave_table(waves_, depth_);
+    padded_ = static_cast<int>(table_.size()) / marine::kWaveRows;
 }
 
 SeaInputs Sea::inputs() const noexcept {
@@ -160,6 +170,36 @@ WaterPoint Sea::water(const SeaMoment& now, const Vec3& point) const noexcept {
     if (z < out.elevation)
         out.pressure = density_ * gravity_ * (now.level - z) + out.dynamic_pressure;
     return out;
+}
+
+Vec3 Sea::convection(const SeaMoment& now, const Vec3& point) const noexcept {
+    // By components: ∂u/∂x, ∂u/∂y, ∂u/∂z of the stretched column; no kernel, it is asked for
+    // seldom.
+    Vec3 u = Vec3::Zero();
+    Mat3 gradient = Mat3::Zero();
+    const double z = stretched(point.z(), elevation(now, point.x(), point.y()));
+    for (std::size_t i = 0; i < waves_.size(); ++i) {
+        const WaveComponent& w = waves_[i];
+        const double k = w.wave_number, dx = std::cos(w.direction), dy = std::sin(w.direction);
+        const double theta = k * (dx * point.x() + dy * point.y()) + kTwoPi * now.phase[i];
+        const double up = std::exp(k * z), down = std::exp(-k * (z + 2.0 * depth_));
+        const double part = -now.waves * w.amplitude * w.frequency / std::expm1(-2.0 * k * depth_);
+        const double c = part * (up + down), s = part * (up - down);
+        const double along = c * std::cos(theta), steep = s * std::sin(theta);
+        u += Vec3(dx * along, dy * along, steep);
+        // ∂/∂x of cos θ is −k_x sin θ, ∂/∂z of C is k S.
+        const double level = -k * c * std::sin(theta), slope = k * s * std::cos(theta);
+        gradient(0, 0) += dx * dx * level;
+        gradient(0, 1) += dx * dy * level;
+        gradient(1, 1) += dy * dy * level;
+        gradient(0, 2) += dx * slope;
+        gradient(1, 2) += dy * slope;
+        gradient(2, 2) -= level;
+    }
+    gradient(1, 0) = gradient(0, 1);
+    gradient(2, 0) = gradient(0, 2);
+    gradient(2, 1) = gradient(1, 2);
+    return gradient * u;
 }
 
 double Sea::shortest_period() const noexcept {

@@ -4,6 +4,7 @@
 #include <hawser/world.h>
 
 #include "marine/bodies.h"
+#include "marine/spectra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,25 +44,48 @@ void add_hull(const HullWater& from, const BodyLoad& to) noexcept {
 
 }  // namespace
 
-SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines)
+SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start start)
     : def_(def),
+      start_(std::move(start)),
       sea_(def, gravity),
       in_(sea_.inputs()),
+      table_(wave_table(sea_.components(), sea_.depth())),
       moment_(sea_.at(0.0)),
       lines_(std::move(lines)),
       bodies_(def_.bodies.size()) {
     hulls_.reserve(def_.hulls.size());
-    for (const WaterHull& hull : def_.hulls) hulls_.emplace_back(hull);
+    for (std::size_t i = 0; i < def_.hulls.size(); ++i) {
+        WaterHull& hull = def_.hulls[i];
+        if (std::isnan(hull.linear.weight)) hull.linear.weight = start_.weight[i];
+        if (hull.coefficients)
+            hull.coefficients =
+                std::make_shared<const WaveCoefficients>(without_noise(*hull.coefficients));
+        try {
+            hulls_.emplace_back(hull, sea_, start_.step, start_.heading[i]);
+        } catch (const DefError& error) {
+            throw SeaError("hulls/" + std::to_string(i) + "/coefficients", error.what());
+        }
+    }
 }
 
 std::unique_ptr<System> SeaSystem::clone() const {
-    return std::make_unique<SeaSystem>(def_, sea_.gravity(), lines_.table());
+    return std::make_unique<SeaSystem>(def_, sea_.gravity(), lines_.table(), start_);
 }
 
 void SeaSystem::visit_state(StateVisitor& v) {
     for (double* x : {&in_.waves, &in_.current, &in_.wind, &in_.wind_direction, &in_.level,
                       &elevation_, &gust_, &tide_})
         v.visit(*x);
+    for (HullWater& hull : hulls_) hull.visit_state(v);
+}
+
+HullMemory SeaSystem::memory(std::size_t hull) const {
+    HullMemory out;
+    if (hull >= hulls_.size())
+        throw DefError("hull " + std::to_string(hull) + ": the sea has " +
+                       std::to_string(hulls_.size()));
+    hulls_[hull].tell(out);
+    return out;
 }
 
 void SeaSystem::signals(SignalTable& table) {
@@ -95,7 +119,7 @@ void SeaSystem::prestep(Prestep& now, Loads& loads) noexcept {
     tide_ = moment_.level;
     load_lines(now);
     load_bodies(now);
-    load_hulls(now);
+    if (!load_hulls(now)) return now.set_input(InputId{}, std::nan(""));
     acted_ = true;
     give(loads);
 }
@@ -104,7 +128,8 @@ void SeaSystem::load_lines(Prestep& now) noexcept {
     const int count = lines_.count();
     now.for_each((count + kLumpChunk - 1) / kLumpChunk, [&](int chunk) noexcept {
         const int end = std::min((chunk + 1) * kLumpChunk, count);
-        for (int i = chunk * kLumpChunk; i < end; ++i) lines_.load(sea_, moment_, i);
+        for (int i = chunk * kLumpChunk; i < end; ++i)
+            lines_.load(sea_, moment_, def_.convective, i);
     });
 }
 
@@ -117,19 +142,25 @@ void SeaSystem::load_bodies(Prestep& now) noexcept {
         PointLoad& out = bodies_[slot(i)];
         out = {};
         const Vec3 wind = sea_.wind(moment_, motion.position.z() + 0.5 * height_of(def));
-        add_body_water(def, height_of(def), axes, motion, sea_.water(moment_, motion.position),
-                       wind, def_.wind.density, {sea_.density(), sea_.gravity()}, out);
+        WaterPoint water = sea_.water(moment_, motion.position);
+        if (def_.convective) water.acceleration += sea_.convection(moment_, motion.position);
+        add_body_water(def, height_of(def), axes, motion, water, wind, def_.wind.density,
+                       {sea_.density(), sea_.gravity()}, out);
     });
 }
 
-void SeaSystem::load_hulls(Prestep& now) noexcept {
+bool SeaSystem::load_hulls(Prestep& now) noexcept {
+    for (HullWater& hull : hulls_) hull.begin(now.world, def_.convective);
+    now.for_each(static_cast<int>(hulls_.size()),
+                 [&](int i) noexcept { hulls_[slot(i)].remember(sea_, moment_); });
     for (HullWater& hull : hulls_) {
-        hull.begin(now.world);
+        if (hull.lost()) return false;
         now.for_each(hull.corner_chunks(),
-                     [&](int chunk) noexcept { hull.press(sea_, moment_, chunk); });
+                     [&](int chunk) noexcept { hull.press(sea_, table_, moment_, chunk); });
         now.for_each(hull.triangle_chunks(), [&](int chunk) noexcept { hull.sum(chunk); });
         hull.finish(sea_, moment_, def_.wind.density);
     }
+    return true;
 }
 
 /// In the order of lumps, bodies and hulls, whoever computed them.

@@ -16,6 +16,8 @@
 
 #include "marine/drag.h"
 #include "marine/hull_sums.h"
+#include "marine/radiation.h"
+#include "marine/wave_force.h"
 
 #include <array>
 #include <cstdint>
@@ -55,7 +57,7 @@ class LineLumps {
     explicit LineLumps(LineTable table) : table_(std::move(table)) {}
     /// Lumps as they are now. @throws std::bad_alloc
     void find(const World& world);
-    void load(const Sea& sea, const SeaMoment& now, int i) noexcept;
+    void load(const Sea& sea, const SeaMoment& now, bool convective, int i) noexcept;
     [[nodiscard]] int count() const noexcept { return static_cast<int>(lumps_.size()); }
     [[nodiscard]] BodyId body(int i) const noexcept { return lumps_[at(i)].body; }
     [[nodiscard]] const PointLoad& of(int i) const noexcept { return loads_[at(i)]; }
@@ -79,36 +81,70 @@ class HullWater {
   public:
     static constexpr int kChunk = 64;  ///< Corners or triangles of one task.
 
-    explicit HullWater(const WaterHull& def);
-    void begin(const World& world) noexcept;
+    /// @param heading  Of the body, at first.
+    HullWater(const WaterHull& def, const Sea& sea, double step, double heading);
+    void begin(const World& world, bool convective) noexcept;
+    /// Memory and waves by coefficients; hulls by several threads.
+    void remember(const Sea& sea, const SeaMoment& now) noexcept;
     [[nodiscard]] int corner_chunks() const noexcept;
     [[nodiscard]] int triangle_chunks() const noexcept;
-    void press(const Sea& sea, const SeaMoment& now, int chunk) noexcept;
+    /// @param table  wave_table() of the sea.
+    void press(const Sea& sea, const std::vector<double>& table, const SeaMoment& now,
+               int chunk) noexcept;
     void sum(int chunk) noexcept;
     /// Adds the parts up and the forces at the centre of mass.
     void finish(const Sea& sea, const SeaMoment& now, double air) noexcept;
     [[nodiscard]] BodyId body() const noexcept { return def_->body; }
     [[nodiscard]] bool any() const noexcept { return any_; }
+    /// A wave has a direction that the coefficients lack.
+    [[nodiscard]] bool lost() const noexcept { return lost_; }
+    void visit_state(StateVisitor& v);
+    void tell(HullMemory& out) const;
 
     std::array<double, 6> force{};
     std::array<double, 21> mass{}, damping{}, stiffness{};
 
   private:
+    void add_pressure(const Sea& sea, const HullSums& all) noexcept;
+    void add_linear(const Sea& sea, const SeaMoment& now) noexcept;
     void add_motion(const Sea& sea, const SeaMoment& now, double wet, double air) noexcept;
+    void add_coefficients(const Sea& sea, const SeaMoment& now) noexcept;
+    void add_strips(const Sea& sea, const SeaMoment& now, double wet) noexcept;
+    void add_matrix(const Matrix6& in_frame, std::array<double, 21>& to) const noexcept;
+    void add_at_reference(const Vec6& f) noexcept;
 
     const WaterHull* def_;
     double volume_ = 0.0;  ///< Of all of it [m³].
     Pose pose_{};
     Twist twist_{};
     Mat3 axes_ = Mat3::Identity();
+    /// Of coefficients: the body's axes; where waves act by them, level ones at the slow heading,
+    /// in which they are linear, so that their means are those of the drift's table alone.
+    Mat3 frame_ = Mat3::Identity();
     std::vector<HullCorner> corners_;  ///< About the centre of mass, in world axes.
     std::vector<HullSums> parts_;
-    bool any_ = false;
+    bool any_ = false, lost_ = false, convective_ = false;
+    // By coefficients; matrices at the centre of mass, along the body's axes.
+    Matrix6 added_ = Matrix6::Zero(), constant_ = Matrix6::Zero(), statics_ = Matrix6::Zero();
+    double weight_ = 0.0;  ///< Of displaced water at rest [N].
+    HullMemorySums memory_;
+    WaveForce waves_;
+    Vec6 remembered_ = Vec6::Zero(), pushed_ = Vec6::Zero();
 };
+
+/// Of motions at the centre of mass to those at a point from it.
+[[nodiscard]] Matrix6 motion_at(const Vec3& point) noexcept;
+/// Of a quaternion, about z [rad].
+[[nodiscard]] double heading_of(const Quat& q) noexcept;
 
 class SeaSystem final : public System {
   public:
-    SeaSystem(const SeaDef& def, double gravity, LineTable lines);
+    /// What a system is made of beside the definition: so much of the world as it was then.
+    struct Start {
+        double step = 0.0;
+        std::vector<double> heading, weight;  ///< Of hulls' bodies [rad], [N].
+    };
+    SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start start);
 
     [[nodiscard]] std::string_view name() const noexcept override { return "sea"; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
@@ -119,16 +155,19 @@ class SeaSystem final : public System {
     [[nodiscard]] const SeaDef& def() const noexcept { return def_; }
     /// @throws std::bad_alloc
     [[nodiscard]] std::vector<LoadView> loads() const;
+    [[nodiscard]] HullMemory memory(std::size_t hull) const;
 
   private:
     void load_lines(Prestep& now) noexcept;
     void load_bodies(Prestep& now) noexcept;
-    void load_hulls(Prestep& now) noexcept;
+    [[nodiscard]] bool load_hulls(Prestep& now) noexcept;
     void give(Loads& loads) const noexcept;
 
     SeaDef def_;
+    Start start_;
     Sea sea_;
     SeaInputs in_;
+    std::vector<double> table_;  ///< wave_table() of the sea.
     SeaMoment moment_;
     LineLumps lines_;
     std::vector<PointLoad> bodies_;

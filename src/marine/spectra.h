@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace hawser::marine {
@@ -43,5 +44,8 @@ double integral(const F& f, double a, double b, int pieces) noexcept {
     for (int i = 1; i < 2 * pieces; ++i) sum += (i % 2 == 1 ? 4.0 : 2.0) * f(a + i * h);
     return sum * h / 3.0;
 }
+
+/// The table of wave_sums.h of these components, of a multiple of eight columns.
+[[nodiscard]] std::vector<double> wave_table(std::span<const WaveComponent> waves, double depth);
 
 }  // namespace hawser::marine

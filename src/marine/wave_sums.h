@@ -44,6 +44,8 @@ struct WaveKernels {
                       double* circle) noexcept;
     /// At z' ≤ 0 for what surface() left in `circle`.
     WaveSums (*sums)(const double* table, int padded, const double* circle, double z) noexcept;
+    /// Its p alone, the same bits.
+    double (*pressure)(const double* table, int padded, const double* circle, double z) noexcept;
 };
 
 /// For the instruction set in use.

@@ -36,6 +36,12 @@ void times(Out out, const Summary& s) {
                        "thread {:.4g}/{:.4g}/{:.4g} ms of CPU time\n",
                        s.step_ms.median, s.step_ms.p95, s.step_ms.p99, s.solver_cpu_ms.median,
                        s.solver_cpu_ms.p95, s.solver_cpu_ms.p99);
+        if (s.step_cpu_ms.max > 0.0)
+            fmt::format_to(out,
+                           "  stepping CPU p50/p95/p99 {:.4g}/{:.4g}/{:.4g} ms of the thread that "
+                           "steps, factorisations {:.3g}/{:.3g}/{:.3g}\n",
+                           s.step_cpu_ms.median, s.step_cpu_ms.p95, s.step_cpu_ms.p99,
+                           s.factorisations.median, s.factorisations.p95, s.factorisations.p99);
         fmt::format_to(out, "  stages [ms] ");
         for (std::size_t k = 0; k < s.stage_ms.size(); ++k)
             if (s.stage_ms[k] > 1e-3 * s.step_ms.median)

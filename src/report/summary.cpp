@@ -78,6 +78,7 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
         step_.add(kMilliseconds * stats.step_seconds);
         solver_.add(kMilliseconds * stats.solver_seconds);
         solver_cpu_.add(kMilliseconds * stats.solver_cpu_seconds);
+        factorisations_.add(stats.factorisations);
         within_budget_ += stats.solver_cpu_seconds <= world.settings().budget ? 1 : 0;
         for (std::size_t s = 0; s < stage_.size(); ++s)
             stage_[s].add(kMilliseconds * stats.stage_seconds[s]);
@@ -163,6 +164,10 @@ void SummaryCollector::watch_energy(const World& world) {
     potential_high_ = std::max(potential_high_, potential);
 }
 
+void SummaryCollector::add_step_cpu(double seconds) {
+    if (summary_.steps > kWarmUpSteps) step_cpu_.add(kMilliseconds * seconds);
+}
+
 Summary SummaryCollector::result(const World& world) const {
     Summary out = summary_;
     out.last = world.stats();
@@ -172,6 +177,8 @@ Summary SummaryCollector::result(const World& world) const {
     out.step_ms = spread(step_);
     out.solver_ms = spread(solver_);
     out.solver_cpu_ms = spread(solver_cpu_);
+    out.step_cpu_ms = spread(step_cpu_);
+    out.factorisations = spread(factorisations_);
     for (std::size_t s = 0; s < stage_.size(); ++s) out.stage_ms[s] = stage_[s].median();
     out.momentum_residual_max = momentum_.max();
     out.momentum_residual_median = momentum_.median();

@@ -83,7 +83,9 @@ struct Summary {
     double asleep_median = 0.0, asleep_max = 0.0;      ///< Bodies of a step.
     FrictionFigures friction;
     Spread interactions, equations;  ///< Of a step, contact points and their rows included.
-    Spread step_ms, solver_ms, solver_cpu_ms;
+    /// step_cpu_ms: CPU time of the thread that steps, where SummaryCollector was told it.
+    Spread step_ms, solver_ms, solver_cpu_ms, step_cpu_ms;
+    Spread factorisations;                       ///< Of a timed step.
     double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none.
     Degradations degradations;
     verify::Verification verified;     ///< With --verify; no steps without.
@@ -132,6 +134,8 @@ class SummaryCollector : public Observer {
     SummaryCollector(const record::SceneInfo& scene, const World& world);
     /// Call after each step with the events of that step.
     void after_step(const World& world, std::span<const Event> events) override;
+    /// Session::step_cpu_seconds() of the step that after_step() has just seen.
+    void add_step_cpu(double seconds);
     /// The figures so far.
     [[nodiscard]] Summary result(const World& world) const;
 
@@ -147,7 +151,8 @@ class SummaryCollector : public Observer {
     std::vector<Pose> first_pose_;
     std::vector<BodyId> bodies_;
     std::vector<double> tension_sum_;
-    Samples step_, solver_, solver_cpu_, momentum_, constraint_, contacts_, asleep_;
+    Samples step_, solver_, solver_cpu_, step_cpu_, factorisations_, momentum_, constraint_,
+        contacts_, asleep_;
     Samples map_, work_, cut_, step_drift_, interactions_, equations_;
     std::int64_t within_budget_ = 0;
     std::array<std::size_t, 2> listed_{};  ///< Events of lines slack or taut; of all others.

@@ -206,6 +206,8 @@ Json times(const Summary& s) {
             {"step_ms", spread(s.step_ms)},
             {"solver_ms", spread(s.solver_ms)},
             {"solver_cpu_ms", spread(s.solver_cpu_ms)},
+            {"step_cpu_ms", spread(s.step_cpu_ms)},
+            {"factorisations", spread(s.factorisations)},
             {"stage_ms", stages},
             {"analyses",
              {{"steps", s.analyses},

@@ -63,6 +63,8 @@ struct Format {
 [[nodiscard]] ShapePtr crane_shape();
 /// The sea, and what a line type says of water. See format_sea.cpp.
 [[nodiscard]] ShapePtr sea_shape();
+/// An entry of "hulls" (format_hulls.cpp).
+[[nodiscard]] ShapePtr water_hull_shape();
 [[nodiscard]] std::vector<Field> line_water_fields();
 
 /// A line over posts and sheaves. See format_routes.cpp.

@@ -73,47 +73,6 @@ ShapePtr water_body_shape() {
           "From its lowest to its highest point."}});
 }
 
-ShapePtr mesh_shape() {
-    const ShapePtr corner = integer("a vertex", 0, 2'000'000);
-    const ShapePtr points = list("a list of vertices", vector3("a vertex"), 4, kMaxElements);
-    const ShapePtr triangles =
-        list("a list of triangles", list("three vertices", corner, 3, 3), 4, kMaxElements);
-    const ShapePtr pieces =
-        list("three numbers [x, y, z]", integer("a number of pieces", 1, 1000), 3, 3);
-    const ShapePtr half = list("three half sizes [x, y, z]", positive("a length", 1e4), 3, 3);
-    return choice(
-        "an OBJ or STL file, a box, or a mesh",
-        {text("a file name"),
-         object("hull_box", "a box", "A box as a mesh.",
-                {{"box", half, true, "", "m", "Half sizes."},
-                 {"pieces", pieces, false, "[1, 1, 1]", "", "Into which its sides are cut."}}),
-         object("hull_mesh", "a mesh", "Triangles, counterclockwise seen from outside.",
-                {{"vertices", points, true, "", "m", "In the frame of the mesh."},
-                 {"triangles", triangles, true, "", "", "Corners by number, from 0."}})});
-}
-
-ShapePtr hull_shape() {
-    const ShapePtr number6 = number("a number", 0.0, kMostDamping);
-    return object(
-        "water_hull", "a hull", "Hull of a rigid body, apart from the shapes that touch.",
-        {{"body", body_ref(), true, "", "", "Which."},
-         {"mesh", mesh_shape(), true, "", "m",
-          "Closed surface: a file .obj or .stl relative to this one, a box, or the mesh itself."},
-         {"offset", vector3("an offset"), false, "[0, 0, 0]", "m",
-          "Of the mesh's origin from the centre of mass, in the body's frame."},
-         {"scale", positive("a factor", 1e6), false, "1", "1", "Lengths of the mesh times this."},
-         {"wave_pressure", boolean("true or false"), false, "true", "",
-          "True: pressure of Airy's waves (Froude-Krylov); false: of still water up to the "
-          "surface."},
-         {"added_mass", list("six numbers", number6, 6, 6), false, "0", "kg, kg m^2",
-          "Along and about the body's axes, at the centre of mass."},
-         {"damping", list("six numbers", number6, 6, 6), false, "0", "N s/m, N m s",
-          "Linear, likewise."},
-         {"drag_area", area(), false, "0", "m^2",
-          "Drag coefficient times area along its axes, when all of it is wet."},
-         {"wind_area", area(), false, "0", "m^2", "The same in the wind, when all of it is dry."}});
-}
-
 }  // namespace
 
 ShapePtr sea_shape() {
@@ -142,9 +101,11 @@ ShapePtr sea_shape() {
          {"wind", wind_shape(), false, "none", "", "Wind."},
          {"gauge", list("two numbers [x, y]", number("a length", -1e7, 1e7), 2, 2), false, "[0, 0]",
           "m", "Where sea.elevation is measured."},
+         {"convective", boolean("true or false"), false, "false", "",
+          "True: accelerations of waves have (u·∇)u, too."},
          {"bodies", list_of("a list of bodies in the water", water_body_shape()), false, "none", "",
           "Small bodies."},
-         {"hulls", list_of("a list of hulls", hull_shape()), false, "none", "", "Hulls."},
+         {"hulls", list_of("a list of hulls", water_hull_shape()), false, "none", "", "Hulls."},
          {"description", text("a text"), false, "", "", "Remarks."}});
 }
 

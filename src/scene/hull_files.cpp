@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hulls in files become part of the document, which is then whole by itself.
+/// Hulls and coefficients in files become part of the document, which is then whole by itself.
 #include <hawser/hull.h>
+#include <hawser/hydro_files.h>
 
+#include "scene/description.h"
 #include "scene/document.h"
+#include "scene/water_hulls.h"
+
+#include <algorithm>
 
 namespace hawser::scene {
 namespace {
@@ -16,6 +21,12 @@ void read_mesh(Document& document, Json& hull, const std::filesystem::path& file
     HullMesh read;
     try {
         read = read_hull(stored.string());
+        const std::string ending = stored.extension().string();
+        if (ending == ".gdf" || ending == ".dat" || hull.contains("deck")) {
+            double top = read.vertices.front().z();
+            for (const Vec3& x : read.vertices) top = std::max(top, x.z());
+            close_hull(read, number_or(hull, "deck", top));
+        }
     } catch (const DefError& error) {
         refuse(place / "mesh", error.what());
     }
@@ -26,6 +37,31 @@ void read_mesh(Document& document, Json& hull, const std::filesystem::path& file
     *mesh = Json{{"vertices", std::move(vertices)}, {"triangles", std::move(triangles)}};
 }
 
+void read_coefficient_file(Document& document, Json& hull, const std::filesystem::path& file,
+                           const Place& place) {
+    const auto given = hull.find("coefficients");
+    if (given == hull.end()) return;
+    const bool named = given->is_object() && given->contains("file");
+    if (!named && !given->is_string()) return;
+    const Json& name = named ? (*given)["file"] : *given;
+    HydroUnits units;
+    if (named) {
+        units.density = number_or(*given, "density", units.density);
+        units.gravity = number_or(*given, "gravity", units.gravity);
+        units.length = number_or(*given, "length", units.length);
+        units.body = given->value("body_number", 0);
+    }
+    const auto stored = resolve_inside(file.parent_path(), file.parent_path(),
+                                       name.get<std::string>(), place / "coefficients");
+    try {
+        const WaveCoefficients read = read_coefficients(stored.string(), units);
+        document.files.push_back(stored);
+        *given = coefficients_json(read);
+    } catch (const DefError& error) {
+        refuse(place / "coefficients", error.what());
+    }
+}
+
 }  // namespace
 
 void read_hull_files(Document& document, const std::filesystem::path& file) {
@@ -34,8 +70,10 @@ void read_hull_files(Document& document, const std::filesystem::path& file) {
     Json& hulls = (*sea)["hulls"];
     for (std::size_t i = 0; i < hulls.size(); ++i)
         (void)attempt(document.mistakes, [&] {
-            if (hulls[i].is_object())
-                read_mesh(document, hulls[i], file, document.place / "sea" / "hulls" / i);
+            if (!hulls[i].is_object()) return;
+            const Place place = document.place / "sea" / "hulls" / i;
+            read_mesh(document, hulls[i], file, place);
+            read_coefficient_file(document, hulls[i], file, place);
         });
 }
 

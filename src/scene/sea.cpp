@@ -3,6 +3,7 @@
 #include <hawser/sea.h>
 
 #include "scene/description.h"
+#include "scene/water_hulls.h"
 
 #include <algorithm>
 #include <numbers>
@@ -53,29 +54,6 @@ WindDef wind_of(const Json& json) {
     return wind;
 }
 
-HullMesh mesh_of(const Json& json, const Json& hull) {
-    HullMesh mesh;
-    if (json.contains("box")) {
-        std::vector<int> n{1, 1, 1};
-        if (json.contains("pieces")) n = json["pieces"].get<std::vector<int>>();
-        mesh = box_hull(vector_of(json["box"]), n[0], n[1], n[2]);
-    } else {
-        for (const Json& vertex : json["vertices"]) mesh.vertices.push_back(vector_of(vertex));
-        for (const Json& t : json["triangles"])
-            mesh.triangles.push_back(
-                {t[0].get<std::int32_t>(), t[1].get<std::int32_t>(), t[2].get<std::int32_t>()});
-    }
-    const double scale = number_or(hull, "scale", 1.0);
-    const Vec3 offset = vector_or(hull, "offset", Vec3::Zero());
-    for (Vec3& x : mesh.vertices) x = scale * x + offset;
-    return mesh;
-}
-
-void six_of(const Json& object, const char* key, std::array<double, 6>& out) {
-    if (const auto value = object.find(key); value != object.end())
-        for (std::size_t i = 0; i < 6; ++i) out[i] = (*value)[i].get<double>();
-}
-
 /// What of copy 0 also stands in the others.
 class SeaReader {
   public:
@@ -100,6 +78,7 @@ class SeaReader {
         if (json_.contains("wind")) sea.wind = wind_of(json_["wind"]);
         if (json_.contains("gauge"))
             sea.gauge = {json_["gauge"][0].get<double>(), json_["gauge"][1].get<double>()};
+        sea.convective = json_.value("convective", false);
         read_bodies(sea);
         read_hulls(sea);
         return sea;
@@ -146,18 +125,12 @@ class SeaReader {
     void read_hulls(SeaDef& sea) {
         const Json& all = list("hulls");
         for (std::size_t i = 0; i < all.size(); ++i) {
-            if (all[i].is_null() || all[i]["mesh"].is_string()) continue;  // Left out: mistakes.h.
+            if (all[i].is_null() || hull_left_out(all[i])) continue;  // Left out: mistakes.h.
             const Place place = place_ / "hulls" / i;
             (void)attempt(out_.mistakes, [&] {
-                WaterHull hull;
-                hull.mesh = mesh_of(all[i]["mesh"], all[i]);
-                hull.wave_pressure = all[i].value("wave_pressure", hull.wave_pressure);
-                six_of(all[i], "added_mass", hull.added_mass);
-                six_of(all[i], "damping", hull.damping);
+                WaterHull hull = hull_of(all[i], place);
                 hull.drag_area = axes_of(all[i], "drag_area");
                 hull.wind_area = axes_of(all[i], "wind_area");
-                if (const std::string fault = hull_fault(hull.mesh); !fault.empty())
-                    refuse(place / "mesh", fault);
                 for (const BodyId id : bodies(all[i], place)) {
                     hull.body = id;
                     sea.hulls.push_back(hull);

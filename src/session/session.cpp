@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 #include <utility>
 
 namespace hawser {
@@ -51,6 +52,7 @@ struct Session::Impl {
     std::vector<Event> events;
     std::string objection;
     Status last = Status::ok;
+    double step_cpu = 0.0;  ///< Of the thread that steps, in the last one [s].
 
     explicit Impl(scene::Scene given) : scene(std::move(given)), info(record::info_of(scene)) {}
     [[nodiscard]] World& world() noexcept { return scene.world; }
@@ -112,6 +114,13 @@ struct Session::Impl {
 };
 
 namespace {
+
+/// Of the calling thread so far [s].
+double thread_cpu_seconds() noexcept {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
 
 scene::Scene scene_of(const SessionDef& def) {
     if (!def.scene.empty() && !def.scene_text.empty())
@@ -257,6 +266,8 @@ void Session::note(std::string_view kind, std::span<const std::byte> bytes) {
     impl_->recording.to->add_note(world().step_count(), kind, bytes);
 }
 
+double Session::step_cpu_seconds() const noexcept { return impl_->step_cpu; }
+
 void Session::observe(Observer& observer) { impl_->observers.push_back(&observer); }
 
 void Session::save(const std::filesystem::path& file) const {
@@ -271,7 +282,9 @@ Status Session::step() {
     if (impl_->listener) impl_->listener->flush();
     for (Observer* observer : impl_->observers) observer->before_step(world);
     const std::int64_t step = world.step_count();
+    const double cpu = thread_cpu_seconds();
     impl_->last = world.step();
+    impl_->step_cpu = thread_cpu_seconds() - cpu;
     // What systems did to the world within the step belongs before it.
     if (impl_->listener) impl_->listener->flush(step);
     if (impl_->last != Status::ok) return impl_->last;

@@ -12,10 +12,16 @@ constexpr Case kSea[] = {
     {"S.5", "sea_froude_krylov", "pressure of waves on a fixed box", case_sea_froude_krylov},
     {"S.6", "sea_drag", "lumps, chain and drifters in water that moves", case_sea_drag},
     {"S.7", "sea_stability", "drag many times what a step resolves", case_sea_stability},
+    {"S.8", "sea_sphere", "a sphere let go: radiation", case_sea_sphere},
+};
+
+constexpr Case kWithData[] = {
+    {"S.9", "rao", "a semi-submersible in regular waves beside WAMIT", case_sea_rao},
 };
 
 }  // namespace
 
 std::span<const Case> sea_cases() { return kSea; }
+std::span<const Case> data_cases() { return kWithData; }
 
 }  // namespace hawser::validate

@@ -23,5 +23,12 @@ void case_sea_froude_krylov(Report& report);
 void case_sea_drag(Report& report);
 // sea_stability.cpp
 void case_sea_stability(Report& report);
+// sea_sphere.cpp
+void case_sea_sphere(Report& report);
+// sea_rao.cpp
+void case_sea_rao(Report& report);
+
+/// Cases that need data of others, by name alone.
+[[nodiscard]] std::span<const Case> data_cases();
 
 }  // namespace hawser::validate

@@ -3,6 +3,7 @@
 
 #include "record/files.h"
 #include "validate/cases.h"
+#include "validate/data.h"
 #include "validate/robust.h"
 #include "validate/sea.h"
 #include "validate/wires.h"
@@ -63,7 +64,7 @@ constexpr Case kCases[] = {
 
 const Case* find(const std::string& wanted) {
     for (const std::span<const Case> cases :
-         {std::span<const Case>(kCases), robust_cases(), wire_cases(), sea_cases()})
+         {std::span<const Case>(kCases), robust_cases(), wire_cases(), sea_cases(), data_cases()})
         for (const Case& c : cases)
             if (wanted == c.id || wanted == c.name) return &c;
     return nullptr;
@@ -92,7 +93,9 @@ void run_case(const Case& c, Report& report, bool quiet) {
 
 }  // namespace
 
-int run_cases(const std::vector<std::string>& cases, const std::string& json_file, bool list) {
+int run_cases(const std::vector<std::string>& cases, const std::string& json_file, bool list,
+              const std::string& data) {
+    set_data_folder(data);
     if (list) {
         for (const Case& c : kCases) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         fmt::print("robust: beyond what a step resolves, not among those that run unasked\n");
@@ -101,6 +104,8 @@ int run_cases(const std::vector<std::string>& cases, const std::string& json_fil
         for (const Case& c : wire_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         fmt::print("sea: water against closed forms, not among those that run unasked\n");
         for (const Case& c : sea_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
+        fmt::print("with data of others, --data DIR\n");
+        for (const Case& c : data_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         return 0;
     }
     std::vector<const Case*> chosen;

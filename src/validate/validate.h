@@ -12,7 +12,9 @@ namespace hawser::validate {
 /// @param cases      Identifiers or names such as "9" or "catenary"; empty: all.
 /// @param json_file  File for the results as JSON, "-" for standard output; "": none.
 /// @param list       Only list the cases.
+/// @param data       Folder with data of others, for cases that read some; "": none.
 /// @return 0 if every check passed, 3 if one failed, 1 for an unknown case.
-int run_cases(const std::vector<std::string>& cases, const std::string& json_file, bool list);
+int run_cases(const std::vector<std::string>& cases, const std::string& json_file, bool list,
+              const std::string& data = "");
 
 }  // namespace hawser::validate

@@ -36,14 +36,15 @@ std::vector<Spot> wet_part(const Spot (&corner)[3]) {
 
 }  // namespace
 
-void SeaVerifier::add_hull(const WaterHull& def, const Pose& pose, const Vec3& velocity) {
-    const Mat3 axes = pose.orientation.toRotationMatrix();
+void SeaVerifier::add_hull(const WaterHull& def, const Pose& pose, const Twist& twist) {
+    const Vec3& velocity = twist.linear;
     const double weight = def_->density * gravity_;
     std::vector<Spot> spots;
     for (const Vec3& vertex : def.mesh.vertices) {
         Spot spot{pose.orientation * vertex, 0.0, 0.0};
         const Water at = water(pose.position + spot.x);
-        spot.depth = at.surface - (pose.position + spot.x).z();
+        const bool still = def.excitation == ExcitationKind::full;
+        spot.depth = (still ? level_ : at.surface) - (pose.position + spot.x).z();
         spot.pressure = def.wave_pressure ? at.pressure : weight * std::max(spot.depth, 0.0);
         spots.push_back(spot);
     }
@@ -79,16 +80,27 @@ void SeaVerifier::add_hull(const WaterHull& def, const Pose& pose, const Vec3& v
             }
         }
     }
-    const double wet = std::clamp(volume / whole, 0.0, 1.0);
+    const double wet = def.linear.on ? 1.0 : std::clamp(volume / whole, 0.0, 1.0);
     out.wet = wet > 0.0 || !def.wind_area.isZero(0.0);
-    if (wet > 0.0) {
+    if (def.linear.on) out.force.setZero();  // add_statics() has what presses it
+    add_strips(def, pose, twist, wet, out);
+    if (wet > 0.0 && !def.linear.on) {
         if (plane > 1e-9 * std::pow(volume, 2.0 / 3.0))
             out.stiffness.block<3, 3>(2, 2) += weight * second;
         double deepest = 0.0;
         for (const Spot& spot : spots) deepest = std::max(deepest, spot.depth);
         out.stiffness(2, 2) = std::max(out.stiffness(2, 2), weight * volume / deepest);
         for (int k = 3; k < 5; ++k) out.stiffness(k, k) += weight * std::max(lever, 0.0);
-        const Water at = water(pose.position);
+    }
+    add_motion(def, pose, velocity, wet, out);
+}
+
+void SeaVerifier::add_motion(const WaterHull& def, const Pose& pose, const Vec3& velocity,
+                             double wet, Load& out) {
+    const Mat3 axes = pose.orientation.toRotationMatrix();
+    if (wet > 0.0) {
+        Water at = water(pose.position);
+        if (def_->convective) at.rate += convection(pose.position);
         Mat3 a[2], d[2];
         for (int k = 0; k < 2; ++k) {
             const double* m = def.added_mass.data() + 3 * k;

@@ -54,6 +54,10 @@ void SeaVerifier::before_step(const World& world) {
                .wind = world.system_signal("sea.wind"),
                .wind_direction = world.system_signal("sea.wind_direction"),
                .level = world.system_signal("sea.level")};
+    step_ = world.settings().step;
+    past_.resize(def_->hulls.size());
+    for (std::size_t i = 0; i < past_.size(); ++i)
+        if (def_->hulls[i].coefficients) begin_past(world, i);
 }
 
 double SeaVerifier::surface(double x, double y) const {
@@ -143,7 +147,8 @@ void SeaVerifier::add_half(const World& world, WireId wire, std::size_t element,
     const bool wound = kind_info(world.interaction_def(id).kind).is(kWoundUp);
     const double length = 0.5 * (wound ? line.norm() : world.interaction_def(id).get("length"));
     const double reach = 0.5 * std::abs(line.z()) + w->diameter;
-    const Water at = water(x);
+    Water at = water(x);
+    if (def_->convective) at.rate += convection(x);
     const double bottom = x.z() + std::min(0.0, 0.5 * line.z()) - 0.5 * w->diameter;
     const double wet = std::clamp((at.surface - bottom) / reach, 0.0, 1.0);
     if (wet <= 0.0 || length <= 0.0) return;
@@ -204,7 +209,8 @@ void SeaVerifier::add_drag(const Mat3& axes, const Vec3& areas, double half_dens
 void SeaVerifier::add_body(const WaterBody& def, const Pose& pose, const Vec3& velocity) {
     const double height =
         def.height > 0.0 ? def.height : std::cbrt(6.0 * def.volume / std::numbers::pi);
-    const Water at = water(pose.position);
+    Water at = water(pose.position);
+    if (def_->convective) at.rate += convection(pose.position);
     const double z = pose.position.z();
     const double wet = std::clamp((at.surface - z) / height + 0.5, 0.0, 1.0);
     const Mat3 axes = pose.orientation.toRotationMatrix();
@@ -234,8 +240,15 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
     add_lines(world, pose, before);
     for (const WaterBody& b : def_->bodies)
         add_body(b, pose[numbered(b.body.index)], before[numbered(b.body.index)].linear);
+    mass_.assign(numbered(world.body_count()), 0.0);
     for (const WaterHull& h : def_->hulls)
-        add_hull(h, pose[numbered(h.body.index)], before[numbered(h.body.index)].linear);
+        mass_[numbered(h.body.index)] = world.body_def(h.body).mass;
+    for (std::size_t i = 0; i < def_->hulls.size(); ++i) {
+        const WaterHull& h = def_->hulls[i];
+        const std::size_t body = numbered(h.body.index);
+        add_hull(h, pose[body], before[body]);
+        if (h.coefficients) add_coefficients(h, past_[i], pose[body], before[body]);
+    }
     double worst = 0.0;
     for (const LoadView& view : sea_loads(world)) {
         Load& mine = load_[numbered(view.body.index)];

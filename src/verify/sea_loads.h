@@ -7,6 +7,7 @@
 
 #include <hawser/hawser.h>
 
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -45,7 +46,31 @@ class SeaVerifier {
     void add_half(const World& world, WireId wire, std::size_t element, bool last,
                   const std::vector<Pose>& pose, const std::vector<Twist>& before);
     void add_body(const WaterBody& def, const Pose& pose, const Vec3& velocity);
-    void add_hull(const WaterHull& def, const Pose& pose, const Vec3& velocity);
+    void add_hull(const WaterHull& def, const Pose& pose, const Twist& twist);
+    void add_motion(const WaterHull& def, const Pose& pose, const Vec3& velocity, double wet,
+                    Load& out);
+    [[nodiscard]] Vec3 convection(const Vec3& x) const;
+    // sea_radiation.cpp
+    struct Past {
+        HullMemory at_start;            ///< As the library has it where verifying began.
+        std::vector<Mat6> kernel;       ///< K(mh), m = 1 …
+        std::vector<Vec6> velocity;     ///< ν̄, newest first.
+        Eigen::VectorXd states;         ///< Of a state space.
+        Eigen::MatrixXd step_on, b, c;  ///< e^{Ah}, B, C.
+        Vec6 last = Vec6::Zero();
+        bool begun = false, slow_begun = false;
+        std::array<std::array<double, 3>, 4> lag{};
+        double until = 0.0;  ///< Time to which it goes [s].
+    };
+    void begin_past(const World& world, std::size_t hull);
+    void add_coefficients(const WaterHull& def, Past& past, const Pose& pose, const Twist& twist);
+    void add_memory(const WaterHull& def, Past& past, const Mat3& axes, const Twist& twist,
+                    Load& out);
+    [[nodiscard]] Vec6 waves_on(const WaterHull& def, const Past& past) const;
+    [[nodiscard]] Mat3 frame_of(const WaterHull& def, Past& past, const Pose& pose) const;
+    void add_statics(const WaterHull& def, const Pose& pose, const Mat3& level, Load& out) const;
+    void add_strips(const WaterHull& def, const Pose& pose, const Twist& twist, double wet,
+                    Load& out) const;
     static void add_drag(const Mat3& axes, const Vec3& areas, double half_density, const Vec3& flow,
                          const Vec3& velocity, Load& out);
 
@@ -60,6 +85,9 @@ class SeaVerifier {
     std::vector<bool> intact_;  ///< By interaction, where the step began.
     SeaMoment air_{};
     std::vector<Load> load_;
+    std::vector<Past> past_;  ///< By hull.
+    double step_ = 0.0;
+    std::vector<double> mass_;  ///< By body [kg].
 };
 
 }  // namespace hawser::verify

@@ -112,11 +112,24 @@ marine::WaveSums sums(const double* table, int padded, const double* circle, dou
     return {{total(ux), total(uy), total(uz)}, {total(ax), total(ay), total(az)}, total(p)};
 }
 
+double pressure(const double* table, int padded, const double* circle, double z) noexcept {
+    const double *decay = table + marine::kDecay * padded,
+                 *bottom = table + marine::kBottom * padded;
+    const double* weight = table + marine::kPressure * padded;
+    Wide p{};
+    for (int i = 0; i < padded; i += kWide) {
+        const Wide up = power(at(decay + i) * z), down = at(bottom + i) / up;
+        const Wide level = up + down, lc = level * at(circle + i);
+        p += lc * at(weight + i);
+    }
+    return total(p);
+}
+
 #undef HAWSER_WAVES
 
 }  // namespace
 
 extern const marine::WaveKernels kWaveKernels;
-const marine::WaveKernels kWaveKernels = {surface, sums};
+const marine::WaveKernels kWaveKernels = {surface, sums, pressure};
 
 }  // namespace hawser::HAWSER_ISA

@@ -21,7 +21,7 @@ void check_hulls(const World& world, Findings& out) {
     for (const WaterHull& hull : sea->hulls) {
         const BodyDef& def = world.body_def(hull.body);
         // What does not move floats anywhere, and what has no weight floats on nothing.
-        if (def.kind != BodyKind::rigid || !def.gravity) continue;
+        if (def.kind != BodyKind::rigid || !def.gravity || hull.linear.on) continue;
         const double water =
             sea->density * hull_statics(hull.mesh, world.pose(hull.body), level).volume;
         const double ratio = def.mass / water;

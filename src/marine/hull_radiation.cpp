@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What coefficients and strips do to a hull (hawser/water_hull.h, hawser/hydro.h).
+#include <hawser/world.h>
+
+#include "marine/sea_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::marine {
+
+Matrix6 motion_at(const Vec3& p) noexcept {
+    Matrix6 t = Matrix6::Identity();  // v + ω × p
+    t(0, 4) = p.z();
+    t(0, 5) = -p.y();
+    t(1, 3) = -p.z();
+    t(1, 5) = p.x();
+    t(2, 3) = p.y();
+    t(2, 4) = -p.x();
+    return t;
+}
+
+double heading_of(const Quat& q) noexcept {
+    return std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
+                      1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+}
+
+namespace {
+
+Mat3 about_z(double angle) noexcept {
+    const double c = std::cos(angle), s = std::sin(angle);
+    Mat3 out;
+    out << c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0;
+    return out;
+}
+
+/// Of a symmetric matrix of heave, roll and pitch, what is positive semi-definite in its diagonal
+/// and couplings: unstable motions are left to the force.
+void stable_part(Matrix6& m) noexcept {
+    for (int i = 0; i < 6; ++i) {
+        if (i >= 2 && i <= 4 && m(i, i) > 0.0) continue;
+        m.row(i).setZero();
+        m.col(i).setZero();
+    }
+    // Diagonally dominant enough: couplings are cut to what the diagonal bears.
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < i; ++j) {
+            const double most = 0.5 * std::sqrt(m(i, i) * m(j, j));
+            m(i, j) = m(j, i) = std::clamp(m(i, j), -most, most);
+        }
+}
+
+}  // namespace
+
+void HullWater::add_matrix(const Matrix6& m, std::array<double, 21>& to) const noexcept {
+    Matrix6 turn = Matrix6::Zero();
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = frame_;
+    const Matrix6 w = turn * m * turn.transpose();
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j <= i; ++j)
+            to[static_cast<std::size_t>(triangle(i, j))] += 0.5 * (w(i, j) + w(j, i));
+}
+
+/// A force and moment at the reference.
+void HullWater::add_at_reference(const Vec6& f) noexcept {
+    const Vec3 push = frame_ * f.head<3>();
+    const Vec3 arm = frame_ * def_->coefficients->reference;
+    const Vec3 turn = frame_ * f.tail<3>() + arm.cross(push);
+    for (int k = 0; k < 3; ++k) {
+        force[static_cast<std::size_t>(k)] += push[k];
+        force[static_cast<std::size_t>(3 + k)] += turn[k];
+    }
+}
+
+void HullWater::remember(const Sea& sea, const SeaMoment& now) noexcept {
+    lost_ = false;
+    if (!def_->coefficients) return;
+    frame_ = axes_;
+    if (waves_.any()) {
+        const Vec3 at = pose_.position + axes_ * def_->coefficients->reference;
+        waves_.follow(at.x(), at.y(), heading_of(pose_.orientation));
+        lost_ = !waves_.act(sea, now, pushed_);
+        frame_ = about_z(waves_.heading());
+    }
+    if (!memory_.any()) return;
+    const Vec3 arm = frame_ * def_->coefficients->reference;
+    Vec6 v;
+    v << frame_.transpose() * (twist_.linear + twist_.angular.cross(arm)),
+        frame_.transpose() * twist_.angular;
+    memory_.push(v);
+    remembered_ = memory_.force();
+}
+
+void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept {
+    if (!def_->coefficients) return;
+    add_matrix(added_, mass);
+    add_matrix(constant_, damping);
+    if (memory_.any()) add_at_reference(remembered_);
+    if (waves_.any()) add_at_reference(pushed_);
+    if (!def_->coriolis) return;
+    // dP/dt of P = A ν in turning axes, less what A (V₊ − V) has of it in those of the world.
+    const Vec3 past = frame_.transpose() *
+                      (twist_.linear - sea.current(now, std::min(pose_.position.z(), now.level)));
+    const Vec3 turn = frame_.transpose() * twist_.angular;
+    Vec6 v, swept = Vec6::Zero();
+    v << past, turn;
+    swept.head<3>() = turn.cross(past);
+    const Vec6 p = added_ * v, same = added_ * swept;
+    const Vec3 push = frame_ * (same.head<3>() - turn.cross(p.head<3>()));
+    const Vec3 twist =
+        frame_ * (same.tail<3>() - turn.cross(p.tail<3>()) - past.cross(p.head<3>()));
+    for (int k = 0; k < 3; ++k) {
+        force[static_cast<std::size_t>(k)] += push[k];
+        force[static_cast<std::size_t>(3 + k)] += twist[k];
+    }
+}
+
+/// Small motions about rest: weight of the displaced water less C (x − x₀).
+void HullWater::add_linear(const Sea&, const SeaMoment& now) noexcept {
+    const Mat3 level = waves_.any() ? frame_ : about_z(heading_of(pose_.orientation));
+    const Mat3 tilt = level.transpose() * axes_;
+    Vec6 x = Vec6::Zero();
+    x[2] = pose_.position.z() - now.level - def_->linear.height;
+    x[3] = 0.5 * (tilt(2, 1) - tilt(1, 2));
+    x[4] = 0.5 * (tilt(0, 2) - tilt(2, 0));
+    const Vec6 back = -(statics_ * x);
+    const Vec3 push = level * back.head<3>(), turn = level * back.tail<3>();
+    for (int k = 0; k < 3; ++k) {
+        force[static_cast<std::size_t>(k)] += push[k];
+        force[static_cast<std::size_t>(3 + k)] += turn[k];
+    }
+    force[2] += weight_;
+    Matrix6 k = statics_;
+    stable_part(k);
+    Matrix6 turned = Matrix6::Zero();
+    turned.topLeftCorner<3, 3>() = turned.bottomRightCorner<3, 3>() = level;
+    const Matrix6 w = turned * k * turned.transpose();
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j <= i; ++j)
+            stiffness[static_cast<std::size_t>(triangle(i, j))] += 0.5 * (w(i, j) + w(j, i));
+}
+
+void HullWater::add_strips(const Sea& sea, const SeaMoment& now, double wet) noexcept {
+    for (const HullStrip& strip : def_->strips) {
+        const Vec3 arm = axes_ * strip.at, n = axes_ * strip.axis;
+        const WaterPoint water = sea.water(now, pose_.position + arm);
+        Vec6 s, v;
+        s << n, arm.cross(n);
+        v << twist_.linear, twist_.angular;
+        const double past = n.dot(water.velocity) - s.dot(v);
+        const double c = 0.5 * sea.density() * strip.drag_area * wet * std::abs(past);
+        const double push = c * past + 2.0 * c * s.dot(v);
+        for (int i = 0; i < 6; ++i) {
+            force[static_cast<std::size_t>(i)] += push * s[i];
+            for (int j = 0; j <= i; ++j)
+                damping[static_cast<std::size_t>(triangle(i, j))] += 2.0 * c * s[i] * s[j];
+        }
+    }
+}
+
+void HullWater::visit_state(StateVisitor& v) {
+    memory_.visit_state(v);
+    waves_.visit_state(v);
+}
+
+void HullWater::tell(HullMemory& out) const {
+    memory_.tell(out);
+    waves_.tell(out);
+}
+
+}  // namespace hawser::marine

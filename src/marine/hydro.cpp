@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Coefficients of floating bodies: what is wrong with them, and K(t).
+#include <hawser/hydro.h>
+
+#include "marine/checks.h"
+#include "marine/radiation.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hawser {
+namespace {
+
+constexpr std::size_t kMostFrequencies = 100'000, kMostEntries = 20'000'000;
+
+/// Lowest eigenvalue of a matrix with its diagonal scaled to ones; what has no diagonal counts by
+/// what it has beside it.
+double lowest_scaled(const Matrix6& m, const Matrix6& size) {
+    Matrix6 s = 0.5 * (m + m.transpose());
+    double largest = 0.0;
+    for (int i = 0; i < 6; ++i) largest = std::max(largest, std::abs(size(i, i)));
+    if (!(largest > 0.0)) return 0.0;
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j) {
+            const double scale = std::sqrt(std::max(std::abs(size(i, i)), 1e-12 * largest) *
+                                           std::max(std::abs(size(j, j)), 1e-12 * largest));
+            s(i, j) /= scale;
+        }
+    return Eigen::SelfAdjointEigenSolver<Matrix6>(s, Eigen::EigenvaluesOnly).eigenvalues()(0);
+}
+
+std::string sizes_fault(const WaveCoefficients& c) {
+    const std::size_t n = c.frequency.size(), table = c.heading.size() * n * 6;
+    if (n > kMostFrequencies || c.heading.size() > kMostFrequencies || table > kMostEntries)
+        return "more than " + std::to_string(kMostEntries) + " entries";
+    if (!c.added_mass.empty() && c.added_mass.size() != n)
+        return "added_mass: " + std::to_string(c.added_mass.size()) + " matrices for " +
+               std::to_string(n) + " frequencies";
+    if (c.damping.size() != c.added_mass.size())
+        return "damping: " + std::to_string(c.damping.size()) + " matrices beside " +
+               std::to_string(c.added_mass.size()) + " of added mass; give both";
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!(c.frequency[i] > 0.0 && c.frequency[i] < 1e4))
+            return "frequency " + std::to_string(i) + ": " + marine::number(c.frequency[i]) +
+                   " rad/s; give more than 0 (A(0) and A(inf) have keys of their own)";
+        if (i > 0 && !(c.frequency[i] > c.frequency[i - 1]))
+            return "frequency " + std::to_string(i) + ": " + marine::number(c.frequency[i]) +
+                   " rad/s after " + marine::number(c.frequency[i - 1]) + "; they have to ascend";
+    }
+    for (std::size_t i = 0; i < c.heading.size(); ++i)
+        if (!(std::abs(c.heading[i]) <= 7.0) || (i > 0 && !(c.heading[i] > c.heading[i - 1])))
+            return "heading " + std::to_string(i) + ": " + marine::number(c.heading[i]) +
+                   " rad; directions have to ascend, within two turns";
+    const auto sized = [&](const char* name, std::size_t has) {
+        return has == 0 || has == table
+                   ? std::string()
+                   : std::string(name) + ": " + std::to_string(has) + " entries; " +
+                         std::to_string(table) + " belong to " + std::to_string(c.heading.size()) +
+                         " directions of " + std::to_string(n) + " frequencies";
+    };
+    for (const std::string& fault :
+         {sized("excitation", c.excitation.size()), sized("scattering", c.scattering.size()),
+          sized("motion", c.motion.size()), sized("drift", c.drift.size())})
+        if (!fault.empty()) return fault;
+    return {};
+}
+
+std::string finite_fault(const WaveCoefficients& c) {
+    const auto bad = [](const Matrix6& m) {
+        return !m.allFinite() || !(m.cwiseAbs().maxCoeff() < 1e30);
+    };
+    for (std::size_t i = 0; i < c.added_mass.size(); ++i) {
+        const std::string at = " at " + marine::number(c.frequency[i]) + " rad/s";
+        if (bad(c.added_mass[i])) return "added_mass" + at + ": a number is not finite";
+        if (bad(c.damping[i])) return "damping" + at + ": a number is not finite";
+    }
+    if (bad(c.infinite) || bad(c.zero) || bad(c.stiffness))
+        return "A(inf), A(0) or the stiffness: a number is not finite";
+    if (!(c.reference.cwiseAbs().maxCoeff() <= 1e6)) return "reference: beyond 1e6 m";
+    for (const auto* table : {&c.excitation, &c.scattering, &c.motion})
+        for (std::size_t i = 0; i < table->size(); ++i)
+            if (!(std::abs((*table)[i]) < 1e30))
+                return "force of waves, direction " + std::to_string(i / 6 / c.frequency.size()) +
+                       ", frequency " + std::to_string(i / 6 % c.frequency.size()) +
+                       ": a number is not finite";
+    for (const double d : c.drift)
+        if (!(std::abs(d) < 1e30)) return "drift: a number is not finite";
+    return {};
+}
+
+/// The damping that most of the range has, motion by motion.
+Matrix6 largest_diagonal(const std::vector<Matrix6>& all) {
+    Matrix6 out = Matrix6::Zero();
+    for (const Matrix6& m : all)
+        for (int i = 0; i < 6; ++i) out(i, i) = std::max(out(i, i), m(i, i));
+    return out;
+}
+
+/// A(0) − A(∞) = ∫ t K dt…: which of two added masses is the one that A(ω) tends to.
+std::string swapped_fault(const WaveCoefficients& c) {
+    if (!c.has_infinite || !c.has_zero || c.frequency.size() < 4) return {};
+    const Matrix6 told = infinite_added_mass(c);
+    double as_is = 0.0, swapped = 0.0, apart = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        const double size = std::max(std::abs(c.infinite(i, i)), std::abs(c.zero(i, i)));
+        if (!(size > 0.0)) continue;
+        as_is += std::abs(told(i, i) - c.infinite(i, i)) / size;
+        swapped += std::abs(told(i, i) - c.zero(i, i)) / size;
+        apart += std::abs(c.zero(i, i) - c.infinite(i, i)) / size;
+    }
+    if (apart < 0.05 || swapped >= 0.5 * as_is) return {};
+    return "A(inf) and A(0) are swapped: by A(w) and B(w) the former is nearer to what is given "
+           "as A(0), as for heave " +
+           marine::number(told(2, 2)) + " kg where A(inf) is " + marine::number(c.infinite(2, 2)) +
+           " and A(0) " + marine::number(c.zero(2, 2));
+}
+
+}  // namespace
+
+std::string coefficients_fault(const WaveCoefficients& c) {
+    if (std::string fault = sizes_fault(c); !fault.empty()) return fault;
+    if (std::string fault = finite_fault(c); !fault.empty()) return fault;
+    const Matrix6 size = largest_diagonal(c.damping);
+    // Programs give damping to three digits and some noise: 2 % of the largest of each motion.
+    for (std::size_t i = 0; i < c.damping.size(); ++i)
+        if (const double low = lowest_scaled(c.damping[i], size); low < -0.02)
+            return "damping at " + marine::number(c.frequency[i]) +
+                   " rad/s is not positive semi-definite: scaled to ones, its lowest eigenvalue "
+                   "is " +
+                   marine::number(low);
+    if (c.has_infinite)
+        if (const double low = lowest_scaled(c.infinite, c.infinite); low < -1e-3)
+            return "A(inf) is not positive semi-definite: scaled to ones, its lowest eigenvalue "
+                   "is " +
+                   marine::number(low);
+    return swapped_fault(c);
+}
+
+Matrix6 retardation(const WaveCoefficients& c, double t) {
+    return marine::retardation_of(marine::damping_nodes(c), t);
+}
+
+Matrix6 infinite_added_mass(const WaveCoefficients& c) {
+    // (1/ω) ∫ K sin ωt dt = (2/π) PV∫ B(σ)/(ω² − σ²) dσ …, B linear between nodes: Simpson's rule
+    // of K to where it has ended is as good, and needs no principal value.
+    const marine::DampingNodes nodes = marine::damping_nodes(c);
+    Matrix6 sum = Matrix6::Zero();
+    if (c.frequency.empty()) return sum;
+    const double end = 30.0 * 2.0 * std::numbers::pi / (c.frequency.back() + c.frequency.front());
+    const double step = 0.25 / nodes.frequency.back();
+    const int n = 2 * std::clamp(static_cast<int>(0.5 * end / step), 50, 4000);
+    const double dt = end / n;
+    std::vector<Matrix6> k;
+    for (int i = 0; i <= n; ++i)
+        k.push_back(marine::retardation_of(nodes, i * dt) * marine::memory_window(i * dt, end));
+    for (std::size_t f = 0; f < c.frequency.size(); ++f) {
+        Matrix6 part = Matrix6::Zero();
+        for (int i = 0; i <= n; ++i) {
+            const double w = i == 0 || i == n ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
+            part +=
+                w * dt / 3.0 * std::sin(c.frequency[f] * i * dt) * k[static_cast<std::size_t>(i)];
+        }
+        sum += c.added_mass[f] + part / c.frequency[f];
+    }
+    sum /= static_cast<double>(c.frequency.size());
+    return 0.5 * (sum + sum.transpose());
+}
+
+}  // namespace hawser

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+/// States of a memory by Kung's method: the matrix H of blocks K((i + j) δ) is O·S, observability
+/// times controllability, by its singular values; e^{Aδ} takes O to itself one block on. Of A the
+/// poles are kept, B in their basis, and C is fitted anew, by least squares over all of K.
+#include <hawser/def.h>
+
+#include "marine/radiation.h"
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace hawser::marine {
+namespace {
+
+using Eigen::MatrixXd;
+
+constexpr int kSamples = 400;    ///< Of K, for C and the fit's error.
+constexpr int kBlockRows = 240;  ///< Most rows of H.
+
+/// Motions that radiate, and K between them, scaled to ones at 0.
+class Scaled {
+  public:
+    Scaled(const DampingNodes& nodes, double memory) : nodes_(nodes), memory_(memory) {
+        const Matrix6 first = retardation_of(nodes, 0.0);
+        scale = memory_scale(first);
+        const double largest = first.diagonal().cwiseAbs().maxCoeff();
+        for (int i = 0; i < 6; ++i)
+            if (first(i, i) > 1e-12 * largest) motions.push_back(i);
+    }
+    [[nodiscard]] MatrixXd operator()(double t) const {
+        const Matrix6 k = memory_window(t, memory_) * retardation_of(nodes_, t);
+        const auto n = static_cast<Eigen::Index>(motions.size());
+        MatrixXd out(n, n);
+        for (Eigen::Index i = 0; i < n; ++i)
+            for (Eigen::Index j = 0; j < n; ++j) {
+                const int a = motions[static_cast<std::size_t>(i)];
+                const int b = motions[static_cast<std::size_t>(j)];
+                out(i, j) = k(a, b) / (scale[a] * scale[b]);
+            }
+        return out;
+    }
+    /// Where K has become small.
+    [[nodiscard]] double end() const {
+        const double all = (*this)(0.0).norm();
+        double last = memory_ / kSamples;
+        for (int i = 1; i < kSamples; ++i) {
+            const double t = memory_ * i / kSamples;
+            if ((*this)(t).norm() > 2e-3 * all) last = t;
+        }
+        return std::min(1.2 * last, memory_);
+    }
+    Vec6 scale;
+    std::vector<int> motions;
+
+  private:
+    const DampingNodes& nodes_;
+    double memory_;
+};
+
+/// e^{At} B of the blocks, a row a state.
+MatrixXd run(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b, double t) {
+    MatrixXd out(b.rows(), b.cols());
+    Eigen::Index s = 0;
+    for (const MemoryModel::Block& block : blocks) {
+        const double e = std::exp(block.decay * t);
+        if (block.turn == 0.0) {
+            out.row(s) = e * b.row(s);
+            s += 1;
+            continue;
+        }
+        const double x = e * std::cos(block.turn * t), y = e * std::sin(block.turn * t);
+        out.row(s) = x * b.row(s) + y * b.row(s + 1);
+        out.row(s + 1) = x * b.row(s + 1) - y * b.row(s);
+        s += 2;
+    }
+    return out;
+}
+
+/// Blocks and B of H's first `order` singular values.
+void realise(const Scaled& k, double end, int order, std::vector<MemoryModel::Block>& blocks,
+             MatrixXd& b) {
+    const auto n = static_cast<Eigen::Index>(k.motions.size());
+    const Eigen::Index q = std::min<Eigen::Index>(60, kBlockRows / n);
+    const double delta = end / static_cast<double>(2 * q);
+    MatrixXd h(n * q, n * q);
+    for (Eigen::Index d = 0; d < 2 * q - 1; ++d) {
+        const MatrixXd sample = k(static_cast<double>(d) * delta);
+        for (Eigen::Index i = std::max<Eigen::Index>(0, d - q + 1); i <= std::min(d, q - 1); ++i)
+            h.block(i * n, (d - i) * n, n, n) = sample;
+    }
+    const Eigen::BDCSVD<MatrixXd> svd(h, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    Eigen::Index r = 0;
+    while (r < order && r < svd.singularValues().size() &&
+           svd.singularValues()(r) > 1e-9 * svd.singularValues()(0))
+        ++r;
+    const Eigen::VectorXd root = svd.singularValues().head(r).cwiseSqrt();
+    const MatrixXd o = svd.matrixU().leftCols(r) * root.asDiagonal();
+    const MatrixXd s = root.asDiagonal() * svd.matrixV().leftCols(r).transpose();
+    const MatrixXd step =
+        o.topRows(n * (q - 1)).colPivHouseholderQr().solve(o.bottomRows(n * (q - 1)));
+    const Eigen::EigenSolver<MatrixXd> eigen(step);
+    MatrixXd basis(r, r);
+    for (Eigen::Index i = 0; i < r; ++i) {
+        const std::complex<double> at = eigen.eigenvalues()(i);
+        // What grows, decays as fast.
+        double size = std::clamp(std::abs(at), 1e-12, 1e12);
+        if (size > 1.0) size = 1.0 / size;
+        const double decay = std::min(std::log(size) / delta, -1e-3 / end);
+        basis.col(i) = eigen.eigenvectors().col(i).real();
+        if (at.imag() == 0.0 || i + 1 == r) {
+            blocks.push_back({decay, 0.0});
+            continue;
+        }
+        basis.col(i + 1) = eigen.eigenvectors().col(i).imag();
+        blocks.push_back({decay, std::arg(at) / delta});
+        ++i;
+    }
+    b = basis.colPivHouseholderQr().solve(s.leftCols(n));
+}
+
+/// Largest lack of passivity of C (iω − A)⁻¹ B over frequencies, entries scaled.
+double lack_of(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b, const MatrixXd& c,
+               double top) {
+    using std::complex;
+    double lack = 0.0;
+    for (int p = 0; p <= 600; ++p) {
+        const complex<double> s(0.0, top * p / 600.0);
+        Eigen::MatrixXcd x(b.rows(), b.cols());
+        Eigen::Index k = 0;
+        for (const MemoryModel::Block& block : blocks) {
+            const complex<double> d = s - block.decay;
+            if (block.turn == 0.0) {
+                x.row(k) = b.row(k) / d;
+                k += 1;
+                continue;
+            }
+            // (d, −ω; ω, d)⁻¹.
+            const complex<double> det = d * d + block.turn * block.turn;
+            x.row(k) = (d * b.row(k) + block.turn * b.row(k + 1)) / det;
+            x.row(k + 1) = (d * b.row(k + 1) - block.turn * b.row(k)) / det;
+            k += 2;
+        }
+        const Eigen::MatrixXcd y = c * x;
+        const Eigen::MatrixXcd hermitian = 0.5 * (y + y.adjoint());
+        lack = std::max(lack, -Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(
+                                   hermitian, Eigen::EigenvaluesOnly)
+                                   .eigenvalues()(0));
+    }
+    return lack;
+}
+
+}  // namespace
+
+MemoryModel memory_model(const WaveCoefficients& coefficients, int order, double memory) {
+    const DampingNodes nodes = damping_nodes(coefficients);
+    const Scaled k(nodes, memory);
+    MemoryModel out;
+    if (k.motions.empty()) return out;
+    const double end = k.end();
+    MatrixXd b;
+    realise(k, end, order, out.blocks, b);
+    const auto n = static_cast<Eigen::Index>(k.motions.size());
+    MatrixXd left(kSamples * n, b.rows()), right(kSamples * n, n);
+    for (int i = 0; i < kSamples; ++i) {
+        const double t = end * i / kSamples;
+        left.middleRows(i * n, n) = run(out.blocks, b, t).transpose();
+        right.middleRows(i * n, n) = k(t).transpose();
+    }
+    const MatrixXd c = left.colPivHouseholderQr().solve(right).transpose();
+    const double all = k(0.0).norm();
+    for (int i = 0; i < kSamples; ++i)
+        out.fit_error = std::max(
+            out.fit_error,
+            (left.middleRows(i * n, n) * c.transpose() - right.middleRows(i * n, n)).norm() / all);
+    const double lack = lack_of(out.blocks, b, c, nodes.frequency.back());
+    for (Eigen::Index s = 0; s < b.rows(); ++s) {
+        std::array<double, 6> row{}, column{};
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const auto motion = static_cast<std::size_t>(k.motions[static_cast<std::size_t>(i)]);
+            const double scale = k.scale[static_cast<Eigen::Index>(motion)];
+            row[motion] = scale * b(s, i);
+            column[motion] = scale * c(i, s);
+        }
+        out.b.push_back(row);
+        out.c.push_back(column);
+    }
+    const Matrix6 first = out.at(0.0);
+    out.first = without_negative(first);
+    for (const int i : k.motions) out.added(i, i) = std::max(lack, 0.0) * k.scale[i] * k.scale[i];
+    return out;
+}
+
+}  // namespace hawser::marine

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file radiation.h
+/// The memory of what a hull radiates (hawser/hydro.h): K(t), its sums over the past, and its
+/// states.
+
+#include <hawser/hydro.h>
+#include <hawser/system.h>
+#include <hawser/water_hull.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hawser::marine {
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+
+/// Coefficients whose A(∞), A and B are positive semi-definite to rounding: programs give them with
+/// some noise, which coefficients_fault() bounds.
+[[nodiscard]] WaveCoefficients without_noise(const WaveCoefficients& c);
+
+/// Linear between frequencies, constant beyond them.
+[[nodiscard]] Matrix6 linear_at(const std::vector<double>& frequency,
+                                const std::vector<Matrix6>& matrix, double omega);
+/// The nearest matrix without negative eigenvalues, with the diagonal scaled to ones.
+[[nodiscard]] Matrix6 without_negative(const Matrix6& m);
+
+/// Nodes of B(ω), linear between them, from 0 on, to where it ends.
+struct DampingNodes {
+    std::vector<double> frequency;  ///< [rad/s].
+    std::vector<Matrix6> damping;
+};
+[[nodiscard]] DampingNodes damping_nodes(const WaveCoefficients& c);
+
+/// (2/π) ∫ B cos ωt dω of nodes.
+[[nodiscard]] Matrix6 retardation_of(const DampingNodes& nodes, double t);
+
+/// How much of K is left at t: 1, from 0.8 T to T down to 0 as cos².
+[[nodiscard]] double memory_window(double t, double memory) noexcept;
+
+/// Samples of K at h, 2h, … with the window, the same of 0, and what passivity needs.
+struct Retardation {
+    double step = 0.0;
+    Matrix6 first = Matrix6::Zero();  ///< K(0).
+    std::vector<Matrix6> later;       ///< K(mh), m = 1 …
+    Matrix6 added = Matrix6::Zero();  ///< Constant damping.
+};
+[[nodiscard]] Retardation sampled_retardation(const WaveCoefficients& c, double step,
+                                              double memory);
+
+/// K(t) ≈ C e^{At} B, in blocks of one or two states: A has poles σ ± iω.
+struct MemoryModel {
+    struct Block {
+        double decay = 0.0, turn = 0.0;  ///< σ [1/s], ω [rad/s]; ω = 0: one state.
+    };
+    std::vector<Block> blocks;
+    std::vector<std::array<double, 6>> b;  ///< A row of B a state.
+    std::vector<std::array<double, 6>> c;  ///< A column of C a state.
+    Matrix6 first = Matrix6::Zero();       ///< (C B + (C B)ᵀ)/2.
+    Matrix6 added = Matrix6::Zero();
+    double fit_error = 0.0;
+    [[nodiscard]] Matrix6 at(double t) const;
+};
+/// @param order  Most states. @throws DefError where nothing of this order is stable.
+[[nodiscard]] MemoryModel memory_model(const WaveCoefficients& c, int order, double memory);
+
+/// Size of each motion's memory, √K_ii(0); 1 where there is none.
+[[nodiscard]] Vec6 memory_scale(const Matrix6& first) noexcept;
+
+/// The memory of one hull.
+class HullMemorySums {
+  public:
+    HullMemorySums() = default;
+    HullMemorySums(const WaterHull& def, double step);
+
+    /// Takes the velocity after the last step. @param velocity  ν at the reference, body's axes.
+    void push(const Vec6& velocity) noexcept;
+    /// What the past does now; the implicit part is damping().
+    [[nodiscard]] Vec6 force() const noexcept;
+    /// ½ h K(0) and what passivity needs.
+    [[nodiscard]] const Matrix6& damping() const noexcept { return damping_; }
+    void visit_state(StateVisitor& v);
+    void tell(HullMemory& out) const;
+    [[nodiscard]] bool any() const noexcept { return kind_ != RadiationKind::none; }
+
+  private:
+    RadiationKind kind_ = RadiationKind::none;
+    double step_ = 0.0;
+    Matrix6 damping_ = Matrix6::Zero(), first_ = Matrix6::Zero(), added_ = Matrix6::Zero();
+    // Convolution: h K of pairs (i ≥ j) that are not 0, `count_` samples each.
+    struct Pair {
+        int i = 0, j = 0;
+    };
+    std::vector<Pair> pairs_;
+    std::vector<double> kernel_;
+    std::int64_t count_ = 0;
+    std::vector<double> past_;  ///< ν̄ by motion, a ring of `count_` each, newest at `newest_`.
+    std::int64_t newest_ = 0;
+    // State space.
+    MemoryModel model_;
+    std::vector<std::array<double, 3>> turn_;  ///< e^{σh} cos ωh, e^{σh} sin ωh, states.
+    std::vector<double> states_;
+    Vec6 last_ = Vec6::Zero();
+    std::int64_t begun_ = 0;
+};
+
+}  // namespace hawser::marine

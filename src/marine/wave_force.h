@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file wave_force.h
+/// Force of waves on a hull by coefficients, mean and slow drift, and the slow place where they act
+/// (hawser/water_hull.h, hawser/hydro.h).
+
+#include <hawser/sea.h>
+
+#include "marine/radiation.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hawser::marine {
+
+class WaveForce {
+  public:
+    WaveForce() = default;
+    /// @throws DefError where the table lacks a direction that waves have at this heading.
+    WaveForce(const WaterHull& def, const Sea& sea, double step, double heading);
+
+    [[nodiscard]] bool any() const noexcept { return force_ || drift_; }
+    /// Follows the hull. @param x, y  Of the reference. @param heading  Of the body.
+    void follow(double x, double y, double heading) noexcept;
+    /// Along and about axes of the slow heading, at the reference; false: a wave has a direction
+    /// that the table lacks.
+    [[nodiscard]] bool act(const Sea& sea, const SeaMoment& now, Vec6& out) const noexcept;
+    /// Slow heading [rad].
+    [[nodiscard]] double heading() const noexcept { return slow(2); }
+    void visit_state(StateVisitor& v);
+    void tell(HullMemory& out) const;
+
+  private:
+    struct Entry {
+        std::array<double, 6> re{}, im{};
+        std::array<double, 3> drift{};  ///< Surge, sway, yaw.
+    };
+    struct Spot {
+        std::size_t low = 0, high = 0;
+        double share = 0.0;
+        bool known = false;
+    };
+    [[nodiscard]] Spot find(double direction) const noexcept;
+    [[nodiscard]] double slow(std::size_t k) const noexcept {
+        return 4.0 * lag_[2][k] - 3.0 * lag_[3][k];
+    }
+    void fill(const WaterHull& def, const Sea& sea);
+
+    bool force_ = false, drift_ = false;
+    double follow_ = 1.0;          ///< 1 − e^(−h/τ).
+    std::vector<double> heading_;  ///< Of the table, with mirror images and what closes the circle.
+    std::vector<Entry> table_;     ///< By component, then direction.
+    std::array<std::array<double, 3>, 4> lag_{};
+    std::int64_t begun_ = 0;
+};
+
+}  // namespace hawser::marine

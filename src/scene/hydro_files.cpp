@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Which reader a file of coefficients has, and what text files have in common.
+#include "scene/hydro_read.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace hawser {
+
+WaveCoefficients read_coefficients(const std::string& file, const HydroUnits& units) {
+    const scene::Path path(file);
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (error) scene::refuse_hydro(path, "cannot open it");
+    if (size > scene::kLargestHydroFile)
+        scene::refuse_hydro(path, std::to_string(size) + " bytes; up to " +
+                                      std::to_string(scene::kLargestHydroFile) + " are read");
+    const std::string ending = path.extension().string();
+    WaveCoefficients out;
+    if (ending == ".1")
+        out = scene::read_wamit(path, units);
+    else if (ending == ".tec")
+        out = scene::read_nemoh_tec(path, units);
+    else if (ending == ".nc")
+        out = scene::read_capytaine(path, units);
+    else if (ending == ".h5")
+        out = scene::read_bemio(path, units);
+    else
+        scene::refuse_hydro(path,
+                            "its name ends with none of .1 (WAMIT), .tec (NEMOH), .nc (Capytaine), "
+                            ".h5 (BEMIO)");
+    if (const std::string fault = coefficients_fault(out); !fault.empty())
+        scene::refuse_hydro(path, fault);
+    return out;
+}
+
+}  // namespace hawser
+
+namespace hawser::scene {
+
+void refuse_hydro(const Path& file, const std::string& what) {
+    throw DefError("coefficients '" + file.string() + "': " + what);
+}
+
+std::string text_of(const Path& file) {
+    std::error_code error;
+    if (std::filesystem::file_size(file, error) > kLargestHydroFile || error)
+        refuse_hydro(file, error ? "cannot open it" : "it is too large");
+    std::ifstream in(file, std::ios::binary);
+    if (!in) refuse_hydro(file, "cannot open it");
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+namespace {
+
+/// A number as Fortran writes it, D for E included.
+bool fortran_number(std::string word, double& out) {
+    std::replace(word.begin(), word.end(), 'D', 'E');
+    std::replace(word.begin(), word.end(), 'd', 'e');
+    const char* const begin = word.data() + (word.starts_with('+') ? 1 : 0);
+    const char* const end = word.data() + word.size();
+    const auto [at, fault] = std::from_chars(begin, end, out);
+    return fault == std::errc() && at == end && std::isfinite(out);
+}
+
+}  // namespace
+
+std::vector<NumberLine> number_lines(const Path& file, std::size_t most) {
+    std::istringstream lines(text_of(file));
+    std::vector<NumberLine> out;
+    std::string row;
+    for (std::size_t line = 1; std::getline(lines, row); ++line) {
+        std::istringstream words(row);
+        NumberLine numbers{line, {}};
+        bool heading = false;
+        for (std::string word; words >> word;) {
+            double value = 0.0;
+            if (!fortran_number(word, value)) {
+                heading = numbers.value.empty();
+                if (!heading)
+                    refuse_hydro(file, "line " + std::to_string(line) + ": '" + word +
+                                           "' is no finite number");
+                break;
+            }
+            if (numbers.value.size() == most)
+                refuse_hydro(file, "line " + std::to_string(line) + ": more than " +
+                                       std::to_string(most) + " numbers");
+            numbers.value.push_back(value);
+        }
+        if (!heading && !numbers.value.empty()) out.push_back(std::move(numbers));
+    }
+    return out;
+}
+
+void Axis::sort() {
+    std::sort(all_.begin(), all_.end());
+    const auto same = [](double a, double b) {
+        return std::abs(a - b) <= 1e-6 * std::max({std::abs(a), std::abs(b), 1e-3});
+    };
+    all_.erase(std::unique(all_.begin(), all_.end(), same), all_.end());
+}
+
+std::size_t Axis::find(double value) const {
+    const double near = 1e-6 * std::max(std::abs(value), 1e-3);
+    const auto at = std::lower_bound(all_.begin(), all_.end(), value - near);
+    return at != all_.end() && std::abs(*at - value) <= 2.0 * near
+               ? static_cast<std::size_t>(at - all_.begin())
+               : all_.size();
+}
+
+}  // namespace hawser::scene

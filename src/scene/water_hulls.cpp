@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/water_hulls.h"
+
+#include "scene/description.h"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+namespace hawser::scene {
+namespace {
+
+constexpr double kOneDegree = std::numbers::pi / 180.0;
+
+HullMesh mesh_of(const Json& json, const Json& hull) {
+    HullMesh mesh;
+    if (json.contains("box")) {
+        std::vector<int> n{1, 1, 1};
+        if (json.contains("pieces")) n = json["pieces"].get<std::vector<int>>();
+        mesh = box_hull(vector_of(json["box"]), n[0], n[1], n[2]);
+    } else {
+        for (const Json& vertex : json["vertices"]) mesh.vertices.push_back(vector_of(vertex));
+        for (const Json& t : json["triangles"])
+            mesh.triangles.push_back(
+                {t[0].get<std::int32_t>(), t[1].get<std::int32_t>(), t[2].get<std::int32_t>()});
+    }
+    const double scale = number_or(hull, "scale", 1.0);
+    const Vec3 offset = vector_or(hull, "offset", Vec3::Zero());
+    for (Vec3& x : mesh.vertices) x = scale * x + offset;
+    return mesh;
+}
+
+void six_of(const Json& object, const char* key, std::array<double, 6>& out) {
+    if (const auto value = object.find(key); value != object.end())
+        for (std::size_t i = 0; i < 6; ++i) out[i] = (*value)[i].get<double>();
+}
+
+const Json& list_in(const Json& json, const char* key) {
+    static const Json none = Json::array();
+    const auto found = json.find(key);
+    return found == json.end() ? none : *found;
+}
+
+/// One number a frequency.
+std::vector<double> values_of(const Json& entry, const char* key, std::size_t count,
+                              const Place& place) {
+    std::vector<double> out(count, 0.0);
+    const auto found = entry.find(key);
+    if (found == entry.end()) return out;
+    if (found->size() != count)
+        refuse(place / key, std::to_string(found->size()) + " values; give one for each of the " +
+                                std::to_string(count) + " frequencies");
+    for (std::size_t i = 0; i < count; ++i) out[i] = (*found)[i].get<double>();
+    return out;
+}
+
+/// Pairs as given, and their mirror images where those are not.
+class Pairs {
+  public:
+    template <class F>
+    void each(const Json& list, const Place& place, F&& put) {
+        bool given[36] = {};
+        for (std::size_t n = 0; n < list.size(); ++n) {
+            const int i = motion(list[n]["of"][0]), j = motion(list[n]["of"][1]);
+            if (given[6 * i + j]) refuse(place / n / "of", "this pair is there twice");
+            given[6 * i + j] = true;
+        }
+        for (std::size_t n = 0; n < list.size(); ++n) {
+            const int i = motion(list[n]["of"][0]), j = motion(list[n]["of"][1]);
+            put(list[n], place / n, i, j);
+            if (i != j && !given[6 * j + i]) put(list[n], place / n, j, i);
+        }
+    }
+
+  private:
+    static int motion(const Json& json) { return json.get<int>() - 1; }
+};
+
+void read_forces(const Json& json, const char* key, const WaveCoefficients& c, const Place& place,
+                 std::vector<std::complex<double>>& table) {
+    const Json& all = list_in(json, key);
+    if (all.empty()) return;
+    table.assign(c.heading.size() * c.frequency.size() * 6, 0.0);
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        const Place at = place / key / n;
+        const auto head = all[n]["heading"].get<std::size_t>();
+        if (head >= c.heading.size())
+            refuse(at / "heading",
+                   "there are " + std::to_string(c.heading.size()) + " directions in headings_deg");
+        const auto re = values_of(all[n], "re", c.frequency.size(), at);
+        const auto im = values_of(all[n], "im", c.frequency.size(), at);
+        for (std::size_t w = 0; w < re.size(); ++w)
+            table[c.index(head, w, all[n]["of"].get<int>() - 1)] = {re[w], im[w]};
+    }
+}
+
+WaveCoefficients coefficients_of(const Json& json, const Place& place) {
+    WaveCoefficients c;
+    for (const Json& w : json["frequencies"]) c.frequency.push_back(w.get<double>());
+    const std::size_t count = c.frequency.size();
+    if (const Json& radiation = list_in(json, "radiation"); !radiation.empty()) {
+        c.added_mass.assign(count, Matrix6::Zero());
+        c.damping = c.added_mass;
+        Pairs().each(radiation, place / "radiation",
+                     [&](const Json& entry, const Place& at, int i, int j) {
+                         const auto a = values_of(entry, "added_mass", count, at);
+                         const auto b = values_of(entry, "damping", count, at);
+                         for (std::size_t w = 0; w < count; ++w) {
+                             c.added_mass[w](i, j) = a[w];
+                             c.damping[w](i, j) = b[w];
+                         }
+                         c.has_infinite = c.has_infinite || entry.contains("infinite");
+                         c.has_zero = c.has_zero || entry.contains("zero");
+                         c.infinite(i, j) = number_or(entry, "infinite", 0.0);
+                         c.zero(i, j) = number_or(entry, "zero", 0.0);
+                     });
+    }
+    for (const Json& h : list_in(json, "headings_deg"))
+        c.heading.push_back(h.get<double>() * kOneDegree);
+    read_forces(json, "excitation", c, place, c.excitation);
+    read_forces(json, "scattering", c, place, c.scattering);
+    if (const Json& drift = list_in(json, "drift_forces"); !drift.empty()) {
+        c.drift.assign(c.heading.size() * count * 6, 0.0);
+        for (std::size_t n = 0; n < drift.size(); ++n) {
+            const Place at = place / "drift_forces" / n;
+            const auto head = drift[n]["heading"].get<std::size_t>();
+            if (head >= c.heading.size())
+                refuse(at / "heading", "there are " + std::to_string(c.heading.size()) +
+                                           " directions in headings_deg");
+            const auto values = values_of(drift[n], "values", count, at);
+            for (std::size_t w = 0; w < count; ++w)
+                c.drift[c.index(head, w, drift[n]["of"].get<int>() - 1)] = values[w];
+        }
+    }
+    const Json& stiffness = list_in(json, "stiffness");
+    c.has_stiffness = !stiffness.empty();
+    Pairs().each(stiffness, place / "stiffness",
+                 [&](const Json& entry, const Place&, int i, int j) {
+                     c.stiffness(i, j) = entry["value"].get<double>();
+                 });
+    return c;
+}
+
+void read_strips(const Json& json, const Place& place, WaterHull& hull) {
+    const Json& all = list_in(json, "strips");
+    for (std::size_t n = 0; n < all.size(); ++n) {
+        if (all[n].is_null()) continue;
+        const Vec3 from = vector_of(all[n]["from"]), to = vector_of(all[n]["to"]);
+        Vec3 axis = vector_or(all[n], "axis", Vec3(0, 1, 0));
+        if (!(axis.norm() > 0.0)) refuse(place / "strips" / n / "axis", "it has no direction");
+        axis.normalize();
+        const int count = all[n].value("count", 10);
+        const double area = all[n]["drag_area"].get<double>() / count;
+        for (int i = 0; i < count; ++i)
+            hull.strips.push_back({from + (i + 0.5) / count * (to - from), axis, area});
+    }
+}
+
+Json list_json(const std::vector<std::complex<double>>& table, const WaveCoefficients& c) {
+    Json out = Json::array();
+    for (std::size_t h = 0; h < c.heading.size(); ++h)
+        for (int k = 0; k < 6; ++k) {
+            Json re = Json::array(), im = Json::array();
+            for (std::size_t w = 0; w < c.frequency.size(); ++w) {
+                re.push_back(table[c.index(h, w, k)].real());
+                im.push_back(table[c.index(h, w, k)].imag());
+            }
+            out.push_back({{"of", k + 1}, {"heading", h}, {"re", re}, {"im", im}});
+        }
+    return out;
+}
+
+Json drift_json(const WaveCoefficients& c) {
+    Json out = Json::array();
+    for (std::size_t h = 0; h < c.heading.size(); ++h)
+        for (int k = 0; k < 6; ++k) {
+            Json values = Json::array();
+            for (std::size_t w = 0; w < c.frequency.size(); ++w)
+                values.push_back(c.drift[c.index(h, w, k)]);
+            out.push_back({{"of", k + 1}, {"heading", h}, {"values", values}});
+        }
+    return out;
+}
+
+}  // namespace
+
+bool hull_left_out(const Json& json) {
+    for (const char* key : {"mesh", "coefficients"})
+        if (const auto at = json.find(key);
+            at != json.end() && (at->is_string() || at->is_null() || at->contains("file")))
+            return true;
+    return false;
+}
+
+WaterHull hull_of(const Json& json, const Place& place) {
+    WaterHull hull;
+    if (json.contains("mesh")) {
+        hull.mesh = mesh_of(json["mesh"], json);
+        if (const std::string fault = hull_fault(hull.mesh); !fault.empty())
+            refuse(place / "mesh", fault);
+    } else if (!json.contains("linear")) {
+        refuse(place, "a hull needs \"mesh\", or \"linear\" with coefficients");
+    }
+    hull.wave_pressure = json.value("wave_pressure", !json.contains("linear"));
+    six_of(json, "added_mass", hull.added_mass);
+    six_of(json, "damping", hull.damping);
+    read_strips(json, place, hull);
+    if (json.contains("coefficients")) {
+        WaveCoefficients c = coefficients_of(json["coefficients"], place / "coefficients");
+        c.reference = vector_or(json, "reference", Vec3::Zero());
+        if (const std::string fault = coefficients_fault(c); !fault.empty())
+            refuse(place / "coefficients", fault);
+        hull.coefficients = std::make_shared<const WaveCoefficients>(std::move(c));
+    }
+    const std::string kind = json.value("radiation", "convolution");
+    hull.radiation = kind == "convolution"   ? RadiationKind::convolution
+                     : kind == "state_space" ? RadiationKind::state_space
+                     : kind == "constant"    ? RadiationKind::constant
+                                             : RadiationKind::none;
+    hull.memory = number_or(json, "memory", hull.memory);
+    hull.order = json.value("order", hull.order);
+    hull.constant_period = number_or(json, "constant_period", 0.0);
+    const std::string waves = json.value("excitation", "none");
+    hull.excitation = waves == "full"         ? ExcitationKind::full
+                      : waves == "scattering" ? ExcitationKind::scattering
+                                              : ExcitationKind::none;
+    hull.drift = json.value("drift", false);
+    hull.coriolis = json.value("coriolis", false);
+    hull.slow_time = number_or(json, "slow_time", hull.slow_time);
+    if (const auto linear = json.find("linear"); linear != json.end()) {
+        hull.linear.on = true;
+        hull.linear.height = (*linear)["height"].get<double>();
+        hull.linear.weight = number_or(*linear, "weight", hull.linear.weight);
+    }
+    return hull;
+}
+
+Json coefficients_json(const WaveCoefficients& c) {
+    Json out = {{"frequencies", c.frequency}};
+    Json radiation = Json::array(), stiffness = Json::array();
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j) {
+            if (!c.added_mass.empty()) {
+                Json a = Json::array(), b = Json::array();
+                double most = std::max(std::abs(c.infinite(i, j)), std::abs(c.zero(i, j)));
+                for (std::size_t w = 0; w < c.frequency.size(); ++w) {
+                    a.push_back(c.added_mass[w](i, j));
+                    b.push_back(c.damping[w](i, j));
+                    most = std::max(
+                        {most, std::abs(c.added_mass[w](i, j)), std::abs(c.damping[w](i, j))});
+                }
+                const bool mirrored = c.infinite(j, i) != 0.0 || c.added_mass[0](j, i) != 0.0;
+                if (most > 0.0 || mirrored) {
+                    Json entry = {{"of", {i + 1, j + 1}}, {"added_mass", a}, {"damping", b}};
+                    if (c.has_infinite) entry["infinite"] = c.infinite(i, j);
+                    if (c.has_zero) entry["zero"] = c.zero(i, j);
+                    radiation.push_back(std::move(entry));
+                }
+            }
+            if (c.has_stiffness && (c.stiffness(i, j) != 0.0 || c.stiffness(j, i) != 0.0))
+                stiffness.push_back({{"of", {i + 1, j + 1}}, {"value", c.stiffness(i, j)}});
+        }
+    if (!radiation.empty()) out["radiation"] = std::move(radiation);
+    if (!stiffness.empty()) out["stiffness"] = std::move(stiffness);
+    if (c.heading.empty()) return out;
+    out["headings_deg"] = Json::array();
+    for (const double h : c.heading) out["headings_deg"].push_back(h / kOneDegree);
+    if (!c.excitation.empty()) out["excitation"] = list_json(c.excitation, c);
+    if (!c.scattering.empty()) out["scattering"] = list_json(c.scattering, c);
+    if (!c.drift.empty()) out["drift_forces"] = drift_json(c);
+    return out;
+}
+
+}  // namespace hawser::scene

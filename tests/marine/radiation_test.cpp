@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: Apache-2.0
+// What hulls radiate and scatter, by coefficients: memory against integrals, closed forms of
+// motions in frequency, passivity, drift, Kirchhoff's forces, strips, and what states go on from.
+#include <hawser/hawser.h>
+
+#include "verify/sea_loads.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+namespace hawser::test {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double kPi = std::numbers::pi;
+
+void go(World& w, int steps) {
+    for (int i = 0; i < steps; ++i) ASSERT_EQ(w.step(), Status::ok) << to_string(w.bad_load(), w);
+}
+
+/// B = c ω² e^(−ω/s), of which K = (4c/π) s³ (1 − 3 s²t²)/(1 + s²t²)³.
+double bell(double omega, double c, double s) { return c * omega * omega * std::exp(-omega / s); }
+double bell_memory(double t, double c, double s) {
+    const double x = s * s * t * t;
+    return 4.0 * c / kPi * s * s * s * (1.0 - 3.0 * x) / std::pow(1.0 + x, 3);
+}
+/// A(ω) − A(∞) = −(1/ω) ∫ K sin ωt dt, by Simpson's rule to where K is 1e-8 of itself.
+double bell_added(double omega, double c, double s) {
+    double sum = 0.0;
+    const int n = 8'000;
+    const double dt = 100.0 / s / n;
+    for (int i = 0; i <= n; ++i)
+        sum += (i == 0 || i == n ? 1.0
+                : i % 2 == 1     ? 4.0
+                                 : 2.0) *
+               std::sin(omega * i * dt) * bell_memory(i * dt, c, s);
+    return -sum * dt / 3.0 / omega;
+}
+
+/// A hull of 1000 t that heaves, sways and rolls; sway and roll are coupled.
+WaveCoefficients coupled(double top = 12.0, int count = 240) {
+    WaveCoefficients c;
+    const double s = 0.5;
+    const struct {
+        int i, j;
+        double damping, added;
+    } pairs[] = {{2, 2, 4e6, 8e5}, {1, 1, 2e6, 4e5}, {3, 3, 5e7, 2e7}, {1, 3, 4e6, -1e6}};
+    for (int n = 1; n <= count; ++n) {
+        const double omega = top * n / count;
+        Matrix6 a = Matrix6::Zero(), b = a;
+        for (const auto& p : pairs) {
+            b(p.i, p.j) = b(p.j, p.i) = bell(omega, p.damping, s);
+            a(p.i, p.j) = a(p.j, p.i) = p.added;  // of A(∞); ours() adds the rest where needed
+        }
+        c.frequency.push_back(omega);
+        c.added_mass.push_back(a);
+        c.damping.push_back(b);
+    }
+    for (const auto& p : pairs) c.infinite(p.i, p.j) = c.infinite(p.j, p.i) = p.added;
+    c.has_infinite = true;
+    c.stiffness(2, 2) = 1e6;
+    c.stiffness(3, 3) = 2e7;
+    c.stiffness(4, 4) = 2e7;
+    c.has_stiffness = true;
+    return c;
+}
+
+/// All in phase with the wave in two directions, with drift.
+void add_waves(WaveCoefficients& c) {
+    c.heading = {0.0, 0.5 * kPi, kPi};
+    for (std::size_t h = 0; h < 3; ++h)
+        for (std::size_t w = 0; w < c.frequency.size(); ++w)
+            for (int k = 0; k < 6; ++k) {
+                const double size = 2e4 / (1.0 + c.frequency[w]);
+                const bool across = k % 2 == 1, sideways = h == 1;
+                const Complex x = across && !sideways ? Complex() : size * Complex(0.8, -0.3 * k);
+                c.excitation.push_back(x);
+                c.scattering.push_back(0.3 * x);
+                c.drift.push_back(k == 0   ? (h == 1 ? -100.0 : 900.0 * c.frequency[w])
+                                  : k == 1 ? (h == 1 ? 500.0 : 0.0)
+                                           : 0.0);
+            }
+}
+
+struct Floater {
+    World w;
+    BodyId body{};
+    SeaDef sea{.depth = 200.0};
+    WaterHull hull{};
+
+    explicit Floater(WaveCoefficients c, RadiationKind radiation = RadiationKind::convolution,
+                     const WorldDef& def = {})
+        : w(def) {
+        body =
+            w.add_body({.name = "hull", .mass = 1e6, .inertia = Vec3(3e7, 4e7, 4e7).asDiagonal()});
+        c.reference = {0.0, 0.0, 0.0};
+        hull.body = body;
+        hull.wave_pressure = false;
+        hull.radiation = radiation;
+        hull.coefficients = std::make_shared<const WaveCoefficients>(std::move(c));
+        hull.linear.on = true;
+    }
+    void start() {
+        sea.hulls = {hull};
+        w.add(sea);
+    }
+};
+
+TEST(Radiation, MemoryIsTheIntegralOfDamping) {
+    const WaveCoefficients c = coupled();
+    for (const double t : {0.0, 0.3, 1.0, 4.0, 9.0, 20.0}) {
+        const Matrix6 k = retardation(c, t);
+        // Linear between 240 frequencies: 1e-3 of K(0).
+        EXPECT_NEAR(k(2, 2), bell_memory(t, 4e6, 0.5), 1e-3 * bell_memory(0, 4e6, 0.5)) << t;
+        EXPECT_NEAR(k(1, 3), bell_memory(t, 4e6, 0.5), 1e-3 * bell_memory(0, 4e6, 0.5)) << t;
+    }
+    WaveCoefficients known = c;
+    for (std::size_t w = 0; w < known.frequency.size(); ++w)
+        known.added_mass[w](2, 2) += bell_added(known.frequency[w], 4e6, 0.5);
+    EXPECT_NEAR(infinite_added_mass(known)(2, 2), 8e5, 4e3);
+}
+
+/// Amplitude of heave under a force of 1 N cos ωt, from a world.
+Complex response(RadiationKind kind, double omega) {
+    Floater f(coupled(), kind);
+    f.hull.order = 12;
+    f.start();
+    const double h = f.w.settings().step;
+    const int period = static_cast<int>(std::lround(2.0 * kPi / omega / h));
+    const double w = 2.0 * kPi / (period * h);
+    Complex sum = 0.0;
+    const int settle = 60 * 300 / period, measured = 4;
+    for (int i = 0; i < (settle + measured) * period; ++i) {
+        const double ramp = std::min(1.0, f.w.time() / 100.0);
+        f.w.set_force(f.body, {0, 0, ramp * 1e4 * std::cos(w * f.w.time())}, Vec3::Zero());
+        if (f.w.step() != Status::ok) ADD_FAILURE();
+        if (i >= settle * period)
+            sum += f.w.pose(f.body).position.z() * std::polar(1.0, -w * f.w.time());
+    }
+    return 2.0 * sum / (1e4 * measured * period);
+}
+
+TEST(Radiation, HeaveIsThatOfItsFrequency) {
+    for (const double omega : {0.5, 0.8, 1.2}) {
+        const double a = 8e5 + bell_added(omega, 4e6, 0.5), b = bell(omega, 4e6, 0.5);
+        const Complex exact = 1.0 / Complex(1e6 - omega * omega * (1e6 + a), omega * b);
+        for (const RadiationKind kind : {RadiationKind::convolution, RadiationKind::state_space}) {
+            const Complex ours = response(kind, omega);
+            std::printf("omega %.1f: |x| %.5e exact %.5e, phase %.3f deg\n", omega, std::abs(ours),
+                        std::abs(exact), 180.0 / kPi * std::arg(ours / exact));
+            // Periods are rounded to steps: 0.5 % near resonance.
+            EXPECT_NEAR(std::abs(ours - exact), 0.0, 0.01 * std::abs(exact)) << omega;
+        }
+    }
+}
+
+TEST(Radiation, NeitherMemoryMakesEnergy) {
+    // Let go far from rest, with steps many times too long for it: what moves decays.
+    for (const RadiationKind kind : {RadiationKind::convolution, RadiationKind::state_space})
+        for (const double step : {1.0 / 60.0, 0.25}) {
+            Floater f(coupled(), kind, {.step = step});
+            f.hull.linear.height = -1.0;  // at rest 1 m lower
+            f.hull.order = 10;
+            f.start();
+            f.w.set_velocity(f.body, {{0, 1.0, 0}, {0.2, 0, 0}});
+            double least = 1e300;
+            for (int i = 0; i < 40; ++i) {
+                go(f.w, static_cast<int>(10.0 / step));
+                const Twist v = f.w.velocity(f.body);
+                const double energy = 0.5e6 * v.linear.squaredNorm() +
+                                      0.5 * 1e6 * std::pow(f.w.pose(f.body).position.z() + 1, 2);
+                ASSERT_LE(energy, 3.0 * least + 1.0) << step << " " << i;
+                least = std::min(least, energy);
+            }
+            const HullMemory m = hull_memory(f.w, 0);
+            std::printf("step %.3f: fit %.2e, added damping %.2e of K(0)\n", step, m.fit_error,
+                        m.added(2, 2) / m.first(2, 2));
+        }
+}
+
+TEST(Radiation, DriftIsTheTablesAndSlowAtTheDifference) {
+    // Σ a² D on the mean; two waves: 2 a₁ a₂ √(D₁ D₂) at their difference.
+    WaveCoefficients c = coupled();
+    add_waves(c);
+    Floater f(c, RadiationKind::none);
+    f.hull.drift = true;
+    f.sea.waves = {{.height = 1.0, .period = 9.0}, {.height = 0.6, .period = 7.5}};
+    f.start();
+    const double w1 = 2 * kPi / 9.0, w2 = 2 * kPi / 7.5;
+    const double d1 = 0.25 * 900 * w1, d2 = 0.09 * 900 * w2;
+    double sum = 0.0, most = -1e300, least = 1e300;
+    const int n = 60 * 45 * 4;
+    for (int i = 0; i < n; ++i) {
+        f.w.set_pose(f.body, {});  // held, so that the wave meets it at one place
+        go(f.w, 1);
+        const double x = sea_loads(f.w)[0].force[0];
+        sum += x / n;
+        most = std::max(most, x);
+        least = std::min(least, x);
+    }
+    EXPECT_NEAR(sum, d1 + d2, 2e-3 * (d1 + d2));  // the beat's 45 s are whole, tables linear
+    EXPECT_NEAR(0.5 * (most - least), 2 * std::sqrt(d1 * d2), 5e-3 * (d1 + d2));
+}
+
+/// How far the energy of a body in ideal fluid strays in 20 s.
+double energy_strays(double step) {
+    WaveCoefficients c = coupled();
+    c.infinite.diagonal() << 1e5, 9e5, 8e5, 1e7, 2e7, 3e7;
+    for (auto& b : c.damping) b.setZero();
+    c.stiffness.setZero();
+    Floater f(c, RadiationKind::convolution, {.step = step});
+    f.hull.coriolis = true;
+    f.start();
+    f.w.set_velocity(f.body, {{2.0, 0.5, 0}, {0, 0, 0}});
+    go(f.w, 1);
+    EXPECT_NEAR(sea_loads(f.w)[0].force[5], -(9e5 - 1e5) * 2.0 * 0.5, 1.0);
+    const Eigen::Array3d al = c.infinite.diagonal().head<3>().array() + 1e6;
+    const Eigen::Array3d aa =
+        c.infinite.diagonal().tail<3>().array() + Eigen::Array3d(3e7, 4e7, 4e7);
+    const auto energy = [&] {
+        const Mat3 r = f.w.pose(f.body).orientation.toRotationMatrix();
+        const Twist v = f.w.velocity(f.body);
+        const Vec3 lin = r.transpose() * v.linear, ang = r.transpose() * v.angular;
+        return 0.5 * (al * lin.array().square()).sum() + 0.5 * (aa * ang.array().square()).sum();
+    };
+    const double first = energy();
+    double worst = 0.0;
+    for (int i = 0; i < 20; ++i) {
+        go(f.w, static_cast<int>(std::lround(1.0 / step)));
+        worst = std::max(worst, std::abs(energy() / first - 1.0));
+    }
+    return worst;
+}
+
+TEST(Radiation, KirchhoffsForcesKeepEnergyAndTurnIntoTheStream) {
+    // A body in ideal fluid, no damping: ½ νᵀ (M + A) ν stays, and M_z = −(A₂₂ − A₁₁) u v. The
+    // force is that where the step begins: first order in it.
+    const double coarse = energy_strays(1.0 / 60.0), fine = energy_strays(1.0 / 240.0);
+    std::printf("energy of a body in ideal fluid over 20 s: %.2e, %.2e\n", coarse, fine);
+    EXPECT_LT(coarse, 2e-2);
+    EXPECT_LT(fine, 0.35 * coarse);
+}
+
+TEST(Radiation, StripsStopATurn) {
+    // ω̇ = −c ω|ω| with c = ½ρ C_dA L²/32/I of an even row, so that 1/ω grows by c t.
+    WaveCoefficients c = coupled();
+    Floater f(c, RadiationKind::none);
+    const double length = 80.0, area = 400.0, inertia = 4e7;
+    for (int i = 0; i < 40; ++i)
+        f.hull.strips.push_back({{length * ((i + 0.5) / 40 - 0.5), 0, 0}, {0, 1, 0}, area / 40});
+    f.start();
+    f.w.set_velocity(f.body, {{0, 0, 0}, {0, 0, 0.05}});
+    go(f.w, 600);
+    const double rate = 0.5 * 1025 * area * std::pow(length, 3) / 32 / inertia;
+    const double exact = 1.0 / (1.0 / 0.05 + rate * (f.w.time() - 0.5 / 60));
+    // 40 strips: 1e-3; the step: 1e-3.
+    EXPECT_NEAR(f.w.velocity(f.body).angular.z() / exact, 1.0, 4e-3);
+}
+
+/// Everything at once, on a mesh or on linear statics.
+Floater busy(RadiationKind kind, bool mesh, int threads = 1) {
+    WaveCoefficients c = coupled(4.0, 40);
+    add_waves(c);
+    Floater f(c, kind, {.threads = threads});
+    auto moved = std::make_shared<WaveCoefficients>(*f.hull.coefficients);
+    moved->reference = {1.0, 0.5, 1.5};
+    f.hull.coefficients = moved;
+    f.hull.memory = 20.0;
+    f.hull.order = 10;
+    f.hull.constant_period = 8.0;
+    f.hull.drift = true;
+    f.hull.coriolis = true;
+    f.hull.added_mass = {1e4, 2e4, 3e4, 1e5, 2e5, 3e5};
+    f.hull.damping = {1e3, 2e3, 3e3, 1e5, 2e5, 3e5};
+    f.hull.strips = {{{-9, 0, -1}, {0, 1, 0}, 20}, {{9, 0, -1}, {0, 0.6, 0.8}, 20}};
+    f.hull.excitation = ExcitationKind::full;
+    if (mesh) {
+        f.hull.linear.on = false;
+        f.hull.wave_pressure = true;
+        f.hull.excitation = ExcitationKind::scattering;
+        f.hull.mesh = box_hull({12, 8, 5}, 6, 4, 3);
+    }
+    f.sea.convective = true;
+    f.sea.current = {{0.0, 0.8, 1.0}};
+    f.sea.waves = {{.kind = WaveKind::jonswap,
+                    .height = 2.0,
+                    .period = 8.0,
+                    .direction = 0.4,
+                    .spreading = 6.0,
+                    .components = 20}};
+    f.w.set_velocity(f.body, {{0.5, 0.1, 0}, {0, 0.02, 0.05}});
+    f.start();
+    return f;
+}
+
+TEST(Radiation, AgreesWithSeparateCode) {
+    for (const RadiationKind kind :
+         {RadiationKind::convolution, RadiationKind::state_space, RadiationKind::constant})
+        for (const bool mesh : {false, true}) {
+            Floater f = busy(kind, mesh);
+            verify::SeaVerifier verifier(f.w);
+            double worst = 0.0;
+            for (int i = 0; i < 150; ++i) {
+                verifier.before_step(f.w);
+                const std::vector<Pose> pose{f.w.pose(f.body)};
+                const std::vector<Twist> before{f.w.velocity(f.body)};
+                go(f.w, 1);
+                worst = std::max(worst, verifier.after_step(f.w, pose, before));
+            }
+            std::printf("kind %d, mesh %d: loads differ by %.2e\n", int(kind), int(mesh), worst);
+            EXPECT_LT(worst, 1e-9);
+        }
+}
+
+TEST(Radiation, MemoryIsPartOfStateAndThreadsDoNotMatter) {
+    for (const RadiationKind kind : {RadiationKind::convolution, RadiationKind::state_space}) {
+        std::uint64_t hash = 0;
+        for (const int threads : {1, 2, 4, 8}) {
+            Floater f = busy(kind, true, threads);
+            go(f.w, 100);
+            const auto saved = f.w.save();
+            World twin = f.w.twin();
+            go(f.w, 60);
+            go(twin, 60);
+            EXPECT_EQ(twin.state_hash(), f.w.state_hash());
+            Floater other = busy(kind, true, threads);
+            other.w.restore(saved);
+            go(other.w, 60);
+            EXPECT_EQ(other.w.state_hash(), f.w.state_hash());
+            if (threads == 1) hash = f.w.state_hash();
+            EXPECT_EQ(f.w.state_hash(), hash) << threads;
+        }
+    }
+}
+
+void refused(const WaveCoefficients& c, const char* why) {
+    const std::string fault = coefficients_fault(c);
+    EXPECT_NE(fault.find(why), std::string::npos) << "'" << fault << "' has no '" << why << "'";
+}
+
+TEST(Radiation, CoefficientsThatCannotBeAreRefused) {
+    const WaveCoefficients good = coupled();
+    EXPECT_EQ(coefficients_fault(good), "");
+    WaveCoefficients c = good;
+    c.damping.pop_back();
+    refused(c, "damping: 239 matrices");
+    c = good;
+    c.damping[7](3, 3) = -c.damping[20](3, 3);
+    refused(c, "is not positive semi-definite");
+    c = good;
+    c.frequency[3] = c.frequency[2];
+    refused(c, "they have to ascend");
+    c = good;
+    c.added_mass[5](2, 2) = std::nan("");
+    refused(c, "not finite");
+    c = good;
+    c.infinite(2, 2) = -1.0;
+    refused(c, "A(inf) is not positive");
+    c = good;
+    c.heading = {0.0};
+    c.excitation.assign(5, 0.0);
+    refused(c, "5 entries");
+    // A(0) and A(∞) swapped.
+    c = good;
+    for (std::size_t w = 0; w < c.frequency.size(); ++w) {
+        const double more = bell_added(c.frequency[w], 1.0, 0.5);
+        c.added_mass[w](1, 1) += 2e6 * more;
+        c.added_mass[w](2, 2) += 4e6 * more;
+        c.added_mass[w](3, 3) += 5e7 * more;
+    }
+    c.zero = c.infinite * 1.5;
+    c.has_zero = true;
+    EXPECT_EQ(coefficients_fault(c), "");
+    std::swap(c.zero, c.infinite);
+    refused(c, "swapped");
+}
+
+TEST(Radiation, WavesOfBothKindsAreRefused) {
+    WaveCoefficients c = coupled();
+    add_waves(c);
+    const auto fails = [&](auto&& change, const char* why) {
+        Floater f(c);
+        change(f);
+        try {
+            f.start();
+            ADD_FAILURE() << why;
+        } catch (const SeaError& error) {
+            EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+        }
+    };
+    fails(
+        [](Floater& f) {
+            f.hull.linear.on = false;
+            f.hull.mesh = box_hull({5, 5, 5});
+            f.hull.wave_pressure = true;
+            f.hull.excitation = ExcitationKind::full;
+        },
+        "wave_pressure false");
+    fails([](Floater& f) { f.hull.excitation = ExcitationKind::scattering; }, "on top of");
+    fails([](Floater& f) { f.hull.radiation = RadiationKind::constant; }, "constant_period");
+    fails([](Floater& f) { f.hull.memory = 0.01; }, "memory");
+    fails(
+        [](Floater& f) {
+            auto one = std::make_shared<WaveCoefficients>(*f.hull.coefficients);
+            one->heading = {0.0, 0.5, 1.0};
+            f.hull.coefficients = one;
+            f.hull.excitation = ExcitationKind::full;
+            f.sea.waves = {{.height = 1.0, .period = 9.0, .direction = 2.0}};
+        },
+        "not among the directions");
+}
+
+TEST(Radiation, HullTrims) {
+    // A box whose centre of mass is 0.5 m forward: trim of the wall-sided body,
+    // lever = tan θ (GM_L + ½ BM_L tan²θ) about the middle.
+    HullMesh mesh = box_hull({20, 5, 3}, 20, 4, 4);
+    for (Vec3& v : mesh.vertices) v -= Vec3(0.5, 0, 0.5);
+    const double mass = 1025.0 * 40 * 10 * 2.5;
+    const Flotation f = float_hull(mesh, mass, 1025.0, 0.0, true);
+    EXPECT_NEAR(f.statics.buoyancy.x(), 0.0, 1e-9);
+    const double bm = 40.0 * 40 / (12 * 2.5), t = std::tan(f.trim);
+    const double gm = 1.25 + bm - 3.5;
+    EXPECT_NEAR(t * (gm + 0.5 * bm * t * t), 0.5, 1e-9);
+    EXPECT_GT(f.trim, 0.0);
+    EXPECT_GT(righting_lever(mesh, mass, 1025.0, 0.2, true), 0.0);
+}
+
+TEST(Radiation, OpenMeshGetsWallsAndDeck) {
+    HullMesh mesh = box_hull({4, 2, 1}, 4, 2, 2);
+    std::erase_if(mesh.triangles, [&](const auto& t) {
+        return mesh.vertices[std::size_t(t[0])].z() == 1.0 &&
+               mesh.vertices[std::size_t(t[1])].z() == 1.0 &&
+               mesh.vertices[std::size_t(t[2])].z() == 1.0;
+    });
+    EXPECT_NE(hull_fault(mesh), "");
+    for (const double top : {1.0, 3.0}) {
+        HullMesh closed = mesh;
+        close_hull(closed, top);
+        EXPECT_EQ(hull_fault(closed), "");
+        EXPECT_NEAR(hull_statics(closed, {}, 10.0).volume, 8 * 4 * (top + 1), 1e-9);
+    }
+    HullMesh hole = box_hull({4, 2, 1}, 4, 2, 2);
+    hole.triangles.erase(hole.triangles.begin());
+    EXPECT_THROW(close_hull(hole, 5.0), DefError);
+}
+
+}  // namespace
+}  // namespace hawser::test
