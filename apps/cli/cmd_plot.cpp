@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -59,6 +60,13 @@ std::size_t frame_at(const record::Recording& recording, std::optional<double> t
     return best;
 }
 
+/// Pixels a point: so many that text has a readable size in a picture of that size.
+double pixels_of(const PlotOptions& options) {
+    constexpr double kUsualWidth = 1280.0;  // [points]
+    const int width = options.size.empty() ? 2560 : std::atoi(options.size.c_str());
+    return std::clamp(width / kUsualWidth, 0.6, 4.0);
+}
+
 /// What the options say of views. @throws std::runtime_error where they make no sense.
 draw::ViewOptions view_of(const PlotOptions& options) {
     draw::ViewOptions out = options.scene;
@@ -73,9 +81,8 @@ draw::ViewOptions view_of(const PlotOptions& options) {
             throw std::runtime_error(fmt::format(
                 "--size {}: expected WIDTHxHEIGHT, such as 1280x720, from 320x240 to 8192x8192",
                 options.size));
-        // A picture has two pixels a point.
-        out.width = 0.5 * width;
-        out.height = 0.5 * height;
+        out.width = width / pixels_of(options);
+        out.height = height / pixels_of(options);
     }
     if (!options.axes.empty()) {
         const Vec3 low(options.axes[0], options.axes[1], options.axes[2]),
@@ -105,13 +112,17 @@ int plot_frames(const PlotOptions& options, const record::Recording& recording,
     for (std::size_t i = 0; i < count; ++i)
         chosen.push_back(count == 1 ? n - 1 : i * (n - 1) / (count - 1));
     draw::ViewOptions view = view_of(options);
-    if (!view.box) view.box = draw::shown_box(recording, chosen);
-    if (view.width <= 0.0) view.width = 960.0, view.height = 540.0;
+    if (!view.box) {
+        view.box = draw::shown_box(recording, chosen);
+        view.around = true;
+    }
+    const double pixels = options.size.empty() ? 1.5 : pixels_of(options);
+    if (view.width <= 0.0) view.width = 1280.0, view.height = 720.0;
     std::filesystem::create_directories(options.folder);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const auto drawing = draw::plot_views(recording, series, chosen[i], view);
         if (!drawing) throw record::RecordingError(options.file + ": nothing has a place");
-        draw::write_png(draw::rasterise(*drawing),
+        draw::write_png(draw::rasterise(*drawing, pixels),
                         std::filesystem::path(options.folder) / fmt::format("frame_{:04}.png", i),
                         *drawing);
     }
@@ -140,7 +151,7 @@ int plot(const PlotOptions& options) {
             fmt::print("no picture \"{}\": {}\n", name, why_not);
             return;
         }
-        for (const auto& file : draw::write_pictures(*drawing, folder / name))
+        for (const auto& file : draw::write_pictures(*drawing, folder / name, pixels_of(options)))
             fmt::print("wrote {}\n", file.string());
     };
     write(

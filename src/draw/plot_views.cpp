@@ -195,7 +195,9 @@ std::optional<Drawing> plot_views(const record::Recording& recording, const reco
     }
     const bool both = options.shown == Shown::side_and_top;
     const Water water = water_of(recording);
-    Layout layout = both ? arrange(bounds) : arrange_one(bounds, options, options.box ? 1.0 : 1.12);
+    Layout layout = both
+                        ? arrange(bounds)
+                        : arrange_one(bounds, options, options.box && !options.around ? 1.0 : 1.12);
     if (both && options.height > 0.0) layout.height = std::max(layout.height, options.height);
     Drawing drawing{.width = layout.width, .height = layout.height};
     draw_heading(drawing,

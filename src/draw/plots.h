@@ -38,6 +38,7 @@ struct ViewOptions {
     /// Corners of what is shown [m]: pictures of several frames have the same axes. None: what
     /// there is.
     std::optional<std::pair<Vec3, Vec3>> box{};
+    bool around = false;  ///< A little around the box, too: it is that of what there is.
     double width = 0.0, height = 0.0;  ///< [points]; 0: as it fits.
     double azimuth = -60.0;            ///< Of a view in space: of the viewer, from x to y [deg] …
     double elevation = 22.0;           ///< … and above the level, 5 to 85 [deg].

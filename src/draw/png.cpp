@@ -82,13 +82,13 @@ void write_png(const Image& image, const std::filesystem::path& file, const Draw
 }
 
 std::vector<std::filesystem::path> write_pictures(const Drawing& drawing,
-                                                  const std::filesystem::path& base) {
+                                                  const std::filesystem::path& base, double scale) {
     std::error_code ignored;  // A folder that cannot be made shows when the file is opened.
     if (base.has_parent_path()) std::filesystem::create_directories(base.parent_path(), ignored);
     const std::filesystem::path svg = base.string() + ".svg", png = base.string() + ".png";
     if (const std::string fault = record::write_file(svg, to_svg(drawing)); !fault.empty())
         fail(svg, fault);
-    write_png(rasterise(drawing), png, drawing);
+    write_png(rasterise(drawing, scale), png, drawing);
     return {svg, png};
 }
 

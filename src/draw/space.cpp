@@ -15,7 +15,8 @@ namespace {
 
 constexpr Color kHullColor{104, 126, 150, 255}, kStructureColor{218, 158, 72, 255},
     kPlainColor{158, 164, 172, 255}, kWaterColor{96, 160, 206, 70}, kWaterLine{70, 130, 180, 255},
-    kSandColor{226, 214, 194, 255}, kSandLine{168, 148, 116, 255}, kEdge{38, 46, 56, 255};
+    kSandColor{226, 214, 194, 255}, kSandLine{168, 148, 116, 255}, kEdge{38, 46, 56, 255},
+    kFloorColor{246, 248, 250, 255}, kFloorLine{150, 157, 166, 255};
 
 Color shaded(Color c, double light) {
     const auto one = [&](std::uint8_t v) {
@@ -35,8 +36,15 @@ Space::Space(const record::Recording& recording, const record::Frame& frame,
       box_(bounds),
       tension_(tension_range(frame)) {
     drawing_.width = options.width > 0.0 ? options.width : kSpaceWidth;
+    // Corners that are given may leave them out.
+    const auto shown = [&](const std::optional<double>& z) {
+        return z && (!options.box || options.around ||
+                     (*z >= box_.low.z() - 1e-6 && *z <= box_.high.z() + 1e-6));
+    };
+    if (!shown(water_.level)) water_.level.reset();
+    if (!shown(water_.seabed)) water_.seabed.reset();
     gather();
-    widen_box(options.box.has_value());
+    widen_box(options.box && !options.around);
     fit(options);
 }
 
@@ -46,6 +54,7 @@ Drawing Space::draw(const record::Series& series) {
                  record::parameter_line(recording_));
     drawing_.add(Clip{Box{0, kSpaceTop - 24, drawing_.width, drawing_.height - kSpaceTop - 20}});
     if (water_.seabed) draw_level(*water_.seabed, kSandColor, kSandLine, false);
+    if (!water_.seabed && !water_.level) draw_level(box_.low.z(), kFloorColor, kFloorLine, true);
     draw_grounds_lines();
     draw_paths(series);
     const double level = water_.level.value_or(-1e300);
@@ -119,7 +128,8 @@ Point Space::at(const Vec3& p) const {
 bool Space::inside(const Vec3& p) const {
     constexpr double kRoom = 1e-6;
     return p.x() >= box_.low.x() - kRoom && p.x() <= box_.high.x() + kRoom &&
-           p.y() >= box_.low.y() - kRoom && p.y() <= box_.high.y() + kRoom;
+           p.y() >= box_.low.y() - kRoom && p.y() <= box_.high.y() + kRoom &&
+           p.z() >= box_.low.z() - kRoom && p.z() <= box_.high.z() + kRoom;
 }
 
 void Space::gather() {

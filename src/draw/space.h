@@ -32,7 +32,7 @@ class Space {
     void fit(const ViewOptions& options);
     void gather();
     [[nodiscard]] Point at(const Vec3& p) const;
-    /// Above or below the box, not beside it.
+    /// In the box.
     [[nodiscard]] bool inside(const Vec3& p) const;
 
     void polygon(const std::vector<Vec3>& points, Color fill, Color stroke, double width);

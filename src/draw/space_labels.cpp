@@ -73,7 +73,8 @@ void Space::draw_names() {
     std::vector<WireLine> lines;
     reader.read(frame_, lines);
     for (const std::int32_t index : recording_.plot_cables)
-        if (const auto& l = lines[static_cast<std::size_t>(index)]; l.segments.size() > 2)
+        if (const auto& l = lines[static_cast<std::size_t>(index)];
+            l.segments.size() > 2 && inside(l.segments[l.segments.size() / 2].from))
             put(l.segments[l.segments.size() / 2].from, std::string(l.name), 11.0, false);
 }
 

@@ -11,6 +11,7 @@
 namespace hawser::draw {
 namespace {
 
+constexpr int kMostLines = 64;  ///< Of a grid: far from the origin numbers are too coarse to end.
 constexpr Color kGroundLine{168, 148, 116, 150}, kRodLine{38, 46, 56, 255};
 
 }  // namespace
@@ -54,7 +55,10 @@ void Space::draw_level(double z, Color fill, Color line, bool numbers) {
     const std::vector<double> round = ticks({0.0, size}, 8);
     const double every = round.size() > 1 ? round[1] - round[0] : size;
     for (int k = 0; k < 2; ++k)
-        for (double t = std::ceil(a[k] / every) * every; t <= b[k]; t += every) {
+        for (int i = 0; i < kMostLines; ++i) {
+            const double n = std::ceil(a[k] / every) + i;
+            if (!(n * every <= b[k])) break;
+            const double t = n * every + 0.0;  // no -0
             Vec3 from = a, to = b;
             from[k] = to[k] = t;
             from.z() = to.z() = z;

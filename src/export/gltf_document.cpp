@@ -29,9 +29,16 @@ nlohmann::json material(const char* name, double r, double g, double b, bool bot
               {"roughnessFactor", 0.75}}}};
 }
 
-int look_of(const record::RecordedBody& body, double scene) {
-    if (body.half_size.maxCoeff() > 0.03 * scene && body.half_size.maxCoeff() > 5.0) return kHull;
-    return body.half_size.maxCoeff() > 0.0 ? kStructure : kPlain;
+/// A hull is long and not thin: neither a boom nor a crate.
+int look_of(const record::RecordedBody& body) {
+    const double reach = body.half_size.maxCoeff();
+    if (reach > 8.0 && body.half_size.sum() - reach > 5.0) return kHull;
+    return reach > 0.0 ? kStructure : kPlain;
+}
+
+/// Colours of vertices are linear, those of pictures sRGB (IEC 61966-2-1, to its exponent).
+std::uint8_t linear(std::uint8_t value) {
+    return static_cast<std::uint8_t>(std::lround(255.0 * std::pow(value / 255.0, 2.2)));
 }
 
 int size_of(const nlohmann::json& array) { return static_cast<int>(array.size()); }
@@ -138,7 +145,7 @@ void GltfDocument::put_bodies() {
             b.surfaces.push_back(record::outline_surface(
                 {.radius = 0.003 * layout_.size, .points = {Vec3::Zero()}}));
         for (const record::Triangles& surface : b.surfaces)
-            parts.push_back(put_triangles(surface, look_of(body, layout_.size)));
+            parts.push_back(put_triangles(surface, look_of(body)));
         if (!parts.empty()) node["mesh"] = parts[0];
         root_["nodes"].push_back(std::move(node));
         for (std::size_t k = 1; k < parts.size(); ++k) {
@@ -169,7 +176,8 @@ int GltfDocument::put_ribbons(const std::vector<std::pair<std::size_t, std::size
                     points.push_back(side * Vec3::Unit(axis));
                     owners.insert(owners.end(), {static_cast<std::uint16_t>(joint), 0, 0, 0});
                     weights.insert(weights.end(), {1.0F, 0.0F, 0.0F, 0.0F});
-                    colors.insert(colors.end(), {color.r, color.g, color.b, 255});
+                    colors.insert(colors.end(),
+                                  {linear(color.r), linear(color.g), linear(color.b), 255});
                 }
             for (const std::uint32_t k : {0U, 1U, 2U, 2U, 1U, 3U}) indices.push_back(first + k);
         }

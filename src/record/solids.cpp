@@ -12,7 +12,7 @@ namespace hawser::record {
 namespace {
 
 constexpr double kFlat = 1e-9;                  ///< Of the extent: no volume, or in a face.
-constexpr std::size_t kMostSolidPoints = 4096;  ///< Each costs as much as there are faces.
+constexpr std::size_t kMostSolidPoints = 1024;  ///< Each costs as much as there are faces.
 constexpr std::size_t kFewPoints = 24;          ///< With a ball of 42 corners each.
 
 using Corner = std::array<std::uint32_t, 3>;

@@ -4,6 +4,7 @@
 #include "draw/plots.h"
 #include "draw/raster.h"
 #include "draw/svg.h"
+#include "export/gltf_layout.h"
 #include "files/mutate.h"
 #include "record/bytes.h"
 #include "record/small_scene.h"
@@ -95,8 +96,11 @@ void draw(const Recording& r) {
     const record::Series series = record::collect_series(r);
     for (const auto& drawing :
          {draw::plot_tensions(r, series), draw::plot_motions(r, series),
-          draw::plot_views(r, series, r.frame_count() - 1), draw::plot_details(r, 0)})
+          draw::plot_views(r, series, r.frame_count() - 1), draw::plot_details(r, 0),
+          draw::plot_space(r, series, r.frame_count() - 1, {})})
         if (drawing) (void)draw::to_svg(*drawing);
+    const auto frames = exporting::choose_frames(r, 2, -1e300, 1e300);
+    if (!frames.empty()) (void)exporting::lay_out(r, frames);
 }
 
 TEST(ForgedRecordings, AreRefusedOrSound) {
