@@ -23,7 +23,8 @@ const std::vector<std::string> kTouchingScenes = {
     "bouncing_ball",   "box_stack",      "box_stack_1e6",      "buoy",           "chain_gypsy",
     "chain_pile",      "crane_knuckle",  "crane_lattice",      "incline",        "incline_slide",
     "mooring_seabed",  "painleve",       "rolling_resistance", "rolling_sphere", "spinning_disk",
-    "tow_payout",      "wall_648",       "wall_976",           "wedge",          "wire_cylinder"};
+    "tow_payout",      "wall_648",       "wall_976",           "wedge",          "wire_cross",
+    "wire_cylinder",   "wire_edge",      "wire_pins"};
 
 TEST(SceneVerified, IsEverySceneWithShapes) {
     std::vector<std::string> names;
