@@ -67,11 +67,17 @@ LiveRun::~LiveRun() {
     server.reset();
 }
 
-int LiveRun::logged(const std::string& part) {
-    const std::lock_guard lock(mutex_);
-    return static_cast<int>(std::count_if(log_.begin(), log_.end(), [&](const std::string& line) {
-        return line.find(part) != std::string::npos;
-    }));
+int LiveRun::logged(const std::string& part, int expected) {
+    const auto count = [&] {
+        const std::lock_guard lock(mutex_);
+        return static_cast<int>(std::count_if(
+            log_.begin(), log_.end(),
+            [&](const std::string& line) { return line.find(part) != std::string::npos; }));
+    };
+    // A connection may end a moment before the line is written that says why.
+    for (int k = 0; k < 200 && count() < expected; ++k)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return count();
 }
 
 bool LiveRun::goes_on(double seconds) {

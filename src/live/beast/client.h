@@ -36,7 +36,7 @@ class Client : public std::enable_shared_from_this<Client> {
         limits.idle_timeout = websocket::stream_base::none();
         limits.keep_alive_pings = false;
         socket_.set_option(limits);
-        socket_.read_message_max(kMostMessage);
+        socket_.read_message_max(0);  // got() counts: Beast's own limit says nothing of it in time
         socket_.auto_fragment(false);
         // Beast answers a goodbye and waits for the other side to hang up: look() ends that.
         socket_.control_callback([this](websocket::frame_type kind, beast::string_view) {
@@ -99,18 +99,19 @@ class Client : public std::enable_shared_from_this<Client> {
 
   private:
     void read() {
-        socket_.async_read(
-            buffer_, [self = shared_from_this()](Error error, std::size_t) { self->got(error); });
+        socket_.async_read_some(
+            buffer_, kMostMessage + 1 - buffer_.size(),
+            [self = shared_from_this()](Error error, std::size_t) { self->got(error); });
     }
 
     void got(Error error) {
         if (gone_) return;
-        if (error) {
-            if (error == websocket::error::message_too_big ||
-                error == websocket::error::buffer_overflow)
-                floor_.refuse(from_ + ": a message of more than 16 kB");
-            return drop();
+        if (error) return drop();
+        if (buffer_.size() > kMostMessage) {
+            floor_.refuse(from_ + ": a message of more than 16 kB; closed");
+            return close(websocket::close_code::too_big, "a message has at most 16 kB");
         }
+        if (!socket_.is_message_done()) return read();
         const auto bytes = buffer_.data();
         if (closing_) {
             // It is on its way out.
