@@ -185,7 +185,7 @@ export class Wires {
                 place[at] = p[3 * point];
                 place[at + 1] = p[3 * point + 1];
                 place[at + 2] = p[3 * point + 2];
-                place[at + 3] = t < 0 ? kNone : strength > 0 ? t / strength : kUnknown;
+                place[at + 3] = t < 0 ? kNone : strength > 0 && t === t ? t / strength : kUnknown;   // NaN: not known
                 if (same) continue;
                 look[at] = wire.radius;
                 look[at + 1] = w === this.selected ? 1 : 0;

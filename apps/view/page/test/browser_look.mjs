@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 
-const kSize = {width: 1240, height: 698}, kScale = 0.72, kMost = 300 * 1000;
+const kSize = {width: 1240, height: 698}, kScale = 0.7, kMost = 300 * 1000;
 
 /// Pictures are taken of a paused world, so that the processors have time to draw.
 async function pictures(kit, address) {
