@@ -12,8 +12,8 @@ export const arrowLength = (force, unit) => unit * Math.cbrt(Math.max(0, force) 
 
 function shape() {
     const b = new Build(), white = 0xffffff;
-    b.cylinder([0, 0, 0], [0, 0, 0.74], 0.028, 8, white);
-    b.cylinder([0, 0, 0.72], [0, 0, 1], 0.085, 10, white, 1e-4);
+    b.cylinder([0, 0, 0], [0, 0, 0.74], 0.028, 5, white);
+    b.cylinder([0, 0, 0.72], [0, 0, 1], 0.085, 7, white, 1e-4);
     return geometryOf(b, 40);
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The picture: renderer, surroundings, bodies, wires, forces, and what the pointer does in it.
 import {
-    ACESFilmicToneMapping, BufferAttribute, BufferGeometry, Fog, Line, LineBasicMaterial, PCFShadowMap,
+    ACESFilmicToneMapping, BufferAttribute, BufferGeometry, Fog, Line, LineBasicMaterial, NoToneMapping, PCFShadowMap,
     PerspectiveCamera, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from 'three';
-import {Arrows} from './arrows.js';
+import {arrowLength, Arrows} from './arrows.js';
 import {Bodies} from './bodies.js';
 import {CameraRig, makeSubject} from './camera.js';
 import {Labels} from './labels.js';
@@ -48,14 +48,15 @@ export class Stage {
         this.renderer.shadowMap.enabled = true;
         this.renderer.shadowMap.type = PCFShadowMap;
         this.renderer.shadowMap.autoUpdate = false;
-        this.renderer.toneMapping = ACESFilmicToneMapping;
+        this.renderer.toneMapping = this.low ? NoToneMapping : ACESFilmicToneMapping;
         this.renderer.toneMappingExposure = 1.15;
+        document.body.classList.toggle('low', this.low);
         this.scene = new Scene();
         this.scene.fog = new Fog(HORIZON, 500, 9000);
         this.camera = new PerspectiveCamera(42, 1, 0.5, 20000);
         this.rig = new CameraRig(this.camera, canvas);
         this.bodies = new Bodies(this.scene);
-        this.wires = new Wires();
+        this.wires = new Wires(this.low);
         this.water = new Water(this.low);
         this.seabed = new Seabed(this.low);
         this.light = makeLight();
@@ -63,7 +64,7 @@ export class Stage {
         this.labels = new Labels(labelLayer);
         this.quality = new Quality();
         this.show = {names: true, contacts: true, joints: false, water: true, clear: true, seabed: true, shadows: true, tubes: 'auto'};
-        this.scene.add(makeSky(), this.light, this.water.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
+        this.scene.add(makeSky(this.low), this.light, this.water.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
         this.spring = this.makeSpring();
         this.full = 0.5;
         this.scratch = {ray: new Raycaster(), v: new Vector3(), p: new Vector2(), plane: new Plane()};
@@ -205,7 +206,7 @@ export class Stage {
         this.haze(under);
         this.wires.view(pixel, this.width, this.height, this.ratio, this.level, this.afloat && !under ? 1 : 0);
         this.wires.asTubes = this.show.tubes === 'auto' ? this.quality.tubes : this.show.tubes === 'tubes';
-        this.drawForces(eye);
+        this.drawForces(eye, pixel);
         this.shadows(now);
         this.renderer.render(this.scene, camera);
         this.labels.update(this, this.show.names);
@@ -231,7 +232,8 @@ export class Stage {
         map.needsUpdate = true;
     }
 
-    drawForces(eye) {
+    /// Arrows shorter than four pixels are left out.
+    drawForces(eye, pixel) {
         const {frame, arrows, show, info} = this;
         if (!frame) return;
         arrows.reserve((show.contacts ? frame.contactCount : 0) + (show.joints ? frame.jointCount : 0));
@@ -242,7 +244,8 @@ export class Stage {
             const c = frame.contacts;
             for (let i = 0; i < c.length; i += 6) {
                 const far = Math.hypot(c[i] - eye.x, c[i + 1] - eye.y, c[i + 2] - eye.z);
-                if (far < (this.aboard ? 300 : 60 * this.rig.distance)) arrows.add(c[i], c[i + 1], c[i + 2], c[i + 3], c[i + 4], c[i + 5], unit, FORCE.contact);
+                const long = arrowLength(Math.hypot(c[i + 3], c[i + 4], c[i + 5]), unit);
+                if (long > 4 * pixel * far) arrows.add(c[i], c[i + 1], c[i + 2], c[i + 3], c[i + 4], c[i + 5], unit, FORCE.contact);
             }
         }
         if (show.joints) {

@@ -2,7 +2,7 @@
 /// Sky, light, sea surface and seabed.
 import {
     BackSide, BufferAttribute, BufferGeometry, Color, DataTexture, DirectionalLight, Group, HemisphereLight,
-    LinearFilter, LinearMipmapLinearFilter, Mesh, RepeatWrapping, RGBAFormat, ShaderMaterial, SphereGeometry, UniformsLib, UniformsUtils, Vector3, Vector4, DoubleSide,
+    LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, Mesh, RepeatWrapping, RGBAFormat, ShaderMaterial, SphereGeometry, UniformsLib, UniformsUtils, Vector3, Vector4, DoubleSide,
 } from 'three';
 
 export const HORIZON = new Color(0xc3d5e0);
@@ -38,25 +38,33 @@ export function noiseTile(size = 128) {
     return out;
 }
 
-function noiseTexture() {
+function noiseTexture(low) {
     const size = 128, t = new DataTexture(noiseTile(size), size, size, RGBAFormat);
     t.wrapS = t.wrapT = RepeatWrapping;
-    t.minFilter = LinearMipmapLinearFilter;
+    t.minFilter = low ? LinearMipmapNearestFilter : LinearMipmapLinearFilter;
     t.magFilter = LinearFilter;
     t.generateMipmaps = true;
-    t.anisotropy = 4;
+    t.anisotropy = low ? 1 : 4;
     t.needsUpdate = true;
     return t;
 }
+/// To sRGB; where processors draw by a square root, which is within 0.03 of it and cheap.
+export const encode = `
+#ifdef LOW
+    gl_FragColor.rgb = sqrt(max(gl_FragColor.rgb, 0.0));
+#else
+    #include <colorspace_fragment>
+#endif`;
 const tile = {value: null};
 const noise = `uniform sampler2D tile;
 float noise(vec2 p) { return texture2D(tile, p * 0.11).b; }
 vec2 ripple(vec2 p) { return texture2D(tile, p * 0.11).rg - 0.5; }`;
 
-export function makeSky() {
-    tile.value ??= noiseTexture();
+/// low: with half of the detail, for processors that draw.
+export function makeSky(low = false) {
+    tile.value ??= noiseTexture(low);
     const material = new ShaderMaterial({
-        side: BackSide, depthWrite: false, fog: false,
+        side: BackSide, depthWrite: false, fog: false, defines: low ? {LOW: 1} : {},
         uniforms: {zenith: {value: ZENITH}, horizon: {value: HORIZON}, sun: {value: SUN}, tile},
         vertexShader: `varying vec3 way;
 void main() {
@@ -68,19 +76,24 @@ void main() {
 void main() {
     vec3 d = normalize(way);
     float up = max(d.z, 0.0);
-    vec3 c = mix(horizon, zenith, pow(up, 0.55));
+    vec3 c = mix(horizon, zenith, sqrt(up));
     vec2 q = d.xy / (0.14 + up) * 0.9;
+#ifdef LOW
+    float cloud = smoothstep(0.45, 0.8, noise(q));
+#else
     float cloud = smoothstep(0.48, 0.8, 0.62 * noise(q) + 0.38 * noise(q * 2.7 + 3.0));
+#endif
     c = mix(c, vec3(0.95, 0.97, 0.98), 0.75 * cloud * smoothstep(0.01, 0.2, up));
-    float s = max(dot(d, sun), 0.0);
-    c += vec3(1.0, 0.9, 0.7) * (0.25 * pow(s, 24.0) + 1.5 * pow(s, 900.0));
+    float s = max(dot(d, sun), 0.0); s *= s; s *= s; s *= s;
+    float glow = s * s * s, disc = glow * glow; disc *= disc; disc *= disc; disc *= disc; disc *= disc; disc *= disc;
+    c += vec3(1.0, 0.9, 0.7) * (0.25 * glow + 1.5 * disc);
     gl_FragColor = vec4(c, 1.0);
-    #include <colorspace_fragment>
+    ${encode}
 }`,
     });
     const mesh = new Mesh(new SphereGeometry(1, 24, 16), material);
     mesh.frustumCulled = false;
-    mesh.renderOrder = -10;
+    mesh.renderOrder = 4;   // behind all that is opaque: only what is seen of it is painted
     return mesh;
 }
 
@@ -227,12 +240,14 @@ void main() {
     vec3 sky = mix(horizon, zenith, sqrt(clamp(m.z, 0.0, 1.0)));
     float lit = 0.75 + 0.5 * dot(n, sun);
     vec3 body = mix(deep, vec3(0.02, 0.25, 0.32), clamp(0.4 + 2.2 * (n.x * sun.x + n.y * sun.y), 0.0, 1.0)) * lit;
-    float glint = pow(max(dot(m, sun), 0.0), 160.0) * 0.9;
+    float glint = max(dot(m, sun), 0.0);
+    glint *= glint; glint *= glint; glint *= glint; glint *= glint; glint *= glint; glint *= glint; glint *= glint;
+    glint *= 0.9;
     vec3 colour = mix(body, sky, f) + vec3(1.0, 0.92, 0.75) * glint;
     float alpha = mix(opacity, 1.0, max(f, smoothstep(400.0, 5000.0, far)));
     if (below > 0.5) { colour = mix(vec3(0.16, 0.42, 0.5), vec3(0.4, 0.62, 0.68), c); alpha = 0.75; }
     gl_FragColor = vec4(colour, clamp(alpha + glint, 0.0, 1.0));
-    #include <colorspace_fragment>
+    ${encode}
     #include <fog_fragment>
 }`;
 
@@ -270,7 +285,7 @@ void main() {
     c = mix(c, deep * 1.5, 0.25 + 0.6 * murk);
     c = mix(c, deep * 1.15, wet * smoothstep(300.0, 2600.0, far));
     gl_FragColor = vec4(c, 1.0);
-    #include <colorspace_fragment>
+    ${encode}
     #include <fog_fragment>
 }`,
         });

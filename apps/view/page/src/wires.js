@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires: every element one instance, as a lit tube or as a line of constant width on the screen.
+/// Wires: lit tubes, or lines of constant width on the screen.
 ///
-/// Points of all wires lie one after another in one buffer: the segment i goes from point i to
-/// point i + 1, so that a frame is one upload of points and one of utilisations. A segment that is
-/// none (between two wires, parted) has a share of −2 and is not drawn; −1 is drawn grey: its
-/// breaking load is not known.
+/// Points of all wires lie one after another in one texture (x, y, z, share), so that a frame is one
+/// small upload; the vertex shader makes the corners of the segment from point i to point i + 1 from
+/// the number of the vertex. (An instance a segment would be the usual way; but where the processor
+/// draws, each instance costs as much as a draw call.) A segment that is none (between two wires,
+/// parted) has a share of −2 and is not drawn; −1 is drawn grey: its breaking load is not known.
 import {
-    BufferAttribute, BufferGeometry, CylinderGeometry, DoubleSide, DynamicDrawUsage, InstancedBufferAttribute,
-    InstancedBufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial,
+    BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, Mesh, NearestFilter, RGBAFormat, ShaderMaterial,
     UniformsLib, UniformsUtils, Vector2, Vector3,
 } from 'three';
 import {GREY, STOPS, toLinear} from './colour.js';
-import {SUN} from './surroundings.js';
+import {encode, SUN} from './surroundings.js';
+
+const kWide = 512;  // points a row of the texture
 
 export const kNone = -2, kUnknown = -1;
 
@@ -29,29 +31,39 @@ function vec3(v) {
 }
 
 const head = `
-attribute vec3 a, b; attribute float share, radius, chosen;
+uniform highp sampler2D points, looks;
 uniform float pixel, least, level, murk; uniform vec2 screen;
 varying vec3 hue; varying float wet;
+vec3 a, b; float share, radius, chosen;
 ${colourShader}
+vec4 fetch(highp sampler2D t, int i) { return texelFetch(t, ivec2(i % ${kWide}, i / ${kWide}), 0); }
+int segment(int corners) {
+    int i = gl_VertexID / corners;
+    vec4 p = fetch(points, i), l = fetch(looks, i);
+    a = p.xyz; b = fetch(points, i + 1).xyz; share = p.w; radius = l.x; chosen = l.y;
+    return gl_VertexID % corners;
+}
 void paint(vec3 at) {
     hue = tension(share);
     if (chosen > 0.5) hue = mix(hue, vec3(1.0), 0.55);
     wet = murk * 0.22 * (1.0 - exp(-max(level - at.z, 0.0) / 60.0));
 }`;
 
-const tubeVertex = `${head}
+const tubeVertex = sides => `${head}
 varying vec3 normal_; varying float along;
 #include <fog_pars_vertex>
 void main() {
+    int corner = segment(${2 * sides});
     vec3 axis = b - a; float l = length(axis);
     if (share < -1.5 || l < 1e-6) { gl_Position = vec4(2.0, 2.0, 2.0, 0.0); return; }
     axis /= l;
     vec3 e1 = normalize(cross(abs(axis.z) < 0.9 ? vec3(0, 0, 1) : vec3(1, 0, 0), axis)), e2 = cross(axis, e1);
-    vec3 at = mix(a, b, position.y + 0.5);
+    float end = float(corner / ${sides}), turn = 6.2831853 * float(corner % ${sides}) / ${sides}.0;
+    vec3 at = mix(a, b, end);
     float depth = -(viewMatrix * vec4(at, 1.0)).z;
     float r = max(radius, least * pixel * depth) * (chosen > 0.5 ? 1.6 : 1.0);
-    vec3 out_ = position.x * e1 + position.z * e2;
-    normal_ = out_; along = (position.y + 0.5) * l / max(radius, 0.02);
+    vec3 out_ = cos(turn) * e1 + sin(turn) * e2;
+    normal_ = out_; along = end * l / max(radius, 0.02);
     paint(at);
     vec4 mvPosition = viewMatrix * vec4(at + r * out_, 1.0);
     gl_Position = projectionMatrix * mvPosition;
@@ -61,19 +73,21 @@ void main() {
 const lineVertex = `${head}
 #include <fog_pars_vertex>
 void main() {
+    int corner = segment(4);
     if (share < -1.5) { gl_Position = vec4(2.0, 2.0, 2.0, 0.0); return; }
+    bool first = corner < 2; float side = corner % 2 == 0 ? -0.5 : 0.5;
     vec4 p = viewMatrix * vec4(a, 1.0), q = viewMatrix * vec4(b, 1.0);
     float near = -0.05;                     // both ends before the eye
     if (p.z > near && q.z > near) { gl_Position = vec4(2.0, 2.0, 2.0, 0.0); return; }
     if (p.z > near) p = mix(q, p, (near - q.z) / (p.z - q.z));
     if (q.z > near) q = mix(p, q, (near - p.z) / (q.z - p.z));
-    vec4 mvPosition = position.y < 0.0 ? p : q;
-    vec4 P = projectionMatrix * p, Q = projectionMatrix * q, here = position.y < 0.0 ? P : Q;
+    vec4 mvPosition = first ? p : q;
+    vec4 P = projectionMatrix * p, Q = projectionMatrix * q, here = first ? P : Q;
     vec2 d = (Q.xy / Q.w - P.xy / P.w) * screen; float l = length(d);
     d = l > 1e-6 ? d / l : vec2(1, 0);
     float wide = max(2.0 * radius / (pixel * -mvPosition.z), 2.0 * least) * (chosen > 0.5 ? 1.8 : 1.0);
-    here.xy += position.x * wide * vec2(-d.y, d.x) / screen * here.w;
-    paint(position.y < 0.0 ? a : b);
+    here.xy += side * wide * vec2(-d.y, d.x) / screen * here.w;
+    paint(first ? a : b);
     gl_Position = here;
     #include <fog_vertex>
 }`;
@@ -88,19 +102,30 @@ void main() {
     float light = 0.62 + 0.25 * n.z + 0.38 * max(dot(n, sun), 0.0);
     vec3 c = hue * light * lay;` : 'vec3 c = hue;'}
     gl_FragColor = vec4(mix(c, deep, wet), 1.0);
-    #include <colorspace_fragment>
+    ${encode}
     #include <fog_fragment>
 }`;
 
+const texture = data => {
+    const t = new DataTexture(data, kWide, data.length / 4 / kWide, RGBAFormat, FloatType);
+    t.minFilter = t.magFilter = NearestFilter;
+    t.generateMipmaps = false;
+    return t;
+};
+
 export class Wires {
-    constructor() {
+    /// low: with fewer sides, for processors that draw.
+    constructor(low = false) {
+        this.sides = low ? 5 : 8;
+        this.defines = low ? {LOW: 1} : {};
         this.uniforms = UniformsUtils.merge([UniformsLib.fog, {
             pixel: {value: 0.001}, least: {value: 1.3}, level: {value: 0}, murk: {value: 0},
             screen: {value: new Vector2(1, 1)}, sun: {value: SUN}, deep: {value: new Vector3(0.02, 0.08, 0.13)},
         }]);
-        this.tubes = this.make(tubeVertex, fragment(true));
+        this.uniforms.points = {value: null};
+        this.uniforms.looks = {value: null};
+        this.tubes = this.make(tubeVertex(this.sides), fragment(true));
         this.lines = this.make(lineVertex, fragment(false));
-        this.base = {tubes: new CylinderGeometry(1, 1, 1, 8, 1, true), lines: ribbonGeometry()};
         this.reserve(256);
         this.asTubes = true;
         this.selected = -1;
@@ -108,7 +133,7 @@ export class Wires {
 
     make(vertexShader, fragmentShader) {
         const mesh = new Mesh(new BufferGeometry(), new ShaderMaterial(
-            {uniforms: this.uniforms, vertexShader, fragmentShader, fog: true, side: DoubleSide}));
+            {uniforms: this.uniforms, defines: this.defines, vertexShader, fragmentShader, fog: true, side: DoubleSide}));
         mesh.frustumCulled = false;
         return mesh;
     }
@@ -116,23 +141,25 @@ export class Wires {
     /// Room for this many points; what grows is made anew.
     reserve(points) {
         if (points <= this.capacity) return;
-        this.capacity = Math.max(256, Math.ceil(points * 1.25));
-        const n = this.capacity;
-        this.place = new Float32Array(3 * (n + 1));
-        [this.share, this.radius, this.chosen] = [new Float32Array(n), new Float32Array(n), new Float32Array(n)];
-        this.buffer = new InstancedInterleavedBuffer(this.place, 3, 1).setUsage(DynamicDrawUsage);
-        const instanced = array => new InstancedBufferAttribute(array, 1).setUsage(DynamicDrawUsage);
-        this.attributes = {
-            a: new InterleavedBufferAttribute(this.buffer, 3, 0), b: new InterleavedBufferAttribute(this.buffer, 3, 3),
-            share: instanced(this.share), radius: instanced(this.radius), chosen: instanced(this.chosen),
-        };
-        for (const kind of ['tubes', 'lines']) {
-            const g = new InstancedBufferGeometry();
-            g.index = this.base[kind].index;
-            g.setAttribute('position', this.base[kind].getAttribute('position'));
-            for (const [name, attribute] of Object.entries(this.attributes)) g.setAttribute(name, attribute);
-            this[kind].geometry.dispose();
-            this[kind].geometry = g;
+        const n = this.capacity = Math.ceil(Math.max(256, 1.25 * points + 1) / kWide) * kWide;
+        this.uniforms.points.value?.dispose();
+        this.uniforms.looks.value?.dispose();
+        this.place = new Float32Array(4 * n);
+        this.look = new Float32Array(4 * n);
+        this.uniforms.points.value = texture(this.place);
+        this.uniforms.looks.value = texture(this.look);
+        const tube = [];
+        for (let k = 0; k < this.sides; ++k) {
+            const m = (k + 1) % this.sides, s = this.sides;
+            tube.push(k, s + k, s + m, k, s + m, m);
+        }
+        for (const [mesh, corners, pattern] of [[this.tubes, 2 * this.sides, tube], [this.lines, 4, [0, 1, 3, 0, 3, 2]]]) {
+            const index = new Uint32Array((n - 1) * pattern.length);
+            for (let i = 0, at = 0; i < n - 1; ++i) for (const c of pattern) index[at++] = corners * i + c;
+            mesh.geometry.dispose();
+            mesh.geometry = new BufferGeometry();
+            mesh.geometry.setIndex(new BufferAttribute(index, 1));
+            mesh.userData.pattern = pattern.length;
         }
         this.counts = null;
     }
@@ -148,28 +175,28 @@ export class Wires {
     /// the breaking load; where that is not known, of `reference` [N].
     fill(frame, full, reference) {
         this.reserve(frame.points);
-        this.place.set(frame.wirePoints);
-        let point = 0, piece = 0;
+        const {place, look} = this, p = frame.wirePoints;
         const same = this.counts && frame.counts.every((n, i) => n === this.counts[i]);
+        let point = 0, piece = 0;
         for (let w = 0; w < frame.counts.length; ++w) {
             const n = frame.counts[w], wire = this.wires[w], strength = full * (wire.breaking_load || 0) || reference;
-            for (let k = 0; k + 1 < n; ++k) {
-                const t = frame.tensions[piece++];
-                this.share[point + k] = t < 0 ? kNone : strength > 0 ? t / strength : kUnknown;
+            for (let k = 0; k < n; ++k, ++point) {
+                const t = k + 1 < n ? frame.tensions[piece++] : -1, at = 4 * point;
+                place[at] = p[3 * point];
+                place[at + 1] = p[3 * point + 1];
+                place[at + 2] = p[3 * point + 2];
+                place[at + 3] = t < 0 ? kNone : strength > 0 && t === t ? t / strength : kUnknown;   // NaN: not known
+                if (same) continue;
+                look[at] = wire.radius;
+                look[at + 1] = w === this.selected ? 1 : 0;
             }
-            if (n) this.share[point + n - 1] = kNone;
-            if (!same) {
-                this.radius.fill(wire.radius, point, point + n);
-                this.chosen.fill(w === this.selected ? 1 : 0, point, point + n);
-            }
-            point += n;
         }
-        this.buffer.needsUpdate = this.attributes.share.needsUpdate = true;
+        this.uniforms.points.value.needsUpdate = true;
         if (!same) {
-            this.attributes.radius.needsUpdate = this.attributes.chosen.needsUpdate = true;
+            this.uniforms.looks.value.needsUpdate = true;
             this.counts = frame.counts.slice();
         }
-        for (const mesh of [this.tubes, this.lines]) mesh.geometry.instanceCount = Math.max(0, frame.points - 1);
+        for (const mesh of [this.tubes, this.lines]) mesh.geometry.setDrawRange(0, Math.max(0, frame.points - 1) * mesh.userData.pattern);
     }
 
     set asTubes(on) {
@@ -194,11 +221,4 @@ export class Wires {
         u.level.value = level;
         u.murk.value = murk;
     }
-}
-
-function ribbonGeometry() {
-    const g = new BufferGeometry();
-    g.setAttribute('position', new BufferAttribute(new Float32Array([-0.5, -1, 0, 0.5, -1, 0, 0.5, 1, 0, -0.5, 1, 0]), 3));
-    g.setIndex([0, 1, 2, 0, 2, 3]);
-    return g;
 }

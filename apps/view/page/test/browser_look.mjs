@@ -4,11 +4,11 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 
-const kSize = {width: 900, height: 506}, kMost = 300 * 1000;
+const kSize = {width: 1240, height: 698}, kScale = 0.7, kMost = 300 * 1000;
 
 /// Pictures are taken of a paused world, so that the processors have time to draw.
 async function pictures(kit, address) {
-    const page = await kit.open(kit.browser, address, {query: '?quality=high', viewport: kSize});
+    const page = await kit.open(kit.browser, address, {query: '?quality=high', viewport: kSize, deviceScaleFactor: kScale});
     await page.evaluate(() => { hawser.stage.show.tubes = 'tubes'; });
     await page.waitForTimeout(1500);
     await page.evaluate(() => hawser.play());
