@@ -80,7 +80,9 @@ std::vector<NumberLine> number_lines(const Path& file, std::size_t most) {
         for (std::string word; words >> word;) {
             double value = 0.0;
             if (!fortran_number(word, value)) {
-                heading = numbers.value.empty();
+                // A heading begins with a word; a number that is too large does not.
+                heading = numbers.value.empty() &&
+                          std::string("0123456789+-.").find(word[0]) == std::string::npos;
                 if (!heading)
                     refuse_hydro(file, "line " + std::to_string(line) + ": '" + word +
                                            "' is no finite number");

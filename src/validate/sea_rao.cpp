@@ -52,6 +52,9 @@ class SemiSubmersible {
         hull.coefficients = c_;
         hull.excitation = ExcitationKind::full;
         hull.drift = true;
+        // Waves act at the place of rest: what is left of motions at the waves' periods in the slow
+        // place makes a mean force, 4/(ωτ)³ of them.
+        hull.slow_time = 60.0;
         hull.linear = {.on = true, .height = kSemiG};
         sea.hulls.push_back(hull);
         w_.add(sea);

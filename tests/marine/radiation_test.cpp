@@ -211,6 +211,7 @@ TEST(Radiation, DriftIsTheTablesAndSlowAtTheDifference) {
 /// How far the energy of a body in ideal fluid strays in 20 s.
 double energy_strays(double step) {
     WaveCoefficients c = coupled();
+    c.infinite.setZero();
     c.infinite.diagonal() << 1e5, 9e5, 8e5, 1e7, 2e7, 3e7;
     for (auto& b : c.damping) b.setZero();
     c.stiffness.setZero();
