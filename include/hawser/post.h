@@ -43,7 +43,7 @@
 /// docs/wires.md, "Posts".
 
 #include <hawser/id.h>
-#include <hawser/math.h>
+#include <hawser/interactions.h>
 
 #include <string>
 

@@ -9,6 +9,7 @@
 #include <hawser/hull.h>
 #include <hawser/hydro.h>
 #include <hawser/id.h>
+#include <hawser/interactions.h>
 #include <hawser/math.h>
 
 #include <array>
