@@ -9,7 +9,7 @@ DEMO   := out/demo
 VIEW_PORT ?= 8080
 CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 
-.PHONY: help demo view page test test-page test-long test-bare test-export build bench format format-check layers tidy check clean packages
+.PHONY: help demo view page test test-page test-long test-bare test-export test-sanitized build bench format format-check layers tidy check clean packages
 .NOTPARALLEL:
 
 help:
@@ -18,6 +18,7 @@ help:
 	@echo "make test      install what is missing, build, run all tests"
 	@echo "make test-page drive the page of 'hawser view' in a browser (Debian's chromium), make its pictures"
 	@echo "make test-long 100,000 random pairs of shapes of each two kinds, a million forged files, 50,000 random edits, hashes, memory that ends anywhere, 100,000 operations on wires under sanitizers: an hour"
+	@echo "make test-sanitized all fast tests under address and undefined-behaviour sanitizers, also those that the gate leaves out: half an hour"
 	@echo "make test-bare demo and test in a bare Debian 12 that debootstrap makes: root, network, minutes"
 	@echo "make test-export 60 s of anchor_contact as glTF and VTK, judged by Khronos' validator and VTK"
 	@echo "make bench     build with the foreign engines installed, run the comparisons"
@@ -93,6 +94,12 @@ test-long: build
 	@$(BIN)/hawser-bench hashes scenes/payout.json scenes/tow_payout.json --steps 24000 \
 	    --restores 40
 	@$(BIN)/hawser-bench hashes --steps 200 --nonsmooth pivoting split pgs convex
+
+test-sanitized: packages
+	@cmake --preset asan-ubsan >/dev/null
+	@cmake --build build/asan-ubsan -j $(JOBS)
+	@ASAN_OPTIONS=detect_stack_use_after_return=0 ctest --test-dir build/asan-ubsan \
+	    --output-on-failure --no-tests=error -j $(JOBS) -L '^(fast|threads)$$'
 
 # Not part of check: it fetches a system.
 test-bare:

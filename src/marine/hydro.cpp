@@ -44,15 +44,15 @@ std::string sizes_fault(const WaveCoefficients& c) {
                std::to_string(c.added_mass.size()) + " of added mass; give both";
     for (std::size_t i = 0; i < n; ++i) {
         if (!(c.frequency[i] > 0.0 && c.frequency[i] < 1e4))
-            return "frequency " + std::to_string(i) + ": " + marine::number(c.frequency[i]) +
+            return "frequency " + std::to_string(i) + ": " + number(c.frequency[i]) +
                    " rad/s; give more than 0 (A(0) and A(inf) have keys of their own)";
         if (i > 0 && !(c.frequency[i] > c.frequency[i - 1]))
-            return "frequency " + std::to_string(i) + ": " + marine::number(c.frequency[i]) +
-                   " rad/s after " + marine::number(c.frequency[i - 1]) + "; they have to ascend";
+            return "frequency " + std::to_string(i) + ": " + number(c.frequency[i]) +
+                   " rad/s after " + number(c.frequency[i - 1]) + "; they have to ascend";
     }
     for (std::size_t i = 0; i < c.heading.size(); ++i)
         if (!(std::abs(c.heading[i]) <= 7.0) || (i > 0 && !(c.heading[i] > c.heading[i - 1])))
-            return "heading " + std::to_string(i) + ": " + marine::number(c.heading[i]) +
+            return "heading " + std::to_string(i) + ": " + number(c.heading[i]) +
                    " rad; directions have to ascend, within two turns";
     const auto sized = [&](const char* name, std::size_t has) {
         return has == 0 || has == table
@@ -73,7 +73,7 @@ std::string finite_fault(const WaveCoefficients& c) {
         return !m.allFinite() || !(m.cwiseAbs().maxCoeff() < 1e30);
     };
     for (std::size_t i = 0; i < c.added_mass.size(); ++i) {
-        const std::string at = " at " + marine::number(c.frequency[i]) + " rad/s";
+        const std::string at = " at " + number(c.frequency[i]) + " rad/s";
         if (bad(c.added_mass[i])) return "added_mass" + at + ": a number is not finite";
         if (bad(c.damping[i])) return "damping" + at + ": a number is not finite";
     }
@@ -114,8 +114,8 @@ std::string swapped_fault(const WaveCoefficients& c) {
     if (apart < 0.05 || swapped >= 0.5 * as_is) return {};
     return "A(inf) and A(0) are swapped: by A(w) and B(w) the former is nearer to what is given "
            "as A(0), as for heave " +
-           marine::number(told(2, 2)) + " kg where A(inf) is " + marine::number(c.infinite(2, 2)) +
-           " and A(0) " + marine::number(c.zero(2, 2));
+           number(told(2, 2)) + " kg where A(inf) is " + number(c.infinite(2, 2)) +
+           " and A(0) " + number(c.zero(2, 2));
 }
 
 }  // namespace
@@ -127,15 +127,15 @@ std::string coefficients_fault(const WaveCoefficients& c) {
     // Programs give damping to three digits and some noise: 2 % of the largest of each motion.
     for (std::size_t i = 0; i < c.damping.size(); ++i)
         if (const double low = lowest_scaled(c.damping[i], size); low < -0.02)
-            return "damping at " + marine::number(c.frequency[i]) +
+            return "damping at " + number(c.frequency[i]) +
                    " rad/s is not positive semi-definite: scaled to ones, its lowest eigenvalue "
                    "is " +
-                   marine::number(low);
+                   number(low);
     if (c.has_infinite)
         if (const double low = lowest_scaled(c.infinite, c.infinite); low < -1e-3)
             return "A(inf) is not positive semi-definite: scaled to ones, its lowest eigenvalue "
                    "is " +
-                   marine::number(low);
+                   number(low);
     return swapped_fault(c);
 }
 
