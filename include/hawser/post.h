@@ -12,7 +12,8 @@
 /// ```
 /// *Found* by its contacts: capsules of wires and the post's shape are swept along their velocities
 /// (World's collider), so that a fast wire is stopped at the surface in the step that would take it
-/// through; one that others yank within a step is stopped where it was within the shape's `margin`. In the next step the element that touches is divided about a contact node without mass
+/// through; one that others yank within a step is stopped where it was within the shape's `margin`.
+/// In the next step the element that touches is divided about a contact node without mass
 /// (World::lay_over()): as it lies then, with the tension that it has, at the radius of the post
 /// and half of the wire, which turns it by next to nothing yet.
 /// ```

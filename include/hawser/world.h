@@ -269,8 +269,7 @@ class World {
     /// friction by the element end, and lumps' halves of its mass. @return it. @throws DefError
     /// where the end is wound up, the element gone or parted, or the drum no scalar body.
     InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
-    /// An element becomes two, of kind end_span, about a place that it runs over (guide.h), and one
-    /// again, with their name; their slide goes with all that hangs on it.
+    /// An element becomes two, of kind end_span, about a place (guide.h); they become one again.
     std::array<InteractionId, 2> lay_over(InteractionId element, InteractionDef before,
                                           InteractionDef behind);
     InteractionId lift_off(InteractionId before, InteractionId behind, InteractionDef element);

@@ -21,7 +21,7 @@ struct Shape {
     std::int32_t material;
     std::uint32_t group, touches;
     double margin;  ///< Its own [m]; counts where larger than that of all.
-    bool moves;  ///< Some body of it has freedom.
+    bool moves;     ///< Some body of it has freedom.
     [[nodiscard]] bool segment() const noexcept { return body[1] >= 0; }
     /// It was removed, and nothing has taken its place.
     [[nodiscard]] bool gone() const noexcept { return body[0] < 0; }
@@ -50,8 +50,8 @@ struct Placed {
 
 /// Place a shape at the present poses. `swept` holds every place of the shape during a step of h
 /// at the present velocities, a turn counted as |ω| times the largest arm, and half of the margin
-/// around it, or its own: shapes that can come closer than the margin within the step have boxes that meet.
-/// `placed` is that of the last step; its box is kept where nothing moved.
+/// around it, or its own: shapes that can come closer than the margin within the step have boxes
+/// that meet. `placed` is that of the last step; its box is kept where nothing moved.
 void place(const Shape& shape, const model::Bodies& bodies, double h, double margin,
            Placed& placed) noexcept;
 

@@ -114,8 +114,8 @@ std::string swapped_fault(const WaveCoefficients& c) {
     if (apart < 0.05 || swapped >= 0.5 * as_is) return {};
     return "A(inf) and A(0) are swapped: by A(w) and B(w) the former is nearer to what is given "
            "as A(0), as for heave " +
-           number(told(2, 2)) + " kg where A(inf) is " + number(c.infinite(2, 2)) +
-           " and A(0) " + number(c.zero(2, 2));
+           number(told(2, 2)) + " kg where A(inf) is " + number(c.infinite(2, 2)) + " and A(0) " +
+           number(c.zero(2, 2));
 }
 
 }  // namespace

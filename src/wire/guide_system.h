@@ -47,7 +47,8 @@ class GuideSystem final : public System {
     [[nodiscard]] bool parted() const noexcept { return parted_ != 0; }
     /// What the wire presses on the wheel with, for small angles [N]: its tension by the angle, and
     /// the weight of the half elements that is put on the guide, where it points to the wheel.
-    /// Below 0 the wheel would have to hold the wire. @param slack  Angle that does not count [rad].
+    /// Below 0 the wheel would have to hold the wire. @param slack  Angle that does not count
+    /// [rad].
     [[nodiscard]] double pressing(const World& world, double slack) const noexcept;
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
