@@ -85,8 +85,7 @@ void case_sea_sphere(Report& report) {
     for (std::size_t i = 0; i < 4; ++i)
         report.compare(fmt::format("sphere let go, {}. extreme [m]", i + 1), {peak[i]},
                        {extreme.at(i)}, 0.01, "1 %");
-    auto states =
-        open_scene("sphere_decay", kSphereStep, {"sea.hulls.0.radiation=state_space"});
+    auto states = open_scene("sphere_decay", kSphereStep, {"sea.hulls.0.radiation=state_space"});
     report.compare("8 states beside the convolution, 40 s [m]", {0.0},
                    {largest_difference(z, heights(states.world, 40.0))}, 2e-3, "2 mm", 1.0);
     if (data_folder().empty()) return;
