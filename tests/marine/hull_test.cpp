@@ -171,7 +171,7 @@ TEST_F(HullFiles, ThatAreWrongAreRefusedByTheirLine) {
     EXPECT_NE(fault(write("e.stl", std::string(80, ' ') + std::string("\xff\xff\xff\x7f", 4)))
                   .find("ends before"),
               std::string::npos);
-    EXPECT_NE(fault(write("f.xyz", "v 1 2 3")).find("neither"), std::string::npos);
+    EXPECT_NE(fault(write("f.xyz", "v 1 2 3")).find("none of"), std::string::npos);
     EXPECT_NE(fault(write("g.stl", "short")).find("too short"), std::string::npos);
 }
 

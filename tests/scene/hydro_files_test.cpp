@@ -1,103 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of coefficients by other programs: small ones, written here in each format, and hostile
-// ones. HAWSER_HYDRO_DATA names a folder of real ones, which are then read, too.
+// Text files of coefficients and meshes by other programs: small ones, written here, and hostile
+// ones.
 #include <hawser/hull.h>
 #include <hawser/hydro_files.h>
-#include <hawser/scene.h>
+
+#include "scene/hydro_samples.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <numbers>
 #include <string>
-#include <vector>
 
-#include <unistd.h>
-
-#if HAWSER_HAVE_NETCDF
-#include <netcdf.h>
-#endif
-#if HAWSER_HAVE_HDF5
-#include <hdf5.h>
-#endif
-
-namespace hawser::test {
+namespace hawser::test::hydro {
 namespace {
-
-namespace fs = std::filesystem;
-using Complex = std::complex<double>;
-constexpr double kRho = 1025.0, kG = 9.81, kPi = std::numbers::pi;
-
-/// A folder that goes with the test.
-class Folder {
-  public:
-    Folder() {
-        path_ = fs::temp_directory_path() /
-                ("hawser_hydro_" + std::to_string(::getpid()) + "_" +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->name());
-        fs::create_directories(path_);
-    }
-    ~Folder() { fs::remove_all(path_); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return (path_ / name).string();
-    }
-    fs::path operator/(const std::string& name) const { return path_ / name; }
-
-  private:
-    fs::path path_;
-};
-
-// What all formats are to give: heave and sway-roll at four frequencies, 0 and 90 degrees.
-double added(int i, int j, double omega) {
-    const double a[6] = {1e5, 2e5, 3e5, 4e6, 5e6, 6e6};
-    if (i == j) return a[i] * (1.0 + 0.1 / omega);
-    return (i == 1 && j == 3) || (i == 3 && j == 1) ? -2e5 : 0.0;
-}
-double damped(int i, int j, double omega) {
-    const double b[6] = {1e4, 2e4, 3e4, 4e5, 5e5, 6e5};
-    return i == j ? b[i] * omega * std::exp(-omega) : 0.0;
-}
-Complex pushed(int k, int head, double omega) {
-    return Complex(1e4 * (k + 1), -2e3 * (head + 1)) * std::exp(-0.3 * omega);
-}
-const std::vector<double> kOmega{0.4, 0.7, 1.0, 1.5, 2.2};
-const std::vector<double> kHead{0.0, 90.0};
-
-void expect_all(const WaveCoefficients& c, bool scattering) {
-    ASSERT_EQ(c.frequency.size(), kOmega.size());
-    ASSERT_EQ(c.heading.size(), 2u);
-    EXPECT_NEAR(c.heading[1], 0.5 * kPi, 1e-6);
-    for (std::size_t w = 0; w < kOmega.size(); ++w) {
-        EXPECT_NEAR(c.frequency[w], kOmega[w], 1e-5);
-        for (int i = 0; i < 6; ++i) {
-            for (int j = 0; j < 6; ++j) {
-                // Text files have seven digits.
-                EXPECT_NEAR(c.added_mass[w](i, j), added(i, j, kOmega[w]), 1e-5 * 6e6);
-                EXPECT_NEAR(c.damping[w](i, j), damped(i, j, kOmega[w]), 1e-5 * 6e5);
-            }
-            for (int h = 0; h < 2; ++h) {
-                const Complex x = pushed(i, h, kOmega[w]);
-                const std::size_t at = c.index(std::size_t(h), w, i);
-                EXPECT_LT(std::abs(c.excitation[at] - x), 1e-5 * std::abs(x)) << i << h << w;
-                if (scattering) {
-                    EXPECT_LT(std::abs(c.scattering[at] - 0.5 * x), 1e-5 * std::abs(x));
-                }
-            }
-        }
-    }
-}
-
-std::string line(const char* format, auto... values) {
-    char text[256];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
 
 std::string wamit_1(bool swapped = false) {
     std::string out;
@@ -140,17 +55,6 @@ std::string wamit_9() {
                             kHead[std::size_t(h)], kHead[std::size_t(h)], k + 1,
                             100.0 * (k + 1) / (kRho * kG * std::pow(2.0, k > 2 ? 2 : 1)));
     return out;
-}
-
-const HydroUnits kUnits{.density = kRho, .gravity = kG};
-
-void refuses(const std::string& file, const char* why) {
-    try {
-        (void)read_coefficients(file, kUnits);
-        ADD_FAILURE() << "taken, but for " << why;
-    } catch (const DefError& error) {
-        EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
-    }
 }
 
 TEST(HydroFiles, Wamit) {
@@ -250,140 +154,6 @@ TEST(HydroFiles, Nemoh) {
     refuses(file, "is not that of line 1");
 }
 
-#if HAWSER_HAVE_NETCDF
-
-void write_netcdf(const fs::path& path, int mode, bool whole = true) {
-    int id = 0, dim[5], var[6];
-    ASSERT_EQ(nc_create(path.c_str(), mode | NC_CLOBBER, &id), NC_NOERR);
-    nc_def_dim(id, "omega", kOmega.size() + 2, &dim[0]);
-    nc_def_dim(id, "radiating_dof", 6, &dim[1]);
-    nc_def_dim(id, "influenced_dof", whole ? 6 : 5, &dim[2]);
-    nc_def_dim(id, "wave_direction", 2, &dim[3]);
-    nc_def_dim(id, "complex", 2, &dim[4]);
-    const int matrix[] = {dim[0], dim[1], dim[2]}, force[] = {dim[4], dim[0], dim[3], dim[2]};
-    nc_def_var(id, "omega", NC_DOUBLE, 1, dim, &var[0]);
-    nc_def_var(id, "wave_direction", NC_DOUBLE, 1, dim + 3, &var[1]);
-    nc_def_var(id, "added_mass", NC_DOUBLE, 3, matrix, &var[2]);
-    nc_def_var(id, "radiation_damping", NC_DOUBLE, 3, matrix, &var[3]);
-    nc_def_var(id, "excitation_force", NC_DOUBLE, 4, force, &var[4]);
-    nc_def_var(id, "diffraction_force", NC_DOUBLE, 4, force, &var[5]);
-    nc_enddef(id);
-    std::vector<double> omega{INFINITY}, a, b, x, half;
-    omega.insert(omega.end(), kOmega.rbegin(), kOmega.rend());  // descending, ∞ and 0 among them
-    omega.push_back(0.0);
-    const int motions = whole ? 6 : 5;
-    for (const double w : omega)
-        for (int j = 0; j < 6; ++j)
-            for (int i = 0; i < motions; ++i) {
-                a.push_back(std::isinf(w) ? added(i, j, 1e9)
-                            : w == 0.0    ? 1.4 * added(i, j, 1e9)
-                                          : added(i, j, w));
-                b.push_back(std::isinf(w) || w == 0.0 ? 0.0 : damped(i, j, w));
-            }
-    for (int part = 0; part < 2; ++part)
-        for (const double w : omega)
-            for (int h = 0; h < 2; ++h)
-                for (int k = 0; k < motions; ++k) {
-                    const Complex f = std::isinf(w) ? Complex() : pushed(k, h, w);
-                    x.push_back(part == 0 ? f.real() : f.imag());
-                    half.push_back(0.5 * x.back());
-                }
-    const double head[] = {0.0, 0.5 * kPi};
-    nc_put_var_double(id, var[0], omega.data());
-    nc_put_var_double(id, var[1], head);
-    nc_put_var_double(id, var[2], a.data());
-    nc_put_var_double(id, var[3], b.data());
-    nc_put_var_double(id, var[4], x.data());
-    nc_put_var_double(id, var[5], half.data());
-    nc_close(id);
-}
-
-TEST(HydroFiles, Capytaine) {
-    const Folder folder;
-    for (const int mode : {NC_64BIT_OFFSET, NC_NETCDF4}) {
-        write_netcdf(folder / "a.nc", mode);
-        const WaveCoefficients c = read_coefficients((folder / "a.nc").string());
-        expect_all(c, true);
-        EXPECT_NEAR(c.infinite(2, 2), added(2, 2, 1e9), 1.0);
-        EXPECT_TRUE(c.has_zero);
-    }
-    write_netcdf(folder / "a.nc", NC_CLOBBER, false);
-    refuses((folder / "a.nc").string(), "needs six");
-    refuses(folder.write("a.nc", "CDF no file at all"), "netCDF");
-    refuses(folder.write("a.nc", ""), "netCDF");
-}
-
-#endif
-#if HAWSER_HAVE_HDF5
-
-void put(hid_t file, const std::string& name, const std::vector<hsize_t>& size,
-         const std::vector<double>& value) {
-    const hid_t links = H5Pcreate(H5P_LINK_CREATE);
-    H5Pset_create_intermediate_group(links, 1);
-    const hid_t space = H5Screate_simple(int(size.size()), size.data(), nullptr);
-    const hid_t set =
-        H5Dcreate2(file, name.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT);
-    H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data());
-    H5Dclose(set);
-    H5Sclose(space);
-    H5Pclose(links);
-}
-
-void write_hdf5(const fs::path& path, hsize_t frequencies) {
-    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-    const std::string at = "body1/hydro_coeffs/";
-    std::vector<double> a, b, infinite, stiffness;
-    for (int i = 0; i < 6; ++i)
-        for (int j = 0; j < 6; ++j) {
-            infinite.push_back(added(i, j, 1e9) / kRho);
-            stiffness.push_back(i == j ? 7.0 : 0.0);
-            for (const double w : kOmega) {
-                a.push_back(added(i, j, w) / kRho);
-                b.push_back(damped(i, j, w) / (kRho * w));
-            }
-        }
-    put(file, at + "added_mass/all", {6, 6, frequencies}, a);
-    put(file, at + "added_mass/inf_freq", {6, 6}, infinite);
-    put(file, at + "radiation_damping/all", {6, 6, frequencies}, b);
-    put(file, at + "linear_restoring_stiffness", {6, 6}, stiffness);
-    for (const double share : {1.0, 0.5}) {
-        std::vector<double> re, im;
-        for (int k = 0; k < 6; ++k)
-            for (int h = 0; h < 2; ++h)
-                for (const double w : kOmega) {
-                    const Complex x = share * std::conj(pushed(k, h, w)) / (kRho * kG);
-                    re.push_back(x.real());
-                    im.push_back(x.imag());
-                }
-        const std::string of = at + (share == 1.0 ? "excitation/" : "excitation/scattering/");
-        put(file, of + "re", {6, 2, 5}, re);
-        put(file, of + "im", {6, 2, 5}, im);
-    }
-    put(file, "simulation_parameters/w", {5, 1}, kOmega);
-    put(file, "simulation_parameters/wave_dir", {2, 1}, kHead);
-    put(file, "simulation_parameters/scaled", {1, 1}, {0.0});
-    H5Fclose(file);
-}
-
-TEST(HydroFiles, Bemio) {
-    const Folder folder;
-    write_hdf5(folder / "a.h5", 5);
-    const WaveCoefficients c = read_coefficients((folder / "a.h5").string(), kUnits);
-    expect_all(c, true);
-    EXPECT_NEAR(c.stiffness(4, 4), 7.0 * kRho * kG, 1e-6);
-    write_hdf5(folder / "a.h5", 4);
-    refuses((folder / "a.h5").string(), "not 6 x 6 x 5");
-    std::string bytes;
-    {
-        std::ifstream in(folder / "a.h5", std::ios::binary);
-        bytes.assign(std::istreambuf_iterator<char>(in), {});
-    }
-    refuses(folder.write("b.h5", bytes.substr(0, bytes.size() / 3)), "HDF5");
-    refuses(folder.write("b.h5", "text"), "HDF5");
-}
-
-#endif
-
 TEST(HydroFiles, MeshesOfGdfAndNemoh) {
     const Folder folder;
     // A quarter of a box of 8 × 4 m, 3 m deep, without a deck.
@@ -439,34 +209,5 @@ TEST(HydroFiles, ChangedFilesDoNoHarm) {
     EXPECT_LT(taken, 400);
 }
 
-TEST(HydroFiles, RealOnes) {
-    const char* folder = std::getenv("HAWSER_HYDRO_DATA");
-    if (folder == nullptr) GTEST_SKIP() << "HAWSER_HYDRO_DATA names no folder";
-    const fs::path data(folder);
-    const WaveCoefficients semi = read_coefficients((data / "semisub.1").string());
-    // In long waves the surge force runs a quarter of a period before the wave, as in all files.
-    const auto phase = [](const WaveCoefficients& c, std::size_t w, int k) {
-        return std::arg(c.excitation[c.index(0, w, k)]) * 180 / kPi;
-    };
-    EXPECT_EQ(semi.frequency.size(), 29u);
-    EXPECT_NEAR(phase(semi, 0, 0), -90.0, 3.0);
-    EXPECT_NEAR(phase(semi, 0, 2), 0.0, 3.0);
-    const WaveCoefficients cylinder =
-        read_coefficients((data / "nemoh_cylinder/RadiationCoefficients.tec").string());
-    EXPECT_NEAR(phase(cylinder, 0, 0), -90.0, 1.0);
-    EXPECT_NEAR(phase(cylinder, 0, 2), 0.0, 1.0);
-#if HAWSER_HAVE_NETCDF
-    const WaveCoefficients capytaine = read_coefficients((data / "capytaine_sphere.nc").string());
-    EXPECT_NEAR(phase(capytaine, 0, 0), -90.0, 1.0);
-    EXPECT_NEAR(phase(capytaine, 0, 2), 0.0, 1.0);
-#endif
-#if HAWSER_HAVE_HDF5
-    const WaveCoefficients bemio =
-        read_coefficients((data / "sphere.h5").string(), {.density = 1000});
-    EXPECT_NEAR(phase(bemio, 0, 0), -90.0, 1.0);
-    EXPECT_NEAR(phase(bemio, 0, 2), 0.0, 1.0);
-#endif
-}
-
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::hydro

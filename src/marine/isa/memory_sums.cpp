@@ -25,8 +25,38 @@ __attribute__((always_inline)) inline double total_of(Lanes v) {
 /// Samples of all motions that the first cache holds: 6 × 512 × 8 bytes.
 constexpr std::int64_t kTile = 512;
 
+/// All pairs of six motions: each sample of a motion is loaded once for all that it meets.
+void all_pairs(const double* k, const double* v, std::int64_t stride, std::int64_t count,
+               double* out) noexcept {
+    Lanes low[6]{}, high[6]{};
+    std::int64_t m = 0;
+    for (; m + kLanes <= count; m += kLanes) {
+        Lanes x[6];
+        for (int i = 0; i < 6; ++i) x[i] = load(v + i * stride + m);
+        const double* p = k + m;
+#pragma GCC unroll 6
+        for (int i = 0; i < 6; ++i)
+#pragma GCC unroll 6
+            for (int j = 0; j <= i; ++j, p += stride) {
+                const Lanes both = load(p);
+                low[i] += both * x[j];
+                if (i != j) high[j] += both * x[i];
+            }
+    }
+    for (int i = 0; i < 6; ++i) out[i] += total_of(low[i] + high[i]);
+    for (; m < count; ++m) {
+        const double* p = k + m;
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j <= i; ++j, p += stride) {
+                out[i] += *p * v[j * stride + m];
+                if (i != j) out[j] += *p * v[i * stride + m];
+            }
+    }
+}
+
 void memory_sums(const double* k, const double* v, std::int64_t stride, std::int64_t count,
                  const int* pairs, int pair_count, double* out) noexcept {
+    if (pair_count == 21) return all_pairs(k, v, stride, count, out);  // in this order
     for (std::int64_t from = 0; from < count; from += kTile) {
         const std::int64_t end = from + kTile < count ? from + kTile : count;
         for (int p = 0; p < pair_count; ++p) {
