@@ -10,6 +10,7 @@
 #include "marine/memory_sums.h"
 #include "marine/spectra.h"
 #include "marine/wave_sums.h"
+#include "share_of.h"
 #include "verdict.h"
 
 #include <fmt/core.h>
@@ -36,12 +37,6 @@ double sea_cpu() {
     timespec t{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double share_of(std::vector<double> v, double share) {
-    if (v.empty()) return 0.0;
-    std::sort(v.begin(), v.end());
-    return v[static_cast<std::size_t>(share * static_cast<double>(v.size() - 1))];
 }
 
 /// Median CPU time of a call, of rounds of `repeat` calls [s].

@@ -3,6 +3,7 @@
 // view` with clients that read, one that never does and one that comes and goes. All are processes
 // and sockets as users have them; the figures of steps and frames are those that frames tell.
 #include "commands.h"
+#include "share_of.h"
 #include "verdict.h"
 
 #include "live/client.h"
@@ -48,13 +49,6 @@ double wall() {
     timespec now{};
     clock_gettime(CLOCK_MONOTONIC, &now);  // as in frames
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double share_of(std::vector<double> values, double share) {
-    if (values.empty()) return 0.0;
-    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + at, values.end());
-    return values[static_cast<std::size_t>(at)];
 }
 
 /// The program `hawser` beside this one, with its words in a file.

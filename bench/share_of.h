@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file share_of.h
+/// Quantiles of what was measured.
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace hawser::bench {
+
+/// The value that a share of all others is not above, such as 0.5 for the median; 0 of nothing.
+inline double share_of(std::vector<double> values, double share) {
+    if (values.empty()) return 0.0;
+    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+}
+
+}  // namespace hawser::bench
