@@ -30,8 +30,8 @@ const std::set<std::string> kAtRest = {
 
 /// Friction, ranges and motors, and nothing that touches.
 const std::set<std::string> kJoints = {
-    "anchor_lines", "joint_friction", "joint_limits", "motor_limits", "payout",
-    "slider_crank", "tackle",         "winch_modes",  "wire_part",    "wire_bollard"};
+    "anchor_lines", "anchor_sea", "joint_friction", "joint_limits", "motor_limits", "payout",
+    "slider_crank", "tackle",     "winch_modes",    "wire_part",    "wire_bollard"};
 
 TEST(Hashes, DoNotDependOnThreadsOrRestoring) {
     const auto files = nonsmooth_scenes("scenes");
