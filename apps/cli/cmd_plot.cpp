@@ -60,7 +60,7 @@ std::size_t frame_at(const record::Recording& recording, std::optional<double> t
     return best;
 }
 
-/// Pixels a point: so many that text has a readable size in a picture of that size.
+/// Pixels a point that make text readable in a picture of the given size.
 double pixels_of(const PlotOptions& options) {
     constexpr double kUsualWidth = 1280.0;  // [points]
     const int width = options.size.empty() ? 2560 : std::atoi(options.size.c_str());

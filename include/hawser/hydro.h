@@ -62,7 +62,7 @@ struct WaveCoefficients {
     /// X of all of the waves' force, of what the body scatters alone, and of motions at the
     /// reference [N/m, N; 1, rad/m]; empty: not known. Entry (heading, frequency, k) at index().
     std::vector<std::complex<double>> excitation{}, scattering{}, motion{};
-    /// Mean second-order force of regular waves, over a² [N/m², N/m]; likewise.
+    /// Mean second-order force of regular waves, over a² [N/m², N/m], by frequency and heading.
     std::vector<double> drift{};
     bool has_stiffness = false;
     Matrix6 stiffness = Matrix6::Zero();  ///< C, with that of weight [N/m, N, N m].

@@ -79,7 +79,7 @@ class Session {
     /// or the value is not finite; nothing is then changed or recorded.
     void set_input(std::string_view name, double value);
     /// Go back, or on, to a state of this session: World::restore(), and the timeline and the
-    /// control file go on from its time. A recording goes on from there, and its replay likewise.
+    /// control file go on from its time. A recording goes on from there, and so does its replay.
     /// @param made_of, state  World::structure() and World::save() of that time. @throws DefError;
     /// nothing has changed then.
     void restore(const Structure& made_of, std::span<const std::byte> state);

@@ -58,7 +58,7 @@ void Recording::add_cut(const RecordedCut& cut) {
     cuts.push_back(cut);
 }
 
-/// Steps from the last frame to one that comes now, and whether there may be so many: a replay
+/// Steps from the last frame to one that comes now, and whether a gap that long may be: a replay
 /// takes no more of them than frames of a stride explain.
 void Recording::check_gap(std::int64_t step, bool frame) const {
     const bool begins = frames_.size() == (takes.empty() ? 0 : takes.back().frames);

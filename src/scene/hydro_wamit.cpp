@@ -3,7 +3,7 @@
 /// ```
 ///     .1    A/ρL^k, B/ρL^k ω          k = 3, 4 where one, 5 where both are rotations
 ///     .3    X/ρgaL^m, .4  ξ/(a/L^n)   m = 2, 3; n = 0, 1
-///     .9    D/ρga²L^m                 m = 1, 2 (.8 likewise)
+///     .9    D/ρga²L^m                 m = 1, 2 (.8: the same)
 ///     .hst  C/ρgL^k                   k = 2, 3, 4
 /// ```
 /// by periods: a negative one stands for ω = 0, 0 for ω = ∞. Phases are those of e^{+iωt}.

@@ -33,7 +33,7 @@ class LiveRun {
 
     [[nodiscard]] std::uint16_t port() const { return server->port(); }
     [[nodiscard]] std::string host() const { return "127.0.0.1:" + std::to_string(port()); }
-    /// Lines that have been logged with a part in them; waits until there are so many as expected.
+    /// Lines that have been logged with a part in them; waits for as many as are expected.
     [[nodiscard]] int logged(const std::string& part, int expected = 0);
     [[nodiscard]] std::int64_t steps() const { return steps_.load(); }
     /// Whether steps are being taken.
