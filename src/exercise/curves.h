@@ -10,7 +10,8 @@
 
 namespace hawser::exercise {
 
-/// Beyond this number of samples every other one goes, and only every other one is added from then on.
+/// Beyond this number of samples every other one goes, and only every other one is added from then
+/// on.
 inline constexpr std::size_t kMostSamples = 8192;
 
 /// @param every, seen  Of the curves: steps from sample to sample, steps seen. @param values  Of
