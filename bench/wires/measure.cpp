@@ -11,10 +11,11 @@
 namespace hawser::bench::wires {
 namespace {
 
-constexpr double kRamp = 1.0;    ///< Of either force [s].
-constexpr double kLost = 0.2;    ///< Way of the weight at which a run ends [m].
-constexpr double kFar = 0.01;    ///< Way in a wait beyond which it slips [m].
-constexpr double kStill = 1e-5;  ///< Way below which nothing slips [m].
+constexpr double kRamp = 1.0;  ///< Of either force [s].
+constexpr double kLost = 0.2;  ///< Way of the weight at which a run ends [m].
+constexpr double kFar = 0.01;  ///< Way in a wait beyond which it slips [m].
+/// Way in half a wait below which nothing slips [m]: 5e-6 too much force makes as much of it.
+constexpr double kStill = 3e-4;
 constexpr double kApart = 0.05;  ///< Gap at which a chain counts as torn [m].
 
 enum class End : std::uint8_t { stands, ran, failed };
