@@ -23,7 +23,7 @@ constexpr const char* kWiresFooter =
     R"(A wire of 23 kg/m and EA 2.33e8 N turns round a fixed post of 0.5 m by half a turn, one and a half
 and three, mu = 0.25: a weight of 1 t on one leg, a pull on the other, frames of 1/60 s, one thread.
   slips   ratio of the forces at which the weight begins to run, by halving; exact: e^(mu theta)
-  error   of that ratio; own: what the method's geometry alone makes of it, a polygon's closed form
+  error   of that ratio; own: what a polygon of lumps makes of it by its closed form (ours)
   creep   way of the weight in 10 s at 99 % of that ratio
   ms      median CPU time of a frame, with as many substeps as it takes to stand half-way to slipping
           (ours: one)
@@ -68,9 +68,12 @@ void print_figures(const WireFigures& f, double creep_asked) {
                    f.substeps, f.why_not, f.ms, f.gap);
         return;
     }
-    fmt::print("{:<19} {:>8} {:>9.3f} {:>10.1e} {:>9.0e} {:>9.1e} {:>9.1e}{} {:>9.1e} {:>8.3f}\n",
-               f.method, f.substeps, f.ratio, f.error, f.width, f.own_error, f.creep,
-               f.creep_seconds < creep_asked - 0.1 ? "*" : " ", f.gap, f.ms);
+    const std::string own = f.ours ? fmt::format("{:.1e}", f.own_error) : "-";
+    const bool cut = f.creep_seconds < creep_asked - 0.1;
+    const std::string creep =
+        f.creep_seconds > 0.0 ? fmt::format("{:.1e}{}", f.creep, cut ? "*" : " ") : "lost ";
+    fmt::print("{:<19} {:>8} {:>9.3f} {:>10.1e} {:>9.0e} {:>9} {:>10} {:>9.1e} {:>8.3f}\n",
+               f.method, f.substeps, f.ratio, f.error, f.width, own, creep, f.gap, f.ms);
 }
 
 json figures_json(const WireFigures& f) {
@@ -86,8 +89,8 @@ json figures_json(const WireFigures& f) {
     j["slip_ratio"] = f.ratio;
     j["slip_ratio_relative_width"] = f.width;
     j["capstan_error"] = f.error;
-    j["capstan_error_of_geometry"] = f.own_error;
-    j["creep_m"] = f.creep;
+    if (f.ours) j["capstan_error_of_geometry"] = f.own_error;
+    j["creep_m"] = f.creep_seconds > 0.0 ? json(f.creep) : json();  // null: lost before
     j["creep_seconds"] = f.creep_seconds;
     return j;
 }
@@ -135,7 +138,8 @@ int compare_wires(const WiresOptions& o) {
             fmt::print("  MISSED: {} at {:g} turns\n", m.name, turns);
         }
     }
-    fmt::print("\n* it was lost (0.2 m) before {:g} s were over\n", o.plan.creep);
+    fmt::print("\n* it was lost (0.2 m) before {:g} s were over; lost: before they began\n",
+               o.plan.creep);
     if (o.json_file.empty()) return good ? 0 : 1;
     std::ofstream out(o.json_file);
     out << json{{"step_s", wires::kFrame}, {"friction", wires::kRub},
@@ -170,9 +174,12 @@ int wires_command(int argc, char** argv) {
     app.add_option("--max-substeps", o.plan.max_substeps, "Of peers")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
+    app.add_option("--substeps", o.plan.substeps, "No search of the least: peers take this many")
+        ->check(CLI::Range(1, 1024));
     app.add_flag("--quick", o.quick, "Some of ours, short runs: seconds");
     app.add_option("--json", o.json_file, "Write the figures to this file, with units");
     CLI11_PARSE(app, argc, argv);
+    o.plan.max_substeps = std::max(o.plan.max_substeps, o.plan.substeps);
     if (o.quick) {
         o.plan.wait = 2.0;
         o.plan.creep = 2.0;

@@ -21,6 +21,9 @@ class BulletChain final : public Rig {
         world_.setGravity(btVector3(0, 0, 0));
         world_.getSolverInfo().m_numIterations = kChainIterations;
         world_.getSolverInfo().m_erp = kChainErp;
+        // By default friction has one direction, that of the sliding, or where nothing slides any:
+        // along the post as well as along the wire, so that it does not hold.
+        world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
         post_.setCollisionShape(&post_shape_);  // a btCapsuleShape lies along y
         rubs(post_);
         world_.addCollisionObject(&post_, kPostGroup, kWireGroup);
@@ -63,7 +66,8 @@ class BulletChain final : public Rig {
         return most;
     }
     std::string settings() const override {
-        return "sequential impulse, ERP 0.8, 200 iterations, post a long capsule";
+        return "sequential impulse, ERP 0.8, 200 iterations, two friction directions, "
+               "post a long capsule";
     }
 
   private:
@@ -90,7 +94,6 @@ class BulletChain final : public Rig {
     btRigidBody& add_link(const btVector3& from, const btVector3& to) {
         const btVector3 along = to - from;
         shapes_.push_back(std::make_unique<btCapsuleShape>(kWireRadius, along.length()));
-        // About y from z is not it: the shape's y goes to the direction, in the plane x-z.
         const btQuaternion q = shortestArcQuat(btVector3(0, 1, 0), along.normalized());
         return add(kDensity * along.length(), *shapes_.back(), btTransform(q, 0.5 * (from + to)),
                    true);

@@ -86,6 +86,7 @@ class Search {
         : m_(method), plan_(plan), turns_(turns) {
         f_.method = method.name;
         f_.turns = turns;
+        f_.ours = method.ours;
         euler_ = kRub * 2.0 * kPi * turns;
         guess_ = method.exponent(turns);
         f_.own_error = std::expm1(guess_ - euler_);
@@ -106,7 +107,8 @@ class Search {
     /// Least substeps with which it stands half-way to slipping.
     void find_substeps() {
         const double half = 0.5 * std::min(guess_, euler_);
-        for (int n = 1; n <= plan_.max_substeps; n *= 2) {
+        const bool given = plan_.substeps > 0 && !m_.ours;
+        for (int n = given ? plan_.substeps : 1; n <= plan_.max_substeps; n *= 2) {
             Pulling p(m_, turns_, n, half);
             const End end = p.run_to(2.0 * kRamp + 1.0);
             f_.substeps = n;
@@ -117,7 +119,7 @@ class Search {
             f_.holds = end == End::stands && std::abs(p.rig().way()) < 0.25 * kLost;
             if (f_.holds || m_.ours) break;
             f_.why_not = describe(end, p);
-            if (spent_ > plan_.budget) break;
+            if (given || spent_ > plan_.budget) break;
         }
         if (f_.holds) f_.why_not.clear();
     }

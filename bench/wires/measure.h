@@ -26,7 +26,8 @@ struct WireMethod {
     bool ours = false;
     /// Null where it does not have the case, or is not in this build.
     std::function<std::unique_ptr<Rig>(double turns, int substeps)> make;
-    /// ln(P/W) at which it should slip by its own geometry; without friction 0.
+    /// ln(P/W) at which the search begins: of ours where the method's own geometry slips; without
+    /// friction 0.
     std::function<double(double turns)> exponent;
     bool in_build = true;
     bool quick = false;  ///< In --quick.
@@ -41,12 +42,14 @@ struct WirePlan {
     double own_width = 1e-5;   ///< Of ln(P/W) at the end of the search, ours.
     double peer_width = 1e-3;  ///< Peers'.
     int max_substeps = 64;
+    int substeps = 0;      ///< Of peers; 0: the least that holds.
     double budget = 60.0;  ///< CPU time of the search of one method in one case [s].
 };
 
 struct WireFigures {
     std::string method, settings;
     double turns = 0.0;
+    bool ours = false;
     bool has_case = false;   ///< False: the engine does not have the case.
     bool holds = false;      ///< It stands at e^{μθ/2}, without friction at 1.
     std::string why_not;     ///< Where it does not.
@@ -54,7 +57,7 @@ struct WireFigures {
     double ratio = 0.0;      ///< P/W at which it slips.
     double width = 0.0;      ///< Relative width of the search's last interval.
     double error = 0.0;      ///< ratio/e^{μθ} − 1.
-    double own_error = 0.0;  ///< The method's own closed form /e^{μθ} − 1.
+    double own_error = 0.0;  ///< Ours: the closed form of the geometry /e^{μθ} − 1.
     double creep = 0.0;      ///< Way of the weight in WirePlan::creep at 0.99 ratio [m].
     double creep_seconds = 0.0;  ///< Of them that were run, until it was lost.
     double gap = 0.0;            ///< Largest of the creep run [m].

@@ -99,8 +99,8 @@ inline double lump_exponent(double turns, int n) {
     return 2.0 * n * std::atanh(k);
 }
 
-/// The same of rigid links, each pulled at half its turn to its side: N = (T₁ + T₂) sin(α/2),
-/// (T₂ − T₁) cos(α/2) = μN. More than μθ. What links do that lean on their neighbours is left out.
+/// Where the search begins for rigid links, each pulled at half its turn to its side. No closed
+/// form: links lean on their neighbours, and those of few links a turn slip far below it.
 inline double link_exponent(double turns, int n) {
     return 2.0 * n * std::atanh(std::min(0.99, kRub * std::tan(0.5 * turn_of_element(turns, n))));
 }
