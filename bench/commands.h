@@ -49,4 +49,7 @@ int edits_command(int argc, char** argv);
 /// Compare engines on the scenes of peers/scenes.h.
 int peers_command(int argc, char** argv);
 
+/// Compare engines on a wire round a post.
+int wires_command(int argc, char** argv);
+
 }  // namespace hawser::bench

@@ -40,6 +40,8 @@ constexpr Command kCommands[] = {
      hawser::bench::sea_command},
     {"edits", "what it costs to add and remove while a world runs", hawser::bench::edits_command},
     {"peers", "our steps against other engines, on six scenes", hawser::bench::peers_command},
+    {"wires", "a wire round a post: capstan error, creep, cost, beside other engines",
+     hawser::bench::wires_command},
 };
 
 /// Debian gives huge pages to all memory, other systems only to those who ask, as our largest

@@ -41,10 +41,10 @@ find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 
-# The headers of Simbody 3.7 do not compile as C++20: files bench/peers/simbody*.cpp are C++17
+# The headers of Simbody 3.7 do not compile as C++20: files simbody*.cpp are C++17
 # and talk to the rest through plain C++17 headers. They are left out where Simbody is missing.
 set(simbody_sources ${bench_sources})
-list(FILTER simbody_sources INCLUDE REGEX "/bench/peers/simbody[^/]*\\.cpp$")
+list(FILTER simbody_sources INCLUDE REGEX "/bench/(peers|wires)/simbody[^/]*\\.cpp$")
 if(simbody_sources)
     list(REMOVE_ITEM bench_sources ${simbody_sources})
 endif()
@@ -80,7 +80,7 @@ target_compile_definitions(hawser_bench PRIVATE
     HAWSER_BENCH_REFERENCE="${PROJECT_SOURCE_DIR}/bench/peers/reference")
 
 # What an earlier configuration of the folder found stays in its cache: each use asks the option.
-set(foreign_peers ODE BULLET SIMBODY METIS SCOTCH MUMPS)
+set(foreign_peers ODE BULLET SIMBODY MUJOCO METIS SCOTCH MUMPS)
 function(hawser_bench_peer name found)
     if(found AND (HAWSER_BENCH_LIBRARIES OR NOT name IN_LIST foreign_peers))
         target_compile_definitions(hawser_bench PRIVATE HAWSER_HAVE_${name}=1)
@@ -93,6 +93,16 @@ endfunction()
 
 hawser_bench_peer(ODE "${ODE_FOUND}" PkgConfig::ODE)
 hawser_bench_peer(BULLET "${BULLET_FOUND}" PkgConfig::BULLET)
+# The targets that Debian's MuJoCo 2.2.2 exports name folders of other packages: asked by hand.
+find_path(MUJOCO_INCLUDE_DIR mujoco/mujoco.h)
+find_library(MUJOCO_LIBRARY mujoco)
+mark_as_advanced(MUJOCO_INCLUDE_DIR MUJOCO_LIBRARY)
+if(MUJOCO_INCLUDE_DIR AND MUJOCO_LIBRARY)
+    target_include_directories(hawser_bench SYSTEM PRIVATE ${MUJOCO_INCLUDE_DIR})
+    hawser_bench_peer(MUJOCO TRUE ${MUJOCO_LIBRARY})
+else()
+    hawser_bench_peer(MUJOCO FALSE)
+endif()
 if(HAWSER_BENCH_LIBRARIES AND Simbody_FOUND AND simbody_sources)
     add_library(hawser_bench_simbody OBJECT ${simbody_sources})
     hawser_settings(hawser_bench_simbody)
