@@ -75,7 +75,19 @@ struct WireTrim {
     std::optional<ShapeDef> segment{};  ///< Capsule between lumps; its bodies do not matter.
 };
 
-/// A wire of equal elements. A definition: World::add_wire copies it whole.
+/// A piece of a wire of one line type, in equal elements.
+struct WireSection {
+    int elements = 1;                 ///< Of all sections together 1 to 100,000.
+    double length = kDefault;         ///< Unstretched [m]. Required.
+    double EA = kDefault;             ///< Axial stiffness [N]. Required.
+    double mass_per_length = 0.0;     ///< [kg/m]. Required: lumps have mass.
+    double EI = 0.0;                  ///< Bending stiffness [N m²]; 0: none.
+    double axial_damping = kDefault;  ///< As WireDef has it.
+    double breaking_load = kDefault;  ///< [N]; kDefault: it does not part.
+    double drag = 0.0;                ///< Of lumps along all axes [N s/m²], by length.
+};
+
+/// A wire of equal elements, or of sections. A definition: World::add_wire copies it whole.
 struct WireDef {
     std::string name{};  ///< Unique among wires. Nodes are called name/1, …, elements name/s0, ….
     BodyId from{};       ///< Body that holds the first end. Required.
@@ -102,6 +114,11 @@ struct WireDef {
     /// finite elements), so that a turning wire has the angular momentum and energy of its
     /// material, however few elements it has. False: lumps move by themselves.
     bool consistent_mass = false;
+    /// Pieces of several line types, from the first end on. With them `elements`, `length`, `EA`,
+    /// `mass_per_length`, `EI`, `axial_damping`, `breaking_load` and `drag` above are left as they
+    /// are. The node between two has half of each; a bend there has their flexibilities in a row,
+    /// and none where one of them has no EI (docs/wires.md, "Several line types").
+    std::vector<WireSection> sections{};
 };
 
 /// What holds two ends together. Wires of lumps have no torsion: a swivel, which lets one end twist

@@ -4,6 +4,8 @@
 #include "world/checks.h"
 
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,15 +15,70 @@ namespace {
 
 constexpr int kMostElements = 100'000;
 
-/// Where the lumps are: the path, or evenly between the ends.
-void find_places(const World& w, const WireDef& def, std::vector<Vec3>& out) {
+/// Sections of a wire; of one without any the one that it is.
+class Sections {
+  public:
+    explicit Sections(const WireDef& def) : list_(def.sections) {
+        if (!list_.empty()) return;
+        one_ = {.elements = def.elements,
+                .length = def.length,
+                .EA = def.EA,
+                .mass_per_length = def.mass_per_length,
+                .EI = def.EI,
+                .axial_damping = def.axial_damping,
+                .breaking_load = def.breaking_load,
+                .drag = def.drag};
+        list_ = {&one_, 1};
+    }
+    Sections(const Sections&) = delete;
+    Sections& operator=(const Sections&) = delete;
+
+    [[nodiscard]] std::span<const WireSection> list() const noexcept { return list_; }
+    void set_length(double length) noexcept { one_.length = length; }  ///< Of the only one.
+    [[nodiscard]] std::int64_t elements() const noexcept {
+        std::int64_t sum = 0;
+        for (const WireSection& s : list_) sum += s.elements;
+        return sum;
+    }
+    /// Section of element i.
+    [[nodiscard]] const WireSection& of(std::size_t i) const noexcept {
+        for (const WireSection& s : list_) {
+            const auto here = static_cast<std::size_t>(s.elements);
+            if (i < here) return s;
+            i -= here;
+        }
+        return list_.back();
+    }
+
+  private:
+    WireSection one_{};
+    std::span<const WireSection> list_;
+};
+
+double element_of(const WireSection& s) noexcept { return s.length / s.elements; }
+
+/// Where the lumps are: the path, or by length between the ends.
+void find_places(const World& w, const WireDef& def, const Sections& sections,
+                 std::vector<Vec3>& out) {
     out.assign(def.path.begin(), def.path.end());
     if (!def.path.empty()) return;
     const Vec3 a = w.world_point(def.from, def.from_point);
+    double whole = 0.0;
+    for (const WireSection& s : sections.list()) whole += s.length;
     const Vec3 b =
-        def.to.valid() ? w.world_point(def.to, def.to_point) : Vec3(a - def.length * Vec3::UnitZ());
-    for (int i = 1; i <= def.elements - (def.to.valid() ? 1 : 0); ++i)
-        out.push_back(a + (b - a) * (static_cast<double>(i) / def.elements));
+        def.to.valid() ? w.world_point(def.to, def.to_point) : Vec3(a - whole * Vec3::UnitZ());
+    if (def.sections.empty()) {
+        for (int i = 1; i <= def.elements - (def.to.valid() ? 1 : 0); ++i)
+            out.push_back(a + (b - a) * (static_cast<double>(i) / def.elements));
+        return;
+    }
+    double before = 0.0;
+    for (const WireSection& s : sections.list()) {
+        for (int i = 1; i <= s.elements; ++i)
+            out.push_back(a + (b - a) * ((before + i * element_of(s)) / whole));
+        before += s.length;
+    }
+    if (def.to.valid()) out.pop_back();
 }
 
 double length_of(const World& w, const WireDef& def, const std::vector<Vec3>& lumps) {
@@ -39,16 +96,17 @@ double length_of(const World& w, const WireDef& def, const std::vector<Vec3>& lu
 class WireMaker {
   public:
     WireMaker(World& world, const WireDef& def, Wire& out, std::vector<Vec3>& lumps)
-        : world_(world), def_(def), out_(out), lumps_(lumps) {
-        find_places(world, def, lumps);
-        element_ = length_of(world, def, lumps_) / def.elements;
-        if (!(element_ > 0.0) || !std::isfinite(element_))
-            refuse(Where("wire", def.name), "its length must be positive");
+        : world_(world), def_(def), out_(out), lumps_(lumps), sections_(def) {
+        find_places(world, def, sections_, lumps);
+        if (def.sections.empty()) sections_.set_length(length_of(world, def, lumps_));
+        for (const WireSection& s : sections_.list())
+            if (!(element_of(s) > 0.0) || !std::isfinite(element_of(s)))
+                refuse(Where("wire", def.name), "its length must be positive");
     }
 
     void make() {
         // What is noted must not throw, or it would not be taken away.
-        const auto n = static_cast<std::size_t>(def_.elements);
+        const auto n = static_cast<std::size_t>(sections_.elements());
         out_.nodes.reserve(n + 1);
         out_.lumps.reserve(n);
         for (auto* list : {&out_.elements, &out_.bends}) list->reserve(n);
@@ -65,8 +123,10 @@ class WireMaker {
         for (std::size_t i = 0; i < lumps_.size(); ++i) add_lump(i);
         if (def_.to.valid()) out_.nodes.push_back(def_.to);
         for (std::size_t i = 0; i + 1 < out_.nodes.size(); ++i) add_element(i);
-        for (std::size_t i = 1; def_.EI > 0.0 && i + 1 < out_.nodes.size(); ++i)
-            if (out_.nodes[i - 1] != out_.nodes[i + 1]) add_bend(i);
+        for (std::size_t i = 1; i + 1 < out_.nodes.size(); ++i)
+            if (sections_.of(i - 1).EI > 0.0 && sections_.of(i).EI > 0.0 &&
+                out_.nodes[i - 1] != out_.nodes[i + 1])
+                add_bend(i);
         for (std::size_t i = 1; def_.radius > 0.0 && i + 1 < out_.nodes.size(); ++i) add_segment(i);
     }
 
@@ -79,30 +139,40 @@ class WireMaker {
                : def_.to.valid() && i + 1 == out_.nodes.size() ? def_.to_point
                                                                : Vec3::Zero().eval();
     }
+    /// The lump behind element i has half of it, and half of the next one unless it is a free end.
     void add_lump(std::size_t i) {
-        // A free end carries half an element.
         const bool end = !def_.to.valid() && i + 1 == lumps_.size();
-        const double share = end ? 0.5 * element_ : element_;
+        const WireSection& before = sections_.of(i);
         BodyDef body{.name = part("", i + 1), .kind = BodyKind::lump, .position = lumps_[i]};
         body.velocity = def_.velocity;
-        body.mass = def_.mass_per_length * share;
-        body.linear_damping = Vec3::Constant(def_.drag * share);
+        const auto add = [&](const WireSection& s, double share) {
+            body.mass += s.mass_per_length * share;
+            body.linear_damping += Vec3::Constant(s.drag * share);
+        };
+        body.mass = 0.0;
+        if (const WireSection& after = sections_.of(i + 1); !end && &after != &before) {
+            add(before, 0.5 * element_of(before));
+            add(after, 0.5 * element_of(after));
+        } else {
+            add(before, (end ? 0.5 : 1.0) * element_of(before));
+        }
         out_.lumps.push_back(world_.add_body(body));
         out_.nodes.push_back(out_.lumps.back());
     }
     void add_element(std::size_t i) {
+        const WireSection& s = sections_.of(i);
+        const double element = element_of(s);
         InteractionDef d;
         d.name = part("s", i);
         d.kind = InteractionKind::Stretch;
         d.body = {out_.nodes[i], out_.nodes[i + 1]};
         d.point = {point(i), point(i + 1), Vec3::Zero(), Vec3::Zero()};
-        d.set("length", element_).set("EA", def_.EA);
-        if (def_.consistent_mass) d.set("mass", def_.mass_per_length * element_);
-        if (!std::isnan(def_.breaking_load)) d.set("breaking_load", def_.breaking_load);
+        d.set("length", element).set("EA", s.EA);
+        if (def_.consistent_mass) d.set("mass", s.mass_per_length * element);
+        if (!std::isnan(s.breaking_load)) d.set("breaking_load", s.breaking_load);
         // Fraction ζ of critical of the highest axial mode, ω = 2c/l with c = √(EA/ρ).
-        if (!std::isnan(def_.axial_damping))
-            d.damping_time[0] =
-                def_.axial_damping * element_ * std::sqrt(def_.mass_per_length / def_.EA);
+        if (!std::isnan(s.axial_damping))
+            d.damping_time[0] = s.axial_damping * element * std::sqrt(s.mass_per_length / s.EA);
         out_.elements.push_back(world_.add_interaction(d));
     }
     void add_bend(std::size_t i) {
@@ -111,7 +181,15 @@ class WireMaker {
         d.kind = InteractionKind::Bend;
         d.body = {out_.nodes[i - 1], out_.nodes[i], out_.nodes[i + 1]};
         d.point = {point(i - 1), point(i), point(i + 1), Vec3::Zero()};
-        d.set("EI", def_.EI).set("length", element_);
+        // About the node both halves bend in a row: the sum of their flexibilities.
+        const WireSection &before = sections_.of(i - 1), &after = sections_.of(i);
+        double length = element_of(before), EI = before.EI;
+        if (&before != &after) {
+            const double one = 0.5 * length, other = 0.5 * element_of(after);
+            length = one + other;
+            EI = length / (one / before.EI + other / after.EI);
+        }
+        d.set("EI", EI).set("length", length);
         out_.bends.push_back(world_.add_interaction(d));
     }
     /// Between lumps: what ends on a body has none there.
@@ -128,35 +206,51 @@ class WireMaker {
     const WireDef& def_;
     Wire& out_;
     const std::vector<Vec3>& lumps_;
-    double element_ = 0.0;
+    Sections sections_;
 };
+
+void check(const Where& where, const WireSection& s) {
+    if (s.elements < 1 || s.elements > kMostElements)
+        refuse(where, "elements must be 1 to 100000, not " + std::to_string(s.elements));
+    if (!(s.mass_per_length > 0.0) || !(s.mass_per_length <= 1e9))
+        refuse(where, "mass_per_length = " + number(s.mass_per_length) +
+                          " kg/m; its lumps need a positive mass");
+    if (!(s.EA > 0.0)) refuse(where, "EA must be given, in N");
+    for (const auto& [value, what] : {std::pair(s.EI, "EI"), std::pair(s.drag, "drag")})
+        if (!(value >= 0.0) || !std::isfinite(value))
+            refuse(where, std::string(what) + " must be a number from 0 on");
+    if (!std::isnan(s.axial_damping) && !(s.axial_damping >= 0.0 && s.axial_damping <= 1e3))
+        refuse(where, "axial_damping must be 0 to 1000");
+}
 
 }  // namespace
 
 void check(const WireDef& def) {
     const Where where("wire", def.name);
     if (def.name.empty()) throw DefError("a wire needs a name");
-    if (def.elements < 1 || def.elements > kMostElements)
-        refuse(where, "elements must be 1 to 100000, not " + std::to_string(def.elements));
-    if (!def.to.valid() && def.elements < 2)
+    const Sections sections(def);
+    for (const WireSection& s : sections.list()) check(where, s);
+    for (const WireSection& s : def.sections)
+        if (!(s.length > 0.0) || !std::isfinite(s.length))
+            refuse(where, "each of its sections needs a length above 0, in m");
+    if (sections.elements() > kMostElements)
+        refuse(where, "elements must be 1 to 100000, not " + std::to_string(sections.elements()));
+    if (!def.to.valid() && sections.elements() < 2)
         refuse(where, "a wire of one element needs a body at its last end");
-    if (!(def.mass_per_length > 0.0) || !(def.mass_per_length <= 1e9))
-        refuse(where, "mass_per_length = " + number(def.mass_per_length) +
-                          " kg/m; its lumps need a positive mass");
-    if (!(def.EA > 0.0)) refuse(where, "EA must be given, in N");
-    for (const auto& [value, what] :
-         {std::pair(def.EI, "EI"), std::pair(def.drag, "drag"), std::pair(def.radius, "radius")})
-        if (!(value >= 0.0) || !std::isfinite(value))
-            refuse(where, std::string(what) + " must be a number from 0 on");
-    if (!std::isnan(def.axial_damping) && !(def.axial_damping >= 0.0 && def.axial_damping <= 1e3))
-        refuse(where, "axial_damping must be 0 to 1000");
-    const auto lumps = static_cast<std::size_t>(def.elements - (def.to.valid() ? 1 : 0));
+    if (!(def.radius >= 0.0) || !std::isfinite(def.radius))
+        refuse(where, "radius must be a number from 0 on");
+    if (!def.sections.empty() && (!std::isnan(def.length) || !std::isnan(def.EA) ||
+                                  def.mass_per_length != 0.0 || def.EI != 0.0))
+        refuse(where,
+               "length, EA, mass_per_length and EI are those of its sections; leave them out");
+    const auto lumps = static_cast<std::size_t>(sections.elements() - (def.to.valid() ? 1 : 0));
     if (!def.path.empty() && def.path.size() != lumps)
         refuse(where, "path has " + std::to_string(def.path.size()) +
                           " points; give one for each "
                           "of its " +
                           std::to_string(lumps) + " lumps, or none");
-    if (def.path.empty() && !def.to.valid() && std::isnan(def.length))
+    if (def.path.empty() && !def.to.valid() && sections.list().size() == 1 &&
+        std::isnan(sections.list()[0].length))
         refuse(where, "a wire with a free end needs a length or a path");
 }
 

@@ -32,7 +32,8 @@ WireId World::add_wire(const WireDef& def) {
         world::refuse(where, "the name is taken; names are unique");
     world::Wire& made = m.wires.coming;
     made.begin(def.name, true);
-    made.trim.EI = def.EI;
+    made.trim.EI = def.sections.empty() ? def.EI : def.sections.front().EI;
+    for (const WireSection& s : def.sections) made.trim.EI = std::min(made.trim.EI, s.EI);
     const Impl::Mark before = m.mark(def.from, def.to);
     WireId id;
     try {

@@ -46,6 +46,103 @@ TEST(Wires, HangByTheirWeight) {
     EXPECT_THROW((void)w.tension(h.wire, std::nan("")), DefError);
 }
 
+WireDef of_wire_and_chain(BodyId top) {
+    WireDef def{.name = "line", .from = top};
+    def.sections = {{.elements = 4, .length = 40.0, .EA = 1e8, .mass_per_length = 4.0, .EI = 900.0},
+                    {.elements = 3,
+                     .length = 12.0,
+                     .EA = 5e8,
+                     .mass_per_length = 60.0,
+                     .EI = 300.0,
+                     .breaking_load = 1e6,
+                     .drag = 2.0}};
+    return def;
+}
+
+TEST(Wires, OfSectionsHangByTheWeightOfEach) {
+    World w;
+    const BodyId top = w.add_body({.name = "top", .kind = BodyKind::fixed});
+    const WireId line = w.add_wire(of_wire_and_chain(top));
+    EXPECT_EQ(w.elements(line).size(), 7U);
+    EXPECT_DOUBLE_EQ(w.length(line), 52.0);
+    double mass = 0.0;
+    for (const BodyId b : w.bodies()) mass += b == top ? 0.0 : w.body_def(b).mass;
+    EXPECT_NEAR(mass, 4.0 * 35.0 + 60.0 * 12.0, 1e-9) << "half an element hangs on the top";
+    const auto lump = [&](std::size_t i) { return w.body_def(w.nodes(line)[i]); };
+    EXPECT_DOUBLE_EQ(lump(3).mass, 40.0);
+    EXPECT_DOUBLE_EQ(lump(4).mass, 0.5 * 40.0 + 0.5 * 240.0) << "where the line types meet";
+    EXPECT_DOUBLE_EQ(lump(4).linear_damping.x(), 0.5 * 8.0);
+    EXPECT_DOUBLE_EQ(lump(7).mass, 120.0);
+    EXPECT_NEAR((lump(4).position - w.body_def(top).position).norm(), 40.0, 1e-12);
+    // A bend about that node: flexibilities in a row, 5 m of 900 and 2 m of 300 N m².
+    const InteractionDef bend = w.interaction_def(w.find_interaction("line/b4"));
+    EXPECT_DOUBLE_EQ(bend.get("length"), 7.0);
+    EXPECT_NEAR(bend.get("EI"), 7.0 / (5.0 / 900.0 + 2.0 / 300.0), 1e-9);
+    EXPECT_TRUE(std::isnan(w.interaction_def(w.elements(line)[3]).get("breaking_load")));
+    EXPECT_EQ(w.interaction_def(w.elements(line)[4]).get("breaking_load"), 1e6);
+    for (int i = 0; i < 240; ++i) ASSERT_EQ(w.step(), Status::ok);
+    const double chain = 9.81 * 60.0 * 12.0;
+    EXPECT_NEAR(w.tension(line, 5.0), chain + 9.81 * 4.0 * 35.0, 1e-3 * chain);
+    EXPECT_NEAR(w.tension(line, 42.0), 9.81 * 60.0 * 10.0, 1e-3 * chain);
+}
+
+TEST(Wires, OfOneSectionIsTheWireWithoutIt) {
+    std::uint64_t hash[2]{};
+    for (const bool section : {false, true}) {
+        World w;
+        const BodyId top = w.add_body({.name = "top", .kind = BodyKind::fixed});
+        const BodyId end =
+            w.add_body({.name = "end", .kind = BodyKind::fixed, .position = {30.0, 0.0, 0.0}});
+        WireDef def{.name = "line", .from = top, .to = end};
+        def.consistent_mass = true;
+        def.axial_damping = 0.2;
+        const WireSection same{.elements = 8,
+                               .length = 33.0,
+                               .EA = 1e7,
+                               .mass_per_length = 3.0,
+                               .EI = 50.0,
+                               .axial_damping = 0.2,
+                               .drag = 1.0};
+        if (section) {
+            def.sections = {same};
+        } else {
+            def.elements = same.elements;
+            def.length = same.length;
+            def.EA = same.EA;
+            def.mass_per_length = same.mass_per_length;
+            def.EI = same.EI;
+            def.drag = same.drag;
+        }
+        (void)w.add_wire(def);
+        for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
+        hash[section ? 1 : 0] = w.state_hash();
+    }
+    EXPECT_EQ(hash[0], hash[1]);
+}
+
+TEST(Wires, OfSectionsThatAreNotWholeAreRefused) {
+    World w;
+    const BodyId top = w.add_body({.name = "top", .kind = BodyKind::fixed});
+    const WireDef good = of_wire_and_chain(top);
+    const auto refused = [&](auto&& change) {
+        WireDef def = good;
+        change(def);
+        const std::size_t before = w.bodies().size();
+        EXPECT_THROW((void)w.add_wire(def), DefError);
+        EXPECT_EQ(w.bodies().size(), before);
+    };
+    refused([](WireDef& d) { d.sections[1].length = kDefault; });
+    refused([](WireDef& d) { d.sections[1].length = 0.0; });
+    refused([](WireDef& d) { d.sections[0].elements = 0; });
+    refused([](WireDef& d) { d.sections[0].EA = kDefault; });
+    refused([](WireDef& d) { d.sections[1].mass_per_length = 0.0; });
+    refused([](WireDef& d) { d.sections[1].EI = -1.0; });
+    refused([](WireDef& d) { d.sections[0].elements = d.sections[1].elements = 60'000; });
+    refused([](WireDef& d) { d.length = 52.0; });
+    refused([](WireDef& d) { d.path = {Vec3::Zero()}; });
+    EXPECT_TRUE(w.add_wire(good).valid());
+}
+
 TEST(Wires, PartWhereTheyAreTold) {
     Hanging h;
     World& w = h.w;
