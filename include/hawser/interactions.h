@@ -115,6 +115,10 @@ enum KindTrait : std::uint32_t {
     kCompact = 1 << 13,  ///< Between rigid bodies its two arms are all its Jacobian is made of.
     kRouted = 1 << 14,   ///< Of lines: between places that the line slides through. Never cut.
     kFollowsAngle = 1 << 15,  ///< Friction whose loads' factors are those of the line's angle.
+    kAtGuide = 1 << 16,       ///< Of kWoundUp: runs from a body to where it leaves a guide's wheel.
+    kBendsWire = 1 << 17,     ///< A couple about the second of three nodes of a wire.
+    kForceOnSecond =
+        1 << 18,  ///< A joint: rows 0 to 2 are the force on its second body, world axes.
     kPulls = kAlongLine | kRouted,  ///< Tension = −force[0].
 };
 

@@ -115,11 +115,7 @@ void add_wires(const scene::Scene& scene, FramePlan& plan) {
                                   .cable = -1,
                                   .pieces = {piece(world, id)}});
         }
-        // Rows 0 to 2 of these are the force on body 1 in the world's axes (World::force()).
-        const bool joint =
-            def.kind == InteractionKind::Ball || def.kind == InteractionKind::Hinge ||
-            def.kind == InteractionKind::Universal || def.kind == InteractionKind::Lock;
-        if (joint && !in_cable[at(id.index)])
+        if (kind.is(kForceOnSecond) && !in_cable[at(id.index)])
             plan.joints.push_back({id, {def.body[0].index, def.body[1].index}, def.point[1]});
     }
     for (WireSource& wire : plan.wires)

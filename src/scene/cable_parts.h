@@ -82,5 +82,9 @@ struct CableLayout {
 /// "resolution" of a cable that has been laid out (resolutions.cpp). @throws SceneError.
 void read_resolution(Description& out, const CableLayout& cable, const Json& json,
                      const Place& cable_place);
+/// What water does to a cable of lumps. A section without drag in one that has some has no water:
+/// no part of it may be in air. @throws SceneError.
+void read_water(Description& out, const CableLayout& cable, const Document& document,
+                const Place& place);
 
 }  // namespace hawser::scene

@@ -87,7 +87,7 @@ void turn_bends(Description& out, const InteractionDef& element, const GuidePlan
     const Vec3 point[2] = {touches(plan.before, 1), touches(plan.behind, 0)};
     const BodyId body = plan.before.body[1];
     for (InteractionDef& d : out.interactions) {
-        if (d.kind != InteractionKind::Bend) continue;
+        if (!kind_info(d.kind).is(kBendsWire)) continue;
         for (const std::size_t end : {0U, 1U})
             for (const std::size_t slot : {0U, 2U})
                 if (d.body[1] == element.body[end] && d.body[slot] == element.body[1 - end]) {

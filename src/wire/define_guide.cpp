@@ -79,7 +79,7 @@ Guide guide_there_is(const World& world, const GuideDef& def) {
     for (const InteractionId id : world.elements(def.wire)) {
         if (!world.alive(id)) continue;
         const InteractionDef& d = world.interaction_def(id);
-        if (d.kind != InteractionKind::EndSpan || d.body[2] != def.slide) continue;
+        if (!kind_info(d.kind).is(kAtGuide) || d.body[2] != def.slide) continue;
         (d.get("radius") < 0.0 ? out.before : out.behind) = id;
     }
     if (!out.before.valid() || !out.behind.valid())

@@ -3,6 +3,7 @@
 #include <hawser/world.h>
 
 #include "wire/bounds.h"
+#include "wire/route_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,16 +12,13 @@
 namespace hawser {
 namespace {
 
-constexpr int kMostPlaces = 256, kMostTurns = 100;
+using wire::check;
+using wire::refuse;
+
 constexpr double kPi = 3.14159265358979323846;
 /// Mass of a slide over that of the lightest body that the line pulls at: far from both, what it
 /// takes to speed it up and what rounding leaves.
 constexpr double kSlideMass = 1e-6;
-
-[[noreturn]] void refuse(const RouteDef& def, const std::string& why) {
-    throw DefError("route" + (def.name.empty() ? std::string() : " '" + def.name + "'") + ": " +
-                   why);
-}
 
 /// An end or a place, as the line lies.
 struct Corner {
@@ -32,53 +30,6 @@ struct Corner {
     Vec3 centre = Vec3::Zero(), normal = Vec3::UnitY();  ///< World frame.
     Quat orientation = Quat::Identity();                 ///< Of the body.
 };
-
-void check_place(const RouteBodies& bodies, const RouteDef& def, std::size_t i) {
-    const RoutePlace& p = def.places[i];
-    const std::string where = "places/" + std::to_string(i) + ": ";
-    const BodyKind kind = bodies(p.body).kind;
-    if (kind == BodyKind::scalar) refuse(def, where + "a scalar body has no place in space");
-    if (kind == BodyKind::lump && (p.radius != 0.0 || !p.point.isZero(0.0)))
-        refuse(def, where + "a lump is a point: no wheel and no point on it");
-    if (!(std::abs(p.radius) <= 1e3)) refuse(def, where + "radius: give -1000 to 1000 m");
-    if (!(p.efficiency > 0.0 && p.efficiency <= 1.0))
-        refuse(def, where + "efficiency = " + number(p.efficiency) + "; give (0, 1]");
-    if (!(p.friction >= 0.0 && p.friction <= 10.0))
-        refuse(def, where + "friction = " + number(p.friction) + "; give 0 to 10");
-    if (!(p.inertia >= 0.0 && p.inertia <= 1e12))
-        refuse(def, where + "inertia = " + number(p.inertia) + " kg m^2; give 0 to 1e12");
-    if (p.inertia > 0.0 && p.radius == 0.0) refuse(def, where + "inertia: what turns has a radius");
-    if (p.turns < 0 || p.turns > kMostTurns) refuse(def, where + "turns: give 0 to 100");
-    if (p.turns > 0 && p.radius == 0.0)
-        refuse(def, where + "turns: an eye has none; give a radius");
-    if (p.radius != 0.0 && !(p.axis.norm() > 1e-9 && p.axis.allFinite()))
-        refuse(def, where + "axis: give a direction");
-    if (!p.point.allFinite()) refuse(def, where + "point: give numbers");
-    if (!std::isnan(p.angle) && !(p.angle >= 0.0 && p.angle <= 1e3))
-        refuse(def, where + "angle = " + number(p.angle) + " rad; give 0 to 1000");
-}
-
-void check(const RouteBodies& bodies, const RouteDef& def) {
-    if (!(def.EA > 0.0 && def.EA <= 1e15)) refuse(def, "EA: give its axial stiffness [N]");
-    if (def.places.empty() || def.places.size() > kMostPlaces)
-        refuse(def, "places: give 1 to 256 that it runs over");
-    for (const RouteEnd* e : {&def.first, &def.last}) {
-        const std::string where = e == &def.first ? "first: " : "last: ";
-        const RouteBody body = bodies(e->body);
-        if (body.kind == BodyKind::scalar)
-            refuse(def, where + "a scalar body has no place in space; name it as the drum");
-        if (body.kind == BodyKind::lump && !e->point.isZero(0.0))
-            refuse(def, where + "a lump is a point; leave the point on it at 0");
-        if (e->drum.valid() && bodies(e->drum).kind != BodyKind::scalar)
-            refuse(def, where + "its drum must be a scalar body");
-        if (e->drum.valid() && !(std::abs(e->radius) > 0.0 && std::abs(e->radius) <= 1e3))
-            refuse(def, where + "radius: give what its drum pays out per unit [m]");
-    }
-    for (std::size_t i = 0; i < def.places.size(); ++i) check_place(bodies, def, i);
-    if (!std::isnan(def.length) && !(def.length > 0.0)) refuse(def, "length: give more than 0 m");
-    if (!(def.tension >= 0.0) || !std::isfinite(def.tension))
-        refuse(def, "tension: give 0 N or more");
-}
 
 /// The straight part between two corners: its ends, and its direction.
 struct Straight {

@@ -22,7 +22,7 @@ namespace {
 void check_parts(const world::Where& where, const InteractionDef& old, const InteractionDef& before,
                  const InteractionDef& behind) {
     const auto ends = [&](const InteractionDef& d) {
-        return d.kind == InteractionKind::EndSpan && d.body[2] == before.body[2];
+        return kind_info(d.kind).is(kAtGuide) && d.body[2] == before.body[2];
     };
     if (!ends(before) || !ends(behind))
         world::refuse(where, "it is divided into parts of kind end_span with one slide");
@@ -110,7 +110,7 @@ world::Wire& World::Impl::wire_on_guide(InteractionId before, InteractionId behi
     const InteractionDef &a = ctx.model.interactions.def[at(before.index)],
                          &b = ctx.model.interactions.def[at(behind.index)];
     const world::Where where("interaction", a.name);
-    if (a.kind != InteractionKind::EndSpan || b.kind != a.kind || a.body[2] != b.body[2] ||
+    if (!kind_info(a.kind).is(kAtGuide) || b.kind != a.kind || a.body[2] != b.body[2] ||
         a.body[1] != b.body[0])
         world::refuse(where, "only two parts with one slide become an element again");
     if (!kind_info(element.kind).is(kWireElement) || kind_info(element.kind).is(kWoundUp) ||

@@ -3,6 +3,7 @@
 /// @file all.h
 /// Every kind. The list itself is HAWSER_INTERACTION_KINDS in <hawser/interactions.h>.
 
+#include "model/kinds/bends.h"
 #include "model/kinds/clutch.h"
 #include "model/kinds/drives.h"
 #include "model/kinds/friction.h"

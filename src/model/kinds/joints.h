@@ -21,7 +21,7 @@ struct Ball {
         .uses_points = true,
         .uses_frames = false,
         .row_units = "mmm",
-        .traits = kHoldsBodies | kOfWires | kCompact,
+        .traits = kHoldsBodies | kForceOnSecond | kOfWires | kCompact,
         .doc = "Ball joint: a point of one body stays on a point of the other."};
     static constexpr bool kMayBeCompact = true;  ///< Between two rigid bodies, see model/arms.h.
     template <class T>
@@ -68,7 +68,7 @@ struct Hinge : JointKind {
         .uses_frames = true,
         .row_units = "mmmrr",
         .coordinate = KindCoordinate::about,
-        .traits = kHoldsBodies,
+        .traits = kHoldsBodies | kForceOnSecond,
         .doc = "Hinge: the bodies share a point and turn about the frames' z axis."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 3, true, s);
@@ -157,7 +157,7 @@ struct Universal : JointKind {
         .uses_points = true,
         .uses_frames = true,
         .row_units = "mmmr",
-        .traits = kHoldsBodies | kTwoAxes,
+        .traits = kHoldsBodies | kForceOnSecond | kTwoAxes,
         .doc = "Cardan joint: a shared point, and z of frame 0 stays square to z of frame 1."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 3, true, s);
@@ -182,7 +182,7 @@ struct Lock : JointKind {
         .uses_points = true,
         .uses_frames = true,
         .row_units = "mmmrrr",
-        .traits = kHoldsBodies | kAxisFree,
+        .traits = kHoldsBodies | kForceOnSecond | kAxisFree,
         .doc = "Welds two bodies together: the points and the frames coincide."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 3, true, s);

@@ -230,7 +230,7 @@ struct EndSpan {
         .row_units = "m",
         .scalar_slot = 2,
         .length_from_pose = true,
-        .traits = kAlongLine | kWireElement | kWoundUp | kElastic | kOfWires | kRouted,
+        .traits = kAlongLine | kWireElement | kWoundUp | kElastic | kOfWires | kRouted | kAtGuide,
         .params = kEndSpanParams,
         .doc =
             "First or last part of a line that runs through places, from the end to the next one. "

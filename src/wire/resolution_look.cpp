@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a resolution sees of its wire: lengths of material, angles, tension.
+#include "wire/wire_resolution.h"
+
+#include <hawser/world.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::wire {
+
+/// Of the line type with the EA of an element, of several that whose mass fits its rest length
+/// best, which edits and forces change a little; 0: it is of another wire, spliced to this one.
+double WireResolution::mass_per_length_of(const InteractionDef& element) const noexcept {
+    if (lines_.size() == 1) return lines_[0].mass_per_length;
+    const double EA = element.get("EA"), now = element.get("mass") / element.get("length");
+    double best = 0.0;
+    for (const Line& line : lines_)
+        if (line.EA == EA && std::abs(line.mass_per_length - now) < std::abs(best - now))
+            best = line.mass_per_length;
+    return best;
+}
+
+/// Elements and nodes as they are.
+void WireResolution::look(const World& world) {
+    const auto elements = world.elements(def_.wire);
+    const auto nodes = world.nodes(def_.wire);
+    elements_.assign(elements.size(), {});
+    at_.assign(nodes.size(), {});
+    for (std::size_t i = 0; i < nodes.size(); ++i) at_[i].id = nodes[i];
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        Element& e = elements_[i];
+        e.id = elements[i];
+        if (!world.alive(e.id) || !world.intact(e.id)) continue;
+        const InteractionDef& d = world.interaction_def(e.id);
+        e.whole = true;
+        e.wound = kind_info(d.kind).is(kWoundUp);
+        e.chord =
+            world.world_point(d.body[1], d.point[1]) - world.world_point(d.body[0], d.point[0]);
+        e.tension = std::max(0.0, -world.force(e.id)[0]);
+        if (e.wound) continue;
+        const double mass = d.get("mass");
+        e.mass_per_length = mass > 0.0 ? mass_per_length_of(d) : 0.0;
+        e.plain = e.mass_per_length > 0.0;
+        e.length = e.plain ? mass / e.mass_per_length : d.get("length");
+    }
+    bend(world);
+}
+
+/// Angles and curvatures at nodes.
+void WireResolution::bend(const World& world) noexcept {
+    for (std::size_t k = 1; k < elements_.size(); ++k) {
+        const Element &a = elements_[k - 1], &b = elements_[k];
+        if (!a.whole || !b.whole) continue;
+        at_[k].angle = std::atan2(a.chord.cross(b.chord).norm(), a.chord.dot(b.chord));
+        // What a drum pays out has no material of its own that is known here.
+        const auto length = [&](const Element& e) {
+            return e.wound ? world.interaction_def(e.id).get("length") : e.length;
+        };
+        at_[k].curvature = at_[k].angle / std::max(0.5 * (length(a) + length(b)), 1e-9);
+    }
+}
+
+void WireResolution::average_tension(const World& world) noexcept {
+    double sum = 0.0, length = 0.0;
+    for (const Element& e : elements_) {
+        if (!e.plain) continue;
+        sum += e.tension * e.length;
+        length += e.length;
+    }
+    if (!(length > 0.0)) return;
+    const double mean = sum / length, since = def_.interval * world.settings().step;
+    const double share = tension_ < 0.0 ? 1.0 : -std::expm1(-since / def_.averaging);
+    tension_ += share * (mean - tension_);
+}
+
+}  // namespace hawser::wire

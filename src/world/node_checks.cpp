@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where a node of a wire may come or go (hawser/wire.h).
+#include "step/node_pieces.h"
+#include "step/nodes.h"
+#include "world/checks.h"
+#include "world/impl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace hawser {
+
+/// @throws DefError, with the remedy, where an element cannot have a node.
+void World::Impl::check_node(InteractionId element, double share, double mass) const {
+    const model::Interactions& in = ctx.model.interactions;
+    const std::size_t e = place(element);
+    const world::Where where("interaction", in.def[e].name);
+    if (!kind_info(in.def[e].kind).is(kWireElement) || in.parted[e] != 0)
+        world::refuse(where, "only elements of wires that are whole have nodes");
+    if (systems.refuses_nodes(element))
+        world::refuse(where, "its winch puts nodes there; take an element farther out");
+    if (!(share > 0.0 && share < 1.0))
+        world::refuse(where,
+                      "a node is put at a share between 0 and 1, not " + world::number(share));
+    if (kind_info(in.def[e].kind).is(kWoundUp)) {
+        if (!(mass > 0.0 && mass < 1e12))
+            world::refuse(where, "a drum pays it out: say what mass it has, not " +
+                                     world::number(mass) + " kg");
+        const auto lump = [&](std::size_t slot) {
+            return stepper::is_lump(ctx, stepper::end_of(ctx, element.index, slot));
+        };
+        if (lump(0) && lump(1))
+            world::refuse(where, "its fairlead must be on a body that is no lump");
+    } else if (!std::isnan(mass)) {
+        world::refuse(where, "its mass is its own; leave it out");
+    } else if (!(stepper::mass_of_element(ctx, element.index) > 0.0)) {
+        world::refuse(where, "it has no mass of its own that a node could take (give it `mass`)");
+    }
+    if ((in.flags[e] & model::kFromLength) == 0)
+        world::refuse(where, "its compliance is not that of its length; leave it out");
+}
+
+/// Where two line types meet no element could take the place of both. Masses a length differ a
+/// little by edits, which change rest lengths. @throws DefError.
+void World::Impl::refuse_two_lines(BodyId node, const stepper::NodePlace& place) const {
+    constexpr double kSame = 0.1;
+    const model::Interactions& in = ctx.model.interactions;
+    const InteractionDef &a = in.def[at(place.first)], &b = in.def[at(place.second)];
+    for (const std::int32_t id : {place.first, place.second})
+        if (stepper::is_wound(ctx, id)) return;  // has the line of the other one
+    const double x = a.get("mass") * b.get("length"), y = b.get("mass") * a.get("length");
+    if (a.get("EA") == b.get("EA") && std::abs(x - y) <= kSame * std::max(x, y)) return;
+    world::refuse(world::Where("body", body_defs[at(node.index)].name),
+                  "two line types meet there; take away nodes on either side of it");
+}
+
+/// @throws DefError, with the remedy, where a node cannot go. @return which of the elements beside
+/// it stays.
+std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place,
+                                          double bend) const {
+    const world::Where where("body", body_defs[at(node.index)].name);
+    if (body_defs[at(node.index)].kind != BodyKind::lump || !stepper::find_place(ctx, place))
+        world::refuse(where, "it is no node between two elements of a wire, and nothing else");
+    const bool second = stepper::is_wound(ctx, place.second);
+    if (second && stepper::is_wound(ctx, place.first))
+        world::refuse(where, "drums pay out both of its elements");
+    for (const std::int32_t id : {place.first, place.second}) {
+        if (stepper::is_wound(ctx, id)
+                ? (ctx.model.interactions.flags[at(id)] & model::kFromLength) != 0
+                : stepper::mass_of_element(ctx, id) > 0.0 && stepper::is_of_material(ctx, id))
+            continue;
+        world::refuse(where,
+                      "its elements have no mass of their own (give them `mass`), or a "
+                      "compliance that is not that of their length");
+    }
+    refuse_two_lines(node, place);
+    double own = 0.0;  // of the wire
+    for (const std::int32_t id : {place.first, place.second})
+        own += 0.5 * stepper::mass_of_element(ctx, id);
+    // What a lump kept when it was between two drums goes with it.
+    const bool drum = second || stepper::is_wound(ctx, place.first);
+    const double more = drum ? 2.0 * stepper::kKeptMass : 1e-6;  // else rounding
+    if (body_defs[at(node.index)].mass > (1.0 + more) * own)
+        world::refuse(where, "it has " + world::number(body_defs[at(node.index)].mass - own) +
+                                 " kg beside the wire's, of gear or a load, which would be lost");
+    if (!(bend >= 0.0)) world::refuse(where, "bend must be an angle, not " + world::number(bend));
+    const std::int32_t stays = second ? place.second : place.first;
+    if (systems.refuses_nodes(ctx.model.interactions.id(stays)))
+        world::refuse(where, "its winch takes it away when it hauls; take one farther out");
+    refuse_held(node, ctx.model.interactions.id(stays));
+    return stays;
+}
+
+}  // namespace hawser
