@@ -3,7 +3,6 @@
 
 #include "marine/sea_system.h"
 #include "marine/spectra.h"
-#include "marine/wave_sums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,33 +69,28 @@ void HullWater::begin(const World& world, bool convective) noexcept {
     axes_ = pose_.orientation.toRotationMatrix();
 }
 
-void HullWater::press(const Sea& sea, const std::vector<double>& table, const SeaMoment& now,
-                      int chunk) noexcept {
-    // Pressure alone, and only where it is wet: half of what all of Sea::water() takes.
-    const WaveKernels& by = wave_kernels();
-    const int padded = static_cast<int>(table.size()) / kWaveRows;
+void HullWater::press(const WaterField& field, int chunk) noexcept {
     // Where coefficients have all that waves do, the water is still.
-    const bool waves = padded > 0 && now.waves != 0.0 && def_->excitation != ExcitationKind::full;
-    double circle[2 * kMaxWaveComponents];
+    const bool waves = def_->excitation != ExcitationKind::full;
+    const double weight = field.sea().density() * field.sea().gravity(), level = field.now().level;
     const int end = std::min((chunk + 1) * kChunk, static_cast<int>(corners_.size()));
-    for (int i = chunk * kChunk; i < end; ++i) {
-        HullCorner& c = corners_[static_cast<std::size_t>(i)];
-        c.x = axes_ * def_->mesh.vertices[static_cast<std::size_t>(i)];
-        const Vec3 place = pose_.position + c.x;
-        double surface = now.level;
-        if (waves)
-            surface += now.waves * by.surface(table.data(), padded, now.phase.data(), place.x(),
-                                              place.y(), circle);
-        c.depth = surface - place.z();
-        c.pressure = 0.0;
-        if (!def_->wave_pressure) {
-            c.pressure = sea.density() * sea.gravity() * std::max(c.depth, 0.0);
-        } else if (place.z() < surface) {
-            const double rise =
-                waves ? by.pressure(table.data(), padded, circle, sea.stretched(place.z(), surface))
-                      : 0.0;
-            c.pressure = sea.density() * sea.gravity() * (now.level - place.z()) +
-                         now.waves * sea.density() * rise;
+    for (int first = chunk * kChunk; first < end; first += kWavePoints) {
+        const int count = std::min(end - first, kWavePoints);
+        Vec3 place[kWavePoints];
+        double surface[kWavePoints], rise[kWavePoints] = {};
+        HullCorner* const corner = &corners_[static_cast<std::size_t>(first)];
+        for (int i = 0; i < count; ++i) {
+            corner[i].x = axes_ * def_->mesh.vertices[static_cast<std::size_t>(first + i)];
+            place[i] = pose_.position + corner[i].x;
+        }
+        field.press(place, count, waves, surface, def_->wave_pressure ? rise : nullptr);
+        for (int i = 0; i < count; ++i) {
+            const double z = place[i].z(), depth = surface[i] - z;
+            corner[i].depth = depth;
+            if (!def_->wave_pressure)
+                corner[i].pressure = weight * std::max(depth, 0.0);
+            else
+                corner[i].pressure = z < surface[i] ? weight * (level - z) + rise[i] : 0.0;
         }
     }
 }

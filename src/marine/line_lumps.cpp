@@ -150,15 +150,23 @@ void LineLumps::find(const World& world) {
     loads_.resize(lumps_.size());
 }
 
-void LineLumps::load(const Sea& sea, const SeaMoment& now, bool convective, int i) noexcept {
-    const Lump& lump = lumps_[at(i)];
-    PointLoad& out = loads_[at(i)];
-    out = {};
-    WaterPoint water = sea.water(now, lump.motion.position);
-    if (convective) water.acceleration += sea.convection(now, lump.motion.position);
+void LineLumps::load(const WaterField& field, bool convective, int begin) noexcept {
+    const int some = std::min(count() - begin, kWavePoints);
+    Vec3 points[kWavePoints];
+    WaterPoint water[kWavePoints];
+    for (int i = 0; i < kWavePoints; ++i)
+        points[i] = lumps_[at(begin + std::min(i, some - 1))].motion.position;
+    field.water(points, some, water);
+    const Sea& sea = field.sea();
     const WaterLaw law{sea.density(), sea.gravity()};
-    for (int k = 0; k < lump.halves; ++k)
-        add_half_element(lump.half[k], lump.motion, water, law, out);
+    for (int i = 0; i < some; ++i) {
+        const Lump& lump = lumps_[at(begin + i)];
+        PointLoad& out = loads_[at(begin + i)];
+        out = {};
+        if (convective) water[i].acceleration += sea.convection(field.now(), points[i]);
+        for (int k = 0; k < lump.halves; ++k)
+            add_half_element(lump.half[k], lump.motion, water[i], law, out);
+    }
 }
 
 }  // namespace hawser::marine

@@ -15,6 +15,7 @@ namespace hawser::marine {
 namespace {
 
 constexpr int kLumpChunk = 16;  ///< Lumps of one task.
+static_assert(kLumpChunk % kWavePoints == 0 && HullWater::kChunk % kWavePoints == 0);
 
 std::size_t slot(int i) noexcept { return static_cast<std::size_t>(i); }
 
@@ -49,8 +50,8 @@ SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start s
       start_(std::move(start)),
       sea_(def, gravity),
       in_(sea_.inputs()),
-      table_(wave_table(sea_.components(), sea_.depth())),
       moment_(sea_.at(0.0)),
+      field_(sea_, def_.current),
       lines_(std::move(lines)),
       bodies_(def_.bodies.size()) {
     hulls_.reserve(def_.hulls.size());
@@ -108,6 +109,7 @@ void SeaSystem::prestep(Prestep& now, Loads& loads) noexcept {
     acted_ = false;
     try {
         sea_.at(now.time, in_, moment_);
+        field_.begin(moment_);
         lines_.find(now.world);
     } catch (const std::bad_alloc&) {
         return now.set_input(InputId{}, std::nan(""));  // ends the step
@@ -128,8 +130,8 @@ void SeaSystem::load_lines(Prestep& now) noexcept {
     const int count = lines_.count();
     now.for_each((count + kLumpChunk - 1) / kLumpChunk, [&](int chunk) noexcept {
         const int end = std::min((chunk + 1) * kLumpChunk, count);
-        for (int i = chunk * kLumpChunk; i < end; ++i)
-            lines_.load(sea_, moment_, def_.convective, i);
+        for (int i = chunk * kLumpChunk; i < end; i += kWavePoints)
+            lines_.load(field_, def_.convective, i);
     });
 }
 
@@ -155,8 +157,7 @@ bool SeaSystem::load_hulls(Prestep& now) noexcept {
                  [&](int i) noexcept { hulls_[slot(i)].remember(sea_, moment_); });
     for (HullWater& hull : hulls_) {
         if (hull.lost()) return false;
-        now.for_each(hull.corner_chunks(),
-                     [&](int chunk) noexcept { hull.press(sea_, table_, moment_, chunk); });
+        now.for_each(hull.corner_chunks(), [&](int chunk) noexcept { hull.press(field_, chunk); });
         now.for_each(hull.triangle_chunks(), [&](int chunk) noexcept { hull.sum(chunk); });
         hull.finish(sea_, moment_, def_.wind.density);
     }

@@ -15,6 +15,7 @@
 #include <hawser/sea.h>
 
 #include "marine/drag.h"
+#include "marine/field.h"
 #include "marine/hull_sums.h"
 #include "marine/radiation.h"
 #include "marine/wave_force.h"
@@ -57,7 +58,8 @@ class LineLumps {
     explicit LineLumps(LineTable table) : table_(std::move(table)) {}
     /// Lumps as they are now. @throws std::bad_alloc
     void find(const World& world);
-    void load(const Sea& sea, const SeaMoment& now, bool convective, int i) noexcept;
+    /// Lumps from `begin` on, as many as WaterField takes at a time.
+    void load(const WaterField& field, bool convective, int begin) noexcept;
     [[nodiscard]] int count() const noexcept { return static_cast<int>(lumps_.size()); }
     [[nodiscard]] BodyId body(int i) const noexcept { return lumps_[at(i)].body; }
     [[nodiscard]] const PointLoad& of(int i) const noexcept { return loads_[at(i)]; }
@@ -88,9 +90,7 @@ class HullWater {
     void remember(const Sea& sea, const SeaMoment& now) noexcept;
     [[nodiscard]] int corner_chunks() const noexcept;
     [[nodiscard]] int triangle_chunks() const noexcept;
-    /// @param table  wave_table() of the sea.
-    void press(const Sea& sea, const std::vector<double>& table, const SeaMoment& now,
-               int chunk) noexcept;
+    void press(const WaterField& field, int chunk) noexcept;
     void sum(int chunk) noexcept;
     /// Adds the parts up and the forces at the centre of mass.
     void finish(const Sea& sea, const SeaMoment& now, double air) noexcept;
@@ -167,8 +167,8 @@ class SeaSystem final : public System {
     Start start_;
     Sea sea_;
     SeaInputs in_;
-    std::vector<double> table_;  ///< wave_table() of the sea.
     SeaMoment moment_;
+    WaterField field_;
     LineLumps lines_;
     std::vector<PointLoad> bodies_;
     std::vector<HullWater> hulls_;
