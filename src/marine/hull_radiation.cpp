@@ -140,14 +140,30 @@ void HullWater::add_linear(const Sea&, const SeaMoment& now) noexcept {
             stiffness[static_cast<std::size_t>(triangle(i, j))] += 0.5 * (w(i, j) + w(j, i));
 }
 
-void HullWater::add_strips(const Sea& sea, const SeaMoment& now, double wet) noexcept {
-    for (const HullStrip& strip : def_->strips) {
+void HullWater::flow_past(const WaterField& field, int chunk) noexcept {
+    const int end = std::min((chunk + 1) * kChunk, static_cast<int>(flows_.size()));
+    for (int first = chunk * kChunk; first < end; first += kWavePoints) {
+        const int count = std::min(end - first, kWavePoints);
+        Vec3 place[kWavePoints];
+        WaterPoint water[kWavePoints];
+        for (int i = 0; i < kWavePoints; ++i)
+            place[i] =
+                pose_.position +
+                axes_ * def_->strips[static_cast<std::size_t>(std::min(first + i, end - 1))].at;
+        field.water(place, count, water);
+        for (int i = 0; i < count; ++i)
+            flows_[static_cast<std::size_t>(first + i)] = water[i].velocity;
+    }
+}
+
+void HullWater::add_strips(const Sea& sea, double wet) noexcept {
+    for (std::size_t k = 0; k < flows_.size(); ++k) {
+        const HullStrip& strip = def_->strips[k];
         const Vec3 arm = axes_ * strip.at, n = axes_ * strip.axis;
-        const WaterPoint water = sea.water(now, pose_.position + arm);
         Vec6 s, v;
         s << n, arm.cross(n);
         v << twist_.linear, twist_.angular;
-        const double past = n.dot(water.velocity) - s.dot(v);
+        const double past = n.dot(flows_[k]) - s.dot(v);
         const double c = 0.5 * sea.density() * strip.drag_area * wet * std::abs(past);
         const double push = c * past + 2.0 * c * s.dot(v);
         for (int i = 0; i < 6; ++i) {

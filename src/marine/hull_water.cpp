@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <hawser/world.h>
 
+#include "marine/hull_kernels.h"
 #include "marine/sea_system.h"
 #include "marine/spectra.h"
 
@@ -41,6 +42,7 @@ HullWater::HullWater(const WaterHull& def, const Sea& sea, double step, double h
       volume_(volume_of(def.mesh)),
       corners_(def.mesh.vertices.size()),
       parts_(static_cast<std::size_t>(chunks_of(def.mesh.triangles.size()))),
+      flows_(def.strips.size(), Vec3::Zero()),
       weight_(def.linear.weight),
       memory_(def, step),
       waves_(def, sea, step, heading) {
@@ -60,6 +62,7 @@ HullWater::HullWater(const WaterHull& def, const Sea& sea, double step, double h
 }
 
 int HullWater::corner_chunks() const noexcept { return chunks_of(corners_.size()); }
+int HullWater::strip_chunks() const noexcept { return chunks_of(flows_.size()); }
 int HullWater::triangle_chunks() const noexcept { return static_cast<int>(parts_.size()); }
 
 void HullWater::begin(const World& world, bool convective) noexcept {
@@ -96,19 +99,37 @@ void HullWater::press(const WaterField& field, int chunk) noexcept {
 }
 
 void HullWater::sum(int chunk) noexcept {
-    HullSums& out = parts_[static_cast<std::size_t>(chunk)];
-    out = {};
+    static_assert(kChunk <= kHullBlock && sizeof(HullCorner) == 5 * sizeof(double));
     const auto& triangles = def_->mesh.triangles;
-    const int end = std::min((chunk + 1) * kChunk, static_cast<int>(triangles.size()));
-    for (int i = chunk * kChunk; i < end; ++i) {
-        const auto& t = triangles[static_cast<std::size_t>(i)];
+    const int first = chunk * kChunk;
+    const int count = std::min(kChunk, static_cast<int>(triangles.size()) - first);
+    int cut[kChunk];
+    double s[kHullSums];
+    const int cuts =
+        hull_kernels().wet(corners_.front().x.data(),
+                           triangles[static_cast<std::size_t>(first)].data(), count, cut, s);
+    HullSums& out = parts_[static_cast<std::size_t>(chunk)];
+    out = {.force = Vec3(s[kForce], s[kForce + 1], s[kForce + 2]),
+           .torque = Vec3(s[kTorque], s[kTorque + 1], s[kTorque + 2]),
+           .volume = s[kVolume],
+           .moment = Vec3(s[kMoment], s[kMoment + 1], s[kMoment + 2]),
+           .plane = s[kPlane],
+           .x = s[kPlaneX],
+           .y = s[kPlaneY],
+           .xx = s[kPlaneXX],
+           .yy = s[kPlaneYY],
+           .xy = s[kPlaneXY]};
+    for (int i = 0; i < cuts; ++i) {
+        const auto& t = triangles[static_cast<std::size_t>(first + cut[i])];
         out.add_triangle(corners_[static_cast<std::size_t>(t[0])],
                          corners_[static_cast<std::size_t>(t[1])],
                          corners_[static_cast<std::size_t>(t[2])]);
     }
 }
 
-void HullWater::finish(const Sea& sea, const SeaMoment& now, double air) noexcept {
+void HullWater::finish(const WaterField& field, double air) noexcept {
+    const Sea& sea = field.sea();
+    const SeaMoment& now = field.now();
     force.fill(0.0);
     mass.fill(0.0);
     damping.fill(0.0);
@@ -123,7 +144,7 @@ void HullWater::finish(const Sea& sea, const SeaMoment& now, double air) noexcep
         add_pressure(sea, all);
     if (wet > 0.0) {
         add_coefficients(sea, now);
-        add_strips(sea, now, wet);
+        add_strips(sea, wet);
     }
     add_motion(sea, now, wet, air);
     any_ = wet > 0.0 || (def_->wind_area.array() != 0.0).any();

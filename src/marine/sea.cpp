@@ -38,11 +38,13 @@ std::vector<double> wave_table(std::span<const WaveComponent> waves, double dept
         set(kPressure, speed * w.frequency / w.wave_number);
     }
     for (std::size_t g = 0; g < padded; g += 8) {
-        double slowest = std::numeric_limits<double>::infinity();
-        for (std::size_t i = g; i < std::min(g + 8, waves.size()); ++i)
+        double slowest = std::numeric_limits<double>::infinity(), fastest = 0.0;
+        for (std::size_t i = g; i < std::min(g + 8, waves.size()); ++i) {
             slowest = std::min(slowest, table[kDecay * padded + i]);
+            fastest = std::max(fastest, table[kDecay * padded + i]);
+        }
         table[kNothingBelow * padded + g] = -44.0 / slowest;
-        table[kDeepAbove * padded + g] = 27.0 / slowest - depth;
+        table[kDeepAbove * padded + g] = std::max(27.0 / slowest - depth, -1000.0 / fastest);
     }
     return table;
 }

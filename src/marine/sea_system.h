@@ -89,11 +89,15 @@ class HullWater {
     /// Memory and waves by coefficients; hulls by several threads.
     void remember(const Sea& sea, const SeaMoment& now) noexcept;
     [[nodiscard]] int corner_chunks() const noexcept;
+    [[nodiscard]] int strip_chunks() const noexcept;
     [[nodiscard]] int triangle_chunks() const noexcept;
     void press(const WaterField& field, int chunk) noexcept;
+    /// Water at strips.
+    void flow_past(const WaterField& field, int chunk) noexcept;
+    /// Triangles, once all corners are pressed.
     void sum(int chunk) noexcept;
     /// Adds the parts up and the forces at the centre of mass.
-    void finish(const Sea& sea, const SeaMoment& now, double air) noexcept;
+    void finish(const WaterField& field, double air) noexcept;
     [[nodiscard]] BodyId body() const noexcept { return def_->body; }
     [[nodiscard]] bool any() const noexcept { return any_; }
     /// A wave has a direction that the coefficients lack.
@@ -109,7 +113,7 @@ class HullWater {
     void add_linear(const Sea& sea, const SeaMoment& now) noexcept;
     void add_motion(const Sea& sea, const SeaMoment& now, double wet, double air) noexcept;
     void add_coefficients(const Sea& sea, const SeaMoment& now) noexcept;
-    void add_strips(const Sea& sea, const SeaMoment& now, double wet) noexcept;
+    void add_strips(const Sea& sea, double wet) noexcept;
     void add_matrix(const Matrix6& in_frame, std::array<double, 21>& to) const noexcept;
     void add_at_reference(const Vec6& f) noexcept;
 
@@ -123,6 +127,7 @@ class HullWater {
     Mat3 frame_ = Mat3::Identity();
     std::vector<HullCorner> corners_;  ///< About the centre of mass, in world axes.
     std::vector<HullSums> parts_;
+    std::vector<Vec3> flows_;  ///< Of the water at strips.
     bool any_ = false, lost_ = false, convective_ = false;
     // By coefficients; matrices at the centre of mass, along the body's axes.
     Matrix6 added_ = Matrix6::Zero(), constant_ = Matrix6::Zero(), statics_ = Matrix6::Zero();
@@ -158,9 +163,10 @@ class SeaSystem final : public System {
     [[nodiscard]] HullMemory memory(std::size_t hull) const;
 
   private:
-    void load_lines(Prestep& now) noexcept;
-    void load_bodies(Prestep& now) noexcept;
-    [[nodiscard]] bool load_hulls(Prestep& now) noexcept;
+    /// What the water does to all of them. @return whether coefficients have all directions.
+    [[nodiscard]] bool compute(Prestep& now) noexcept;
+    void load_body(const World& world, int i) noexcept;
+    void list_work(int hull);
     void give(Loads& loads) const noexcept;
 
     SeaDef def_;
@@ -172,6 +178,13 @@ class SeaSystem final : public System {
     LineLumps lines_;
     std::vector<PointLoad> bodies_;
     std::vector<HullWater> hulls_;
+    /// Pieces of work on hulls, in their order.
+    enum class Piece : std::uint8_t { corners, strips, memory, triangles };
+    struct Work {
+        Piece piece;
+        int hull, chunk;
+    };
+    std::vector<Work> points_, sums_;  ///< What needs poses alone, and what needs pressures.
     // Outputs.
     double elevation_ = 0.0, gust_ = 0.0, tide_ = 0.0;
     bool acted_ = false;

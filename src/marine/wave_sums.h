@@ -38,7 +38,7 @@ enum WaveRow : int {
     kRate,          ///< ω [rad/s].
     kPressure,      ///< a ω²/k / (1 − e^(−2kd)), of p/ρ [m²/s²].
     kNothingBelow,  ///< At the first of a group: z' below which all its E are below 2^−44 [m].
-    kDeepAbove,     ///< z' above which all its F are below 2^−54 E [m].
+    kDeepAbove,     ///< z' above which all its F are below 2^−54 E, all E above 2^−1000 [m].
     kWaveRows
 };
 

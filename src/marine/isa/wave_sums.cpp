@@ -39,11 +39,10 @@ constexpr double kCosine[] = {1.4142135623730923162,     -6.97886419963747896365
                               5.73988573482896462511,    -1.88834671327269377006,
                               0.332807709709477096265,   -0.0364959479624694756614,
                               2.72642126754923938611e-3, -1.42011802834944805728e-4};
-constexpr double kPower[] = {0.999999999999762472387,   0.693147180546513971081,
-                             0.240226506988794009563,   0.0555041093934254551006,
-                             9.61812854300172890279e-3, 1.33334520613189394721e-3,
-                             1.54038516781752192946e-4, 1.53097376819832824241e-5,
-                             1.31758699810774136402e-6};
+constexpr double kPower[] = {
+    0.999999999999762472387,   0.693147180546513971081,   0.240226506988794009563,
+    0.0555041093934254551006,  9.61812854300172890279e-3, 1.33334520613189394721e-3,
+    1.54038516781752192946e-4, 1.53097376819832824241e-5, 1.31758699810774136402e-6};
 /// 2^x where 2^−x is taken off it: 1.3e-14 of itself, so that nothing goes through the bottom.
 constexpr double kBothPowers[] = {1.00000000000001276259,    0.693147180559871003406,
                                   0.24022650695649648308,    0.0555041086686843597865,
@@ -66,31 +65,24 @@ HAWSER_WAVES Wide every_second(const double (&c)[N], Wide square) {
     return y;
 }
 
-/// A whole number and the rest of x, of no less than −1000.
-struct Split {
-    WideBits exponent;
-    Wide rest;
-};
-HAWSER_WAVES Split split(Wide x) {
-    x = x > -1000.0 ? x : wide(-1000.0);
-    const Wide shifted = x + kWhole, whole = shifted - kWhole;
-    return {reinterpret_cast<WideBits>(shifted) << 52, x - whole};
-}
 HAWSER_WAVES Wide scaled(Wide x, WideBits exponent) {
     return reinterpret_cast<Wide>(reinterpret_cast<WideBits>(x) + exponent);
 }
-/// 2^x.
-HAWSER_WAVES Wide power(Wide x) {
-    const Split s = split(x);
-    return scaled(series(kPower, s.rest), s.exponent);
+/// 2^(a b) of a b ≥ −1000.
+HAWSER_WAVES Wide power(Wide a, double b) {
+    const Wide shifted = a * b + kWhole;
+    return scaled(series(kPower, a * b - (shifted - kWhole)), reinterpret_cast<WideBits>(shifted)
+                                                                  << 52);
 }
-/// 2^x and 2^−x.
+/// 2^x and 2^−x; below x = −1000 those of it.
 HAWSER_WAVES void powers(Wide x, Wide& up, Wide& down) {
-    const Split s = split(x);
-    const Wide square = s.rest * s.rest, even = every_second<0>(kBothPowers, square),
-               odd = s.rest * every_second<1>(kBothPowers, square);
-    up = scaled(even + odd, s.exponent);
-    down = scaled(even - odd, -s.exponent);
+    x = x > -1000.0 ? x : wide(-1000.0);
+    const Wide shifted = x + kWhole, rest = x - (shifted - kWhole), square = rest * rest,
+               even = every_second<0>(kBothPowers, square),
+               odd = rest * every_second<1>(kBothPowers, square);
+    const WideBits exponent = reinterpret_cast<WideBits>(shifted) << 52;
+    up = scaled(even + odd, exponent);
+    down = scaled(even - odd, -exponent);
 }
 
 /// Components of a group have the same bounds of depth: of eight, whatever a vector holds.
@@ -137,7 +129,7 @@ void sums(const double* table, int padded, const double* circle, const double* z
                 const Wide c = 1.0 - h * h, s = h * series(kCosine, f * f);
                 Wide level, steep;
                 if (no_bottom) {
-                    level = steep = power(at(decay + i) * z[p]);
+                    level = steep = power(at(decay + i), z[p]);
                 } else {
                     Wide up, down;
                     powers(at(decay + i) * z[p], up, down);
@@ -178,7 +170,7 @@ void pressure(const double* table, int padded, const double* circle, const doubl
                 const Wide h = at(from + i);
                 Wide level;
                 if (no_bottom) {
-                    level = power(at(decay + i) * z[p]);
+                    level = power(at(decay + i), z[p]);
                 } else {
                     Wide up, down;
                     powers(at(decay + i) * z[p], up, down);
