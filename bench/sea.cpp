@@ -5,6 +5,7 @@
 #include <hawser/sea.h>
 
 #include "base/isa.h"
+#include "base/memory.h"
 #include "commands.h"
 #include "marine/hull_sums.h"
 #include "marine/memory_sums.h"
@@ -84,7 +85,7 @@ double waves_ns(const marine::WaveKernels& by) {
     const auto table = marine::wave_table(sea.components(), def.depth);
     const SeaMoment now = sea.at(100.0);
     constexpr int kPoints = marine::kWavePoints;
-    static double circle[2 * kMaxWaveComponents * kPoints];
+    alignas(64) static double circle[2 * kMaxWaveComponents * kPoints];
     double kept = 0.0;
     const double seconds = time_of(200 / kPoints, [&](int i) {
         double x[kPoints], y[kPoints], z[kPoints], surface[kPoints];
@@ -105,16 +106,14 @@ double waves_ns(const marine::WaveKernels& by) {
 /// [us] a step: 60 s at 60 Hz, all 21 pairs of six motions.
 double memory_us(const marine::MemoryKernels& by) {
     constexpr std::int64_t kSamples = 3599;
-    std::vector<double> k(21 * kSamples, 1e-3), v(6 * kSamples, 0.5);
+    base::Array<double> k(21 * marine::memory_padded(kSamples), 1e-3),
+        v(6 * marine::memory_stride(kSamples), 0.5);
     std::vector<int> pairs;
     for (int i = 0; i < 6; ++i)
         for (int j = 0; j <= i; ++j) pairs.insert(pairs.end(), {i, j});
     double out[6] = {};
     const double seconds = time_of(40, [&](int i) {
-        // As a ring that begins anywhere.
-        const std::int64_t newest = 89 * i % kSamples, behind = kSamples - newest;
-        by.sums(k.data(), v.data() + newest, kSamples, behind, pairs.data(), 21, out);
-        by.sums(k.data() + behind, v.data(), kSamples, newest, pairs.data(), 21, out);
+        by.sums(k.data(), v.data(), kSamples, 89 * i % kSamples, pairs.data(), 21, out);
     });
     if (!std::isfinite(out[0])) fmt::print("not finite\n");
     return 1e6 * seconds;

@@ -18,11 +18,13 @@ WaterField::WaterField(const Sea& sea, const std::vector<SeaCurrent>& current)
     : sea_(&sea),
       table_(wave_table(sea.components(), sea.depth())),
       padded_(static_cast<int>(table_.size()) / kWaveRows),
+      phase_(static_cast<std::size_t>(padded_), 0.0),
       current_(&current),
       flow_(current.size(), Vec3::Zero()) {}
 
 void WaterField::begin(const SeaMoment& now) noexcept {
     now_ = &now;
+    std::copy_n(now.phase.begin(), phase_.size(), phase_.begin());
     for (std::size_t i = 0; i < flow_.size(); ++i) flow_[i] = flow_of((*current_)[i], now.current);
 }
 
@@ -48,7 +50,7 @@ const WaveKernel& WaterField::surfaces(const Vec3* points, int count, double* ci
         x[i] = from.x();
         y[i] = from.y();
     }
-    by.surface(table_.data(), padded_, now_->phase.data(), x, y, circle, surface);
+    by.surface(table_.data(), padded_, phase_.data(), x, y, circle, surface);
     for (int i = 0; i < count; ++i) surface[i] = now_->level + now_->waves * surface[i];
     return by;
 }
@@ -58,7 +60,8 @@ void WaterField::water(const Vec3* points, int count, WaterPoint* out) const noe
     double surface[kWavePoints];
     std::fill_n(surface, kWavePoints, now_->level);
     if (moves()) {
-        double circle[kCircle], still[kWavePoints];
+        alignas(base::kAlign) double circle[kCircle];
+        double still[kWavePoints];
         const WaveKernel& by = surfaces(points, count, circle, surface);
         std::fill_n(still, kWavePoints, -std::numeric_limits<double>::infinity());
         for (int i = 0; i < count; ++i)
@@ -82,7 +85,8 @@ void WaterField::press(const Vec3* points, int count, bool waves, double* surfac
     std::fill_n(surface, count, now_->level);
     if (rise != nullptr) std::fill_n(rise, count, 0.0);
     if (!waves || !moves()) return;
-    double circle[kCircle], sum[kWavePoints], still[kWavePoints];
+    alignas(base::kAlign) double circle[kCircle];
+    double sum[kWavePoints], still[kWavePoints];
     const WaveKernel& by = surfaces(points, count, circle, sum);
     std::copy_n(sum, count, surface);
     if (rise == nullptr) return;

@@ -6,6 +6,7 @@
 
 #include <hawser/sea.h>
 
+#include "base/memory.h"
 #include "marine/wave_sums.h"
 
 #include <cmath>
@@ -64,8 +65,9 @@ class WaterField {
 
     const Sea* sea_;
     const SeaMoment* now_ = nullptr;
-    std::vector<double> table_;  ///< wave_table() of the sea.
+    base::Array<double> table_;  ///< wave_table() of the sea.
     int padded_ = 0;
+    base::Array<double> phase_;  ///< Of the moment, aligned.
     const std::vector<SeaCurrent>* current_;
     std::vector<Vec3> flow_;  ///< At its depths, now [m/s].
 };

@@ -8,6 +8,9 @@
 #include <hawser/system.h>
 #include <hawser/water_hull.h>
 
+#include "base/memory.h"
+#include "marine/memory_sums.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -88,14 +91,20 @@ class HullMemorySums {
     RadiationKind kind_ = RadiationKind::none;
     double step_ = 0.0;
     Matrix6 damping_ = Matrix6::Zero(), first_ = Matrix6::Zero(), added_ = Matrix6::Zero();
-    // Convolution: h K of pairs (i ≥ j) that are not 0, `count_` samples each.
+    [[nodiscard]] std::size_t place(int motion, std::int64_t sample) const noexcept {
+        return static_cast<std::size_t>(motion * memory_stride(count_) + sample);
+    }
+    /// The ring's first samples stand behind its end again.
+    void go_on_behind() noexcept;
+
+    // Convolution: h K of pairs (i ≥ j) that are not 0, as memory_sums.h has them.
     struct Pair {
         int i = 0, j = 0;
     };
     std::vector<Pair> pairs_;
-    std::vector<double> kernel_;
+    base::Array<double> kernel_;
     std::int64_t count_ = 0;
-    std::vector<double> past_;  ///< ν̄ by motion, a ring of `count_` each, newest at `newest_`.
+    std::vector<double> past_;  ///< ν̄ by motion, rings, newest at `newest_`.
     std::int64_t newest_ = 0;
     // State space.
     MemoryModel model_;

@@ -15,9 +15,9 @@ namespace hawser {
 
 namespace marine {
 
-std::vector<double> wave_table(std::span<const WaveComponent> waves, double depth) {
+base::Array<double> wave_table(std::span<const WaveComponent> waves, double depth) {
     const std::size_t padded = 8 * ((waves.size() + 7) / 8);
-    std::vector<double> table(static_cast<std::size_t>(kWaveRows) * padded, 0.0);
+    base::Array<double> table(static_cast<std::size_t>(kWaveRows) * padded, 0.0);
     for (std::size_t i = 0; i < waves.size(); ++i) {
         const WaveComponent& w = waves[i];
         const auto set = [&](WaveRow row, double value) {
@@ -67,7 +67,8 @@ Sea::Sea(const SeaDef& def, double gravity)
 }
 
 void Sea::make_table() {
-    table_ = marine::wave_table(waves_, depth_);
+    const auto table = marine::wave_table(waves_, depth_);
+    table_.assign(table.begin(), table.end());
     padded_ = static_cast<int>(table_.size()) / marine::kWaveRows;
 }
 
@@ -148,7 +149,8 @@ double Sea::stretched(double z, double elevation) const noexcept {
 
 double Sea::elevation(const SeaMoment& now, double x, double y) const noexcept {
     if (waves_.empty() || now.waves == 0.0) return now.level;
-    double circle[2 * kMaxWaveComponents], sum = 0.0;
+    alignas(64) double circle[2 * kMaxWaveComponents];
+    double sum = 0.0;
     marine::wave_kernels().one.surface(table_.data(), padded_, now.phase.data(), &x, &y, circle,
                                        &sum);
     return now.level + now.waves * sum;
@@ -159,7 +161,8 @@ WaterPoint Sea::water(const SeaMoment& now, const Vec3& point) const noexcept {
     out.elevation = now.level;
     const double z = point.z();
     if (!waves_.empty() && now.waves != 0.0) {
-        double circle[2 * kMaxWaveComponents], sum = 0.0;
+        alignas(64) double circle[2 * kMaxWaveComponents];
+        double sum = 0.0;
         const marine::WaveKernel& by = marine::wave_kernels().one;
         by.surface(table_.data(), padded_, now.phase.data(), &point.x(), &point.y(), circle, &sum);
         out.elevation += now.waves * sum;

@@ -69,7 +69,7 @@ int wet(const double* corners, const std::int32_t* triangles, int count, int* cu
         double* sums) noexcept {
     // By entry of a corner, then triangle. What is wet is gathered first: a vector read just after
     // its parts were written would wait for them.
-    double gathered[3 * kEntries][marine::kHullBlock];
+    alignas(64) double gathered[3 * kEntries][marine::kHullBlock];
     int whole = 0, cuts = 0;
     for (int t = 0; t < count; ++t) {
         const double* const corner[] = {corners + kEntries * triangles[3 * t],

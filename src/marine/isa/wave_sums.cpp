@@ -23,10 +23,15 @@ HAWSER_WAVES Wide wide(double x) { return Wide{} + x; }
 HAWSER_WAVES Wide at(const double* p) { return *reinterpret_cast<const Wide*>(p); }
 HAWSER_WAVES void put(double* p, Wide v) { *reinterpret_cast<Wide*>(p) = v; }
 HAWSER_WAVES Wide nearest(Wide x) { return (x + kWhole) - kWhole; }
+/// By halves, which wait for each other less than one lane after the other.
 HAWSER_WAVES double total(Wide v) {
-    double sum = 0.0;
-    for (int i = 0; i < kWide; ++i) sum += v[i];
-    return sum;
+#if defined(__AVX512F__)
+    v += __builtin_shuffle(v, WideBits{4, 5, 6, 7, 0, 1, 2, 3});
+    v += __builtin_shuffle(v, WideBits{2, 3, 0, 1, 6, 7, 4, 5});
+#elif defined(__AVX2__)
+    v += __builtin_shuffle(v, WideBits{2, 3, 0, 1});
+#endif
+    return v[0] + v[1];
 }
 
 /// √2 sin πx by x times a polynomial of x², √2 cos πx by one, on [−½, ½], and 2^x on [−½, ½]: of
@@ -127,17 +132,23 @@ void sums(const double* table, int padded, const double* circle, const double* z
             for (int i = g; i < g + kGroup; i += kWide) {
                 const Wide h = at(from + i), f = at(from + padded + i), w = at(rate + i);
                 const Wide c = 1.0 - h * h, s = h * series(kCosine, f * f);
-                Wide level, steep;
+                Wide lc, ls, sc, ss;
                 if (no_bottom) {
-                    level = steep = power(at(decay + i), z[p]);
+                    const Wide up = power(at(decay + i), z[p]);
+                    lc = sc = up * c;
+                    ls = ss = up * s;
                 } else {
                     Wide up, down;
                     powers(at(decay + i) * z[p], up, down);
                     down *= at(bottom + i);
-                    level = up + down;
-                    steep = up - down;
+                    const Wide level = up + down, steep = up - down;
+                    lc = level * c;
+                    ls = level * s;
+                    sc = steep * c;
+                    ss = steep * s;
                 }
-                const Wide lc = level * c, ls = level * s * w, sc = steep * c * w, ss = steep * s;
+                ls *= w;
+                sc *= w;
                 ux += lc * at(gx + i);
                 uy += lc * at(gy + i);
                 uz += ss * at(gz + i);
