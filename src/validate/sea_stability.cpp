@@ -192,7 +192,8 @@ std::vector<BodyId> build_plank(World& w, bool with_sea) {
 const std::vector<WetCase>& wet_cases() {
     static const std::vector<WetCase> all = {
         {"added mass of 5 masses",
-         [](World& w, bool sea) { return build_lump(w, sea, 0.05, 1.0 / 1025.0, 5.0); }, 0.0, 20.0},
+         [](World& w, bool sea) { return build_lump(w, sea, 0.05, 1.1 / 1025.0, 5.0 / 1.1); }, 0.0,
+         20.0},
         {"body of 5 m2/kg, thrown at 40 m/s",
          [](World& w, bool sea) { return build_lump(w, sea, 5.0, 1e-3, 0.0); }, 40.0, 20.0},
         {"slack rope at 40 m/s", build_rope, 40.0, 20.0},
