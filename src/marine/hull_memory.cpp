@@ -8,7 +8,8 @@
 
 namespace hawser::marine {
 
-HullMemorySums::HullMemorySums(const WaterHull& def, double step) : step_(step) {
+HullMemorySums::HullMemorySums(const WaterHull& def, double step)
+    : step_(step), follows_(def.coriolis) {
     if (!def.coefficients || def.coefficients->damping.empty()) return;
     if (def.radiation == RadiationKind::convolution) {
         kind_ = def.radiation;
@@ -45,12 +46,12 @@ HullMemorySums::HullMemorySums(const WaterHull& def, double step) : step_(step) 
 }
 
 void HullMemorySums::push(const Vec6& velocity) noexcept {
-    if (kind_ == RadiationKind::none) return;
+    if (!follows()) return;
     const Vec6 mean = 0.5 * (last_ + velocity);
     const bool known = begun_ != 0;
     last_ = velocity;
     begun_ = 1;
-    if (!known) return;
+    if (!known || !any()) return;
     if (kind_ == RadiationKind::convolution) {
         newest_ = newest_ == 0 ? count_ - 1 : newest_ - 1;
         for (int i = 0; i < 6; ++i) past_[place(i, newest_)] = mean[i];
@@ -103,7 +104,7 @@ Vec6 HullMemorySums::force() const noexcept {
 }
 
 void HullMemorySums::visit_state(StateVisitor& v) {
-    if (kind_ == RadiationKind::none) return;
+    if (!follows()) return;
     v.visit(newest_);
     v.visit(begun_);
     v.visit(std::span<double>(last_.data(), 6));

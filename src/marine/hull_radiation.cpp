@@ -82,13 +82,14 @@ void HullWater::remember(const Sea& sea, const SeaMoment& now) noexcept {
         lost_ = !waves_.act(sea, now, pushed_);
         frame_ = about_z(waves_.heading());
     }
-    if (!memory_.any()) return;
+    if (!memory_.follows()) return;
     const Vec3 arm = frame_ * def_->coefficients->reference;
     Vec6 v;
     v << frame_.transpose() * (twist_.linear + twist_.angular.cross(arm)),
         frame_.transpose() * twist_.angular;
+    ahead_ = memory_.ahead(v);
     memory_.push(v);
-    remembered_ = memory_.force();
+    if (memory_.any()) remembered_ = memory_.force();
 }
 
 void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept {
@@ -99,9 +100,12 @@ void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept 
     if (waves_.any()) add_at_reference(pushed_);
     if (!def_->coriolis) return;
     // dP/dt of P = A ν in turning axes, less what A (V₊ − V) has of it in those of the world.
-    const Vec3 past = frame_.transpose() *
-                      (twist_.linear - sea.current(now, std::min(pose_.position.z(), now.level)));
-    const Vec3 turn = frame_.transpose() * twist_.angular;
+    // Velocities are half a step older than poses: those of the pose's time keep energy to second
+    // order.
+    const Vec3 turn = ahead_.tail<3>();
+    const Vec3 past =
+        ahead_.head<3>() - turn.cross(def_->coefficients->reference) -
+        frame_.transpose() * sea.current(now, std::min(pose_.position.z(), now.level));
     Vec6 v, swept = Vec6::Zero();
     v << past, turn;
     swept.head<3>() = turn.cross(past);

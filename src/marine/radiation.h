@@ -79,6 +79,10 @@ class HullMemorySums {
 
     /// Takes the velocity after the last step. @param velocity  ν at the reference, body's axes.
     void push(const Vec6& velocity) noexcept;
+    /// ν half a step on, in the middle of what is to come, by the last two; before push().
+    [[nodiscard]] Vec6 ahead(const Vec6& velocity) const noexcept {
+        return begun_ != 0 ? Vec6(1.5 * velocity - 0.5 * last_) : velocity;
+    }
     /// What the past does now; the implicit part is damping().
     [[nodiscard]] Vec6 force() const noexcept;
     /// ½ h K(0) and what passivity needs.
@@ -86,10 +90,13 @@ class HullMemorySums {
     void visit_state(StateVisitor& v);
     void tell(HullMemory& out) const;
     [[nodiscard]] bool any() const noexcept { return kind_ != RadiationKind::none; }
+    /// push() is to be called: there is a memory, or ahead() is asked for.
+    [[nodiscard]] bool follows() const noexcept { return any() || follows_; }
 
   private:
     RadiationKind kind_ = RadiationKind::none;
     double step_ = 0.0;
+    bool follows_ = false;  ///< Keeps the last velocity without a memory, too.
     Matrix6 damping_ = Matrix6::Zero(), first_ = Matrix6::Zero(), added_ = Matrix6::Zero();
     [[nodiscard]] std::size_t place(int motion, std::int64_t sample) const noexcept {
         return static_cast<std::size_t>(motion * memory_stride(count_) + sample);

@@ -135,6 +135,7 @@ class HullWater {
     HullMemorySums memory_;
     WaveForce waves_;
     Vec6 remembered_ = Vec6::Zero(), pushed_ = Vec6::Zero();
+    Vec6 ahead_ = Vec6::Zero();  ///< ν at the reference half a step on, along frame_.
 };
 
 /// Of motions at the centre of mass to those at a point from it.
