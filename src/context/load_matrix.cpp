@@ -98,6 +98,32 @@ HAWSER_ROWS double trace_of(double* m, const double* s, int n) noexcept {
     return sum;
 }
 
+/// trace_of() of three rows, two columns of the inverse at a time: each has its operations in the
+/// same order. What of the third column is 0 is left out.
+double trace_of_three(double* m, const double* s) noexcept {
+    typedef double Two __attribute__((vector_size(16)));
+    factor_of(m, 3);
+    Two x0{1.0, 0.0}, x1{0.0, 1.0}, x2{};
+    x0 /= m[0];
+    x1 = (x1 - m[1] * x0) / m[2];
+    x2 = (x2 - m[3] * x0 - m[4] * x1) / m[5];
+    x2 /= m[5];
+    x1 = (x1 - m[4] * x2) / m[2];
+    x0 = (x0 - m[1] * x1 - m[3] * x2) / m[0];
+    const double z2 = 1.0 / m[5] / m[5], z1 = (0.0 - m[4] * z2) / m[2],
+                 z0 = (0.0 - m[1] * z1 - m[3] * z2) / m[0];
+    double sum = 0.0;
+    sum += x0[0] * s[0];
+    sum += x1[0] * s[1];
+    sum += x2[0] * s[3];
+    sum += x0[1] * s[1];
+    sum += x1[1] * s[2];
+    sum += x2[1] * s[4];
+    sum += z0 * s[3];
+    sum += z1 * s[4];
+    return sum + z2 * s[5];
+}
+
 }  // namespace
 
 #undef HAWSER_ROWS
@@ -121,7 +147,7 @@ void solve_triangle(const double* low, int n, double* x) noexcept {
     solve_of(low, n, x);
 }
 double trace_over(double* m, const double* s, int n) noexcept {
-    return n == 3 ? trace_of(m, s, 3) : trace_of(m, s, n);
+    return n == 3 ? trace_of_three(m, s) : trace_of(m, s, n);
 }
 
 void mass_matrix(const model::Bodies& b, std::int32_t body, int n, double* out) noexcept {

@@ -122,7 +122,7 @@ void SeaSystem::prestep(Prestep& now, Loads& loads) noexcept {
     try {
         sea_.at(now.time, in_, moment_);
         field_.begin(moment_);
-        lines_.find(now.world);
+        lines_.list(now.world);
     } catch (const std::bad_alloc&) {
         return now.set_input(InputId{}, std::nan(""));  // ends the step
     } catch (const DefError&) {
@@ -152,7 +152,8 @@ void SeaSystem::load_body(const World& world, int i) noexcept {
 
 bool SeaSystem::compute(Prestep& now) noexcept {
     for (HullWater& hull : hulls_) hull.begin(now.world, def_.convective);
-    // Threads meet three times, however many hulls there are.
+    // Threads meet four times, however many hulls there are.
+    now.for_each(lines_.wires(), [&](int i) noexcept { lines_.find(now.world, i); });
     const int works = static_cast<int>(points_.size());
     const int lumps = lines_.count(), chunks = (lumps + kLumpChunk - 1) / kLumpChunk;
     now.for_each(works + chunks + static_cast<int>(bodies_.size()), [&](int i) noexcept {

@@ -51,15 +51,19 @@ class LineLumps {
   public:
     struct Lump {
         BodyId body{};
-        PointMotion motion{};
+        PointMotion motion{Vec3::Zero(), Vec3::Zero()};
         HalfElement half[2]{};
-        int halves = 0;
+        int halves = 0;  ///< 0: no lump, or not in the water.
     };
     explicit LineLumps(LineTable table) : table_(std::move(table)) {}
-    /// Lumps as they are now. @throws std::bad_alloc
-    void find(const World& world);
+    /// Wires as they are now. @throws std::bad_alloc
+    void list(const World& world);
+    [[nodiscard]] int wires() const noexcept { return static_cast<int>(wires_.size()); }
+    /// Lumps of one of them as they are now.
+    void find(const World& world, int wire) noexcept;
     /// Lumps from `begin` on, as many as WaterField takes at a time.
     void load(const WaterField& field, bool convective, int begin) noexcept;
+    /// Nodes of all wires.
     [[nodiscard]] int count() const noexcept { return static_cast<int>(lumps_.size()); }
     [[nodiscard]] BodyId body(int i) const noexcept { return lumps_[at(i)].body; }
     [[nodiscard]] const PointLoad& of(int i) const noexcept { return loads_[at(i)]; }
@@ -67,13 +71,20 @@ class LineLumps {
 
   private:
     static std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
-    void find_sorts(std::span<const InteractionId> elements);
-    void add_half(const World& world, Lump& lump, std::size_t element, std::size_t other,
-                  std::span<const BodyId> nodes, std::span<const InteractionId> elements);
+    struct Wire {
+        std::span<const BodyId> nodes;
+        std::span<const InteractionId> elements;
+        std::size_t first;  ///< Place of its first node.
+    };
+    void find_sorts(const Wire& wire) noexcept;
+    void add_half(const World& world, const Wire& wire, Lump& lump, std::size_t element,
+                  std::size_t other) const noexcept;
 
     LineTable table_;
-    std::vector<int> sorts_;    ///< Of the elements of one wire.
-    std::vector<Vec3> places_;  ///< Of its nodes.
+    std::vector<Wire> wires_;
+    // By node of all wires; an element has the place of the node before it.
+    std::vector<int> sorts_;
+    std::vector<Vec3> places_;
     std::vector<Lump> lumps_;
     std::vector<PointLoad> loads_;
 };
