@@ -10,7 +10,13 @@
 
 namespace hawser::stepper {
 
-double product(const double* s, int n, const double* u, const double* v) noexcept {
+/// Most bodies with loads are lumps: each of these is compiled once for three rows and once for any
+/// number, the same operations in the same order.
+#define HAWSER_ROWS [[gnu::always_inline]] inline
+
+namespace {
+
+HAWSER_ROWS double product_of(const double* s, int n, const double* u, const double* v) noexcept {
     double sum = 0.0;
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < i; ++j, ++s) sum += *s * (u[i] * v[j] + u[j] * v[i]);
@@ -19,7 +25,8 @@ double product(const double* s, int n, const double* u, const double* v) noexcep
     return sum;
 }
 
-void add_product(const double* s, int n, double factor, const double* v, double* out) noexcept {
+HAWSER_ROWS void add_product_of(const double* s, int n, double factor, const double* v,
+                                double* out) noexcept {
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < i; ++j, ++s) {
             out[i] += factor * *s * v[j];
@@ -29,8 +36,9 @@ void add_product(const double* s, int n, double factor, const double* v, double*
     }
 }
 
-bool semidefinite(const double* m, int n) noexcept {
+HAWSER_ROWS bool semidefinite_of(const double* m, int n) noexcept {
     constexpr double kMost = 1e300, kRounding = 1e-14, kAside = 2e-7;  // kAside ≥ √kRounding
+    if (std::all_of(m, m + entries_of(n), [](double x) { return x == 0.0; })) return true;
     double scale[6], d[6], low[21];
     for (int i = 0; i < n; ++i) {
         const double own = m[triangle(i, i)];
@@ -54,21 +62,7 @@ bool semidefinite(const double* m, int n) noexcept {
     return true;
 }
 
-void mass_matrix(const model::Bodies& b, std::int32_t body, int n, double* out) noexcept {
-    std::fill_n(out, entries_of(n), 0.0);
-    for (int i = 0; i < std::min(n, 3); ++i) out[triangle(i, i)] = b.mass[at(body)];
-    if (n < 6) return;
-    const double *r = &b.r[9 * at(body)], *inertia = &b.inertia[9 * at(body)];
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j <= i; ++j) {
-            double sum = 0.0;
-            for (int k = 0; k < 3; ++k)
-                for (int l = 0; l < 3; ++l) sum += r[3 * i + k] * inertia[3 * k + l] * r[3 * j + l];
-            out[triangle(3 + i, 3 + j)] = sum;
-        }
-}
-
-void factor_triangle(double* m, int n) noexcept {
+HAWSER_ROWS void factor_of(double* m, int n) noexcept {
     for (int j = 0; j < n; ++j) {
         double pivot = m[triangle(j, j)];
         for (int k = 0; k < j; ++k) pivot -= m[triangle(j, k)] * m[triangle(j, k)];
@@ -81,7 +75,7 @@ void factor_triangle(double* m, int n) noexcept {
     }
 }
 
-void solve_triangle(const double* low, int n, double* x) noexcept {
+HAWSER_ROWS void solve_of(const double* low, int n, double* x) noexcept {
     for (int i = 0; i < n; ++i) {
         for (int k = 0; k < i; ++k) x[i] -= low[triangle(i, k)] * x[k];
         x[i] /= low[triangle(i, i)];
@@ -92,16 +86,82 @@ void solve_triangle(const double* low, int n, double* x) noexcept {
     }
 }
 
-double trace_over(double* m, const double* s, int n) noexcept {
-    factor_triangle(m, n);
+HAWSER_ROWS double trace_of(double* m, const double* s, int n) noexcept {
+    factor_of(m, n);
     double sum = 0.0;
     for (int c = 0; c < n; ++c) {
         double x[6] = {};
         x[c] = 1.0;
-        solve_triangle(m, n, x);
+        solve_of(m, n, x);
         for (int i = 0; i < n; ++i) sum += x[i] * s[i >= c ? triangle(i, c) : triangle(c, i)];
     }
     return sum;
+}
+
+/// trace_of() of three rows, two columns of the inverse at a time: each has its operations in the
+/// same order. What of the third column is 0 is left out.
+double trace_of_three(double* m, const double* s) noexcept {
+    typedef double Two __attribute__((vector_size(16)));
+    factor_of(m, 3);
+    Two x0{1.0, 0.0}, x1{0.0, 1.0}, x2{};
+    x0 /= m[0];
+    x1 = (x1 - m[1] * x0) / m[2];
+    x2 = (x2 - m[3] * x0 - m[4] * x1) / m[5];
+    x2 /= m[5];
+    x1 = (x1 - m[4] * x2) / m[2];
+    x0 = (x0 - m[1] * x1 - m[3] * x2) / m[0];
+    const double z2 = 1.0 / m[5] / m[5], z1 = (0.0 - m[4] * z2) / m[2],
+                 z0 = (0.0 - m[1] * z1 - m[3] * z2) / m[0];
+    double sum = 0.0;
+    sum += x0[0] * s[0];
+    sum += x1[0] * s[1];
+    sum += x2[0] * s[3];
+    sum += x0[1] * s[1];
+    sum += x1[1] * s[2];
+    sum += x2[1] * s[4];
+    sum += z0 * s[3];
+    sum += z1 * s[4];
+    return sum + z2 * s[5];
+}
+
+}  // namespace
+
+#undef HAWSER_ROWS
+
+double product(const double* s, int n, const double* u, const double* v) noexcept {
+    return n == 3 ? product_of(s, 3, u, v) : product_of(s, n, u, v);
+}
+void add_product(const double* s, int n, double factor, const double* v, double* out) noexcept {
+    if (n == 3) return add_product_of(s, 3, factor, v, out);
+    add_product_of(s, n, factor, v, out);
+}
+bool semidefinite(const double* m, int n) noexcept {
+    return n == 3 ? semidefinite_of(m, 3) : semidefinite_of(m, n);
+}
+void factor_triangle(double* m, int n) noexcept {
+    if (n == 3) return factor_of(m, 3);
+    factor_of(m, n);
+}
+void solve_triangle(const double* low, int n, double* x) noexcept {
+    if (n == 3) return solve_of(low, 3, x);
+    solve_of(low, n, x);
+}
+double trace_over(double* m, const double* s, int n) noexcept {
+    return n == 3 ? trace_of_three(m, s) : trace_of(m, s, n);
+}
+
+void mass_matrix(const model::Bodies& b, std::int32_t body, int n, double* out) noexcept {
+    std::fill_n(out, entries_of(n), 0.0);
+    for (int i = 0; i < std::min(n, 3); ++i) out[triangle(i, i)] = b.mass[at(body)];
+    if (n < 6) return;
+    const double *r = &b.r[9 * at(body)], *inertia = &b.inertia[9 * at(body)];
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j <= i; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < 3; ++k)
+                for (int l = 0; l < 3; ++l) sum += r[3 * i + k] * inertia[3 * k + l] * r[3 * j + l];
+            out[triangle(3 + i, 3 + j)] = sum;
+        }
 }
 
 }  // namespace hawser::stepper

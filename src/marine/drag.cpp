@@ -10,7 +10,8 @@ namespace {
 
 /// Of [low, low + spread] what is below the surface, 0 to 1.
 double wet_share(double surface, double low, double spread) noexcept {
-    return std::clamp((surface - low) / spread, 0.0, 1.0);
+    const double depth = surface - low;
+    return depth >= spread ? 1.0 : std::clamp(depth / spread, 0.0, 1.0);
 }
 
 /// Displaced volume at a share: buoyancy, and its stiffness where the surface cuts it.
@@ -43,12 +44,13 @@ void add_half_element(const HalfElement& half, const PointMotion& lump, const Wa
     add_plane(damping, cn * fast);
     if (fast > 0.0) damping.add(cn / fast, across);
     damping.add(2.0 * ct * slide, t);
-    out.force += cn * fast * across + ct * slide * along + damping * lump.velocity;
+    Vec3 push = out.force + (cn * fast * across + ct * slide * along + damping * lump.velocity);
     const double displaced = law.density * of.volume * half.length, mass = displaced * wet;
     add_plane(out.mass, mass * of.ca_normal);
     out.mass.add(mass * of.ca_tangential, t);
     const Vec3 &a = water.acceleration, a_along = t * t.dot(a);
-    out.force += mass * (a + of.ca_normal * (a - a_along) + of.ca_tangential * a_along);
+    push += mass * (a + of.ca_normal * (a - a_along) + of.ca_tangential * a_along);
+    out.force = push;
     for (int k = 0; k < 6; ++k) out.damping.m[k] += damping.m[k];
     add_buoyancy(displaced * law.gravity, wet, spread, out);
 }

@@ -8,7 +8,8 @@
 
 namespace hawser::marine {
 
-HullMemorySums::HullMemorySums(const WaterHull& def, double step) : step_(step) {
+HullMemorySums::HullMemorySums(const WaterHull& def, double step)
+    : step_(step), follows_(def.coriolis) {
     if (!def.coefficients || def.coefficients->damping.empty()) return;
     if (def.radiation == RadiationKind::convolution) {
         kind_ = def.radiation;
@@ -21,11 +22,14 @@ HullMemorySums::HullMemorySums(const WaterHull& def, double step) : step_(step) 
             for (int j = 0; j <= i; ++j) {
                 double most = 0.0;
                 for (const Matrix6& m : k.later) most = std::max(most, std::abs(m(i, j)));
-                if (!(most > 1e-12 * scale[i] * scale[j])) continue;
-                pairs_.push_back({i, j});
-                for (const Matrix6& m : k.later) kernel_.push_back(step * m(i, j));
+                if (most > 1e-12 * scale[i] * scale[j]) pairs_.push_back({i, j});
             }
-        past_.assign(static_cast<std::size_t>(6 * count_), 0.0);
+        kernel_.assign(pairs_.size() * static_cast<std::size_t>(memory_padded(count_)), 0.0);
+        for (std::size_t m = 0; m < k.later.size(); ++m)
+            for (std::size_t p = 0; p < pairs_.size(); ++p)
+                kernel_[(m / kMemoryBlock * pairs_.size() + p) * kMemoryBlock + m % kMemoryBlock] =
+                    step * k.later[m](pairs_[p].i, pairs_[p].j);
+        past_.assign(static_cast<std::size_t>(6 * memory_stride(count_)), 0.0);
     } else if (def.radiation == RadiationKind::state_space) {
         kind_ = def.radiation;
         model_ = memory_model(*def.coefficients, def.order, def.memory);
@@ -42,15 +46,16 @@ HullMemorySums::HullMemorySums(const WaterHull& def, double step) : step_(step) 
 }
 
 void HullMemorySums::push(const Vec6& velocity) noexcept {
-    if (kind_ == RadiationKind::none) return;
+    if (!follows()) return;
     const Vec6 mean = 0.5 * (last_ + velocity);
     const bool known = begun_ != 0;
     last_ = velocity;
     begun_ = 1;
-    if (!known) return;
+    if (!known || !any()) return;
     if (kind_ == RadiationKind::convolution) {
         newest_ = newest_ == 0 ? count_ - 1 : newest_ - 1;
-        for (int i = 0; i < 6; ++i) past_[static_cast<std::size_t>(i * count_ + newest_)] = mean[i];
+        for (int i = 0; i < 6; ++i) past_[place(i, newest_)] = mean[i];
+        go_on_behind();
         return;
     }
     // x ← e^{Ah} (x + h B ν̄).
@@ -74,6 +79,12 @@ void HullMemorySums::push(const Vec6& velocity) noexcept {
     }
 }
 
+void HullMemorySums::go_on_behind() noexcept {
+    for (int i = 0; i < 6; ++i)
+        for (std::int64_t m = 0; m < kMemoryBlock; ++m)
+            past_[place(i, count_ + m)] = past_[place(i, m % count_)];
+}
+
 Vec6 HullMemorySums::force() const noexcept {
     Vec6 out = Vec6::Zero();
     if (kind_ == RadiationKind::convolution) {
@@ -82,9 +93,7 @@ Vec6 HullMemorySums::force() const noexcept {
         const MemoryKernels& by = memory_kernels();
         const int* const pairs = &pairs_.data()->i;
         const auto n = static_cast<int>(pairs_.size());
-        const std::int64_t behind = count_ - newest_;
-        by.sums(kernel_.data(), past_.data() + newest_, count_, behind, pairs, n, sum);
-        by.sums(kernel_.data() + behind, past_.data(), count_, newest_, pairs, n, sum);
+        by.sums(kernel_.data(), past_.data(), count_, newest_, pairs, n, sum);
         for (int i = 0; i < 6; ++i) out[i] = -sum[i];
     } else {
         for (std::size_t s = 0; s < states_.size(); ++s)
@@ -95,16 +104,20 @@ Vec6 HullMemorySums::force() const noexcept {
 }
 
 void HullMemorySums::visit_state(StateVisitor& v) {
-    if (kind_ == RadiationKind::none) return;
+    if (!follows()) return;
     v.visit(newest_);
     v.visit(begun_);
     v.visit(std::span<double>(last_.data(), 6));
     v.visit(std::span<double>(states_));
-    if (!v.around_step()) return v.visit(std::span<double>(past_));
-    // A step writes the sample before the newest alone.
     if (count_ == 0) return;
+    // A step writes the sample before the newest alone.
     const std::int64_t next = newest_ == 0 ? count_ - 1 : newest_ - 1;
-    for (int i = 0; i < 6; ++i) v.visit(past_[static_cast<std::size_t>(i * count_ + next)]);
+    for (int i = 0; i < 6; ++i)
+        if (v.around_step())
+            v.visit(past_[place(i, next)]);
+        else
+            v.visit(std::span<double>(&past_[place(i, 0)], static_cast<std::size_t>(count_)));
+    go_on_behind();
 }
 
 void HullMemorySums::tell(HullMemory& out) const {
@@ -118,8 +131,7 @@ void HullMemorySums::tell(HullMemory& out) const {
     for (std::int64_t m = 0; m < count_; ++m) {
         std::array<double, 6> row{};
         for (int i = 0; i < 6; ++i)
-            row[static_cast<std::size_t>(i)] =
-                past_[static_cast<std::size_t>(i * count_ + (newest_ + m) % count_)];
+            row[static_cast<std::size_t>(i)] = past_[place(i, (newest_ + m) % count_)];
         out.past.push_back(row);
     }
     out.states = states_;

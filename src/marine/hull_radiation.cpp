@@ -82,13 +82,14 @@ void HullWater::remember(const Sea& sea, const SeaMoment& now) noexcept {
         lost_ = !waves_.act(sea, now, pushed_);
         frame_ = about_z(waves_.heading());
     }
-    if (!memory_.any()) return;
+    if (!memory_.follows()) return;
     const Vec3 arm = frame_ * def_->coefficients->reference;
     Vec6 v;
     v << frame_.transpose() * (twist_.linear + twist_.angular.cross(arm)),
         frame_.transpose() * twist_.angular;
+    ahead_ = memory_.ahead(v);
     memory_.push(v);
-    remembered_ = memory_.force();
+    if (memory_.any()) remembered_ = memory_.force();
 }
 
 void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept {
@@ -99,9 +100,12 @@ void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept 
     if (waves_.any()) add_at_reference(pushed_);
     if (!def_->coriolis) return;
     // dP/dt of P = A ν in turning axes, less what A (V₊ − V) has of it in those of the world.
-    const Vec3 past = frame_.transpose() *
-                      (twist_.linear - sea.current(now, std::min(pose_.position.z(), now.level)));
-    const Vec3 turn = frame_.transpose() * twist_.angular;
+    // Velocities are half a step older than poses: those of the pose's time keep energy to second
+    // order.
+    const Vec3 turn = ahead_.tail<3>();
+    const Vec3 past =
+        ahead_.head<3>() - turn.cross(def_->coefficients->reference) -
+        frame_.transpose() * sea.current(now, std::min(pose_.position.z(), now.level));
     Vec6 v, swept = Vec6::Zero();
     v << past, turn;
     swept.head<3>() = turn.cross(past);
@@ -140,14 +144,30 @@ void HullWater::add_linear(const Sea&, const SeaMoment& now) noexcept {
             stiffness[static_cast<std::size_t>(triangle(i, j))] += 0.5 * (w(i, j) + w(j, i));
 }
 
-void HullWater::add_strips(const Sea& sea, const SeaMoment& now, double wet) noexcept {
-    for (const HullStrip& strip : def_->strips) {
+void HullWater::flow_past(const WaterField& field, int chunk) noexcept {
+    const int end = std::min((chunk + 1) * kChunk, static_cast<int>(flows_.size()));
+    for (int first = chunk * kChunk; first < end; first += kWavePoints) {
+        const int count = std::min(end - first, kWavePoints);
+        Vec3 place[kWavePoints];
+        WaterPoint water[kWavePoints];
+        for (int i = 0; i < kWavePoints; ++i)
+            place[i] =
+                pose_.position +
+                axes_ * def_->strips[static_cast<std::size_t>(std::min(first + i, end - 1))].at;
+        field.water(place, count, water);
+        for (int i = 0; i < count; ++i)
+            flows_[static_cast<std::size_t>(first + i)] = water[i].velocity;
+    }
+}
+
+void HullWater::add_strips(const Sea& sea, double wet) noexcept {
+    for (std::size_t k = 0; k < flows_.size(); ++k) {
+        const HullStrip& strip = def_->strips[k];
         const Vec3 arm = axes_ * strip.at, n = axes_ * strip.axis;
-        const WaterPoint water = sea.water(now, pose_.position + arm);
         Vec6 s, v;
         s << n, arm.cross(n);
         v << twist_.linear, twist_.angular;
-        const double past = n.dot(water.velocity) - s.dot(v);
+        const double past = n.dot(flows_[k]) - s.dot(v);
         const double c = 0.5 * sea.density() * strip.drag_area * wet * std::abs(past);
         const double push = c * past + 2.0 * c * s.dot(v);
         for (int i = 0; i < 6; ++i) {

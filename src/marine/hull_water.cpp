@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <hawser/world.h>
 
+#include "marine/hull_kernels.h"
 #include "marine/sea_system.h"
 #include "marine/spectra.h"
-#include "marine/wave_sums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +42,7 @@ HullWater::HullWater(const WaterHull& def, const Sea& sea, double step, double h
       volume_(volume_of(def.mesh)),
       corners_(def.mesh.vertices.size()),
       parts_(static_cast<std::size_t>(chunks_of(def.mesh.triangles.size()))),
+      flows_(def.strips.size(), Vec3::Zero()),
       weight_(def.linear.weight),
       memory_(def, step),
       waves_(def, sea, step, heading) {
@@ -61,6 +62,7 @@ HullWater::HullWater(const WaterHull& def, const Sea& sea, double step, double h
 }
 
 int HullWater::corner_chunks() const noexcept { return chunks_of(corners_.size()); }
+int HullWater::strip_chunks() const noexcept { return chunks_of(flows_.size()); }
 int HullWater::triangle_chunks() const noexcept { return static_cast<int>(parts_.size()); }
 
 void HullWater::begin(const World& world, bool convective) noexcept {
@@ -70,51 +72,64 @@ void HullWater::begin(const World& world, bool convective) noexcept {
     axes_ = pose_.orientation.toRotationMatrix();
 }
 
-void HullWater::press(const Sea& sea, const std::vector<double>& table, const SeaMoment& now,
-                      int chunk) noexcept {
-    // Pressure alone, and only where it is wet: half of what all of Sea::water() takes.
-    const WaveKernels& by = wave_kernels();
-    const int padded = static_cast<int>(table.size()) / kWaveRows;
+void HullWater::press(const WaterField& field, int chunk) noexcept {
     // Where coefficients have all that waves do, the water is still.
-    const bool waves = padded > 0 && now.waves != 0.0 && def_->excitation != ExcitationKind::full;
-    double circle[2 * kMaxWaveComponents];
+    const bool waves = def_->excitation != ExcitationKind::full;
+    const double weight = field.sea().density() * field.sea().gravity(), level = field.now().level;
     const int end = std::min((chunk + 1) * kChunk, static_cast<int>(corners_.size()));
-    for (int i = chunk * kChunk; i < end; ++i) {
-        HullCorner& c = corners_[static_cast<std::size_t>(i)];
-        c.x = axes_ * def_->mesh.vertices[static_cast<std::size_t>(i)];
-        const Vec3 place = pose_.position + c.x;
-        double surface = now.level;
-        if (waves)
-            surface += now.waves * by.surface(table.data(), padded, now.phase.data(), place.x(),
-                                              place.y(), circle);
-        c.depth = surface - place.z();
-        c.pressure = 0.0;
-        if (!def_->wave_pressure) {
-            c.pressure = sea.density() * sea.gravity() * std::max(c.depth, 0.0);
-        } else if (place.z() < surface) {
-            const double rise =
-                waves ? by.pressure(table.data(), padded, circle, sea.stretched(place.z(), surface))
-                      : 0.0;
-            c.pressure = sea.density() * sea.gravity() * (now.level - place.z()) +
-                         now.waves * sea.density() * rise;
+    for (int first = chunk * kChunk; first < end; first += kWavePoints) {
+        const int count = std::min(end - first, kWavePoints);
+        Vec3 place[kWavePoints];
+        double surface[kWavePoints], rise[kWavePoints] = {};
+        HullCorner* const corner = &corners_[static_cast<std::size_t>(first)];
+        for (int i = 0; i < count; ++i) {
+            corner[i].x = axes_ * def_->mesh.vertices[static_cast<std::size_t>(first + i)];
+            place[i] = pose_.position + corner[i].x;
+        }
+        field.press(place, count, waves, surface, def_->wave_pressure ? rise : nullptr);
+        for (int i = 0; i < count; ++i) {
+            const double z = place[i].z(), depth = surface[i] - z;
+            corner[i].depth = depth;
+            if (!def_->wave_pressure)
+                corner[i].pressure = weight * std::max(depth, 0.0);
+            else
+                corner[i].pressure = z < surface[i] ? weight * (level - z) + rise[i] : 0.0;
         }
     }
 }
 
 void HullWater::sum(int chunk) noexcept {
-    HullSums& out = parts_[static_cast<std::size_t>(chunk)];
-    out = {};
+    static_assert(kChunk <= kHullBlock && sizeof(HullCorner) == 5 * sizeof(double));
     const auto& triangles = def_->mesh.triangles;
-    const int end = std::min((chunk + 1) * kChunk, static_cast<int>(triangles.size()));
-    for (int i = chunk * kChunk; i < end; ++i) {
-        const auto& t = triangles[static_cast<std::size_t>(i)];
+    const int first = chunk * kChunk;
+    const int count = std::min(kChunk, static_cast<int>(triangles.size()) - first);
+    int cut[kChunk];
+    double s[kHullSums];
+    const int cuts =
+        hull_kernels().wet(corners_.front().x.data(),
+                           triangles[static_cast<std::size_t>(first)].data(), count, cut, s);
+    HullSums& out = parts_[static_cast<std::size_t>(chunk)];
+    out = {.force = Vec3(s[kForce], s[kForce + 1], s[kForce + 2]),
+           .torque = Vec3(s[kTorque], s[kTorque + 1], s[kTorque + 2]),
+           .volume = s[kVolume],
+           .moment = Vec3(s[kMoment], s[kMoment + 1], s[kMoment + 2]),
+           .plane = s[kPlane],
+           .x = s[kPlaneX],
+           .y = s[kPlaneY],
+           .xx = s[kPlaneXX],
+           .yy = s[kPlaneYY],
+           .xy = s[kPlaneXY]};
+    for (int i = 0; i < cuts; ++i) {
+        const auto& t = triangles[static_cast<std::size_t>(first + cut[i])];
         out.add_triangle(corners_[static_cast<std::size_t>(t[0])],
                          corners_[static_cast<std::size_t>(t[1])],
                          corners_[static_cast<std::size_t>(t[2])]);
     }
 }
 
-void HullWater::finish(const Sea& sea, const SeaMoment& now, double air) noexcept {
+void HullWater::finish(const WaterField& field, double air) noexcept {
+    const Sea& sea = field.sea();
+    const SeaMoment& now = field.now();
     force.fill(0.0);
     mass.fill(0.0);
     damping.fill(0.0);
@@ -129,7 +144,7 @@ void HullWater::finish(const Sea& sea, const SeaMoment& now, double air) noexcep
         add_pressure(sea, all);
     if (wet > 0.0) {
         add_coefficients(sea, now);
-        add_strips(sea, now, wet);
+        add_strips(sea, wet);
     }
     add_motion(sea, now, wet, air);
     any_ = wet > 0.0 || (def_->wind_area.array() != 0.0).any();

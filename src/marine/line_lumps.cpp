@@ -78,87 +78,111 @@ LineTable line_table(const World& world, const SeaDef& def) {
     return out;
 }
 
-void LineLumps::find_sorts(std::span<const InteractionId> elements) {
-    sorts_.clear();
+void LineLumps::find_sorts(const Wire& wire) noexcept {
+    int* const sorts = sorts_.data() + wire.first;
     int last = -1;
     std::size_t unknown = 0;
-    for (const InteractionId id : elements) {
-        const int sort = table_.sort_of(id);
+    for (std::size_t e = 0; e < wire.elements.size(); ++e) {
+        const int sort = table_.sort_of(wire.elements[e]);
         if (sort >= 0 && last < 0)  // those before the first known one are of its sort
-            for (std::size_t i = 0; i < unknown; ++i) sorts_[i] = sort;
+            for (std::size_t i = 0; i < unknown; ++i) sorts[i] = sort;
         if (sort >= 0) last = sort;
         if (last < 0) ++unknown;
-        sorts_.push_back(last);
+        sorts[e] = last;
     }
 }
 
-void LineLumps::add_half(const World& world, Lump& lump, std::size_t element, std::size_t other,
-                         std::span<const BodyId> nodes, std::span<const InteractionId> elements) {
-    const InteractionId id = elements[element];
-    if (sorts_[element] < 0 || !world.alive(id)) return;
+void LineLumps::add_half(const World& world, const Wire& wire, Lump& lump, std::size_t element,
+                         std::size_t other) const noexcept {
+    const InteractionId id = wire.elements[element];
+    const int sort = sorts_[wire.first + element];
+    if (sort < 0 || !world.alive(id)) return;
     HalfElement& half = lump.half[lump.halves++];
-    half.of = &table_.sorts[static_cast<std::size_t>(sorts_[element])];
+    half.of = &table_.sorts[static_cast<std::size_t>(sort)];
     const InteractionDef& def = world.interaction_def(id);
     const KindInfo& kind = kind_info(def.kind);
     const int param = table_.length_param[static_cast<std::size_t>(def.kind)];
     const Vec3& x = lump.motion.position;
-    const bool there = world.intact(id) && world.alive(nodes[other]);
-    const Vec3 along = there ? Vec3(places_[other] - x) : Vec3(Vec3::Zero());
+    const bool there = world.intact(id) && world.alive(wire.nodes[other]);
+    const Vec3 along = there ? Vec3(places_[wire.first + other] - x) : Vec3(Vec3::Zero());
     const double chord = along.norm();
     half.length =
         0.5 *
         (kind.is(kWoundUp) || param < 0 ? chord : def.params[static_cast<std::size_t>(param)]);
     half.middle = x + 0.5 * along;
-    if (chord > 0.0) half.along = along / chord;
+    half.along = chord > 0.0 ? Vec3(along / chord) : Vec3(Vec3::Zero());
 }
 
-void LineLumps::find(const World& world) {
-    lumps_.clear();
-    if (table_.sorts.empty()) return;
-    for (const WireId wire : world.wires()) {
-        const auto elements = world.elements(wire);
-        const auto nodes = world.nodes(wire);
-        find_sorts(elements);
-        if (sorts_.empty() || sorts_.back() < 0) continue;
-        places_.resize(nodes.size());
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            if (!world.alive(nodes[i])) continue;
-            places_[i] = world.pose(nodes[i]).position;
-            const std::size_t element = i < elements.size() ? i : i - 1;
-            if (world.body_def(nodes[i]).kind == BodyKind::lump || !world.alive(elements[element]))
-                continue;
-            const InteractionDef& def = world.interaction_def(elements[element]);
-            const std::size_t side = def.body[0] == nodes[i] ? 0 : 1;
-            places_[i] = world.world_point(nodes[i], def.point[side]);
+void LineLumps::list(const World& world) {
+    wires_.clear();
+    std::size_t nodes = 0;
+    if (!table_.sorts.empty())
+        for (const WireId wire : world.wires()) {
+            wires_.push_back({world.nodes(wire), world.elements(wire), nodes});
+            nodes += wires_.back().nodes.size();
         }
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            const BodyId body = nodes[i];
-            if (!world.alive(body) || world.body_def(body).kind != BodyKind::lump) continue;
-            if ((i == 0 || i + 1 == nodes.size()) && table_.holds(body)) continue;
-            Lump lump;
-            lump.body = body;
-            lump.motion = {places_[i], world.velocity(body).linear};
-            if (i > 0) add_half(world, lump, i - 1, i - 1, nodes, elements);
-            if (i < elements.size()) add_half(world, lump, i, i + 1, nodes, elements);
-            // What has parted hangs as the rest of the line does.
-            if (lump.halves == 2)
-                for (int k = 0; k < 2; ++k)
-                    if (lump.half[k].along.isZero(0.0)) lump.half[k].along = lump.half[1 - k].along;
-            if (lump.halves > 0) lumps_.push_back(lump);
-        }
+    sorts_.resize(nodes);
+    places_.resize(nodes, Vec3::Zero());
+    lumps_.resize(nodes);
+    loads_.resize(nodes);
+}
+
+void LineLumps::find(const World& world, int number) noexcept {
+    const Wire& wire = wires_[at(number)];
+    const auto& [nodes, elements, first] = wire;
+    find_sorts(wire);
+    const bool wet = !elements.empty() && sorts_[first + elements.size() - 1] >= 0;
+    for (std::size_t i = 0; wet && i < nodes.size(); ++i) {
+        if (!world.alive(nodes[i])) continue;
+        Vec3& place = places_[first + i];
+        place = world.pose(nodes[i]).position;
+        const std::size_t element = i < elements.size() ? i : i - 1;
+        if (world.body_def(nodes[i]).kind == BodyKind::lump || !world.alive(elements[element]))
+            continue;
+        const InteractionDef& def = world.interaction_def(elements[element]);
+        const std::size_t side = def.body[0] == nodes[i] ? 0 : 1;
+        place = world.world_point(nodes[i], def.point[side]);
     }
-    loads_.resize(lumps_.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        Lump& lump = lumps_[first + i];
+        lump.halves = 0;
+        const BodyId body = nodes[i];
+        if (!wet || !world.alive(body) || world.body_def(body).kind != BodyKind::lump) continue;
+        if ((i == 0 || i + 1 == nodes.size()) && table_.holds(body)) continue;
+        lump.body = body;
+        lump.motion = {places_[first + i], world.velocity(body).linear};
+        if (i > 0) add_half(world, wire, lump, i - 1, i - 1);
+        if (i < elements.size()) add_half(world, wire, lump, i, i + 1);
+        // What has parted hangs as the rest of the line does.
+        if (lump.halves == 2)
+            for (int k = 0; k < 2; ++k)
+                if (lump.half[k].along.isZero(0.0)) lump.half[k].along = lump.half[1 - k].along;
+    }
 }
 
-void LineLumps::load(const Sea& sea, const SeaMoment& now, bool convective, int i) noexcept {
-    const Lump& lump = lumps_[at(i)];
-    PointLoad& out = loads_[at(i)];
-    out = {};
-    WaterPoint water = sea.water(now, lump.motion.position);
-    if (convective) water.acceleration += sea.convection(now, lump.motion.position);
+void LineLumps::load(const WaterField& field, bool convective, int begin) noexcept {
+    const int some = std::min(count() - begin, kWavePoints);
+    Vec3 points[kWavePoints];
+    WaterPoint water[kWavePoints];
+    bool any = false;
+    for (int i = 0; i < kWavePoints; ++i) {
+        const Lump& lump = lumps_[at(begin + std::min(i, some - 1))];
+        points[i] = lump.motion.position;
+        any = any || lump.halves > 0;
+        if (i < some) loads_[at(begin + i)].any = false;
+    }
+    if (!any) return;
+    field.water(points, some, water);
+    const Sea& sea = field.sea();
     const WaterLaw law{sea.density(), sea.gravity()};
-    for (int k = 0; k < lump.halves; ++k)
-        add_half_element(lump.half[k], lump.motion, water, law, out);
+    for (int i = 0; i < some; ++i) {
+        const Lump& lump = lumps_[at(begin + i)];
+        PointLoad& out = loads_[at(begin + i)];
+        out = {};
+        if (convective) water[i].acceleration += sea.convection(field.now(), points[i]);
+        for (int k = 0; k < lump.halves; ++k)
+            add_half_element(lump.half[k], lump.motion, water[i], law, out);
+    }
 }
 
 }  // namespace hawser::marine

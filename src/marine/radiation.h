@@ -8,6 +8,9 @@
 #include <hawser/system.h>
 #include <hawser/water_hull.h>
 
+#include "base/memory.h"
+#include "marine/memory_sums.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -76,6 +79,10 @@ class HullMemorySums {
 
     /// Takes the velocity after the last step. @param velocity  ν at the reference, body's axes.
     void push(const Vec6& velocity) noexcept;
+    /// ν half a step on, in the middle of what is to come, by the last two; before push().
+    [[nodiscard]] Vec6 ahead(const Vec6& velocity) const noexcept {
+        return begun_ != 0 ? Vec6(1.5 * velocity - 0.5 * last_) : velocity;
+    }
     /// What the past does now; the implicit part is damping().
     [[nodiscard]] Vec6 force() const noexcept;
     /// ½ h K(0) and what passivity needs.
@@ -83,19 +90,28 @@ class HullMemorySums {
     void visit_state(StateVisitor& v);
     void tell(HullMemory& out) const;
     [[nodiscard]] bool any() const noexcept { return kind_ != RadiationKind::none; }
+    /// push() is to be called: there is a memory, or ahead() is asked for.
+    [[nodiscard]] bool follows() const noexcept { return any() || follows_; }
 
   private:
     RadiationKind kind_ = RadiationKind::none;
     double step_ = 0.0;
+    bool follows_ = false;  ///< Keeps the last velocity without a memory, too.
     Matrix6 damping_ = Matrix6::Zero(), first_ = Matrix6::Zero(), added_ = Matrix6::Zero();
-    // Convolution: h K of pairs (i ≥ j) that are not 0, `count_` samples each.
+    [[nodiscard]] std::size_t place(int motion, std::int64_t sample) const noexcept {
+        return static_cast<std::size_t>(motion * memory_stride(count_) + sample);
+    }
+    /// The ring's first samples stand behind its end again.
+    void go_on_behind() noexcept;
+
+    // Convolution: h K of pairs (i ≥ j) that are not 0, as memory_sums.h has them.
     struct Pair {
         int i = 0, j = 0;
     };
     std::vector<Pair> pairs_;
-    std::vector<double> kernel_;
+    base::Array<double> kernel_;
     std::int64_t count_ = 0;
-    std::vector<double> past_;  ///< ν̄ by motion, a ring of `count_` each, newest at `newest_`.
+    std::vector<double> past_;  ///< ν̄ by motion, rings, newest at `newest_`.
     std::int64_t newest_ = 0;
     // State space.
     MemoryModel model_;

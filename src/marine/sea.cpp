@@ -2,6 +2,7 @@
 #include <hawser/sea.h>
 
 #include "marine/checks.h"
+#include "marine/field.h"
 #include "marine/spectra.h"
 #include "marine/wave_sums.h"
 
@@ -14,9 +15,9 @@ namespace hawser {
 
 namespace marine {
 
-std::vector<double> wave_table(std::span<const WaveComponent> waves, double depth) {
+base::Array<double> wave_table(std::span<const WaveComponent> waves, double depth) {
     const std::size_t padded = 8 * ((waves.size() + 7) / 8);
-    std::vector<double> table(static_cast<std::size_t>(kWaveRows) * padded, 0.0);
+    base::Array<double> table(static_cast<std::size_t>(kWaveRows) * padded, 0.0);
     for (std::size_t i = 0; i < waves.size(); ++i) {
         const WaveComponent& w = waves[i];
         const auto set = [&](WaveRow row, double value) {
@@ -35,6 +36,15 @@ std::vector<double> wave_table(std::span<const WaveComponent> waves, double dept
         set(kSpeedZ, speed);
         set(kRate, w.frequency);
         set(kPressure, speed * w.frequency / w.wave_number);
+    }
+    for (std::size_t g = 0; g < padded; g += 8) {
+        double slowest = std::numeric_limits<double>::infinity(), fastest = 0.0;
+        for (std::size_t i = g; i < std::min(g + 8, waves.size()); ++i) {
+            slowest = std::min(slowest, table[kDecay * padded + i]);
+            fastest = std::max(fastest, table[kDecay * padded + i]);
+        }
+        table[kNothingBelow * padded + g] = -44.0 / slowest;
+        table[kDeepAbove * padded + g] = std::max(27.0 / slowest - depth, -1000.0 / fastest);
     }
     return table;
 }
@@ -57,7 +67,8 @@ Sea::Sea(const SeaDef& def, double gravity)
 }
 
 void Sea::make_table() {
-    table_ = marine::wave_table(waves_, depth_);
+    const auto table = marine::wave_table(waves_, depth_);
+    table_.assign(table.begin(), table.end());
     padded_ = static_cast<int>(table_.size()) / marine::kWaveRows;
 }
 
@@ -112,10 +123,7 @@ double Sea::tide(double time) const noexcept {
 
 Vec3 Sea::current(const SeaMoment& now, double z) const noexcept {
     if (current_.empty()) return Vec3::Zero();
-    const auto flow = [&](const SeaCurrent& c) {
-        const double speed = now.current * c.speed;
-        return Vec3(speed * std::cos(c.direction), speed * std::sin(c.direction), 0.0);
-    };
+    const auto flow = [&](const SeaCurrent& c) { return marine::flow_of(c, now.current); };
     const double depth = now.level - z;
     const auto below = std::upper_bound(current_.begin(), current_.end(), depth,
                                         [](double d, const SeaCurrent& c) { return d < c.depth; });
@@ -136,17 +144,16 @@ Vec3 Sea::wind(const SeaMoment& now, double z) const noexcept {
 }
 
 double Sea::stretched(double z, double elevation) const noexcept {
-    if (!(z < elevation)) return 0.0;
-    const double column = depth_ + elevation;
-    if (!(column > 0.0) || z <= -depth_) return -depth_;
-    return depth_ * (z + depth_) / column - depth_;
+    return marine::stretched(depth_, z, elevation);
 }
 
 double Sea::elevation(const SeaMoment& now, double x, double y) const noexcept {
     if (waves_.empty() || now.waves == 0.0) return now.level;
-    double circle[2 * kMaxWaveComponents];
-    return now.level + now.waves * marine::wave_kernels().surface(table_.data(), padded_,
-                                                                  now.phase.data(), x, y, circle);
+    alignas(64) double circle[2 * kMaxWaveComponents];
+    double sum = 0.0;
+    marine::wave_kernels().one.surface(table_.data(), padded_, now.phase.data(), &x, &y, circle,
+                                       &sum);
+    return now.level + now.waves * sum;
 }
 
 WaterPoint Sea::water(const SeaMoment& now, const Vec3& point) const noexcept {
@@ -154,17 +161,15 @@ WaterPoint Sea::water(const SeaMoment& now, const Vec3& point) const noexcept {
     out.elevation = now.level;
     const double z = point.z();
     if (!waves_.empty() && now.waves != 0.0) {
-        double circle[2 * kMaxWaveComponents];
-        const marine::WaveKernels& by = marine::wave_kernels();
-        out.elevation += now.waves * by.surface(table_.data(), padded_, now.phase.data(), point.x(),
-                                                point.y(), circle);
-        const marine::WaveSums s =
-            by.sums(table_.data(), padded_, circle, stretched(z, out.elevation));
-        for (int k = 0; k < 3; ++k) {
-            out.velocity[k] = now.waves * s.u[k];
-            out.acceleration[k] = now.waves * s.a[k];
-        }
-        out.dynamic_pressure = now.waves * density_ * s.p;
+        alignas(64) double circle[2 * kMaxWaveComponents];
+        double sum = 0.0;
+        const marine::WaveKernel& by = marine::wave_kernels().one;
+        by.surface(table_.data(), padded_, now.phase.data(), &point.x(), &point.y(), circle, &sum);
+        out.elevation += now.waves * sum;
+        const double still = stretched(z, out.elevation);
+        marine::WaveSums s;
+        by.sums(table_.data(), padded_, circle, &still, &s);
+        marine::add_waves(s, now, density_, out);
     }
     out.velocity += current(now, std::min(z, now.level));
     if (z < out.elevation)

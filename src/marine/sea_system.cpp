@@ -15,6 +15,7 @@ namespace hawser::marine {
 namespace {
 
 constexpr int kLumpChunk = 16;  ///< Lumps of one task.
+static_assert(kLumpChunk % kWavePoints == 0 && HullWater::kChunk % kWavePoints == 0);
 
 std::size_t slot(int i) noexcept { return static_cast<std::size_t>(i); }
 
@@ -49,8 +50,8 @@ SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start s
       start_(std::move(start)),
       sea_(def, gravity),
       in_(sea_.inputs()),
-      table_(wave_table(sea_.components(), sea_.depth())),
       moment_(sea_.at(0.0)),
+      field_(sea_, def_.current),
       lines_(std::move(lines)),
       bodies_(def_.bodies.size()) {
     hulls_.reserve(def_.hulls.size());
@@ -65,7 +66,19 @@ SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start s
         } catch (const DefError& error) {
             throw SeaError("hulls/" + std::to_string(i) + "/coefficients", error.what());
         }
+        list_work(static_cast<int>(i));
     }
+}
+
+void SeaSystem::list_work(int hull) {
+    const auto list = [&](std::vector<Work>& to, Piece piece, int chunks) {
+        for (int c = 0; c < chunks; ++c) to.push_back({piece, hull, c});
+    };
+    const HullWater& of = hulls_[slot(hull)];
+    list(points_, Piece::memory, def_.hulls[slot(hull)].coefficients ? 1 : 0);
+    list(points_, Piece::corners, of.corner_chunks());
+    list(points_, Piece::strips, of.strip_chunks());
+    list(sums_, Piece::triangles, of.triangle_chunks());
 }
 
 std::unique_ptr<System> SeaSystem::clone() const {
@@ -108,7 +121,8 @@ void SeaSystem::prestep(Prestep& now, Loads& loads) noexcept {
     acted_ = false;
     try {
         sea_.at(now.time, in_, moment_);
-        lines_.find(now.world);
+        field_.begin(moment_);
+        lines_.list(now.world);
     } catch (const std::bad_alloc&) {
         return now.set_input(InputId{}, std::nan(""));  // ends the step
     } catch (const DefError&) {
@@ -117,49 +131,50 @@ void SeaSystem::prestep(Prestep& now, Loads& loads) noexcept {
     elevation_ = sea_.elevation(moment_, def_.gauge[0], def_.gauge[1]);
     gust_ = moment_.wind - moment_.mean_wind;
     tide_ = moment_.level;
-    load_lines(now);
-    load_bodies(now);
-    if (!load_hulls(now)) return now.set_input(InputId{}, std::nan(""));
+    if (!compute(now)) return now.set_input(InputId{}, std::nan(""));
     acted_ = true;
     give(loads);
 }
 
-void SeaSystem::load_lines(Prestep& now) noexcept {
-    const int count = lines_.count();
-    now.for_each((count + kLumpChunk - 1) / kLumpChunk, [&](int chunk) noexcept {
-        const int end = std::min((chunk + 1) * kLumpChunk, count);
-        for (int i = chunk * kLumpChunk; i < end; ++i)
-            lines_.load(sea_, moment_, def_.convective, i);
-    });
+void SeaSystem::load_body(const World& world, int i) noexcept {
+    const WaterBody& def = def_.bodies[slot(i)];
+    const Pose pose = world.pose(def.body);
+    const PointMotion motion{pose.position, world.velocity(def.body).linear};
+    const Mat3 axes = pose.orientation.toRotationMatrix();
+    PointLoad& out = bodies_[slot(i)];
+    out = {};
+    const Vec3 wind = sea_.wind(moment_, motion.position.z() + 0.5 * height_of(def));
+    WaterPoint water = sea_.water(moment_, motion.position);
+    if (def_.convective) water.acceleration += sea_.convection(moment_, motion.position);
+    add_body_water(def, height_of(def), axes, motion, water, wind, def_.wind.density,
+                   {sea_.density(), sea_.gravity()}, out);
 }
 
-void SeaSystem::load_bodies(Prestep& now) noexcept {
-    now.for_each(static_cast<int>(def_.bodies.size()), [&](int i) noexcept {
-        const WaterBody& def = def_.bodies[slot(i)];
-        const Pose pose = now.world.pose(def.body);
-        const PointMotion motion{pose.position, now.world.velocity(def.body).linear};
-        const Mat3 axes = pose.orientation.toRotationMatrix();
-        PointLoad& out = bodies_[slot(i)];
-        out = {};
-        const Vec3 wind = sea_.wind(moment_, motion.position.z() + 0.5 * height_of(def));
-        WaterPoint water = sea_.water(moment_, motion.position);
-        if (def_.convective) water.acceleration += sea_.convection(moment_, motion.position);
-        add_body_water(def, height_of(def), axes, motion, water, wind, def_.wind.density,
-                       {sea_.density(), sea_.gravity()}, out);
-    });
-}
-
-bool SeaSystem::load_hulls(Prestep& now) noexcept {
+bool SeaSystem::compute(Prestep& now) noexcept {
     for (HullWater& hull : hulls_) hull.begin(now.world, def_.convective);
-    now.for_each(static_cast<int>(hulls_.size()),
-                 [&](int i) noexcept { hulls_[slot(i)].remember(sea_, moment_); });
-    for (HullWater& hull : hulls_) {
+    // Threads meet four times, however many hulls there are.
+    now.for_each(lines_.wires(), [&](int i) noexcept { lines_.find(now.world, i); });
+    const int works = static_cast<int>(points_.size());
+    const int lumps = lines_.count(), chunks = (lumps + kLumpChunk - 1) / kLumpChunk;
+    now.for_each(works + chunks + static_cast<int>(bodies_.size()), [&](int i) noexcept {
+        if (i < works) {
+            const Work& w = points_[slot(i)];
+            HullWater& hull = hulls_[slot(w.hull)];
+            if (w.piece == Piece::corners) return hull.press(field_, w.chunk);
+            if (w.piece == Piece::strips) return hull.flow_past(field_, w.chunk);
+            return hull.remember(sea_, moment_);
+        }
+        if (i >= works + chunks) return load_body(now.world, i - works - chunks);
+        const int first = (i - works) * kLumpChunk, end = std::min(first + kLumpChunk, lumps);
+        for (int k = first; k < end; k += kWavePoints) lines_.load(field_, def_.convective, k);
+    });
+    for (const HullWater& hull : hulls_)
         if (hull.lost()) return false;
-        now.for_each(hull.corner_chunks(),
-                     [&](int chunk) noexcept { hull.press(sea_, table_, moment_, chunk); });
-        now.for_each(hull.triangle_chunks(), [&](int chunk) noexcept { hull.sum(chunk); });
-        hull.finish(sea_, moment_, def_.wind.density);
-    }
+    now.for_each(static_cast<int>(sums_.size()), [&](int i) noexcept {
+        hulls_[slot(sums_[slot(i)].hull)].sum(sums_[slot(i)].chunk);
+    });
+    now.for_each(static_cast<int>(hulls_.size()),
+                 [&](int i) noexcept { hulls_[slot(i)].finish(field_, def_.wind.density); });
     return true;
 }
 

@@ -15,6 +15,7 @@
 #include <hawser/sea.h>
 
 #include "marine/drag.h"
+#include "marine/field.h"
 #include "marine/hull_sums.h"
 #include "marine/radiation.h"
 #include "marine/wave_force.h"
@@ -50,14 +51,19 @@ class LineLumps {
   public:
     struct Lump {
         BodyId body{};
-        PointMotion motion{};
+        PointMotion motion{Vec3::Zero(), Vec3::Zero()};
         HalfElement half[2]{};
-        int halves = 0;
+        int halves = 0;  ///< 0: no lump, or not in the water.
     };
     explicit LineLumps(LineTable table) : table_(std::move(table)) {}
-    /// Lumps as they are now. @throws std::bad_alloc
-    void find(const World& world);
-    void load(const Sea& sea, const SeaMoment& now, bool convective, int i) noexcept;
+    /// Wires as they are now. @throws std::bad_alloc
+    void list(const World& world);
+    [[nodiscard]] int wires() const noexcept { return static_cast<int>(wires_.size()); }
+    /// Lumps of one of them as they are now.
+    void find(const World& world, int wire) noexcept;
+    /// Lumps from `begin` on, as many as WaterField takes at a time.
+    void load(const WaterField& field, bool convective, int begin) noexcept;
+    /// Nodes of all wires.
     [[nodiscard]] int count() const noexcept { return static_cast<int>(lumps_.size()); }
     [[nodiscard]] BodyId body(int i) const noexcept { return lumps_[at(i)].body; }
     [[nodiscard]] const PointLoad& of(int i) const noexcept { return loads_[at(i)]; }
@@ -65,13 +71,20 @@ class LineLumps {
 
   private:
     static std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
-    void find_sorts(std::span<const InteractionId> elements);
-    void add_half(const World& world, Lump& lump, std::size_t element, std::size_t other,
-                  std::span<const BodyId> nodes, std::span<const InteractionId> elements);
+    struct Wire {
+        std::span<const BodyId> nodes;
+        std::span<const InteractionId> elements;
+        std::size_t first;  ///< Place of its first node.
+    };
+    void find_sorts(const Wire& wire) noexcept;
+    void add_half(const World& world, const Wire& wire, Lump& lump, std::size_t element,
+                  std::size_t other) const noexcept;
 
     LineTable table_;
-    std::vector<int> sorts_;    ///< Of the elements of one wire.
-    std::vector<Vec3> places_;  ///< Of its nodes.
+    std::vector<Wire> wires_;
+    // By node of all wires; an element has the place of the node before it.
+    std::vector<int> sorts_;
+    std::vector<Vec3> places_;
     std::vector<Lump> lumps_;
     std::vector<PointLoad> loads_;
 };
@@ -87,13 +100,15 @@ class HullWater {
     /// Memory and waves by coefficients; hulls by several threads.
     void remember(const Sea& sea, const SeaMoment& now) noexcept;
     [[nodiscard]] int corner_chunks() const noexcept;
+    [[nodiscard]] int strip_chunks() const noexcept;
     [[nodiscard]] int triangle_chunks() const noexcept;
-    /// @param table  wave_table() of the sea.
-    void press(const Sea& sea, const std::vector<double>& table, const SeaMoment& now,
-               int chunk) noexcept;
+    void press(const WaterField& field, int chunk) noexcept;
+    /// Water at strips.
+    void flow_past(const WaterField& field, int chunk) noexcept;
+    /// Triangles, once all corners are pressed.
     void sum(int chunk) noexcept;
     /// Adds the parts up and the forces at the centre of mass.
-    void finish(const Sea& sea, const SeaMoment& now, double air) noexcept;
+    void finish(const WaterField& field, double air) noexcept;
     [[nodiscard]] BodyId body() const noexcept { return def_->body; }
     [[nodiscard]] bool any() const noexcept { return any_; }
     /// A wave has a direction that the coefficients lack.
@@ -109,7 +124,7 @@ class HullWater {
     void add_linear(const Sea& sea, const SeaMoment& now) noexcept;
     void add_motion(const Sea& sea, const SeaMoment& now, double wet, double air) noexcept;
     void add_coefficients(const Sea& sea, const SeaMoment& now) noexcept;
-    void add_strips(const Sea& sea, const SeaMoment& now, double wet) noexcept;
+    void add_strips(const Sea& sea, double wet) noexcept;
     void add_matrix(const Matrix6& in_frame, std::array<double, 21>& to) const noexcept;
     void add_at_reference(const Vec6& f) noexcept;
 
@@ -123,6 +138,7 @@ class HullWater {
     Mat3 frame_ = Mat3::Identity();
     std::vector<HullCorner> corners_;  ///< About the centre of mass, in world axes.
     std::vector<HullSums> parts_;
+    std::vector<Vec3> flows_;  ///< Of the water at strips.
     bool any_ = false, lost_ = false, convective_ = false;
     // By coefficients; matrices at the centre of mass, along the body's axes.
     Matrix6 added_ = Matrix6::Zero(), constant_ = Matrix6::Zero(), statics_ = Matrix6::Zero();
@@ -130,6 +146,7 @@ class HullWater {
     HullMemorySums memory_;
     WaveForce waves_;
     Vec6 remembered_ = Vec6::Zero(), pushed_ = Vec6::Zero();
+    Vec6 ahead_ = Vec6::Zero();  ///< ν at the reference half a step on, along frame_.
 };
 
 /// Of motions at the centre of mass to those at a point from it.
@@ -158,20 +175,28 @@ class SeaSystem final : public System {
     [[nodiscard]] HullMemory memory(std::size_t hull) const;
 
   private:
-    void load_lines(Prestep& now) noexcept;
-    void load_bodies(Prestep& now) noexcept;
-    [[nodiscard]] bool load_hulls(Prestep& now) noexcept;
+    /// What the water does to all of them. @return whether coefficients have all directions.
+    [[nodiscard]] bool compute(Prestep& now) noexcept;
+    void load_body(const World& world, int i) noexcept;
+    void list_work(int hull);
     void give(Loads& loads) const noexcept;
 
     SeaDef def_;
     Start start_;
     Sea sea_;
     SeaInputs in_;
-    std::vector<double> table_;  ///< wave_table() of the sea.
     SeaMoment moment_;
+    WaterField field_;
     LineLumps lines_;
     std::vector<PointLoad> bodies_;
     std::vector<HullWater> hulls_;
+    /// Pieces of work on hulls, in their order.
+    enum class Piece : std::uint8_t { corners, strips, memory, triangles };
+    struct Work {
+        Piece piece;
+        int hull, chunk;
+    };
+    std::vector<Work> points_, sums_;  ///< What needs poses alone, and what needs pressures.
     // Outputs.
     double elevation_ = 0.0, gust_ = 0.0, tide_ = 0.0;
     bool acted_ = false;

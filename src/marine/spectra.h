@@ -5,6 +5,8 @@
 
 #include <hawser/sea.h>
 
+#include "base/memory.h"
+
 #include <cstdint>
 #include <numbers>
 #include <span>
@@ -46,6 +48,6 @@ double integral(const F& f, double a, double b, int pieces) noexcept {
 }
 
 /// The table of wave_sums.h of these components, of a multiple of eight columns.
-[[nodiscard]] std::vector<double> wave_table(std::span<const WaveComponent> waves, double depth);
+[[nodiscard]] base::Array<double> wave_table(std::span<const WaveComponent> waves, double depth);
 
 }  // namespace hawser::marine

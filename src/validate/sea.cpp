@@ -15,6 +15,10 @@ constexpr Case kSea[] = {
     {"S.8", "sea_sphere", "a sphere let go: radiation", case_sea_sphere},
 };
 
+constexpr Case kLong[] = {
+    {"S.10", "sea_stability_hour", "the same for an hour", case_sea_stability_hour},
+};
+
 constexpr Case kWithData[] = {
     {"S.9", "rao", "a semi-submersible in regular waves beside WAMIT", case_sea_rao},
 };
@@ -22,6 +26,7 @@ constexpr Case kWithData[] = {
 }  // namespace
 
 std::span<const Case> sea_cases() { return kSea; }
+std::span<const Case> long_sea_cases() { return kLong; }
 std::span<const Case> data_cases() { return kWithData; }
 
 }  // namespace hawser::validate

@@ -11,6 +11,7 @@ namespace hawser::validate {
 
 /// Those that "sea" stands for.
 [[nodiscard]] std::span<const Case> sea_cases();
+[[nodiscard]] std::span<const Case> long_sea_cases();  ///< Not among those of "sea".
 
 // sea_waves.cpp
 void case_sea_waves(Report& report);
@@ -23,6 +24,7 @@ void case_sea_froude_krylov(Report& report);
 void case_sea_drag(Report& report);
 // sea_stability.cpp
 void case_sea_stability(Report& report);
+void case_sea_stability_hour(Report& report);
 // sea_sphere.cpp
 void case_sea_sphere(Report& report);
 // sea_rao.cpp

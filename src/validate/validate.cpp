@@ -64,7 +64,8 @@ constexpr Case kCases[] = {
 
 const Case* find(const std::string& wanted) {
     for (const std::span<const Case> cases :
-         {std::span<const Case>(kCases), robust_cases(), wire_cases(), sea_cases(), data_cases()})
+         {std::span<const Case>(kCases), robust_cases(), wire_cases(), sea_cases(),
+          long_sea_cases(), data_cases()})
         for (const Case& c : cases)
             if (wanted == c.id || wanted == c.name) return &c;
     return nullptr;
@@ -104,6 +105,9 @@ int run_cases(const std::vector<std::string>& cases, const std::string& json_fil
         for (const Case& c : wire_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         fmt::print("sea: water against closed forms, not among those that run unasked\n");
         for (const Case& c : sea_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
+        fmt::print("minutes long, by name alone\n");
+        for (const Case& c : long_sea_cases())
+            fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         fmt::print("with data of others, --data DIR\n");
         for (const Case& c : data_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         return 0;

@@ -57,7 +57,7 @@ class SeaVerifier {
         std::vector<Vec6> velocity;     ///< ν̄, newest first.
         Eigen::VectorXd states;         ///< Of a state space.
         Eigen::MatrixXd step_on, b, c;  ///< e^{Ah}, B, C.
-        Vec6 last = Vec6::Zero();
+        Vec6 last = Vec6::Zero(), ahead = Vec6::Zero();
         bool begun = false, slow_begun = false;
         std::array<std::array<double, 3>, 4> lag{};
         double until = 0.0;  ///< Time to which it goes [s].

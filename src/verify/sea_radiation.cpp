@@ -112,14 +112,15 @@ void SeaVerifier::begin_past(const World& world, std::size_t hull) {
 void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Mat3& axes, const Twist& twist,
                              Load& out) {
     const RadiationKind kind = past.at_start.kind;
-    if (kind == RadiationKind::none) return;
+    if (kind == RadiationKind::none && !def.coriolis) return;
     const M6 to_reference = motions_at(def.coefficients->reference);
     V6 v;
     v << axes.transpose() * twist.linear, axes.transpose() * twist.angular;
     v = to_reference * v;
+    past.ahead = past.begun ? V6(v + 0.5 * (v - past.last)) : v;
     M6 first = M6::Zero();
     V6 force = V6::Zero();
-    if (past.begun) {
+    if (past.begun && kind != RadiationKind::none) {
         const V6 mean = 0.5 * (past.last + v);
         if (kind == RadiationKind::convolution) {
             past.velocity.insert(past.velocity.begin(), mean);
@@ -130,6 +131,7 @@ void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Mat3& axes,
     }
     past.last = v;
     past.begun = true;
+    if (kind == RadiationKind::none) return;
     if (kind == RadiationKind::convolution) {
         first = past.kernel[0];
         for (std::size_t m = 0; m < past.velocity.size(); ++m)
@@ -205,14 +207,16 @@ void SeaVerifier::add_coefficients(const WaterHull& def, Past& past, const Pose&
     if (!def.coriolis) return;
     Vec3 flow = Vec3::Zero();
     flow = sea_->current(air_, std::min(pose.position.z(), level_));
-    V6 v;
-    v << twist.linear - flow, twist.angular;
+    // At the centre of mass, along axes of the world.
+    V6 v = turn * motions_at(c.reference).inverse() * past.ahead;
+    v.head<3>() -= flow;
+    const Vec3 spin = v.tail<3>();
     const V6 p = mass * v;
     V6 swept = V6::Zero();
-    swept.head<3>() = twist.angular.cross(v.head<3>());
+    swept.head<3>() = spin.cross(v.head<3>());
     out.force += mass * swept;
-    out.force.head<3>() -= twist.angular.cross(p.head<3>());
-    out.force.tail<3>() -= twist.angular.cross(p.tail<3>()) + v.head<3>().cross(p.head<3>());
+    out.force.head<3>() -= spin.cross(p.head<3>());
+    out.force.tail<3>() -= spin.cross(p.tail<3>()) + v.head<3>().cross(p.head<3>());
 }
 
 }  // namespace hawser::verify

@@ -156,6 +156,20 @@ TEST(HydroFiles, Bemio) {
 
 #endif
 
+// What was left out of a build is said, with what to install.
+#if !HAWSER_HAVE_NETCDF
+TEST(HydroFiles, WithoutNetcdfCapytaineIsRefused) {
+    const Folder folder;
+    refuses(folder.write("a.nc", "CDF"), "install libnetcdf-dev and build with HAWSER_NETCDF=ON");
+}
+#endif
+#if !HAWSER_HAVE_HDF5
+TEST(HydroFiles, WithoutHdf5BemioIsRefused) {
+    const Folder folder;
+    refuses(folder.write("a.h5", "text"), "install libhdf5-dev and build with HAWSER_HDF5=ON");
+}
+#endif
+
 TEST(HydroFiles, RealOnes) {
     const char* folder = std::getenv("HAWSER_HYDRO_DATA");
     if (folder == nullptr) GTEST_SKIP() << "HAWSER_HYDRO_DATA names no folder";

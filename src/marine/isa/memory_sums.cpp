@@ -22,64 +22,70 @@ __attribute__((always_inline)) inline double total_of(Lanes v) {
     return sum;
 }
 
-/// Samples of all motions that the first cache holds: 6 × 512 × 8 bytes.
-constexpr std::int64_t kTile = 512;
+using marine::kMemoryBlock;
+
+/// Blocks of a tile: of six motions and their pairs what the first cache holds.
+constexpr std::int64_t kTile = 16;
 
 /// All pairs of six motions: each sample of a motion is loaded once for all that it meets.
-void all_pairs(const double* k, const double* v, std::int64_t stride, std::int64_t count,
+void all_pairs(const double* k, const double* v, std::int64_t count, std::int64_t newest,
                double* out) noexcept {
+    const std::int64_t stride = marine::memory_stride(count);
     Lanes low[6]{}, high[6]{};
-    std::int64_t m = 0;
-    for (; m + kLanes <= count; m += kLanes) {
-        Lanes x[6];
-        for (int i = 0; i < 6; ++i) x[i] = load(v + i * stride + m);
-        const double* p = k + m;
+    std::int64_t at = newest;
+    for (std::int64_t m = 0; m < count; m += kMemoryBlock, k += 21 * kMemoryBlock) {
+        for (int part = 0; part < kMemoryBlock; part += kLanes) {
+            Lanes x[6];
+            for (int i = 0; i < 6; ++i) x[i] = load(v + i * stride + at + part);
+            const double* p = k + part;
 #pragma GCC unroll 6
-        for (int i = 0; i < 6; ++i)
+            for (int i = 0; i < 6; ++i)
 #pragma GCC unroll 6
-            for (int j = 0; j <= i; ++j, p += stride) {
-                const Lanes both = load(p);
-                low[i] += both * x[j];
-                if (i != j) high[j] += both * x[i];
-            }
+                for (int j = 0; j <= i; ++j, p += kMemoryBlock) {
+                    const Lanes both = load(p);
+                    low[i] += both * x[j];
+                    if (i != j) high[j] += both * x[i];
+                }
+        }
+        at += kMemoryBlock;
+        if (at >= count) at -= count;
     }
     for (int i = 0; i < 6; ++i) out[i] += total_of(low[i] + high[i]);
-    for (; m < count; ++m) {
-        const double* p = k + m;
-        for (int i = 0; i < 6; ++i)
-            for (int j = 0; j <= i; ++j, p += stride) {
-                out[i] += *p * v[j * stride + m];
-                if (i != j) out[j] += *p * v[i * stride + m];
+}
+
+/// Blocks that lie in the ring without a gap, pair by pair.
+void some_pairs(const double* k, const double* v, std::int64_t stride, std::int64_t blocks,
+                const int* pairs, int pair_count, double* out) noexcept {
+    const std::int64_t next = pair_count * kMemoryBlock;
+    for (int p = 0; p < pair_count; ++p) {
+        const int i = pairs[2 * p], j = pairs[2 * p + 1];
+        const double *kp = k + p * kMemoryBlock, *vi = v + i * stride, *vj = v + j * stride;
+        Lanes a{}, b{};
+        for (std::int64_t m = 0; m < blocks; ++m, kp += next)
+            for (int part = 0; part < kMemoryBlock; part += kLanes) {
+                const Lanes both = load(kp + part);
+                a += both * load(vj + m * kMemoryBlock + part);
+                b += both * load(vi + m * kMemoryBlock + part);
             }
+        out[i] += total_of(a);
+        if (i != j) out[j] += total_of(b);
     }
 }
 
-void memory_sums(const double* k, const double* v, std::int64_t stride, std::int64_t count,
+void memory_sums(const double* k, const double* v, std::int64_t count, std::int64_t newest,
                  const int* pairs, int pair_count, double* out) noexcept {
-    if (pair_count == 21) return all_pairs(k, v, stride, count, out);  // in this order
-    for (std::int64_t from = 0; from < count; from += kTile) {
-        const std::int64_t end = from + kTile < count ? from + kTile : count;
-        for (int p = 0; p < pair_count; ++p) {
-            const int i = pairs[2 * p], j = pairs[2 * p + 1];
-            const double *kp = k + p * stride, *vi = v + i * stride, *vj = v + j * stride;
-            // Two sums each, so that one addition need not wait for the other.
-            Lanes a0{}, a1{}, b0{}, b1{};
-            std::int64_t m = from;
-            for (; m + 2 * kLanes <= end; m += 2 * kLanes) {
-                const Lanes k0 = load(kp + m), k1 = load(kp + m + kLanes);
-                a0 += k0 * load(vj + m);
-                a1 += k1 * load(vj + m + kLanes);
-                b0 += k0 * load(vi + m);
-                b1 += k1 * load(vi + m + kLanes);
-            }
-            double a = total_of(a0 + a1), b = total_of(b0 + b1);
-            for (; m < end; ++m) {
-                a += kp[m] * vj[m];
-                b += kp[m] * vi[m];
-            }
-            out[i] += a;
-            if (i != j) out[j] += b;
-        }
+    if (pair_count == 21) return all_pairs(k, v, count, newest, out);  // in this order
+    const std::int64_t all = (count + kMemoryBlock - 1) / kMemoryBlock;
+    std::int64_t at = newest;
+    for (std::int64_t done = 0; done < all;) {
+        const std::int64_t to_end = (count - at + kMemoryBlock - 1) / kMemoryBlock;
+        std::int64_t blocks = all - done < kTile ? all - done : kTile;
+        if (to_end < blocks) blocks = to_end;
+        some_pairs(k + done * pair_count * kMemoryBlock, v + at, marine::memory_stride(count),
+                   blocks, pairs, pair_count, out);
+        done += blocks;
+        at += blocks * kMemoryBlock;
+        if (at >= count) at -= count;
     }
 }
 

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sizes and the first 20 s of the frozen scene anchor_sea; that its hashes depend neither on
+// threads nor on restoring is asked by the tests of bench, as of all scenes.
+#include <hawser/scene.h>
+
+#include "support/sanitizer.h"
+#include "verify/certificate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace hawser {
+namespace {
+
+constexpr const char* kScene = "scenes/anchor_sea.json";
+
+// The scene is frozen: results are compared with it over time (CONTRIBUTING.md). A change of these
+// numbers is a change of the scene, or of how scene files are read.
+TEST(AnchorSea, IsFrozen) {
+    scene::Scene scene = scene::load_file(kScene);
+    EXPECT_EQ(scene.hash, 0xb3acf07d23fe3d65U);
+    EXPECT_EQ(scene.world.body_count(), 1002);
+    ASSERT_EQ(scene.world.step(), Status::ok);
+    const StepStats& stats = scene.world.stats();
+    EXPECT_EQ(stats.interactions, 1949);
+    EXPECT_EQ(stats.equations, 6090);
+    EXPECT_EQ(stats.islands, 1);
+}
+
+TEST(AnchorSea, SeparateCodeAgrees) {
+    scene::Scene scene = scene::load_file(kScene);
+    verify::Verifier verifier(scene.world);
+    for (int i = 0; i < 12; ++i) {
+        verifier.before_step(scene.world);
+        ASSERT_EQ(scene.world.step(), Status::ok) << "step " << i;
+        ASSERT_EQ(verifier.after_step(scene.world), "") << "step " << i;
+    }
+    std::printf("loads of the sea differ by %.2g\n", verifier.result().sea);
+    EXPECT_GT(verifier.result().sea, 0.0) << "some load was compared";
+    EXPECT_LT(verifier.result().sea, 1e-9);
+}
+
+/// Mean and standard deviation of what is looked at from 5 s to 20 s.
+struct Series {
+    const char* what;
+    std::function<double()> now;
+    double mean, deviation;  ///< As they were when this test was written.
+    std::vector<double> values{};
+
+    [[nodiscard]] double mean_of() const {
+        double sum = 0.0;
+        for (const double v : values) sum += v;
+        return sum / static_cast<double>(values.size());
+    }
+    [[nodiscard]] double deviation_of() const {
+        double sum = 0.0;
+        const double middle = mean_of();
+        for (const double v : values) sum += (v - middle) * (v - middle);
+        return std::sqrt(sum / static_cast<double>(values.size()));
+    }
+};
+
+TEST(AnchorSea, MovesAndPullsAsItDid) {
+    if (test::kSanitized) GTEST_SKIP() << "1,200 steps";
+    scene::Scene scene = scene::load_file(kScene);
+    World& world = scene.world;
+    const auto pull = [&](const std::string& name) {
+        for (const scene::Cable& cable : scene.cables)
+            if (cable.name == name)
+                return [&world, id = cable.stretch[cable.stretch.size() / 2]] {
+                    return -world.force(id)[0];
+                };
+        throw std::runtime_error("no cable " + name);
+    };
+    const auto height = [&](const char* body) {
+        return [&world, id = world.find_body(body)] { return world.pose(id).position.z(); };
+    };
+    const auto roll = [&](const char* body) {
+        return [&world, id = world.find_body(body)] {
+            const Mat3 r = world.pose(id).orientation.toRotationMatrix();
+            return std::atan2(r(2, 1), r(2, 2));
+        };
+    };
+    Series all[] = {
+        {"mooring1 [N]", pull("mooring1"), 854157.567882, 100249.892143},
+        {"mooring5 [N]", pull("mooring5"), 1387333.9393, 219252.399469},
+        {"tow1 [N]", pull("tow1"), 418669.7194, 175074.445577},
+        {"work2 [N]", pull("work2"), 636219.4852, 49286.3742875},
+        {"rig, heave [m]", height("rig"), -1.07091434816, 0.742634372014},
+        {"ahts1, heave [m]", height("ahts1/hull"), 1.06170488943, 0.636278400643},
+        {"ahts1, roll [rad]", roll("ahts1/hull"), -0.00635433261892, 0.0303706049649},
+        {"ahts2, roll [rad]", roll("ahts2/hull"), -0.00108383884249, 0.015745071171},
+    };
+    for (int i = 0; i < 1'200; ++i) {
+        ASSERT_EQ(world.step(), Status::ok) << "step " << i;
+        if (i >= 300)
+            for (Series& s : all) s.values.push_back(s.now());
+    }
+    // Sums in another order, and other instruction sets, change the tenth digit by then: the scene
+    // is not chaotic within 20 s. 1e-6 leaves room for a thousand times that.
+    for (const Series& s : all) {
+        std::printf("        {\"%s\", %.12g, %.12g}\n", s.what, s.mean_of(), s.deviation_of());
+        EXPECT_NEAR(s.mean_of(), s.mean, 1e-6 * s.deviation) << s.what;
+        EXPECT_NEAR(s.deviation_of(), s.deviation, 1e-6 * s.deviation) << s.what;
+    }
+}
+
+}  // namespace
+}  // namespace hawser
