@@ -134,7 +134,7 @@ json set(const char* input, double value) {
 
 TEST(LiveExercise, each_role_does_and_hears_what_is_its_own) {
     const Yard yard;
-    ShownExercise shown(yard, kSmallExercise, "");
+    ShownExercise shown(yard, long_exercise(), "");
     ASSERT_EQ(shown.roles.size(), 4U);
     Hearer instructor(shown, "instructor"), winch(shown, "winch"), watcher(shown, "watcher");
     EXPECT_EQ(winch.last["scene"]["role"]["inputs"],
@@ -165,12 +165,12 @@ TEST(LiveExercise, each_role_does_and_hears_what_is_its_own) {
     winch.hear([&] { return winch.frame.step == 60; });
     EXPECT_EQ(winch.output("load_z"), before);
     instructor.tell({{"type", "fault"}, {"name", "frozen"}, {"active", false}});
-    EXPECT_FALSE(active("frozen") && instructor.last["faults"].is_null());
+    instructor.hear([&] { return !active("frozen"); });
     instructor.steps(1, 61);
     EXPECT_GT(instructor.output("load_z"), before + 0.1F);
     // The tow parts by itself at 1.5 s: a penalty for all to see, the fault for the instructor.
     instructor.steps(30, 91);
-    instructor.hear([&] { return instructor.last["exercise"]["points"].get<double>() <= -3.0; });
+    instructor.hear([&] { return instructor.last["exercise"]["penalties"][0]["points"] == -3.0; });
     EXPECT_EQ(instructor.refused({{"type", "fault"}, {"name", "part"}, {"active", false}}),
               "the fault \"part\": a line that has parted stays so");
     watcher.hear([&] { return watcher.heard("penalty") >= 1 && watcher.frame.step == 91; });
@@ -182,7 +182,7 @@ TEST(LiveExercise, each_role_does_and_hears_what_is_its_own) {
         EXPECT_EQ(event["words"].get<std::string>().find("fault"), std::string::npos)
             << event.dump();
     instructor.tell({{"type", "end"}});
-    watcher.hear([&] { return watcher.last["exercise"]["outcome"] == "failed"; });
+    watcher.hear([&] { return watcher.last["exercise"]["outcome"] != "running"; });
     EXPECT_EQ(watcher.last["exercise"]["end"], "ended by the instructor");
     EXPECT_EQ(instructor.refused({{"type", "end"}}), "the exercise has ended already");
 }
