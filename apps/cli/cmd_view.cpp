@@ -23,8 +23,8 @@ has it has the role. Ctrl-C ends it, with the recording closed and the report wr
 
 void add_view(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<ViewOptions>();
-    CLI::App* command =
-        app.add_subcommand("view", "Show a scene or an exercise while it runs, or a recording, to browsers");
+    CLI::App* command = app.add_subcommand(
+        "view", "Show a scene or an exercise while it runs, or a recording, to browsers");
     command->footer(kViewFooter);
     options->scene.add_to(*command);
     command->get_option("SCENE")->description("Scene or exercise (JSON), or a recording (.hwr)");

@@ -101,8 +101,9 @@ void serve(const ViewOptions& options, Session& session, const live::DriverOptio
 
 int view_scene(const ViewOptions& options) {
     if (!options.report.empty() || !options.summary.empty())
-        throw std::runtime_error(options.scene.file +
-                                 ": a scene has no score: --report and --summary are for exercises");
+        throw std::runtime_error(
+            options.scene.file +
+            ": a scene has no score: --report and --summary are for exercises");
     Session session = open_session(options);
     serve(options, session, {.recording = options.record, .paused = options.paused},
           {live::instructor(), live::watcher()});
@@ -158,9 +159,10 @@ int view_recording(const ViewOptions& options) {
             options.scene.file +
             ": a recording is shown as it is: --record, --restore and --control are for scenes");
     if (!options.report.empty() || !options.summary.empty())
-        throw std::runtime_error(options.scene.file +
-                                 ": the score of a recording is that of `hawser exercise --replay`, "
-                                 "which also writes --report and --summary");
+        throw std::runtime_error(
+            options.scene.file +
+            ": the score of a recording is that of `hawser exercise --replay`, "
+            "which also writes --report and --summary");
     const record::Recording recording = record::Recording::open(options.scene.file);
     if (!recording.damage.empty())
         fmt::print(stderr, "{}: not complete: {}\n", recording.file, recording.damage);
@@ -168,7 +170,8 @@ int view_recording(const ViewOptions& options) {
     live::Player player(recording, hub);
     if (!player.fault().empty())
         fmt::print(stderr, "{}: shown without its shapes: {}\n", recording.file, player.fault());
-    const live::ServerOptions to_serve = server_options(options, {live::instructor(), live::watcher()}, true);
+    const live::ServerOptions to_serve =
+        server_options(options, {live::instructor(), live::watcher()}, true);
     live::Server server(hub, to_serve);
     print_addresses(server, to_serve);
     if (options.open) open_browser(server.address_of(to_serve.roles.front()));
@@ -181,8 +184,7 @@ int view_recording(const ViewOptions& options) {
 
 int view(const ViewOptions& options) {
     if (is_recording(options.scene.file)) return view_recording(options);
-    return exercise::is_exercise(options.scene.file) ? view_exercise(options)
-                                                     : view_scene(options);
+    return exercise::is_exercise(options.scene.file) ? view_exercise(options) : view_scene(options);
 }
 
 }  // namespace hawser::cli

@@ -29,7 +29,7 @@ enum class CommandKind : std::uint8_t {
     seek,
     fault,  ///< Of an exercise: begin it, or with value 0 end it.
     end,    ///< Of an exercise.
-    left,  ///< The client has gone: what it held is let go.
+    left,   ///< The client has gone: what it held is let go.
 };
 /// As in messages.
 [[nodiscard]] const char* to_string(CommandKind kind) noexcept;

@@ -9,8 +9,8 @@
 ///         └───────────────────────────────────────────────────────────────┘
 /// ```
 /// All of it is one thread, which waits for the clock alone. What clients do goes through the
-/// session, so that a recording repeats it; of an exercise through its run (lesson.h). A step that fails pauses the run, with a message that
-/// says when, where and what to do.
+/// session, so that a recording repeats it; of an exercise through its run (lesson.h). A step that
+/// fails pauses the run, with a message that says when, where and what to do.
 
 #include "live/drag.h"
 #include "live/frame_plan.h"
@@ -34,7 +34,7 @@ namespace hawser::live {
 
 struct DriverOptions {
     std::string recording{};  ///< File that the session records to, for clients; "": none.
-    bool paused = false;    ///< At the start.
+    bool paused = false;      ///< At the start.
     /// An exercise that the session is of, and its run; null: it is of none.
     const exercise::Exercise* exercise = nullptr;
     exercise::Run* run = nullptr;
@@ -101,7 +101,7 @@ class Driver {
     std::optional<Failure> failure_;
     bool paused_ = false, told_ = false, changed_ = true;
     bool over_ = false;  ///< The exercise had ended when it was last looked at.
-    int to_go_ = 0;  ///< Steps of `step` that are left.
+    int to_go_ = 0;      ///< Steps of `step` that are left.
     int clients_ = 0;
     double rate_ = 1.0;
     Pace::Clock::time_point shown_{};  ///< When the last frame was made.

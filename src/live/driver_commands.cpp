@@ -104,7 +104,8 @@ void Driver::perform(const Command& command) {
 }
 
 Lesson& Driver::lesson() {
-    if (!lesson_) throw DefError("this is a scene without an exercise: it has no faults and no end");
+    if (!lesson_)
+        throw DefError("this is a scene without an exercise: it has no faults and no end");
     return *lesson_;
 }
 
