@@ -38,18 +38,6 @@ struct ExerciseOptions {
     bool quiet = false;
 };
 
-/// A file that goes when it is no longer needed.
-struct TemporaryFile {
-    std::filesystem::path path;
-    TemporaryFile() = default;
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        std::error_code ignored;
-        if (!path.empty()) std::filesystem::remove(path, ignored);
-    }
-};
-
 /// Levers and faults over time, each set by a role that may.
 class Controls {
   public:

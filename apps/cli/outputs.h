@@ -3,7 +3,9 @@
 /// @file outputs.h
 /// Files that a command reads and writes, looked at before anything is opened.
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace hawser::cli {
@@ -20,5 +22,17 @@ void check_outputs(const std::vector<NamedFile>& inputs, const std::vector<Named
 
 /// Write a whole file beside and rename it. @throws std::runtime_error that begins with the file.
 void write_output(const std::string& file, const std::string& text, const char* what);
+
+/// A file that goes when it is no longer needed.
+struct TemporaryFile {
+    std::filesystem::path path;
+    TemporaryFile() = default;
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        std::error_code ignored;
+        if (!path.empty()) std::filesystem::remove(path, ignored);
+    }
+};
 
 }  // namespace hawser::cli

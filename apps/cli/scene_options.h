@@ -37,8 +37,7 @@ struct SceneOptions {
     [[nodiscard]] scene::Scene load() const;
     /// All mistakes in place of the first; nothing where there are any.
     [[nodiscard]] std::optional<scene::Scene> load(std::vector<scene::SceneError>& mistakes) const;
-
-  private:
+    /// As the readers of scenes and exercises take them.
     [[nodiscard]] scene::Options options() const;
 };
 

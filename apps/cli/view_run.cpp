@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view_run.h"
 
+#include <hawser/exercise.h>
 #include <hawser/recording.h>
 #include "commands.h"
+#include "debrief/debrief.h"
 #include "live/driver.h"
 #include "live/player.h"
 #include "live/server.h"
@@ -42,12 +44,13 @@ void open_browser(const std::string& address) {
         fmt::print(stderr, "--open: there is no xdg-open; open the address by hand\n");
 }
 
-live::ServerOptions server_options(const ViewOptions& options, bool recording) {
+live::ServerOptions server_options(const ViewOptions& options, std::vector<live::Role> roles,
+                                   bool recording) {
     live::ServerOptions out;
     out.address = options.listen;
     out.port = static_cast<std::uint16_t>(options.port);
     out.clients = options.clients;
-    out.roles = {live::instructor(), live::watcher()};
+    out.roles = std::move(roles);
     out.recording = recording;
     out.log = [](const std::string& line) { fmt::print(stderr, "hawser view: {}\n", line); };
     return out;
@@ -76,11 +79,12 @@ Session open_session(const ViewOptions& options) {
                                       .every = options.stride});
 }
 
-int view_scene(const ViewOptions& options) {
-    Session session = open_session(options);
+/// Steps a session for clients until a signal, and closes it.
+void serve(const ViewOptions& options, Session& session, const live::DriverOptions& how,
+           std::vector<live::Role> roles) {
     live::Hub hub;
-    live::Driver driver(session, hub, {.recording = options.record, .paused = options.paused});
-    const live::ServerOptions to_serve = server_options(options, false);
+    live::Driver driver(session, hub, how);
+    const live::ServerOptions to_serve = server_options(options, std::move(roles), false);
     live::Server server(hub, to_serve);
     print_addresses(server, to_serve);
     if (options.open) open_browser(server.address_of(to_serve.roles.front()));
@@ -89,9 +93,63 @@ int view_scene(const ViewOptions& options) {
     catch_signals();
     const CancelledBySignal cancelled(session.world());
     driver.run([] { return stop_requested(); });
+    if (how.run != nullptr) how.run->end("interrupted", true);
     session.finish();
     fmt::print("{:.6g} s in {} steps{}\n", session.time(), session.world().step_count(),
                options.record.empty() ? "" : ", recorded in " + options.record);
+}
+
+int view_scene(const ViewOptions& options) {
+    if (!options.report.empty() || !options.summary.empty())
+        throw std::runtime_error(
+            options.scene.file +
+            ": a scene has no score: --report and --summary are for exercises");
+    Session session = open_session(options);
+    serve(options, session, {.recording = options.record, .paused = options.paused},
+          {live::instructor(), live::watcher()});
+    return kOk;
+}
+
+void check_exercise_files(const ViewOptions& options, const scene::Scene& scene) {
+    if (!options.restore.empty() || !options.control.empty())
+        throw std::runtime_error(options.scene.file +
+                                 ": an exercise begins at its start and is driven by its stations: "
+                                 "--restore and --control are for scenes");
+    std::vector<NamedFile> inputs{{"the exercise", options.scene.file}};
+    for (const std::filesystem::path& file : scene.files)
+        inputs.push_back({"a file of the scene", file.string()});
+    check_outputs(inputs, {{"--record", options.record},
+                           {"--report", options.report},
+                           {"--summary", options.summary}});
+}
+
+int view_exercise(const ViewOptions& options) {
+    exercise::Loaded loaded = exercise::load_file(options.scene.file, options.scene.options());
+    check_exercise_files(options, loaded.scene);
+    std::vector<live::Role> roles = live::roles_of(loaded.exercise);
+    TemporaryFile temporary;  // a report has pictures, which a recording has
+    std::string recording = options.record;
+    if (recording.empty() && !options.report.empty()) {
+        temporary.path = options.report + ".hwr.part";
+        recording = temporary.path.string();
+    }
+    Session session(std::move(loaded.scene), {.record = recording, .every = options.stride});
+    exercise::Run run(loaded.exercise, session);
+    serve(options, session,
+          {.recording = options.record,
+           .paused = options.paused,
+           .exercise = &loaded.exercise,
+           .run = &run},
+          std::move(roles));
+    const exercise::Result& result = run.result();
+    fmt::print("{}: {}, {:.6g} of {:.6g} points, {}\n", result.exercise,
+               exercise::to_string(result.outcome), result.points, result.possible, result.end);
+    if (!options.summary.empty())
+        write_output(options.summary, exercise::to_json(result), "the summary");
+    if (options.report.empty()) return kOk;
+    const record::Recording whole = record::Recording::open(recording);
+    write_output(options.report, debrief::to_html(loaded.exercise, result, run.curves(), &whole),
+                 "the report");
     return kOk;
 }
 
@@ -100,6 +158,11 @@ int view_recording(const ViewOptions& options) {
         throw std::runtime_error(
             options.scene.file +
             ": a recording is shown as it is: --record, --restore and --control are for scenes");
+    if (!options.report.empty() || !options.summary.empty())
+        throw std::runtime_error(
+            options.scene.file +
+            ": the score of a recording is that of `hawser exercise --replay`, "
+            "which also writes --report and --summary");
     const record::Recording recording = record::Recording::open(options.scene.file);
     if (!recording.damage.empty())
         fmt::print(stderr, "{}: not complete: {}\n", recording.file, recording.damage);
@@ -107,7 +170,8 @@ int view_recording(const ViewOptions& options) {
     live::Player player(recording, hub);
     if (!player.fault().empty())
         fmt::print(stderr, "{}: shown without its shapes: {}\n", recording.file, player.fault());
-    const live::ServerOptions to_serve = server_options(options, true);
+    const live::ServerOptions to_serve =
+        server_options(options, {live::instructor(), live::watcher()}, true);
     live::Server server(hub, to_serve);
     print_addresses(server, to_serve);
     if (options.open) open_browser(server.address_of(to_serve.roles.front()));
@@ -119,7 +183,8 @@ int view_recording(const ViewOptions& options) {
 }  // namespace
 
 int view(const ViewOptions& options) {
-    return is_recording(options.scene.file) ? view_recording(options) : view_scene(options);
+    if (is_recording(options.scene.file)) return view_recording(options);
+    return exercise::is_exercise(options.scene.file) ? view_exercise(options) : view_scene(options);
 }
 
 }  // namespace hawser::cli

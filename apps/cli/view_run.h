@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file view_run.h
-/// `hawser view`: a session or a recording, a server, and the addresses of its roles.
+/// `hawser view`: a session, an exercise or a recording, a server, and the addresses of its roles.
 
 #include "scene_options.h"
 
@@ -11,8 +11,9 @@
 namespace hawser::cli {
 
 struct ViewOptions {
-    SceneOptions scene;  ///< Its file may be a recording.
+    SceneOptions scene;  ///< Its file may be a recording or an exercise.
     std::string listen = "127.0.0.1", record, restore, control;
+    std::string report, summary;  ///< Of an exercise.
     int port = 8080, clients = 16;
     std::int32_t stride = 1;
     bool rt = false, paused = false, open = false;

@@ -22,6 +22,7 @@ struct State {
     Scorer scorer;
     Curves curves;
     std::size_t every = 1, seen = 0;
+    double time = 0.0;  ///< [s]
 };
 
 class Rescorer {
@@ -47,19 +48,19 @@ class Rescorer {
 
     Rescored run() {
         World& world = scene_.world;
-        State state{Scorer(out_.exercise, world.settings().step), {}, 1, 0};
+        State state{Scorer(out_.exercise, world.settings().step), {}, 1, 0, world.time()};
         state.curves.values.resize(out_.exercise.displays.size());
         state_ = &state;
         if (world.motion_hash() != recording_.start_hash) differ(world, "at the start");
         take_notes(world);
-        const std::size_t frames = recording_.frame_count();
+        const std::size_t frames = recording_.frame_count(), takes = recording_.takes.size();
         const bool ended = recording_.ending != record::Ending::unknown;
         for (std::size_t i = 0; i < frames; ++i) {
             const record::Frame head = recording_.frame_head(i);
-            advance(head.step);
+            advance(head.step, recording_.take_of(i));
             if (world.motion_hash() != head.hash) differ(world, "");
         }
-        if (ended) advance(recording_.end_step);
+        if (ended) advance(recording_.end_step, takes);
         if (ended && world.motion_hash() != recording_.end_hash) differ(world, "");
         out_.result = state.scorer.result();
         out_.curves = std::move(state.curves);
@@ -78,10 +79,14 @@ class Rescorer {
                                       world.time(), *where != '\0' ? ", " : "", where);
     }
 
-    void advance(std::int64_t to) {
+    /// To a step of a take: where the run went back to a state, steps begin anew.
+    void advance(std::int64_t to, std::size_t take) {
         World& world = scene_.world;
-        while (world.step_count() < to) {
+        const auto behind = [&] { return world.step_count() < to || repeater_.take() < take; };
+        while (behind()) {
             repeater_.before_step(world);
+            take_notes(world);  // those of a take that this has entered
+            if (!behind()) break;
             if (world.step() != Status::ok)
                 throw record::RecordingError(fmt::format("{}: the step from {:.6g} s failed: {}",
                                                          recording_.file, world.time(),
@@ -89,13 +94,15 @@ class Rescorer {
             const std::vector<Event> events = world.take_events();
             read_channels(channels_, noted_, world, events, false, values_);
             take_values(world.step_count());
+            state_->time = world.time();
             state_->scorer.after_step(world.time(), values_);
             add_sample(state_->curves, state_->every, state_->seen, world.time(), values_);
             take_notes(world);
         }
     }
 
-    /// Reader of the next note of the exercise for a step; its kind is read.
+    /// Reader of the next note of the exercise for a step; its kind is read. The first note of a
+    /// take says that it went back: it and what follows wait until the motion has done so.
     bool next(std::int64_t step, NoteKind& kind, record::ByteReader& in) {
         while (next_ < notes().size() && notes()[next_].kind != kNoteKind) ++next_;
         if (next_ == notes().size() || notes()[next_].step > step) return false;
@@ -104,7 +111,7 @@ class Rescorer {
         if (number > static_cast<std::uint8_t>(NoteKind::asked))
             throw record::BadBytes("a note of the exercise has no kind");
         kind = static_cast<NoteKind>(number);
-        return true;
+        return kind != NoteKind::back || backs_ < repeater_.take();
     }
 
     void take_values(std::int64_t step) {
@@ -138,12 +145,13 @@ class Rescorer {
                     if (mark < 0 || static_cast<std::size_t>(mark) >= marks_.size())
                         throw record::BadBytes("a note of the exercise names no mark");
                     *state_ = marks_[static_cast<std::size_t>(mark)];
-                    state_->scorer.restored(world.time());
+                    state_->scorer.restored(state_->time);
+                    ++backs_;
                     break;
                 }
                 case NoteKind::end: {
                     const std::string why = in.get_text();
-                    state_->scorer.end(world.time(), why, in.get<std::uint8_t>() != 0);
+                    state_->scorer.end(state_->time, why, in.get<std::uint8_t>() != 0);
                     break;
                 }
                 case NoteKind::begin:
@@ -164,7 +172,7 @@ class Rescorer {
         if (begins && at->kind == FaultKind::output_frozen)
             if (const OutputId id = world.find_output(at->target); id.valid())
                 state_->scorer.freeze(at->target, world.output(id));
-        state_->scorer.fault(world.time(), *at, by, begins);
+        state_->scorer.fault(state_->time, *at, by, begins);
     }
 
     const record::Recording& recording_;
@@ -176,7 +184,7 @@ class Rescorer {
     std::vector<double> values_;
     std::vector<State> marks_;
     State* state_ = nullptr;
-    std::size_t next_ = 0;
+    std::size_t next_ = 0, backs_ = 0;  ///< The next note; how often the run has gone back.
 };
 
 }  // namespace

@@ -40,6 +40,8 @@ constexpr Word kWords[] = {
     {CommandKind::restore, "restore", " name "},
     {CommandKind::pick, "pick", " body wire s joint "},
     {CommandKind::seek, "seek", " time "},
+    {CommandKind::fault, "fault", " name active "},
+    {CommandKind::end, "end", " "},
 };
 constexpr double kMostWhole = 9007199254740992.0;  // 2^53: whole numbers that a double can hold
 constexpr double kMostPlace = 1e7;                 // [m], as World::set_pose() has it
@@ -69,6 +71,13 @@ double whole(const Json& from, const char* key, double least, double most) {
     const double value = number(from, key, least, most);
     if (value != std::floor(value)) throw Refused(std::string(key) + " is to be a whole number");
     return value;
+}
+
+bool switched(const Json& from, const char* key) {
+    const auto at = from.find(key);
+    if (at == from.end()) throw Refused(std::string(key) + " is missing");
+    if (!at->is_boolean()) throw Refused(std::string(key) + " is to be true or false");
+    return at->get<bool>();
 }
 
 std::array<double, 3> vector(const Json& from, const char* key) {
@@ -191,6 +200,11 @@ void read_command(const Json& from, Command one, std::vector<Command>& out) {
         case CommandKind::restore:
             if (!from.contains("name")) throw Refused("name is missing");
             take_name(from["name"], "name", kMostName, one);
+            break;
+        case CommandKind::fault:
+            if (!from.contains("name")) throw Refused("name is missing");
+            take_name(from["name"], "name", one.name.kMost, one);
+            one.value = switched(from, "active") ? 1.0 : 0.0;
             break;
         case CommandKind::seek:
             one.value = number(from, "time", 0.0, kMostTime);

@@ -27,7 +27,9 @@ enum class CommandKind : std::uint8_t {
     restore,
     pick,
     seek,
-    left,  ///< The client has gone: what it held is let go.
+    fault,  ///< Of an exercise: begin it, or with value 0 end it.
+    end,    ///< Of an exercise.
+    left,   ///< The client has gone: what it held is let go.
 };
 /// As in messages.
 [[nodiscard]] const char* to_string(CommandKind kind) noexcept;
@@ -62,11 +64,11 @@ struct Command {
     std::uint32_t client = 0;
     std::int64_t id = kNoId;  ///< Of the message.
     std::int32_t target_id = -1;
-    double value = 0.0;              ///< set, rate, step, seek; s of drag, part, pick.
+    double value = 0.0;              ///< set, rate, step, seek, fault; s of drag, part, pick.
     double stiffness = 0.0;          ///< [N/m]
     std::array<double, 3> point{};   ///< In the body's frame [m].
     std::array<double, 3> target{};  ///< World frame [m].
-    ShortText<160> name;             ///< Input, restore point, wire.
+    ShortText<160> name;             ///< Input, restore point, wire, fault.
     ShortText<40> role;              ///< Of whom it is.
 };
 

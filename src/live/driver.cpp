@@ -35,11 +35,13 @@ Driver::Driver(Session& session, Hub& hub, const DriverOptions& options)
       out_(hub),
       plan_(FramePlan::of(session.scene())),
       paused_(options.paused) {
+    if (options_.run != nullptr) lesson_.emplace(*options_.exercise, *options_.run);
     origin_ = middle_of(session_.world(), plan_);
     notes_.epoch = 1;
     save("start");
     tell_scene();
     tell_state();
+    if (lesson_) lesson_->tell_now(out_);
     publish();
 }
 
@@ -101,6 +103,7 @@ void Driver::publish() {
     notes_.deadline_ms = 1e3 * world.settings().step / rate_;
     notes_.late_ms = 1e3 * pace_.late();
     ++notes_.number;
+    if (lesson_) notes_.shown = lesson_->frozen(world, plan_);
     // Without their scene frames are of no use to anyone.
     if (!told_) told_ = out_.flush();
     if (!told_) return;
@@ -133,7 +136,7 @@ void Driver::step() {
     drags_.before_step(world);
     Status status = Status::ok;
     try {
-        status = session_.step();
+        status = lesson_ ? lesson_->step() : session_.step();
     } catch (const DefError& error) {  // an operation of the timeline that cannot be done
         return fail({.time = world.time(),
                      .status = "timeline",
@@ -151,6 +154,19 @@ void Driver::step() {
         tell_state();
     }
     if (to_go_ > 0 && --to_go_ == 0) tell_state();
+    if (lesson_) after_exercise_step();
+}
+
+/// At its end an exercise stands still; who goes on does so without a score.
+void Driver::after_exercise_step() {
+    lesson_->tell(session_.world(), out_);
+    if (lesson_->ended() && !over_) {
+        paused_ = true;
+        to_go_ = 0;
+        tell_state();
+    }
+    over_ = lesson_->ended();
+    (void)out_.flush();
 }
 
 void Driver::advance() {

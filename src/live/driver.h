@@ -9,13 +9,14 @@
 ///         └───────────────────────────────────────────────────────────────┘
 /// ```
 /// All of it is one thread, which waits for the clock alone. What clients do goes through the
-/// session, so that a recording repeats it. A step that fails pauses the run, with a message that
-/// says when, where and what to do.
+/// session, so that a recording repeats it; of an exercise through its run (lesson.h). A step that
+/// fails pauses the run, with a message that says when, where and what to do.
 
 #include "live/drag.h"
 #include "live/frame_plan.h"
 #include "live/frame_writer.h"
 #include "live/hub.h"
+#include "live/lesson.h"
 #include "live/outbox.h"
 #include "live/pace.h"
 #include "live/told.h"
@@ -32,8 +33,11 @@
 namespace hawser::live {
 
 struct DriverOptions {
-    std::string recording;  ///< File that the session records to, for clients; "": none.
-    bool paused = false;    ///< At the start.
+    std::string recording{};  ///< File that the session records to, for clients; "": none.
+    bool paused = false;      ///< At the start.
+    /// An exercise that the session is of, and its run; null: it is of none.
+    const exercise::Exercise* exercise = nullptr;
+    exercise::Run* run = nullptr;
 };
 
 /// What a run came to.
@@ -58,6 +62,7 @@ class Driver {
     struct Point {
         std::string name;
         double time = 0.0;
+        int mark = 0;  ///< Of the exercise.
         Structure made_of;
         std::vector<std::byte> state;
     };
@@ -69,6 +74,8 @@ class Driver {
     void part(const Command& command);
     void save(const std::string& name);
     void restore(const Command& command);
+    Lesson& lesson();
+    void after_exercise_step();
     void step();
     void follow_pieces();
     void follow_origin();
@@ -83,6 +90,7 @@ class Driver {
     Hub& hub_;
     DriverOptions options_;
     Outbox out_;
+    std::optional<Lesson> lesson_;
     FramePlan plan_;
     FrameWriter writer_;
     FrameNotes notes_;
@@ -92,7 +100,8 @@ class Driver {
     std::vector<Point> points_;
     std::optional<Failure> failure_;
     bool paused_ = false, told_ = false, changed_ = true;
-    int to_go_ = 0;  ///< Steps of `step` that are left.
+    bool over_ = false;  ///< The exercise had ended when it was last looked at.
+    int to_go_ = 0;      ///< Steps of `step` that are left.
     int clients_ = 0;
     double rate_ = 1.0;
     Pace::Clock::time_point shown_{};  ///< When the last frame was made.

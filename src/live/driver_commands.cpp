@@ -25,6 +25,8 @@ void Driver::take_commands() {
             perform(command);
         } catch (const DefError& refused) {
             out_.refuse(command, refused.what());
+        } catch (const exercise::Refused& refused) {
+            out_.refuse(command, refused.what());
         }
         follow_pieces();
     }
@@ -78,16 +80,37 @@ void Driver::perform(const Command& command) {
         case CommandKind::pick:
             out_.send(command.client, picked(session_.world(), plan_, command));
             return;
+        case CommandKind::fault:
+            lesson().fault(command);
+            out_.command(now, command,
+                         fmt::format("{} the fault {}", command.value != 0.0 ? "began" : "ended",
+                                     command.name.view()),
+                         true);
+            break;
+        case CommandKind::end:
+            lesson().end(command);
+            paused_ = over_ = true;
+            to_go_ = 0;
+            out_.command(now, command, "ended the exercise");
+            break;
         case CommandKind::seek:
             throw DefError("this run is live: only recordings can be sought through");
         case CommandKind::none:
             return;
     }
     out_.answer(command);
+    if (lesson_ && command.kind != CommandKind::set) lesson_->tell_now(out_);
     if (command.kind != CommandKind::set && command.kind != CommandKind::drag) tell_state();
 }
 
+Lesson& Driver::lesson() {
+    if (!lesson_)
+        throw DefError("this is a scene without an exercise: it has no faults and no end");
+    return *lesson_;
+}
+
 void Driver::set_input(const Command& command) {
+    if (lesson_) return lesson_->set_input(command);
     session_.set_input(command.name.view(), command.value);
 }
 
@@ -119,14 +142,15 @@ void Driver::part(const Command& command) {
 void Driver::save(const std::string& name) {
     drags_.lift(session_.world());
     const World& world = session_.world();
-    Point point{name, world.time(), world.structure(), world.save()};
+    Point point{name, world.time(), 0, world.structure(), world.save()};
     const auto same = std::find_if(points_.begin(), points_.end(),
                                    [&](const Point& p) { return p.name == name; });
     if (same == points_.begin() && !points_.empty())
         throw DefError("\"start\" is the start, and stays; give another name");
-    if (same != points_.end()) points_.erase(same);
-    if (points_.size() >= kMostPoints)
+    if (same == points_.end() && points_.size() >= kMostPoints)
         throw DefError("there are 16 restore points already; use one of their names again");
+    if (lesson_) point.mark = lesson_->mark();
+    if (same != points_.end()) points_.erase(same);
     points_.push_back(std::move(point));
 }
 
@@ -142,6 +166,10 @@ void Driver::restore(const Command& command) {
     }
     drags_.end_all(session_.world());
     session_.restore(at->made_of, at->state);
+    if (lesson_) {
+        lesson_->back_to(at->mark);
+        over_ = lesson_->ended();
+    }
     failure_.reset();
     pace_.begin();
     out_.command(session_.time(), command,

@@ -205,7 +205,9 @@ void FrameWriter::write(const World& world, const FramePlan& plan, const Vec3& o
     to = put_all(tensions_, to);
     to = put_all(forces_, to);
     to = put_joints(world, plan.joints, to);
+    float* const outputs = to;
     to = put_signals(world, plan, to);
+    for (const ShownOutput& shown : notes.shown) outputs[shown.output] = single(shown.value);
     add_stats(world, notes, to, head);
     head.clock = clock_now();
     seconds_ = head.clock - begun;

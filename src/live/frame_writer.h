@@ -13,15 +13,23 @@
 
 #include <hawser/world.h>
 
+#include <span>
 #include <vector>
 
 namespace hawser::live {
+
+/// An output of a frame that shows something else than the world has: displays of an exercise.
+struct ShownOutput {
+    std::size_t output = 0;  ///< Index in FramePlan::outputs.
+    double value = 0.0;      ///< SI units.
+};
 
 /// What of a frame the world does not know.
 struct FrameNotes {
     std::uint32_t epoch = 0, number = 0, skipped = 0;
     std::uint16_t flags = 0;
     double deadline_ms = 0.0, late_ms = 0.0;
+    std::span<const ShownOutput> shown{};
 };
 
 class FrameWriter {

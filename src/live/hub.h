@@ -26,12 +26,15 @@ enum class MessageKind : std::uint8_t {
     scene,     ///< To all, and to who comes later. Without its opening brace: the role goes first.
     state,     ///< To all, and to who comes later.
     timeline,  ///< To who comes later, behind the state.
+    exercise,  ///< To all, and to who comes later.
+    faults,    ///< To roles with control, also those who come later.
 };
 
 struct Message {
     MessageKind kind = MessageKind::text;
     std::uint32_t to = 0;  ///< Number of a client; 0: all.
-    std::string text;      ///< JSON.
+    bool control = false;  ///< Only to roles with control.
+    std::string text{};    ///< JSON.
 };
 
 class Hub {

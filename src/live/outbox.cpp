@@ -13,8 +13,8 @@ std::string compact(const Json& message) {
 
 }  // namespace
 
-bool Outbox::post(MessageKind kind, std::uint32_t to, std::string text) {
-    Message message{kind, to, std::move(text)};
+bool Outbox::post(MessageKind kind, std::uint32_t to, std::string text, bool control) {
+    Message message{kind, to, control, std::move(text)};
     const bool sent = hub_.messages.push(std::move(message));
     hub_.wake();
     return sent;
@@ -25,17 +25,15 @@ void Outbox::send(std::uint32_t client, const Json& message) {
 }
 
 void Outbox::event(double time, const std::string& kind, const std::string& name, double value,
-                   const std::string& words) {
-    send(0, {{"type", "event"},
-             {"time", time},
-             {"kind", kind},
-             {"name", name},
-             {"value", value},
-             {"words", words}});
+                   const std::string& words, bool control) {
+    const Json message{{"type", "event"}, {"time", time},   {"kind", kind},
+                       {"name", name},    {"value", value}, {"words", words}};
+    (void)post(MessageKind::text, 0, compact(message), control);
 }
 
-void Outbox::command(double time, const Command& of, const std::string& words) {
-    event(time, "command", to_string(of.kind), of.value, std::string(of.role.view()) + " " + words);
+void Outbox::command(double time, const Command& of, const std::string& words, bool control) {
+    event(time, "command", to_string(of.kind), of.value, std::string(of.role.view()) + " " + words,
+          control);
 }
 
 void Outbox::answer(const Command& to) {
@@ -51,17 +49,26 @@ void Outbox::refuse(const Command& to, const std::string& reason) {
 
 void Outbox::state(const Json& message) { state_ = compact(message); }
 void Outbox::timeline(const Json& message) { timeline_ = compact(message); }
+void Outbox::exercise(const Json& message) { exercise_ = compact(message); }
+void Outbox::faults(const Json& message) {
+    std::string text = compact(message);
+    if (text == told_faults_) return;
+    told_faults_ = text;
+    faults_ = std::move(text);
+}
 
 bool Outbox::flush() {
     const auto try_one = [this](std::optional<std::string>& waiting, MessageKind kind) {
         if (!waiting) return;
         if (hub_.messages.room() == 0) return;
-        (void)post(kind, 0, std::move(*waiting));
+        (void)post(kind, 0, std::move(*waiting), kind == MessageKind::faults);
         waiting.reset();
     };
     try_one(scene_, MessageKind::scene);
     if (!scene_) try_one(timeline_, MessageKind::timeline);
     if (!scene_) try_one(state_, MessageKind::state);
+    if (!scene_) try_one(exercise_, MessageKind::exercise);
+    if (!scene_) try_one(faults_, MessageKind::faults);
     return !scene_;
 }
 

@@ -22,10 +22,11 @@ class Outbox {
 
     /// Where there is no room they are left out and counted: a client that is told nothing of a
     /// few events still shows the right picture.
+    /// @param control  Only roles with control are told.
     void event(double time, const std::string& kind, const std::string& name, double value,
-               const std::string& words);
+               const std::string& words, bool control = false);
     /// What a client did, for all of them.
-    void command(double time, const Command& of, const std::string& words);
+    void command(double time, const Command& of, const std::string& words, bool control = false);
     void answer(const Command& to);  ///< `ok`, where the message had an id.
     void refuse(const Command& to, const std::string& reason);
     void send(std::uint32_t client, const Json& message);
@@ -33,14 +34,17 @@ class Outbox {
     void scene(std::string text) { scene_ = std::move(text); }
     void state(const Json& message);
     void timeline(const Json& message);
+    void exercise(const Json& message);
+    void faults(const Json& message);
     /// Try again what found no room. @return whether clients have the newest scene.
     bool flush();
 
   private:
-    bool post(MessageKind kind, std::uint32_t to, std::string text);
+    bool post(MessageKind kind, std::uint32_t to, std::string text, bool control = false);
 
     Hub& hub_;
-    std::optional<std::string> scene_, state_, timeline_;
+    std::optional<std::string> scene_, state_, timeline_, exercise_, faults_;
+    std::string told_faults_;
 };
 
 }  // namespace hawser::live

@@ -144,11 +144,19 @@ struct Server::Impl final : Floor {
                 case MessageKind::timeline:
                     timeline_ = text;
                     break;
+                case MessageKind::exercise:
+                    exercise_ = text;
+                    break;
+                case MessageKind::faults:
+                    faults_ = text;
+                    break;
                 case MessageKind::text:
                     break;
             }
             for (const auto& [number, client] : all)
-                if (message.to == 0 || message.to == number) client->send(text);
+                if ((message.to == 0 || message.to == number) &&
+                    (!message.control || (client->known() && client->role()->control)))
+                    client->send(text);
         }
     }
 

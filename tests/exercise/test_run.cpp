@@ -3,6 +3,7 @@
 #include "exercise/small_exercise.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace hawser::test {
 namespace {
@@ -190,6 +191,59 @@ TEST(ExerciseRun, GoesBackToAMark) {
                 run.shown("load_z"), 0.0);
     EXPECT_THROW(run.back_to(5), DefError);
     EXPECT_NE(first.find("\"points\": -3"), std::string::npos);
+}
+
+/// Faults, a parted tow and an end come before it goes back, twice without a step between, and at
+/// last without a step behind.
+TEST(ExerciseRun, ARecordingThatGoesBackHasTheSameScore) {
+    const Yard yard;
+    const std::string file = yard.file("back.hwr");
+    std::string score;
+    {
+        Running e(yard.load(), {.record = file});
+        exercise::Run& run = *e.run;
+        const auto keep = [&] {
+            const World& world = e.session->world();
+            return std::tuple(run.mark(), world.structure(), world.save());
+        };
+        const auto back = [&](const auto& point) {
+            e.session->restore(std::get<1>(point), std::get<2>(point));
+            run.back_to(std::get<0>(point));
+        };
+        const auto start = keep();
+        run.set_input("winch", "hoist.speed", -0.8);
+        e.steps(30);
+        run.trigger("instructor", "frozen");
+        const auto later = keep();
+        e.steps(60);  // the tow parts at 1.5 s
+        EXPECT_EQ(run.result().penalties[0].times, 1);
+        back(later);
+        run.set_input("winch", "hoist.speed", -0.5);
+        e.steps(40);
+        back(start);
+        back(later);
+        run.clear("instructor", "frozen");
+        e.steps(100);
+        EXPECT_EQ(run.result().penalties[0].times, 1);
+        run.end("enough", false);
+        e.steps(5);
+        back(later);
+        EXPECT_FALSE(run.ended());
+        run.trigger("instructor", "stuck");
+        e.steps(20);
+        back(later);
+        e.session->finish();
+        score = exercise::to_json(run.result());
+        EXPECT_EQ(run.result().entries.back().kind, EntryKind::restored);
+        EXPECT_NEAR(run.result().entries.back().time, 0.6, 1e-9);
+    }
+    const record::Recording recording = record::Recording::open(file);
+    EXPECT_EQ(recording.takes.size(), 5U);
+    for (const int threads : {1, 2}) {
+        const exercise::Rescored again = exercise::rescore(recording, threads);
+        EXPECT_TRUE(again.same) << again.difference;
+        EXPECT_EQ(exercise::to_json(again.result), score);
+    }
 }
 
 }  // namespace

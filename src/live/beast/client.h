@@ -166,6 +166,8 @@ class Client : public std::enable_shared_from_this<Client> {
         if (floor_.scene_) send_scene(*floor_.scene_);
         if (floor_.timeline_) send(floor_.timeline_);
         if (floor_.state_) send(floor_.state_);
+        if (floor_.exercise_) send(floor_.exercise_);
+        if (floor_.faults_ && role->control) send(floor_.faults_);
         if (floor_.newest_) show(floor_.newest_);
     }
 

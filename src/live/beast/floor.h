@@ -49,7 +49,7 @@ class Floor {
     HostNames names_;
     std::map<std::uint32_t, std::shared_ptr<Client>> clients_;
     int connections_ = 0;
-    Text scene_, state_, timeline_;
+    Text scene_, state_, timeline_, exercise_, faults_;
     Frame newest_;
     std::atomic<std::int64_t> sent_{0}, left_out_{0}, refused_{0}, dropped_{0};
 

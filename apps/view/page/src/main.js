@@ -5,6 +5,7 @@ import {gradient} from './colour.js';
 import {$, clock, el, memory, toast} from './dom.js';
 import {Drag} from './drag.js';
 import {defaultMapping, Gamepads} from './gamepad.js';
+import {ExercisePanel} from './exercise.js';
 import {bindKeys} from './keyboard.js';
 import {quantity} from './lever_logic.js';
 import {Levers} from './levers.js';
@@ -28,6 +29,7 @@ class App {
         this.inspector = new Inspector($('plots'), this);
         this.plots = new Plots($('plots'));
         this.plots.mount();
+        this.exercise = new ExercisePanel($('exercise'), this);
         this.timeline = new Timeline(time => this.link.ask({type: 'seek', time}));
         this.drag = new Drag(this);
         this.state = {paused: false, rate: 1, restore_points: [], failure: null, range: null};
@@ -59,6 +61,8 @@ class App {
         on('frame', () => { this.fresh = true; });
         on('event', e => this.timeline.tell(e));
         on('timeline', t => this.timeline.setEvents(t.events));
+        on('exercise', e => this.exercise.setExercise(e));
+        on('faults', f => this.exercise.setFaults(f.faults));
         on('failure', f => this.paintFailure(f));
         on('error', e => { if (e.id === undefined || e.of !== 'pick') toast(e.reason); });
         on('broken', words => toast(`A frame could not be read: ${words}`));
@@ -254,7 +258,7 @@ class App {
     /// The middle of the picture is where no panel covers it.
     inset() {
         const wide = $('view').clientWidth, of = box => box.offsetParent !== null || !box.hidden && getComputedStyle(box).display !== 'none' ? box.getBoundingClientRect() : null;
-        const left = of($('levers')), right = of($('plots'));
+        const left = of($('levers')), right = of($('plots')) ?? of($('exercise'));
         this.stage.inset(left && left.width < 0.5 * wide ? left.right : 0, right && right.width < 0.5 * wide ? wide - right.left : 0);
     }
 
@@ -269,6 +273,7 @@ class App {
             this.stage.take(this.frame);
             this.plots.take(this.frame, this.stage.bodies);
             this.timeline.update(this.frame.time);
+            this.exercise.update(this.frame, now);
             $('time').textContent = clock(this.frame.time);
         }
         this.levers.update(now, dt, this.frame);

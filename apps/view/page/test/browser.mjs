@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the page in a browser against the real program: node test/browser.mjs HAWSER [PART …]
-// Parts: act (levers to restore), record (scrubbing), look (pictures, rates). All by default.
+// Parts: act (levers to restore), exercise (roles, faults, score), record (scrubbing), look (pictures,
+// rates). All by default.
 // Debian's chromium without a graphics card: software GL. CHROMIUM names another one.
 import assert from 'node:assert/strict';
 import {spawn} from 'node:child_process';
@@ -10,12 +11,13 @@ import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {chromium} from 'playwright-core';
 import {actPart} from './browser_act.mjs';
+import {exercisePart} from './browser_exercise.mjs';
 import {lookPart} from './browser_look.mjs';
 import {recordPart} from './browser_record.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url)), root = resolve(here, '../../../..');
 const hawser = resolve(process.argv[2] ?? join(root, 'build/release/bin/hawser'));
-const parts = process.argv.length > 3 ? process.argv.slice(3) : ['act', 'record', 'look'];
+const parts = process.argv.length > 3 ? process.argv.slice(3) : ['act', 'exercise', 'record', 'look'];
 const kArguments = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
 
 let passed = 0, failed = 0;
@@ -91,6 +93,7 @@ const kit = {browser, serve, open, until, check, out, root, pictures, hawser, si
     quiet: page => check('the page said no error', () => assert.ok(!page.errors.length, page.errors.slice(0, 3).join(' ; ').slice(0, 500)))};
 try {
     if (parts.includes('act')) await actPart(kit);
+    if (parts.includes('exercise')) await exercisePart(kit);
     if (parts.includes('record')) await recordPart(kit);
     if (parts.includes('look')) await lookPart(kit);
 } catch (e) {

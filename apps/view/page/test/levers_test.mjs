@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {defaultMapping, readPad} from '../src/gamepad.js';
 import {deadZone, fromDeflection, groupLevers, leverRange, neutral, nudge, quantity, springHome, Throttle, toDeflection} from '../src/lever_logic.js';
+import {goalState} from '../src/exercise.js';
 
 test('ranges: given, open at an end, degenerate', () => {
     assert.deepEqual(leverRange({min: -2, max: 3}), [-2, 3]);
@@ -101,4 +102,12 @@ test('numbers with units', () => {
     assert.equal(quantity(5760000, 'kg'), '5760 t');
     assert.equal(quantity(NaN, 'N'), '–');
     assert.equal(quantity(12.345, 'm', 4), '12.35 m');
+});
+
+test('a goal is open, reached or too late', () => {
+    const goal = {reached: null, late: false, by: 60};
+    assert.deepEqual(goalState(goal, 20), {mark: '○', className: '', words: '0:40.0 left'});
+    assert.equal(goalState({...goal, by: null}, 20).words, '');
+    assert.equal(goalState({...goal, reached: 12.5}, 20).words, 'reached at 0:12.5');
+    assert.equal(goalState({...goal, late: true}, 70).className, 'late');
 });

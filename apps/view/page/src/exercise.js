@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The exercise: score, goals, penalties, alarms and displays; for the instructor its faults and its
+/// end. What is decided and what sounds is told to screen readers.
+import {$, clock, el, memory} from './dom.js';
+import {quantity} from './lever_logic.js';
+import {readable} from './roles.js';
+
+const points = v => `${v > 0 ? '+' : v < 0 ? '−' : ''}${+Math.abs(v).toFixed(1)}`;
+const title = one => one.text || readable(one.name);
+const kFaults = {line_parts: 'line parts', motor_loses_force: 'motor loses force', brake_slips: 'brake slips', input_stuck: 'input stuck', input_late: 'input late', output_frozen: 'display frozen'};
+
+/// Mark and words of a goal: reached, too late, or open.
+export function goalState(goal, time) {
+    if (goal.reached !== null) return {mark: '✓', className: 'done', words: `reached at ${clock(goal.reached)}`};
+    if (goal.late) return {mark: '✕', className: 'late', words: `too late: until ${clock(goal.by)}`};
+    const left = goal.by === null ? '' : `${clock(Math.max(0, goal.by - time))} left`;
+    return {mark: '○', className: '', words: left};
+}
+
+export class ExercisePanel {
+    constructor(panel, app) {
+        Object.assign(this, {panel, app, exercise: null, faults: [], displays: [], sound: memory.get('sound', false), closed: null});
+        $('over-close').addEventListener('click', () => this.close());
+    }
+
+    get on() {
+        return this.exercise !== null;
+    }
+
+    setExercise(e) {
+        const first = !this.exercise || this.exercise.name !== e.name;
+        this.exercise = e;
+        document.body.classList.add('has-exercise');
+        if (first) this.build();
+        this.paint();
+        this.paintEnd();
+    }
+
+    setFaults(faults) {
+        this.faults = faults;
+        if (this.faultBox) this.paintFaults();
+    }
+
+    /// The lists, once; what they hold is painted when it changes.
+    build() {
+        const {exercise: e, panel} = this;
+        const list = id => el('ul', {id, className: 'tally'});
+        this.score = el('output', {id: 'score', 'aria-live': 'polite', 'aria-label': 'Score'});
+        this.left = el('span', {className: 'note', id: 'time-left'});
+        this.goals = list('goals');
+        this.penalties = list('penalties');
+        this.alarms = el('ul', {id: 'alarms', className: 'tally', role: 'alert', 'aria-label': 'Alarms'});
+        this.shown = el('dl', {className: 'facts', id: 'displays'});
+        const sound = el('input', {type: 'checkbox', id: 'sound', checked: this.sound});
+        sound.addEventListener('change', () => {
+            this.sound = sound.checked;
+            memory.set('sound', this.sound);
+            if (this.sound) this.beep();
+        });
+        const mine = e.stations.find(s => s.name === this.app.scene?.role.name);
+        const parts = [el('h2', {textContent: readable(e.name), title: e.description}), el('p', {className: 'row score'}, this.score, this.left)];
+        if (mine?.text) parts.push(el('p', {className: 'note', textContent: mine.text}));
+        parts.push(this.alarms, el('h3', {textContent: 'Goals'}), this.goals);
+        this.penaltyTitle = el('h3', {textContent: 'Penalties'});
+        parts.push(this.penaltyTitle, this.penalties);
+        if (e.displays.length) parts.push(el('h3', {textContent: 'Displays'}), this.shown);
+        if (e.alarms.length) parts.push(el('label', {className: 'check'}, sound, el('span', {textContent: 'Sound of alarms'})));
+        this.faultBox = el('div', {id: 'faults', hidden: true});
+        parts.push(this.faultBox);
+        panel.replaceChildren(...parts);
+        panel.hidden = false;
+        this.app.inset();
+        this.displays = e.displays.map(name => {
+            const value = el('dd', {});
+            this.shown.append(el('dt', {textContent: readable(name), title: name}), value);
+            return {name, value};
+        });
+        this.paintFaults();
+    }
+
+    paint() {
+        const e = this.exercise, time = this.app.frame?.time ?? 0;
+        const score = `${points(e.points) || 0} of ${+e.possible.toFixed(1)} points`;
+        if (this.score.textContent !== score) this.score.textContent = score;
+        this.score.title = `${e.pass} are needed`;
+        this.score.className = e.points >= e.pass ? 'good' : '';
+        this.goals.replaceChildren(...e.goals.map(g => {
+            const s = goalState(g, time);
+            return el('li', {className: s.className}, el('b', {textContent: s.mark, 'aria-hidden': 'true'}), el('span', {textContent: title(g)}),
+                el('i', {textContent: `${+g.possible.toFixed(1)}`, title: 'points'}), s.words ? el('small', {textContent: s.words}) : null);
+        }));
+        const costly = e.penalties.filter(p => p.times > 0);
+        this.penaltyTitle.hidden = !costly.length;
+        this.penalties.replaceChildren(...costly.map(p => el('li', {className: p.active ? 'active' : ''}, el('b', {textContent: '−', 'aria-hidden': 'true'}),
+            el('span', {textContent: title(p)}), el('i', {textContent: points(p.points)}),
+            el('small', {textContent: p.seconds > 0 ? `${p.seconds.toFixed(1)} s` : `${p.times}×`}))));
+        const sounding = e.alarms.filter(a => a.active), names = sounding.map(a => a.name).join();
+        if (names !== this.sounding) {  // only then: each change is spoken
+            this.sounding = names;
+            this.alarms.replaceChildren(...sounding.map(a => el('li', {className: 'alarm'}, el('b', {textContent: '!', 'aria-hidden': 'true'}), el('span', {textContent: `Alarm: ${title(a)}`}))));
+        }
+    }
+
+    paintFaults() {
+        const box = this.faultBox, may = this.app.mayControl;
+        box.hidden = !may;
+        if (!may) return;
+        const send = (f, active) => this.app.ask({type: 'fault', name: f.name, active});
+        box.replaceChildren(el('h3', {textContent: 'Faults'}), ...this.faults.map(f => el('div', {className: 'fault'},
+            el('span', {textContent: title(f), title: `${kFaults[f.kind] ?? f.kind}: ${f.target}`}),
+            el('button', {textContent: f.active ? f.ends ? 'End' : 'Done' : 'Begin', 'aria-pressed': String(f.active), 'data-fault': f.name, 'aria-label': `${f.active ? 'End' : 'Begin'} the fault ${title(f)}`,
+                disabled: f.active && !f.ends, onclick: () => send(f, !f.active)}),
+            el('small', {textContent: [kFaults[f.kind] ?? f.kind, f.at === null ? '' : `by itself at ${clock(f.at)}`].filter(Boolean).join(', ')}))),
+            el('button', {id: 'end-exercise', textContent: 'End the exercise', disabled: this.exercise.ended !== null, onclick: () => this.app.ask({type: 'end'})}));
+    }
+
+    /// Passed or failed, in the middle of the page until it is closed or the run goes back.
+    paintEnd() {
+        const e = this.exercise, box = $('over'), key = e.ended === null ? null : `${e.ended} ${e.end}`;
+        if (key === null) this.closed = null;
+        const button = $('end-exercise');
+        if (button) button.disabled = key !== null;
+        if (key === null || this.closed === key) return void (box.hidden = true);
+        this.key = key;
+        box.className = `panel ${e.outcome}`;
+        $('over-title').textContent = e.outcome === 'passed' ? 'Passed' : 'Not passed';
+        $('over-text').textContent = `${points(e.points) || 0} of ${+e.possible.toFixed(1)} points, ${+e.pass.toFixed(1)} needed. At ${clock(e.ended)}: ${e.end}.`;
+        if (box.hidden) {
+            box.hidden = false;
+            $('over-close').focus();
+        }
+    }
+
+    close() {
+        this.closed = this.key;
+        $('over').hidden = true;
+        $('canvas').focus();
+    }
+
+    /// With each frame: displays and what is left of the time.
+    update(frame, now) {
+        if (!this.on || now < (this.due ?? 0)) return;
+        this.due = now + 150;
+        const {scene} = this.app, e = this.exercise;
+        for (const d of this.displays) {
+            const k = scene.outputs.findIndex(o => o.name === d.name), value = k < 0 ? NaN : frame.outputs[k];
+            const words = Number.isFinite(value) ? quantity(value, scene.outputs[k].unit) : '–';
+            if (d.value.textContent !== words) d.value.textContent = words;
+        }
+        this.left.textContent = e.ended !== null ? 'ended' : e.duration === null ? '' : `${clock(Math.max(0, e.duration - frame.time))} left`;
+        if (e.goals.some(g => g.by !== null && g.reached === null)) this.paint();
+        if (this.sound && this.sounding && now >= (this.beepDue ?? 0)) {
+            this.beepDue = now + 1000;
+            this.beep();
+        }
+    }
+
+    beep() {
+        const Audio = window.AudioContext;
+        if (!Audio) return;
+        this.audio ??= new Audio();
+        const tone = this.audio.createOscillator(), gain = this.audio.createGain(), t = this.audio.currentTime;
+        tone.frequency.value = 880;
+        gain.gain.setValueAtTime(0.08, t);
+        gain.gain.exponentialRampToValueAtTime(0.001, t + 0.4);
+        tone.connect(gain).connect(this.audio.destination);
+        tone.start(t);
+        tone.stop(t + 0.4);
+    }
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// An exercise in the page: instructor, station and watcher beside each other.
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+
+export async function exercisePart(kit) {
+    const {check, until, out} = kit;
+    console.log('--- an exercise: apps/view/page/test/harbour_exercise.json');
+    const report = join(out, 'report.html'), score = join(out, 'score.json');
+    const server = await kit.serve('apps/view/page/test/harbour_exercise.json', '--report', report, '--summary', score);
+    const size = {viewport: {width: 960, height: 540}, query: '?quality=low'}, small = {query: '?quality=low'};
+    const instructor = await kit.open(kit.browser, server.instructor, size), station = await kit.open(kit.browser, server.winch, small), watcher = await kit.open(kit.browser, server.watcher, small);
+    const fault = name => instructor.locator(`[data-fault="${name}"]`);
+    await check('a station has its own lever alone, and no faults', async () => {
+        assert.deepEqual(await station.evaluate(() => hawser.levers.levers.map(l => l.def.name)), ['winch_speed']);
+        assert.equal(await station.locator('#faults').isVisible(), false);
+        assert.equal(await station.locator('#play').isDisabled(), true);
+        assert.equal(await watcher.locator('#levers').isVisible(), false);
+        assert.equal(await instructor.locator('#faults button').count(), 3);
+        assert.match(await station.locator('#exercise').innerText(), /Winch of the tow/);
+    });
+    await check('goals to do and too late are told apart', async () => {
+        await until(station, () => document.querySelectorAll('#goals .late').length === 1);
+        assert.match(await station.locator('#goals').innerText(), /○[\s\S]*Tow taut[\s\S]*✕[\s\S]*Never in time[\s\S]*too late/);
+    });
+    await check("a fault of the instructor's holds the station's lever", async () => {
+        await fault('stuck').click();
+        await until(instructor, () => document.querySelector('[data-fault="stuck"]').getAttribute('aria-pressed') === 'true');
+        await station.locator('input[data-input="winch_speed"]').focus();
+        await station.keyboard.down('PageDown');
+        await station.waitForTimeout(700);
+        assert.equal(await station.evaluate(() => hawser.frame.inputs[0]), 0);
+        await fault('stuck').click();
+        await until(station, () => hawser.frame.inputs[0] < 0);
+        assert.doesNotMatch(await station.locator('#events').innerText(), /fault|stuck/i);
+        assert.match(await instructor.locator('#events').innerText(), /fault/i);
+    });
+    await check('hauling reaches the goal, sounds the alarm and costs points', async () => {
+        await until(station, () => document.querySelectorAll('#goals .done').length === 1, null, 60000);
+        await until(watcher, () => document.querySelectorAll('#alarms .alarm').length === 1, null, 60000);
+        await until(station, () => document.querySelectorAll('#penalties li').length === 1);
+        await station.keyboard.up('PageDown');
+        const shown = await station.locator('#displays dd').innerText();
+        assert.match(shown, /kN/);
+        return `${await station.locator('#score').innerText()}, ${shown}`;
+    });
+    await check('a frozen display stands still', async () => {
+        await fault('frozen').click();
+        await until(instructor, () => document.querySelector('[data-fault="frozen"]').getAttribute('aria-pressed') === 'true');
+        await station.waitForTimeout(300);
+        const a = await station.evaluate(() => hawser.frame.outputs[0]);
+        await station.waitForTimeout(800);
+        assert.equal(await station.evaluate(() => hawser.frame.outputs[0]), a);
+        await fault('frozen').click();
+        await until(station, v => hawser.frame.outputs[0] !== v, a);
+    });
+    await instructor.screenshot({path: join(kit.pictures, 'view_exercise.png')});
+    await check('the end is shown to all, with points; a restore takes it back', async () => {
+        await instructor.locator('#end-exercise').click();
+        for (const page of [instructor, station, watcher]) await page.locator('#over').waitFor();
+        const text = (await watcher.locator('#over').innerText()).replaceAll('\n', ' ');
+        assert.match(text, /points, 10 needed.*ended by the instructor/);
+        await instructor.locator('#over-close').click();
+        await instructor.evaluate(() => hawser.restore('start'));
+        await until(station, () => document.getElementById('over').hidden && hawser.exercise.exercise.outcome === 'running');
+        assert.equal(await station.locator('#goals .done').count(), 0);
+        return text.slice(0, 90);
+    });
+    for (const page of [instructor, station, watcher]) await kit.quiet(page);
+    await check('the program ends in order and leaves report and score', async () => {
+        assert.equal(await server.end(), 0);
+        assert.equal(JSON.parse(readFileSync(score, 'utf8')).end, 'interrupted');
+        assert.match(readFileSync(report, 'utf8'), /harbour_tow/);
+    });
+    for (const page of [instructor, station, watcher]) await page.context().close();
+}
