@@ -16,15 +16,15 @@ include(GoogleTest)
 
 # Labels. `slow`: takes long. `program`: belongs to the programs. `fast` and `threads`: the rest,
 # without and with several threads in the code under test. The preset asan-ubsan builds and runs
-# both but for tests that take long to compile: those of `assembly` and of steps, whose kernels run
-# in the tests of `world`, `wire` and `machine` as well, and of the rooms that record, verify,
-# report, draw, export and exercise; `make test-sanitized` runs them, too. tsan runs those labelled
+# both but for tests that take long to compile or to run: those of `assembly` and of steps, whose
+# kernels run in the tests of `world`, `wire` and `machine` as well, of the sea, of cranes, and of the
+# rooms that record, verify, report, draw, export and exercise; `make test-sanitized` runs them, too. tsan runs those labelled
 # `threads`. The targets hawser_fast_tests and hawser_thread_tests build them.
 set(HAWSER_SLOW_TESTS slow validate)
 set(HAWSER_PROGRAM_TESTS bench cli)
 set(HAWSER_THREAD_TESTS runtime threads)
-set(HAWSER_UNSANITIZED_TESTS assembly draw exercise export headers record repair report stepper
-                             systems verify)
+set(HAWSER_UNSANITIZED_TESTS assembly crane draw exercise export headers marine record repair report
+                             stepper systems verify)
 # Tests that need more than the library.
 set(HAWSER_REPORT_TESTS cli draw exercise export files live marine record report session verify)
 set(HAWSER_SCENE_TESTS bench cli draw exercise export files live record report scene scenes session
