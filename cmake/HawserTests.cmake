@@ -17,9 +17,10 @@ include(GoogleTest)
 # Labels. `slow`: takes long. `program`: belongs to the programs. `fast` and `threads`: the rest,
 # without and with several threads in the code under test. The preset asan-ubsan builds and runs
 # both but for tests that take long to compile or to run: those of `assembly` and of steps, whose
-# kernels run in the tests of `world`, `wire` and `machine` as well, of the sea, of cranes, and of the
-# rooms that record, verify, report, draw, export and exercise; `make test-sanitized` runs them, too. tsan runs those labelled
-# `threads`. The targets hawser_fast_tests and hawser_thread_tests build them.
+# kernels run in the tests of `world`, `wire` and `machine` as well, of the sea, of cranes, and of
+# the rooms that record, verify, report, draw, export and exercise; `make test-sanitized` runs them,
+# too. tsan runs those labelled `threads`. The targets hawser_fast_tests and hawser_thread_tests
+# build them.
 set(HAWSER_SLOW_TESTS slow validate)
 set(HAWSER_PROGRAM_TESTS bench cli)
 set(HAWSER_THREAD_TESTS runtime threads)

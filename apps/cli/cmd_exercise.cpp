@@ -170,11 +170,7 @@ int perform(const ExerciseOptions& options) {
     check_files(options, loaded.scene);
     Controls controls(options.control, loaded.exercise);
     TemporaryFile temporary;
-    std::string recording = options.record;
-    if (recording.empty() && !options.report.empty()) {
-        temporary.path = options.report + ".hwr.part";
-        recording = temporary.path.string();
-    }
+    const std::string recording = recording_for(options.record, options.report, temporary);
     Session session(std::move(loaded.scene), {.record = recording, .every = options.stride});
     exercise::Run run(loaded.exercise, session);
     const double h = session.world().settings().step;

@@ -17,7 +17,8 @@ constexpr const char* kViewFooter = R"(Examples:
   hawser view scene.json --restore ten.hws --threads 2 --rt
 
 Prints one address for each role: instructor and watcher, of an exercise also each station. Whoever
-has it has the role. Ctrl-C ends it, with the recording closed and the report written. Exit codes: 0 ended, 1 wrong option, scene or file, or a port that is taken.)";
+has it has the role. Ctrl-C ends it, with the recording closed and the report written.
+Exit codes: 0 ended, 1 wrong option, scene or file, or a port that is taken.)";
 
 }  // namespace
 

@@ -35,4 +35,13 @@ struct TemporaryFile {
     }
 };
 
+/// Where a run with a report is recorded: `record`, else a file beside the report that goes with
+/// `temporary`, since pictures come from recordings; "": nowhere.
+[[nodiscard]] inline std::string recording_for(const std::string& record, const std::string& report,
+                                               TemporaryFile& temporary) {
+    if (!record.empty() || report.empty()) return record;
+    temporary.path = report + ".hwr.part";
+    return temporary.path.string();
+}
+
 }  // namespace hawser::cli

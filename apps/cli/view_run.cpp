@@ -127,12 +127,8 @@ int view_exercise(const ViewOptions& options) {
     exercise::Loaded loaded = exercise::load_file(options.scene.file, options.scene.options());
     check_exercise_files(options, loaded.scene);
     std::vector<live::Role> roles = live::roles_of(loaded.exercise);
-    TemporaryFile temporary;  // a report has pictures, which a recording has
-    std::string recording = options.record;
-    if (recording.empty() && !options.report.empty()) {
-        temporary.path = options.report + ".hwr.part";
-        recording = temporary.path.string();
-    }
+    TemporaryFile temporary;
+    const std::string recording = recording_for(options.record, options.report, temporary);
     Session session(std::move(loaded.scene), {.record = recording, .every = options.stride});
     exercise::Run run(loaded.exercise, session);
     serve(options, session,

@@ -26,4 +26,36 @@ struct IsaChoice {
 void require_isa();
 [[nodiscard]] const char* to_string(Isa isa) noexcept;
 
+/// The table of kernels of the instruction set in use.
+template <class Kernels>
+[[nodiscard]] const Kernels& chosen(const Kernels& sse2, const Kernels& avx2,
+                                    const Kernels& avx512) noexcept {
+    switch (isa()) {
+        case Isa::avx512:
+            return avx512;
+        case Isa::avx2:
+            return avx2;
+        case Isa::sse2:
+            break;
+    }
+    return sse2;
+}
+
 }  // namespace hawser::base
+
+// What is not in this build has the tables of SSE2.
+namespace hawser::sse2 {}
+namespace hawser::avx2 {}
+namespace hawser::avx512 {}
+namespace hawser {
+#if defined(HAWSER_NO_AVX2)
+namespace with_avx2 = sse2;
+#else
+namespace with_avx2 = avx2;
+#endif
+#if defined(HAWSER_NO_AVX512)
+namespace with_avx512 = sse2;
+#else
+namespace with_avx512 = avx512;
+#endif
+}  // namespace hawser

@@ -9,7 +9,7 @@
 namespace hawser::marine {
 namespace {
 
-/// Points of a call; places beyond `count` have the last one again.
+/// Cosines and sines of the components at the points of a call.
 constexpr int kCircle = 2 * kMaxWaveComponents * kWavePoints;
 
 }  // namespace
@@ -29,18 +29,11 @@ void WaterField::begin(const SeaMoment& now) noexcept {
 }
 
 Vec3 WaterField::current(double z) const noexcept {
-    if (flow_.empty()) return Vec3::Zero();
-    const double depth = now_->level - z;
-    const auto below = std::upper_bound(current_->begin(), current_->end(), depth,
-                                        [](double d, const SeaCurrent& c) { return d < c.depth; });
-    const auto i = static_cast<std::size_t>(below - current_->begin());
-    if (i == 0) return flow_.front();
-    if (i == flow_.size()) return flow_.back();
-    const SeaCurrent &a = *(below - 1), &b = *below;
-    const double share = (depth - a.depth) / (b.depth - a.depth);
-    return (1.0 - share) * flow_[i - 1] + share * flow_[i];
+    return profile_at(*current_, now_->level - z,
+                      [&](std::size_t i) -> const Vec3& { return flow_[i]; });
 }
 
+/// Places beyond `count` have the last point again.
 const WaveKernel& WaterField::surfaces(const Vec3* points, int count, double* circle,
                                        double* surface) const noexcept {
     const WaveKernel& by = count == 1 ? wave_kernels().one : wave_kernels().many;

@@ -9,7 +9,9 @@
 #include "base/memory.h"
 #include "marine/wave_sums.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace hawser::marine {
@@ -26,6 +28,21 @@ namespace hawser::marine {
 [[nodiscard]] inline Vec3 flow_of(const SeaCurrent& c, double factor) noexcept {
     const double speed = factor * c.speed;
     return {speed * std::cos(c.direction), speed * std::sin(c.direction), 0.0};
+}
+
+/// A profile at a depth below the level: its flows, `flow` of place i, linearly between them.
+template <class Flow>
+[[nodiscard]] Vec3 profile_at(const std::vector<SeaCurrent>& profile, double depth,
+                              const Flow& flow) noexcept {
+    if (profile.empty()) return Vec3::Zero();
+    const auto below = std::upper_bound(profile.begin(), profile.end(), depth,
+                                        [](double d, const SeaCurrent& c) { return d < c.depth; });
+    const auto i = static_cast<std::size_t>(below - profile.begin());
+    if (i == 0) return flow(0);
+    if (i == profile.size()) return flow(i - 1);
+    const SeaCurrent &a = profile[i - 1], &b = profile[i];
+    const double share = (depth - a.depth) / (b.depth - a.depth);
+    return (1.0 - share) * flow(i - 1) + share * flow(i);
 }
 
 /// What sums of waves do at a point, all amplitudes by the factor of the moment.

@@ -122,16 +122,9 @@ double Sea::tide(double time) const noexcept {
 }
 
 Vec3 Sea::current(const SeaMoment& now, double z) const noexcept {
-    if (current_.empty()) return Vec3::Zero();
-    const auto flow = [&](const SeaCurrent& c) { return marine::flow_of(c, now.current); };
-    const double depth = now.level - z;
-    const auto below = std::upper_bound(current_.begin(), current_.end(), depth,
-                                        [](double d, const SeaCurrent& c) { return d < c.depth; });
-    if (below == current_.begin()) return flow(current_.front());
-    if (below == current_.end()) return flow(current_.back());
-    const SeaCurrent &a = *(below - 1), &b = *below;
-    const double share = (depth - a.depth) / (b.depth - a.depth);
-    return (1.0 - share) * flow(a) + share * flow(b);
+    return marine::profile_at(current_, now.level - z, [&](std::size_t i) {
+        return marine::flow_of(current_[i], now.current);
+    });
 }
 
 Vec3 Sea::wind(const SeaMoment& now, double z) const noexcept {

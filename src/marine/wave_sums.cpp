@@ -6,19 +6,7 @@
 namespace hawser::marine {
 
 const WaveKernels& wave_kernels() noexcept {
-    switch (base::isa()) {
-        case base::Isa::avx512:
-#if !defined(HAWSER_NO_AVX512)
-            return avx512::kWaveKernels;
-#endif
-        case base::Isa::avx2:
-#if !defined(HAWSER_NO_AVX2)
-            return avx2::kWaveKernels;
-#endif
-        case base::Isa::sse2:
-            break;
-    }
-    return sse2::kWaveKernels;
+    return base::chosen(sse2::kWaveKernels, with_avx2::kWaveKernels, with_avx512::kWaveKernels);
 }
 
 }  // namespace hawser::marine

@@ -240,9 +240,12 @@ void check(const WireDef& def) {
     if (!(def.radius >= 0.0) || !std::isfinite(def.radius))
         refuse(where, "radius must be a number from 0 on");
     if (!def.sections.empty() && (!std::isnan(def.length) || !std::isnan(def.EA) ||
-                                  def.mass_per_length != 0.0 || def.EI != 0.0))
+                                  def.mass_per_length != 0.0 || def.EI != 0.0 || def.drag != 0.0 ||
+                                  !std::isnan(def.axial_damping) || !std::isnan(def.breaking_load)))
         refuse(where,
-               "length, EA, mass_per_length and EI are those of its sections; leave them out");
+               "length, EA, mass_per_length, EI, axial_damping, breaking_load and drag are those "
+               "of its "
+               "sections; leave them out");
     const auto lumps = static_cast<std::size_t>(sections.elements() - (def.to.valid() ? 1 : 0));
     if (!def.path.empty() && def.path.size() != lumps)
         refuse(where, "path has " + std::to_string(def.path.size()) +

@@ -139,6 +139,9 @@ TEST(Wires, OfSectionsThatAreNotWholeAreRefused) {
     refused([](WireDef& d) { d.sections[1].EI = -1.0; });
     refused([](WireDef& d) { d.sections[0].elements = d.sections[1].elements = 60'000; });
     refused([](WireDef& d) { d.length = 52.0; });
+    refused([](WireDef& d) { d.breaking_load = 1e6; });
+    refused([](WireDef& d) { d.axial_damping = 0.1; });
+    refused([](WireDef& d) { d.drag = 2.0; });
     refused([](WireDef& d) { d.path = {Vec3::Zero()}; });
     EXPECT_TRUE(w.add_wire(good).valid());
 }
