@@ -95,7 +95,6 @@ TEST(Wires, OfOneSectionIsTheWireWithoutIt) {
             w.add_body({.name = "end", .kind = BodyKind::fixed, .position = {30.0, 0.0, 0.0}});
         WireDef def{.name = "line", .from = top, .to = end};
         def.consistent_mass = true;
-        def.axial_damping = 0.2;
         const WireSection same{.elements = 8,
                                .length = 33.0,
                                .EA = 1e7,
@@ -111,6 +110,7 @@ TEST(Wires, OfOneSectionIsTheWireWithoutIt) {
             def.EA = same.EA;
             def.mass_per_length = same.mass_per_length;
             def.EI = same.EI;
+            def.axial_damping = same.axial_damping;
             def.drag = same.drag;
         }
         (void)w.add_wire(def);
