@@ -7,13 +7,13 @@
 namespace hawser::assembly {
 
 const Kernels& kernels() noexcept {
-    return base::chosen(sse2::kAssemblyKernels, with_avx2::kAssemblyKernels,
-                        with_avx512::kAssemblyKernels);
+    return base::chosen(&sse2::kAssemblyKernels, &with_avx2::kAssemblyKernels,
+                        &with_avx512::kAssemblyKernels);
 }
 
 const ContactKernels& contact_kernels() noexcept {
-    return base::chosen(sse2::kContactKernels, with_avx2::kContactKernels,
-                        with_avx512::kContactKernels);
+    return base::chosen(&sse2::kContactKernels, &with_avx2::kContactKernels,
+                        &with_avx512::kContactKernels);
 }
 
 }  // namespace hawser::assembly

@@ -26,19 +26,19 @@ struct IsaChoice {
 void require_isa();
 [[nodiscard]] const char* to_string(Isa isa) noexcept;
 
-/// The table of kernels of the instruction set in use.
+/// The table of kernels of the instruction set in use; each of the three is there.
 template <class Kernels>
-[[nodiscard]] const Kernels& chosen(const Kernels& sse2, const Kernels& avx2,
-                                    const Kernels& avx512) noexcept {
+[[nodiscard]] const Kernels& chosen(const Kernels* sse2, const Kernels* avx2,
+                                    const Kernels* avx512) noexcept {
     switch (isa()) {
         case Isa::avx512:
-            return avx512;
+            return *avx512;
         case Isa::avx2:
-            return avx2;
+            return *avx2;
         case Isa::sse2:
             break;
     }
-    return sse2;
+    return *sse2;
 }
 
 }  // namespace hawser::base

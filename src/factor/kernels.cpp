@@ -6,7 +6,7 @@
 namespace hawser::factor {
 
 const Kernels& factor_kernels() noexcept {
-    return base::chosen(sse2::kKernels, with_avx2::kKernels, with_avx512::kKernels);
+    return base::chosen(&sse2::kKernels, &with_avx2::kKernels, &with_avx512::kKernels);
 }
 
 }  // namespace hawser::factor

@@ -6,7 +6,7 @@
 namespace hawser::marine {
 
 const HullKernels& hull_kernels() noexcept {
-    return base::chosen(sse2::kHullKernels, with_avx2::kHullKernels, with_avx512::kHullKernels);
+    return base::chosen(&sse2::kHullKernels, &with_avx2::kHullKernels, &with_avx512::kHullKernels);
 }
 
 }  // namespace hawser::marine

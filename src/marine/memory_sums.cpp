@@ -6,8 +6,8 @@
 namespace hawser::marine {
 
 const MemoryKernels& memory_kernels() noexcept {
-    return base::chosen(sse2::kMemoryKernels, with_avx2::kMemoryKernels,
-                        with_avx512::kMemoryKernels);
+    return base::chosen(&sse2::kMemoryKernels, &with_avx2::kMemoryKernels,
+                        &with_avx512::kMemoryKernels);
 }
 
 }  // namespace hawser::marine

@@ -6,7 +6,7 @@
 namespace hawser::marine {
 
 const WaveKernels& wave_kernels() noexcept {
-    return base::chosen(sse2::kWaveKernels, with_avx2::kWaveKernels, with_avx512::kWaveKernels);
+    return base::chosen(&sse2::kWaveKernels, &with_avx2::kWaveKernels, &with_avx512::kWaveKernels);
 }
 
 }  // namespace hawser::marine
