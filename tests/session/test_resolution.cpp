@@ -4,6 +4,8 @@
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
+#include "session/repeat.h"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -53,19 +55,7 @@ TEST(SessionResolution, IsRepeatedFromARecording) {
     session.finish();
     const auto recording = record::Recording::open(file);
     EXPECT_EQ(recording.damage, "");
-    scene::Scene scene = scene::load_text(recording.scene_text, "recorded");
-    while (scene.world.system_count() > 0) (void)scene.world.remove_system(scene.world.system(0));
-    scene.world.prepare();
-    scene.world.restore(recording.snapshot);
-    record::Repeater repeater(recording);
-    for (std::size_t i = 0; i < recording.frame_count(); ++i) {
-        const record::Frame frame = recording.frame_head(i);
-        while (scene.world.step_count() < frame.step) {
-            repeater.before_step(scene.world);
-            ASSERT_EQ(scene.world.step(), Status::ok);
-        }
-        ASSERT_EQ(scene.world.motion_hash(), frame.hash) << i;
-    }
+    const scene::Scene scene = expect_repeats(recording, 1);
     EXPECT_EQ(scene.world.nodes(scene.world.find_wire("line")).size(),
               session.world().nodes(session.world().find_wire("line")).size());
 }

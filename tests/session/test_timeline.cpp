@@ -3,6 +3,8 @@
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
+#include "session/repeat.h"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -135,24 +137,7 @@ TEST(SessionTimeline, RecordingsRepeatItAndSavedStatesGoOn) {
             << at;
     }
     const record::Recording recording = record::Recording::open(folder.file("run.hwr"));
-    for (const int threads : {1, 4}) {
-        scene::Options options;
-        options.threads = threads;
-        scene::Scene scene = scene::load_text(recording.scene_text, "recorded", options);
-        while (scene.world.system_count() > 0)
-            (void)scene.world.remove_system(scene.world.system(0));
-        scene.world.prepare();
-        scene.world.restore(recording.snapshot);
-        record::Repeater repeater(recording);
-        for (std::size_t i = 0; i < recording.frame_count(); ++i) {
-            const record::Frame frame = recording.frame_head(i);
-            while (scene.world.step_count() < frame.step) {
-                repeater.before_step(scene.world);
-                ASSERT_EQ(scene.world.step(), Status::ok);
-            }
-            ASSERT_EQ(scene.world.motion_hash(), frame.hash) << "step " << frame.step;
-        }
-    }
+    for (const int threads : {1, 4}) (void)expect_repeats(recording, threads);
 }
 
 TEST(SessionTimeline, ComposesWithControlAndEndsARunThatItCannotGoOnWith) {
