@@ -92,9 +92,11 @@ class Patch {
         r << m.linear, m.angular / reach_;
         return least_change(r);
     }
-    /// d, and t* in `far`; of the velocities that the chain has now.
+    /// d, and t* in `far`; of the velocities that the chain has now. Nothing, 0 where none moves.
     [[nodiscard]] Packed descent(const NodeChain& chain, double& far) const {
+        far = 0.0;
         Packed slope(size_);
+        if (size_ == 0) return slope;
         for (std::size_t k = 0; k < chain.count; ++k) {
             if (place_[k] < 0) continue;
             Vec3 g = chain.lump[k].mass * chain.lump[k].v;

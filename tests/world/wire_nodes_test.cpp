@@ -264,6 +264,29 @@ TEST(WireNodes, LeaveTheTensionOfAWireAtRest) {
     }
 }
 
+/// Beside it nothing moves that could take over what it had.
+TEST(WireNodes, GoWhereTheyAreTheOnlyOne) {
+    World w({.gravity = Vec3::Zero()});
+    const BodyId first = w.add_body({.name = "first", .kind = BodyKind::fixed});
+    const BodyId last =
+        w.add_body({.name = "last", .kind = BodyKind::fixed, .position = {10, 0, 0}});
+    WireDef def{.name = "line", .from = first, .to = last};
+    def.elements = 2;
+    def.length = 9.99;
+    def.EA = kEA;
+    def.mass_per_length = kDensity;
+    def.consistent_mass = true;
+    const WireId wire = w.add_wire(def);
+    ASSERT_EQ(w.step(), Status::ok);
+    const BodyId lump = w.nodes(wire)[1];
+    w.set_velocity(lump, {{0, 0, 0.1}, Vec3::Zero()});
+    const double pull = w.tension(wire, 2.0);
+    EXPECT_TRUE(w.remove_node(lump, 3.2));
+    ASSERT_EQ(w.elements(wire).size(), 1U);
+    ASSERT_EQ(w.step(), Status::ok);
+    EXPECT_NEAR(w.tension(wire, 2.0), pull, 50.0);  // as of a wire at rest, above
+}
+
 TEST(WireNodes, AreRefusedWhereTheyCannotBe) {
     Free f(8);
     const InteractionId element = f.w.elements(f.wire)[3];
