@@ -101,6 +101,7 @@ struct World::Impl final : private world::InputDoor {
     void check_node(InteractionId element, double share, double mass) const;
     void check_cut_at_node(const std::string& where, stepper::NodePlace& place) const;
     void turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept;
+    void drop_folded(std::int32_t bend) noexcept;
     [[nodiscard]] world::Wire& wire_on_guide(InteractionId before, InteractionId behind,
                                              const InteractionDef& element);
     void refuse_two_lines(BodyId node, const stepper::NodePlace& place) const;

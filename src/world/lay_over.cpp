@@ -86,6 +86,7 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
         for (const std::size_t side : {0U, 1U})  // has the guide for a neighbour now
             m.turn_bend(old.body[side], old.body[1 - side], before.body[1],
                         stepper::held_at(m.ctx, out[side].index, 1 - side));
+        std::erase_if(wire->bends, [&](InteractionId id) { return !alive(id); });
         for (const BodyId end : {old.body[0], old.body[1]})
             if (half > 0.0 && body_def(end).kind == BodyKind::lump)
                 set_mass(end, body_def(end).mass - half);
@@ -102,6 +103,15 @@ void World::Impl::turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& poi
     const std::size_t slot = stepper::end_of(ctx, bend, 0) == from.index ? 0 : 2;
     in.def[at(bend)].point[slot] = point;
     in.rewire(bend, slot, to, ctx.model.bodies);
+    drop_folded(bend);
+}
+
+/// A bend between two places of one body goes: an interaction has each of its bodies once, and what
+/// a lump's bend does between a post and a drum of one ship is next to nothing. Room has been made
+/// (reserve_removal()).
+void World::Impl::drop_folded(std::int32_t bend) noexcept {
+    if (bend >= 0 && stepper::end_of(ctx, bend, 0) == stepper::end_of(ctx, bend, 2))
+        remove(ctx.model.interactions.id(bend));
 }
 
 /// @throws DefError where two parts are not what lay_over() made. @return the wire.
@@ -173,6 +183,7 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
                          far = side == 0 ? b.body[1] : a.body[0];
             m.turn_bend(end, a.body[1], far, element.point[1 - side]);
         }
+        std::erase_if(wire.bends, [&](InteractionId id) { return !alive(id); });
     }
     element.name = given;
     if (m.listener != nullptr) m.listener->lifted(before, behind, element);

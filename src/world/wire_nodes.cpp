@@ -216,6 +216,8 @@ bool World::remove_node(BodyId node, double bend) {
     if (!goes) return false;
     if (near.valid() && far.valid()) m.move_segment(near, 1, b);
     if (place.bend[1] >= 0) m.remove(in.id(place.bend[1]));
+    m.drop_folded(place.bend[0]);
+    m.drop_folded(place.bend[2]);
     m.remove(gone);
     m.remove(node);
     place.first = stays;
