@@ -40,6 +40,11 @@ make_root() {
     apt-config dump 2>/dev/null | grep -i '^Acquire::[a-z]*::Proxy' \
         >"$root/etc/apt/apt.conf.d/90proxy" || true
     cp /etc/resolv.conf "$root/etc/resolv.conf" 2>/dev/null || true
+    # Where the way out goes through a gate that signs by itself.
+    if ls /usr/local/share/ca-certificates/*.crt >/dev/null 2>&1; then
+        cp /usr/local/share/ca-certificates/*.crt "$root/usr/local/share/ca-certificates"
+        inside "$root" update-ca-certificates >/dev/null 2>&1
+    fi
 }
 
 # The files of the last commit, in ROOT/hawser.   usage: put_sources ROOT
@@ -50,10 +55,11 @@ put_sources() {
     git archive HEAD | tar -x -C "$1/hawser"
 }
 
-# A command in a root, with nothing of this machine's environment.   usage: inside ROOT COMMAND...
+# A command in a root, with nothing of this machine's environment. Node does not look by itself at the
+# certificates that a system trusts.   usage: inside ROOT COMMAND...
 inside() {
     local root=$1
     shift
     env -i HOME=/root TERM=dumb PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-        ${NODE_EXTRA_CA_CERTS:+NODE_EXTRA_CA_CERTS="$NODE_EXTRA_CA_CERTS"} chroot "$root" "$@"
+        NODE_EXTRA_CA_CERTS=/etc/ssl/certs/ca-certificates.crt chroot "$root" "$@"
 }
