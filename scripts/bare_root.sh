@@ -47,12 +47,13 @@ make_root() {
     fi
 }
 
-# The files of the last commit, in ROOT/hawser.   usage: put_sources ROOT
+# The files of the last commit, at a place in a root.   usage: put_sources ROOT [PLACE]
 put_sources() {
     git diff --quiet HEAD || echo "$(basename "$0" .sh): what is not committed is not tested" >&2
-    rm -rf "$1/hawser"
-    mkdir "$1/hawser"
-    git archive HEAD | tar -x -C "$1/hawser"
+    local to=$1${2:-/hawser}
+    rm -rf --one-file-system "$to"
+    mkdir -p "$to"
+    git archive HEAD | tar -x -C "$to"
 }
 
 # A command in a root, with nothing of this machine's environment. Node does not look by itself at the

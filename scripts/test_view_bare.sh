@@ -8,6 +8,8 @@
 #   FOLDER   where the roots are made, kept afterwards; by default a temporary one, removed.
 #   MIRROR   (environment) package source: scripts/bare_root.sh.
 #   JOBS     (environment) compilers beside each other; by default one a processor.
+#   CCACHE, PLACE  (environment) a folder of ccache that the first root gets a copy of, and where the sources lie
+#            there, by default /hawser: what was compiled at that place before is not compiled again.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/bare_root.sh
@@ -33,14 +35,18 @@ fi
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 with=$folder/with_node without=$folder/without_node port=18080
-jobs=${JOBS:-$(nproc)}
+jobs=${JOBS:-$(nproc)} place=${PLACE:-/hawser}
 
 for root in "$with" "$without"; do
     mkdir -p "$root"
     make_root "$root"
     mount -t proc proc "$root/proc"
 done
-put_sources "$with"
+put_sources "$with" "$place"
+if [ -n "${CCACHE:-}" ]; then
+    mkdir -p "$with/root/.cache"
+    cp -a "$CCACHE" "$with/root/.cache/ccache"
+fi
 
 # Starts a server and waits for its address.   usage: start_view SECONDS ROOT COMMAND...
 start_view() {
@@ -78,7 +84,7 @@ PYTHON
 start=$SECONDS
 ! inside "$with" sh -c 'command -v node' || echo "=== there is a node in $with already"
 echo "=== make view (installs, builds, serves)"
-start_view 7200 "$with" sh -c "cd /hawser && exec make view JOBS=$jobs VIEW_PORT=$port"
+start_view 7200 "$with" sh -c "cd $place && exec make view JOBS=$jobs VIEW_PORT=$port"
 seen >"$folder/first.txt"
 stop_view
 echo "    served after $((SECONDS - start)) s:" && sed 's/^/    /' "$folder/first.txt"
@@ -87,7 +93,7 @@ echo "=== make view again, with a resolver that fails"
 start=$SECONDS
 echo 'nameserver 127.0.0.1' >"$with/etc/resolv.conf"
 rm -f "$with/etc/apt/apt.conf.d/90proxy"
-start_view 600 "$with" sh -c "cd /hawser && exec make view JOBS=$jobs VIEW_PORT=$port"
+start_view 600 "$with" sh -c "cd $place && exec make view JOBS=$jobs VIEW_PORT=$port"
 seen >"$folder/second.txt"
 stop_view
 cmp "$folder/first.txt" "$folder/second.txt" || fail "the second run serves something else"
@@ -98,9 +104,9 @@ echo "=== the program in a root without node and without a resolver"
 echo 'nameserver 127.0.0.1' >"$without/etc/resolv.conf"
 rm -rf "$without/opt/hawser"
 mkdir -p "$without/opt/hawser/lib"
-cp "$with/hawser/build/release/bin/hawser" "$with/hawser/scenes/anchor_contact.json" "$without/opt/hawser"
+cp "$with$place/build/release/bin/hawser" "$with$place/scenes/anchor_contact.json" "$without/opt/hawser"
 # The libraries that it was linked with, which its root may lack: all but the C library's own.
-inside "$with" ldd /hawser/build/release/bin/hawser | awk '$3 ~ /^\// {print $3}' |
+inside "$with" ldd "$place/build/release/bin/hawser" | awk '$3 ~ /^\// {print $3}' |
     grep -vE '/(libc|libm|ld-linux[^/]*)\.so' | while read -r library; do
         cp -L "$with$library" "$without/opt/hawser/lib"
     done

@@ -185,9 +185,9 @@ export class Bodies {
             }
     }
 
-    /// What of them the next picture has. pixel: size of a pixel at 1 m [m]; all: also what is out
-    /// of sight, for its shadow.
-    place(camera, pixel, all) {
+    /// What of them the next picture has. pixel: size of a pixel at 1 m [m]; lit: where shadows are
+    /// drawn anew with this picture, what throws one there from out of sight is drawn, too.
+    place(camera, pixel, lit = null) {
         const {m, ball, frustum} = this.scratch, eye = camera.position;
         frustum.setFromProjectionMatrix(m.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
         for (const batch of this.batches.values()) batch.shown.length = 0;
@@ -195,7 +195,7 @@ export class Bodies {
             for (const member of batch.members) {
                 ball.copy(batch.geometry.boundingSphere).applyMatrix4(member.world);
                 const size = ball.radius / (pixel * Math.max(1e-3, ball.center.distanceTo(eye)));
-                if (size < kLeast || !all && !frustum.intersectsSphere(ball)) continue;
+                if (size < kLeast || !frustum.intersectsSphere(ball) && !lit?.intersectsSphere(ball)) continue;
                 (size < kFar && batch.twin || batch).shown.push(member);
             }
         for (const {mesh, shown} of this.batches.values()) {

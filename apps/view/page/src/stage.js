@@ -2,7 +2,7 @@
 /// The picture: renderer, surroundings, bodies, wires, forces, and what the pointer does in it.
 import {
     ACESFilmicToneMapping, BasicShadowMap, BufferAttribute, BufferGeometry, Fog, Line, LineBasicMaterial, NoToneMapping, PCFShadowMap,
-    PerspectiveCamera, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+    PerspectiveCamera, Plane, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import {arrowLength, Arrows} from './arrows.js';
 import {Bodies} from './bodies.js';
@@ -68,7 +68,7 @@ export class Stage {
         this.scene.add(this.low ? makePlainSky() : makeSky(), this.light, this.water.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
         this.spring = this.makeSpring();
         this.full = 0.5;
-        this.scratch = {ray: new Raycaster(), v: new Vector3(), p: new Vector2(), plane: new Plane()};
+        this.scratch = {ray: new Raycaster(), v: new Vector3(), p: new Vector2(), plane: new Plane(), lit: new Sphere()};
         this.selected = null;
         this.stats = {ms: 0, fps: 0};
         this.shadowDue = 0;
@@ -208,8 +208,7 @@ export class Stage {
         this.wires.view(pixel, this.width, this.height, this.ratio, this.level, this.afloat && !under ? 1 : 0);
         this.wires.asTubes = this.show.tubes === 'auto' ? this.quality.tubes : this.show.tubes === 'tubes';
         this.drawForces(eye, pixel);
-        this.shadows(now);
-        this.bodies.place(camera, pixel, this.renderer.shadowMap.needsUpdate);
+        this.bodies.place(camera, pixel, this.shadows(now));
         this.renderer.render(this.scene, camera);
         this.labels.update(this, this.show.names);
     }
@@ -223,15 +222,18 @@ export class Stage {
         fog.far = under ? 700 : 9000;
     }
 
+    /// Where shadows are drawn with the next picture; null: as they were.
     shadows(now) {
         const map = this.renderer.shadowMap, on = this.show.shadows && !this.quality.poor;
         if (this.light.sun.castShadow !== on) this.light.sun.castShadow = on;
-        if (!on || now < this.shadowDue) return;
+        if (!on || now < this.shadowDue) return null;
         this.shadowDue = now + (this.quality.tubes ? 60 : 250);
         const {aboard} = this;
-        aimSun(this.light, aboard && this.subject ? this.subject.position : this.rig.target,
-               aboard ? 70 : 0.62 * this.rig.distance);
+        const {lit} = this.scratch;
+        lit.center.copy(aboard && this.subject ? this.subject.position : this.rig.target);
+        lit.radius = aimSun(this.light, lit.center, aboard ? 70 : 0.62 * this.rig.distance);
         map.needsUpdate = true;
+        return lit;
     }
 
     /// Arrows shorter than four pixels are left out.

@@ -109,7 +109,7 @@ export function makeLight(low = false) {
     return group;
 }
 
-/// The sun's shadow covers a square of `reach` metres about `at`.
+/// The sun's shadow covers a square of `reach` metres about `at`, or what of it is drawn: the answer.
 export function aimSun(light, at, reach) {
     const {sun} = light, c = sun.shadow.camera, r = Math.max(15, Math.min(reach, 260));
     sun.target.position.copy(at);
@@ -118,6 +118,7 @@ export function aimSun(light, at, reach) {
         Object.assign(c, {left: -r, right: r, top: r, bottom: -r, near: 0.5 * r, far: 6 * r});
         c.updateProjectionMatrix();
     }
+    return r;
 }
 
 /// Rings about the eye: fine near it, to `far` metres. Vertices in units of 1 m, scaled by script.
