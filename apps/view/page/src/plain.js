@@ -6,7 +6,8 @@ import {
     BackSide, BufferAttribute, BufferGeometry, ClampToEdgeWrapping, DataTexture, DoubleSide, LinearFilter,
     LinearMipmapNearestFilter, Mesh, RepeatWrapping, ShaderMaterial, UniformsLib, UniformsUtils, Vector3,
 } from 'three';
-import {DEEP, HORIZON, kWaves, LAMPS, noiseTile, rings, SAND, SUN, ZENITH} from './surroundings.js';
+import {rings} from './rings.js';
+import {DEEP, HORIZON, kWaves, LAMPS, noiseTile, SAND, SUN, ZENITH} from './surroundings.js';
 
 const shown = c => c.toArray().map(Math.sqrt);
 const bytes = (out, i, rgb) => out.set([...rgb.map(v => Math.max(0, Math.min(255, Math.round(255 * v)))), 255], 4 * i);
