@@ -8,8 +8,8 @@
 #   FOLDER   where the roots are made, kept afterwards; by default a temporary one, removed.
 #   MIRROR   (environment) package source: scripts/bare_root.sh.
 #   JOBS     (environment) compilers beside each other; by default one a processor.
-#   CCACHE, PLACE  (environment) a folder of ccache that the first root gets a copy of, and where the sources lie
-#            there, by default /hawser: what was compiled at that place before is not compiled again.
+#   CCACHE, PLACE  (environment) a folder of ccache that the first root gets a copy of, and where the
+#            sources lie there, by default /hawser: what was compiled at that place before is taken.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/bare_root.sh
@@ -19,7 +19,10 @@ folder=${1:-}
 log=$(mktemp "${TMPDIR:-/tmp}/hawser_view.XXXXXX")
 view=""
 stop_view() {
-    [ -n "$view" ] && kill -INT -- "-$view" 2>/dev/null && wait "$view" 2>/dev/null
+    if [ -n "$view" ]; then
+        kill -INT -- "-$view" 2>/dev/null || true
+        wait "$view" 2>/dev/null || true
+    fi
     view=""
 }
 leave() {
@@ -52,6 +55,7 @@ fi
 start_view() {
     local left=$1 root=$2
     shift 2
+    : >"$log"   # the address of the one before is gone
     set -m
     inside "$root" "$@" >"$log" 2>&1 &
     view=$!
@@ -104,14 +108,14 @@ echo "=== the program in a root without node and without a resolver"
 echo 'nameserver 127.0.0.1' >"$without/etc/resolv.conf"
 rm -rf "$without/opt/hawser"
 mkdir -p "$without/opt/hawser/lib"
-cp "$with$place/build/release/bin/hawser" "$with$place/scenes/anchor_contact.json" "$without/opt/hawser"
+cp -r "$with$place/build/release/bin/hawser" "$with$place/scenes" "$without/opt/hawser"
 # The libraries that it was linked with, which its root may lack: all but the C library's own.
 inside "$with" ldd "$place/build/release/bin/hawser" | awk '$3 ~ /^\// {print $3}' |
     grep -vE '/(libc|libm|ld-linux[^/]*)\.so' | while read -r library; do
         cp -L "$with$library" "$without/opt/hawser/lib"
     done
 start_view 60 "$without" env LD_LIBRARY_PATH=/opt/hawser/lib \
-    /opt/hawser/hawser view /opt/hawser/anchor_contact.json --port "$port"
+    /opt/hawser/hawser view /opt/hawser/scenes/anchor_contact.json --port "$port"
 seen >"$folder/third.txt"
 stop_view
 cmp "$folder/first.txt" "$folder/third.txt" || fail "the copied program serves something else"
