@@ -9,7 +9,7 @@ DEMO   := out/demo
 VIEW_PORT ?= 8080
 CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 
-.PHONY: help demo view page test test-page test-long test-bare test-export test-sanitized build bench format format-check layers tidy check clean packages
+.PHONY: help demo view page test test-page test-long test-bare test-view-bare test-export test-sanitized build bench format format-check layers tidy check clean packages
 .NOTPARALLEL:
 
 help:
@@ -20,6 +20,7 @@ help:
 	@echo "make test-long 100,000 random pairs of shapes of each two kinds, a million forged files, 50,000 random edits, hashes, memory that ends anywhere, 500 random wires with pins, 100,000 operations on wires under sanitizers: an hour"
 	@echo "make test-sanitized all fast tests under address and undefined-behaviour sanitizers, also those that the gate leaves out: half an hour"
 	@echo "make test-bare demo and test in a bare Debian 12 that debootstrap makes: root, network, minutes"
+	@echo "make test-view-bare make view in a bare Debian 12, and its program in one without node: root, network, minutes"
 	@echo "make test-export 60 s of anchor_contact as glTF and VTK, judged by Khronos' validator and VTK"
 	@echo "make bench     build with the foreign engines installed, run the comparisons"
 	@echo "make build     build everything   (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
@@ -105,6 +106,9 @@ test-sanitized: packages
 # Not part of check: it fetches a system.
 test-bare:
 	@scripts/test_bare.sh
+
+test-view-bare:
+	@scripts/test_view_bare.sh
 
 # Not part of check: it needs npm's gltf-validator and VTK. A node that is there is taken.
 EXPORT := out/export

@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <future>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace hawser::exporting {
 
@@ -47,6 +49,7 @@ class Blocks {
         return out;
     }
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
+    void clear() { bytes_.clear(); }
 
   private:
     void append(const void* data, std::size_t size) {
@@ -62,6 +65,13 @@ struct Cells {
     std::vector<std::int32_t> kind, index, parted;
     std::vector<float> tension, strain, orientation, force;
 
+    void clear() {
+        points.clear();
+        for (auto* all :
+             {&verts, &verts_end, &lines, &lines_end, &polys, &polys_end, &kind, &index, &parted})
+            all->clear();
+        for (auto* all : {&tension, &strain, &orientation, &force}) all->clear();
+    }
     std::int32_t point(const Vec3& p) {
         for (int k = 0; k < 3; ++k) points.push_back(p[k]);
         return static_cast<std::int32_t>(points.size() / 3) - 1;
@@ -84,8 +94,10 @@ struct Cells {
 
 class VtkWriter {
   public:
-    VtkWriter(const record::Recording& recording, const ContactSource& contacts)
-        : recording_(recording), contacts_(contacts), reader_(recording) {
+    explicit VtkWriter(const record::Recording& recording) : reader_(recording) {
+        std::string names;
+        for (const record::RecordedBody& body : recording.bodies) names += plain(body.name) + "\n";
+        body_names_ = text_array("body_names", names);
         const std::vector<bool> visible = draw::visible_bodies(recording);
         for (std::size_t i = 0; i < recording.bodies.size(); ++i)
             if (visible[i] || recording.bodies[i].kind == BodyKind::rigid) {
@@ -94,16 +106,19 @@ class VtkWriter {
             }
     }
 
-    [[nodiscard]] std::string document(const record::Frame& frame) {
-        Cells cells;
-        put_vertices(frame, cells);
-        put_wires(frame, cells);
-        put_surfaces(frame, cells);
-        return text(frame, cells);
+    /// The document of a frame, until the next one.
+    [[nodiscard]] const std::string& document(const record::Frame& frame,
+                                              const ContactForces& contacts) {
+        cells_.clear();
+        put_vertices(frame, contacts, cells_);
+        put_wires(frame, cells_);
+        put_surfaces(frame, cells_);
+        put_text(frame, cells_);
+        return out_;
     }
 
   private:
-    void put_vertices(const record::Frame& frame, Cells& cells) const {
+    void put_vertices(const record::Frame& frame, const ContactForces& at, Cells& cells) const {
         for (const std::size_t body : bodies_) {
             if (!frame.there[body]) continue;
             const Pose& pose = frame.poses[body];
@@ -114,8 +129,6 @@ class VtkWriter {
             for (int k = 0; k < 4; ++k)
                 to[k] = static_cast<float>(k == 0 ? q.w() : q.coeffs()[k - 1]);
         }
-        if (!contacts_) return;
-        const ContactForces& at = contacts_(frame);
         for (std::size_t i = 0; 3 * i + 2 < at.points.size(); ++i) {
             cells.vert({at.points[3 * i], at.points[3 * i + 1], at.points[3 * i + 2]});
             cells.data(1, i);
@@ -155,15 +168,15 @@ class VtkWriter {
         }
     }
 
-    [[nodiscard]] std::string names() const {
-        std::string out;
-        for (const record::RecordedBody& body : recording_.bodies) out += plain(body.name) + "\n";
-        return out;
-    }
-    [[nodiscard]] std::string wire_names() const {
-        std::string out;
-        for (const WireLine& line : lines_) out += plain(std::string(line.name)) + "\n";
-        return out;
+    /// Made anew where wires have come or gone.
+    const std::string& wire_names() {
+        std::string names;
+        for (const WireLine& line : lines_) names += plain(std::string(line.name)) + "\n";
+        if (wire_names_.empty() || names != last_names_) {
+            wire_names_ = text_array("wire_names", names);
+            last_names_ = std::move(names);
+        }
+        return wire_names_;
     }
     /// Zero-terminated strings in numbers, as VTK has them.
     static std::string text_array(const char* name, const std::string& value) {
@@ -174,9 +187,11 @@ class VtkWriter {
         return out + "0</Array>\n";
     }
 
-    [[nodiscard]] std::string text(const record::Frame& frame, const Cells& c) const {
-        Blocks blocks;
-        std::string out =
+    void put_text(const record::Frame& frame, const Cells& c) {
+        Blocks& blocks = blocks_;
+        std::string& out = out_;
+        blocks.clear();
+        out =
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
             "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n<FieldData>\n";
         out += fmt::format(
@@ -184,7 +199,7 @@ class VtkWriter {
             "format=\"ascii\">{:.17g}</DataArray>\n<DataArray type=\"Int64\" Name=\"step\" "
             "NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
             frame.time, frame.step);
-        out += text_array("body_names", names()) + text_array("wire_names", wire_names());
+        out += body_names_ + wire_names();
         out += fmt::format(
             "</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
             "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n<Points>\n",
@@ -206,19 +221,22 @@ class VtkWriter {
                blocks.array("Float32", "force", 3, c.force);
         out += "</CellData>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
         out += blocks.bytes();
-        return out + "\n</AppendedData>\n</VTKFile>\n";
+        out += "\n</AppendedData>\n</VTKFile>\n";
     }
 
-    const record::Recording& recording_;
-    const ContactSource& contacts_;
     WireReader reader_;
+    std::string body_names_, wire_names_, last_names_;
+    // Of one frame: their memory serves the next one, too.
+    Cells cells_;
+    Blocks blocks_;
+    std::string out_;
     std::vector<WireLine> lines_;
     std::vector<std::size_t> bodies_;
     std::vector<std::vector<record::Triangles>> surfaces_;
 };
 
-void put_file(const std::filesystem::path& file, const std::string& text) {
-    if (const std::string fault = record::write_file(file, text); !fault.empty())
+void written(const std::filesystem::path& file, const std::string& fault) {
+    if (!fault.empty())
         throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), fault));
 }
 
@@ -237,20 +255,31 @@ void write_vtk(const record::Recording& recording, const Frames& frames,
     if (fault)
         throw std::runtime_error(
             fmt::format("{}: the folder for the frames: {}", folder.string(), fault.message()));
-    VtkWriter writer(recording, contacts);
+    VtkWriter writer(recording);
     std::string list =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
         "byte_order=\"LittleEndian\">\n<Collection>\n";
+    // While one frame is written the run is repeated to the next, by another thread.
+    std::future<void> under_way;
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        const record::Frame frame = recording.frame(frames[i]);
+        record::Frame frame = recording.frame(frames[i]);
+        ContactForces forces = contacts ? contacts(frame) : ContactForces{};
         const std::string name = fmt::format("frame_{:06}.vtp", i);
-        put_file(folder / name, writer.document(frame));
         list += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"0\" file=\"{}/{}\"/>\n",
                             frame.time, plain(folder.filename().string()), name);
+        if (under_way.valid()) under_way.get();
+        under_way = std::async(
+            std::launch::async,
+            [&writer, to = folder / name, frame = std::move(frame), forces = std::move(forces)] {
+                written(to, record::write_file(to, writer.document(frame, forces),
+                                               record::Flush::later));
+            });
         if (progress) progress(i + 1);
     }
+    if (under_way.valid()) under_way.get();
     // Last: what it names is there.
-    put_file(file, list + "</Collection>\n</VTKFile>\n");
+    written(folder, record::flush_folder(folder));
+    written(file, record::write_file(file, list + "</Collection>\n</VTKFile>\n"));
 }
 
 }  // namespace hawser::exporting

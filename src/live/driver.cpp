@@ -4,9 +4,7 @@
 #include "live/scene_text.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 namespace hawser::live {
 namespace {
@@ -34,7 +32,7 @@ Driver::Driver(Session& session, Hub& hub, const DriverOptions& options)
       options_(options),
       out_(hub),
       plan_(FramePlan::of(session.scene())),
-      paused_(options.paused) {
+      playing_(options.paused) {
     if (options_.run != nullptr) lesson_.emplace(*options_.exercise, *options_.run);
     origin_ = middle_of(session_.world(), plan_);
     notes_.epoch = 1;
@@ -56,8 +54,8 @@ void Driver::tell_state() {
     for (const Point& point : points_)
         points.push_back({{"name", point.name}, {"time", point.time}});
     Json state{{"type", "state"},
-               {"paused", paused_},
-               {"rate", rate_},
+               {"paused", playing_.paused()},
+               {"rate", playing_.rate()},
                {"time", session_.time()},
                {"restore_points", points},
                {"range", nullptr},
@@ -98,10 +96,11 @@ void Driver::follow_origin() {
 
 void Driver::publish() {
     const World& world = session_.world();
-    notes_.flags = static_cast<std::uint16_t>((paused_ ? kPaused : 0) | (failure_ ? kFailed : 0) |
-                                              (drags_.any() ? kDragged : 0));
-    notes_.deadline_ms = 1e3 * world.settings().step / rate_;
-    notes_.late_ms = 1e3 * pace_.late();
+    notes_.flags =
+        static_cast<std::uint16_t>((playing_.paused() ? kPaused : 0) | (failure_ ? kFailed : 0) |
+                                   (drags_.any() ? kDragged : 0));
+    notes_.deadline_ms = 1e3 * world.settings().step / playing_.rate();
+    notes_.late_ms = 1e3 * playing_.late();
     ++notes_.number;
     if (lesson_) notes_.shown = lesson_->frozen(world, plan_);
     // Without their scene frames are of no use to anyone.
@@ -113,14 +112,13 @@ void Driver::publish() {
     ++figures_.frames;
     hub_.frames.publish();
     hub_.wake();
-    shown_ = Pace::Clock::now();
+    playing_.showed();
     changed_ = false;
 }
 
 void Driver::fail(Failure failure) {
     failure_ = std::move(failure);
-    paused_ = true;
-    to_go_ = 0;
+    playing_.pause();
     out_.send(0, {{"type", "failure"},
                   {"time", failure_->time},
                   {"status", failure_->status},
@@ -153,7 +151,7 @@ void Driver::step() {
         failure_.reset();
         tell_state();
     }
-    if (to_go_ > 0 && --to_go_ == 0) tell_state();
+    if (playing_.count_step()) tell_state();
     if (lesson_) after_exercise_step();
 }
 
@@ -161,8 +159,7 @@ void Driver::step() {
 void Driver::after_exercise_step() {
     lesson_->tell(session_.world(), out_);
     if (lesson_->ended() && !over_) {
-        paused_ = true;
-        to_go_ = 0;
+        playing_.pause();
         tell_state();
     }
     over_ = lesson_->ended();
@@ -176,38 +173,24 @@ void Driver::advance() {
         clients_ = clients;
         tell_state();
     }
-    if (runs()) {
+    if (playing_.runs()) {
         step();
-        pace_.took(session_.world().settings().step, rate_);
+        playing_.took(session_.world().settings().step);
         publish();
         return;
     }
-    // A paused run is shown ten times a second, so that who comes late sees it, too.
-    constexpr std::chrono::milliseconds kShow{100};
     if (!told_) told_ = out_.flush();
-    if (changed_ || Pace::Clock::now() - shown_ >= kShow) publish();
-}
-
-/// In slices, so that at low rates, too, commands are taken at once.
-void Driver::wait() {
-    constexpr std::chrono::milliseconds kSlice{5};
-    if (!runs()) {
-        std::this_thread::sleep_for(kSlice);
-        pace_.begin();
-        return;
-    }
-    for (auto now = Pace::Clock::now(); runs() && now < pace_.due(); now = Pace::Clock::now()) {
-        const auto until = std::min(pace_.due(), now + kSlice);
-        std::this_thread::sleep_until(until);
-        if (until != pace_.due()) take_commands();
-    }
+    if (changed_ || playing_.due_to_show()) publish();
 }
 
 void Driver::run(const std::function<bool()>& stop) {
-    pace_.begin();
+    playing_.begin_clock();
     while (!stop()) {
         advance();
-        wait();
+        playing_.wait([this] {
+            take_commands();
+            return false;  // the step to come shows what they changed
+        });
     }
 }
 

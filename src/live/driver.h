@@ -18,7 +18,7 @@
 #include "live/hub.h"
 #include "live/lesson.h"
 #include "live/outbox.h"
-#include "live/pace.h"
+#include "live/playing.h"
 #include "live/told.h"
 
 #include <hawser/session.h>
@@ -54,7 +54,7 @@ class Driver {
     void run(const std::function<bool()>& stop);
     /// What is waiting, one step where the run is not paused, and a frame; without a clock.
     void advance();
-    [[nodiscard]] bool paused() const noexcept { return paused_; }
+    [[nodiscard]] bool paused() const noexcept { return playing_.paused(); }
     [[nodiscard]] const DriverFigures& figures() const noexcept { return figures_; }
 
   private:
@@ -83,8 +83,6 @@ class Driver {
     void fail(Failure failure);
     void tell_state();
     void tell_scene();
-    void wait();
-    [[nodiscard]] bool runs() const noexcept { return !paused_ || to_go_ > 0; }
 
     Session& session_;
     Hub& hub_;
@@ -96,15 +94,12 @@ class Driver {
     FrameNotes notes_;
     Vec3 origin_{0.0, 0.0, 0.0};
     Drags drags_;
-    Pace pace_;
+    Playing playing_;
     std::vector<Point> points_;
     std::optional<Failure> failure_;
-    bool paused_ = false, told_ = false, changed_ = true;
+    bool told_ = false, changed_ = true;
     bool over_ = false;  ///< The exercise had ended when it was last looked at.
-    int to_go_ = 0;      ///< Steps of `step` that are left.
     int clients_ = 0;
-    double rate_ = 1.0;
-    Pace::Clock::time_point shown_{};  ///< When the last frame was made.
     DriverFigures figures_;
 };
 

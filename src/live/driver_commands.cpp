@@ -40,25 +40,19 @@ void Driver::perform(const Command& command) {
             set_input(command);
             break;
         case CommandKind::pause:
-            paused_ = true;
-            to_go_ = 0;
+            playing_.perform(command);
             out_.command(now, command, "paused");
             break;
         case CommandKind::resume:
-            paused_ = false;
-            to_go_ = 0;
-            pace_.begin();
+            playing_.perform(command);
             out_.command(now, command, "resumed");
             break;
         case CommandKind::step:
-            paused_ = true;
-            to_go_ = static_cast<int>(command.value);
-            pace_.begin();
+            playing_.perform(command);
             break;
         case CommandKind::rate:
-            rate_ = command.value;
-            pace_.begin();
-            out_.command(now, command, fmt::format("set the rate to {:.3g}", rate_));
+            playing_.perform(command);
+            out_.command(now, command, fmt::format("set the rate to {:.3g}", playing_.rate()));
             break;
         case CommandKind::drag:
             drag(command);
@@ -89,8 +83,8 @@ void Driver::perform(const Command& command) {
             break;
         case CommandKind::end:
             lesson().end(command);
-            paused_ = over_ = true;
-            to_go_ = 0;
+            playing_.pause();
+            over_ = true;
             out_.command(now, command, "ended the exercise");
             break;
         case CommandKind::seek:
@@ -171,7 +165,7 @@ void Driver::restore(const Command& command) {
         over_ = lesson_->ended();
     }
     failure_.reset();
-    pace_.begin();
+    playing_.begin_clock();
     out_.command(session_.time(), command,
                  fmt::format("went back to \"{}\" at {:.6g} s", at->name, at->time));
 }

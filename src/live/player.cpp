@@ -5,7 +5,6 @@
 #include "live/told.h"
 
 #include <algorithm>
-#include <thread>
 
 namespace hawser::live {
 
@@ -51,8 +50,8 @@ void Player::tell_state() {
         last = std::max(last, time);
     }
     out_.state({{"type", "state"},
-                {"paused", paused_},
-                {"rate", rate_},
+                {"paused", playing_.paused()},
+                {"rate", playing_.rate()},
                 {"time", recording_.frame_head(frame_).time},
                 {"restore_points", Json::array()},
                 {"range", {first, last}},
@@ -87,11 +86,11 @@ double Player::gap() const {
 
 void Player::publish() {
     if (!out_.flush()) return;
-    const auto flags = static_cast<std::uint16_t>(paused_ ? kPaused : 0);
+    const auto flags = static_cast<std::uint16_t>(playing_.paused() ? kPaused : 0);
     scene_.write(frame_, flags, ++number_, hub_.frames.back());
     hub_.frames.publish();
     hub_.wake();
-    shown_ = Pace::Clock::now();
+    playing_.showed();
     changed_ = false;
 }
 
@@ -99,28 +98,18 @@ void Player::perform(const Command& command) {
     changed_ = true;
     const std::size_t last = recording_.frame_count() - 1;
     switch (command.kind) {
-        case CommandKind::pause:
-            paused_ = true;
-            to_go_ = 0;
-            break;
         case CommandKind::resume:
             if (frame_ == last) frame_ = 0;  // from the beginning
-            paused_ = false;
-            pace_.begin();
-            break;
+            [[fallthrough]];
+        case CommandKind::pause:
         case CommandKind::step:
-            paused_ = true;
-            to_go_ = static_cast<int>(command.value);
-            pace_.begin();
-            break;
         case CommandKind::rate:
-            rate_ = command.value;
-            pace_.begin();
+            playing_.perform(command);
             break;
         case CommandKind::seek:
             frame_ = frame_at(command.value);
-            to_go_ = 0;
-            pace_.begin();
+            playing_.forget_steps();
+            playing_.begin_clock();
             break;
         case CommandKind::left:
         case CommandKind::none:
@@ -152,35 +141,27 @@ void Player::advance() {
         clients_ = clients;
         tell_state();
     }
-    const bool plays = !paused_ || to_go_ > 0;
-    if (plays && !changed_) {
-        pace_.took(gap(), rate_);
+    if (playing_.runs() && !changed_) {
+        playing_.took(gap());
         if (frame_ + 1 < recording_.frame_count()) ++frame_;
-        if (to_go_ > 0 && --to_go_ == 0) tell_state();
-        if (frame_ + 1 == recording_.frame_count() && !paused_) {
-            paused_ = true;
+        if (playing_.count_step()) tell_state();
+        if (frame_ + 1 == recording_.frame_count() && !playing_.paused()) {
+            playing_.pause();
             tell_state();
         }
         return publish();
     }
-    constexpr std::chrono::milliseconds kShow{100};
-    if (changed_ || Pace::Clock::now() - shown_ >= kShow) publish();
+    if (changed_ || playing_.due_to_show()) publish();
 }
 
 void Player::run(const std::function<bool()>& stop) {
-    constexpr std::chrono::milliseconds kSlice{5};
-    pace_.begin();
+    playing_.begin_clock();
     while (!stop()) {
         advance();
-        const bool plays = !paused_ || to_go_ > 0;
-        if (!plays) pace_.begin();
-        const auto now = Pace::Clock::now();
-        for (auto at = now; (plays ? pace_.due() : now + kSlice) > at && !changed_;
-             at = Pace::Clock::now()) {
-            std::this_thread::sleep_for(
-                std::min<Pace::Clock::duration>(kSlice, (plays ? pace_.due() : now + kSlice) - at));
+        playing_.wait([this] {
             take_commands();
-        }
+            return changed_;
+        });
     }
 }
 

@@ -5,7 +5,7 @@
 
 #include "live/hub.h"
 #include "live/outbox.h"
-#include "live/pace.h"
+#include "live/playing.h"
 #include "live/recorded_scene.h"
 
 #include <hawser/recording.h>
@@ -40,13 +40,11 @@ class Player {
     Hub& hub_;
     Outbox out_;
     RecordedScene scene_;
-    Pace pace_;
+    Playing playing_;
     std::size_t frame_ = 0;
     std::uint32_t number_ = 0;
-    bool paused_ = false, changed_ = true;
-    int to_go_ = 0, clients_ = 0;
-    double rate_ = 1.0;
-    Pace::Clock::time_point shown_{};
+    bool changed_ = true;
+    int clients_ = 0;
 };
 
 }  // namespace hawser::live

@@ -132,7 +132,8 @@ std::string output_fault(const std::filesystem::path& file) {
     return {};
 }
 
-std::string write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+std::string write_file(const std::filesystem::path& file, std::span<const std::byte> bytes,
+                       Flush flush) {
     const std::filesystem::path to = target(file);
     if (is_device(to)) {
         Descriptor out(::open(to.c_str(), O_WRONLY | O_CLOEXEC));
@@ -144,16 +145,21 @@ std::string write_file(const std::filesystem::path& file, std::span<const std::b
     Descriptor out(open_beside(to, name));
     if (out.get() < 0) return reason(errno);
     // On the disk before it gets the name: else a crash could leave an empty file for the old one.
-    if (write_all(out.get(), bytes) && ::fsync(out.get()) == 0 && out.close() &&
-        std::rename(name.c_str(), to.c_str()) == 0)
+    if (write_all(out.get(), bytes) && (flush == Flush::later || ::fsync(out.get()) == 0) &&
+        out.close() && std::rename(name.c_str(), to.c_str()) == 0)
         return {};
     const std::string why = reason(errno);
     ::unlink(name.c_str());
     return why;
 }
 
-std::string write_file(const std::filesystem::path& file, const std::string& text) {
-    return write_file(file, std::as_bytes(std::span(text.data(), text.size())));
+std::string write_file(const std::filesystem::path& file, const std::string& text, Flush flush) {
+    return write_file(file, std::as_bytes(std::span(text.data(), text.size())), flush);
+}
+
+std::string flush_folder(const std::filesystem::path& folder) {
+    const Descriptor all(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    return all.get() >= 0 && ::syncfs(all.get()) == 0 ? std::string() : reason(errno);
 }
 
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {

@@ -30,12 +30,19 @@ inline constexpr std::size_t kSparse = std::size_t{1} << 24;
 /// A character device (/dev/null) is one that can. Leaves what is there alone.
 [[nodiscard]] std::string output_fault(const std::filesystem::path& file);
 
+/// When what is written goes to the disk: before the file gets its name, or, of many files that
+/// belong together, with flush_folder() behind the last of them.
+enum class Flush { now, later };
+
 /// Write a file under another name beside its own and rename it, so that whatever ends this, there
 /// is the old one or the new one. A symbolic link stays, what it names is written; a device is
 /// written as it is.
 [[nodiscard]] std::string write_file(const std::filesystem::path& file,
-                                     std::span<const std::byte> bytes);
-[[nodiscard]] std::string write_file(const std::filesystem::path& file, const std::string& text);
+                                     std::span<const std::byte> bytes, Flush flush = Flush::now);
+[[nodiscard]] std::string write_file(const std::filesystem::path& file, const std::string& text,
+                                     Flush flush = Flush::now);
+/// Brings what was written in a folder with Flush::later to the disk. @return why not; "": done.
+[[nodiscard]] std::string flush_folder(const std::filesystem::path& folder);
 
 /// Whether two names are those of one file, existing or not. @throws std::bad_alloc.
 [[nodiscard]] bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Bodies of a scene as instanced meshes: what looks the same is one mesh, of which each body is an
-/// instance. Moving instances are never culled by the sphere of where they began.
-import {BackSide, InstancedMesh, Matrix4, MeshLambertMaterial, DynamicDrawUsage, Quaternion, Vector3, DoubleSide} from 'three';
+/// instance. What is out of sight or too small to be seen is left out of it for that picture; parts
+/// with many faces have a simple twin for when they are far away.
+import {BackSide, Frustum, InstancedMesh, Matrix4, MeshLambertMaterial, DynamicDrawUsage, Quaternion, Vector3, DoubleSide, Sphere} from 'three';
 import {geometryOf} from './geometry.js';
 import * as fit from './fittings.js';
 import {heightfieldBuild, hullBuild, meshBuild, pointsBuild} from './meshes.js';
 import {ballRadius, longAxis, roleOf, workingDeck} from './roles.js';
 import * as ships from './ship.js';
 
+const kLeast = 0.6, kFar = 20;   // [pixels] radius below which a part is left out, or its twin drawn
 const unit = new Vector3(1, 1, 1), identity = new Matrix4();
 const kTo = {   // a part about z laid along an axis
     x: new Quaternion(0, Math.SQRT1_2, 0, Math.SQRT1_2), y: new Quaternion(-Math.SQRT1_2, 0, 0, Math.SQRT1_2), z: new Quaternion(),
@@ -15,12 +17,13 @@ const kTo = {   // a part about z laid along an axis
 export const toQuaternion = ([w, x, y, z], out = new Quaternion()) => out.set(x, y, z, w);
 
 export class Bodies {
-    constructor(scene) {
+    /// paint: the material of all; null: one that is lit at each pixel.
+    constructor(scene, paint = null) {
         this.scene = scene;
-        this.material = new MeshLambertMaterial({vertexColors: true, side: DoubleSide, shadowSide: BackSide});
+        this.material = paint ?? new MeshLambertMaterial({vertexColors: true, side: DoubleSide, shadowSide: BackSide});
         this.batches = new Map();
         this.bodies = [];
-        this.scratch = {m: new Matrix4(), p: new Vector3(), q: new Quaternion(), turn: new Quaternion(), local: new Matrix4()};
+        this.scratch = {m: new Matrix4(), p: new Vector3(), q: new Quaternion(), turn: new Quaternion(), local: new Matrix4(), ball: new Sphere(), frustum: new Frustum()};
     }
 
     clear() {
@@ -60,16 +63,18 @@ export class Bodies {
         for (const batch of this.batches.values()) this.finish(batch);
     }
 
-    /// One part: `make()` gives a Build; parts of the same key share a mesh.
-    part(body, key, make, local = identity, more = {}) {
-        if (!this.batches.has(key)) this.batches.set(key, {key, geometry: geometryOf(make()), members: []});
-        const member = {body, local: local.clone(), ...more};
-        this.batches.get(key).members.push(member);
+    /// One part: `make()` gives a Build, `far()` its simple twin; parts of the same key share a mesh.
+    part(body, key, make, local = identity, {far, ...more} = {}) {
+        if (!this.batches.has(key)) this.batches.set(key, {key, geometry: geometryOf(make()), members: [], shown: []});
+        const batch = this.batches.get(key), member = {body, local: local.clone(), world: new Matrix4(), ...more};
+        batch.members.push(member);
+        if (far && !batch.twin) this.batches.set(`far ${key}`, batch.twin = {key: `far ${key}`, geometry: geometryOf(far()), members: [], shown: [], of: batch});
         return member;
     }
 
     finish(batch) {
-        batch.mesh = new InstancedMesh(batch.geometry, this.material, batch.members.length);
+        batch.mesh = new InstancedMesh(batch.geometry, this.material, (batch.of ?? batch).members.length);
+        batch.mesh.count = 0;
         batch.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
         batch.mesh.frustumCulled = false;
         batch.mesh.castShadow = batch.mesh.receiveShadow = true;
@@ -122,7 +127,7 @@ export class Bodies {
         const painted = ['ship', 'barge', 'semi', 'anchor', 'hook', 'boom', 'lattice'].includes(body.role);
         const key = JSON.stringify([s.kind, s.radius, s.half_length, s.half_size]);
         if (s.kind === 'sphere') this.part(body, key, () => fit.ball(s.radius), local);
-        else if (s.kind === 'capsule') this.part(body, key, () => fit.capsule(s.radius, 2 * s.half_length, 0x2c3136), local);
+        else if (s.kind === 'capsule') this.part(body, key, () => fit.capsule(s.radius, 2 * s.half_length, 0x2c3136), local, {far: () => fit.capsule(s.radius, 2 * s.half_length, 0x2c3136, 7, 2)});
         else if (s.kind === 'cylinder') {
             if (body.role !== 'cylinder') this.part(body, key, () => fit.roller(s.radius, 2 * s.half_length), local);
         } else if (s.kind === 'box') {
@@ -142,20 +147,23 @@ export class Bodies {
             const local = this.laid('y', [d.point[0], d.point[1], d.point[2] - r]);
             const scalar = this.byId.get(d.drum);
             const head = body.role === 'boom';   // a hoist's wire comes over the head
-            this.turning.push(this.part(body, `${head ? 'sheave' : 'drum'} ${r}`, () => head ? fit.sheave(r) : fit.drum(r, Math.min(4 * r, 2.4)), local, {scalar, ratio: 1}));
+            const long = Math.min(4 * r, 2.4);
+            if (!head) this.part(body, `bearings ${r}`, () => fit.bearings(r, long), local);
+            this.turning.push(head ? this.part(body, `sheave ${r}`, () => fit.sheave(r), local, {scalar, ratio: 1, far: () => fit.farSheave(r)})
+                : this.part(body, `drum ${r}`, () => fit.drum(r, long), local, {scalar, ratio: 1, far: () => fit.farDrum(r, long)}));
         }
         for (const w of scene.wheels ?? []) {
             const body = this.byId.get(w.body), r = Math.abs(w.radius);
             if (!body || !(r > 0)) continue;
             const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...w.axis).normalize());
             const local = new Matrix4().compose(new Vector3(...w.point), turn, unit), scalar = this.byId.get(w.slide);
-            this.turning.push(this.part(body, `sheave ${r}`, () => fit.sheave(r), local, {scalar, ratio: scalar ? 1 / w.radius : 0}));
+            this.turning.push(this.part(body, `sheave ${r}`, () => fit.sheave(r), local, {scalar, ratio: scalar ? 1 / w.radius : 0, far: () => fit.farSheave(r)}));
         }
     }
 
     /// Poses of a frame.
     update(frame) {
-        const {m, turn, local} = this.scratch;
+        const {turn, local} = this.scratch;
         for (const b of this.bodies) {
             if (b.slot < 0) {
                 b.matrix.compose(b.position, b.quaternion, unit);
@@ -170,24 +178,42 @@ export class Bodies {
             }
             b.matrix.compose(b.position, b.quaternion, unit);
         }
-        for (const batch of this.batches.values()) {
-            batch.members.forEach((member, i) => {
-                m.multiplyMatrices(member.body.matrix, member.local);
-                if (member.scalar) m.multiply(local.makeRotationFromQuaternion(turn.setFromAxisAngle(kAxis, (member.scalar.coordinate * member.ratio) % (2 * Math.PI))));
-                batch.mesh.setMatrixAt(i, m);
-            });
-            batch.mesh.instanceMatrix.needsUpdate = true;
+        for (const batch of this.batches.values())
+            for (const member of batch.members) {
+                member.world.multiplyMatrices(member.body.matrix, member.local);
+                if (member.scalar) member.world.multiply(local.makeRotationFromQuaternion(turn.setFromAxisAngle(kAxis, (member.scalar.coordinate * member.ratio) % (2 * Math.PI))));
+            }
+    }
+
+    /// What of them the next picture has. pixel: size of a pixel at 1 m [m]; lit: where shadows are
+    /// drawn anew with this picture, what throws one there from out of sight is drawn, too.
+    place(camera, pixel, lit = null) {
+        const {m, ball, frustum} = this.scratch, eye = camera.position;
+        frustum.setFromProjectionMatrix(m.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
+        for (const batch of this.batches.values()) batch.shown.length = 0;
+        for (const batch of this.batches.values())
+            for (const member of batch.members) {
+                ball.copy(batch.geometry.boundingSphere).applyMatrix4(member.world);
+                const size = ball.radius / (pixel * Math.max(1e-3, ball.center.distanceTo(eye)));
+                if (size < kLeast || !frustum.intersectsSphere(ball) && !lit?.intersectsSphere(ball)) continue;
+                (size < kFar && batch.twin || batch).shown.push(member);
+            }
+        for (const {mesh, shown} of this.batches.values()) {
+            shown.forEach((member, i) => mesh.setMatrixAt(i, member.world));
+            mesh.count = shown.length;
+            mesh.visible = shown.length > 0;
+            mesh.instanceMatrix.needsUpdate = true;
         }
     }
 
     /// What a ray meets first: {body, point} in the world of the picture; null: nothing.
     pick(raycaster) {
         let best = null;
-        for (const {mesh, members} of this.batches.values()) {
+        for (const {mesh, shown} of this.batches.values()) {
             mesh.boundingSphere = null;
             for (const hit of raycaster.intersectObject(mesh, false))
                 if (!best || hit.distance < best.distance)
-                    best = {distance: hit.distance, point: hit.point, body: members[hit.instanceId].body};
+                    best = {distance: hit.distance, point: hit.point, body: shown[hit.instanceId].body};
         }
         return best;
     }

@@ -59,8 +59,8 @@ export class Build {
         this.quad([a, y, c], [x, y, c], [x, b, c], [a, b, c], hex);
     }
 
-    /// A cylinder from p to q with n sides, its ends closed; its side is shaded round.
-    cylinder(p, q, r, n, hex, r1 = r) {
+    /// A cylinder from p to q with n sides, its ends closed or not; its side is shaded round.
+    cylinder(p, q, r, n, hex, r1 = r, closed = true) {
         const [e1, e2] = across(p, q), rgb = channels(hex).map(linear);
         const ring = (at, radius, i) => {
             const w = 2 * Math.PI * i / n, c = Math.cos(w), s = Math.sin(w);
@@ -77,6 +77,7 @@ export class Build {
                 this.normal.push(...out(k));
                 this.colour.push(...rgb);
             }
+            if (!closed) continue;
             this.tri(p, ring(p, r, i + 1), ring(p, r, i), hex);
             this.tri(q, ring(q, r1, i), ring(q, r1, i + 1), hex);
         }

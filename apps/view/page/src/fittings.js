@@ -80,15 +80,15 @@ export function roller(radius, length, colour = PAINT.steel, stripes = true) {
     return b;
 }
 
-/// A drum about z: barrel, flanges with spokes, rope on it.
-export function drum(radius, length, rope = true) {
+/// A drum about z: rope on it, flanges with spokes, and the shaft that it turns about.
+export function drum(radius, length) {
     const b = new Build(), h = length / 2;
-    b.cylinder([0, 0, -h], [0, 0, h], radius * (rope ? 0.97 : 0.93), 24, rope ? PAINT.rope : PAINT.steel);
-    for (let i = 0; rope && i < 9; ++i) {   // lays of rope
+    for (let i = 0; i < 9; ++i) {   // lays of rope
         const z = -h + length * (i + 0.5) / 9;
-        b.cylinder([0, 0, z - length / 18.5], [0, 0, z + length / 18.5], radius, 24, i % 2 ? 0x847a63 : PAINT.rope);
+        b.cylinder([0, 0, z - length / 18], [0, 0, z + length / 18], radius, 24, i % 2 ? 0x847a63 : PAINT.rope, radius, false);
     }
     for (const s of [1, -1]) {
+        b.cylinder([0, 0, s * h], [0, 0, s * (h + 0.5 * radius)], radius * 0.17, 10, PAINT.steel);
         b.cylinder([0, 0, s * h - 0.08 * radius], [0, 0, s * h + 0.08 * radius], radius * 1.35, 28, PAINT.crane);
         for (let i = 0; i < 6; ++i) {
             const w = i * Math.PI / 3, c = Math.cos(w), n = Math.sin(w), z = s * (h + 0.09 * radius);
@@ -96,6 +96,28 @@ export function drum(radius, length, rope = true) {
             b.both([lo * c - t * n, lo * n + t * c, z], [hi * c - t * n, hi * n + t * c, z],
                    [hi * c + t * n, hi * n - t * c, z], [lo * c + t * n, lo * n - t * c, z], PAINT.dark);
         }
+    }
+    return b;
+}
+
+/// The same from afar: rope and flanges.
+export function farDrum(radius, length) {
+    const b = new Build(), h = length / 2;
+    b.cylinder([0, 0, -h], [0, 0, h], radius, 10, PAINT.rope, radius, false);
+    for (const s of [1, -1]) b.cylinder([0, 0, s * h - 0.08 * radius], [0, 0, s * h + 0.08 * radius], radius * 1.35, 10, PAINT.crane);
+    return b;
+}
+
+/// What carries a drum at both ends of its shaft: bearings on feet that go down to the deck (+y of
+/// the part, which is down where it lies athwart).
+export function bearings(radius, length) {
+    const b = new Build(), steel = PAINT.dark, foot = 1.5 * radius;
+    for (const s of [1, -1]) {
+        const z = s * (length / 2 + 0.32 * radius), t = 0.1 * radius;
+        b.cylinder([0, 0, z - t], [0, 0, z + t], 0.3 * radius, 12, steel);
+        b.quad([0.2 * radius, 0, z - t], [-0.2 * radius, 0, z - t], [-0.75 * radius, foot, z - t], [0.75 * radius, foot, z - t], steel);
+        b.quad([-0.2 * radius, 0, z + t], [0.2 * radius, 0, z + t], [0.75 * radius, foot, z + t], [-0.75 * radius, foot, z + t], steel);
+        for (const e of [1, -1]) b.both([e * 0.2 * radius, 0, z - t], [e * 0.2 * radius, 0, z + t], [e * 0.75 * radius, foot, z + t], [e * 0.75 * radius, foot, z - t], steel);
     }
     return b;
 }
@@ -114,15 +136,22 @@ export function sheave(radius, width = radius * 0.25) {
     return b;
 }
 
+/// A sheave from afar.
+export function farSheave(radius, width = radius * 0.25) {
+    const b = new Build();
+    b.cylinder([0, 0, -width / 2], [0, 0, width / 2], radius, 12, PAINT.crane);
+    return b;
+}
+
 /// A capsule about z.
-export function capsule(radius, length, colour = PAINT.dark) {
-    const b = new Build(), h = length / 2, n = 4;
-    b.cylinder([0, 0, -h], [0, 0, h], radius, 16, colour);
+export function capsule(radius, length, colour = PAINT.dark, sides = 16, n = 4) {
+    const b = new Build(), h = length / 2;
+    b.cylinder([0, 0, -h], [0, 0, h], radius, sides, colour, radius, false);
     for (const s of [1, -1])
         for (let i = 0; i < n; ++i) {
             const a = Math.PI / 2 * i / n, c = Math.PI / 2 * (i + 1) / n;
             b.cylinder([0, 0, s * (h + radius * Math.sin(a))], [0, 0, s * (h + radius * Math.sin(c))],
-                       radius * Math.cos(a), 16, colour, radius * Math.cos(c) + 1e-6);
+                       radius * Math.cos(a), sides, colour, radius * Math.cos(c) + 1e-6, false);
         }
     return b;
 }

@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A Build as geometry of three.js, with normals smoothed where faces meet at a small angle.
+/// A Build as geometry of three.js, with normals smoothed where faces meet at a small angle, and each
+/// corner once however many faces share it.
 import {BufferAttribute, BufferGeometry} from 'three';
 
 export function geometryOf(build, crease = 32) {
     const g = new BufferGeometry(), position = new Float32Array(build.position);
-    g.setAttribute('position', new BufferAttribute(position, 3));
-    g.setAttribute('normal', new BufferAttribute(smooth(position, build.normal, crease), 3));
-    g.setAttribute('color', new BufferAttribute(new Float32Array(build.colour), 3));
+    const {index, corners} = shared([position, smooth(position, build.normal, crease), new Float32Array(build.colour)]);
+    for (const [i, name] of ['position', 'normal', 'color'].entries()) g.setAttribute(name, new BufferAttribute(corners[i], 3));
+    g.setIndex(new BufferAttribute(corners[0].length / 3 > 65535 ? new Uint32Array(index) : new Uint16Array(index), 1));
     g.computeBoundingSphere();
     return g;
+}
+
+/// Corners that agree in all of `values` (three numbers each) as one: {index, corners}.
+export function shared(values) {
+    const known = new Map(), index = [], first = [];
+    for (let i = 0; i < values[0].length / 3; ++i) {
+        const key = values.map(v => [0, 1, 2].map(k => Math.round(v[3 * i + k] * 4096)).join()).join();
+        if (!known.has(key)) {
+            known.set(key, first.length);
+            first.push(i);
+        }
+        index.push(known.get(key));
+    }
+    return {index, corners: values.map(v => Float32Array.from({length: 3 * first.length}, (_, k) => v[3 * first[Math.floor(k / 3)] + k % 3]))};
 }
 
 function smooth(position, normal, crease) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The picture: renderer, surroundings, bodies, wires, forces, and what the pointer does in it.
 import {
-    ACESFilmicToneMapping, BufferAttribute, BufferGeometry, Fog, Line, LineBasicMaterial, NoToneMapping, PCFShadowMap,
-    PerspectiveCamera, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+    ACESFilmicToneMapping, BasicShadowMap, BufferAttribute, BufferGeometry, Fog, Line, LineBasicMaterial, NoToneMapping, PCFShadowMap,
+    PerspectiveCamera, Plane, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import {arrowLength, Arrows} from './arrows.js';
 import {Bodies} from './bodies.js';
 import {CameraRig, makeSubject} from './camera.js';
 import {Labels} from './labels.js';
 import {nearestPiece} from './picking.js';
+import {makePlainSky, plainBed, plainPaint, plainWater} from './plain.js';
 import {Quality} from './quality.js';
 import {seaComponents} from './protocol.js';
 import {aimSun, HORIZON, makeLight, makeSky, Seabed, Water} from './surroundings.js';
@@ -46,7 +47,7 @@ export class Stage {
         this.low = quality === 'low' || quality !== 'high' && softwareGl();
         this.renderer = new WebGLRenderer({canvas, antialias: !this.low, powerPreference: 'high-performance'});
         this.renderer.shadowMap.enabled = true;
-        this.renderer.shadowMap.type = PCFShadowMap;
+        this.renderer.shadowMap.type = this.low ? BasicShadowMap : PCFShadowMap;
         this.renderer.shadowMap.autoUpdate = false;
         this.renderer.toneMapping = this.low ? NoToneMapping : ACESFilmicToneMapping;
         this.renderer.toneMappingExposure = 1.15;
@@ -55,19 +56,19 @@ export class Stage {
         this.scene.fog = new Fog(HORIZON, 500, 9000);
         this.camera = new PerspectiveCamera(42, 1, 0.5, 20000);
         this.rig = new CameraRig(this.camera, canvas);
-        this.bodies = new Bodies(this.scene);
+        this.bodies = new Bodies(this.scene, this.low ? plainPaint() : null);
         this.wires = new Wires(this.low);
-        this.water = new Water(this.low);
-        this.seabed = new Seabed(this.low);
-        this.light = makeLight();
+        this.water = new Water(this.low ? plainWater : null);
+        this.seabed = new Seabed(this.low ? plainBed : null);
+        this.light = makeLight(this.low);
         this.arrows = new Arrows(this.scene);
         this.labels = new Labels(labelLayer);
         this.quality = new Quality();
         this.show = {names: true, contacts: true, joints: false, water: true, clear: true, seabed: true, shadows: true, tubes: 'auto'};
-        this.scene.add(makeSky(this.low), this.light, this.water.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
+        this.scene.add(this.low ? makePlainSky() : makeSky(), this.light, this.water.mesh, this.seabed.mesh, this.wires.tubes, this.wires.lines);
         this.spring = this.makeSpring();
         this.full = 0.5;
-        this.scratch = {ray: new Raycaster(), v: new Vector3(), p: new Vector2(), plane: new Plane()};
+        this.scratch = {ray: new Raycaster(), v: new Vector3(), p: new Vector2(), plane: new Plane(), lit: new Sphere()};
         this.selected = null;
         this.stats = {ms: 0, fps: 0};
         this.shadowDue = 0;
@@ -200,14 +201,14 @@ export class Stage {
         this.water.mesh.visible = this.afloat && this.show.water;
         this.water.material.uniforms.opacity.value = this.show.clear ? 0.42 : 0.97;
         const factor = frame && this.factorInput >= 0 ? frame.inputs[this.factorInput] : this.info?.sea?.waves_factor ?? 1;
-        this.water.update(frame?.time ?? 0, this.level, eye, factor);
+        this.water.update(frame?.time ?? 0, this.level, camera, factor);
         this.seabed.mesh.visible = this.show.seabed;
-        this.seabed.update(eye);
+        this.seabed.update(camera);
         this.haze(under);
         this.wires.view(pixel, this.width, this.height, this.ratio, this.level, this.afloat && !under ? 1 : 0);
         this.wires.asTubes = this.show.tubes === 'auto' ? this.quality.tubes : this.show.tubes === 'tubes';
         this.drawForces(eye, pixel);
-        this.shadows(now);
+        this.bodies.place(camera, pixel, this.shadows(now));
         this.renderer.render(this.scene, camera);
         this.labels.update(this, this.show.names);
     }
@@ -221,15 +222,18 @@ export class Stage {
         fog.far = under ? 700 : 9000;
     }
 
+    /// Where shadows are drawn with the next picture; null: as they were.
     shadows(now) {
         const map = this.renderer.shadowMap, on = this.show.shadows && !this.quality.poor;
         if (this.light.sun.castShadow !== on) this.light.sun.castShadow = on;
-        if (!on || now < this.shadowDue) return;
+        if (!on || now < this.shadowDue) return null;
         this.shadowDue = now + (this.quality.tubes ? 60 : 250);
         const {aboard} = this;
-        aimSun(this.light, aboard && this.subject ? this.subject.position : this.rig.target,
-               aboard ? 70 : 0.62 * this.rig.distance);
+        const {lit} = this.scratch;
+        lit.center.copy(aboard && this.subject ? this.subject.position : this.rig.target);
+        lit.radius = aimSun(this.light, lit.center, aboard ? 70 : 0.62 * this.rig.distance);
         map.needsUpdate = true;
+        return lit;
     }
 
     /// Arrows shorter than four pixels are left out.

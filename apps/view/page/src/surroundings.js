@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Sky, light, sea surface and seabed.
 import {
-    BackSide, BufferAttribute, BufferGeometry, Color, DataTexture, DirectionalLight, Group, HemisphereLight,
+    BackSide, Color, DataTexture, DirectionalLight, Group, HemisphereLight,
     LinearFilter, LinearMipmapLinearFilter, LinearMipmapNearestFilter, Mesh, RepeatWrapping, RGBAFormat, ShaderMaterial, SphereGeometry, UniformsLib, UniformsUtils, Vector3, Vector4, DoubleSide,
 } from 'three';
+import {drawSector, rings} from './rings.js';
 
 export const HORIZON = new Color(0xc3d5e0);
-const ZENITH = new Color(0x3f7fc0), DEEP = new Color(0x0b3550), SAND = new Color(0xb7a583);
+export const ZENITH = new Color(0x3f7fc0), DEEP = new Color(0x0b3550), SAND = new Color(0xb7a583);
 export const SUN = new Vector3(0.55, -0.5, 0.62).normalize();
 export const kWaves = 40;  // components that the surface is drawn with, the largest first
 
@@ -60,11 +61,10 @@ const noise = `uniform sampler2D tile;
 float noise(vec2 p) { return texture2D(tile, p * 0.11).b; }
 vec2 ripple(vec2 p) { return texture2D(tile, p * 0.11).rg - 0.5; }`;
 
-/// low: with half of the detail, for processors that draw.
-export function makeSky(low = false) {
-    tile.value ??= noiseTexture(low);
+export function makeSky() {
+    tile.value ??= noiseTexture(false);
     const material = new ShaderMaterial({
-        side: BackSide, depthWrite: false, fog: false, defines: low ? {LOW: 1} : {},
+        side: BackSide, depthWrite: false, fog: false,
         uniforms: {zenith: {value: ZENITH}, horizon: {value: HORIZON}, sun: {value: SUN}, tile},
         vertexShader: `varying vec3 way;
 void main() {
@@ -78,11 +78,7 @@ void main() {
     float up = max(d.z, 0.0);
     vec3 c = mix(horizon, zenith, sqrt(up));
     vec2 q = d.xy / (0.14 + up) * 0.9;
-#ifdef LOW
-    float cloud = smoothstep(0.45, 0.8, noise(q));
-#else
     float cloud = smoothstep(0.48, 0.8, 0.62 * noise(q) + 0.38 * noise(q * 2.7 + 3.0));
-#endif
     c = mix(c, vec3(0.95, 0.97, 0.98), 0.75 * cloud * smoothstep(0.01, 0.2, up));
     float s = max(dot(d, sun), 0.0); s *= s; s *= s; s *= s;
     float glow = s * s * s, disc = glow * glow; disc *= disc; disc *= disc; disc *= disc; disc *= disc; disc *= disc;
@@ -97,12 +93,16 @@ void main() {
     return mesh;
 }
 
-export function makeLight() {
-    const group = new Group(), sky = new HemisphereLight(0xe4f0f8, 0x64727a, 2.3);
-    const sun = new DirectionalLight(0xfff2dc, 2.5);
+/// Colour and strength of the lamps: the sky, what the ground throws back, the sun.
+export const LAMPS = {sky: new Color(0xe4f0f8), ground: new Color(0x64727a), around: 2.3, sun: new Color(0xfff2dc), straight: 2.5};
+
+/// low: with a coarser map of shadows, for processors that draw.
+export function makeLight(low = false) {
+    const group = new Group(), sky = new HemisphereLight(LAMPS.sky, LAMPS.ground, LAMPS.around);
+    const sun = new DirectionalLight(LAMPS.sun, LAMPS.straight), map = low ? 512 : 1024;
     sky.position.set(0, 0, 1);
     sun.castShadow = true;
-    sun.shadow.mapSize.set(1024, 1024);
+    sun.shadow.mapSize.set(map, map);
     sun.shadow.bias = -0.0004;
     sun.shadow.normalBias = 0.25;
     group.add(sky, sun, sun.target);
@@ -110,7 +110,7 @@ export function makeLight() {
     return group;
 }
 
-/// The sun's shadow covers a square of `reach` metres about `at`.
+/// The sun's shadow covers a square of `reach` metres about `at`, or what of it is drawn: the answer.
 export function aimSun(light, at, reach) {
     const {sun} = light, c = sun.shadow.camera, r = Math.max(15, Math.min(reach, 260));
     sun.target.position.copy(at);
@@ -119,26 +119,7 @@ export function aimSun(light, at, reach) {
         Object.assign(c, {left: -r, right: r, top: r, bottom: -r, near: 0.5 * r, far: 6 * r});
         c.updateProjectionMatrix();
     }
-}
-
-/// Rings about the eye: fine near it, to `far` metres. Vertices in units of 1 m, scaled by script.
-function rings(far, inner, spokes = 96, count = 76) {
-    const position = [0, 0, 0], index = [];
-    for (let i = 0; i < count; ++i) {
-        const r = inner * (far / inner) ** (i / (count - 1));
-        for (let k = 0; k < spokes; ++k)
-            position.push(r * Math.cos(2 * Math.PI * k / spokes), r * Math.sin(2 * Math.PI * k / spokes), 0);
-    }
-    for (let k = 0; k < spokes; ++k) index.push(0, 1 + k, 1 + (k + 1) % spokes);
-    for (let i = 0; i + 1 < count; ++i)
-        for (let k = 0; k < spokes; ++k) {
-            const a = 1 + i * spokes + k, b = 1 + i * spokes + (k + 1) % spokes;
-            index.push(a, a + spokes, b + spokes, a, b + spokes, b);
-        }
-    const g = new BufferGeometry();
-    g.setAttribute('position', new BufferAttribute(new Float32Array(position), 3));
-    g.setIndex(index);
-    return g;
+    return r;
 }
 
 /// The wave components that are drawn: [amplitude, kx, ky, phase at t = 0 … ω t], the largest.
@@ -156,8 +137,9 @@ export function waveHeight(waves, t, x, y) {
 }
 
 export class Water {
-    /// low: with half of the detail, for processors that draw.
-    constructor(low = false) {
+    /// plain: how it is drawn where the processor draws (plain.js).
+    constructor(plain = null) {
+        tile.value ??= noiseTexture(Boolean(plain));
         this.waves = [];
         const uniforms = UniformsUtils.merge([UniformsLib.fog, {
             count: {value: 0}, wave: {value: Array.from({length: kWaves}, () => new Vector4())},
@@ -167,10 +149,10 @@ export class Water {
         }]);
         uniforms.tile = tile;
         this.material = new ShaderMaterial({
-            uniforms, defines: low ? {LOW: 1} : {}, transparent: true, depthWrite: false, fog: true, side: DoubleSide,
-            vertexShader: waterVertex, fragmentShader: waterFragment,
+            uniforms, transparent: true, depthWrite: false, fog: true, side: DoubleSide,
+            vertexShader: plain?.vertex ?? waterVertex, fragmentShader: plain?.fragment ?? waterFragment,
         });
-        this.mesh = new Mesh(low ? rings(14000, 1.2, 64, 52) : rings(14000, 1.2), this.material);
+        this.mesh = new Mesh(plain?.rings() ?? rings(14000, 1.2), this.material);
         this.mesh.frustumCulled = false;
         this.mesh.renderOrder = 5;
     }
@@ -180,9 +162,9 @@ export class Water {
         this.material.uniforms.count.value = this.waves.length;
     }
 
-    /// t [s], the level of still water [m], the eye, a factor on all waves.
-    update(t, level, eye, factor = 1) {
-        const u = this.material.uniforms;
+    /// t [s], the level of still water [m], the camera, a factor on all waves.
+    update(t, level, camera, factor = 1) {
+        const u = this.material.uniforms, eye = camera.position;
         this.waves.forEach((w, i) => u.wave.value[i].set(
             w.amplitude * factor, w.wave_number * Math.cos(w.direction), w.wave_number * Math.sin(w.direction),
             (w.phase - w.frequency * t) % (2 * Math.PI)));
@@ -190,6 +172,7 @@ export class Water {
         u.eye.value.copy(eye);
         u.below.value = eye.z < level ? 1 : 0;
         this.mesh.position.set(eye.x, eye.y, level);
+        drawSector(this.mesh, camera);
     }
 }
 
@@ -228,11 +211,7 @@ void main() {
     float calm = 1.0 / (1.0 + far * far * 1.2e-5);
     vec2 p = at.xy;
     vec2 swell = ripple(p * 0.035 + time * vec2(0.012, -0.009));
-#ifdef LOW
-    vec2 r = 2.0 * ripple(p * 0.6 + vec2(time * 0.4, time * 0.2));
-#else
     vec2 r = ripple(p * 0.9 + vec2(time * 0.62, time * 0.31)) + ripple(p * 0.37 + vec2(-time * 0.21, time * 0.34));
-#endif
     vec3 n = normalize(tilt + vec3((0.05 + 0.22 * calm) * r + 0.14 * swell, 0.0));
     if (below > 0.5) n = -n;
     float c = clamp(dot(n, v), 0.0, 1.0), q = 1.0 - c, f = 0.02 + 0.98 * q * q * q * q * q;
@@ -252,46 +231,17 @@ void main() {
 }`;
 
 export class Seabed {
-    constructor(low = false) {
+    constructor(plain = null) {
         const uniforms = UniformsUtils.merge([UniformsLib.fog, {
             eye: {value: new Vector3()}, sand: {value: SAND}, deep: {value: DEEP}, depth: {value: 100}, wet: {value: 1},
         }]);
-        uniforms.tile = tile;
+        Object.assign(uniforms, {tile}, plain?.uniforms());
         this.material = new ShaderMaterial({
-            fog: true, uniforms, defines: low ? {LOW: 1} : {},
-            vertexShader: `varying vec3 at;
-#include <fog_pars_vertex>
-void main() { vec4 w = modelMatrix * vec4(position, 1.0); at = w.xyz; vec4 mvPosition = viewMatrix * w;
-gl_Position = projectionMatrix * mvPosition;
-#include <fog_vertex>
-}`,
-            fragmentShader: `uniform vec3 eye, sand, deep; uniform float depth, wet; varying vec3 at;
-#include <fog_pars_fragment>
-${noise}
-float grid(vec2 p, float s) {
-    vec2 q = abs(fract(p / s - 0.5) - 0.5) * s, w = fwidth(p) * 1.2;
-    vec2 l = 1.0 - smoothstep(w * 0.5, w * 1.5, q);
-    return max(l.x, l.y) * (1.0 - smoothstep(s * 0.1, s * 0.4, max(w.x, w.y)));
-}
-void main() {
-    float far = distance(eye, at);
-    float g = noise(at.xy * 0.02);
-#ifndef LOW
-    g = 0.6 * g + 0.4 * noise(at.xy * 0.31);
-#endif
-    vec3 c = sand * (0.72 + 0.45 * g);
-    c = mix(c, vec3(0.95), 0.25 * grid(at.xy, 100.0));
-    float murk = wet * (1.0 - exp(-depth / 160.0));
-    c = mix(c, deep * 1.5, 0.25 + 0.6 * murk);
-    c = mix(c, deep * 1.15, wet * smoothstep(300.0, 2600.0, far));
-    gl_FragColor = vec4(c, 1.0);
-    ${encode}
-    #include <fog_fragment>
-}`,
+            fog: true, uniforms, vertexShader: plain?.vertex ?? bedVertex, fragmentShader: plain?.fragment ?? bedFragment,
         });
         this.mesh = new Mesh(rings(9000, 10, 48, 24), this.material);
         this.mesh.frustumCulled = false;
-        this.mesh.renderOrder = -1;
+        this.mesh.renderOrder = 1;   // behind bodies: only what is seen of it is painted
     }
 
     /// Height of the bed [m], depth of water over it [m]; 0: dry.
@@ -301,8 +251,38 @@ void main() {
         this.material.uniforms.wet.value = depth > 0 ? 1 : 0;
     }
 
-    update(eye) {
+    update(camera) {
+        const eye = camera.position;
         this.material.uniforms.eye.value.copy(eye);
         this.mesh.position.set(eye.x, eye.y, this.height);
+        drawSector(this.mesh, camera);
     }
 }
+
+const bedVertex = `varying vec3 at;
+#include <fog_pars_vertex>
+void main() { vec4 w = modelMatrix * vec4(position, 1.0); at = w.xyz; vec4 mvPosition = viewMatrix * w;
+gl_Position = projectionMatrix * mvPosition;
+#include <fog_vertex>
+}`;
+
+const bedFragment = `uniform vec3 eye, sand, deep; uniform float depth, wet; varying vec3 at;
+#include <fog_pars_fragment>
+${noise}
+float grid(vec2 p, float s) {
+    vec2 q = abs(fract(p / s - 0.5) - 0.5) * s, w = fwidth(p) * 1.2;
+    vec2 l = 1.0 - smoothstep(w * 0.5, w * 1.5, q);
+    return max(l.x, l.y) * (1.0 - smoothstep(s * 0.1, s * 0.4, max(w.x, w.y)));
+}
+void main() {
+    float far = distance(eye, at);
+    float g = 0.6 * noise(at.xy * 0.02) + 0.4 * noise(at.xy * 0.31);
+    vec3 c = sand * (0.72 + 0.45 * g);
+    c = mix(c, vec3(0.95), 0.25 * grid(at.xy, 100.0));
+    float murk = wet * (1.0 - exp(-depth / 160.0));
+    c = mix(c, deep * 1.5, 0.25 + 0.6 * murk);
+    c = mix(c, deep * 1.15, wet * smoothstep(300.0, 2600.0, far));
+    gl_FragColor = vec4(c, 1.0);
+    ${encode}
+    #include <fog_fragment>
+}`;

@@ -5,7 +5,7 @@
 // Debian's chromium without a graphics card: software GL. CHROMIUM names another one.
 import assert from 'node:assert/strict';
 import {spawn} from 'node:child_process';
-import {mkdirSync, mkdtempSync, statSync} from 'node:fs';
+import {mkdirSync, mkdtempSync, readFileSync, statSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
@@ -21,6 +21,7 @@ const parts = process.argv.length > 3 ? process.argv.slice(3) : ['act', 'exercis
 const kArguments = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
 
 let passed = 0, failed = 0;
+const children = new Set();
 const problems = [];
 
 /// One thing that is checked; what it returns is printed behind its name.
@@ -40,6 +41,8 @@ async function check(name, f) {
 function serve(scene, ...options) {
     const child = spawn(hawser, ['view', scene, '--port', '0', ...options], {cwd: root, stdio: ['ignore', 'pipe', 'pipe']});
     const addresses = {};
+    children.add(child);
+    child.once('exit', () => children.delete(child));
     let text = '';
     return new Promise((done, fail) => {
         const late = setTimeout(() => fail(new Error(`no address within 30 s: ${text}`)), 30000);
@@ -89,7 +92,7 @@ async function until(page, f, argument, timeout = 20000) {
 const out = mkdtempSync(join(tmpdir(), 'hawser-page-')), pictures = join(root, 'docs/pictures');
 mkdirSync(pictures, {recursive: true});
 const browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kArguments});
-const kit = {browser, serve, open, until, check, out, root, pictures, hawser, size: f => statSync(f).size,
+const kit = {browser, serve, open, until, check, out, root, pictures, hawser, size: f => statSync(f).size, load: () => readFileSync('/proc/loadavg', 'utf8').split(' ')[0],
     quiet: page => check('the page said no error', () => assert.ok(!page.errors.length, page.errors.slice(0, 3).join(' ; ').slice(0, 500)))};
 try {
     if (parts.includes('act')) await actPart(kit);
@@ -102,6 +105,7 @@ try {
     console.log(e.stack);
 } finally {
     await browser.close();
+    for (const child of children) child.kill('SIGINT');   // of a part that ended by an error
 }
 if (problems.length) console.log(`not ok: ${problems.join('; ')}`);
 console.log(`${passed} passed, ${failed} failed`);

@@ -4,6 +4,35 @@ import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {join} from 'node:path';
 
+/// Show 5 of the page: a minute of the largest scene, each seek timed until its frame has been drawn.
+async function longRecording(kit) {
+    const {check, until} = kit, file = join(kit.out, 'minute.hwr');
+    console.log('--- a recording: scenes/anchor_contact.json, 60 s');
+    execFileSync(kit.hawser, ['run', 'scenes/anchor_contact.json', '--duration', '60', '--record', file, '--record-every', '2', '--quiet'], {cwd: kit.root, stdio: 'ignore'});
+    const server = await kit.serve(file), page = await kit.open(kit.browser, server.instructor);
+    await check('60 s of anchor_contact: a seek is drawn (wanted: within 100 ms)', async () => {
+        await page.evaluate(() => hawser.state.paused || hawser.play());
+        await until(page, () => hawser.state.paused);
+        await page.waitForTimeout(500);
+        const took = [];
+        for (const t of [50, 10, 59, 0.5, 30, 45])
+            took.push(await page.evaluate(async time => {
+                const begin = performance.now(), s = document.getElementById('scrub');
+                s.value = time;
+                s.dispatchEvent(new Event('input'));
+                while (Math.abs(hawser.frame.time - time) > 0.034) {   // frames are 1/30 s apart
+                    if (performance.now() - begin > 10000) throw new Error(`at ${hawser.frame.time} for ${time}`);
+                    await new Promise(done => setTimeout(done, 1));
+                }
+                return performance.now() - begin;
+            }, t));
+        return `the first after ${took[0].toFixed(0)} ms, then ${took.slice(1).map(v => v.toFixed(0)).join(', ')} ms; load ${kit.load()}`;
+    });
+    await kit.quiet(page);
+    await page.context().close();
+    await server.end();
+}
+
 export async function recordPart(kit) {
     const {check, until} = kit, file = join(kit.out, 'part.hwr');
     console.log('--- a recording: scenes/wire_part.json, 9 s');
@@ -56,4 +85,5 @@ export async function recordPart(kit) {
     await kit.quiet(page);
     await page.context().close();
     await server.end();
+    await longRecording(kit);
 }

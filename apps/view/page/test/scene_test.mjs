@@ -9,6 +9,8 @@ import {Quality} from '../src/quality.js';
 import {longAxis, readable, roleOf, workingDeck} from '../src/roles.js';
 import {barge, deckLine, keelLine, semi, ship} from '../src/ship.js';
 import {arrowLength} from '../src/arrows.js';
+import {shared} from '../src/geometry.js';
+import {sector} from '../src/rings.js';
 import {waveHeight, largestWaves, noiseTile} from '../src/surroundings.js';
 
 test('bodies look like what they are', () => {
@@ -129,4 +131,23 @@ test('distance to a piece; lengths of arrows', () => {
     assert.deepEqual(toSegment(-4, 3, 0, 0, 10, 0), [5, 0]);
     assert.deepEqual(toSegment(3, 4, 0, 0, 0, 0), [5, 0]);
     assert.ok(Math.abs(arrowLength(1e6, 2) - 20) < 1e-9 && arrowLength(-5, 1) === 0);
+});
+
+test('corners that faces share are one, others stay apart', () => {
+    const b = new Build();
+    b.box([-1, -2, -3], [1, 2, 3], 0xffffff);
+    const {index, corners} = shared([b.position, b.normal, b.colour]);
+    assert.equal(index.length, 36);
+    assert.equal(corners[0].length / 3, 24);   // four of each of six faces: normals differ
+    index.forEach((c, i) => { for (let v = 0; v < 3; ++v) for (let k = 0; k < 3; ++k) assert.ok(Math.abs(corners[v][3 * c + k] - [b.position, b.normal, b.colour][v][3 * i + k]) < 1e-3); });
+});
+
+test('the sector of rings covers what the corners of the picture see, all where it looks down', () => {
+    const step = 2 * Math.PI / 56;
+    for (const middle of [-3.1, -1, 0, 0.4, 3.1]) {
+        const bearings = [-0.6, 0.6, 0.5, -0.5].map(d => middle + d), {first, count} = sector(middle, bearings, 56);
+        assert.ok(count < 56 / 2);
+        for (const b of bearings) assert.ok(first * step <= b + 1e-9 && (first + count) * step >= b - 1e-9, `${middle} ${b}`);
+    }
+    assert.deepEqual(sector(1, [0.5, 3, -2, -0.4], 56), {first: 0, count: 56});
 });
