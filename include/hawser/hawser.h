@@ -21,6 +21,7 @@
 #include <hawser/math.h>
 #include <hawser/outputs.h>
 #include <hawser/partition.h>
+#include <hawser/pin.h>
 #include <hawser/post.h>
 #include <hawser/resolution.h>
 #include <hawser/route.h>
@@ -31,6 +32,7 @@
 #include <hawser/shapes.h>
 #include <hawser/state.h>
 #include <hawser/stats.h>
+#include <hawser/stopper.h>
 #include <hawser/structure.h>
 #include <hawser/system.h>
 #include <hawser/systems/pid.h>

@@ -249,7 +249,8 @@ class Prestep {
         virtual void set_input(InputId id, double value) noexcept = 0;
         virtual void run(int count, void (*task)(void* context, int index) noexcept,
                          void* context) noexcept = 0;
-        virtual void tell(EventKind kind, BodyId body, double value) noexcept = 0;
+        virtual void tell(EventKind kind, BodyId body, InteractionId interaction,
+                          double value) noexcept = 0;
     };
     Prestep(const World& of, double at, double h, std::int64_t so_far, Hands& by,
             Edits::Hands& editor) noexcept
@@ -269,7 +270,10 @@ class Prestep {
     /// Something has happened, which readers of World::events_since() are to know: an event of
     /// `time`, once the step is good.
     void tell(EventKind kind, BodyId body, double value) noexcept {
-        hands_.tell(kind, body, value);
+        hands_.tell(kind, body, {}, value);
+    }
+    void tell(EventKind kind, InteractionId interaction, double value) noexcept {
+        hands_.tell(kind, {}, interaction, value);
     }
     /// f(i) for i in [0, n), each once, on the threads of the world: for loads on many bodies. Each
     /// i writes what is its own, so that nothing depends on threads. f must not throw.

@@ -19,6 +19,7 @@ int rank_of(EventKind kind) {
         case EventKind::weak_link:
         case EventKind::drum_empty:
         case EventKind::chain_jump:
+        case EventKind::overload:
             return 0;
         case EventKind::energy_created:
         case EventKind::joint_open:
@@ -38,6 +39,7 @@ int rank_of(EventKind kind) {
         case EventKind::node_limit:
         case EventKind::render:
         case EventKind::alarm:
+        case EventKind::missed:
             return 2;
         case EventKind::range:
             return 3;
@@ -68,6 +70,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::detach:
         case EventKind::chain_jump:
         case EventKind::render:
+        case EventKind::overload:
             return "N";
         case EventKind::brake_slip:
             return "N m";
@@ -80,6 +83,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::joint_open:
         case EventKind::join:
         case EventKind::no_node:
+        case EventKind::missed:
             return "m";
         case EventKind::fast:
             return "rad";
@@ -156,6 +160,11 @@ std::string what_happened(const EventFigures& e) {
             return "loads of cranes came to an alarm " + plural(e.count, "time", "times");
         case EventKind::alarm_end:
             return "alarms of cranes ended " + plural(e.count, "time", "times");
+        case EventKind::overload:
+            return plural(e.count, "stopper opened above its rated load",
+                          "stoppers opened above their rated loads");
+        case EventKind::missed:
+            return "stoppers closed on nothing " + plural(e.count, "time", "times");
         case EventKind::node_limit:
             return "wires had all the nodes that they may " + plural(e.count, "time", "times");
     }

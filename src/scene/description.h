@@ -6,9 +6,11 @@
 
 #include <hawser/crane.h>
 #include <hawser/guide.h>
+#include <hawser/pin.h>
 #include <hawser/post.h>
 #include <hawser/resolution.h>
 #include <hawser/sea.h>
+#include <hawser/stopper.h>
 
 #include "scene/document.h"
 
@@ -58,6 +60,17 @@ struct PostItem {
     int place = 0;
 };
 
+/// Deck gear before there is a world.
+struct DeckGear {
+    template <class Def>
+    struct Item {
+        Def def;
+        Place place;
+    };
+    std::vector<Item<StopperDef>> stoppers;
+    std::vector<Item<PinDef>> pins;
+};
+
 /// A cable's resolution before there is a world.
 struct Resolution {
     ResolutionDef def;
@@ -104,6 +117,7 @@ class Description {
     std::vector<Winch> winches;
     std::vector<GuideItem> guides;
     std::vector<PostItem> posts;
+    DeckGear deck;
     std::vector<Resolution> resolutions;
     std::vector<Crane> cranes;
     std::vector<Lever> levers;

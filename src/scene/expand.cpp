@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/checks.h"
+#include "scene/deck.h"
 #include "scene/description.h"
 
 #include <fmt/format.h>
@@ -50,6 +51,7 @@ class Expander {
                 expand_winches(out_, item.scope);
                 expand_guides(out_, item.scope);
                 expand_posts(out_, item.scope);
+                expand_deck(out_, item.scope);
                 expand_routes(out_, item.scope);
                 expand_segments(out_, item.scope);
                 expand_interactions(out_, item.scope);
@@ -206,6 +208,8 @@ class Expander {
             {"winches", f.winches.get()},
             {"guides", f.guides.get()},
             {"posts", f.posts.get()},
+            {"stoppers", f.stoppers.get()},
+            {"pins", f.pins.get()},
             {"cranes", f.cranes.get()},
             {"routes", f.routes.get()},
             {"interactions", f.interactions.get()},

@@ -122,6 +122,9 @@ ShapePtr scene_template(const Format& format) {
          {"guides", with_placeholders(format.guides), false, "", "", "What cables run over."},
          {"posts", with_placeholders(format.posts), false, "", "",
           "What cables may come to lie on."},
+         {"stoppers", with_placeholders(format.stoppers), false, "", "",
+          "Shark jaws and chain stoppers."},
+         {"pins", with_placeholders(format.pins), false, "", "", "Pins that go up and down."},
          {"cranes", with_placeholders(format.cranes), false, "", "", "Cranes."},
          {"routes", with_placeholders(format.routes), false, "", "",
           "Lines over posts and sheaves."},
@@ -176,6 +179,8 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"winches", f.winches, false, "", "", "Winches."},
         {"guides", f.guides, false, "", "", "What cables run over."},
         {"posts", f.posts, false, "", "", "What cables may come to lie on."},
+        {"stoppers", f.stoppers, false, "", "", "Shark jaws and chain stoppers."},
+        {"pins", f.pins, false, "", "", "Pins that go up and down."},
         {"cranes", f.cranes, false, "", "", "Cranes."},
         {"routes", f.routes, false, "", "", "Lines over posts and sheaves."},
         {"instances", f.instances, false, "", "", "Uses of templates."},
@@ -225,6 +230,8 @@ Format make_format() {
     f.winches = list_of("a list of winches", winch_shape());
     f.guides = list_of("a list of guides", guide_shape());
     f.posts = list_of("a list of posts", post_shape());
+    f.stoppers = list_of("a list of stoppers", stopper_shape());
+    f.pins = list_of("a list of pins", pin_shape());
     f.cranes = list_of("a list of cranes", crane_shape());
     f.routes = list_of("a list of routes", route_shape());
     f.instances = list_of("a list of instances", instance());

@@ -35,6 +35,8 @@ struct Format {
     ShapePtr winches;
     ShapePtr guides;
     ShapePtr posts;
+    ShapePtr stoppers;
+    ShapePtr pins;
     ShapePtr cranes;
     ShapePtr routes;
     ShapePtr instances;
@@ -59,6 +61,9 @@ struct Format {
 /// What a cable runs over. See format_routes.cpp.
 [[nodiscard]] ShapePtr guide_shape();
 [[nodiscard]] ShapePtr post_shape();
+/// Deck gear. See format_deck.cpp.
+[[nodiscard]] ShapePtr stopper_shape();
+[[nodiscard]] ShapePtr pin_shape();
 /// A crane on a body. See format_cranes.cpp.
 [[nodiscard]] ShapePtr crane_shape();
 /// The sea, and what a line type says of water. See format_sea.cpp.
@@ -82,6 +87,7 @@ struct Format {
 
 /// Shapes of a body, and what a material, a pair of them, a cable's contact is. See
 /// format_shapes.cpp.
+[[nodiscard]] std::vector<Field> surface_fields();  ///< Material and groups of a shape.
 [[nodiscard]] ShapePtr shape_of_body();
 [[nodiscard]] ShapePtr material();
 [[nodiscard]] ShapePtr material_pair();

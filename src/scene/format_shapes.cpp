@@ -17,6 +17,8 @@ ShapePtr group_names(const char* what) {
     return choice(what, {one, list("a list of group names", one, 1, kMaxGroups)});
 }
 
+}  // namespace
+
 std::vector<Field> surface_fields() {
     return {{"material", text("a material name"), false, "default", "", "What it is made of."},
             {"groups", group_names("a group name or a list of them"), false, "default", "",
@@ -24,6 +26,8 @@ std::vector<Field> surface_fields() {
             {"touches", group_names("a group name or a list of them"), false, "every group", "",
              "Groups that it touches. Two shapes touch when each touches a group of the other."}};
 }
+
+namespace {
 
 std::vector<Field> values_of_material() {
     return {

@@ -13,7 +13,7 @@ namespace {
 /// What of the description is copy 0.
 struct Extent {
     std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, posts,
-        resolutions, cranes, levers;
+        stoppers, pins, resolutions, cranes, levers;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -57,10 +57,11 @@ class Copier {
           place_(document.place / "repeat"),
           repeat_(repeat),
           offset_(vector_of(repeat["offset"])),
-          base_{out.bodies.size(), out.interactions.size(), out.inputs.size(),  out.outputs.size(),
-                out.cables.size(), out.shapes.size(),       out.winches.size(), out.guides.size(),
-                out.posts.size(),  out.resolutions.size(),  out.cranes.size(),  out.levers.size()} {
-    }
+          base_{out.bodies.size(),        out.interactions.size(), out.inputs.size(),
+                out.outputs.size(),       out.cables.size(),       out.shapes.size(),
+                out.winches.size(),       out.guides.size(),       out.posts.size(),
+                out.deck.stoppers.size(), out.deck.pins.size(),    out.resolutions.size(),
+                out.cranes.size(),        out.levers.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
@@ -100,6 +101,8 @@ class Copier {
         add_winches(prefix);
         add_guides(prefix);
         add_posts(prefix);
+        add_gear(out_.deck.stoppers, base_.stoppers, prefix);
+        add_gear(out_.deck.pins, base_.pins, prefix);
         add_resolutions(prefix);
         add_cranes(prefix, shift);
         add_shapes(prefix);
@@ -198,6 +201,16 @@ class Copier {
             rename(post.def.name, prefix);
             post.place = number_;
             out_.posts.push_back(std::move(post));
+        }
+    }
+
+    template <class Items>
+    void add_gear(Items& items, std::size_t count, const std::string& prefix) {
+        for (std::size_t i = 0; i < count; ++i) {
+            auto item = items[i];
+            rename(item.def.name, prefix);
+            item.def.body = mapped(item.def.body);
+            items.push_back(std::move(item));
         }
     }
 

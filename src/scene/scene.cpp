@@ -2,6 +2,7 @@
 
 #include <hawser/scene.h>
 
+#include "scene/deck.h"
 #include "scene/description.h"
 #include "scene/timeline.h"
 
@@ -43,6 +44,7 @@ class Builder {
         add_winches(*world);
         add_guides(*world);
         add_posts(*world);
+        if (numbered_ && whole_) add_deck(*world, description_);
         add_resolutions(*world);
         add_cranes(*world);
         if (numbered_) {

@@ -46,11 +46,18 @@ void check(World& world, const PostDef& def) {
 
 }  // namespace
 
-void define(World& world, const PostDef& def) {
+void define(World& world, const PostDef& def) { wire::add_post(world, def, {}); }
+
+void wire::add_post(World& world, const PostDef& def, BodyId carrier) {
     check(world, def);
     const ShapeDef& shape = world.shape_def(def.shape);
-    const wire::PostPlace place{shape.body, shape.position, shape.orientation * Vec3::UnitZ(),
-                                shape.radius, shape.half_length};
+    wire::PostPlace place{shape.body, shape.position, shape.orientation * Vec3::UnitZ(),
+                          shape.radius, shape.half_length};
+    place.carrier = carrier.valid() ? carrier : shape.body;
+    place.carried_axis = place.axis;
+    if (carrier.valid())
+        place.carried_axis = world.pose(carrier).orientation.conjugate() *
+                             (world.pose(shape.body).orientation * place.axis);
     world.add_system(std::make_unique<wire::PostSystem>(def, place));
 }
 

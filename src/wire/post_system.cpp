@@ -47,8 +47,8 @@ PostSystem::PostSystem(PostDef def, const PostPlace& place)
     for (int k = 0; k < def_.wires; ++k) {
         GuideDef guide;
         guide.name = def_.name + "/" + std::to_string(k + 1);
-        guide.body = place_.body;
-        guide.axis = place_.axis;
+        guide.body = place_.carrier;
+        guide.axis = place_.carried_axis;
         guide.friction = def_.friction;
         guide.efficiency = def_.efficiency;
         guide.inertia = def_.inertia;
@@ -81,6 +81,7 @@ void PostSystem::signals(SignalTable& table) {
 
 void PostSystem::holds(HoldTable& table) const {
     table.hold(place_.body);
+    table.hold(place_.carrier);
     table.hold(def_.shape);
     for (std::size_t k = 0; k < on_.size(); ++k)
         if (on_[k] != 0) guides_[k]->holds(table);
@@ -131,6 +132,7 @@ void PostSystem::place_touch(const World& world, double half, Touch& out) const 
     out.share = near.share;
     out.point = place_.centre + near.along * place_.axis;
     const double way = axis.dot(near.apart.cross(along)) >= 0.0 ? 1.0 : -1.0;
+    out.across_end = std::abs(near.along) > place_.half_length && apart < 0.5 * place_.radius;
     const double touching = place_.radius + half;
     out.radius = way * std::max(touching, apart * (1.0 - kInside));
     const Twist twist = world.velocity(place_.body);
@@ -166,7 +168,8 @@ void PostSystem::take(NodeEdits& nodes) {
         if (!world.alive(other) || !(contact.force.norm() > 0.0) || !find(world, other, touch))
             continue;
         const double gap = std::abs(touch.radius) - place_.radius - world.shape_def(other).radius;
-        if (gap > kTouches || touch.strain > kStrain) continue;
+        // Across the end of the post it lies on that, not beside the post.
+        if (touch.across_end || gap > kTouches || touch.strain > kStrain) continue;
         bool has = false;
         for (std::size_t k = 0; k < on_.size(); ++k)
             has = has || (on_[k] != 0 && guides_[k]->def().wire == touch.wire);
@@ -207,7 +210,7 @@ bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
     def.wire = touch.wire;
     def.element = touch.element;
     def.slide = {};
-    def.point = touch.point;
+    def.point = world.local_point(place_.carrier, world.world_point(place_.body, touch.point));
     def.radius = touch.radius;
     def.element_length = def_.element_length;
     def.mass_per_length = kDefault;
@@ -235,6 +238,11 @@ bool PostSystem::pulls(const World& world, const GuideSystem& guide, bool& past)
     const Closest near = closest(a, b, pose.position + pose.orientation * place_.centre,
                                  pose.orientation * place_.axis);
     past = std::abs(near.along) > place_.half_length + place_.radius;
+    if (place_.carrier != place_.body) {
+        const Vec3 lies = world.world_point(place_.carrier, guide.def().point);
+        const Vec3 from = lies - world.world_point(place_.body, place_.centre);
+        past = past || std::abs(from.dot(pose.orientation * place_.axis)) > place_.half_length;
+    }
     return past || (guide.angle() < kLetGo && guide.pressing(world, -kLetGo) < 0.0);
 }
 

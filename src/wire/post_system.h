@@ -31,6 +31,8 @@ struct PostPlace {
     BodyId body{};
     Vec3 centre{0, 0, 0}, axis{0, 0, 1};     ///< [m], unit.
     double radius = 0.0, half_length = 0.0;  ///< [m]
+    BodyId carrier{};                        ///< That bears wires which lie on it (add_post()).
+    Vec3 carried_axis{0, 0, 1};              ///< The axis in its frame.
 };
 
 class PostSystem final : public System {
@@ -56,6 +58,7 @@ class PostSystem final : public System {
         Vec3 point{0, 0, 0};  ///< Of the axis next to it, in the frame of the body [m].
         double share = 0.0;   ///< Of the element, where it is next to the axis.
         double radius = 0.0;  ///< From the axis, with the sign of GuideDef::radius [m].
+        bool across_end = false;
         double along = 0.0;   ///< Speed past the surface, from its first end [m/s].
         double strain = 0.0;  ///< ε above.
     };
@@ -81,5 +84,11 @@ class PostSystem final : public System {
 
     std::vector<ContactView> contacts_;  ///< Memory.
 };
+
+/// Adds a post. @param carrier  That bears wires which lie on it, and on which the body of the
+/// shape slides along the axis, as a pin does through a deck: wires keep their place on it, and are
+/// let go where the shape's end has gone past them. Invalid: the body of the shape. @throws
+/// DefError
+void add_post(World& world, const PostDef& def, BodyId carrier);
 
 }  // namespace hawser::wire

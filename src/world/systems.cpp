@@ -79,11 +79,13 @@ class Systems::Hands final : public Prestep::Hands {
         }
         of_.set_.push_back(before);  // act() has made room for one of each
     }
-    void tell(EventKind kind, BodyId body, double value) noexcept override {
+    void tell(EventKind kind, BodyId body, InteractionId interaction,
+              double value) noexcept override {
         Event event;
         event.time = ctx_.state.time;
         event.kind = kind;
         event.body = body;
+        event.interaction = interaction;
         event.value = value;
         try {
             of_.told_.push_back(event);

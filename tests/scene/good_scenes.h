@@ -273,6 +273,13 @@ inline constexpr std::string_view kCranes = R"({
                  "component": "first"}]}},
   "instances": [{"template": "lattice", "name": "big", "parameters": {"angle": 74},
                  "bind": {"base": "quay"}}],
+  "stoppers": [{"name": "jaw", "on": "quay", "point": [40, 0, 1], "rated_load": 7e6},
+    {"name": "stopper", "on": "quay", "point": [40, 2, 1], "outboard": [0, -1, 0], "reach": 0.8,
+     "rated_load": 3e6, "pitch": 0.6, "closed": true, "description": "for chain"}],
+  "pins": [{"name": "pin", "on": "quay", "from": [45, 0, 0], "to": [45, 0, 2], "radius": 0.15},
+    {"name": "other_pin", "on": "quay", "from": [45, 1, 0], "to": [45, 1, 2], "radius": 0.15,
+     "friction": 0.15, "efficiency": 0.98, "speed": 0.2, "force": 3e5, "density": 7800,
+     "margin": 0.5, "up": false, "touches": "default", "description": "down at the start"}],
   "outputs": [{"name": "turn", "kind": "coordinate", "interaction": "knuckle/slew"}],
   "repeat": {"offset": [200, 0, 0], "copies": 2}
 })";

@@ -47,6 +47,16 @@ inline constexpr Mistake kMistakes[] = {
 {kPendulum, R"([{"op":"add","path":"/include","value":["../../../../etc/passwd"]}])", "/include/0", "outside"},
 {kPendulum, R"([{"op":"add","path":"/include","value":[""]}])", "/include/0", "1 to 4096"},
 {kPendulum, R"([{"op":"add","path":"/include","value":["."]}])", "/include/0", "no file"},
+// --- deck gear ------------------------------------------------------------------------------
+{kPendulum, R"([{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"bub","point":[0,0,0],"rated_load":1e6}]}])", "/stoppers/0/on", "no body"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"quay","point":[0,0,0]}]}])", "/stoppers/0", "rated_load"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"quay","point":[0,0,0],"rated_load":1e6,"outboard":[0,0,0]}]}])", "/stoppers/0", "no direction"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"quay","point":[0,0,0],"rated_load":1e6},{"name":"jaw","on":"quay","point":[0,0,0],"rated_load":1e6}]}])", "/stoppers/1/name", "exists already"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"quay","point":[0,0,0],"rated_load":1e6,"pitch":0.01}]}])", "/stoppers/0", "0.05"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"quay","point":[0,0,0],"rated_load":1e6,"reach_":1}]}])", "/stoppers/0/reach_", "did you mean"},
+{kPendulum, R"([{"op":"add","path":"/pins","value":[{"name":"pin","on":"bub","from":[0,0,0],"to":[0,0,1],"radius":0.1}]}])", "/pins/0/on", "no body"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/pins","value":[{"name":"pin","on":"quay","from":[0,0,1],"to":[0,0,1],"radius":0.1}]}])", "/pins/0", "shorter"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/pins","value":[{"name":"pin","on":"quay","from":[0,0,0],"to":[0,0,1],"radius":0.1,"force":10}]}])", "/pins/0", "weight"},
 // --- posts ----------------------------------------------------------------------------------
 {kPendulum, R"([{"op":"add","path":"/posts","value":[{"name":"pin","on":"bub","from":[0,0,0],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/on", "no body"},
 {kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,1],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/to", "no length"},

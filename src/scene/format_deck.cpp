@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Deck gear: shark jaws, chain stoppers, guide pins.
+#include "scene/format.h"
+
+#include <utility>
+#include <vector>
+
+namespace hawser::scene {
+
+using namespace make;
+
+ShapePtr stopper_shape() {
+    return object(
+        "stopper", "a stopper",
+        "A shark jaw or chain stopper, which takes the cable that lies within its reach, holds it "
+        "and lets it go: the signal NAME.close, 1 or 0. What it holds by is the interaction "
+        "NAME/hold.",
+        {{"name", name("a name"), true, "", "",
+          "Unique among stoppers; of its signals, name.load."},
+         {"on", body_ref(), true, "", "", "Body that it stands on."},
+         {"point", vector3("a point"), true, "", "m",
+          "Where cables are to lie, in the frame of the body."},
+         {"outboard", vector3("a direction"), false, "[-1, 0, 0]", "1",
+          "The way in which cable pays out, in that frame."},
+         {"reach", positive("a length", 1e3), false, "0.5", "m",
+          "How far from the point it takes cables."},
+         {"rated_load", positive("a force", 1e12), true, "", "N", "Above it the stopper opens."},
+         {"pitch", number("a length", 0.0, 10.0), false, "0, a jaw", "m",
+          "Of a chain stopper, which holds against paying out alone: chain that comes in before "
+          "its pawl falls again; 0.05 at least."},
+         {"closed", boolean("true or false"), false, "false", "", "Whether it is at the start."},
+         {"description", text("a text"), false, "", "", "Remarks."}});
+}
+
+ShapePtr pin_shape() {
+    std::vector<Field> fields{
+        {"name", name("a name"), true, "", "", "Unique among pins; of its signals, name.up."},
+        {"on", body_ref(), true, "", "", "Body that it is on."},
+        {"from", vector3("a point"), true, "", "m",
+         "Foot of its axis when it is up, in the frame of the body."},
+        {"to", vector3("a point"), true, "", "m", "Its top, in that frame."},
+        {"radius", positive("a radius", 100.0), true, "", "m", "Of the pin."},
+        {"friction", number("a coefficient", 0.0, 10.0), false, "0", "1",
+         "Of cables that lie on it."},
+        {"efficiency", number("an efficiency", 0.0, 1.0), false, "1", "1",
+         "Of a pin with a roller: lesser tension over greater; above 0."},
+        {"speed", positive("a speed", 100.0), false, "0.1", "m/s", "At which it goes up and down."},
+        {"force", positive("a force", 1e12), false, "2e5", "N",
+         "Largest of what drives it; more than its weight."},
+        {"density", positive("a density", 1e6), false, "7850", "kg/m^3", "It is solid."},
+        {"margin", number("a length", 0.0, 1e3), false, "1", "m",
+         "How near to it cables are watched."},
+        {"up", boolean("true or false"), false, "true", "", "Whether it is at the start."},
+        {"description", text("a text"), false, "", "", "Remarks."}};
+    const auto surface = surface_fields();
+    fields.insert(fields.end(), surface.begin(), surface.end());
+    return object("pin", "a pin",
+                  "A guide pin that goes up and down through a deck, by the signal NAME.up, 1 up "
+                  "to 0 down. It is a body on a slide with the post NAME/post.",
+                  std::move(fields));
+}
+
+}  // namespace hawser::scene

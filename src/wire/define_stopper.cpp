@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/stopper.h>
+#include <hawser/world.h>
+
+#include "base/number.h"
+#include "wire/stopper_system.h"
+
+#include <memory>
+#include <string>
+
+namespace hawser {
+namespace {
+
+[[noreturn]] void refuse(const StopperDef& def, const std::string& why) {
+    throw DefError("stopper '" + def.name + "': " + why);
+}
+
+void check(World& world, const StopperDef& def) {
+    if (def.name.empty()) throw DefError("a stopper needs a name");
+    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
+    if (world.find_interaction(def.name + "/hold").valid())
+        refuse(def,
+               "the interaction '" + def.name + "/hold' is there; its joint will be called so");
+    if (!world.alive(def.body)) refuse(def, "there is no body that it stands on; give one");
+    const BodyKind kind = world.body_def(def.body).kind;
+    if (kind == BodyKind::lump || kind == BodyKind::scalar)
+        refuse(def, "it stands on a lump or a scalar body; give one that has an orientation");
+    if (!def.point.allFinite() || !(def.point.norm() <= 1e7))
+        refuse(def, "point is not finite, or beyond 1e7 m");
+    if (!def.outboard.allFinite() || !(def.outboard.norm() > 1e-9))
+        refuse(def,
+               "outboard has no direction; give one that points the way in which wire pays "
+               "out, such as [-1, 0, 0]");
+    if (!(def.reach > 0.0 && def.reach <= 1e3))
+        refuse(def, "reach = " + number(def.reach) + " m; give a length above 0 up to 1000");
+    if (!(def.rated_load > 0.0 && def.rated_load <= 1e12))
+        refuse(def,
+               "rated_load = " + number(def.rated_load) + " N; give a force above 0 up to 1e12");
+    if (!(def.pitch == 0.0 || (def.pitch >= 0.05 && def.pitch <= 10.0)))
+        refuse(def, "pitch = " + number(def.pitch) +
+                        " m; give 0 for a jaw, 0.05 to 10 for a chain stopper");
+}
+
+}  // namespace
+
+void define(World& world, const StopperDef& def) {
+    check(world, def);
+    world.add_system(std::make_unique<wire::StopperSystem>(def));
+}
+
+}  // namespace hawser

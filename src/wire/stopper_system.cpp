@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/stopper_system.h"
+
+#include <hawser/world.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+namespace hawser::wire {
+namespace {
+
+constexpr double kAtLump = 0.1;          ///< A lump so near to the place is used [m].
+constexpr double kLink = 1.0;            ///< Of a chain stopper [m].
+constexpr double kGives = 1e-3;          ///< A chain stopper at its rated load [m].
+constexpr double kStraight = 0.05;       ///< Angle at which a node is not needed [rad].
+constexpr std::int32_t kPatience = 300;  ///< Steps after which it goes at any angle.
+constexpr double kRenew = 3.0;     ///< Hauled in so far a chain stopper takes another node [m].
+constexpr std::int32_t kTry = 15;  ///< Steps between tries to take an idle node away.
+
+/// Of an element, as drums and guides have it now [m].
+double rest_length(const World& world, InteractionId id) {
+    const InteractionDef& d = world.interaction_def(id);
+    const double length = d.get("length");
+    if (!kind_info(d.kind).is(kWoundUp)) return length;
+    return length + d.get("radius") * (world.pose(d.body[2]).position.x() - d.get("drum_zero"));
+}
+
+}  // namespace
+
+StopperSystem::StopperSystem(StopperDef def)
+    : def_(std::move(def)), joint_name_(def_.name + "/hold"), close_(def_.closed ? 1.0 : 0.0) {}
+
+void StopperSystem::visit_state(StateVisitor& v) {
+    const auto visit = [&v](auto& id) {
+        v.visit(id.index);
+        v.visit(id.generation);
+    };
+    for (BodyId* id : {&node_, &put_}) visit(*id);
+    for (BodyId& id : idle_) visit(id);
+    visit(joint_);
+    for (std::int32_t* x : {&state_, &after_, &told_, &idle_steps_}) v.visit(*x);
+    for (double* x : {&close_, &far_, &came_in_, &shown_, &held_, &load_, &at_}) v.visit(*x);
+    v.visit(std::span<double>(place_));
+}
+
+void StopperSystem::signals(SignalTable& table) {
+    table.input("close", "1", close_, 0.0, 1.0);
+    table.output("state", "1", shown_);
+    table.output("held", "1", held_);
+    table.output("load", "N", load_);
+    table.output("at", "m", at_);
+}
+
+/// Of all elements that no drum or guide has.
+StopperSystem::Found StopperSystem::nearest(const World& world) const noexcept {
+    const Vec3 at = world.world_point(def_.body, def_.point);
+    Found out;
+    for (const WireId wire : world.wires())
+        for (const InteractionId id : world.elements(wire)) {
+            if (!world.alive(id) || !world.intact(id)) continue;
+            const InteractionDef& d = world.interaction_def(id);
+            if (kind_info(d.kind).is(kWoundUp)) continue;
+            const Vec3 a = world.world_point(d.body[0], d.point[0]);
+            const Vec3 along = world.world_point(d.body[1], d.point[1]) - a;
+            const double share =
+                std::clamp((at - a).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
+            const double far = (a + share * along - at).norm();
+            if (far < out.far) out = {wire, id, share, far};
+        }
+    return out;
+}
+
+/// The lump that is to be held; invalid: there is none within reach.
+BodyId StopperSystem::lump_at(NodeEdits& nodes, const Found& found) noexcept {
+    const World& world = nodes.world;
+    const InteractionDef& d = world.interaction_def(found.element);
+    const double length = d.get("length");
+    const std::size_t end = found.share < 0.5 ? 0 : 1;
+    const auto lump = [&](std::size_t k) {
+        return world.body_def(d.body[k]).kind == BodyKind::lump;
+    };
+    const double way = length * (end == 0 ? found.share : 1.0 - found.share);
+    if (way <= kAtLump && lump(end)) return d.body[end];
+    const double least = kAtLump / length;
+    if (least < 0.5) {
+        const double share = std::clamp(found.share, least, 1.0 - least);
+        put_ = nodes.insert_node(found.element, share);
+        if (put_.valid()) return put_;
+    }
+    const Vec3 at = world.world_point(def_.body, def_.point);
+    if (lump(end) && (world.pose(d.body[end]).position - at).norm() <= def_.reach)
+        return d.body[end];
+    return {};
+}
+
+/// What others may read of the place.
+void StopperSystem::tell(const World& world, const Found& found) noexcept {
+    const auto wires = world.wires();
+    held_ = 1.0 +
+            static_cast<double>(std::find(wires.begin(), wires.end(), found.wire) - wires.begin());
+    at_ = 0.0;
+    for (const InteractionId id : world.elements(found.wire)) {
+        if (!world.alive(id)) continue;
+        const double rest = rest_length(world, id);
+        at_ += id == found.element ? found.share * rest : rest;
+        if (id == found.element) return;
+    }
+}
+
+void StopperSystem::take(NodeEdits& nodes) noexcept {
+    const World& world = nodes.world;
+    const Found found = nearest(world);
+    far_ = found.far;
+    told_ = 0;
+    if (found.far <= def_.reach) {
+        tell(world, found);
+        node_ = lump_at(nodes, found);
+    }
+    if (!node_.valid()) {
+        held_ = at_ = 0.0;
+        become(StopperState::empty);
+        return;
+    }
+    const Vec3 place = world.local_point(def_.body, world.pose(node_).position);
+    std::copy_n(place.data(), 3, place_);
+    came_in_ = 0.0;
+    become(StopperState::closing);
+}
+
+/// Nodes that nothing needs any more. A wire that stays bent does not keep them for ever.
+void StopperSystem::drop_idle(NodeEdits& nodes) noexcept {
+    if (++idle_steps_ % kTry != 0) return;
+    const double bend = idle_steps_ > kPatience ? std::numbers::pi : kStraight;
+    for (BodyId& id : idle_)
+        if (id.valid() && id != node_ && (!nodes.world.alive(id) || nodes.remove_node(id, bend)))
+            id = {};
+}
+
+void StopperSystem::before_step(NodeEdits& nodes) noexcept {
+    drop_idle(nodes);
+    if (is(StopperState::open) && close_ >= 0.5) take(nodes);
+}
+
+/// Between the body and the node, where it is now.
+void StopperSystem::make_joint(Prestep& now) noexcept {
+    if (!now.world.alive(node_)) {  // taken away since by whoever feeds its wire
+        node_ = {};
+        become(StopperState::open);
+        return;
+    }
+    const Vec3 place(place_[0], place_[1], place_[2]);
+    InteractionDef def;
+    def.name = joint_name_;
+    def.body = {def_.body, node_};
+    if (def_.pitch > 0.0) {
+        def.kind = InteractionKind::Stretch;
+        def.point[0] = place - kLink * def_.outboard.normalized();
+        def.set("length", kLink).set("EA", def_.rated_load * kLink / kGives);
+    } else {
+        def.kind = InteractionKind::Ball;
+        def.point[0] = place;
+    }
+    (void)now.edits.add_interaction(def);
+    become(StopperState::holding);
+}
+
+void StopperSystem::hold(Prestep& now) noexcept {
+    const World& world = now.world;
+    if (!joint_.valid()) joint_ = world.find_interaction(joint_name_);
+    if (!world.alive(joint_)) {  // others took it away, or its node
+        joint_ = {};
+        node_ = put_ = {};
+        held_ = load_ = at_ = 0.0;
+        become(StopperState::empty);
+        return;
+    }
+    const bool ratchet = def_.pitch > 0.0;
+    const auto force = world.force(joint_);
+    load_ = ratchet ? std::max(0.0, -force[0]) : Vec3(force[0], force[1], force[2]).norm();
+    if (told_ == 0) now.tell(EventKind::join, joint_, far_);
+    told_ = 1;
+    const auto go = [&](EventKind kind, StopperState then) {
+        now.tell(kind, joint_, load_);
+        after_ = static_cast<std::int32_t>(then);
+        become(StopperState::opening);
+    };
+    if (close_ < 0.5) return go(EventKind::detach, StopperState::open);
+    if (load_ > def_.rated_load) return go(EventKind::overload, StopperState::tripped);
+    if (!ratchet) return;
+    const Vec3 place = world.local_point(def_.body, world.pose(node_).position);
+    const Vec3 came = Vec3(place_[0], place_[1], place_[2]) - place;
+    const double in = came.dot(def_.outboard.normalized());
+    if (in < def_.pitch) return;
+    // The pawl falls. The same node is held, farther in, until another one is nearer by far.
+    came_in_ += in;
+    std::copy_n(place.data(), 3, place_);
+    after_ =
+        static_cast<std::int32_t>(came_in_ < kRenew ? StopperState::closing : StopperState::open);
+    become(StopperState::opening);
+}
+
+void StopperSystem::let_go(Prestep& now) noexcept {
+    if (now.world.alive(joint_)) now.edits.remove_interaction(joint_);
+    if (after_ == static_cast<std::int32_t>(StopperState::closing)) {
+        joint_ = {};
+        state_ = after_;
+        return;
+    }
+    if (put_.valid()) {  // the oldest of many stays on its wire
+        std::rotate(idle_.begin(), idle_.end() - 1, idle_.end());
+        idle_.front() = put_;
+        idle_steps_ = 0;
+    }
+    node_ = put_ = {};
+    joint_ = {};
+    held_ = load_ = at_ = 0.0;
+    state_ = after_;
+}
+
+void StopperSystem::prestep(Prestep& now, Loads&) noexcept {
+    if (close_ < 0.5 && (is(StopperState::empty) || is(StopperState::tripped)))
+        become(StopperState::open);
+    if (is(StopperState::empty) && told_ == 0) {
+        now.tell(EventKind::missed, def_.body, far_);
+        told_ = 1;
+    } else if (is(StopperState::closing)) {
+        make_joint(now);
+    } else if (is(StopperState::holding)) {
+        hold(now);
+    } else if (is(StopperState::opening)) {
+        let_go(now);
+    }
+    shown_ = static_cast<double>(state_);
+}
+
+}  // namespace hawser::wire

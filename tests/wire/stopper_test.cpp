@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Shark jaws, chain stoppers and guide pins: take, hold, release, their loads against what pulls,
+/// bits, refusals.
+#include <hawser/hawser.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser {
+namespace {
+
+constexpr double kDeckEA = 2.33e8, kDeckDensity = 23.0;  // N, kg/m: wire of 76 mm
+constexpr double kDeckElement = 5.0;                     // m
+
+/// A wire without weight along x over a deck at z = 0, pulled at both ends.
+struct Deck {
+    World w;
+    BodyId ship{}, inboard{}, outboard{};
+    WireId wire{};
+
+    explicit Deck(const StopperDef& more = {}, int threads = 1)
+        : w(WorldDef{.step = 1.0 / 60.0, .gravity = Vec3::Zero(), .threads = threads}) {
+        ship = w.add_body({.name = "ship", .kind = BodyKind::fixed});
+        const auto weight = [&](const char* name, double x) {
+            return w.add_body({.name = name,
+                               .kind = BodyKind::lump,
+                               .position = {x, 0.2, 1.0},
+                               .mass = 2e4,
+                               .linear_damping = {1e5, 1e5, 1e5}});
+        };
+        inboard = weight("inboard", 40.0);
+        outboard = weight("outboard", -40.0);
+        wire = w.add_wire({.name = "wire",
+                           .from = inboard,
+                           .to = outboard,
+                           .elements = 16,
+                           .length = 16 * kDeckElement,
+                           .EA = kDeckEA,
+                           .mass_per_length = kDeckDensity,
+                           .consistent_mass = true});
+        StopperDef def = more;
+        def.name = "jaw";
+        def.body = ship;
+        def.point = {1.8, 0, 1.0};
+        if (def.rated_load == 0.0) def.rated_load = 7.35e6;
+        w.add(def);
+    }
+    [[nodiscard]] double get(const char* signal) const { return w.system_signal(signal); }
+    [[nodiscard]] std::int64_t count(EventKind kind) const { return w.event_extremes(kind).count; }
+    void pull(double in, double out) {
+        w.set_force(inboard, {in, 0, 0}, Vec3::Zero());
+        w.set_force(outboard, {-out, 0, 0}, Vec3::Zero());
+    }
+    void run(double seconds) {
+        for (int i = 0; i < std::lround(60.0 * seconds); ++i) {
+            ASSERT_EQ(w.step(), Status::ok) << w.time();
+            ASSERT_LT(w.stats().momentum_residual, 1e-8) << w.time();
+        }
+    }
+    /// Of lumps that are not the two weights [kg].
+    [[nodiscard]] double mass() const {
+        double sum = 0.0;
+        for (const BodyId id : w.nodes(wire))
+            if (id != inboard && id != outboard) sum += w.body_def(id).mass;
+        return sum;
+    }
+};
+
+TEST(Stoppers, AJawTakesTheNearestPlaceHoldsBothWaysAndLetsGo) {
+    Deck d;
+    d.pull(2e5, 2e5);
+    d.run(20.0);
+    const double mass = d.mass();
+    d.w.set_system_signal("jaw.close", 1.0);
+    d.run(0.1);
+    EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::holding));
+    EXPECT_EQ(d.get("jaw.held"), 1.0);
+    // The place next to the jaw, 38.2 m from the inboard end where the wire is not stretched.
+    EXPECT_NEAR(d.get("jaw.at"), 38.2, 0.1);
+    ASSERT_EQ(d.count(EventKind::join), 1);
+    const Event taken = d.w.event_extremes(EventKind::join).first;
+    EXPECT_EQ(taken.interaction, d.w.find_interaction("jaw/hold"));
+    EXPECT_NEAR(taken.value, 0.2, 1e-3) << "the wire lies 0.2 m beside the point";
+    EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
+    // Outboard by 500 kN against 200 kN, then inboard: what is held is the difference.
+    for (const auto& [in, out] : {std::pair(2e5, 5e5), {6e5, 1e5}}) {
+        d.pull(in, out);
+        d.run(30.0);
+        EXPECT_NEAR(d.get("jaw.load"), std::abs(out - in), 1e-3 * std::abs(out - in));
+    }
+    const BodyId node = d.w.interaction_def(d.w.find_interaction("jaw/hold")).body[1];
+    EXPECT_LT(std::abs(d.w.velocity(node).linear.x()), 1e-9) << "no creep";
+    const std::size_t nodes = d.w.nodes(d.wire).size();
+    d.w.set_system_signal("jaw.close", 0.0);
+    d.run(5.0);
+    EXPECT_FALSE(d.w.find_interaction("jaw/hold").valid());
+    EXPECT_EQ(d.count(EventKind::detach), 1);
+    EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::open));
+    EXPECT_EQ(d.w.nodes(d.wire).size(), nodes - 1) << "the node that it put has gone";
+    EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
+    EXPECT_GT(d.w.velocity(d.inboard).linear.x(), 0.1) << "the wire runs";
+    EXPECT_EQ(d.w.verdict().grade, Grade::good);
+}
+
+TEST(Stoppers, OpenAboveTheirRatedLoad) {
+    Deck d({.rated_load = 4e5});
+    d.pull(1e5, 1e5);
+    d.run(10.0);
+    d.w.set_system_signal("jaw.close", 1.0);
+    d.run(1.0);
+    for (int k = 1; k <= 39; ++k) {  // by and by: pulled at once the wire would swing beyond
+        d.pull(1e5, 1e5 + 1e4 * k);
+        d.run(0.5);
+    }
+    EXPECT_EQ(d.count(EventKind::overload), 0) << "holds 390 kN";
+    d.pull(1e5, 6e5);
+    d.run(3.0);
+    ASSERT_EQ(d.count(EventKind::overload), 1);
+    EXPECT_GT(d.w.event_extremes(EventKind::overload).first.value, 4e5);
+    EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::tripped));
+    // Still closed, it takes nothing; opened and closed again it does.
+    d.pull(1e5, 1e5);
+    d.run(1.0);
+    EXPECT_EQ(d.count(EventKind::join), 1);
+    d.w.set_system_signal("jaw.close", 0.0);
+    d.run(0.1);
+    d.w.set_system_signal("jaw.close", 1.0);
+    d.run(0.1);
+    EXPECT_EQ(d.count(EventKind::join), 2);
+}
+
+TEST(Stoppers, SayWhereNothingIsWithinReach) {
+    Deck d({.reach = 0.15});
+    d.w.set_system_signal("jaw.close", 1.0);
+    d.run(1.0);
+    ASSERT_EQ(d.count(EventKind::missed), 1) << "once";
+    EXPECT_NEAR(d.w.event_extremes(EventKind::missed).first.value, 0.2, 1e-9);
+    EXPECT_EQ(d.w.event_extremes(EventKind::missed).first.body, d.ship);
+    EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::empty));
+    EXPECT_EQ(d.get("jaw.held"), 0.0);
+}
+
+/// Against paying out it holds; hauled in, the pawl falls behind each link.
+TEST(Stoppers, AChainStopperLetsChainInAndNotOut) {
+    Deck d({.pitch = 0.6});
+    d.pull(1e5, 3e5);
+    d.w.set_system_signal("jaw.close", 1.0);
+    d.run(20.0);
+    EXPECT_NEAR(d.get("jaw.load"), 2e5, 200.0);
+    const double held = d.w.pose(d.outboard).position.x();
+    d.run(10.0);
+    EXPECT_NEAR(d.w.pose(d.outboard).position.x(), held, 1e-4) << "does not pay out";
+    d.pull(5e5, 1e5);
+    d.run(20.0);
+    const double in = d.w.pose(d.outboard).position.x() - held;
+    EXPECT_GT(in, 3.0) << "comes in, over an element and more";
+    EXPECT_GE(d.count(EventKind::join), 4) << "the pawl falls again and again";
+    d.pull(1e5, 3e5);
+    d.run(20.0);
+    // Back by less than two links, the pitch of the pawl, and what the wire gives.
+    EXPECT_GT(d.w.pose(d.outboard).position.x() - held, in - 0.65);
+    EXPECT_NEAR(d.get("jaw.load"), 2e5, 200.0);
+    EXPECT_LE(d.w.nodes(d.wire).size(), 19U) << "nodes of earlier links have gone";
+    EXPECT_EQ(d.count(EventKind::detach), 0);
+}
+
+TEST(Stoppers, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
+    const auto hashes = [](int threads, int restored) {
+        Deck d({.pitch = 0.6}, threads);
+        std::vector<std::uint64_t> out;
+        const auto steps = [&](int n) {
+            for (int i = 0; i < n; ++i) {
+                EXPECT_EQ(d.w.step(), Status::ok);
+                out.push_back(d.w.state_hash());
+                if (static_cast<int>(out.size()) != restored) continue;
+                const auto bytes = d.w.save();
+                const Structure made_of = d.w.structure();
+                Deck other({.pitch = 0.6}, threads);
+                other.w.restore(made_of, bytes);
+                d = std::move(other);
+            }
+        };
+        d.pull(1e5, 3e5);
+        steps(30);
+        d.w.set_system_signal("jaw.close", 1.0);
+        steps(30);
+        d.pull(5e5, 1e5);
+        steps(600);
+        d.w.set_system_signal("jaw.close", 0.0);
+        steps(120);
+        if (restored == 0) {
+            EXPECT_EQ(d.count(EventKind::detach), 1);
+        }
+        return out;
+    };
+    const auto one = hashes(1, 0);
+    for (const int threads : {2, 4}) EXPECT_EQ(hashes(threads, 0), one) << threads;
+    for (const int at : {31, 32, 33, 200, 400, 661, 662}) EXPECT_EQ(hashes(1, at), one) << at;
+}
+
+TEST(Stoppers, RefuseWhatCannotBe) {
+    Deck d;
+    const auto refusal = [&](const StopperDef& def) -> std::string {
+        try {
+            d.w.add(def);
+        } catch (const DefError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    struct Row {
+        StopperDef def;
+        const char* says;
+    };
+    for (const Row& row :
+         {Row{{.body = d.ship, .rated_load = 1e6}, "needs a name"},
+          Row{{.name = "jaw", .body = d.ship, .rated_load = 1e6}, "taken"},
+          Row{{.name = "j", .rated_load = 1e6}, "no body"},
+          Row{{.name = "j", .body = d.inboard, .rated_load = 1e6}, "lump"},
+          Row{{.name = "j", .body = d.ship}, "rated_load = 0"},
+          Row{{.name = "j", .body = d.ship, .reach = 0.0, .rated_load = 1e6}, "reach = 0"},
+          Row{{.name = "j", .body = d.ship, .outboard = Vec3::Zero(), .rated_load = 1e6},
+              "no direction"},
+          Row{{.name = "j", .body = d.ship, .rated_load = 1e6, .pitch = 0.01}, "pitch = 0.01"}})
+        EXPECT_NE(refusal(row.def).find(row.says), std::string::npos)
+            << row.says << " in: " << refusal(row.def);
+}
+
+/// A wire under 50 kN between two carriers that are moved, over a deck with a pin.
+struct PinDeck {
+    World w;
+    BodyId ship{}, left{}, right{};
+    WireId wire{};
+
+    explicit PinDeck(bool up, double y, double z, int threads = 1)
+        : w(WorldDef{.step = 1.0 / 60.0, .threads = threads}) {
+        ship = w.add_body({.name = "ship", .kind = BodyKind::fixed});
+        left = w.add_body({.name = "left", .kind = BodyKind::kinematic, .position = {-20, y, z}});
+        right = w.add_body({.name = "right", .kind = BodyKind::kinematic, .position = {20, y, z}});
+        wire = w.add_wire({.name = "wire",
+                           .from = left,
+                           .to = right,
+                           .elements = 9,
+                           .length = 40.0 / (1.0 + 5e4 / kDeckEA),
+                           .EA = kDeckEA,
+                           .mass_per_length = kDeckDensity,
+                           .drag = 60.0,
+                           .radius = 0.038,
+                           .consistent_mass = true});
+        w.add(PinDef{.name = "pin",
+                     .body = ship,
+                     .from = {0, 0, 0},
+                     .to = {0, 0, 2},
+                     .radius = 0.15,
+                     .friction = 0.15,
+                     .up = up});
+    }
+    void move(const Vec3& by, double seconds) {
+        for (const BodyId id : {left, right}) w.set_velocity(id, {by / seconds, Vec3::Zero()});
+        for (int i = 0; i < std::lround(60.0 * seconds); ++i)
+            ASSERT_EQ(w.step(), Status::ok) << w.time();
+        for (const BodyId id : {left, right}) w.set_velocity(id, {});
+    }
+    [[nodiscard]] double middle() const {
+        return 0.5 * (w.pose(w.nodes(wire)[4]).position + w.pose(w.nodes(wire)[5]).position).y();
+    }
+};
+
+TEST(Pins, LoweredTouchNothingAndRaisedHoldAWireOnItsSide) {
+    PinDeck d(false, 1.0, 1.2);
+    d.move({0, 0, 0}, 5.0);
+    d.move({0, -2.0, 0}, 10.0);
+    EXPECT_EQ(d.w.system_signal("pin/post.taken"), 0.0) << "passes over a lowered pin";
+    EXPECT_LT(d.middle(), -0.8);
+    d.w.set_system_signal("pin.up", 1.0);
+    d.move({0, 0, 0}, 30.0);  // 2 m at 0.1 m/s, and then some
+    EXPECT_NEAR(d.w.system_signal("pin.height"), 1.0, 1e-3);
+    d.move({0, 2.0, 0}, 10.0);
+    d.move({0, 0, 0}, 10.0);
+    EXPECT_EQ(d.w.system_signal("pin/post.held"), 1.0) << "a raised one stops it";
+    EXPECT_GT(std::abs(d.w.system_signal("pin/post.angle")), 0.01);
+    d.w.set_system_signal("pin.up", 0.0);
+    d.move({0, 0, 0}, 30.0);
+    EXPECT_NEAR(d.w.system_signal("pin.height"), 0.0, 1e-3);
+    EXPECT_EQ(d.w.system_signal("pin/post.held"), 0.0) << "let go past its top";
+    EXPECT_GT(d.middle(), 0.8) << "and straight again";
+    EXPECT_NE(d.w.verdict().grade, Grade::wrong);
+}
+
+/// Right above it: lifted, not taken.
+TEST(Pins, LiftAWireThatLiesAcrossTheirTop) {
+    PinDeck d(false, 0.0, 1.2);
+    d.move({0, 0, 0}, 5.0);
+    d.w.set_system_signal("pin.up", 1.0);
+    d.move({0, 0, 0}, 30.0);
+    EXPECT_NEAR(d.w.system_signal("pin.height"), 1.0, 1e-3);
+    EXPECT_EQ(d.w.system_signal("pin/post.taken"), 0.0);
+    double highest = 0.0;
+    for (const BodyId id : d.w.nodes(d.wire))
+        highest = std::max(highest, d.w.pose(id).position.z());
+    EXPECT_GT(highest, 1.9) << "on top of 2 m";
+    EXPECT_NE(d.w.verdict().grade, Grade::wrong);
+}
+
+TEST(Pins, RefuseWhatCannotBe) {
+    PinDeck d(true, 1.0, 1.0);
+    const PinDef good{
+        .name = "p", .body = d.ship, .from = {0, 3, 0}, .to = {0, 3, 2}, .radius = 0.1};
+    const auto refusal = [&](PinDef def) -> std::string {
+        const auto bodies = d.w.bodies().size();
+        try {
+            d.w.add(def);
+        } catch (const DefError& error) {
+            EXPECT_EQ(d.w.bodies().size(), bodies) << "all or nothing";
+            return error.what();
+        }
+        return "";
+    };
+    const auto with = [&](auto change) {
+        PinDef def = good;
+        change(def);
+        return refusal(def);
+    };
+    EXPECT_NE(with([](PinDef& p) { p.name = "pin"; }).find("names are unique"), std::string::npos);
+    EXPECT_NE(with([](PinDef& p) { p.to = p.from; }).find("shorter"), std::string::npos);
+    EXPECT_NE(with([](PinDef& p) { p.radius = 0.0; }).find("radius = 0"), std::string::npos);
+    EXPECT_NE(with([](PinDef& p) { p.force = 100.0; }).find("more than its weight"),
+              std::string::npos);
+    EXPECT_NE(with([](PinDef& p) { p.friction = -1.0; }).find("friction = -1"), std::string::npos);
+    EXPECT_EQ(refusal(good), "");
+}
+
+}  // namespace
+}  // namespace hawser
