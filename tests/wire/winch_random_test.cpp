@@ -101,10 +101,25 @@ bool finite(const World& w) {
     return true;
 }
 
+/// What a lump that was between two drums has beside its halves of elements, and takes with it
+/// (docs/wires.md, "Guides") [kg].
+double kept_mass(const World& w, BodyId node) {
+    if (w.body_def(node).kind != BodyKind::lump) return 0.0;
+    double own = 0.0;
+    for (const InteractionId id : w.interactions()) {
+        const InteractionDef& d = w.interaction_def(id);
+        if (d.kind == InteractionKind::Stretch && (d.body[0] == node || d.body[1] == node) &&
+            d.get("mass") > 0.0)
+            own += 0.5 * d.get("mass");
+    }
+    const double more = w.body_def(node).mass - own;
+    return more > 1e-6 * own ? more : 0.0;  // else rounding
+}
+
 struct Operation {
     std::string what;
     std::function<void(World&)> work;
-    double adds = 0.0;  ///< Mass of gear [kg].
+    double adds = 0.0;  ///< Mass of gear, less what goes [kg].
 };
 
 /// Also such as the world has to refuse.
@@ -148,7 +163,11 @@ Operation any(std::mt19937& dice, const World& w) {
         case 10:
             return {"insert", [=](World& x) { (void)x.insert_node(element, 0.1 + 0.8 * share); }};
         default:
-            return {"remove", [=](World& x) { (void)x.remove_node(node, 3.15); }};
+            return {"remove",
+                    [=](World& x) {
+                        if (!x.remove_node(node, 3.15)) throw DefError("it stays");
+                    },
+                    -kept_mass(w, node)};
     }
 }
 
@@ -226,7 +245,9 @@ void sequence(std::uint32_t seed, long most, Tally& tally) {
 TEST(WinchRandom, OperationsKeepMaterialAndBits) {
     Tally tally;
     constexpr long kEach = 200;
-    for (std::uint32_t seed = 1; tally.operations < operations() && !HasFatalFailure(); ++seed)
+    const char* first = std::getenv("HAWSER_SEED");
+    for (auto seed = static_cast<std::uint32_t>(first != nullptr ? std::atol(first) : 1);
+         tally.operations < operations() && !HasFatalFailure(); ++seed)
         sequence(seed, kEach, tally);
     std::printf("%ld operations, %ld restores, %ld worlds ended early; material to %.1e\n",
                 tally.operations, tally.restores, tally.failed, tally.worst);
