@@ -19,6 +19,7 @@
 
 #include <hawser/guide.h>
 #include <hawser/system.h>
+#include <hawser/world.h>
 
 #include <array>
 #include <cstdint>

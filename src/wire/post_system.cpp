@@ -311,7 +311,7 @@ void PostSystem::before_step(NodeEdits& nodes) noexcept {
         }
         take(nodes);
     } catch (const std::exception&) {
-        // Without memory: in the next step.
+        steady_ = 0;  // without memory: what touches is looked at anew
     }
     tell();
 }
