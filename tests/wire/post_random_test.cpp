@@ -5,7 +5,6 @@
 #include <hawser/winch.h>
 
 #include "support/random.h"
-#include "support/sanitizer.h"
 
 #include <gtest/gtest.h>
 
@@ -224,7 +223,7 @@ void run(std::uint32_t seed, Tally& tally) {
 }
 
 TEST(PostRandom, WiresWithDrumsPinsAndCutsKeepTheirBits) {
-    const int seeds = std::getenv("HAWSER_LONG") != nullptr ? 500 : kSanitized ? 2 : 20;
+    const int seeds = std::getenv("HAWSER_LONG") != nullptr ? 500 : 20;
     Tally tally;
     for (int seed = 1; seed <= seeds && !HasFatalFailure(); ++seed)
         run(static_cast<std::uint32_t>(seed), tally);
