@@ -12,11 +12,11 @@
 /// touch and a post that takes and lets go of them. `from` and `to` are the ends of its axis when
 /// it is up; down it has gone by its length, so that its top is at `from`.
 ///
-/// *Down* it touches nothing above the deck. A wire that lies on a pin goes down with it until it
-/// is past its end, and is let go (post.h). *Up*, it takes what comes to lie on either side of it.
-/// A wire that lies across its top is lifted by it as far as its force goes, not taken: where the
-/// wire is too heavy the pin stops under it (event `saturation` of NAME/slide/motor), and goes on
-/// once the wire is off it.
+/// *Down* it touches nothing above the deck. A wire that lies on a pin that goes down keeps its
+/// place, borne by the body that the pin is on, until the pin's top is below it: then it is let go.
+/// *Up*, it takes what comes to lie on either side of it. A wire that lies across its top is lifted
+/// by it as far as its force goes, not taken: where the wire is too heavy the pin stops under it
+/// (event `saturation` of NAME/slide/motor), and goes on once the wire is off it.
 ///
 /// Parts: body NAME, interactions NAME/slide and NAME/slide/motor, the input NAME/speed of
 /// the motor, shape and post NAME/post. Signals: input

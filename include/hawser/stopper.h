@@ -18,7 +18,8 @@
 /// *Hold.* A jaw (`pitch` 0) is a ball joint: it holds both ways. A chain stopper holds against
 /// paying out alone: its node hangs on a link of 1 m without mass that runs inboard from it, goes
 /// slack where chain is hauled in, and gives by 1 mm at the rated load. Hauled in by `pitch` its
-/// pawl falls behind the next link: it lets go and takes the point that lies nearest then.
+/// pawl falls behind the next link: the node is held where it is then. Past 3 m it takes the point
+/// that lies nearest instead.
 /// ```
 ///     ══════o══════  ►  outboard          jaw: o is held to the body
 ///           │
