@@ -20,8 +20,8 @@
 ///
 /// Parts: body NAME, interactions NAME/slide and NAME/slide/motor, the input NAME/speed of
 /// the motor, shape and post NAME/post. Signals: input
-/// "NAME.up", 1 up to 0 down, output "NAME.height", likewise; those of the post as
-/// "NAME/post.held". docs/wires.md, "Deck gear".
+/// "NAME.up", where it is to go, 1 up to 0 down; output "NAME.height", where it is, 1 up to 0 down;
+/// those of the post as "NAME/post.held". docs/wires.md, "Deck gear".
 
 #include <hawser/id.h>
 #include <hawser/math.h>

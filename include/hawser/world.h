@@ -271,7 +271,7 @@ class World {
     InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
     /// An element becomes two, of kind end_span, about a place (guide.h); they become one again.
     std::array<InteractionId, 2> lay_over(InteractionId element, InteractionDef before,
-                                          InteractionDef behind);
+                                          const InteractionDef& behind);
     InteractionId lift_off(InteractionId before, InteractionId behind, InteractionDef element);
     /// Where a piece of a line leaves its first two bodies, of a wheel its tangent point [m].
     [[nodiscard]] std::array<Vec3, 2> ends(InteractionId id) const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file pin_system.h
-/// Drives a guide pin to where it is wanted (hawser/pin.h): at its speed, and in the last two steps
-/// by what is left, so that it ends there.
+/// Drives a guide pin to where it is wanted (hawser/pin.h): at its speed, and where that would be
+/// more in a step, by half of what is left, until 1 mm is left.
 
 #include <hawser/pin.h>
 #include <hawser/system.h>

@@ -35,10 +35,8 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
 
 }  // namespace
 
-// Both parts are taken alike.
 std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionDef before,
-                                             // NOLINTNEXTLINE(performance-unnecessary-value-param)
-                                             InteractionDef behind) {
+                                             const InteractionDef& behind) {
     const world::Using use(impl_->use, "lay_over");
     Impl& m = *impl_;
     const InteractionDef old = interaction_def(element);

@@ -4,6 +4,7 @@
 #include "live/client.h"
 #include "live/player.h"
 #include "live/run.h"
+#include "support/repeat.h"
 
 #include <hawser/recording.h>
 
@@ -24,30 +25,6 @@ struct LiveFolder {
     ~LiveFolder() { std::filesystem::remove_all(path); }
     [[nodiscard]] std::string file(const char* name) const { return (path / name).string(); }
 };
-
-/// As `hawser replay` does it. @return steps taken; −1: some frame or the end differs.
-std::int64_t repeat(const record::Recording& recording, int threads) {
-    scene::Options options;
-    options.threads = threads;
-    scene::Scene scene = scene::load_text(recording.scene_text, "embedded", options);
-    World& world = scene.world;
-    while (world.system_count() > 0) (void)world.remove_system(world.system(0));
-    world.prepare();
-    world.restore(recording.snapshot);
-    record::Repeater repeater(recording);
-    std::int64_t taken = 0;
-    for (std::size_t f = 0; f < recording.frame_count(); ++f) {
-        const record::Frame head = recording.frame_head(f);
-        while (world.step_count() < head.step || repeater.take() < recording.take_of(f)) {
-            repeater.before_step(world);
-            if (world.step() != Status::ok) return -1;
-            ++taken;
-        }
-        if (world.motion_hash() != head.hash) return -1;
-    }
-    repeater.before_step(world);
-    return world.motion_hash() == recording.end_hash ? taken : -1;
-}
 
 void wait_until(LiveClient& client, double time) {
     for (int k = 0; k < 3000; ++k)
@@ -117,7 +94,7 @@ TEST(LiveShow, half_a_minute_over_the_socket_is_repeated_exactly) {
     EXPECT_EQ(recording.takes.size(), 2U);
     EXPECT_FALSE(recording.loads.empty());  // of the winch
     EXPECT_GT(steps, 30 * 60 - 200);
-    for (const int threads : {1, 2}) EXPECT_EQ(repeat(recording, threads), steps);
+    for (const int threads : {1, 2}) EXPECT_EQ(expect_repeats(recording, threads).steps, steps);
     std::printf("%lld steps in %zu takes repeated with 1 and 2 threads\n",
                 static_cast<long long>(steps), recording.takes.size() + 1);
 }

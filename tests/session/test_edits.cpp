@@ -3,7 +3,7 @@
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
-#include "session/repeat.h"
+#include "support/repeat.h"
 #include "verify/certificate.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
-#include "session/repeat.h"
+#include "support/repeat.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -55,8 +55,9 @@ TEST(SessionResolution, IsRepeatedFromARecording) {
     session.finish();
     const auto recording = record::Recording::open(file);
     EXPECT_EQ(recording.damage, "");
-    const scene::Scene scene = expect_repeats(recording, 1);
-    EXPECT_EQ(scene.world.nodes(scene.world.find_wire("line")).size(),
+    const Repeated again = expect_repeats(recording, 1);
+    const World& world = again.scene.world;
+    EXPECT_EQ(world.nodes(world.find_wire("line")).size(),
               session.world().nodes(session.world().find_wire("line")).size());
 }
 

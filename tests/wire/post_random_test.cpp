@@ -230,6 +230,8 @@ TEST(PostRandom, WiresWithDrumsPinsAndCutsKeepTheirBits) {
     std::printf("%d wires: %.0f times on a pin, %d cut, %d restored; %d ended early, %d doubtful\n",
                 tally.worlds, tally.taken, tally.cuts, tally.restores, tally.ended, tally.doubtful);
     EXPECT_GT(tally.taken, 0.0);
+    // A wire without a result is no wrong one, but is not to be the rule: 12 of 500 were.
+    EXPECT_LE(20 * tally.ended, tally.worlds);
 }
 
 }  // namespace

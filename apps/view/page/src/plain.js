@@ -7,7 +7,7 @@ import {
     LinearMipmapNearestFilter, Mesh, RepeatWrapping, ShaderMaterial, UniformsLib, UniformsUtils, Vector3,
 } from 'three';
 import {rings} from './rings.js';
-import {DEEP, HORIZON, kWaves, LAMPS, noiseTile, SAND, SUN, ZENITH} from './surroundings.js';
+import {DEEP, HORIZON, kWaveSum, LAMPS, noiseTile, SAND, SUN, ZENITH} from './surroundings.js';
 
 const shown = c => c.toArray().map(Math.sqrt);
 const bytes = (out, i, rgb) => out.set([...rgb.map(v => Math.max(0, Math.min(255, Math.round(255 * v)))), 255], 4 * i);
@@ -91,21 +91,14 @@ float haze(float depth) { return smoothstep(fogNear, fogFar, depth); }`;
 export const plainWater = {
     rings: () => rings(14000, 1.2, 56, 44),
     vertex: `
-uniform int count; uniform vec4 wave[${kWaves}];
+${kWaveSum}
 uniform vec3 eye, sun; uniform float time, opacity, below; uniform sampler2D tile;
 varying vec4 paint; varying vec3 mirrored; varying vec2 place; varying vec3 glint; varying float calm;
 ${fog}
 void main() {
     vec4 w = modelMatrix * vec4(position, 1.0);
-    float z = 0.0; vec2 slope = vec2(0.0);
-    float reach = length(w.xy - eye.xy), spacing = 0.2 * reach + 0.5;
-    for (int i = 0; i < ${kWaves}; ++i) {
-        if (i >= count) break;
-        float fade = 1.0 - smoothstep(0.25, 0.7, length(wave[i].yz) * spacing / 3.14159);
-        float a = wave[i].x * fade, arg = dot(wave[i].yz, w.xy) + wave[i].w;
-        z += a * cos(arg);
-        slope -= a * sin(arg) * wave[i].yz;
-    }
+    float z; vec2 slope;
+    waves(w.xy, 0.2 * length(w.xy - eye.xy) + 0.5, z, slope);
     w.z += z;
     vec3 v = eye - w.xyz; float far = length(v); v /= far;
     float side = below > 0.5 ? -1.0 : 1.0;

@@ -176,23 +176,31 @@ export class Water {
     }
 }
 
+/// Elevation and slope of the surface, without what a grid of this spacing cannot carry: it would
+/// alias, and fades.
+export const kWaveSum = `
+uniform int count; uniform vec4 wave[${kWaves}];
+void waves(vec2 place, float spacing, out float z, out vec2 slope) {
+    z = 0.0; slope = vec2(0.0);
+    for (int i = 0; i < ${kWaves}; ++i) {
+        if (i >= count) break;
+        float fade = 1.0 - smoothstep(0.25, 0.7, length(wave[i].yz) * spacing / 3.14159);
+        float a = wave[i].x * fade, arg = dot(wave[i].yz, place) + wave[i].w;
+        z += a * cos(arg);
+        slope -= a * sin(arg) * wave[i].yz;
+    }
+}`;
+
 const waterVertex = `
-uniform int count; uniform vec4 wave[${kWaves}]; uniform vec3 eye;
+${kWaveSum}
+uniform vec3 eye;
 varying vec3 at; varying vec3 tilt;
 #include <common>
 #include <fog_pars_vertex>
 void main() {
     vec4 w = modelMatrix * vec4(position, 1.0);
-    float z = 0.0; vec2 slope = vec2(0.0);
-    float reach = length(w.xy - eye.xy), spacing = 0.14 * reach + 0.5;
-    for (int i = 0; i < ${kWaves}; ++i) {
-        if (i >= count) break;
-        // What the grid cannot carry there would alias: it fades.
-        float fade = 1.0 - smoothstep(0.25, 0.7, length(wave[i].yz) * spacing / 3.14159);
-        float a = wave[i].x * fade, arg = dot(wave[i].yz, w.xy) + wave[i].w;
-        z += a * cos(arg);
-        slope -= a * sin(arg) * wave[i].yz;
-    }
+    float z; vec2 slope;
+    waves(w.xy, 0.14 * length(w.xy - eye.xy) + 0.5, z, slope);
     w.z += z;
     at = w.xyz; tilt = vec3(-slope, 1.0);
     vec4 mvPosition = viewMatrix * w;
