@@ -116,7 +116,7 @@ test-export: build
 	@scripts/install_packages.sh export
 	@command -v npm >/dev/null || scripts/install_packages.sh node
 	@mkdir -p $(EXPORT)
-	@cd $(EXPORT) && npm install --silent --no-audit --no-fund --prefix . gltf-validator@2
+	@cd $(EXPORT) && npm install --silent --no-audit --no-fund --prefix . gltf-validator@2.0.0-dev.3.10
 	$(BIN)/hawser run scenes/anchor_contact.json --duration 60 --record $(EXPORT)/run.hwr \
 	    --record-every 1 --quiet
 	$(BIN)/hawser export $(EXPORT)/run.hwr --to gltf -o $(EXPORT)/run.glb
