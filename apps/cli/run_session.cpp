@@ -203,6 +203,7 @@ int RunSession::finish(bool interrupted, double wall_seconds) {
     }
     if (coupling_) summary.coupling = coupling_->result(world);
     if (verifier_) summary.verified = verifier_->result();
+    summary.objection = session_.objection();
     const record::Ending ending = session_.finish(interrupted);
     if (ending == record::Ending::interrupted) summary.outcome = "interrupted";
     if (ending == record::Ending::failed) summary.outcome = "failed";

@@ -211,6 +211,7 @@ class World {
     [[nodiscard]] BodyId find_body(std::string_view name) const noexcept;
     [[nodiscard]] Pose pose(BodyId id) const;       ///< At time().
     [[nodiscard]] Twist velocity(BodyId id) const;  ///< At time() − h/2 (the scheme is staggered).
+    [[nodiscard]] Twist predicted_velocity(BodyId id) const;  ///< 2 v − v of the step before.
     /// Move a body between steps; multipliers are kept. Velocity is used as it is (no staggering).
     /// @throws DefError as add_body() does: a position not finite or beyond 1e7 m, an orientation
     /// far from length 1, a speed not finite or beyond 1e5, a velocity for a fixed body.
@@ -246,8 +247,7 @@ class World {
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
     [[nodiscard]] RowsView rows(InteractionId id) const;  ///< At the present poses, see inspect.h.
     [[nodiscard]] bool intact(InteractionId id) const;    ///< False once an element has parted.
-    /// Whether the last step solved the rows of a rigid joint or rod where the step ends
-    /// (docs/methods.md, 2); else it linearised them once, as all other rows.
+    /// Whether the last step solved its rows where the step ends, not linearised (methods.md, 2).
     [[nodiscard]] bool completed(InteractionId id) const;
     /// Force of each row that the geometric stiffness of the last step was taken with [N or N m]:
     /// force() before that step, or a larger one of a joint where the step was solved again

@@ -221,8 +221,12 @@ std::string to_text(const Summary& s) {
     const Out out = std::back_inserter(text);
     const bool doubtful = s.verdict.verdict.grade != Grade::good;
     fmt::format_to(out, "\n{} ({}), {}\n", s.scene, s.outcome,
-                   doubtful && s.last.status == Status::ok ? to_string(s.verdict.verdict.grade)
-                                                           : to_string(s.last.status));
+                   !s.objection.empty()                      ? "not verified"
+                   : doubtful && s.last.status == Status::ok ? to_string(s.verdict.verdict.grade)
+                                                             : to_string(s.last.status));
+    if (!s.objection.empty())
+        fmt::format_to(out, "  not verified the step to {:.6g} s is wrong: {}\n", s.last.time,
+                       s.objection);
     if (doubtful)
         fmt::format_to(out, "  {:<11}  {}\n", to_string(s.verdict.verdict.grade), s.verdict.said);
     simulated(out, s);

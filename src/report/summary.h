@@ -89,6 +89,7 @@ struct Summary {
     double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none.
     Degradations degradations;
     verify::Verification verified;     ///< With --verify; no steps without.
+    std::string objection;             ///< Of --verify to the last step; empty: none.
     verify::CouplingFigures coupling;  ///< Of a split; no steps without.
     int parts = 0;                     ///< WorldDef::parts where coupling is not exact, else 0.
     int regroup_every = 0;             ///< WorldDef::regroup_every [steps].

@@ -244,10 +244,8 @@ std::string to_json(const Summary& s) {
                     {"time", {{"start", s.start_time}, {"end", s.last.time}}},
                     {"wall_seconds", s.wall_seconds}});
     out.update(times(s));
-    if (s.budget_ms > 0.0 || s.budget_mflop > 0.0) {
-        out["budget"] = budget(s);
-        out["degradations"] = degradations(s);
-    }
+    if (s.budget_ms > 0.0 || s.budget_mflop > 0.0)
+        out.update(Json{{"budget", budget(s)}, {"degradations", degradations(s)}});
     if (s.coupling.steps > 0) out["coupling"] = coupling(s);
     if (s.parts > 0)
         out["groups"] = {{"parts", s.parts},
@@ -256,7 +254,8 @@ std::string to_json(const Summary& s) {
                          {"bodies_moved", s.last.regrouped_bodies}};
     out["friction"] = friction(s.friction);
     if (const verify::Verification& v = s.verified; v.steps > 0)
-        out["verified"] = {{"verified_steps", v.steps},
+        out["verified"] = {{"objection", s.objection},
+                           {"verified_steps", v.steps},
                            {"natural_map", v.natural_map},
                            {"largest_disagreement", v.difference},
                            {"momentum", v.momentum},

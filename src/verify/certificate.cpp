@@ -60,6 +60,7 @@ void Verifier::follow(const World& world) {
     pose_.resize(bodies);
     twist_.resize(bodies);
     earlier_.resize(bodies);
+    left_.resize(bodies);
     unsure_.resize(bodies);
     slept_.resize(bodies);
     moving_.clear();
@@ -69,6 +70,7 @@ void Verifier::follow(const World& world) {
         if (!std::binary_search(before.begin(), before.end(), id)) {
             change_[slot(id.index)].setZero();
             twist_[slot(id.index)] = world.velocity(id);
+            left_[slot(id.index)].linear.setConstant(std::numeric_limits<double>::quiet_NaN());
         }
         const BodyDef& def = world.body_def(id);
         if (def.kind == BodyKind::fixed || def.kind == BodyKind::kinematic) continue;
@@ -96,6 +98,12 @@ void Verifier::before_step(const World& world) {
         const std::size_t b = slot(id.index);
         pose_[b] = world.pose(id);
         twist_[b] = world.velocity(id);
+        // What it would go on with is not 2 v − v₋ where an edit gave it a velocity, or made it.
+        const Twist &now = twist_[b], &left = left_[b];
+        if (now.linear != left.linear || now.angular != left.angular) {
+            const Twist ahead = world.predicted_velocity(id);
+            earlier_[b] = {2.0 * now.linear - ahead.linear, 2.0 * now.angular - ahead.angular};
+        }
         linear_[b].setZero();
         angular_[b].setZero();
         slept_[b] = world.asleep(id);
@@ -132,6 +140,7 @@ std::string Verifier::after_step(const World& world) {
     add_interactions(world);
     add_loads(world);
     const double momentum = momentum_residual(world);
+    for (const BodyId id : bodies_) left_[slot(id.index)] = world.velocity(id);
     const double sea = sea_.after_step(world, pose_, twist_);
     std::string state = states_.after_step(world);
     result_.states = states_.result();
@@ -154,7 +163,10 @@ std::string Verifier::after_step(const World& world) {
     if (!stats.cut && stats.flips_left == 0 && !(excess <= stats.natural_map + kRoundOff))
         return fmt::format("the force of a row is beyond its bound by {:.3e}, relative", excess);
     if (!(momentum <= kRoundOff))
-        return fmt::format("momentum is off by {:.3e}, relative", momentum);
+        return fmt::format("momentum is off by {:.3e}, relative, most of it that of {}", momentum,
+                           world.body_def(worst_momentum_).name.empty()
+                               ? fmt::format("body {}", worst_momentum_.index)
+                               : fmt::format("\"{}\"", world.body_def(worst_momentum_).name));
     if (!(sea <= kRoundOff))
         return fmt::format("loads of the sea are off by {:.3e}, relative", sea);
     if (world.settings().on_diverged == OnDiverged::stop) return state;

@@ -96,7 +96,8 @@ class Verifier : public Observer {
     [[nodiscard]] Vec3 spin_impulse(std::size_t body, const Mat3& inertia, const Twist& now);
 
     std::vector<Pose> pose_;
-    std::vector<Twist> twist_, earlier_;  ///< Before this step, and before the last one.
+    std::vector<Twist> twist_, earlier_;  ///< Before this step, and before the last one …
+    std::vector<Twist> left_;             ///< … and as the last step left them; NaN: it came since.
     std::vector<int> alert_;              ///< Of wires, before the step, by interaction.
     std::vector<BodyId> bodies_, moving_;
     std::vector<InteractionId> interactions_;
@@ -117,7 +118,8 @@ class Verifier : public Observer {
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
     StateVerifier states_;
     SeaVerifier sea_;
-    std::string objection_;  ///< To the last step.
+    BodyId worst_momentum_{};  ///< The body with the largest share of the step's residual.
+    std::string objection_;    ///< To the last step.
     Verification result_;
 };
 

@@ -125,8 +125,15 @@ Vec3 Verifier::spin_impulse(std::size_t body, const Mat3& inertia, const Twist& 
 double Verifier::momentum_residual(const World& world) {
     const double h = step_;
     double residual = 0.0, impulse = impulse_;
-    double momentum = 0.0;
+    double momentum = 0.0, worst = 0.0;
     std::int32_t covered = 0;
+    const auto add_residual = [&](BodyId body, double square) {
+        residual += square;
+        if (square > worst) {
+            worst = square;
+            worst_momentum_ = body;
+        }
+    };
     for (const BodyId id : moving_) {
         const std::size_t b = index_of(id.index);
         if (sleeps(world, id)) {
@@ -160,7 +167,7 @@ double Verifier::momentum_residual(const World& world) {
         const Vec3 spin = turns ? spin_impulse(b, def.inertia, now) : Vec3::Zero();
         if (unsure_[b]) continue;
         ++covered;
-        residual += p.squaredNorm() / def.mass;
+        add_residual(id, p.squaredNorm() / def.mass);
         momentum += def.mass * now.linear.squaredNorm();
         impulse += given.squaredNorm() / def.mass;
         if (!turns) continue;
@@ -171,7 +178,7 @@ double Verifier::momentum_residual(const World& world) {
         // Where its rounds ended, another one would have changed so much.
         const double left = 1.01 * world.stats().completion_change + 1e-15;
         if (!turning_[b] || (mobility_[b] * l).norm() > left)
-            residual += square_over(mobility_[b], l);
+            add_residual(id, square_over(mobility_[b], l));
         const Vec3 w = turn.conjugate() * now.angular;
         momentum += w.dot(def.inertia * w);
     }
