@@ -38,9 +38,10 @@
 /// the guide and stops there: the slide is held against running on until it is pulled back.
 ///
 /// Limits: the wire stays on its guide whatever way it pulls, and keeps its place along the axis.
-/// Elements must have a mass of their own (WireDef::consistent_mass), or none runs through. Two
-/// guides, or a guide and a drum, have at least two elements of wire between them. A wire that
-/// parts at a guide stays an element at it.
+/// Elements must have a mass of their own (WireDef::consistent_mass), or none runs through. A guide
+/// and a drum have at least two elements of wire between them, two guides a lump and 0.2 m: nearer
+/// than 1.9 elements, those between are half of what lies there. A wire that parts at a guide stays
+/// an element at it.
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>
@@ -86,7 +87,8 @@ struct Guide {
 
 /// What World::add() of it calls. All or nothing. @throws DefError on what is missing or out of
 /// range, a name that is taken, an element at a drum or another guide or within two elements of
-/// one, a wire that does not go round.
+/// a drum, a wire that passes with an element that another guide has, a wire that does not go
+/// round.
 Guide define(World& world, const GuideDef& def);
 
 /// What a guide makes of an element, for those that have no World yet.

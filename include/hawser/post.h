@@ -36,12 +36,12 @@
 /// the first one.
 ///
 /// Limits: each wire lies on a post once, and of what lies on it no other part is taken; the wire
-/// keeps its place along the post until it passes an end. Of two posts on one element the second
-/// waits, as a contact, until there is an element between them. A wire needs capsules
-/// (WireDef::radius) to be found, lumps on both sides, and elements with a mass of their own
-/// (WireDef::consistent_mass). The turn of a shape's end (a capsule's cap) counts as its side.
-/// What the contact's friction had stored is dropped when a wire is taken.
-/// docs/wires.md, "Posts".
+/// keeps its place along the post until it passes an end. Where the wire passes the next post, a
+/// lump comes half-way, so that an element with a capsule touches that; posts nearer than 0.2 m
+/// along the wire are not told apart. A wire needs capsules (WireDef::radius) to be found, lumps on
+/// both sides, and elements with a mass of their own (WireDef::consistent_mass). The turn of a
+/// shape's end (a capsule's cap) counts as its side. What the contact's friction had stored is
+/// dropped when a wire is taken. docs/wires.md, "Posts".
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>

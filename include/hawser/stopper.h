@@ -27,7 +27,9 @@
 ///      (body)
 /// ```
 /// Above `rated_load` either opens. It has to be opened and closed to take again. Closed where
-/// nothing is within reach, it stays closed on nothing, until it is opened and closed again.
+/// nothing is within reach, it stays closed on nothing, until it is opened and closed again. So
+/// does one that closes on a node which another stopper holds: a node has one stopper. Two that are
+/// to be closed at the start within 0.1 m of wire from each other are refused.
 ///
 /// A stopper is a System (system.h). Signals, as "name.signal": input `close`, 1 or 0; outputs
 /// `state` (StopperState as a number), `held`, the number of the wire that it holds, 1 the first of
@@ -35,7 +37,8 @@
 /// from the wire's first end. The joint is the interaction NAME/hold. Events: `join` where it has
 /// taken, with the distance from `point` [m]; `detach` where it lets go, `overload` where it opens
 /// above its rated load, each with its load [N], one step before the joint goes; `missed` of its
-/// body where nothing is within reach, with the distance of the nearest wire [m].
+/// body where it has taken nothing, with the distance of the nearest wire [m], which is within
+/// `reach` where another stopper has it.
 ///
 /// Limits: elements at drums, guides and posts are not taken, nor is chain by its shape: a stopper
 /// for chain takes wire as well. A node that was put there goes when it may, once it is let go

@@ -41,18 +41,24 @@ double apart(const Description& out, const InteractionDef& d, const Vec3& p) {
 std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def, const Place& place) {
     const Vec3 at = out.world_point(def.body, def.point);
     std::size_t best = cable.stretch.size();
-    double least = 1e300;
+    double least = 1e300, guided = 1e300;
     for (std::size_t k = 0; k < cable.stretch.size(); ++k) {
         const InteractionDef& d = element_of(out, cable.stretch[k]);
-        if (kind_info(d.kind).is(kWoundUp)) continue;
         const double far = apart(out, d, at);
-        if (far >= least) continue;
+        if (kind_info(d.kind).is(kAtGuide)) guided = std::min(guided, far);
+        if (kind_info(d.kind).is(kWoundUp) || far >= least) continue;
         least = far;
         best = k;
     }
     if (best == cable.stretch.size())
         refuse(place / "cable", "all elements of the cable " + in_quotes(cable.name) +
                                     " are at drums or guides already; give it more");
+    // Another one would be pulled to it from there.
+    constexpr double kSame = 1e-3;
+    if (guided < least - kSame)
+        refuse(place / "point", "the cable " + in_quotes(cable.name) +
+                                    " passes it with an element that another guide has; between "
+                                    "two guides there is a lump: give it more elements");
     return best;
 }
 

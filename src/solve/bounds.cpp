@@ -84,9 +84,10 @@ bool stays(const Model& model, const View& v, std::int32_t id, const ImpulseRang
 /// Places in a row that begin or end to slide ask for what rounding of their tensions makes.
 bool is_rounding(const Model& model, std::int32_t id, const Wish& wish, double lambda,
                  const ImpulseRange& range) noexcept {
-    const double share = wish.was_active ? kCapstanAtBound : kCapstanNoise;
-    return std::fabs(wish.projected - lambda) <= share * (range.high - range.low) &&
-           is_capstan(model, id);
+    const double way = std::fabs(wish.projected - lambda), width = range.high - range.low;
+    if (way > kCapstanAtBound * width || !is_capstan(model, id)) return false;
+    return wish.was_active || way <= kCapstanNoise * width ||
+           way <= kCapstanRounding * largest_in_run(model, id);
 }
 
 }  // namespace

@@ -41,6 +41,10 @@ namespace hawser::stepper {
 /// Of the bound: impulses on a slide below it are rounding. With slides a millionth of what pulls,
 /// they are speeds of 1e-11 m/s.
 inline constexpr double kCapstanNoise = 1e-14;
+/// Of the largest impulse of a run: speeds of its slides are differences of its impulses over next
+/// to no mass, and their rounding is passed on from place to place. Below so much a place that
+/// slides the wrong way does so by rounding, though its own tensions be small.
+inline constexpr double kCapstanRounding = 1e-15;
 /// Of the bound: a place that holds does not begin to slide for so much more. Behind places that
 /// have slid all are left at their bounds.
 inline constexpr double kCapstanAtBound = 1e-10;

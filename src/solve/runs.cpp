@@ -283,6 +283,21 @@ void note_runs(Model& model) noexcept {
     for (Capstan& c : model.system.capstans) c.was = side_of(model, c);
 }
 
+double largest_in_run(const Model& model, std::int32_t friction) noexcept {
+    const assembly::System& s = model.system;
+    double largest = 0.0;
+    each_run(s, [&](const Run& run) {
+        if (s.capstans[run.first].friction > friction ||
+            s.capstans[run.last - 1].friction < friction)
+            return;
+        for (std::size_t k = run.entry; k < run.entry + 2 * (run.last - run.first); ++k) {
+            const auto row = at(model.interactions.row_begin[at(s.capstan_entries[k].load)]);
+            largest = std::max(largest, std::fabs(model.interactions.lambda[row]));
+        }
+    });
+    return largest;
+}
+
 void settle_runs(Model& model, Newton& newton) noexcept {
     const View v = row_view(model);
     each_run(model.system, [&](const Run& run) {

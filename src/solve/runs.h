@@ -20,6 +20,8 @@
 
 #include "context/context.h"
 
+#include <cstdint>
+
 namespace hawser::stepper {
 
 /// Room for the runs there are. @throws std::bad_alloc.
@@ -27,6 +29,9 @@ void reserve_runs(const Model& model, Newton& newton);
 
 /// Statuses of runs as the solution at hand was found with. Before others are switched.
 void note_runs(Model& model) noexcept;
+
+/// Largest impulse of the parts of a run [N s]. @param friction  Of one of its places.
+[[nodiscard]] double largest_in_run(const Model& model, std::int32_t friction) noexcept;
 
 /// Statuses of runs as their own problem has them. After others were switched.
 void settle_runs(Model& model, Newton& newton) noexcept;

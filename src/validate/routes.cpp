@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace hawser::validate {
 namespace {
@@ -28,6 +29,7 @@ class Post {
 
     Post(int places, double turns, double light_in, double share, bool moves, double damping)
         : ratio(std::exp(kRub * 2.0 * kPi * turns)), light(light_in) {
+        // What damps the weights moves with the post: beside it all is as beside one that stands.
         const Vec3 speed = moves ? Vec3(0.5, 0.3, 0.2) : Vec3::Zero();
         const BodyId post = w.add_body({.name = "post",
                                         .kind = moves ? BodyKind::kinematic : BodyKind::fixed,
@@ -37,7 +39,8 @@ class Post {
                                .position = {x, 0, -kHang},
                                .velocity = speed,
                                .mass = mass,
-                               .linear_damping = Vec3::Constant(moves ? 0.0 : damping * mass)});
+                               .force = damping * mass * speed,
+                               .linear_damping = Vec3::Constant(damping * mass)});
         };
         first_ = weight(-kHalfWide, light);
         second_ = weight(kHalfWide, light * share * ratio);
@@ -69,6 +72,12 @@ class Post {
         }
     }
     [[nodiscard]] double slid() const { return w.pose(line.slides.front()).position.x(); }
+    /// Of all places.
+    [[nodiscard]] std::vector<double> slides() const {
+        std::vector<double> out;
+        for (const BodyId id : line.slides) out.push_back(w.pose(id).position.x());
+        return out;
+    }
     [[nodiscard]] double falls() const { return -w.velocity(second_).linear.z(); }
     [[nodiscard]] double tensions() const {
         return w.force(line.parts.back())[0] / w.force(line.parts.front())[0];
@@ -105,20 +114,16 @@ void check_posts(Report& report) {
     double begins = 0.0, slides = 0.0, falls = 0.0, drift = 0.0;
     int most = 0;
     for (const Kind& k : kinds()) {
-        // What damps does not carry: beside a post that moves, the air stands.
-        const double share_off = k.moves ? 1e-3 : kNear;
-        Post below(k.places, k.turns, k.light, 1.0 - share_off, k.moves, 0.3),
-            above(k.places, k.turns, k.light, 1.0 + share_off, k.moves, 0.3);
-        // Beside a post that moves only friction ends what runs at the start.
-        below.run(60.0);
-        above.run(k.moves ? 8.0 : 60.0);
+        Post below(k.places, k.turns, k.light, 1.0 - kNear, k.moves, 0.3),
+            above(k.places, k.turns, k.light, 1.0 + kNear, k.moves, 0.3);
+        for (Post* p : {&below, &above}) p->run(60.0);
         const double held = below.slid(), ran = above.slid();
         for (Post* p : {&below, &above}) p->run(5.0);
         // It would run at a speed at which the weights' damping takes what is too much.
-        const double too_much = share_off * kGravity * above.ratio;
-        const double speed = too_much / (0.3 * 2.0 * above.ratio);  // where it is damped
+        const double too_much = kNear * kGravity * above.ratio;
+        const double speed = too_much / (0.3 * 2.0 * above.ratio);
         if (std::abs(below.slid() - held) > 1e-9) begins = 1.0;
-        if (!(std::abs(above.slid() - ran) > (k.moves ? 1e-6 : 0.5 * speed * 5.0))) begins = 1.0;
+        if (!(std::abs(above.slid() - ran) > 0.5 * speed * 5.0)) begins = 1.0;
         Post beyond(k.places, k.turns, k.light, 1.1, k.moves, 0.0);
         beyond.run(3.0);  // the lighter one has not come up to the post
         slides = std::max(slides, std::abs(beyond.tensions() / beyond.ratio - 1.0));
@@ -128,26 +133,25 @@ void check_posts(Report& report) {
         falls = std::max(falls, std::abs((beyond.falls() - before) / expected - 1.0));
         Post near(k.places, k.turns, k.light, 0.99, k.moves, 0.3);
         near.run(20.0);
-        const double start = near.slid();
-        near.run(k.light > 10.0 ? 100.0 : 10.0);
-        drift = std::max(drift, std::abs(near.slid() - start));
+        const std::vector<double> start = near.slides();
+        near.run(100.0);
+        const std::vector<double> end = near.slides();
+        for (std::size_t i = 0; i < end.size(); ++i)
+            drift = std::max(drift, std::abs(end[i] - start[i]));
         for (const Post* p : {&below, &above, &beyond, &near})
             most = std::max(most, p->factorisations);
     }
     report.compare("posts: holds at 1 - 1e-5, slides at 1 + 1e-5 of e^(mu theta) [1: it does not]",
                    {0.0}, {begins}, 1e-12,
-                   "1, 2, 8, 64 places, half, 1.5, 3 turns, 5 and 200 kg, fixed; moving, where "
-                   "nothing else damps: 1e-3",
-                   1.0);
+                   "1, 2, 8, 64 places, half, 1.5, 3 turns, 5 and 200 kg, fixed and moving", 1.0);
     report.compare("posts: tensions where it slides, over e^(mu theta)", {1.0}, {1.0 + slides},
                    1e-5, "largest; slides have a millionth of the lightest mass");
     report.compare("posts: acceleration at 1.1 of it", {1.0}, {1.0 + falls}, 1e-3, "largest");
-    report.compare("posts: drift at 0.99 of it in 100 s [m]", {0.0}, {drift}, 1e-9, "largest", 1.0);
-    report.compare("posts: most factorisations in a step", {8.0}, {std::max(8.0, 1.0 * most)}, 4.0,
-                   fmt::format("at most {}, absolute; 8 is meant: where 64 places come to rest at "
-                               "1 - 1e-5, rounding decides which, a few steps long",
-                               most),
-                   1.0);
+    report.compare("posts: drift at 0.99 of it in 100 s [m]", {0.0}, {drift}, 1e-9,
+                   "largest of all places", 1.0);
+    // Allowed is what is meant: a count has no rounding.
+    report.compare("posts: most factorisations in a step", {8.0}, {std::max(8.0, 1.0 * most)}, 1e-9,
+                   fmt::format("at most {}, absolute", most), 1.0);
 }
 
 namespace {

@@ -57,17 +57,24 @@ double apart(const Vec3& p, const Vec3& a, const Vec3& b) {
 InteractionId nearest_element(const World& world, const GuideDef& def) {
     const Vec3 at = world.world_point(def.body, def.point);
     InteractionId best{};
-    double least = 1e300;
+    double least = 1e300, guided = 1e300;
     for (const InteractionId id : world.elements(def.wire)) {
         if (!world.alive(id) || !world.intact(id)) continue;
-        if (kind_info(world.interaction_def(id).kind).is(kWoundUp)) continue;
+        const KindInfo& kind = kind_info(world.interaction_def(id).kind);
         const std::array<Vec3, 2> ends = world.ends(id);
         const double far = apart(at, ends[0], ends[1]);
-        if (far >= least) continue;
+        if (kind.is(kAtGuide)) guided = std::min(guided, far);
+        if (kind.is(kWoundUp) || far >= least) continue;
         least = far;
         best = id;
     }
     if (!best.valid()) refuse(def, "no element of its wire is whole and without a drum or guide");
+    // Another one would be pulled to it from there.
+    constexpr double kSame = 1e-3;
+    if (guided < least - kSame)
+        refuse(def,
+               "the wire passes it with an element that another guide has; between two guides "
+               "there is a lump: give the wire shorter elements");
     return best;
 }
 
@@ -97,9 +104,11 @@ void check_room(const World& world, const GuideDef& def, InteractionId before, I
     const auto elements = world.elements(def.wire);
     const auto length = [&](InteractionId id) { return world.interaction_def(id).get("length"); };
     constexpr double kRoom = 2.0, kRounding = 1e-6;
+    // Beside another guide elements are as short as it takes (room.h); a drum makes its own.
+    constexpr double kLeast = 0.2;
     for (const int way : {-1, 1}) {
         auto at = std::find(elements.begin(), elements.end(), way < 0 ? before : behind);
-        double sum = material[way < 0 ? 0 : 1];
+        double sum = material[way < 0 ? 0 : 1], needed = kRoom * def.element_length;
         for (;;) {
             if (way < 0 ? at == elements.begin() : at + 1 == elements.end()) {
                 sum = 1e300;  // an end, which stops at the guide
@@ -108,13 +117,16 @@ void check_room(const World& world, const GuideDef& def, InteractionId before, I
             at += way;
             if (!world.alive(*at)) break;
             sum += length(*at);
-            if (kind_info(world.interaction_def(*at).kind).is(kWoundUp)) break;
+            const KindInfo& kind = kind_info(world.interaction_def(*at).kind);
+            if (!kind.is(kWoundUp)) continue;
+            if (kind.is(kAtGuide)) needed = std::min(needed, kLeast);
+            break;
         }
-        if (sum < kRoom * def.element_length * (1.0 - kRounding))
+        if (sum < needed * (1.0 - kRounding))
             refuse(def, "only " + number(sum) +
                             " m of wire lie between it and the next drum or guide; nodes run "
-                            "through where there are two elements: give shorter ones "
-                            "(element_length)");
+                            "through where there are " +
+                            number(needed) + " m: give shorter elements (element_length)");
     }
 }
 
@@ -180,6 +192,22 @@ GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double 
 
 namespace wire {
 
+EndLumps end_lumps(const World& world, const InteractionDef& element) {
+    EndLumps out;
+    for (const BodyId end : {element.body[0], element.body[1]})
+        if (const BodyDef& body = world.body_def(end); body.kind == BodyKind::lump) {
+            out.mass += body.mass;
+            ++out.count;
+        }
+    return out;
+}
+
+double kept_by_lumps(const EndLumps& before, const EndLumps& after, double mass) {
+    constexpr double kRounding = 1e-11;
+    const double kept = 0.5 * before.count * mass - (before.mass - after.mass);
+    return kept > kRounding * mass ? kept : 0.0;
+}
+
 Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& material) {
     Guide out;
     const InteractionId id = def.element.valid() ? def.element : nearest_element(world, def);
@@ -206,6 +234,7 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
     material = {plan.material[0], plan.material[1]};
     check_room(world, def, id, id, material);
     plan.slide.velocity.x() = speed;
+    const EndLumps had = end_lumps(world, element);
     out.slide = world.add_body(plan.slide);
     try {
         for (InteractionDef* part : {&plan.before, &plan.behind}) part->body[2] = out.slide;
@@ -222,6 +251,8 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
     out.friction = world.add_interaction(plan.friction);
     out.angle = plan.angle;
     def.slide = out.slide;
+    if (const double kept = kept_by_lumps(had, end_lumps(world, element), mass); kept > 0.0)
+        for (double& m : material) m *= 1.0 - kept / mass;
     return out;
 }
 

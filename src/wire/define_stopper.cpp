@@ -5,6 +5,7 @@
 #include "base/number.h"
 #include "wire/stopper_system.h"
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -41,10 +42,31 @@ void check(World& world, const StopperDef& def) {
                         " m; give 0 for a jaw, 0.05 to 10 for a chain stopper");
 }
 
+/// Two that are closed at the start would hold one node, each with all of its load.
+void check_others(World& world, const StopperDef& def) {
+    if (!def.closed) return;
+    const auto claim = wire::StopperSystem(def).claim(world);
+    if (!claim) return;
+    for (int i = 0; i < world.system_count(); ++i) {
+        const auto* other = dynamic_cast<const wire::StopperSystem*>(&world.system(i));
+        if (other == nullptr || !other->def().closed) continue;
+        const auto theirs = other->claim(world);
+        if (!theirs || theirs->wire != claim->wire) continue;
+        const double apart = std::abs(theirs->at - claim->at);
+        if (apart > wire::kStopperAtLump) continue;
+        refuse(def, "point: closed at the start it would hold the node that stopper '" +
+                        other->def().name + "' holds, " + number(apart) +
+                        " m from it along the wire; give points whose nearest places on the wire "
+                        "are more than " +
+                        number(wire::kStopperAtLump) + " m apart, or start one of them open");
+    }
+}
+
 }  // namespace
 
 void define(World& world, const StopperDef& def) {
     check(world, def);
+    check_others(world, def);
     world.add_system(std::make_unique<wire::StopperSystem>(def));
 }
 

@@ -5,6 +5,7 @@
 
 #include "wire/bounds.h"
 #include "wire/feed.h"
+#include "wire/room.h"
 
 #include <algorithm>
 #include <cmath>
@@ -169,7 +170,7 @@ void GuideSystem::stop(Prestep& now) noexcept {
         if (force * kSign[static_cast<std::size_t>(stopped_)] < 0.0) stopped_ = -1;
     }
     for (std::size_t side = 0; side < 2 && stopped_ < 0 && was < 0; ++side) {
-        const double least = kLeast * (def_.element_length > 0.0 ? def_.element_length : 1.0) +
+        const double least = kLeast * (def_.element_length > 0.0 ? length_[side] : 1.0) +
                              now.step * std::abs(speed_);
         if (straight(now.world, side) < least && kSign[side] * speed_ < 0.0)
             stopped_ = static_cast<std::int32_t>(side);
@@ -192,11 +193,14 @@ void GuideSystem::before_step(NodeEdits& nodes) noexcept {
     look(world);
     if (!(def_.element_length > 0.0) || parted_ != 0) return;
     for (std::size_t side = 0; side < 2; ++side) {
-        const Feed feed{element(side), side == 1, def_.element_length, def_.mass_per_length};
-        const double out = straight(world, side);
-        if (out > kGrown * def_.element_length && material_[side] > def_.element_length)
-            (void)put_node(nodes, feed, material_[side], material_[side]);
-        else if (out < kShrunk * def_.element_length)
+        const double out = straight(world, side), there = material_[side];
+        const double length = length_[side] = element_beside(world, def_, element(side), side, out);
+        Feed feed{element(side), side == 1, def_.element_length, def_.mass_per_length};
+        // Where the next guide or post is near, the lump comes as near.
+        if (length < def_.element_length) feed.element = std::max(length, there - length);
+        if (out > kGrown * length && there > length)
+            (void)put_node(nodes, feed, there, material_[side]);
+        else if (out < kShrunk * length)
             (void)take_node(nodes, feed, 1 - kPlace[side], material_[side]);
     }
 }

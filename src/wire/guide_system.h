@@ -89,6 +89,8 @@ class GuideSystem final : public System {
     // Outputs.
     double angle_ = 0.0, speed_ = 0.0;
     std::array<double, 2> tension_{};
+    /// Of elements that come and go on each side, as room.h has it [m].
+    std::array<double, 2> length_{def_.element_length, def_.element_length};
     double hanging_ = 0.0;  ///< Weight of the half elements along the wire [N].
 };
 

@@ -9,6 +9,16 @@
 
 namespace hawser::wire {
 
+/// Lumps at the ends of an element.
+struct EndLumps {
+    double mass = 0.0;  ///< Of both [kg].
+    int count = 0;
+};
+[[nodiscard]] EndLumps end_lumps(const World& world, const InteractionDef& element);
+/// What lumps kept of their halves of an element that was laid over a guide, being between two of
+/// them [kg]. @param mass  Of the element.
+[[nodiscard]] double kept_by_lumps(const EndLumps& before, const EndLumps& after, double mass);
+
 /// Slide, parts and friction of a guide, all or nothing but for memory that ends. @param def  What
 /// was left to defaults is filled in. @param speed  Of the wire running through [m/s]. @param
 /// material  Of the parts [m]. @throws DefError

@@ -4,6 +4,8 @@
 #include <hawser/guide.h>
 #include <hawser/world.h>
 
+#include "wire/lay_on.h"
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -13,7 +15,6 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kLetGo = -2e-3;     ///< Angle below which a wire would pull at its post [rad].
 constexpr double kStrain = 1e-5;     ///< ε of post_system.h.
 constexpr double kNearEnd = 0.06;    ///< Of an element: a lump lies on the post.
 constexpr double kTouches = 2e-3;    ///< Gap at which a contact bears [m].
@@ -21,23 +22,31 @@ constexpr double kBentOnPost = 3.2;  ///< A lump on a post goes however the wire
 constexpr double kLong = 1.5;        ///< Of element_length: what was let go gets a node.
 constexpr std::int32_t kSteady = 3;  ///< Looks running at which a wire touches before it is taken.
 constexpr std::int32_t kWait = 15;   ///< Steps.
-/// Of the radius: a wire that just touches turns by next to nothing, and not the other way.
-constexpr double kInside = 1e-9;
+/// The element before or behind another; invalid: there is none, or a drum or guide loads it.
+InteractionId neighbour(const World& world, WireId wire, InteractionId element, bool behind) {
+    const auto elements = world.elements(wire);
+    const auto at = std::find(elements.begin(), elements.end(), element);
+    if (at == elements.end() || at == (behind ? elements.end() - 1 : elements.begin())) return {};
+    const InteractionId out = *(behind ? at + 1 : at - 1);
+    return world.alive(out) && !kind_info(world.interaction_def(out).kind).is(kWoundUp)
+               ? out
+               : InteractionId{};
+}
 
-/// Where two lines are closest: share of a–b, and way along the axis from its centre [m].
-struct Closest {
-    double share, along;
-    Vec3 apart;  ///< From the axis to a–b, square to the axis.
-};
-Closest closest(const Vec3& a, const Vec3& b, const Vec3& centre, const Vec3& axis) noexcept {
-    const Vec3 d = b - a;
-    const Vec3 from = a - centre;
-    const Vec3 d_across = d - d.dot(axis) * axis, from_across = from - from.dot(axis) * axis;
-    const double share =
-        std::clamp(-from_across.dot(d_across) / std::max(d_across.squaredNorm(), 1e-300), 0.0, 1.0);
-    const Vec3 at = from + share * d;
-    const double along = at.dot(axis);
-    return {share, along, at - along * axis};
+/// Of the elements that come and go at a post, where its definition has none: that of what it has
+/// touched, or, as others near may have had that shortened (room.h), of the longest beside it [m].
+double usual_length(const World& world, WireId wire, InteractionId element) {
+    const double own = world.interaction_def(element).get("length");
+    double longest = own;
+    bool alone = true;
+    for (const bool behind : {false, true}) {
+        const InteractionId next = neighbour(world, wire, element, behind);
+        if (next.valid())
+            longest = std::max(longest, world.interaction_def(next).get("length"));
+        else
+            alone = false;
+    }
+    return alone ? own : longest;
 }
 
 }  // namespace
@@ -94,59 +103,10 @@ double PostSystem::carried_mass(InteractionId element) const noexcept {
     return 0.0;
 }
 
-/// The element of a capsule of a wire. @return false: none that could be taken.
-bool PostSystem::find(const World& world, ShapeId segment, Touch& out) const {
-    const ShapeDef& capsule = world.shape_def(segment);
-    if (!capsule.body_b.valid()) return false;
-    for (const WireId wire : world.wires()) {
-        const auto nodes = world.nodes(wire);
-        const auto elements = world.elements(wire);
-        const auto at = std::find(nodes.begin(), nodes.end(), capsule.body);
-        if (at == nodes.end()) continue;
-        for (const std::ptrdiff_t k : {at - nodes.begin(), at - nodes.begin() - 1}) {
-            if (k < 0 || k >= std::ssize(elements)) continue;
-            const InteractionId id = elements[static_cast<std::size_t>(k)];
-            if (!world.alive(id) || !world.intact(id)) continue;
-            const InteractionDef& d = world.interaction_def(id);
-            const bool its = (d.body[0] == capsule.body && d.body[1] == capsule.body_b) ||
-                             (d.body[1] == capsule.body && d.body[0] == capsule.body_b);
-            if (!its || kind_info(d.kind).is(kWoundUp) || !(d.get("mass") > 0.0)) continue;
-            out.element = id;
-            out.wire = wire;
-            place_touch(world, capsule.radius, out);
-            return true;
-        }
-    }
+bool PostSystem::has(WireId wire) const noexcept {
+    for (std::size_t k = 0; k < on_.size(); ++k)
+        if (on_[k] != 0 && guides_[k]->def().wire == wire) return true;
     return false;
-}
-
-void PostSystem::place_touch(const World& world, double half, Touch& out) const {
-    const InteractionDef& d = world.interaction_def(out.element);
-    const Pose pose = world.pose(place_.body);
-    const Vec3 axis = pose.orientation * place_.axis;
-    const Vec3 centre = pose.position + pose.orientation * place_.centre;
-    const Vec3 a = world.pose(d.body[0]).position, b = world.pose(d.body[1]).position;
-    const Closest near = closest(a, b, centre, axis);
-    const Vec3 along = (b - a).normalized();
-    const double apart = near.apart.norm();
-    out.share = near.share;
-    out.point = place_.centre + near.along * place_.axis;
-    const double way = axis.dot(near.apart.cross(along)) >= 0.0 ? 1.0 : -1.0;
-    out.across_end = std::abs(near.along) > place_.half_length && apart < 0.5 * place_.radius;
-    const double touching = place_.radius + half;
-    out.radius = way * std::max(touching, apart * (1.0 - kInside));
-    const Twist twist = world.velocity(place_.body);
-    const Vec3 surface =
-        twist.linear + twist.angular.cross(centre + near.along * axis + near.apart - pose.position);
-    const Vec3 speed[2] = {world.velocity(d.body[0]).linear - surface,
-                           world.velocity(d.body[1]).linear - surface};
-    out.along = ((1.0 - near.share) * speed[0] + near.share * speed[1]).dot(along);
-    out.strain = 0.0;
-    for (const std::size_t end : {0U, 1U}) {
-        const double length = (end == 0 ? near.share : 1.0 - near.share) * (b - a).norm();
-        const Vec3 moves = world.settings().step * (speed[end] - speed[end].dot(along) * along);
-        out.strain += moves.squaredNorm() / (2.0 * std::max(length, 1e-3) * (b - a).norm());
-    }
 }
 
 /// Wires that touch the post come to lie on it.
@@ -170,11 +130,8 @@ void PostSystem::take(NodeEdits& nodes) {
         const double gap = std::abs(touch.radius) - place_.radius - world.shape_def(other).radius;
         // Across the end of the post it lies on that, not beside the post.
         if (touch.across_end || gap > kTouches || touch.strain > kStrain) continue;
-        bool has = false;
-        for (std::size_t k = 0; k < on_.size(); ++k)
-            has = has || (on_[k] != 0 && guides_[k]->def().wire == touch.wire);
         const auto slot = std::find(on_.begin(), on_.end(), 0);
-        if (has || slot == on_.end()) continue;
+        if (has(touch.wire) || slot == on_.end()) continue;
         steady_ = steady;
         if (steady < kSteady) continue;
         if (!take(nodes, static_cast<std::size_t>(slot - on_.begin()), touch)) wait_ = kWait;
@@ -188,12 +145,10 @@ bool PostSystem::take_lump(NodeEdits& nodes, Touch& touch) const {
     const InteractionDef& d = world.interaction_def(touch.element);
     const bool first = touch.share < 0.5;
     const BodyId lump = d.body[first ? 0 : 1];
-    if (first) {
-        const auto elements = world.elements(touch.wire);
-        const auto at = std::find(elements.begin(), elements.end(), touch.element);
-        if (at == elements.begin() || at == elements.end()) return false;
-        touch.element = *(at - 1);  // which stays
-    }
+    // What a guide loads is its own, and its lumps go by its own account.
+    const InteractionId next = neighbour(world, touch.wire, touch.element, !first);
+    if (!next.valid()) return false;
+    if (first) touch.element = next;  // which stays
     const double radius = touch.radius, half = std::abs(radius) - place_.radius;
     if (!nodes.remove_node(lump, kBentOnPost)) return false;
     place_touch(world, half, touch);
@@ -205,20 +160,25 @@ bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
     const World& world = nodes.world;
     if ((touch.share < kNearEnd || touch.share > 1.0 - kNearEnd) && !take_lump(nodes, touch))
         return false;
-    const double mass = world.interaction_def(touch.element).get("mass");
+    const InteractionDef element = world.interaction_def(touch.element);
+    const EndLumps had = end_lumps(world, element);
     GuideDef def = guides_[slot]->def();
     def.wire = touch.wire;
     def.element = touch.element;
     def.slide = {};
     def.point = world.local_point(place_.carrier, world.world_point(place_.body, touch.point));
     def.radius = touch.radius;
-    def.element_length = def_.element_length;
+    def.element_length = std::isnan(def_.element_length)
+                             ? usual_length(world, touch.wire, touch.element)
+                             : def_.element_length;
     def.mass_per_length = kDefault;
     Guide made;
     double material[2] = {};
     if (!nodes.lay_over(def, touch.along, made, material)) return false;
     const InputId stop = world.find_input(def.name + "/friction/force");
-    // All of the element's mass is on one side or the other.
+    // All of the element's mass is on one side or the other, but for what lumps keep.
+    const double whole = element.get("mass"),
+                 mass = whole - kept_by_lumps(had, end_lumps(world, element), whole);
     const double scale = mass / (def.mass_per_length * (material[0] + material[1]));
     guides_[slot] = std::make_unique<GuideSystem>(
         std::move(def), made, stop,
@@ -227,23 +187,6 @@ bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
     on_[slot] = 1;
     taken_ += 1.0;
     return true;
-}
-
-/// Whether a wire would have to pull at the post, or has passed an end of it.
-bool PostSystem::pulls(const World& world, const GuideSystem& guide, bool& past) const {
-    if (guide.parted()) return false;
-    const Pose pose = world.pose(place_.body);
-    const Vec3 a = world.pose(world.interaction_def(guide.ids().before).body[0]).position;
-    const Vec3 b = world.pose(world.interaction_def(guide.ids().behind).body[1]).position;
-    const Closest near = closest(a, b, pose.position + pose.orientation * place_.centre,
-                                 pose.orientation * place_.axis);
-    past = std::abs(near.along) > place_.half_length + place_.radius;
-    if (place_.carrier != place_.body) {
-        const Vec3 lies = world.world_point(place_.carrier, guide.def().point);
-        const Vec3 from = lies - world.world_point(place_.body, place_.centre);
-        past = past || std::abs(from.dot(pose.orientation * place_.axis)) > place_.half_length;
-    }
-    return past || (guide.angle() < kLetGo && guide.pressing(world, -kLetGo) < 0.0);
 }
 
 bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot) {

@@ -18,7 +18,9 @@
 #include <hawser/system.h>
 
 #include "wire/guide_system.h"
+#include "wire/room.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -35,7 +37,7 @@ struct PostPlace {
     Vec3 carried_axis{0, 0, 1};              ///< The axis in its frame.
 };
 
-class PostSystem final : public System {
+class PostSystem final : public System, public PassedPost {
   public:
     PostSystem(PostDef def, const PostPlace& place);
 
@@ -49,6 +51,9 @@ class PostSystem final : public System {
     [[nodiscard]] std::unique_ptr<System> clone() const override {
         return std::make_unique<PostSystem>(def_, place_);
     }
+
+    [[nodiscard]] bool has(WireId wire) const noexcept override;
+    [[nodiscard]] Apart apart(const World& world, const std::array<Vec3, 2>& line) const override;
 
   private:
     /// An element that touches the post.

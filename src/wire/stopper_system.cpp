@@ -12,13 +12,22 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kAtLump = 0.1;          ///< A lump so near to the place is used [m].
 constexpr double kLink = 1.0;            ///< Of a chain stopper [m].
 constexpr double kGives = 1e-3;          ///< A chain stopper at its rated load [m].
 constexpr double kStraight = 0.05;       ///< Angle at which a node is not needed [rad].
 constexpr std::int32_t kPatience = 300;  ///< Steps after which it goes at any angle.
 constexpr double kRenew = 3.0;     ///< Hauled in so far a chain stopper takes another node [m].
 constexpr std::int32_t kTry = 15;  ///< Steps between tries to take an idle node away.
+
+/// Whether another stopper holds the lump.
+bool is_held(const World& world, const StopperSystem& by, BodyId lump) noexcept {
+    for (const SystemSignal& s : world.system_signals()) {
+        if (s.name != "close" || s.system == by.name()) continue;
+        const auto* other = dynamic_cast<const StopperSystem*>(world.find_system(s.system));
+        if (other != nullptr && other->node() == lump) return true;
+    }
+    return false;
+}
 
 /// Of an element, as drums and guides have it now [m].
 double rest_length(const World& world, InteractionId id) {
@@ -73,6 +82,23 @@ StopperSystem::Found StopperSystem::nearest(const World& world) const noexcept {
     return out;
 }
 
+std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexcept {
+    const Found found = nearest(world);
+    if (!(found.far <= def_.reach)) return std::nullopt;
+    StopperClaim out{found.wire, 0.0};
+    for (const InteractionId id : world.elements(found.wire)) {
+        if (id == found.element) break;
+        if (world.alive(id)) out.at += rest_length(world, id);
+    }
+    // As lump_at() has it.
+    const InteractionDef& d = world.interaction_def(found.element);
+    const double length = d.get("length"), least = kStopperAtLump / length;
+    const double way = length * std::min(found.share, 1.0 - found.share);
+    const bool divides = d.get("mass") > 0.0 && least < 0.5 && way > kStopperAtLump;
+    out.at += length * (divides ? found.share : std::round(found.share));
+    return out;
+}
+
 /// The lump that is to be held; invalid: there is none within reach.
 BodyId StopperSystem::lump_at(NodeEdits& nodes, const Found& found) noexcept {
     const World& world = nodes.world;
@@ -83,8 +109,8 @@ BodyId StopperSystem::lump_at(NodeEdits& nodes, const Found& found) noexcept {
         return world.body_def(d.body[k]).kind == BodyKind::lump;
     };
     const double way = length * (end == 0 ? found.share : 1.0 - found.share);
-    if (way <= kAtLump && lump(end)) return d.body[end];
-    const double least = kAtLump / length;
+    if (way <= kStopperAtLump && lump(end)) return d.body[end];
+    const double least = kStopperAtLump / length;
     if (least < 0.5) {
         const double share = std::clamp(found.share, least, 1.0 - least);
         put_ = nodes.insert_node(found.element, share);
@@ -119,6 +145,7 @@ void StopperSystem::take(NodeEdits& nodes) noexcept {
         tell(world, found);
         node_ = lump_at(nodes, found);
     }
+    if (node_.valid() && is_held(world, *this, node_)) node_ = {};
     if (!node_.valid()) {
         held_ = at_ = 0.0;
         become(StopperState::empty);

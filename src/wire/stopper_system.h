@@ -13,10 +13,19 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace hawser::wire {
+
+/// What a stopper would hold if it closed now.
+struct StopperClaim {
+    WireId wire{};
+    double at = 0.0;  ///< Of the node, along the wire's material from its first end [m].
+};
+/// A lump so near to the place that a stopper takes is used instead of a new one [m].
+inline constexpr double kStopperAtLump = 0.1;
 
 class StopperSystem final : public System {
   public:
@@ -31,6 +40,11 @@ class StopperSystem final : public System {
     [[nodiscard]] std::unique_ptr<System> clone() const override {
         return std::make_unique<StopperSystem>(def_);
     }
+    [[nodiscard]] const StopperDef& def() const noexcept { return def_; }
+    /// The lump that it holds or is about to hold; invalid: none.
+    [[nodiscard]] BodyId node() const noexcept { return node_; }
+    /// None: no wire is within its reach.
+    [[nodiscard]] std::optional<StopperClaim> claim(const World& world) const noexcept;
 
   private:
     /// A place on a wire.

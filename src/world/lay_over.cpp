@@ -4,6 +4,7 @@
 
 #include "context/context.h"
 #include "step/node_pieces.h"
+#include "step/nodes.h"
 #include "step/wire_ends.h"
 #include "world/checks.h"
 #include "world/impl.h"
@@ -33,6 +34,20 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
         world::refuse(where, "the slide must take from the part before and give to the one behind");
 }
 
+/// What a lump at the end of an element gives of its half to the guide there [kg]: all of it, or,
+/// where the next element is one that a drum or a guide loads, too, all but a hundredth, as a body
+/// needs some mass of its own (step/node_drum.cpp). 0: it cannot.
+double given_to_guide(const World& world, const world::Wire& wire, InteractionId element,
+                      std::size_t end, double half) {
+    const double has = world.body_def(world.interaction_def(element).body[end]).mass;
+    if (has > half) return half;
+    const auto at = std::find(wire.elements.begin(), wire.elements.end(), element);
+    if (end == 0 ? at == wire.elements.begin() : at + 1 == wire.elements.end()) return 0.0;
+    const InteractionId next = end == 0 ? *(at - 1) : *(at + 1);
+    if (!world.alive(next) || !kind_info(world.interaction_def(next).kind).is(kWoundUp)) return 0.0;
+    return std::max(0.0, std::min(has, half) - stepper::kKeptMass * half);
+}
+
 }  // namespace
 
 std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionDef before,
@@ -48,9 +63,12 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
     world::Wire* wire = m.wire_with(element);
     if (wire == nullptr) world::refuse(where, "it is of no wire");
     const double half = 0.5 * stepper::mass_of_element(m.ctx, element.index);
-    for (const BodyId end : {old.body[0], old.body[1]})
-        if (body_def(end).kind == BodyKind::lump && !(body_def(end).mass > half))
-            world::refuse(where, "a lump at its end has less than half of it");
+    std::array<double, 2> given{};
+    for (const std::size_t end : {0U, 1U}) {
+        if (body_def(old.body[end]).kind != BodyKind::lump || !(half > 0.0)) continue;
+        given[end] = given_to_guide(*this, *wire, element, end, half);
+        if (!(given[end] > 0.0)) world::refuse(where, "a lump at its end has less than half of it");
+    }
     m.refuse_held(element);
     base::make_room(wire->elements, 1);
     base::make_room(wire->nodes, 1);
@@ -87,9 +105,9 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
             m.turn_bend(old.body[side], old.body[1 - side], before.body[1],
                         stepper::held_at(m.ctx, out[side].index, 1 - side));
         std::erase_if(wire->bends, [&](InteractionId id) { return !alive(id); });
-        for (const BodyId end : {old.body[0], old.body[1]})
-            if (half > 0.0 && body_def(end).kind == BodyKind::lump)
-                set_mass(end, body_def(end).mass - half);
+        for (const std::size_t end : {0U, 1U})
+            if (given[end] > 0.0)
+                set_mass(old.body[end], body_def(old.body[end]).mass - given[end]);
     }
     if (m.listener != nullptr) m.listener->laid_over(element, before, behind);
     return out;

@@ -78,9 +78,11 @@ std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place
     double own = 0.0;  // of the wire
     for (const std::int32_t id : {place.first, place.second})
         own += 0.5 * stepper::mass_of_element(ctx, id);
-    // What a lump kept when it was between two drums goes with it.
+    // What a lump kept when it was between two drums or guides goes with it: of elements that may
+    // have been ten times as long, on either side.
+    constexpr double kKept = 10.0 * 2.0 * stepper::kKeptMass;
     const bool drum = second || stepper::is_wound(ctx, place.first);
-    const double more = drum ? 2.0 * stepper::kKeptMass : 1e-6;  // else rounding
+    const double more = drum ? kKept : 1e-6;  // else rounding
     if (body_defs[at(node.index)].mass > (1.0 + more) * own)
         world::refuse(where, "it has " + world::number(body_defs[at(node.index)].mass - own) +
                                  " kg beside the wire's, of gear or a load, which would be lost");

@@ -232,7 +232,11 @@ TEST(Guides, RefuseWhatCannotBe) {
     const auto second = [](OverRoller& d) {
         return GuideDef{.name = "second", .wire = d.wire, .body = d.deck, .point = {-9, 0, 0.5}};
     };
-    EXPECT_NE(refused([&](OverRoller& d) { d.w.add(second(d)); }).find("two elements"),
+    EXPECT_NE(refused([&](OverRoller& d) {
+                  GuideDef def = second(d);
+                  def.point.x() = -17.0;  // 5 m from the drum
+                  d.w.add(def);
+              }).find("next drum"),
               std::string::npos);
     const auto with = [&](const std::function<void(GuideDef&)>& change) {
         return refused([&](OverRoller& d) {

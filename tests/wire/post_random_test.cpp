@@ -39,7 +39,8 @@ struct Wiring {
     };
     std::vector<Order> orders;
 
-    explicit Wiring(std::uint32_t seed) {
+    /// @param near  Pins stand close together, within two elements of each other.
+    Wiring(std::uint32_t seed, bool near) {
         Random random(seed);
         elements = random.integer(8, 20);
         end = random.integer(0, 1);
@@ -62,6 +63,14 @@ struct Wiring {
                               Vec3(1.5e4, 0, 1e4) + random.vector(2.5e4)});
         cut_at = random.chance(0.5) ? random.integer(300, 900) : kSteps;
         cut_share = random.uniform(0.05, 0.95);
+        for (std::size_t k = 1; near && k < 3; ++k) {
+            upright[k] = upright[0];
+            moving[k] = moving[0];
+            place[k] = place[k - 1] + Vec3(random.uniform(0.5, 2.0), 0.0, 0.0);
+            const double aside = random.uniform(-0.3, 0.3);
+            (upright[0] ? place[k].y() : place[k].z()) += aside;
+        }
+        if (near) pins = 3;
     }
 };
 
@@ -165,8 +174,8 @@ struct Tally {
     double taken = 0.0;
 };
 
-void run(std::uint32_t seed, Tally& tally) {
-    const Wiring x(seed);
+void run(std::uint32_t seed, bool near, Tally& tally) {
+    const Wiring x(seed, near);
     std::vector<std::uint64_t> hashes;
     std::vector<Status> statuses;
     Structure made_of;
@@ -222,17 +231,21 @@ void run(std::uint32_t seed, Tally& tally) {
     }
 }
 
-TEST(PostRandom, WiresWithDrumsPinsAndCutsKeepTheirBits) {
+void run_all(bool near) {
     const int seeds = std::getenv("HAWSER_LONG") != nullptr ? 500 : 20;
     Tally tally;
-    for (int seed = 1; seed <= seeds && !HasFatalFailure(); ++seed)
-        run(static_cast<std::uint32_t>(seed), tally);
+    for (int seed = 1; seed <= seeds && !::testing::Test::HasFatalFailure(); ++seed)
+        run(static_cast<std::uint32_t>(seed), near, tally);
     std::printf("%d wires: %.0f times on a pin, %d cut, %d restored; %d ended early, %d doubtful\n",
                 tally.worlds, tally.taken, tally.cuts, tally.restores, tally.ended, tally.doubtful);
     EXPECT_GT(tally.taken, 0.0);
     // A wire without a result is no wrong one, but is not to be the rule: 12 of 500 were.
     EXPECT_LE(20 * tally.ended, tally.worlds);
 }
+
+TEST(PostRandom, WiresWithDrumsPinsAndCutsKeepTheirBits) { run_all(false); }
+
+TEST(PostRandom, WiresOverPinsCloseTogetherKeepTheirBits) { run_all(true); }
 
 }  // namespace
 }  // namespace hawser::test

@@ -232,6 +232,60 @@ TEST(Stoppers, RefuseWhatCannotBe) {
             << row.says << " in: " << refusal(row.def);
 }
 
+/// A node has one stopper: what comes second waits until the first has let go.
+TEST(Stoppers, DoNotHoldOneNodeTogether) {
+    Deck d;
+    d.pull(2e5, 2e5);
+    StopperDef second{
+        .name = "second", .body = d.ship, .point = {1.8, 0.4, 1.0}, .rated_load = 7.35e6};
+    d.w.add(second);
+    d.w.set_system_signal("jaw.close", 1.0);
+    d.w.set_system_signal("second.close", 1.0);
+    d.run(1.0);
+    EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::holding));
+    EXPECT_EQ(d.get("second.state"), static_cast<double>(StopperState::empty));
+    EXPECT_EQ(d.get("second.held"), 0.0);
+    ASSERT_EQ(d.count(EventKind::missed), 1) << "once";
+    EXPECT_LT(d.w.event_extremes(EventKind::missed).first.value, 0.5) << "within its reach";
+    d.pull(2e5, 5e5);
+    d.run(30.0);
+    EXPECT_NEAR(d.get("jaw.load"), 3e5, 300.0) << "alone";
+    d.w.set_system_signal("jaw.close", 0.0);
+    d.w.set_system_signal("second.close", 0.0);
+    d.run(0.1);
+    d.w.set_system_signal("second.close", 1.0);
+    d.run(0.1);
+    EXPECT_EQ(d.get("second.state"), static_cast<double>(StopperState::holding));
+    // Farther along the wire both hold.
+    second.name = "third";
+    second.point = {5.0, 0, 1.0};
+    d.w.add(second);
+    d.w.set_system_signal("third.close", 1.0);
+    d.run(1.0);
+    EXPECT_EQ(d.get("third.state"), static_cast<double>(StopperState::holding));
+}
+
+TEST(Stoppers, RefuseTwoThatStartClosedOnOneNode) {
+    Deck d({.closed = true});
+    const auto refusal = [&](double x, bool closed) -> std::string {
+        try {
+            d.w.add(StopperDef{.name = "at" + std::to_string(x),
+                               .body = d.ship,
+                               .point = {x, 0, 1.0},
+                               .rated_load = 1e6,
+                               .closed = closed});
+        } catch (const DefError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_NE(refusal(1.85, true).find("node that stopper 'jaw' holds"), std::string::npos)
+        << refusal(1.85, true);
+    EXPECT_NE(refusal(1.85, true).find("start one of them open"), std::string::npos);
+    EXPECT_EQ(refusal(1.85, false), "");
+    EXPECT_EQ(refusal(2.2, true), "");
+}
+
 /// A wire under 50 kN between two carriers that are moved, over a deck with a pin.
 struct PinDeck {
     World w;

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where wires touch a post, and where they would pull at it.
+#include "wire/post_system.h"
+
+#include <hawser/world.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::wire {
+namespace {
+
+constexpr double kLetGo = -2e-3;  ///< Angle below which a wire would pull at its post [rad].
+/// Of the radius: a wire that just touches turns by next to nothing, and not the other way.
+constexpr double kInside = 1e-9;
+
+/// Where two lines are closest: share of a–b, and way along the axis from its centre [m].
+struct Closest {
+    double share, along;
+    Vec3 apart;  ///< From the axis to a–b, square to the axis.
+};
+Closest closest(const Vec3& a, const Vec3& b, const Vec3& centre, const Vec3& axis) noexcept {
+    const Vec3 d = b - a;
+    const Vec3 from = a - centre;
+    const Vec3 d_across = d - d.dot(axis) * axis, from_across = from - from.dot(axis) * axis;
+    const double share =
+        std::clamp(-from_across.dot(d_across) / std::max(d_across.squaredNorm(), 1e-300), 0.0, 1.0);
+    const Vec3 at = from + share * d;
+    const double along = at.dot(axis);
+    return {share, along, at - along * axis};
+}
+
+}  // namespace
+
+PostSystem::Apart PostSystem::apart(const World& world, const std::array<Vec3, 2>& line) const {
+    const Pose pose = world.pose(place_.body);
+    const Vec3 axis = pose.orientation * place_.axis;
+    const Closest near =
+        closest(line[0], line[1], pose.position + pose.orientation * place_.centre, axis);
+    const double beyond = std::max(0.0, std::abs(near.along) - place_.half_length);
+    return {std::hypot(near.apart.norm(), beyond) - place_.radius, near.share};
+}
+
+/// The element of a capsule of a wire. @return false: none that could be taken.
+bool PostSystem::find(const World& world, ShapeId segment, Touch& out) const {
+    const ShapeDef& capsule = world.shape_def(segment);
+    if (!capsule.body_b.valid()) return false;
+    for (const WireId wire : world.wires()) {
+        const auto nodes = world.nodes(wire);
+        const auto elements = world.elements(wire);
+        const auto at = std::find(nodes.begin(), nodes.end(), capsule.body);
+        if (at == nodes.end()) continue;
+        for (const std::ptrdiff_t k : {at - nodes.begin(), at - nodes.begin() - 1}) {
+            if (k < 0 || k >= std::ssize(elements)) continue;
+            const InteractionId id = elements[static_cast<std::size_t>(k)];
+            if (!world.alive(id) || !world.intact(id)) continue;
+            const InteractionDef& d = world.interaction_def(id);
+            const bool its = (d.body[0] == capsule.body && d.body[1] == capsule.body_b) ||
+                             (d.body[1] == capsule.body && d.body[0] == capsule.body_b);
+            if (!its || kind_info(d.kind).is(kWoundUp) || !(d.get("mass") > 0.0)) continue;
+            out.element = id;
+            out.wire = wire;
+            place_touch(world, capsule.radius, out);
+            return true;
+        }
+    }
+    return false;
+}
+
+void PostSystem::place_touch(const World& world, double half, Touch& out) const {
+    const InteractionDef& d = world.interaction_def(out.element);
+    const Pose pose = world.pose(place_.body);
+    const Vec3 axis = pose.orientation * place_.axis;
+    const Vec3 centre = pose.position + pose.orientation * place_.centre;
+    const Vec3 a = world.pose(d.body[0]).position, b = world.pose(d.body[1]).position;
+    const Closest near = closest(a, b, centre, axis);
+    const Vec3 along = (b - a).normalized();
+    const double apart = near.apart.norm();
+    out.share = near.share;
+    out.point = place_.centre + near.along * place_.axis;
+    const double way = axis.dot(near.apart.cross(along)) >= 0.0 ? 1.0 : -1.0;
+    out.across_end = std::abs(near.along) > place_.half_length && apart < 0.5 * place_.radius;
+    const double touching = place_.radius + half;
+    out.radius = way * std::max(touching, apart * (1.0 - kInside));
+    const Twist twist = world.velocity(place_.body);
+    const Vec3 surface =
+        twist.linear + twist.angular.cross(centre + near.along * axis + near.apart - pose.position);
+    const Vec3 speed[2] = {world.velocity(d.body[0]).linear - surface,
+                           world.velocity(d.body[1]).linear - surface};
+    out.along = ((1.0 - near.share) * speed[0] + near.share * speed[1]).dot(along);
+    out.strain = 0.0;
+    for (const std::size_t end : {0U, 1U}) {
+        const double length = (end == 0 ? near.share : 1.0 - near.share) * (b - a).norm();
+        const Vec3 moves = world.settings().step * (speed[end] - speed[end].dot(along) * along);
+        out.strain += moves.squaredNorm() / (2.0 * std::max(length, 1e-3) * (b - a).norm());
+    }
+}
+
+/// Whether a wire would have to pull at the post, or has passed an end of it.
+bool PostSystem::pulls(const World& world, const GuideSystem& guide, bool& past) const {
+    if (guide.parted()) return false;
+    const Pose pose = world.pose(place_.body);
+    const Vec3 a = world.pose(world.interaction_def(guide.ids().before).body[0]).position;
+    const Vec3 b = world.pose(world.interaction_def(guide.ids().behind).body[1]).position;
+    const Closest near = closest(a, b, pose.position + pose.orientation * place_.centre,
+                                 pose.orientation * place_.axis);
+    past = std::abs(near.along) > place_.half_length + place_.radius;
+    if (place_.carrier != place_.body) {
+        const Vec3 lies = world.world_point(place_.carrier, guide.def().point);
+        const Vec3 from = lies - world.world_point(place_.body, place_.centre);
+        past = past || std::abs(from.dot(pose.orientation * place_.axis)) > place_.half_length;
+    }
+    return past || (guide.angle() < kLetGo && guide.pressing(world, -kLetGo) < 0.0);
+}
+
+}  // namespace hawser::wire

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/room.h"
+
+#include <hawser/world.h>
+
+#include "wire/feed.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace hawser::wire {
+namespace {
+
+constexpr double kTwoElements = 1.9;  ///< Of an element: with so much between nothing is shorter.
+constexpr double kReach = 0.2;   ///< Of an element: a post so near to the wire is one it passes.
+constexpr double kKeeps = 0.25;  ///< The same where the lump between is there already.
+constexpr double kLeast = 0.2;   ///< Along the wire [m].
+
+/// Whether the wheel of a guide is the post itself.
+bool is_of(const GuideDef& guide, std::string_view post) noexcept {
+    return guide.name.size() > post.size() && guide.name.starts_with(post) &&
+           guide.name[post.size()] == '/';
+}
+
+/// f(ends, length of what comes before, id) of the elements on a side of a guide, from it outwards,
+/// until f returns false.
+template <class F>
+void each_element(const World& world, const GuideDef& guide, InteractionId line, std::size_t side,
+                  F&& f) {
+    const auto elements = world.elements(guide.wire);
+    auto at = std::find(elements.begin(), elements.end(), line);
+    double sum = 0.0;
+    while (at != elements.end() && world.alive(*at) && world.intact(*at)) {
+        std::array<Vec3, 2> ends = world.ends(*at);
+        if (side == 0) std::swap(ends[0], ends[1]);
+        if (!f(ends, sum, *at) || (side == 0 && at == elements.begin())) return;
+        sum += (ends[1] - ends[0]).norm();
+        at += side == 0 ? -1 : 1;
+    }
+}
+
+bool is_wound(const World& world, InteractionId id) {
+    return kind_info(world.interaction_def(id).kind).is(kWoundUp);
+}
+
+/// Along the wire to the next guide, if that is nearer than `enough` [m].
+double way_to_guide(const World& world, const GuideDef& guide, InteractionId line, std::size_t side,
+                    double enough) {
+    double way = enough;
+    each_element(world, guide, line, side, [&](const auto& ends, double sum, InteractionId id) {
+        sum += (ends[1] - ends[0]).norm();
+        if (sum >= enough) return false;
+        if (id == line || !is_wound(world, id)) return true;
+        // A drum makes elements of its own length, and has room for two of them.
+        if (kind_info(world.interaction_def(id).kind).is(kAtGuide)) way = sum;
+        return false;
+    });
+    return way;
+}
+
+/// Along the wire to where it passes a post that it does not lie on, if that is nearer [m].
+double way_to_post(const World& world, const GuideDef& guide, InteractionId line, std::size_t side,
+                   double enough, double reach) {
+    double way = enough;
+    for (const SystemSignal& s : world.system_signals()) {
+        if (s.name != "taken" || is_of(guide, s.system)) continue;
+        const auto* post = dynamic_cast<const PassedPost*>(world.find_system(s.system));
+        if (post == nullptr || post->has(guide.wire)) continue;
+        double gap = reach, along = enough;
+        each_element(world, guide, line, side, [&](const auto& ends, double sum, InteractionId id) {
+            const auto near = post->apart(world, ends);
+            if (near.gap < gap) {
+                gap = near.gap;
+                along = sum + near.share * (ends[1] - ends[0]).norm();
+            }
+            return sum < enough && (id == line || !is_wound(world, id));
+        });
+        if (along > kLeast) way = std::min(way, along);
+    }
+    return way;
+}
+
+}  // namespace
+
+double element_beside(const World& world, const GuideDef& def, InteractionId line, std::size_t side,
+                      double straight) {
+    const double usual = def.element_length, enough = kTwoElements * usual;
+    const double reach = usual * (straight < kShrunk * usual ? kKeeps : kReach);
+    const double way = std::min(way_to_guide(world, def, line, side, enough),
+                                way_to_post(world, def, line, side, enough, reach));
+    if (way >= enough) return usual;
+    return std::max(std::min(usual, 0.5 * way), std::min(usual, 0.5 * kLeast));
+}
+
+}  // namespace hawser::wire
