@@ -185,7 +185,11 @@ EndShare end_share(const stepper::StepContext& ctx, const world::Systems& system
     if (out.lump_next) {
         const stepper::NodeLinks links = stepper::links_of(ctx, next.index);
         out.beyond = links.before == e ? links.after : links.before;
-        out.share = stepper::share_of(ctx, next.index, out.beyond, e);
+        // The new end has what its body held: half of the element, whatever else the next lump has.
+        const double half = out.share.mass;
+        out.share = half > 0.0
+                        ? stepper::LumpShare{half, half / ctx.model.bodies.mass[at(next.index)]}
+                        : stepper::share_of(ctx, next.index, out.beyond, e);
     }
     if (out.carried > 0.0) {
         out.share.mass = 0.5 * out.carried;
