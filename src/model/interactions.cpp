@@ -198,7 +198,12 @@ double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
         const auto row = at(row_begin[at(id)] + r);
         if ((row_flags[row] & kRowVelocity) || !holds_energy(epsilon[row], rest_length[at(id)]))
             continue;
-        const double middle = s.g[r] - 0.5 * h * (s.rate[r] + s.carried[r]);
+        double middle = s.g[r] - 0.5 * h * (s.rate[r] + s.carried[r]);
+        // A short line that turns far within a step is longer than it pulls: what it holds is what
+        // it can give back.
+        constexpr double kMuchLonger = 4.0;
+        const double pulls = std::fabs(force[row]) * epsilon[row];
+        if (line && pulls > 0.0 && middle > kMuchLonger * pulls) middle = pulls;
         if (line && middle < 0.0) continue;
         energy += 0.5 * middle * middle / epsilon[row];
     }

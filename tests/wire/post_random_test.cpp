@@ -230,15 +230,16 @@ TEST(PostRandom, WiresWithDrumsPinsAndCutsKeepTheirBits) {
     std::printf("%d wires: %.0f times on a pin, %d cut, %d restored; %d ended early, %d doubtful\n",
                 tally.worlds, tally.taken, tally.cuts, tally.restores, tally.ended, tally.doubtful);
     EXPECT_GT(tally.taken, 0.0);
-    // A wire without a result is no wrong one, but is not to be the rule: 5 of 500 are.
+    // A wire without a result is no wrong one, but is not to be the rule: 2 of 500 are.
     EXPECT_LE(50 * tally.ended, tally.worlds);
 }
 
-/// Slack wires at a drum and on a pin: what a slack element is short of its length is no stretch.
-/// Where nodes went there, and where the wire lifted off, megajoules that it never held counted as
-/// driven, and steps were refused as having made energy.
-TEST(PostRandom, SlackElementsAtDrumsAndPinsHoldNothing) {
-    for (const std::uint32_t seed : {33U, 443U}) {
+/// What a slack element at a drum or on a pin is short of its length is no stretch (33, 443), and
+/// a short one that turns far within a step holds by its length what it can never give back (106).
+/// Where nodes went there, and where the wire lifted off, megajoules of that counted as driven, and
+/// steps were refused as having made energy.
+TEST(PostRandom, ElementsAtDrumsAndPinsHoldWhatTheyCanGiveBack) {
+    for (const std::uint32_t seed : {33U, 106U, 443U}) {
         const Wiring x(seed);
         Yard d(x, 1);
         for (int i = 0; i < kSteps; ++i)
