@@ -188,14 +188,23 @@ RowState Interactions::row_state(int id, const Bodies& b, const double* v_in) co
 }
 
 double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
-    if (active[at(id)] == 0.0 || (flags[at(id)] & kFriction)) return 0.0;
+    // What a line holds follows from its length, not from whether the last step found it taut.
+    const bool line = (flags[at(id)] & kOneSided) != 0;
+    if ((line ? parted[at(id)] != 0 : active[at(id)] == 0.0) || (flags[at(id)] & kFriction))
+        return 0.0;
     const RowState s = row_state(id, b);
     double energy = 0.0;
     for (int r = 0; r < rows[at(id)]; ++r) {
         const auto row = at(row_begin[at(id)] + r);
         if ((row_flags[row] & kRowVelocity) || !holds_energy(epsilon[row], rest_length[at(id)]))
             continue;
-        const double middle = s.g[r] - 0.5 * h * (s.rate[r] + s.carried[r]);
+        double middle = s.g[r] - 0.5 * h * (s.rate[r] + s.carried[r]);
+        // A short line that turns far within a step is longer than it pulls: what it holds is what
+        // it can give back.
+        constexpr double kMuchLonger = 4.0;
+        const double pulls = std::fabs(force[row]) * epsilon[row];
+        if (line && pulls > 0.0 && middle > kMuchLonger * pulls) middle = pulls;
+        if (line && middle < 0.0) continue;
         energy += 0.5 * middle * middle / epsilon[row];
     }
     return energy;

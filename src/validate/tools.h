@@ -8,6 +8,7 @@
 
 #include "validate/report.h"
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -17,6 +18,20 @@ namespace hawser::validate {
 
 inline constexpr double kGravity = 9.81;  ///< [m/s²].
 inline constexpr double kPi = 3.14159265358979323846;
+
+/// Numbers in [0, 1), the same on every machine.
+class Chance {
+  public:
+    explicit Chance(std::uint64_t seed) : state_(seed) {}
+    double next() {
+        state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<double>(state_ >> 11) * 0x1p-53;
+    }
+    double between(double a, double b) { return a + (b - a) * next(); }
+
+  private:
+    std::uint64_t state_;
+};
 
 /// Open scenes/NAME.json: in the folder that the environment variable HAWSER_SCENES names, in
 /// ./scenes, beside the program in ../share/hawser/scenes, or in the source tree it was

@@ -15,6 +15,8 @@ constexpr Case kWires[] = {
     {"W.7", "tow_payout", "a tug pays out its tow line over the stern roller", case_tow_payout},
     {"W.8", "wire_resolution", "nodes by tension, curvature and contact: rest, a roller, chance",
      case_wire_resolution},
+    {"W.9", "wire_cross_parting", "a wire parts beside wires that cross it, 100 at random",
+     case_wire_cross_parting},
 };
 
 }  // namespace

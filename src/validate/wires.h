@@ -23,6 +23,8 @@ void check_roller(Report& report);  ///< Part of "payout".
 void case_tow_payout(Report& report);
 // wires_events.cpp
 void case_wire_events(Report& report);
+// wires_crossing.cpp
+void case_wire_cross_parting(Report& report);
 // wires_waves.cpp
 void case_wire_parting(Report& report);
 void case_wire_pulse(Report& report);

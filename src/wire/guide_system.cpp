@@ -70,7 +70,7 @@ void GuideSystem::holds(HoldTable& table) const {
 double GuideSystem::carried_mass(InteractionId id) const noexcept {
     if (parted_ != 0 || !(def_.element_length > 0.0)) return 0.0;
     for (std::size_t side = 0; side < 2; ++side)
-        if (id == element(side)) return def_.mass_per_length * std::max(material_[side], 0.0);
+        if (id == element(side)) return def_.mass_per_length * material_[side];
     return 0.0;
 }
 

@@ -99,7 +99,7 @@ void PostSystem::holds(HoldTable& table) const {
 double PostSystem::carried_mass(InteractionId element) const noexcept {
     for (std::size_t k = 0; k < on_.size(); ++k)
         if (on_[k] != 0)
-            if (const double mass = guides_[k]->carried_mass(element); mass > 0.0) return mass;
+            if (const double mass = guides_[k]->carried_mass(element); mass != 0.0) return mass;
     return 0.0;
 }
 

@@ -65,9 +65,9 @@ class WinchSystem final : public System {
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
     [[nodiscard]] double carried_mass(InteractionId element) const noexcept override {
-        return element == ids_.line && feeds() && parted_ == 0
-                   ? def_.mass_per_length * std::max(at_drum_, 0.0)
-                   : 0.0;
+        // Below 0 where more has come in than there was: it is the winch's account all the same.
+        return element == ids_.line && feeds() && parted_ == 0 ? def_.mass_per_length * at_drum_
+                                                               : 0.0;
     }
     [[nodiscard]] std::unique_ptr<System> clone() const override {
         return std::make_unique<WinchSystem>(def_, WinchWheel{drum_, wheel_}, ids_, inputs_,

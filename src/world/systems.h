@@ -84,7 +84,8 @@ class Systems final : public stepper::Actors {
             f(s->name(), table);
         }
     }
-    /// What systems carry of an element (System::carried_mass()) [kg].
+    /// What systems carry of an element (System::carried_mass()) [kg]; below 0 where a drum has
+    /// hauled in more than there was of it.
     [[nodiscard]] double carried_mass(InteractionId element) const noexcept {
         double sum = 0.0;
         for (const auto& s : list_) sum += s->carried_mass(element);
@@ -92,7 +93,7 @@ class Systems final : public stepper::Actors {
     }
     /// Whether nodes are systems' to put and take: those that carry an element keep its account.
     [[nodiscard]] bool refuses_nodes(InteractionId element) const noexcept {
-        return !editing_ && carried_mass(element) > 0.0;
+        return !editing_ && carried_mass(element) != 0.0;
     }
     /// The step has ended since systems asked for edits, and has gone back: they are to be made,
     /// and then the step taken once more, with what the systems did in it.

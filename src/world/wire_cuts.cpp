@@ -163,7 +163,7 @@ WireId World::cut(WireId id, double s) {
     // The lump next to a drum has no mass to share where the winch has that of the element there.
     constexpr double kBeyond = 0.25;
     for (const std::size_t side : {0U, 1U})
-        if (impl_->systems.carried_mass(wire.elements[k - side]) > 0.0)
+        if (impl_->systems.carried_mass(wire.elements[k - side]) != 0.0)
             return cut(wire.elements[k - 1 + side], side == 0 ? 1.0 - kBeyond : kBeyond);
     if (!alive(wire.elements[k - 1]) || !alive(wire.elements[k]))
         world::refuse(where, "s = " + world::number(s) + " m is at a gap in it");
@@ -177,7 +177,7 @@ void World::Impl::check_cut_at_node(const std::string& where, stepper::NodePlace
                       "it does not begin at a node between two elements that nothing else "
                       "holds; cut it elsewhere, or detach() an end");
     for (const std::int32_t id : {place.first, place.second})
-        if (systems.carried_mass(ctx.model.interactions.id(id)) > 0.0)
+        if (systems.carried_mass(ctx.model.interactions.id(id)) != 0.0)
             world::refuse(where,
                           "the winch has the mass of what it pays out, and the lump next to it "
                           "none to share; cut farther out, or detach() the end off the drum");

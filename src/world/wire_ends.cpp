@@ -185,7 +185,11 @@ EndShare end_share(const stepper::StepContext& ctx, const world::Systems& system
     if (out.lump_next) {
         const stepper::NodeLinks links = stepper::links_of(ctx, next.index);
         out.beyond = links.before == e ? links.after : links.before;
-        out.share = stepper::share_of(ctx, next.index, out.beyond, e);
+        // The new end has what its body held: half of the element, whatever else the next lump has.
+        const double half = out.share.mass;
+        out.share = half > 0.0
+                        ? stepper::LumpShare{half, half / ctx.model.bodies.mass[at(next.index)]}
+                        : stepper::share_of(ctx, next.index, out.beyond, e);
     }
     if (out.carried > 0.0) {
         out.share.mass = 0.5 * out.carried;
@@ -204,6 +208,10 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     const BodyId held = in.def[at(e)].body[side], next = in.def[at(e)].body[1 - side];
     const bool wound = kind_info(in.def[at(e)].kind).is(kWoundUp);
     const auto [share, carried, beyond, lump_next] = end_share(ctx, systems, element, next);
+    if (carried < 0.0)
+        world::refuse(where,
+                      "its drum has hauled in all that it had, and there is no end to let go; pay "
+                      "some out, and detach() then");
     if (!(share.mass > 0.0))
         world::refuse(where,
                       "neither it nor a lump has the mass of the wire at this end; give the "

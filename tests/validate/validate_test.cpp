@@ -90,7 +90,7 @@ TEST(Validate, stacks_and_walls) { expect_pass("stacks walls", 14); }
 TEST(Validate, robust_wires) {
     expect_pass("zigzag_wires long_wire wire_sway wires_come_taut", 110);
 }
-TEST(Validate, wires) { expect_pass("wires", 63); }
+TEST(Validate, wires) { expect_pass("wires", 68); }
 TEST(Validate, sea) { expect_pass("sea", 27); }
 TEST(Validate, damping_orders) { expect_pass("damping_orders", 3); }
 

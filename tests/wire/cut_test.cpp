@@ -286,6 +286,24 @@ TEST(WireCut, EndsAreAttachedWhereTheyAreAndLetGo) {
     EXPECT_EQ(w.verdict().grade, Grade::good);
 }
 
+/// A piece of one short element between a lump and a body, which gear holds to the same body: off
+/// the body the new end has half of the element, as the lump has. With a share by lengths, the
+/// link's among them, it had a fifteenth of that, less than a straight piece can move with, and the
+/// step ended as wrong_pivot.
+TEST(WireCut, AnEndBesideGearHasHalfOfItsElement) {
+    World w({.step = 0.01});
+    const BodyId left = fixed_at(w, "left", {0, 0, 0}), right = fixed_at(w, "right", {20, 0, 0});
+    const WireId wire = w.add_wire(line("tow", left, right, true));
+    const WireId piece = w.cut(wire, w.length(wire) - 0.02);
+    ASSERT_EQ(w.elements(piece).size(), 1U);
+    (void)w.attach(piece, 0, right, Vec3::Zero(), {.gear = Gear::shackle, .reach = 1.0});
+    w.detach(piece, 1);
+    const double half = 0.5 * w.interaction_def(w.elements(piece)[0]).get("mass");
+    for (const BodyId node : w.nodes(piece)) EXPECT_NEAR(w.body_def(node).mass, half, 1e-12 * half);
+    run(w, 100);
+    EXPECT_EQ(w.verdict().grade, Grade::good);
+}
+
 TEST(WireCut, WiresOnDrumsAreCutAndComeOff) {
     World w({.step = 0.01});
     const BodyId deck = fixed_at(w, "deck", {0, 0, 30});

@@ -239,8 +239,22 @@ void run_all(bool near) {
     std::printf("%d wires: %.0f times on a pin, %d cut, %d restored; %d ended early, %d doubtful\n",
                 tally.worlds, tally.taken, tally.cuts, tally.restores, tally.ended, tally.doubtful);
     EXPECT_GT(tally.taken, 0.0);
-    // A wire without a result is no wrong one, but is not to be the rule: 12 of 500 were.
-    EXPECT_LE(20 * tally.ended, tally.worlds);
+    // A wire without a result is no wrong one, but is not to be the rule: 2 of 500 are.
+    EXPECT_LE(50 * tally.ended, tally.worlds);
+}
+
+/// What a slack element at a drum or on a pin is short of its length is no stretch (33, 443), and
+/// a short one that turns far within a step holds by its length what it can never give back (106).
+/// Where nodes went there, and where the wire lifted off, megajoules of that counted as driven, and
+/// steps were refused as having made energy.
+TEST(PostRandom, ElementsAtDrumsAndPinsHoldWhatTheyCanGiveBack) {
+    for (const std::uint32_t seed : {33U, 106U, 443U}) {
+        const Wiring x(seed);
+        Yard d(x, 1);
+        for (int i = 0; i < kSteps; ++i)
+            ASSERT_EQ(d.step(x, i), Status::ok) << "seed " << seed << " step " << i;
+        EXPECT_EQ(d.w.verdict().grade, Grade::good) << seed;
+    }
 }
 
 TEST(PostRandom, WiresWithDrumsPinsAndCutsKeepTheirBits) { run_all(false); }

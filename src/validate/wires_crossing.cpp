@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+// A wire that parts beside wires that cross it: what recoils and falls passes through none of them,
+// and nothing makes energy.
+#include "validate/tools.h"
+#include "validate/wires.h"
+
+#include <hawser/hawser.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace hawser::validate {
+namespace {
+
+constexpr double kTowMass = 23.0, kTowEA = 2.33e8, kTowHalf = 0.038;     // kg/m, N, m
+constexpr long kPressed = 60, kSettled = 120, kFalls = 180, kMean = 30;  // steps of 1/60 s
+
+/// A straight piece of a wire, from end to end [m].
+using Piece = std::array<Vec3, 2>;
+
+/// Six times the volume that two pieces span: 0 where they lie in a plane.
+double between(const Piece& a, const Piece& b) {
+    return (a[1] - a[0]).cross(b[1] - b[0]).dot(b[0] - a[0]);
+}
+
+/// Of two pieces in a plane: whether they cross within both.
+bool crosses(const Piece& a, const Piece& b) {
+    const Vec3 u = a[1] - a[0], v = b[1] - b[0], n = u.cross(v), from = b[0] - a[0];
+    const double s = from.cross(v).dot(n), t = from.cross(u).dot(n), all = n.squaredNorm();
+    return s > 0.0 && s < all && t > 0.0 && t < all;
+}
+
+Piece moved(const std::array<Piece, 2>& x, double t) {
+    return {x[0][0] + t * (x[1][0] - x[0][0]), x[0][1] + t * (x[1][1] - x[0][1])};
+}
+
+/// Whether two pieces went through each other from one pose to the next: they lie in a plane, by
+/// bisection, at a moment at which they cross.
+bool passed(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
+    constexpr int kParts = 32, kHalvings = 40;
+    const auto volume = [&](double t) { return between(moved(a, t), moved(b, t)); };
+    double last = volume(0.0);
+    for (int k = 1; k <= kParts; ++k) {
+        double low = static_cast<double>(k - 1) / kParts, high = static_cast<double>(k) / kParts;
+        const double next = volume(high);
+        if ((last > 0.0) != (next > 0.0)) {
+            for (int i = 0; i < kHalvings; ++i) {
+                const double middle = 0.5 * (low + high);
+                ((volume(middle) > 0.0) == (last > 0.0) ? low : high) = middle;
+            }
+            if (crosses(moved(a, low), moved(b, low))) return true;
+        }
+        last = next;
+    }
+    return false;
+}
+
+/// Whether the boxes that two pieces sweep are apart.
+bool far_apart(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
+    const auto least = [](const std::array<Piece, 2>& x) {
+        return x[0][0].cwiseMin(x[0][1]).cwiseMin(x[1][0].cwiseMin(x[1][1])).eval();
+    };
+    const auto most = [](const std::array<Piece, 2>& x) {
+        return x[0][0].cwiseMax(x[0][1]).cwiseMax(x[1][0].cwiseMax(x[1][1])).eval();
+    };
+    return (least(a).array() > most(b).array()).any() || (least(b).array() > most(a).array()).any();
+}
+
+/// A taut wire along x, and up to three across it that come to press on it from above or below.
+struct Crossed {
+    // Loose ends whip: in a step they are yanked farther than their speed before it foretells.
+    World w{WorldDef{.step = 1.0 / 60.0, .contact_margin = 0.5}};
+    std::vector<WireId> wires;                    ///< First those of the wire that parts.
+    std::vector<std::pair<BodyId, double>> ends;  ///< Of the others, and how fast they come [m/s].
+
+    explicit Crossed(Chance& chance) {
+        const double length = chance.between(40.0, 60.0);
+        wires.push_back(add(length, chance.between(2.0, 4.0), pull(chance), Vec3::Zero(), 0.0));
+        const int others = 1 + static_cast<int>(3.0 * chance.next());
+        for (int k = 0; k < others; ++k) {
+            const double along = (chance.between(0.2, 0.35) + 0.3 * k - 0.5) * length;
+            const double turn = chance.between(0.17, 0.83) * kPi;
+            const double side = chance.next() < 0.5 ? -1.0 : 1.0, gap = 0.02;
+            const Vec3 middle(along, chance.between(-4.0, 4.0), side * (2.0 * kTowHalf + gap));
+            const std::size_t before = ends.size();
+            wires.push_back(add(chance.between(20.0, 40.0), chance.between(2.0, 4.0), pull(chance),
+                                middle, turn));
+            const double press = gap + chance.between(0.0, 0.4);
+            for (std::size_t i = before; i < ends.size(); ++i)
+                ends[i].second = -side * press / (kPressed * w.settings().step);
+        }
+    }
+    static double pull(Chance& chance) {
+        return std::exp(chance.between(10.8, 13.8));
+    }  // 49-985 kN
+
+    /// A straight wire through `middle` in the plane of x and y.
+    WireId add(double length, double element, double tension, const Vec3& middle, double turn) {
+        const Vec3 half = 0.5 * length * Vec3(std::cos(turn), std::sin(turn), 0.0);
+        WireDef def;
+        def.elements = static_cast<int>(std::lround(length / element));
+        def.name = "wire" + std::to_string(wires.size());
+        for (const double way : {-1.0, 1.0}) {
+            const BodyId end =
+                w.add_body({.kind = BodyKind::kinematic, .position = middle + way * half});
+            (way < 0.0 ? def.from : def.to) = end;
+            if (turn != 0.0) ends.emplace_back(end, 0.0);
+        }
+        def.length = length / (1.0 + tension / kTowEA);
+        def.EA = kTowEA;
+        def.mass_per_length = kTowMass;
+        def.drag = 20.0;
+        def.consistent_mass = true;
+        def.radius = kTowHalf;
+        return w.add_wire(def);
+    }
+    /// Others come to press on the wire, which settles.
+    void settle() {
+        for (const auto& [end, speed] : ends)
+            w.set_velocity(end, {.linear = Vec3(0, 0, speed), .angular = Vec3::Zero()});
+        advance(w, kPressed);
+        for (const auto& end : ends) w.set_velocity(end.first, {});
+        advance(w, kSettled);
+    }
+    /// By hand or by a cut, somewhere between its second and its last element but one.
+    void part(Chance& chance) {
+        const auto elements = w.elements(wires[0]);
+        const double share = chance.between(1.5, static_cast<double>(elements.size()) - 1.5);
+        if (chance.next() < 0.5)
+            w.part(elements[static_cast<std::size_t>(share)]);
+        else
+            wires.push_back(
+                w.cut(wires[0], w.length(wires[0]) * share / static_cast<double>(elements.size())));
+    }
+};
+
+/// A piece with a capsule: lumps are at both ends.
+struct Segment {
+    InteractionId element;
+    std::size_t wire = 0;    ///< 0 of the one that parted.
+    std::array<Piece, 2> x;  ///< At both poses.
+};
+
+void look(const Crossed& c, std::size_t pose, std::vector<Segment>& out) {
+    if (pose == 0) out.clear();
+    for (std::size_t k = 0, i = 0; k < c.wires.size(); ++k)
+        for (const InteractionId id : c.w.elements(c.wires[k])) {
+            const InteractionDef& d = c.w.interaction_def(id);
+            if (!c.w.intact(id) || c.w.body_def(d.body[0]).kind != BodyKind::lump ||
+                c.w.body_def(d.body[1]).kind != BodyKind::lump)
+                continue;
+            const bool parted = k == 0 || c.w.wire_name(c.wires[k]).find('/') != std::string::npos;
+            const Piece now{c.w.pose(d.body[0]).position, c.w.pose(d.body[1]).position};
+            if (pose == 0) out.push_back({id, parted ? 0 : k, {now, now}});
+            out[i++].x[pose] = now;
+        }
+}
+
+/// What wires hold by the forces that they exert: a piece that turns fast is longer at a pose than
+/// it pulls (docs/limits.md) [J].
+double held(const Crossed& c) {
+    double sum = 0.0;
+    for (const WireId wire : c.wires)
+        for (const InteractionId id : c.w.elements(wire)) {
+            const double pull = c.w.intact(id) ? c.w.force(id)[0] : 0.0;
+            sum += 0.5 * pull * pull * c.w.interaction_def(id).get("length") / kTowEA;
+        }
+    return sum;
+}
+
+struct Outcome {
+    int through = 0;         ///< Pairs of segments that went through each other.
+    bool touched = false;    ///< Before it parts.
+    double made = 0.0;       ///< In the mean over half a second [J].
+    double exchanged = 0.0;  ///< Most that wires held by their motion and stretch [J].
+    Grade grade = Grade::good;
+};
+
+Outcome run_crossed(Chance& chance) {
+    Crossed c(chance);
+    c.settle();
+    Outcome out;
+    for (const ContactView& contact : c.w.contacts())
+        out.touched = out.touched || contact.force.norm() > 0.0;
+    c.part(chance);
+    std::vector<Segment> segments;
+    std::optional<double> least;
+    double mean = 0.0;
+    std::array<double, kMean> past{};
+    for (long i = 0; i < kFalls; ++i) {
+        look(c, 0, segments);
+        advance(c.w, 1);
+        look(c, 1, segments);
+        for (std::size_t a = 0; a < segments.size(); ++a)
+            for (std::size_t b = a + 1; b < segments.size(); ++b)
+                if (segments[a].wire != segments[b].wire &&
+                    !far_apart(segments[a].x, segments[b].x))
+                    out.through += passed(segments[a].x, segments[b].x) ? 1 : 0;
+        const Energy e = c.w.energy();
+        const double by_force = held(c), now = e.kinetic + e.gravity + by_force;
+        // In single steps forces swing where a loose end comes taut.
+        mean += (now - (i < kMean ? mean : past[static_cast<std::size_t>(i % kMean)])) /
+                static_cast<double>(i < kMean ? i + 1 : kMean);
+        past[static_cast<std::size_t>(i % kMean)] = now;
+        least = std::min(least.value_or(mean), mean);
+        out.made = std::max(out.made, mean - *least);
+        out.exchanged = std::max(out.exchanged, e.kinetic + by_force);
+    }
+    out.grade = c.w.verdict().grade;
+    return out;
+}
+
+}  // namespace
+
+void case_wire_cross_parting(Report& report) {
+    constexpr int kCases = 100;
+    Chance chance(9);
+    int through = 0, touched = 0, doubtful = 0, wrong = 0;
+    double made = 0.0;
+    for (int i = 0; i < kCases; ++i) {
+        const Outcome one = run_crossed(chance);
+        through += one.through > 0 ? 1 : 0;
+        touched += one.touched ? 1 : 0;
+        doubtful += one.grade == Grade::doubtful ? 1 : 0;
+        wrong += one.grade == Grade::wrong ? 1 : 0;
+        made = std::max(made, one.made / one.exchanged);
+    }
+    const auto count = [&](const char* what, double expected, int found, double limit,
+                           const char* reason) {
+        report.compare(fmt::format("{}, of {}", what, kCases), {expected},
+                       {static_cast<double>(found)}, limit, reason, kCases);
+    };
+    count("wires went through each other", 0.0, through, 0.0, "capsules bear");
+    count("touched by another before it parts", kCases, touched, 0.15,
+          "under slack wires those above hang free");
+    count("judged wrong", 0.0, wrong, 0.0, "none");
+    count("judged doubtful", 0.0, doubtful, 0.02, "loose ends that crack like whips");
+    report.compare("energy made, the most of all, of what wires held", {0.0}, {made}, 0.009,
+                   "as of judges; mean over 0.5 s", 1.0);
+}
+
+}  // namespace hawser::validate
