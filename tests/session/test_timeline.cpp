@@ -93,6 +93,17 @@ TEST(SessionTimeline, DoesWhatItSaysAtItsTimes) {
     EXPECT_TRUE(w.find_interaction("eye").valid());
 }
 
+/// The verifier knows the world since before the operations of the first step.
+TEST(SessionTimeline, IsVerifiedFromItsFirstStepOn) {
+    std::string text = kTow;
+    const std::string list = "\"timeline\": [";
+    text.insert(text.find(list) + list.size(),
+                R"({"at": 0, "detach": {"wire": "tow", "end": "last"}},
+                   {"at": 0, "attach": {"wire": "tow", "end": "last", "body": "barge"}}, )");
+    Session session({.scene_text = text, .verify = true});
+    for (int k = 0; k < 50; ++k) ASSERT_EQ(session.step(), Status::ok) << session.objection();
+}
+
 /// Each is told of once, behind the step that came after it, and again in a run that goes back.
 TEST(SessionTimeline, SaysWhatItDid) {
     Session session({.scene_text = kTow});
