@@ -170,7 +170,10 @@ int RunSession::run() {
 Status RunSession::take_step(Progress& progress) {
     try {
         const Status status = session_.step();
-        if (status == Status::ok) collector_->add_step_cpu(session_.step_cpu_seconds());
+        if (status != Status::ok) return status;
+        collector_->add_step_cpu(session_.step_cpu_seconds());
+        for (const scene::Operation& operation : session_.operations())
+            collector_->add_operation(operation.at, to_string(operation));
         return status;
     } catch (const DefError&) {
         progress.close();

@@ -71,6 +71,8 @@ class Session {
     [[nodiscard]] double time() const noexcept;  ///< [s]
     /// Events of the last step that was taken.
     [[nodiscard]] std::span<const Event> events() const noexcept;
+    /// What the scene's timeline had done before the step that was taken last.
+    [[nodiscard]] std::span<const scene::Operation> operations() const noexcept;
 
     // --- Changes ------------------------------------------------------------------------------
     /// For all that may be done to a world between steps; a recording hears of it (changes.h).

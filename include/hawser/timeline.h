@@ -35,13 +35,15 @@ struct Operation {
     int other_end = 0;                                ///< … and its end.
     JoinDef gear{};                                   ///< Of `attach` and `join`.
     std::string interaction;                          ///< Hook of `release`.
+    std::string description;                          ///< What it is for; "": not said.
 };
 
 /// Do one. @throws DefError where what it names is not there, or cannot be done; the world is as it
 /// was then, but for inputs of a `set` before the one that was refused.
 void perform(const Operation& operation, World& world);
 
-/// In a line without its time, such as "cut tow at 120 m".
+/// In a line without its time, such as "cut tow at 120 m"; behind its description, if it has one:
+/// "the tow parts: cut tow at 120 m".
 [[nodiscard]] std::string to_string(const Operation& operation);
 
 }  // namespace hawser::scene

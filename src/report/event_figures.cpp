@@ -219,6 +219,11 @@ std::string events_in_words(const Summary& summary) {
         const bool another = e.worst.time != e.first.time || e.worst.where != e.first.where;
         if (another) fmt::format_to(out, "               worst at {}\n", told(e, e.worst));
     }
+    label = "  timeline     ";
+    for (const ListedEvent& e : summary.events)
+        if (e.kind == kTimelineEvent)
+            fmt::format_to(out, "{}{:.6g} s: {}\n", std::exchange(label, "               "), e.time,
+                           e.where);
     return text;
 }
 

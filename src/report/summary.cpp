@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace hawser::report {
 
@@ -98,6 +100,14 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
     wires_.after_step(world, events);
     watch_bodies(world);
     watch_energy(world);
+}
+
+void SummaryCollector::add_operation(double time, std::string what) {
+    ListedEvent done{time, kTimelineEvent, std::move(what), 0.0};
+    // Before what the step that it preceded has brought.
+    auto at = summary_.events.end();
+    while (at != summary_.events.begin() && std::prev(at)->time > time) --at;
+    summary_.events.insert(at, std::move(done));
 }
 
 void SummaryCollector::watch_contacts(const World& world) {

@@ -25,6 +25,8 @@ namespace hawser::report {
 inline constexpr std::int64_t kWarmUpSteps = 60;
 /// Events that are listed one by one: of lines that go slack or come taut, and of all others.
 inline constexpr std::size_t kListedEvents = 100;
+/// ListedEvent::kind of what the scene's timeline did.
+inline constexpr const char* kTimelineEvent = "timeline";
 
 struct Spread {
     double median = 0.0, p90 = 0.0, p95 = 0.0, p99 = 0.0, max = 0.0;
@@ -105,9 +107,10 @@ struct Summary {
     double stretch_error_max = 0.0;   ///< Relative.
     double stretch_error_time = 0.0;  ///< [s]
     Energy energy_start, energy_end;
-    double energy_scale = 0.0;           ///< What the drift is relative to [J].
-    Spread energy_step_drift;            ///< |Drift| of a single step [J].
-    std::vector<ListedEvent> events;     ///< In the order in which they happened.
+    double energy_scale = 0.0;  ///< What the drift is relative to [J].
+    Spread energy_step_drift;   ///< |Drift| of a single step [J].
+    /// In the order in which they happened. What the timeline did is there whole, as `timeline`.
+    std::vector<ListedEvent> events;
     std::vector<EventFigures> happened;  ///< Kinds that there were, what matters most first.
     std::vector<std::string> warnings;   ///< Of the start, in words.
     std::vector<CableFigures> cables;
@@ -137,6 +140,8 @@ class SummaryCollector : public Observer {
     void after_step(const World& world, std::span<const Event> events) override;
     /// Session::step_cpu_seconds() of the step that after_step() has just seen.
     void add_step_cpu(double seconds);
+    /// What a scene's timeline did before that step, in words. @param time  It was due at [s].
+    void add_operation(double time, std::string what);
     /// The figures so far.
     [[nodiscard]] Summary result(const World& world) const;
 

@@ -66,7 +66,9 @@ void perform(const Operation& operation, World& world) {
     }
 }
 
-std::string to_string(const Operation& o) {
+namespace {
+
+std::string what(const Operation& o) {
     switch (o.kind) {
         case OperationKind::set: {
             std::string out = "set";
@@ -88,6 +90,12 @@ std::string to_string(const Operation& o) {
             return "release " + o.interaction;
     }
     return "";
+}
+
+}  // namespace
+
+std::string to_string(const Operation& o) {
+    return o.description.empty() ? what(o) : o.description + ": " + what(o);
 }
 
 }  // namespace hawser::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/description.h"
 
+#include <algorithm>
 #include <set>
 
 namespace hawser::scene {
@@ -42,6 +43,12 @@ bool belongs_to_copies(const std::string& name, const Json& root) {
     return false;
 }
 
+/// A pin stands where its scene says, on a body that the state moves: it comes with the world.
+bool is_pin(const std::string& name, const Description& out) {
+    return std::any_of(out.deck.pins.begin(), out.deck.pins.end(),
+                       [&](const auto& pin) { return pin.def.name == name; });
+}
+
 }  // namespace
 
 void apply_state(Description& out, const Document& document) {
@@ -57,7 +64,7 @@ void apply_state(Description& out, const Document& document) {
             if (out.body(id).kind != BodyKind::fixed) {
                 set_state(out.bodies[static_cast<std::size_t>(id.index)], value, place);
             }
-        } else if (!belongs_to_copies(name, document.root)) {
+        } else if (!belongs_to_copies(name, document.root) && !is_pin(name, out)) {
             std::vector<std::string> known;
             for (const BodyDef& body : out.bodies) {
                 known.push_back(body.name);

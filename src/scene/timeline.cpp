@@ -56,6 +56,7 @@ class Reader {
     Operation read(const Json& json, const Place& place) {
         Operation out;
         out.at = json["at"].get<double>();
+        out.description = text_or(json, "description", "");
         if (json.contains("set"))
             read_set(out, json["set"], place / "set");
         else if (json.contains("cut"))

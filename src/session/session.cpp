@@ -201,6 +201,9 @@ const World& Session::world() const noexcept { return impl_->scene.world; }
 World& Session::world() noexcept { return impl_->scene.world; }
 double Session::time() const noexcept { return impl_->scene.world.time(); }
 std::span<const Event> Session::events() const noexcept { return impl_->events; }
+std::span<const scene::Operation> Session::operations() const noexcept {
+    return impl_->timeline.done(impl_->scene.timeline);
+}
 const std::string& Session::objection() const noexcept { return impl_->objection; }
 void Session::cancel() noexcept { impl_->world().cancel(); }
 

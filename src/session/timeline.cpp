@@ -16,10 +16,12 @@ void Timeline::skip(std::span<const scene::Operation> all, const World& world) n
     const double last = world.time() - (1.0 - kSlack) * world.settings().step;
     next_ = 0;
     while (world.step_count() > 0 && next_ < all.size() && all[next_].at <= last) ++next_;
+    begun_ = next_;
 }
 
 void Timeline::take(std::span<const scene::Operation> all, World& world) {
     const double now = world.time() + kSlack * world.settings().step;
+    begun_ = next_;
     for (; next_ < all.size() && all[next_].at <= now; ++next_) {
         const scene::Operation& operation = all[next_];
         try {

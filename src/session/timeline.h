@@ -17,9 +17,15 @@ class Timeline {
     /// Those that are due, in order. @throws DefError with time and operation where one cannot be
     /// done.
     void take(std::span<const scene::Operation> all, World& world);
+    /// Those that the last take() has done.
+    [[nodiscard]] std::span<const scene::Operation> done(
+        std::span<const scene::Operation> all) const noexcept {
+        return all.subspan(begun_, next_ - begun_);
+    }
 
   private:
-    std::size_t next_ = 0;  ///< The first that is not done yet.
+    std::size_t next_ = 0;   ///< The first that is not done yet.
+    std::size_t begun_ = 0;  ///< That was so before the last take().
 };
 
 }  // namespace hawser::session

@@ -88,7 +88,10 @@ StateVerifier::Role StateVerifier::role_of(const World& world, InteractionId id)
 }
 
 void StateVerifier::before_step(const World& world) {
-    if (steps_ > 0) take_edits(world);
+    if (steps_ > 0)
+        take_edits(world);
+    else
+        follow(world);  // what was done to it before its first step is no change of a state
     pose_before_ = pose_;
     for (const BodyId id : world.bodies()) {
         pose_[number(id.index)] = world.pose(id);

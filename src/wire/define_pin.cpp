@@ -50,6 +50,8 @@ void PinSystem::prestep(Prestep& now, Loads&) noexcept {
 
 namespace {
 
+constexpr double kPlay = 0.01;  ///< Of a pin between its stops, beyond where the motor goes [m].
+
 [[noreturn]] void refuse(const PinDef& def, const std::string& why) {
     throw DefError("pin '" + def.name + "': " + why);
 }
@@ -116,6 +118,8 @@ BodyId define(World& world, const PinDef& def) {
         slide.point = world.pose(body).position;
         slide.axis = world.pose(body).orientation * Vec3::UnitZ();
         slide.coordinate = def.up ? 0.0 : -length;
+        // Wire that runs up or down along it must not carry it beyond its housing.
+        slide.limit = AxisLimit{.min = -length - kPlay, .max = kPlay};
         slide.motor = AxisMotor{.force_min = -def.force, .force_max = def.force};
         const JointIds joint = world.add(slide);
         const ShapeId shape = world.add_shape({.name = def.name + "/post",

@@ -65,5 +65,30 @@ TEST(ReportedEvents, LinesInWordsAndListsOfTheirOwn) {
               "the stretch \"wire/s1\" between \"wire/1\" and \"box & <friends>\"");
 }
 
+/// What a timeline did stands before what came of it, in report and summary, however many other
+/// events there were.
+TEST(ReportedEvents, WhatTheTimelineDidIsListedWhole) {
+    SmallScene scene;
+    report::SummaryCollector collector(scene.info, scene.world);
+    const std::vector<Event> many(report::kListedEvents + 1,
+                                  Event{.time = 0.5, .kind = EventKind::range});
+    ASSERT_EQ(scene.world.step(), Status::ok);
+    collector.after_step(scene.world, many);
+    collector.add_operation(0.25, "the winch hauls: set hoist.speed = -1");
+    collector.add_operation(0.25, "cut wire at 2 m");
+    collector.add_operation(0.75, "release hook");
+    const report::Summary summary = collector.result(scene.world);
+    const auto list = nlohmann::json::parse(report::to_json(summary)).at("events");
+    ASSERT_EQ(list.size(), report::kListedEvents + 3);
+    EXPECT_EQ(list[0]["kind"], "timeline");
+    EXPECT_EQ(list[0]["time"], 0.25);
+    EXPECT_EQ(list[0]["where"], "the winch hauls: set hoist.speed = -1");
+    EXPECT_EQ(list[1]["where"], "cut wire at 2 m");
+    EXPECT_EQ(list[2]["kind"], "range");
+    EXPECT_EQ(list.back()["where"], "release hook");
+    EXPECT_NE(report::to_text(summary).find("timeline     0.25 s: the winch hauls: set"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace hawser::test

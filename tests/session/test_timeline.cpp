@@ -45,7 +45,7 @@ const std::string kTow = R"({
     {"at": 2, "join": {"wire": "tow", "to": "tow/2", "gear": "pelican_hook", "name": "hook",
       "mass": 30, "length": 0.5, "reach": 50}},
     {"at": 0.5, "set": {"hoist.mode": "speed", "hoist.speed": -0.5, "push": 100}},
-    {"at": 1, "cut": "tow", "s": 30},
+    {"at": 1, "cut": "tow", "s": 30, "description": "the tow parts"},
     {"at": 3, "release": "hook"},
     {"at": 4, "detach": {"wire": "tow/2", "end": "last"}},
     {"at": 4, "attach": {"wire": "tow/2", "end": "last", "body": "barge", "name": "eye",
@@ -75,7 +75,8 @@ Seen run_to(Session& session, int steps, const std::string& save = "", int at = 
 TEST(SessionTimeline, DoesWhatItSaysAtItsTimes) {
     Session session({.scene_text = kTow});
     ASSERT_EQ(session.scene().timeline.size(), 6U);
-    EXPECT_EQ(to_string(session.scene().timeline[1]), "cut tow at 30 m");
+    EXPECT_EQ(to_string(session.scene().timeline[1]), "the tow parts: cut tow at 30 m");
+    EXPECT_EQ(to_string(session.scene().timeline[3]), "release hook");
     const Seen seen = run_to(session, 300);
     const std::vector<std::string> kinds{"cut", "join", "release", "detach", "join"};
     const std::vector<double> times{1.0, 2.0, 3.0, 4.0, 4.0};
@@ -90,6 +91,39 @@ TEST(SessionTimeline, DoesWhatItSaysAtItsTimes) {
     EXPECT_NEAR(w.length(w.find_wire("tow")), 30.0, 1e-9);
     EXPECT_EQ(w.nodes(w.find_wire("tow/2")).size(), 17U);
     EXPECT_TRUE(w.find_interaction("eye").valid());
+}
+
+/// The verifier knows the world since before the operations of the first step.
+TEST(SessionTimeline, IsVerifiedFromItsFirstStepOn) {
+    std::string text = kTow;
+    const std::string list = "\"timeline\": [";
+    text.insert(text.find(list) + list.size(),
+                R"({"at": 0, "detach": {"wire": "tow", "end": "last"}},
+                   {"at": 0, "attach": {"wire": "tow", "end": "last", "body": "barge"}}, )");
+    Session session({.scene_text = text, .verify = true});
+    for (int k = 0; k < 50; ++k) ASSERT_EQ(session.step(), Status::ok) << session.objection();
+}
+
+/// Each is told of once, behind the step that came after it, and again in a run that goes back.
+TEST(SessionTimeline, SaysWhatItDid) {
+    Session session({.scene_text = kTow});
+    const auto told = [&](double until) {
+        std::vector<double> at;
+        while (session.time() < until) {
+            EXPECT_EQ(session.step(), Status::ok);
+            for (const scene::Operation& o : session.operations()) at.push_back(o.at);
+        }
+        return at;
+    };
+    EXPECT_TRUE(session.operations().empty());
+    EXPECT_EQ(told(2.5), (std::vector<double>{0.5, 1.0, 2.0}));
+    const Structure made_of = session.world().structure();
+    const std::vector<std::byte> state = session.world().save();
+    const std::vector<double> rest{3.0, 4.0, 4.0};
+    EXPECT_EQ(told(5.0), rest);
+    session.restore(made_of, state);
+    EXPECT_TRUE(session.operations().empty());
+    EXPECT_EQ(told(5.0), rest);
 }
 
 /// An input that sets a signal does so from a timeline as well, by its factor and within its range.
@@ -154,7 +188,8 @@ TEST(SessionTimeline, ComposesWithControlAndEndsARunThatItCannotGoOnWith) {
         for (int k = 0; k < 60; ++k) ASSERT_EQ(session.step(), Status::ok);
         FAIL() << "the wire is not there";
     } catch (const DefError& error) {
-        EXPECT_STREQ(error.what(), "timeline, 1 s, cut tow at 30 m: there is no wire 'tow' now");
+        EXPECT_STREQ(error.what(),
+                     "timeline, 1 s, the tow parts: cut tow at 30 m: there is no wire 'tow' now");
     }
     EXPECT_EQ(session.finish(), record::Ending::failed);
 }

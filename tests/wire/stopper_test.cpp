@@ -347,6 +347,22 @@ TEST(Pins, LoweredTouchNothingAndRaisedHoldAWireOnItsSide) {
     EXPECT_NE(d.w.verdict().grade, Grade::wrong);
 }
 
+/// More than its motor gives, as a wire that climbs along it may pull: its stops hold it.
+TEST(Pins, StayBetweenTheirStops) {
+    PinDeck d(true, 1.0, 1.2);
+    const BodyId pin = d.w.find_body("pin");
+    for (const double up : {1.0, 0.0}) {
+        d.w.set_force(pin, Vec3::Zero(), Vec3::Zero());
+        d.w.set_system_signal("pin.up", up);
+        d.move({0, 0, 0}, 25.0);
+        EXPECT_NEAR(d.w.system_signal("pin.height"), up, 1e-3);
+        d.w.set_force(pin, {0, 0, up > 0.5 ? 1e6 : -1e6}, Vec3::Zero());
+        d.move({0, 0, 0}, 5.0);
+        // 1 cm of play on 2 m.
+        EXPECT_NEAR(d.w.system_signal("pin.height"), up > 0.5 ? 1.005 : -0.005, 1e-4);
+    }
+}
+
 /// Right above it: lifted, not taken.
 TEST(Pins, LiftAWireThatLiesAcrossTheirTop) {
     PinDeck d(false, 0.0, 1.2);
