@@ -23,7 +23,7 @@ Unit readable_unit(double largest, const std::string& unit) {
 
 std::string with_unit(double value, const std::string& unit) {
     const Unit u = readable_unit(value, unit);
-    const double shown = value * u.factor;
+    const double shown = value * u.factor + 0.0;  // a slack line's −0 is shown as 0
     if (value != 0.0 && std::abs(shown) < 0.1) return fmt::format("{:.2e} {}", value, unit);
     return fmt::format("{:.4g} {}", shown, u.name);
 }

@@ -143,6 +143,17 @@ Status settle_free(StepContext& ctx) noexcept {
     return status;
 }
 
+/// What follows the rounds: laws of contacts, rows at their bounds, refinement. What another round
+/// would change is measured again where that took substitutions.
+Status settle(StepContext& ctx) noexcept {
+    const std::int32_t before = ctx.work.stats.substitutions;
+    const bool contacts = ctx.model.system.contacts.count() > 0;
+    const Status status = contacts ? settle_newton(ctx) : settle_free(ctx);
+    if (status == Status::ok && ctx.work.stats.substitutions != before)
+        ctx.work.stats.completion_change = renew_completed(ctx).change;
+    return status;
+}
+
 }  // namespace
 
 Status complete(StepContext& ctx) noexcept {
@@ -153,12 +164,7 @@ Status complete(StepContext& ctx) noexcept {
             status = solve_with_new_forces(ctx);
     if (ctx.model.completion.any && status == Status::ok) {
         const Turning t = make_rounds(ctx);
-        if (!(t.gap <= kGap))
-            status = solve_linearised(ctx);
-        else if (ctx.model.system.contacts.count() > 0)
-            status = settle_newton(ctx);  // laws, too, where rounds have moved contacts
-        else
-            status = settle_free(ctx);
+        status = t.gap <= kGap ? settle(ctx) : solve_linearised(ctx);
     }
     if (status == Status::ok) take_self_stress(ctx);
     return status;

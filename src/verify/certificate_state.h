@@ -13,6 +13,7 @@
 
 #include <hawser/hawser.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ class StateVerifier {
     void add_sources(const World& world);
     [[nodiscard]] std::string check_energy(const World& world);
     [[nodiscard]] std::string check_joints(const World& world);
+    [[nodiscard]] double off_law(const World& world, InteractionId id) const;
     [[nodiscard]] std::string check_lines(const World& world);
     [[nodiscard]] std::string check_turns(const World& world);
 
@@ -73,6 +75,7 @@ class StateVerifier {
     double work_ = 0.0, exchanged_ = 0.0;     ///< [J].
     double mean_ = 0.0, least_ = 0.0;         ///< Of energy less work [J].
     double excused_ = 0.0;                    ///< What joints stood open by at the start.
+    std::array<double, 2> off_before_{};      ///< Of the worst elements of the two steps before.
     std::int64_t steps_ = 0;
     StateFigures result_;
 };

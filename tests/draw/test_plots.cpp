@@ -261,6 +261,7 @@ TEST(Ticks, AreRoundAndInside) {
               (std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1}));
     EXPECT_EQ(draw::tick_label(0.25, 0.05), "0.25");
     EXPECT_EQ(draw::tick_label(-2, 1), "−2");
+    EXPECT_EQ(record::with_unit(-0.0, "N"), "0 N");
     EXPECT_EQ(record::with_unit(1.25e6, "N"), "1.25 MN");
     EXPECT_EQ(record::with_unit(5e-6, "m"), "5 µm");
 }
