@@ -334,8 +334,9 @@ class System {
     /// whatever else it hangs on included. Asked for at each removal.
     virtual void holds(HoldTable& table) const { static_cast<void>(table); }
     /// Mass of an element of a wire whose ends it loads with half each, as lumps have that of
-    /// others (WinchDef::element) [kg]; 0: it does not. What goes on as another element takes it
-    /// over.
+    /// others (WinchDef::element) [kg]; 0: it does not; below 0: a drum has hauled in more than
+    /// there was, and the account is the system's all the same. What goes on as another element
+    /// takes it over.
     [[nodiscard]] virtual double carried_mass(InteractionId element) const noexcept {
         static_cast<void>(element);
         return 0.0;
