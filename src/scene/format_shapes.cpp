@@ -193,8 +193,13 @@ ShapePtr post_shape() {
     std::vector<Field> fields{
         {"name", name("a name"), true, "", "", "Unique among posts; of its signals, name.held."},
         {"on", body_ref(), true, "", "", "Body that it belongs to."},
-        {"from", vector3("a point"), true, "", "m", "Of its axis, in the frame of the body."},
-        {"to", vector3("a point"), true, "", "m", "Where its axis ends, in that frame."},
+        {"from", vector3("a point"), false, "", "m",
+         "Of its axis, in the frame of the body; required without `edge`."},
+        {"to", vector3("a point"), false, "", "m",
+         "Where its axis ends, in that frame; required without `edge`."},
+        {"edge", vector3("an edge"), false, "", "1",
+         "Of the body's box, by the faces that meet there: [1, 0, 1] is that of +x and +z. The "
+         "cylinder lies against both, as if the edge were rounded."},
         {"radius", positive("a radius", 1e3), true, "", "m", "Of the cylinder."},
         {"friction", number("a coefficient", 0.0, 10.0), false, "0", "1",
          "Of cables that lie on it; while they only touch it, that of its material."},

@@ -4,6 +4,7 @@
 
 #include "scene/description.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -21,13 +22,58 @@ PostDef read_post(const Scope& scope, const Json& json) {
     return def;
 }
 
+struct Axis {
+    Vec3 from, to;
+};
+
+/// Within the box of the body, so that a cylinder of the radius lies against both faces that meet
+/// at the edge, over all its length.
+Axis edge_of(const BodyDef& body, const Json& json, const Place& place) {
+    for (const char* other : {"from", "to"})
+        if (json.contains(other))
+            refuse(place / other, "the axis is that of \"edge\"; leave out one of the two");
+    const Vec3 toward = vector_of(json["edge"]), half = body.half_size;
+    int along = -1;
+    bool is_edge = true;
+    for (int k = 0; k < 3; ++k) {
+        is_edge = is_edge && (toward[k] == 0.0 ? along < 0 : std::abs(toward[k]) == 1.0);
+        if (toward[k] == 0.0) along = k;
+    }
+    if (!is_edge || along < 0)
+        refuse(place / "edge",
+               "give 1, -1 and one 0: [1, 0, 1] is the edge of the faces +x and +z, along y");
+    if (!(half.minCoeff() > 0.0))
+        refuse(place / "edge", "its body has no box; give that \"box\" or \"half_size\"");
+    const double radius = json["radius"].get<double>();
+    Vec3 centre = Vec3::Zero(), end = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        if (k == along) continue;
+        if (radius > half[k])
+            refuse(place / "radius", "the box of its body is thinner than the cylinder");
+        centre[k] = toward[k] * (half[k] - radius);
+    }
+    end[along] = half[along];
+    return {centre - end, centre + end};
+}
+
+Axis axis_of(const BodyDef& body, const Json& json, const Place& place) {
+    if (json.contains("edge")) return edge_of(body, json, place);
+    for (const char* end : {"from", "to"})
+        if (!json.contains(end))
+            refuse(place,
+                   std::string("a post needs \"") + end + "\", or \"edge\" of its body's box");
+    const Axis out{vector_of(json["from"]), vector_of(json["to"])};
+    if (!((out.to - out.from).norm() > 0.0))
+        refuse(place / "to", "its axis has no length: \"from\" is there, too");
+    return out;
+}
+
 ShapeDef shape_of(Description& out, const Scope& scope, const Json& json, const Place& place) {
     ShapeDef def;
     def.kind = ShapeKind::cylinder;
     def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
-    const Vec3 from = vector_of(json["from"]), to = vector_of(json["to"]);
+    const auto [from, to] = axis_of(out.body(def.body), json, place);
     const double length = (to - from).norm();
-    if (!(length > 0.0)) refuse(place / "to", "its axis has no length: \"from\" is there, too");
     def.position = 0.5 * (from + to);
     def.orientation = turn_between(Vec3::UnitZ(), (to - from) / length);
     def.radius = json["radius"].get<double>();

@@ -60,6 +60,12 @@ inline constexpr Mistake kMistakes[] = {
 // --- posts ----------------------------------------------------------------------------------
 {kPendulum, R"([{"op":"add","path":"/posts","value":[{"name":"pin","on":"bub","from":[0,0,0],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/on", "no body"},
 {kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,1],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/to", "no length"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","to":[0,0,1],"radius":0.1}]}])", "/posts/0", "needs \"from\""},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed","box":[6,4,2]}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge":[1,0,1],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/to", "leave out"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed","box":[6,4,2]}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge":[1,1,1],"radius":0.1}]}])", "/posts/0/edge", "one 0"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed","box":[6,4,2]}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge":[1,0,0],"radius":0.1}]}])", "/posts/0/edge", "one 0"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge":[1,0,1],"radius":0.1}]}])", "/posts/0/edge", "no box"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed","box":[6,4,2]}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge":[1,0,1],"radius":2.5}]}])", "/posts/0/radius", "thinner"},
 {kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,0],"to":[0,0,1],"radius":0}]}])", "/posts/0/radius", "greater than 0"},
 {kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,0],"to":[0,0,1],"radius":0.1,"efficiency":0}]}])", "/posts/0", "above 0"},
 // --- settings -------------------------------------------------------------------------------

@@ -48,6 +48,20 @@ TEST(SceneShapes, become_definitions) {
     EXPECT_EQ(shape(d, "one/b/s").material.index, 2);
 }
 
+/// A cylinder of 0.2 m against the faces +x and −z of a box of 12 by 8 by 4 m.
+TEST(SceneShapes, posts_lie_in_the_edges_of_boxes) {
+    const Description d = flat(R"({
+      "version": 1, "name": "quay", "settings": {"step": 0.01, "duration": 1},
+      "bodies": [{"name": "quay", "kind": "fixed", "box": [6, 4, 2]},
+                 {"name": "load", "mass": 1, "box": [1, 1, 1]}],
+      "posts": [{"name": "rim", "on": "quay", "edge": [1, 0, -1], "radius": 0.2}]})");
+    const ShapeDef& rim = shape(d, "rim");
+    EXPECT_EQ(rim.kind, ShapeKind::cylinder);
+    EXPECT_NEAR((rim.position - Vec3(5.8, 0.0, -1.8)).norm(), 0.0, 1e-15);
+    EXPECT_EQ(rim.half_length, 4.0);
+    EXPECT_NEAR(std::abs((rim.orientation * Vec3::UnitZ()).y()), 1.0, 1e-15);
+}
+
 TEST(SceneShapes, cables_get_segments_between_lumps) {
     const Description d = flat(kTouching);
     // The element at the ship ends on a rigid body and has none; the last one ends on a fixed body.
