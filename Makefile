@@ -17,7 +17,7 @@ help:
 	@echo "make view      install what is missing (node too), build the page, open a scene with its levers in a browser"
 	@echo "make test      install what is missing, build, run all tests"
 	@echo "make test-page drive the page of 'hawser view' in a browser (Debian's chromium), make its pictures"
-	@echo "make test-long 100,000 random pairs of shapes of each two kinds, a million forged files, 50,000 random edits, hashes, memory that ends anywhere, 500 random wires with pins, 100,000 operations on wires under sanitizers: an hour"
+	@echo "make test-long 100,000 random pairs of shapes of each two kinds, a million forged files, 50,000 random edits, hashes, memory that ends anywhere, 500 random wires with pins, all of anchor_run, 100,000 operations on wires under sanitizers: an hour"
 	@echo "make test-sanitized all fast tests under address and undefined-behaviour sanitizers, also those that the gate leaves out: half an hour"
 	@echo "make test-bare demo and test in a bare Debian 12 that debootstrap makes: root, network, minutes"
 	@echo "make test-view-bare make view in a bare Debian 12, and its program in one without node: root, network, minutes"
@@ -85,6 +85,7 @@ test-long: build
 	@HAWSER_LONG=1 $(BIN)/hawser_test_machine --gtest_filter='MemoryEnds*'
 	@HAWSER_LONG=1 $(BIN)/hawser_test_files --gtest_filter='Forged*'
 	@HAWSER_LONG=1 $(BIN)/hawser_test_wire --gtest_filter='PostRandom*'
+	@HAWSER_LONG=1 HAWSER_BIN_DIR=$(BIN) $(BIN)/hawser_test_session --gtest_filter='AnchorRun*'
 	@cmake --preset asan-ubsan >/dev/null
 	@cmake --build --preset asan-ubsan -j $(JOBS) --target hawser_test_wire hawser_test_record
 	@HAWSER_OPERATIONS=100000 build/asan-ubsan/bin/hawser_test_wire --gtest_filter='WinchRandom*'

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -37,7 +38,7 @@ std::vector<std::uint64_t> run_hashes(Session& session, int steps) {
 // scene files are read.
 TEST(AnchorRun, IsFrozen) {
     Session session(run_on(1));
-    EXPECT_EQ(session.scene().hash, 0x4a9aa5fee79bb623U);
+    EXPECT_EQ(session.scene().hash, 0x04bab8e3874bba63U);
     EXPECT_EQ(session.world().body_count(), 1882);
     EXPECT_EQ(session.scene().timeline.size(), 23U);
     int elements = 0;
@@ -71,6 +72,50 @@ TEST(AnchorRun, HasTheSameBitsOnAnyNumberOfThreadsAndRestored) {
     Session again(run_on(2));
     again.restore(made_of, state);
     EXPECT_EQ(run_hashes(again, steps), rest);
+}
+
+/// All ten minutes, phase by phase: HAWSER_LONG=1, as in `make test-long`, since it takes minutes.
+TEST(AnchorRun, TakesTheAnchorChangesToChainAndRunsItOut) {
+    if (std::getenv("HAWSER_LONG") == nullptr) GTEST_SKIP() << "HAWSER_LONG=1 runs it";
+    Session session(run_on(1));
+    World& world = session.world();
+    const auto run_to = [&](double time) {
+        while (session.time() < time - 1e-6) {
+            ASSERT_EQ(session.step(), Status::ok) << session.time();
+            ASSERT_LE(world.stats().natural_map, 1e-6) << session.time();
+            ASSERT_EQ(world.stats().flips_left, 0) << session.time();
+            for (const Event& e : session.events())
+                ASSERT_NE(e.kind, EventKind::line_break) << session.time();
+        }
+    };
+    const BodyId anchor = world.find_body("anchor1"), ship = world.find_body("ahts1/hull");
+    const auto on_deck = [&] {
+        const Vec3 at = world.local_point(ship, world.pose(anchor).position);
+        // Its middle half its height, 0.8 m, over the deck at 1.2 m, which gives by millimetres.
+        return at.x() > -33.0 && at.x() < -29.0 && std::abs(at.y() - 1.0) < 0.5 &&
+               std::abs(at.z() - 2.0) < 0.02;
+    };
+    ASSERT_NO_FATAL_FAILURE(run_to(211.0));
+    EXPECT_TRUE(on_deck());
+    ASSERT_NO_FATAL_FAILURE(run_to(231.0));
+    EXPECT_EQ(world.system_signal("jaw.state"), 2.0);  // StopperState::holding
+    const double alone = world.system_signal("jaw.load");
+    EXPECT_GT(alone, 2e5) << "it has the chain, the wire is slack";
+    EXPECT_LT(world.system_signal("work1_winch.pull"), 1e4);
+    ASSERT_NO_FATAL_FAILURE(run_to(249.0));
+    EXPECT_FALSE(world.find_interaction("chain1_shackle").valid()) << "the anchor has nothing";
+    EXPECT_TRUE(world.find_interaction("chain_strop").valid());
+    ASSERT_NO_FATAL_FAILURE(run_to(284.0));
+    EXPECT_LT(world.system_signal("jaw.load"), 0.5 * alone) << "the wire has taken the chain over";
+    ASSERT_NO_FATAL_FAILURE(run_to(299.0));
+    EXPECT_EQ(world.system_signal("jaw.state"), 0.0);
+    const double in = world.system_signal("work1_winch.wire_left");
+    ASSERT_NO_FATAL_FAILURE(run_to(430.0));
+    EXPECT_NEAR(in - world.system_signal("work1_winch.wire_left"), 84.0, 0.5);  // 120 s, 0.7 m/s
+    ASSERT_NO_FATAL_FAILURE(run_to(600.0));
+    EXPECT_TRUE(on_deck()) << "the anchor stayed where it was";
+    EXPECT_EQ(world.stats().islands, 1);
+    EXPECT_NE(world.verdict().grade, Grade::wrong);
 }
 
 }  // namespace
