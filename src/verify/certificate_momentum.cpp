@@ -59,6 +59,19 @@ Twist applied(const World& world, BodyId body, const Quat& turn) {
     return f;
 }
 
+/// Squares of bodies, and the body that has the largest.
+struct Shares {
+    double sum = 0.0, most = 0.0;
+    BodyId worst{};
+    void add(BodyId body, double square) {
+        sum += square;
+        if (square > most) {
+            most = square;
+            worst = body;
+        }
+    }
+};
+
 }  // namespace
 
 bool Verifier::sleeps(const World& world, BodyId body) const {
@@ -124,16 +137,10 @@ Vec3 Verifier::spin_impulse(std::size_t body, const Mat3& inertia, const Twist& 
 
 double Verifier::momentum_residual(const World& world) {
     const double h = step_;
-    double residual = 0.0, impulse = impulse_;
-    double momentum = 0.0, worst = 0.0;
+    Shares residual;
+    double impulse = impulse_;
+    double momentum = 0.0;
     std::int32_t covered = 0;
-    const auto add_residual = [&](BodyId body, double square) {
-        residual += square;
-        if (square > worst) {
-            worst = square;
-            worst_momentum_ = body;
-        }
-    };
     for (const BodyId id : moving_) {
         const std::size_t b = index_of(id.index);
         if (sleeps(world, id)) {
@@ -167,7 +174,7 @@ double Verifier::momentum_residual(const World& world) {
         const Vec3 spin = turns ? spin_impulse(b, def.inertia, now) : Vec3::Zero();
         if (unsure_[b]) continue;
         ++covered;
-        add_residual(id, p.squaredNorm() / def.mass);
+        residual.add(id, p.squaredNorm() / def.mass);
         momentum += def.mass * now.linear.squaredNorm();
         impulse += given.squaredNorm() / def.mass;
         if (!turns) continue;
@@ -178,7 +185,7 @@ double Verifier::momentum_residual(const World& world) {
         // Where its rounds ended, another one would have changed so much.
         const double left = 1.01 * world.stats().completion_change + 1e-15;
         if (!turning_[b] || (mobility_[b] * l).norm() > left)
-            add_residual(id, square_over(mobility_[b], l));
+            residual.add(id, square_over(mobility_[b], l));
         const Vec3 w = turn.conjugate() * now.angular;
         momentum += w.dot(def.inertia * w);
     }
@@ -192,7 +199,8 @@ double Verifier::momentum_residual(const World& world) {
     result_.covered_bodies = std::max(0, result_.moving_bodies - left_out_);
     // What little impulse a body without load has drowns in the rounding of its momentum: 1e-4 of
     // that counts as impulse, so that kRoundOff is 1e-13 of it.
-    return std::sqrt(residual) /
+    worst_momentum_ = residual.worst;
+    return std::sqrt(residual.sum) /
            std::max({std::sqrt(impulse), momentum_floor_, 1e-4 * std::sqrt(momentum)});
 }
 

@@ -249,4 +249,15 @@ void check_params(const InteractionDef& def) {
     }
 }
 
+void check_end(const std::string& where, double mass, double carried) {
+    if (carried < 0.0)
+        refuse(where,
+               "its drum has hauled in all that it had, and there is no end to let go; pay some "
+               "out, and detach() then");
+    if (!(mass > 0.0))
+        refuse(where,
+               "neither it nor a lump has the mass of the wire at this end; give the wire more "
+               "elements");
+}
+
 }  // namespace hawser::world

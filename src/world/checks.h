@@ -33,6 +33,10 @@ class Where {
 /// Refuses `where` with a reason. @throws DefError
 [[noreturn]] void refuse(const Where& where, const std::string& what);
 
+/// Whether what an element leaves free has a mass. @param mass  Of its end [kg]. @param carried  Of
+/// what a drum has paid out [kg]; below 0: it has hauled in more. @throws DefError
+void check_end(const std::string& where, double mass, double carried);
+
 /// @throws DefError
 void check(const WorldDef& def);
 /// @throws DefError

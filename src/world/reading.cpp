@@ -24,6 +24,17 @@ StateView World::state() const noexcept {
             .prescribed = first(b.v_fixed, 6 * n)};
 }
 
+Twist World::predicted_velocity(BodyId id) const {
+    const std::size_t b = impl_->place(id);
+    const model::Bodies& s = impl_->ctx.model.bodies;
+    const int dof = s.dof(id.index);
+    if (dof == 0) return velocity(id);
+    Twist twist;
+    const double* v = &s.v_start[at(s.dof_begin[b])];
+    for (int i = 0; i < dof; ++i) (i < 3 ? twist.linear[i] : twist.angular[i - 3]) = v[i];
+    return twist;
+}
+
 Vec3 World::local_point(BodyId id, const Vec3& point) const {
     const Pose p = pose(id);
     return p.orientation.conjugate() * (point - p.position);

@@ -208,14 +208,7 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     const BodyId held = in.def[at(e)].body[side], next = in.def[at(e)].body[1 - side];
     const bool wound = kind_info(in.def[at(e)].kind).is(kWoundUp);
     const auto [share, carried, beyond, lump_next] = end_share(ctx, systems, element, next);
-    if (carried < 0.0)
-        world::refuse(where,
-                      "its drum has hauled in all that it had, and there is no end to let go; pay "
-                      "some out, and detach() then");
-    if (!(share.mass > 0.0))
-        world::refuse(where,
-                      "neither it nor a lump has the mass of the wire at this end; give the "
-                      "wire more elements");
+    world::check_end(where, share.mass, carried);
     ShapeDef segment_def;
     ShapeId segment;
     if (beyond >= 0) {

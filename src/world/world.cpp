@@ -165,16 +165,6 @@ void World::set_pose(BodyId id, const Pose& pose) {
     s.refresh_rotation(id.index);
 }
 
-Twist World::predicted_velocity(BodyId id) const {
-    const std::size_t b = impl_->place(id);
-    const model::Bodies& s = impl_->ctx.model.bodies;
-    const int dof = s.dof(id.index);
-    if (dof == 0) return velocity(id);
-    Twist twist;
-    const double* v = &s.v_start[at(s.dof_begin[b])];
-    for (int i = 0; i < dof; ++i) (i < 3 ? twist.linear[i] : twist.angular[i - 3]) = v[i];
-    return twist;
-}
 void World::set_velocity(BodyId id, const Twist& twist) {
     const world::Using use(impl_->use, "set_velocity");
     const std::size_t b = impl_->place(id);
