@@ -91,7 +91,8 @@ TEST_F(Plots, NamesDoNotOverlap) {
         recording->bodies.push_back(body);
     }
     for (int i = 0; i < 40; ++i)
-        frame.poses.push_back({Vec3(0.1 * (i % 8), 0, -2 + 0.1 * (i / 8)), Quat::Identity()});
+        frame.poses.push_back(
+            {Vec3(0.1 * (i % 8), 0, -2 + 0.1 * std::floor(i / 8.0)), Quat::Identity()});
     const draw::Axes axes{.frame = {100, 100, 600, 500}, .x = {-1, 2}, .y = {-3.2, 0.2}};
     draw::Drawing drawing;
     draw::draw_names(drawing, axes, {0, 2, 1.0, ""}, *recording, frame);
@@ -205,7 +206,9 @@ TEST(Raster, FillsAndStrokesCoverTheRightPixels) {
     drawing.box({2, 2, 4, 4}, {0, 0, 0, 255});
     drawing.line({0, 8.5}, {10, 8.5}, {0, 0, 0, 255}, 1.0);
     const draw::Image image = draw::rasterise(drawing, 1.0);
-    const auto at = [&](int x, int y) { return int(image.rgb[std::size_t(3 * (y * 10 + x))]); };
+    const auto at = [&](int x, int y) {
+        return int(image.rgb[3 * (std::size_t(y) * 10 + std::size_t(x))]);
+    };
     EXPECT_EQ(at(3, 3), 0);
     EXPECT_EQ(at(5, 5), 0);
     EXPECT_EQ(at(6, 3), 255);
@@ -241,7 +244,7 @@ TEST(Raster, TextIsDrawnWhereItIsPut) {
     const double half = 0.5 * draw::text_width("Hg", 16) + 1.0;
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 60; ++x)
-            if (image.rgb[std::size_t(3 * (y * 60 + x))] < 128)
+            if (image.rgb[3 * (std::size_t(y) * 60 + std::size_t(x))] < 128)
                 (std::abs(x + 0.5 - 30) < half ? dark : outside) += 1;
     EXPECT_GT(dark, 40);
     EXPECT_EQ(outside, 0);

@@ -109,7 +109,7 @@ TEST(Pins, RefuseWhatCannotBe) {
     PinDeck d(true, 1.0, 1.0);
     const PinDef good{
         .name = "p", .body = d.ship, .from = {0, 3, 0}, .to = {0, 3, 2}, .radius = 0.1};
-    const auto refusal = [&](PinDef def) -> std::string {
+    const auto refusal = [&](const PinDef& def) -> std::string {
         const auto bodies = d.w.bodies().size();
         try {
             d.w.add(def);
