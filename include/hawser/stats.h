@@ -174,9 +174,10 @@ struct Energy {
 /// What a step left out to keep to a limit of its cost; by default nothing. Enough to repeat the
 /// step bit for bit without a clock (docs/methods.md, 11).
 struct Degradation {
-    /// Newton iterations after which the solve for contacts ended; 0: when it was solved.
+    /// Newton iterations after which solves for contacts ended, of all that the step took; 0: when
+    /// they were solved.
     std::int32_t iterations = 0;
-    /// It ended with the factorisation at hand, and lines that ask to switch do so after the step.
+    /// They end with the factorisation at hand, and lines that ask to switch do so after the step.
     bool hasty = false;
     /// Interfaces, a bit each, whose cuts of Coupling::deadline were compliant. An interface is a
     /// pair of groups; pairs count in the order of their groups, those beyond 63 as one.

@@ -57,6 +57,7 @@ Status choose_cuts(StepContext& ctx) noexcept {
 }
 
 void begin_budget(StepContext& ctx) noexcept {
+    ctx.work.newton.iterations = 0;  // from here on of all solves of the step
     Limits limits{.seconds = kAim * ctx.model.def.budget,
                   .work = 0.0,
                   .most = 0,

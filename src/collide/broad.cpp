@@ -45,6 +45,10 @@ bool meets_plane(const Placed& plane, const Placed& s, double h, double margin) 
     return !(least > 0.5 * margin + h * own);
 }
 
+/// What was removed or has parted. Such places have no size: wires that lose most of their nodes
+/// leave many of them, beside which every other shape would count as large.
+bool nowhere(const Placed& p) noexcept { return p.swept.low[0] > p.swept.high[0]; }
+
 double extent(const Placed& p) noexcept {
     double e = 0.0;
     for (int i = 0; i < 3; ++i) e = std::max(e, p.box.high[i] - p.box.low[i]);
@@ -87,27 +91,33 @@ void run(base::Executor& pool, int count, F&& f) {
 void Broad::prepare(const base::Array<Placed>& placed) {
     std::vector<double>&extents = extents_, &by_size = by_size_;
     extents.clear();
-    for (const Placed& p : placed) extents.push_back(extent(p));
-    by_size = extents;
+    by_size.clear();
+    for (const Placed& p : placed) {
+        extents.push_back(extent(p));
+        if (!nowhere(p)) by_size.push_back(extents.back());
+    }
     const auto middle = by_size.begin() + static_cast<std::ptrdiff_t>(by_size.size() / 2);
     if (!by_size.empty()) std::nth_element(by_size.begin(), middle, by_size.end());
     const double limit = by_size.size() < kSomeAnyway ? -1.0 : kLarge * *middle;
     is_large_.assign(placed.size(), 0);
     large_.clear();
     V3 sum{0.0, 0.0, 0.0}, square{0.0, 0.0, 0.0};
+    double n = 0.0;
     for (std::size_t i = 0; i < placed.size(); ++i) {
         is_large_[i] = placed[i].unbounded || extents[i] > limit ? 1 : 0;
         if (is_large_[i]) {
             large_.push_back(static_cast<std::int32_t>(i));
             continue;
         }
+        if (nowhere(placed[i])) continue;
+        n += 1.0;
         const V3 c = load3(placed[i].centre);
         sum = sum + c;
         square = square + V3{c.x * c.x, c.y * c.y, c.z * c.z};
     }
     list_small(is_large_, small_);
     // The axis along which the small shapes are spread most.
-    const double n = std::max<double>(1.0, static_cast<double>(small_.size()));
+    n = std::max(n, 1.0);
     const double spread[3] = {square.x - sum.x * sum.x / n, square.y - sum.y * sum.y / n,
                               square.z - sum.z * sum.z / n};
     std::sort(axis_, axis_ + 3, [&](int a, int b) {

@@ -58,11 +58,21 @@ void note_lap(StepContext& ctx) noexcept {
         ctx.work.limits.laps.first = ctx.work.limits.laps.last;
 }
 
-/// Whether the budget allows another iteration.
+/// Whether the budget allows another iteration. A step that it has cut once, and which is solved
+/// again (guard.h), gets no more than it needs: the first cut says then what all of the step did.
 bool affordable(Work& work) noexcept {
-    return work.limits.budget.another(
-        {work.limits.laps.last, static_cast<double>(work.solve.step_flops)},
-        work.newton.iterations);
+    return !work.stats.cut &&
+           work.limits.budget.another(
+               {work.limits.laps.last, static_cast<double>(work.solve.step_flops)},
+               work.newton.iterations);
+}
+
+/// Keeps what repeats the step (Degradation): the iterations of all solves of the step so far.
+void note_cut(StepContext& ctx) noexcept {
+    if (ctx.work.stats.cut) return;
+    ctx.work.stats.cut = true;
+    ctx.work.stats.degradation.iterations = ctx.work.newton.iterations;
+    ctx.work.stats.degradation.hasty = ctx.state.step > 0 && ctx.work.limits.budget.hasty();
 }
 
 /// How Newton iterations go on.
@@ -139,8 +149,9 @@ Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
         }
         ctx.work.stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool) + asking;
         // Without haste not where lines have just switched: their rows would be left unsolved.
-        ctx.work.stats.cut = hasty ? stop : !again && !affordable(ctx.work);
-        if (ctx.work.stats.cut || last) return Status::ok;
+        const bool cut = hasty ? stop : !again && !affordable(ctx.work);
+        if (cut) note_cut(ctx);
+        if (cut || last) return Status::ok;
         before = merit(ctx.model, ctx.work.newton, 0.0);
     }
 }
@@ -238,7 +249,6 @@ Status settle_rows(StepContext& ctx, double tolerance) noexcept {
 }  // namespace
 
 Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
-    ctx.work.newton.iterations = 0;
     ctx.work.newton.switch_late = false;
     const bool cold = ctx.state.step == 0;
     const double tolerance = ctx.model.def.contact_tolerance;
@@ -280,13 +290,7 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
         ctx.work.newton.switch_late = hasty && asking > 0;
         ctx.work.stats.flips_left += asking;
     }
-    if (!early) status = settle_rows(ctx, tolerance);
-    if (status != Status::ok) return status;
-    if (ctx.work.stats.cut) {
-        ctx.work.stats.degradation.iterations = ctx.work.newton.iterations;
-        ctx.work.stats.degradation.hasty = hasty;
-    }
-    return status;
+    return early ? status : settle_rows(ctx, tolerance);
 }
 
 Status settle_newton(StepContext& ctx) noexcept {

@@ -169,6 +169,48 @@ TEST(WireGuard, SameBitsForAnyThreadsAndAfterRestoring) {
     EXPECT_EQ(again.state_hash(), hashes.front());
 }
 
+/// Boxes that slide into each other beside the wire, which take several iterations a step.
+World wire_and_boxes(double budget_work) {
+    Recipe r = lively().make();
+    r.world.gravity = {0, 0, -9.81};
+    r.world.budget_work = budget_work;
+    const BodyId ground = r.ground();
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 6; ++i) {
+        boxes.push_back(
+            r.rigid({0.1 * i, 20.0, 0.25 + 0.499 * i}, Quat::Identity(), 100.0, {10, 10, 10}));
+        r.bodies.back().velocity = {i % 2 == 0 ? 1.5 : -0.5, 0.3 * i, 0.0};
+    }
+    World w = r.make();
+    w.add_shape({.kind = ShapeKind::plane, .body = ground});
+    for (const BodyId box : boxes)
+        w.add_shape({.kind = ShapeKind::box, .body = box, .half_size = {0.5, 0.5, 0.25}});
+    return w;
+}
+
+/// A budget may end any of the solves of a step that is solved again for wires; what it allowed
+/// says all of them.
+TEST(WireGuard, StepsThatABudgetCutsAreRepeatedWithoutIt) {
+    int cut = 0, later = 0;
+    for (const double share : {1.5, 2.5, 3.5, 5.0, 7.0, 10.0}) {
+        World whole = wire_and_boxes(0.0);
+        ASSERT_EQ(whole.step(), Status::ok);
+        World w = wire_and_boxes(share * static_cast<double>(whole.stats().factor_flops));
+        World again = wire_and_boxes(0.0);
+        for (int k = 0; k < 60; ++k) {
+            ASSERT_EQ(w.step(), Status::ok);
+            const StepStats& s = w.stats();
+            cut += s.cut && s.wire_repeats > 0 ? 1 : 0;
+            later += s.cut && s.wire_repeats > 0 && s.degradation.iterations > 3 ? 1 : 0;
+            if (s.degradation.any()) again.degrade_next_step(s.degradation);
+            ASSERT_EQ(again.step(), Status::ok);
+            ASSERT_EQ(again.state_hash(), w.state_hash()) << share << " step " << k;
+        }
+    }
+    EXPECT_GT(cut, 10);
+    EXPECT_GT(later, 0) << "none was cut in a repeat";
+}
+
 /// What the step resolves is not looked at, and costs one factorisation.
 TEST(WireGuard, ResolvedWiresAreLeftAlone) {
     WireRecipe wire;
