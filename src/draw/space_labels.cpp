@@ -81,9 +81,10 @@ void Space::draw_names() {
 void Space::draw_frame() {
     if (recording_.element_count > 0) {
         const record::Unit unit = record::readable_unit(tension_.high, "N");
-        draw_color_bar(drawing_,
-                       {drawing_.width - kScaleRoom + 14, kSpaceTop + 30, 20,
-                        std::min(360.0, drawing_.height - kSpaceTop - kSpaceBelow - 40)},
+        const double height = std::min(360.0, drawing_.height - kSpaceTop - kSpaceBelow - 40);
+        // Hulls reach beyond axes that were given.
+        drawing_.box({drawing_.width - kScaleRoom, kSpaceTop, kScaleRoom, height + 50}, kWhite);
+        draw_color_bar(drawing_, {drawing_.width - kScaleRoom + 14, kSpaceTop + 30, 20, height},
                        {tension_.low * unit.factor, tension_.high * unit.factor},
                        fmt::format("tension [{}]", unit.name));
     }
