@@ -61,6 +61,9 @@ class ChangeListener {
                            const InteractionDef& behind) noexcept = 0;
     virtual void lifted(InteractionId before, InteractionId behind,
                         const InteractionDef& element) noexcept = 0;
+    /// By World::move_along(), where it moved.
+    virtual void moved_along(InteractionId before, InteractionId behind, double along,
+                             double fed) noexcept = 0;
     /// By World::cut(), whichever.
     virtual void cut(InteractionId element, double share) noexcept = 0;
     /// By join() and attach(). @param b  A lump, or a body with a point.

@@ -30,6 +30,12 @@
 /// their halves of its mass, its capsule goes; DefError where it is wound up, gone or parted, or
 /// the parts do not fit it. World::ends() tells where a piece of a line leaves what holds it.
 ///
+/// World::move_along() moves the place of two such parts along the axis of its wheel by `along`
+/// [m], with `fed` [m] of the rest length of the part behind going to that before: the wire slides
+/// sideways (post.h). What parts and bends hold less counts as friction (Energy). @return false:
+/// they would hold more, and nothing has changed. DefError on an eye, and where a part has no so
+/// much length.
+///
 /// A guide is a System (system.h). Signals, as "name.signal": `angle` [rad], `before` and `behind`
 /// [N], the tensions at the guide, `slide` [m], `speed` [m/s], `wire_before`, `wire_behind` [m],
 /// the wire between the guide and the next lump.

@@ -31,12 +31,19 @@
 /// (World::lift_off()), at the rest length that keeps their tension, or past an end at that which
 /// they had. An element longer than 1.5 `element_length` gets a node.
 ///
+/// *Slides* along the post, where `slides` says so. Seen on the unrolled surface the wire comes at
+/// the angle β₁ to the axis and leaves at β₂. While |ln tan(β₂/2) − ln tan(β₁/2)| ≤ μ `angle`,
+/// which is Coulomb's law across the wire, its place stays to the bit; beyond, it goes to where
+/// both are equal (World::move_along()); without friction to equal angles, the shortest way. At an
+/// end of the shape it comes off. Otherwise a wire keeps its place along the post.
+///
 /// A post is a System (system.h). Signals, as "name.signal": `held`, wires that lie on it; `taken`
 /// and `let_go`, how many have so far; `angle` [rad], `before` and `behind` [N] and `slide` [m] of
-/// the first one.
+/// the first one. Where wires slide also `along`, its place from the middle of the shape along z,
+/// and `slid`, how far all have slid since the start [m].
 ///
-/// Limits: each wire lies on a post once, and of what lies on it no other part is taken; the wire
-/// keeps its place along the post until it passes an end. Where the wire passes the next post, a
+/// Limits: each wire lies on a post once, and of what lies on it no other part is taken. Friction
+/// along a wire and across it are bounded apart. Where the wire passes the next post, a
 /// lump comes half-way, so that an element with a capsule touches that; posts nearer than 0.2 m
 /// along the wire are not told apart. A wire needs capsules (WireDef::radius) to be found, lumps on
 /// both sides, and elements with a mass of their own (WireDef::consistent_mass). The turn of a
@@ -60,6 +67,7 @@ struct PostDef {
     double inertia = 0.0;     ///< Of a roller that turns with the wire [kg m²].
     int wires = 2;            ///< That lie on it at once, 1 to 16; others stay contacts.
     double element_length = kDefault;  ///< As GuideDef has it.
+    bool slides = false;               ///< Wires that lie on it slide along its axis.
 };
 
 /// What World::add() of it calls. @throws DefError on what is missing or out of range, or a name

@@ -306,6 +306,8 @@ class NodeEdits {
     bool lay_over(GuideDef& def, double speed, Guide& out, double (&material)[2]) noexcept;
     /// As World::lift_off(). @return invalid: refused, or no memory.
     InteractionId lift_off(const Guide& guide, const InteractionDef& element) noexcept;
+    /// As World::move_along(). @return whether it went.
+    bool move_along(const Guide& guide, double along, double fed) noexcept;
 
   private:
     World& world_;

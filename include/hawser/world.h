@@ -264,15 +264,15 @@ class World {
     WireId adopt_wire(const std::string& name, std::span<const InteractionId> elements,
                       const WireTrim& trim = {});
     void set_mass(BodyId lump, double mass);  ///< [kg]; drag and applied force follow: wire.h.
-    /// The first (0) or last (1) element of a wire becomes one that a drum pays out, with the same
-    /// name, ends, length and law: length + radius (coordinate of the drum − that of now). Loads of
-    /// friction by the element end, and lumps' halves of its mass. @return it. @throws DefError
-    /// where the end is wound up, the element gone or parted, or the drum no scalar body.
+    /// The first (0) or last (1) element of a wire becomes one that a drum pays out: length +
+    /// radius (coordinate − that of now). Loads of friction by it end, and lumps' halves of its
+    /// mass. @throws DefError where it is wound up, gone or parted, or the drum no scalar body.
     InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
     /// An element becomes two, of kind end_span, about a place (guide.h); they become one again.
     std::array<InteractionId, 2> lay_over(InteractionId element, InteractionDef before,
                                           const InteractionDef& behind);
     InteractionId lift_off(InteractionId before, InteractionId behind, InteractionDef element);
+    bool move_along(InteractionId before, InteractionId behind, double along, double fed);
     /// Where a piece of a line leaves its first two bodies, of a wheel its tangent point [m].
     [[nodiscard]] std::array<Vec3, 2> ends(InteractionId id) const;
     const Removed& remove_wire(WireId id);  ///< With what add_wire() made; as remove_body().

@@ -105,9 +105,13 @@ void apply_guide_change(ChangeKind kind, GetFields& get, World& world) {
     if (kind == ChangeKind::lay_over) {
         auto before = get.definition<InteractionDef>();
         (void)world.lay_over(first, std::move(before), get.definition<InteractionDef>());
-    } else {
+    } else if (kind == ChangeKind::lift_off) {
         const auto behind = get.value<InteractionId>();
         (void)world.lift_off(first, behind, get.definition<InteractionDef>());
+    } else {
+        const auto behind = get.value<InteractionId>();
+        const auto along = get.value<double>();
+        (void)world.move_along(first, behind, along, get.value<double>());
     }
 }
 
@@ -121,7 +125,7 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         return apply_grouping(kind, get, world);
     if (kind >= ChangeKind::part && kind < ChangeKind::rebuild)
         return apply_wire_change(kind, get, world);
-    if (kind == ChangeKind::lay_over || kind == ChangeKind::lift_off)
+    if (kind >= ChangeKind::lay_over && kind <= ChangeKind::move_along)
         return apply_guide_change(kind, get, world);
     const bool degrades = kind == ChangeKind::degrade || kind == ChangeKind::degrade_wires;
     if (kind == ChangeKind::set_input) {

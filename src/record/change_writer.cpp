@@ -212,6 +212,16 @@ void ChangeBytes::lifted(InteractionId before, InteractionId behind,
         visit_fields(element, put);
     });
 }
+void ChangeBytes::moved_along(InteractionId before, InteractionId behind, double along,
+                              double fed) noexcept {
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::move_along);
+        put(before);
+        put(behind);
+        put(along);
+        put(fed);
+    });
+}
 void ChangeBytes::cut(InteractionId element, double share) noexcept {
     other_bodies_ = true;
     write([&](PutFields& put) {

@@ -45,6 +45,8 @@ class ChangeBytes : public ChangeListener {
                    const InteractionDef& behind) noexcept override;
     void lifted(InteractionId before, InteractionId behind,
                 const InteractionDef& element) noexcept override;
+    void moved_along(InteractionId before, InteractionId behind, double along,
+                     double fed) noexcept override;
     void set_mass(BodyId lump, double mass) noexcept override;
     void cut(InteractionId element, double share) noexcept override;
     void joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept override;

@@ -5,6 +5,7 @@
 /// refer to one another by their index here, which is also their index in the world.
 
 #include <hawser/crane.h>
+#include <hawser/edges.h>
 #include <hawser/guide.h>
 #include <hawser/pin.h>
 #include <hawser/post.h>
@@ -248,6 +249,11 @@ void expand_winches(Description& out, const Scope& scope);
 void expand_guides(Description& out, const Scope& scope);
 /// Posts of one scope, when all bodies are there (posts.cpp).
 void expand_posts(Description& out, const Scope& scope);
+/// Axes of cylinders of a radius [m] within edges of a body's box, hull or mesh: "edge_of" of a
+/// post (post_edges.cpp). @throws SceneError where it has none such.
+[[nodiscard]] std::vector<EdgeAxis> axes_of_edges(const Description& out, BodyId body,
+                                                  const Json& json, double radius,
+                                                  const Place& place);
 /// Cranes of one scope, when all bodies but cables are there (cranes.cpp).
 void expand_cranes(Description& out, const Scope& scope);
 /// Lines over posts and sheaves of one scope, when all bodies are there (routes.cpp).

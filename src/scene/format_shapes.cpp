@@ -189,17 +189,39 @@ ShapePtr shape_of_body() {
     return shape;
 }
 
+namespace {
+
+ShapePtr edge_of_shape() {
+    return object(
+        "edge_of", "edges of a shape", "Convex edges of a shape. One of `near`, `sharper_than`.",
+        {{"shape", text("a shape name"), false, "the only one with edges", "",
+          "Name of a shape of the body: a box, hull or mesh."},
+         {"near", list("two points", vector3("a point"), 2, 2), false, "", "m",
+          "In the frame of the body: that edge which both lie at, to a tenth of the way between "
+          "them."},
+         {"sharper_than", number("an angle", 0.0, 3.14159), false, "", "rad",
+          "All edges at which the normals of the faces turn by more: posts NAME/1, NAME/2, …, 64 "
+          "at most."}});
+}
+
+}  // namespace
+
 ShapePtr post_shape() {
     std::vector<Field> fields{
         {"name", name("a name"), true, "", "", "Unique among posts; of its signals, name.held."},
         {"on", body_ref(), true, "", "", "Body that it belongs to."},
         {"from", vector3("a point"), false, "", "m",
-         "Of its axis, in the frame of the body; required without `edge`."},
+         "Of its axis, in the frame of the body; required without `edge` and `edge_of`."},
         {"to", vector3("a point"), false, "", "m",
-         "Where its axis ends, in that frame; required without `edge`."},
+         "Where its axis ends, in that frame; required without `edge` and `edge_of`."},
         {"edge", vector3("an edge"), false, "", "1",
          "Of the body's box, by the faces that meet there: [1, 0, 1] is that of +x and +z. The "
          "cylinder lies against both, as if the edge were rounded."},
+        {"edge_of", edge_of_shape(), false, "", "",
+         "Of a box, hull or mesh among the body's shapes: an edge, or all that are sharp."},
+        {"slides", boolean("true or false"), false, "false", "",
+         "Whether cables slide along its axis where they pull that way by more than friction "
+         "holds; else they keep their place along it."},
         {"radius", positive("a radius", 1e3), true, "", "m", "Of the cylinder."},
         {"friction", number("a coefficient", 0.0, 10.0), false, "0", "1",
          "Of cables that lie on it; while they only touch it, that of its material."},

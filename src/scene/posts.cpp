@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace hawser::scene {
 namespace {
@@ -19,19 +21,14 @@ PostDef read_post(const Scope& scope, const Json& json) {
     def.inertia = number_or(json, "inertia", def.inertia);
     if (const auto wires = json.find("wires"); wires != json.end()) def.wires = wires->get<int>();
     def.element_length = number_or(json, "element", def.element_length);
+    if (const auto slides = json.find("slides"); slides != json.end())
+        def.slides = slides->get<bool>();
     return def;
 }
 
-struct Axis {
-    Vec3 from, to;
-};
-
 /// Within the box of the body, so that a cylinder of the radius lies against both faces that meet
 /// at the edge, over all its length.
-Axis edge_of(const BodyDef& body, const Json& json, const Place& place) {
-    for (const char* other : {"from", "to"})
-        if (json.contains(other))
-            refuse(place / other, "the axis is that of \"edge\"; leave out one of the two");
+EdgeAxis edge_of(const BodyDef& body, const Json& json, const Place& place) {
     const Vec3 toward = vector_of(json["edge"]), half = body.half_size;
     int along = -1;
     bool is_edge = true;
@@ -56,31 +53,61 @@ Axis edge_of(const BodyDef& body, const Json& json, const Place& place) {
     return {centre - end, centre + end};
 }
 
-Axis axis_of(const BodyDef& body, const Json& json, const Place& place) {
-    if (json.contains("edge")) return edge_of(body, json, place);
+/// One, or of an "edge_of" all that it names.
+std::vector<EdgeAxis> axes_of(const Description& out, BodyId body, const Json& json,
+                              const Place& place) {
+    for (const char* edge : {"edge", "edge_of"})
+        for (const char* other : {"from", "to", "edge_of"})
+            if (json.contains(edge) && json.contains(other) && std::string_view(edge) != other)
+                refuse(place / other, "the axis is that of \"" + std::string(edge) +
+                                          "\"; leave out one of the two");
+    if (json.contains("edge")) return {edge_of(out.body(body), json, place)};
+    if (json.contains("edge_of"))
+        return axes_of_edges(out, body, json["edge_of"], json["radius"].get<double>(),
+                             place / "edge_of");
     for (const char* end : {"from", "to"})
         if (!json.contains(end))
-            refuse(place,
-                   std::string("a post needs \"") + end + "\", or \"edge\" of its body's box");
-    const Axis out{vector_of(json["from"]), vector_of(json["to"])};
-    if (!((out.to - out.from).norm() > 0.0))
+            refuse(place, std::string("a post needs \"") + end +
+                              "\", or \"edge\" of its body's box, or \"edge_of\" of a shape");
+    const EdgeAxis axis{vector_of(json["from"]), vector_of(json["to"])};
+    if (!((axis.to - axis.from).norm() > 0.0))
         refuse(place / "to", "its axis has no length: \"from\" is there, too");
-    return out;
+    return {axis};
 }
 
-ShapeDef shape_of(Description& out, const Scope& scope, const Json& json, const Place& place) {
+ShapeDef shape_of(Description& out, BodyId body, const EdgeAxis& axis, const Json& json,
+                  const Place& place) {
     ShapeDef def;
     def.kind = ShapeKind::cylinder;
-    def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
-    const auto [from, to] = axis_of(out.body(def.body), json, place);
-    const double length = (to - from).norm();
-    def.position = 0.5 * (from + to);
-    def.orientation = turn_between(Vec3::UnitZ(), (to - from) / length);
+    def.body = body;
+    const double length = (axis.to - axis.from).norm();
+    def.position = 0.5 * (axis.from + axis.to);
+    def.orientation = turn_between(Vec3::UnitZ(), (axis.to - axis.from) / length);
     def.radius = json["radius"].get<double>();
     def.half_length = 0.5 * length;
     def.margin = number_or(json, "margin", 1.0);
     read_surface(def, out, json, place);
     return def;
+}
+
+void expand_post(Description& out, const Scope& scope, const Json& json, const Place& place) {
+    const PostDef def = read_post(scope, json);
+    const BodyId body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
+    const std::vector<EdgeAxis> axes = axes_of(out, body, json, place);
+    // Of several edges each is a post of its own, with a number.
+    const auto of = json.find("edge_of");
+    const bool several = of != json.end() && of->contains("sharper_than");
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+        PostItem item{def, out.keep(place)};
+        if (several) item.def.name += "/" + std::to_string(k + 1);
+        for (const PostItem& other : out.posts)
+            if (other.def.name == item.def.name)
+                refuse(place / "name", "the post " + in_quotes(item.def.name) + " exists already");
+        ShapeDef shape = shape_of(out, body, axes[k], json, place);
+        shape.name = item.def.name;
+        out.add_shape(std::move(shape), item.place);
+        out.posts.push_back(std::move(item));
+    }
 }
 
 }  // namespace
@@ -92,17 +119,7 @@ void expand_posts(Description& out, const Scope& scope) {
         const Json& json = (*list)[i];
         if (json.is_null()) continue;  // Left out: mistakes.h.
         const Place place = scope.place / "posts" / i;
-        (void)attempt(out.mistakes, [&] {
-            PostDef def = read_post(scope, json);
-            for (const PostItem& other : out.posts)
-                if (other.def.name == def.name)
-                    refuse(place / "name", "the post " + in_quotes(def.name) + " exists already");
-            ShapeDef shape = shape_of(out, scope, json, place);
-            shape.name = def.name;
-            const int at = out.keep(place);
-            out.add_shape(std::move(shape), at);
-            out.posts.push_back({std::move(def), at});
-        });
+        (void)attempt(out.mistakes, [&] { expand_post(out, scope, json, place); });
     }
 }
 

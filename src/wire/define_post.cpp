@@ -82,4 +82,12 @@ InteractionId NodeEdits::lift_off(const Guide& guide, const InteractionDef& elem
     }
 }
 
+bool NodeEdits::move_along(const Guide& guide, double along, double fed) noexcept {
+    try {
+        return world_.move_along(guide.before, guide.behind, along, fed);
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
 }  // namespace hawser

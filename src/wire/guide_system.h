@@ -53,6 +53,15 @@ class GuideSystem final : public System {
     [[nodiscard]] double pressing(const World& world, double slack) const noexcept;
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
+    /// What came of slide_sideways().
+    struct Sideways {
+        double by = 0.0;       ///< How far the wire has gone along the axis [m].
+        bool off_end = false;  ///< It would go beyond its room, and has not gone.
+    };
+    /// The wire goes along the axis where it pulls that way by more than friction holds
+    /// (sideways.h). After before_step(). @param room  Down and up the axis [m].
+    Sideways slide_sideways(NodeEdits& nodes, const std::array<double, 2>& room) noexcept;
+
     void prestep(Prestep& now, Loads& loads) noexcept override;
     void before_step(NodeEdits& nodes) noexcept override;
     void visit_state(StateVisitor& visitor) override;

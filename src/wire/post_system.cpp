@@ -72,6 +72,9 @@ void PostSystem::visit_state(StateVisitor& v) {
     for (std::int32_t* x : {&wait_, &steady_}) v.visit(*x);
     for (double* x : {&taken_, &let_go_, &held_, &angle_, &slide_, &tension_[0], &tension_[1]})
         v.visit(*x);
+    // Of others it is what it was when they were taken: their hashes stay what they were.
+    if (def_.slides)
+        for (double* x : {&slid_, &along_}) v.visit(*x);
     for (const auto& guide : guides_) {
         guide->visit_place(v);
         guide->visit_state(v);
@@ -86,6 +89,9 @@ void PostSystem::signals(SignalTable& table) {
     table.output("before", "N", tension_[0]);
     table.output("behind", "N", tension_[1]);
     table.output("slide", "m", slide_);
+    if (!def_.slides) return;
+    table.output("along", "m", along_);
+    table.output("slid", "m", slid_);
 }
 
 void PostSystem::holds(HoldTable& table) const {
@@ -189,10 +195,23 @@ bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
     return true;
 }
 
-bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot) {
+/// From the middle of the post [m].
+double PostSystem::along(const GuideSystem& guide) const noexcept {
+    return (guide.def().point - place_.centre).dot(place_.axis);
+}
+
+/// @return whether the wire has come to an end of the post, over which it would go on.
+bool PostSystem::slide(NodeEdits& nodes, std::size_t slot) noexcept {
+    const double at = along(*guides_[slot]), half = place_.half_length;
+    const auto went = guides_[slot]->slide_sideways(nodes, {-half - at, half - at});
+    slid_ += std::abs(went.by);
+    return went.off_end;
+}
+
+bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot, bool off_end) {
     const World& world = nodes.world;
     const GuideSystem& guide = *guides_[slot];
-    bool past = false;
+    bool past = off_end;
     if (!pulls(world, guide, past)) return false;
     const InteractionDef& a = world.interaction_def(guide.ids().before);
     const InteractionDef& b = world.interaction_def(guide.ids().behind);
@@ -237,10 +256,11 @@ bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot) {
 void PostSystem::tell() noexcept {
     held_ = static_cast<double>(std::count(on_.begin(), on_.end(), 1));
     const auto first = std::find(on_.begin(), on_.end(), 1);
-    angle_ = slide_ = tension_[0] = tension_[1] = 0.0;
+    angle_ = slide_ = along_ = tension_[0] = tension_[1] = 0.0;
     if (first == on_.end()) return;
     const GuideSystem& guide = *guides_[static_cast<std::size_t>(first - on_.begin())];
     angle_ = guide.angle();
+    along_ = along(guide);
     slide_ = guide.slide();
     for (const std::size_t k : {0U, 1U}) tension_[k] = guide.tension()[k];
 }
@@ -250,7 +270,8 @@ void PostSystem::before_step(NodeEdits& nodes) noexcept {
         for (std::size_t k = 0; k < on_.size(); ++k) {
             if (on_[k] == 0) continue;
             guides_[k]->before_step(nodes);
-            (void)let_go(nodes, k);
+            const bool off_end = def_.slides && slide(nodes, k);
+            (void)let_go(nodes, k, off_end);
         }
         take(nodes);
     } catch (const std::exception&) {

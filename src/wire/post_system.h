@@ -72,7 +72,9 @@ class PostSystem final : public System, public PassedPost {
     void take(NodeEdits& nodes);
     bool take_lump(NodeEdits& nodes, Touch& touch) const;
     bool take(NodeEdits& nodes, std::size_t slot, Touch touch);
-    bool let_go(NodeEdits& nodes, std::size_t slot);
+    bool slide(NodeEdits& nodes, std::size_t slot) noexcept;
+    [[nodiscard]] double along(const GuideSystem& guide) const noexcept;
+    bool let_go(NodeEdits& nodes, std::size_t slot, bool off_end);
     [[nodiscard]] bool pulls(const World& world, const GuideSystem& guide, bool& past) const;
     void tell() noexcept;
 
@@ -83,9 +85,9 @@ class PostSystem final : public System, public PassedPost {
     std::vector<std::int32_t> on_;                      ///< 1 where a wire lies in a slot.
     std::int32_t wait_ = 0;                             ///< Steps until it takes anything again.
     std::int32_t steady_ = 0;  ///< Looks running at which a wire has touched it.
-    double taken_ = 0.0, let_go_ = 0.0;
+    double taken_ = 0.0, let_go_ = 0.0, slid_ = 0.0;
     // Outputs.
-    double held_ = 0.0, angle_ = 0.0, slide_ = 0.0, tension_[2] = {};
+    double held_ = 0.0, angle_ = 0.0, slide_ = 0.0, along_ = 0.0, tension_[2] = {};
 
     std::vector<ContactView> contacts_;  ///< Memory.
 };

@@ -96,7 +96,8 @@ void PostSystem::place_touch(const World& world, double half, Touch& out) const 
     }
 }
 
-/// Whether a wire would have to pull at the post, or has passed an end of it.
+/// Whether a wire would have to pull at the post, or has passed an end of it. @param past  Known
+/// before to have passed; whether it has.
 bool PostSystem::pulls(const World& world, const GuideSystem& guide, bool& past) const {
     if (guide.parted()) return false;
     const Pose pose = world.pose(place_.body);
@@ -104,7 +105,7 @@ bool PostSystem::pulls(const World& world, const GuideSystem& guide, bool& past)
     const Vec3 b = world.pose(world.interaction_def(guide.ids().behind).body[1]).position;
     const Closest near = closest(a, b, pose.position + pose.orientation * place_.centre,
                                  pose.orientation * place_.axis);
-    past = std::abs(near.along) > place_.half_length + place_.radius;
+    past = past || std::abs(near.along) > place_.half_length + place_.radius;
     if (place_.carrier != place_.body) {
         const Vec3 lies = world.world_point(place_.carrier, guide.def().point);
         const Vec3 from = lies - world.world_point(place_.body, place_.centre);

@@ -96,6 +96,7 @@ struct World::Impl final : private world::InputDoor {
     [[nodiscard]] world::Wire* wire_with(InteractionId element) noexcept;
     void know_wire_of(InteractionId element);
     void follow_definitions(const stepper::NodePlace& place) noexcept;
+    void follow_inputs(std::int32_t element) noexcept;
     void move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept;
     [[nodiscard]] ShapeId segment_between(std::int32_t a, std::int32_t b) const noexcept;
     void check_node(InteractionId element, double share, double mass) const;

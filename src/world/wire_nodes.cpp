@@ -78,11 +78,14 @@ void World::Impl::follow_definitions(const stepper::NodePlace& place) noexcept {
                 add_up_force(BodyId{body}, k);
             }
         }
-        if (id < 0 || !kind_info(in.kinds[at(id)]).is(kWoundUp)) continue;
-        for (std::size_t i = 0; i < inputs.size(); ++i)
-            if (inputs[i].interaction.valid() && inputs[i].interaction.index == id)
-                input_values[i] = in.def[at(id)].get(inputs[i].param);
+        if (id >= 0 && kind_info(in.kinds[at(id)]).is(kWoundUp)) follow_inputs(id);
     }
+}
+
+void World::Impl::follow_inputs(std::int32_t element) noexcept {
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        if (inputs[i].interaction.valid() && inputs[i].interaction.index == element)
+            input_values[i] = ctx.model.interactions.def[at(element)].get(inputs[i].param);
 }
 
 /// The segment of an element goes to where the element goes.

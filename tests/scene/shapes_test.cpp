@@ -62,6 +62,68 @@ TEST(SceneShapes, posts_lie_in_the_edges_of_boxes) {
     EXPECT_NEAR(std::abs((rim.orientation * Vec3::UnitZ()).y()), 1.0, 1e-15);
 }
 
+/// A wedge and a box on one body: an edge by two points near it, all that are sharp.
+const std::string kWedge = R"({
+  "version": 1, "name": "quay", "settings": {"step": 0.01, "duration": 1},
+  "bodies": [
+    {"name": "quay", "kind": "fixed", "position": [0, 0, 0], "shapes": [
+      {"name": "bow", "kind": "hull", "vertices": [[-1, -2, 0], [1, -2, 0], [0, -2, 1], [-1, 2, 0], [1, 2, 0], [0, 2, 1]]},
+      {"name": "house", "kind": "box", "half_size": [1, 1, 1], "position": [5, 0, 0]},
+      {"name": "ball", "kind": "sphere", "radius": 1, "position": [-5, 0, 0]}]},
+    {"name": "load", "mass": 1, "box": [1, 1, 1]}],
+  "posts": [{"name": "ridge", "on": "quay", "radius": 0.1, "slides": true,
+             "edge_of": {"shape": "bow", "near": [[0.05, -1, 1], [0, 1.5, 1.1]]}},
+            {"name": "sharp", "on": "quay", "radius": 0.05,
+             "edge_of": {"shape": "bow", "sharper_than": 2}}]})";
+
+TEST(SceneShapes, posts_lie_in_edges_of_hulls) {
+    const Description d = flat(kWedge);
+    ASSERT_EQ(d.posts.size(), 3U);
+    EXPECT_TRUE(d.posts[0].def.slides);
+    EXPECT_FALSE(d.posts[1].def.slides);
+    EXPECT_EQ(d.posts[2].def.name, "sharp/2");
+    // Slopes of 45 degrees: the axis is a radius and its share of the corner under the ridge.
+    const ShapeDef& ridge = shape(d, "ridge");
+    EXPECT_NEAR((ridge.position - Vec3(0, 0, 1.0 - 0.1 * std::sqrt(2.0))).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(ridge.half_length, 2.0, 1e-12);
+    const ShapeDef& eave = shape(d, "sharp/1");
+    EXPECT_NEAR(std::abs(eave.position.x()), 1.0 - 0.05 / std::tan(0.125 * 3.14159265358979), 1e-9);
+    EXPECT_NEAR(eave.position.z(), 0.05, 1e-9);
+}
+
+TEST(SceneShapes, edges_that_are_not_there_are_refused) {
+    const auto refusal = [](const std::string& value) -> std::string {
+        try {
+            (void)flat(patched(
+                kWedge, R"([{"op":"replace","path":"/posts/0/edge_of","value":)" + value + "}]"));
+        } catch (const SceneError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    struct Row {
+        const char *value, *path, *says;
+    };
+    for (const Row& row :
+         {Row{R"({"shape": "bew", "sharper_than": 1})", "/posts/0/edge_of/shape", "\"bow\"?"},
+          {R"({"shape": "ball", "sharper_than": 1})", "/posts/0/edge_of/shape", "no edges"},
+          {R"({"sharper_than": 1})", "/posts/0/edge_of", "several shapes"},
+          {R"({"shape": "bow"})", "/posts/0/edge_of", "either two points"},
+          {R"({"shape": "bow", "near": [[0, 0, 1], [0, 1, 1]], "sharper_than": 1})",
+           "/posts/0/edge_of", "either two points"},
+          {R"({"shape": "bow", "sharper_than": 3})", "/posts/0/edge_of/sharper_than", "so sharp"},
+          {R"({"shape": "bow", "near": [[0, 0, 1], [0, 0, 1]]})", "/posts/0/edge_of/near", "apart"},
+          {R"({"shape": "bow", "near": [[0, -1, 3], [0, 1, 3]]})", "/posts/0/edge_of/near",
+           "goes from"},
+          {R"({"shape": "house", "near": [[4, -1, 3], [4, 1, 3]]})", "/posts/0/edge_of/near",
+           "goes from"}}) {
+        const std::string said = refusal(row.value);
+        EXPECT_NE(said.find(row.path), std::string::npos) << said;
+        EXPECT_NE(said.find(row.says), std::string::npos) << said;
+    }
+    EXPECT_EQ(refusal(R"({"shape": "house", "near": [[4, -1, 1], [4, 1, 1]]})"), "");
+}
+
 TEST(SceneShapes, cables_get_segments_between_lumps) {
     const Description d = flat(kTouching);
     // The element at the ship ends on a rigid body and has none; the last one ends on a fixed body.

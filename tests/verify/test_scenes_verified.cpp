@@ -26,7 +26,7 @@ const std::vector<std::string> kTouchingScenes = {
     "incline_slide",   "mooring_seabed", "painleve",      "rolling_resistance",
     "rolling_sphere",  "spinning_disk",  "tow_payout",    "wall_648",
     "wall_976",        "wedge",          "wire_cross",    "wire_cylinder",
-    "wire_edge",       "wire_pins"};
+    "wire_edge",       "wire_pins",      "wire_slide"};
 
 TEST(SceneVerified, IsEverySceneWithShapes) {
     std::vector<std::string> names;

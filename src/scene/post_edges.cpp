@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Posts in the edges of a body's shapes (hawser/edges.h).
+#include <hawser/edges.h>
+
+#include "scene/description.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace hawser::scene {
+namespace {
+
+constexpr std::size_t kMostEdges = 64;  ///< Of one post.
+constexpr double kNear = 0.1;           ///< Of the way between two points: so near is their edge.
+constexpr double kAnyTurn = 1e-3;       ///< Of an edge that two points name [rad].
+
+bool has_edges(const ShapeDef& shape) {
+    return shape.kind == ShapeKind::box || shape.kind == ShapeKind::hull ||
+           shape.kind == ShapeKind::mesh;
+}
+
+/// The shape that is named, or the only one that has edges.
+const ShapeDef& shape_with_edges(const Description& out, BodyId body, const Json& json,
+                                 const Place& place) {
+    const std::string on = out.body(body).name, lead = on + "/";
+    const std::string wanted = text_or(json, "shape", "");
+    std::vector<const ShapeDef*> there;
+    std::vector<std::string> known;
+    for (const ShapeDef& shape : out.shapes) {
+        if (shape.body != body) continue;
+        if (!wanted.empty() && shape.name == lead + wanted) {
+            if (!has_edges(shape))
+                refuse(place / "shape", "a " + std::string(to_string(shape.kind)) +
+                                            " has no edges; name a box, hull or mesh");
+            return shape;
+        }
+        if (!has_edges(shape)) continue;
+        there.push_back(&shape);
+        if (shape.name.starts_with(lead)) known.push_back(shape.name.substr(lead.size()));
+    }
+    if (!wanted.empty())
+        refuse(place / "shape", in_quotes(on) + " has no shape " + in_quotes(wanted) +
+                                    " with edges" + suggestion(wanted, known));
+    if (there.empty())
+        refuse(place, in_quotes(on) +
+                          " has no shape with edges; give its \"shapes\" a box, hull "
+                          "or mesh");
+    if (there.size() > 1)
+        refuse(place, in_quotes(on) + " has several shapes with edges; give the \"shape\" by name" +
+                          suggestion("", known));
+    return *there.front();
+}
+
+std::string words(const Vec3& v) {
+    return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x(), v.y(), v.z());
+}
+
+/// The edge that two points lie at.
+ShapeEdge edge_near(const std::vector<ShapeEdge>& edges, const Vec3& a, const Vec3& b,
+                    const Place& place) {
+    if (!((b - a).norm() > 0.0)) refuse(place, "give two points that are apart");
+    if (edges.empty()) refuse(place, "the shape has no convex edge");
+    const auto best =
+        std::min_element(edges.begin(), edges.end(), [&](const auto& x, const auto& y) {
+            return distance_to_edge(x, a, b) < distance_to_edge(y, a, b);
+        });
+    const double far = distance_to_edge(*best, a, b);
+    if (far > kNear * (b - a).norm())
+        refuse(place, fmt::format("no convex edge lies within a tenth of the way between them; the "
+                                  "nearest, {:.3g} m off, goes from {} to {}",
+                                  far, words(best->from), words(best->to)));
+    return *best;
+}
+
+}  // namespace
+
+std::vector<EdgeAxis> axes_of_edges(const Description& out, BodyId body, const Json& json,
+                                    double radius, const Place& place) {
+    if (json.contains("near") == json.contains("sharper_than"))
+        refuse(place, "give either two points \"near\" the edge, or \"sharper_than\" for all");
+    const ShapeDef& shape = shape_with_edges(out, body, json, place);
+    const double least = number_or(json, "sharper_than", kAnyTurn);
+    std::vector<ShapeEdge> edges;
+    try {
+        edges = convex_edges(shape, least);
+    } catch (const DefError& error) {
+        refuse(place, error.what());
+    }
+    if (json.contains("near")) {
+        const Json& near = json["near"];
+        edges = {edge_near(edges, vector_of(near[0]), vector_of(near[1]), place / "near")};
+    } else if (edges.empty() || edges.size() > kMostEdges) {
+        refuse(place / "sharper_than",
+               edges.empty() ? "no convex edge of the shape is so sharp"
+                             : fmt::format("{} edges are so sharp, of at most {}; give a larger "
+                                           "angle, or points \"near\" one",
+                                           edges.size(), kMostEdges));
+    }
+    std::vector<EdgeAxis> axes;
+    for (const ShapeEdge& edge : edges) {
+        if (radius > edge.most_radius * (1.0 + 1e-9))
+            refuse(place, fmt::format("the shape is thinner than the cylinder at its edge from {} "
+                                      "to {}: at most {:.4g} m of radius lie in it",
+                                      words(edge.from), words(edge.to), edge.most_radius));
+        axes.push_back(axis_in_edge(edge, radius));
+    }
+    return axes;
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/sideways.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::wire {
+namespace {
+
+constexpr int kWayRounds = 60;
+constexpr double kWaySolved = 1e-13;  ///< Of both parts: a way no better known.
+constexpr double kLeastWay = 1e-7;    ///< A way that is not worth going [m].
+constexpr double kMostWay = 0.25;     ///< Of the shorter part, in a step.
+/// Of the way to the shortest: how far inside its bound a place comes to rest, so that it stays.
+constexpr double kInsideBound = 1e-9;
+
+double slope_of_lean(const Crossing& c, double s) noexcept {
+    return 1.0 / std::hypot(c.across[0], s - c.along[0]) +
+           1.0 / std::hypot(c.across[1], s - c.along[1]);
+}
+
+}  // namespace
+
+double lean(const Crossing& c, double s) noexcept {
+    return std::asinh((s - c.along[0]) / c.across[0]) + std::asinh((s - c.along[1]) / c.across[1]);
+}
+
+double way_sideways(const Crossing& c, double bound) noexcept {
+    const double now = lean(c, 0.0);
+    if (std::abs(now) <= bound) return 0.0;
+    const double wanted = now > 0.0 ? bound : -bound;
+    const double whole = c.across[0] + c.across[1];
+    const double shortest = (c.along[0] * c.across[1] + c.along[1] * c.across[0]) / whole;
+    double inside = shortest, outside = 0.0, s = shortest;
+    for (int i = 0; i < kWayRounds; ++i) {
+        const double over = lean(c, s) - wanted;
+        ((over > 0.0) == (now > 0.0) ? outside : inside) = s;
+        double next = s - over / slope_of_lean(c, s);
+        if (!(next > std::min(inside, outside) && next < std::max(inside, outside)))
+            next = 0.5 * (inside + outside);
+        const double by = std::abs(next - s);
+        s = next;
+        if (by <= kWaySolved * whole) break;
+    }
+    s += kInsideBound * (shortest - s);
+    const double most = kMostWay * std::min(c.across[0], c.across[1]);
+    return std::abs(s) < kLeastWay ? 0.0 : std::clamp(s, -most, most);
+}
+
+double fed_between(const Parts& p) noexcept {
+    double strain[2], path[2];
+    for (int k = 0; k < 2; ++k) {
+        strain[k] = std::max(0.0, p.longer[k]) / p.rest[k];
+        path[k] = p.rest[k] + p.longer[k] + p.changes[k];
+    }
+    const double rest = p.rest[0] + p.rest[1], both = path[0] + path[1];
+    // Without tension both are slack by the same share.
+    if (both <= rest || (strain[0] == 0.0 && strain[1] == 0.0))
+        return path[0] * rest / both - p.rest[0];
+    // Of strains t ε₁ and t ε₂: the lengths at rest are what there is. Convex in t.
+    double t = 1.0;
+    for (int i = 0; i < kWayRounds; ++i) {
+        const double first = path[0] / (1.0 + t * strain[0]),
+                     second = path[1] / (1.0 + t * strain[1]);
+        const double falls =
+            first * strain[0] / (1.0 + t * strain[0]) + second * strain[1] / (1.0 + t * strain[1]);
+        const double by = (first + second - rest) / falls;
+        t = std::max(0.0, t + by);
+        if (std::abs(by) <= 1e-12 * t) break;
+    }
+    return path[0] / (1.0 + t * strain[0]) - p.rest[0];
+}
+
+}  // namespace hawser::wire
