@@ -149,8 +149,8 @@ int drive(exercise::Run& run, Session& session, Controls& controls, Progress& pr
             break;
         } else if (status != Status::ok) {
             progress.close();
-            const std::string why = session.objection().empty() ? failure(session.world().stats())
-                                                                : session.objection();
+            const std::string why =
+                session.objection().empty() ? failure(session.world()) : session.objection();
             fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", session.time(), why);
             run.end("a step failed: " + why, true);
             return kFailed;

@@ -152,7 +152,7 @@ class Replay {
                 if (status == Status::cancelled) return kInterrupted;
                 progress.close();
                 fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", world_.time(),
-                           failure(world_.stats()));
+                           failure(world_));
                 return kFailed;
             }
             progress.at(taken_);

@@ -160,7 +160,7 @@ class Settler {
                 if (status == Status::cancelled) return kInterrupted;
                 progress.close();
                 fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", time(),
-                           failure(world.stats()));
+                           failure(world));
                 return kFailed;
             }
             motion_ = motion_of(world);

@@ -3,13 +3,15 @@
 /// @file failure.h
 /// Why a step failed, in words.
 
-#include <hawser/stats.h>
+#include <hawser/world.h>
 
 #include <string>
 
 namespace hawser::cli {
 
-/// The status, or the bound that was met with its value and the remedy.
-[[nodiscard]] std::string failure(const StepStats& stats);
+/// Why the last step of a world failed: the status; of a load, an input or an edit of a system the
+/// system, the body and what is wrong with it; or the bound that was met with its value and the
+/// remedy.
+[[nodiscard]] std::string failure(const World& world);
 
 }  // namespace hawser::cli

@@ -20,7 +20,7 @@ const exporting::ContactForces& RepeatedContacts::at(const record::Frame& frame)
         if (world.step() != Status::ok)
             throw record::RecordingError(fmt::format("{}: the step from {:.6g} s failed: {}",
                                                      recording_.file, world.time(),
-                                                     failure(world.stats())));
+                                                     failure(world)));
     }
     if (world.motion_hash() != frame.hash)
         throw record::RecordingError(fmt::format(

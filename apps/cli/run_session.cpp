@@ -46,6 +46,7 @@ Session RunSession::open() {
     scene.world.prepare();
     // A restored state is no start: what touches presses, and lines carry what they carry.
     if (options_.restore.empty()) check_start(scene);
+    if (options_.verify) verifier_ = std::make_unique<verify::Verifier>(scene.world);
     return Session(std::move(scene), {.restore = options_.restore, .control = options_.control});
 }
 
@@ -133,7 +134,7 @@ void RunSession::add_observers() {
         session_.observe(*coupling_);
     }
     if (options_.verify) {
-        verifier_ = std::make_unique<verify::Verifier>(world);
+        verifier_->begin_at(world);
         session_.observe(*verifier_);
     }
 }
@@ -233,7 +234,7 @@ int RunSession::finish(bool interrupted, double wall_seconds) {
     }
     if (ending == record::Ending::failed) {
         fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}; the state before it stays\n",
-                   world.time(), failure(summary.last));
+                   world.time(), failure(world));
         return kFailed;
     }
     return ending == record::Ending::interrupted ? kInterrupted : kOk;

@@ -53,13 +53,13 @@ class RunSession {
     int finish(bool interrupted, double wall_seconds);
 
     const RunOptions& options_;
-    std::vector<std::string> warnings_;  ///< Of the start.
+    std::vector<std::string> warnings_;           ///< Of the start.
+    std::unique_ptr<verify::Verifier> verifier_;  ///< Made at the start of the scene.
     Session session_;
     record::SceneInfo info_;
     double end_time_ = 0.0;
     std::int64_t steps_ = 0;
     std::unique_ptr<report::SummaryCollector> collector_;
-    std::unique_ptr<verify::Verifier> verifier_;
     std::unique_ptr<verify::CouplingObserver> coupling_;  ///< Where something is cut.
     std::unique_ptr<Pacer> pacer_;
     bool saved_ = false;

@@ -226,12 +226,17 @@ void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept {
     adopt_laws(model, work.newton, pool, true);
 }
 
-namespace {
+bool rows_ask(StepContext& ctx) noexcept {
+    return solved(ctx.model, ctx.work.stats, Status::ok) && !ctx.work.stats.cut &&
+           !ctx.model.system.bounded.empty() &&
+           asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) > 0;
+}
 
-/// Rows that ask to switch in the solution itself. An iterate that a line search ended early, on
-/// the way to it, may have met the tolerance where none did yet: iterated again from the solution.
-Status settle_rows(StepContext& ctx, double tolerance) noexcept {
+/// An iterate that a line search ended early, on the way to the solution, may have met the
+/// tolerance where no row asked yet: iterated again from the solution itself.
+Status settle_rows(StepContext& ctx) noexcept {
     constexpr int kMost = 8;
+    const double tolerance = ctx.model.def.contact_tolerance;
     for (int round = 0; round < kMost && !ctx.model.system.bounded.empty(); ++round) {
         if (asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) == 0) return Status::ok;
         (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, kAnyRows);
@@ -245,8 +250,6 @@ Status settle_rows(StepContext& ctx, double tolerance) noexcept {
     ctx.work.stats.flips_left += asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);
     return Status::ok;
 }
-
-}  // namespace
 
 Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
     ctx.work.newton.switch_late = false;
@@ -290,7 +293,7 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
         ctx.work.newton.switch_late = hasty && asking > 0;
         ctx.work.stats.flips_left += asking;
     }
-    return early ? status : settle_rows(ctx, tolerance);
+    return early ? status : settle_rows(ctx);
 }
 
 Status settle_newton(StepContext& ctx) noexcept {

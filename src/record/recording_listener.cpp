@@ -17,9 +17,8 @@ void RecordingListener::set(InputId id, double value) noexcept {
     // One that came later has no name in the recording, or a place that another one had.
     if (id.generation != 0 || id.index >= inputs_) return ChangeBytes::set(id, value);
     try {
-        flush();
-        const RecordedInput input{world_.step_count(), id.index, value};
-        writer_.add_inputs(std::span(&input, 1));
+        if (!bytes().empty()) flush();
+        set_.push_back({world_.step_count(), id.index, value});
     } catch (const std::exception&) {
         fault_ = std::current_exception();
     }
@@ -53,6 +52,8 @@ void RecordingListener::flush() { flush(world_.step_count()); }
 
 void RecordingListener::flush(std::int64_t step) {
     if (fault_) std::rethrow_exception(fault_);
+    writer_.add_inputs(set_);
+    set_.clear();
     writer_.add_changes(step, *this);
     clear();
     now_ = world_.step_count();

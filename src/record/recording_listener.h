@@ -8,6 +8,7 @@
 #include "record/recording_writer.h"
 
 #include <exception>
+#include <vector>
 
 namespace hawser::record {
 
@@ -29,6 +30,9 @@ class RecordingListener final : public ChangeBytes {
     /// Writes the changes made while a step was taken. @param step  Steps taken before that one; a
     /// replay makes the changes before it. @throws RecordingError
     void flush(std::int64_t step);
+    /// The step that was taken since the last flush() failed, and inputs that systems set in it
+    /// have their values of before again: what it told of them does not count.
+    void step_failed() noexcept { set_.clear(); }
 
   private:
     template <class F>
@@ -36,6 +40,7 @@ class RecordingListener final : public ChangeBytes {
 
     RecordingWriter& writer_;
     World& world_;
+    std::vector<RecordedInput> set_;  ///< Since the last change; not written yet.
     std::int32_t inputs_;  ///< Of the scene: the recording has their names.
     std::int64_t now_;     ///< Steps taken when it looked last.
     std::exception_ptr fault_;

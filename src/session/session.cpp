@@ -40,7 +40,9 @@ struct Session::Impl {
     std::vector<record::ControlChange> control;
     std::size_t next_control = 0;  ///< The first one that is not in force yet.
     session::Timeline timeline;
-    std::uint64_t identity = 0;  ///< Of the scene at its start.
+    std::uint64_t identity = 0;  ///< Of the scene at its start …
+    Structure made_of;           ///< … and where it begins with a saved state, what it is made of …
+    std::vector<std::byte> start;  ///< … and its state.
     /// A control file's columns are the inputs by place, and behind them these signals.
     std::vector<std::string> signals;
     std::size_t places = 0;
@@ -63,12 +65,43 @@ struct Session::Impl {
         World& w = world();
         const double now = w.time() + kSlack * w.settings().step;
         for (; next_control < control.size() && control[next_control].time <= now; ++next_control) {
-            const record::ControlChange& change = control[next_control];
-            const auto signal = static_cast<std::size_t>(change.input) - places;
-            if (static_cast<std::size_t>(change.input) >= places)
-                set_signal(signals[signal], change.value);
-            else if (const InputId id{change.input}; w.alive(id))
-                w.set_input(id, change.value);  // others have been removed
+            set(control[next_control]);
+        }
+    }
+
+    void set(const record::ControlChange& change) {
+        World& w = world();
+        const auto signal = static_cast<std::size_t>(change.input) - places;
+        if (static_cast<std::size_t>(change.input) >= places)
+            set_signal(signals[signal], change.value);
+        else if (const InputId id{change.input}; w.alive(id))
+            w.set_input(id, change.value);  // others have been removed
+    }
+
+    /// The name by which the timeline knows what a control file sets.
+    [[nodiscard]] std::string target(const record::ControlChange& change) {
+        if (static_cast<std::size_t>(change.input) < places)
+            return world().input_def(InputId{change.input}).name;
+        const std::string& name = signals[static_cast<std::size_t>(change.input) - places];
+        for (const scene::SignalInput& lever : scene.signal_inputs)
+            if (lever.name == name) return lever.signal;
+        return name;
+    }
+
+    /// In a run that begins behind the start, of each input what the file had last is in force,
+    /// unless the timeline has set it since: once, as its value may be that of the state, and what
+    /// came before would wake what sleeps.
+    void go_on_with_controls() {
+        if (world().step_count() == 0) return;
+        const double done = session::last_done(world());
+        while (next_control < control.size() && control[next_control].time <= done) ++next_control;
+        for (std::size_t i = 0; i < next_control; ++i) {
+            const record::ControlChange& change = control[i];
+            const bool later = std::any_of(
+                control.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                control.begin() + static_cast<std::ptrdiff_t>(next_control),
+                [&](const record::ControlChange& c) { return c.input == change.input; });
+            if (!later && !timeline.sets(scene.timeline, target(change), change.time)) set(change);
         }
     }
 
@@ -88,6 +121,8 @@ struct Session::Impl {
         }
         return false;
     }
+
+    void open_recording(const std::filesystem::path& file, std::int32_t every);
 
     void add_frame() {
         recording.to->add_frame(world());
@@ -174,7 +209,12 @@ Session::Session(scene::Scene scene, const SessionDef& def)
     check_every(def.every);
     world.prepare();
     impl_->identity = world.identity();
-    if (!def.restore.empty()) record::restore_snapshot(def.restore, impl_->info, world);
+    if (def.verify) impl_->verifier = std::make_unique<verify::Verifier>(world);
+    if (!def.restore.empty()) {
+        impl_->made_of = world.structure();
+        impl_->start = world.save();
+        record::restore_snapshot(def.restore, impl_->info, world);
+    }
     if (!def.state.empty()) world.restore(def.state);
     impl_->timeline.skip(impl_->scene.timeline, world);
     if (!def.control.empty()) {
@@ -183,11 +223,12 @@ Session::Session(scene::Scene scene, const SessionDef& def)
         impl_->signals = signal_names(impl_->scene);
         names.insert(names.end(), impl_->signals.begin(), impl_->signals.end());
         impl_->control = record::read_control(def.control, names);
+        impl_->go_on_with_controls();
     }
     if (!def.record.empty()) record(def.record, def.every);
     if (!def.csv.empty()) write_csv(def.csv, def.every);
     if (def.verify) {
-        impl_->verifier = std::make_unique<verify::Verifier>(world);
+        impl_->verifier->begin_at(world);
         observe(*impl_->verifier);
     }
 }
@@ -224,7 +265,7 @@ void Session::restore(const Structure& made_of, std::span<const std::byte> state
     world.restore(made_of, state);
     impl_->timeline.skip(impl_->scene.timeline, world);
     // Values before the step that led to this state were in force in it.
-    const double last = world.time() - (1.0 - 1e-6) * world.settings().step;
+    const double last = session::last_done(world);
     const auto& control = impl_->control;
     const auto next = std::find_if(control.begin(), control.end(), [&](const auto& change) {
         return world.step_count() == 0 || change.time > last;
@@ -232,24 +273,43 @@ void Session::restore(const Structure& made_of, std::span<const std::byte> state
     impl_->next_control = static_cast<std::size_t>(next - control.begin());
     impl_->last = Status::ok;
     impl_->objection.clear();
+    if (impl_->verifier) impl_->verifier->begin_at(world);
 }
 
 void Session::record(const std::filesystem::path& file, std::int32_t every) {
     check_every(every);
     impl_->listener.reset();
     World& world = impl_->world();
+    // A recording begins with the world that its scene makes; what else there is by now came with
+    // a saved state, to which it goes on from there (chunk TAKE).
+    if (impl_->start.empty() || world.identity() == impl_->identity)
+        return impl_->open_recording(file, every);
+    const Structure made_of = world.structure();
+    const std::vector<std::byte> state = world.save();
+    world.restore(impl_->made_of, impl_->start);
+    try {
+        impl_->open_recording(file, every);
+    } catch (...) {
+        world.restore(made_of, state);
+        throw;
+    }
+    restore(made_of, state);
+}
+
+void Session::Impl::open_recording(const std::filesystem::path& file, std::int32_t every) {
+    World& world = this->world();
     const WorldDef& settings = world.settings();
-    impl_->recording = {std::make_unique<record::RecordingWriter>(
-                            file, impl_->info, world,
-                            record::RecordingSettings{.step = settings.step,
-                                                      .form = settings.form,
-                                                      .threads = settings.threads,
-                                                      .stride = every,
-                                                      .instruction_set = instruction_set(),
-                                                      .version = version(),
-                                                      .processor = record::processor_model()}),
-                        every, world.step_count(), world.step_count()};
-    impl_->listener = std::make_unique<record::RecordingListener>(*impl_->recording.to, world);
+    recording = {std::make_unique<record::RecordingWriter>(
+                     file, info, world,
+                     record::RecordingSettings{.step = settings.step,
+                                               .form = settings.form,
+                                               .threads = settings.threads,
+                                               .stride = every,
+                                               .instruction_set = instruction_set(),
+                                               .version = version(),
+                                               .processor = record::processor_model()}),
+                 every, world.step_count(), world.step_count()};
+    listener = std::make_unique<record::RecordingListener>(*recording.to, world);
 }
 
 void Session::write_csv(const std::filesystem::path& file, std::int32_t every) {
@@ -289,6 +349,7 @@ Status Session::step() {
     impl_->last = world.step();
     impl_->step_cpu = thread_cpu_seconds() - cpu;
     // What systems did to the world within the step belongs before it.
+    if (impl_->listener && impl_->last != Status::ok) impl_->listener->step_failed();
     if (impl_->listener) impl_->listener->flush(step);
     if (impl_->last != Status::ok) return impl_->last;
     impl_->events = world.take_events();

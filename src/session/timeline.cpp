@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace hawser::session {
 namespace {
 
@@ -12,8 +14,22 @@ constexpr double kSlack = 1e-6;  ///< Times are multiples of the step up to roun
 
 }  // namespace
 
+double last_done(const World& world) noexcept {
+    return world.time() - (1.0 - kSlack) * world.settings().step;
+}
+
+bool Timeline::sets(std::span<const scene::Operation> all, const std::string& name,
+                    double after) const {
+    const auto named = [&](const auto& entry) { return entry.first == name; };
+    return std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(next_),
+                       [&](const scene::Operation& operation) {
+                           return operation.at > after &&
+                                  std::any_of(operation.set.begin(), operation.set.end(), named);
+                       });
+}
+
 void Timeline::skip(std::span<const scene::Operation> all, const World& world) noexcept {
-    const double last = world.time() - (1.0 - kSlack) * world.settings().step;
+    const double last = last_done(world);
     next_ = 0;
     while (world.step_count() > 0 && next_ < all.size() && all[next_].at <= last) ++next_;
     begun_ = next_;

@@ -10,6 +10,9 @@
 
 namespace hawser::session {
 
+/// What is due by it was done before the step that led to the present state [s].
+[[nodiscard]] double last_done(const World& world) noexcept;
+
 class Timeline {
   public:
     /// Operations before the step that led to the present state have been done.
@@ -17,6 +20,9 @@ class Timeline {
     /// Those that are due, in order. @throws DefError with time and operation where one cannot be
     /// done.
     void take(std::span<const scene::Operation> all, World& world);
+    /// Whether one of those that have been done has set an input or signal after a time [s].
+    [[nodiscard]] bool sets(std::span<const scene::Operation> all, const std::string& name,
+                            double after) const;
     /// Those that the last take() has done.
     [[nodiscard]] std::span<const scene::Operation> done(
         std::span<const scene::Operation> all) const noexcept {

@@ -143,12 +143,25 @@ Status settle_free(StepContext& ctx) noexcept {
     return status;
 }
 
+/// The same where something touches.
+Status settle_touching(StepContext& ctx) noexcept {
+    constexpr int kMost = 4;
+    Status status = settle_newton(ctx);
+    for (int i = 0; i < kMost && status == Status::ok && rows_ask(ctx); ++i) {
+        status = settle_rows(ctx);
+        if (status != Status::ok) break;
+        (void)make_rounds(ctx);
+        status = settle_newton(ctx);
+    }
+    return status;
+}
+
 /// What follows the rounds: laws of contacts, rows at their bounds, refinement. What another round
 /// would change is measured again where that took substitutions.
 Status settle(StepContext& ctx) noexcept {
     const std::int32_t before = ctx.work.stats.substitutions;
     const bool contacts = ctx.model.system.contacts.count() > 0;
-    const Status status = contacts ? settle_newton(ctx) : settle_free(ctx);
+    const Status status = contacts ? settle_touching(ctx) : settle_free(ctx);
     if (status == Status::ok && ctx.work.stats.substitutions != before)
         ctx.work.stats.completion_change = renew_completed(ctx).change;
     return status;

@@ -156,7 +156,12 @@ void analyse_after_step(StepContext& ctx) noexcept {
     ctx.state.analysed_r = ctx.model.bodies.r;
     ctx.state.mend = Mend::follow;
     const StageTimer timer(ctx, Stage::analyse);
-    (void)guarded(ctx, [&] { mend(ctx); });
+    (void)guarded(ctx, [&] {
+        // Which joints the step has completed is read after it; the next one chooses anew.
+        const base::Array<std::uint8_t> completed = ctx.model.interactions.completed;
+        mend(ctx);
+        ctx.model.interactions.completed = completed;
+    });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hawser::verify {
 
@@ -41,6 +42,15 @@ Mat3 cross_matrix(const Vec3& a) {
 Verifier::Verifier(const World& world) : step_(world.settings().step), states_(world), sea_(world) {
     follow(world);
     result_.covered_bodies = result_.moving_bodies;
+}
+
+void Verifier::begin_at(const World& world) {
+    SeaVerifier sea = std::move(sea_);
+    const Verification before = result_;
+    *this = Verifier(world);
+    sea_ = std::move(sea);
+    sea_.begin_anew();
+    if (before.steps > 0) result_ = before;
 }
 
 bool Verifier::knows(const World& world) const {
@@ -161,12 +171,11 @@ std::string Verifier::after_step(const World& world) {
     // Bounds of friction are followed until their share in the natural map is small enough; rows
     // that were still switching are reported as such.
     if (!stats.cut && stats.flips_left == 0 && !(excess <= stats.natural_map + kRoundOff))
-        return fmt::format("the force of a row is beyond its bound by {:.3e}, relative", excess);
+        return fmt::format("{} by {:.3e}, relative", beyond_bound(world), excess);
     if (!(momentum <= kRoundOff))
-        return fmt::format("momentum is off by {:.3e}, relative, most of it that of {}", momentum,
-                           world.body_def(worst_momentum_).name.empty()
-                               ? fmt::format("body {}", worst_momentum_.index)
-                               : fmt::format("\"{}\"", world.body_def(worst_momentum_).name));
+        return fmt::format(
+            "momentum is off by {:.3e}, relative, most of it that of {}", momentum,
+            called("body", world.body_def(worst_momentum_).name, worst_momentum_.index));
     if (!(sea <= kRoundOff))
         return fmt::format("loads of the sea are off by {:.3e}, relative", sea);
     if (world.settings().on_diverged == OnDiverged::stop) return state;
@@ -179,21 +188,6 @@ double Verifier::step_map(const World& world) {
         if (!contact.asleep)
             map = std::max({map, natural_map(world, contact), turn_map(world, contact)});
     return map;
-}
-
-double Verifier::bound_excess(const World& world) {
-    double excess = 0.0;
-    for (const InteractionId id : interactions_) {
-        const ForceRange range = force_range(world, id, pose_);
-        if (!range.bounded) continue;
-        const double force = world.force(id)[0];
-        const double bound = std::clamp(force, range.low, range.high);
-        // Where there are contacts, less than the floor switches no row.
-        const double beyond = step_ * std::abs(force - bound) - floor_;
-        if (!(beyond <= 0.0))
-            excess = std::max(excess, beyond / std::max(step_ * std::abs(bound), floor_));
-    }
-    return excess;
 }
 
 Verifier::Side Verifier::side_of(const World& world, ShapeId shape, const Vec3& on_axis) const {

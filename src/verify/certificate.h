@@ -38,6 +38,9 @@ namespace hawser::verify {
 /// a × as a matrix.
 [[nodiscard]] Mat3 cross_matrix(const Vec3& a);
 
+/// What a message calls a body or an interaction: its name, or `what` and its index.
+[[nodiscard]] std::string called(const char* what, const std::string& name, std::int32_t index);
+
 struct Verification {
     std::int64_t steps = 0;
     double natural_map = 0.0;  ///< Largest, of steps that no budget cut.
@@ -56,6 +59,9 @@ class Verifier : public Observer {
     /// What is added and removed from now on, it follows. A step in which systems do that is not
     /// judged.
     explicit Verifier(const World& world);
+    /// Another state has been restored: judges go on from there. What the water has of wires is
+    /// that of the start, at which it was made.
+    void begin_at(const World& world);
     void before_step(const World& world) override;
     /// @return what is wrong with the step; empty: nothing.
     [[nodiscard]] std::string after_step(const World& world);
@@ -84,6 +90,8 @@ class Verifier : public Observer {
     [[nodiscard]] double step_map(const World& world);
     /// Rows outside their bounds. @return by how much at most, 0: within what counts as nothing.
     [[nodiscard]] double bound_excess(const World& world);
+    /// The worst of them in words: its name, its force, its bound.
+    [[nodiscard]] std::string beyond_bound(const World& world) const;
     void add_interactions(const World& world);
     /// Whether bodies and interactions are those of the tables; and tables of those that are.
     [[nodiscard]] bool knows(const World& world) const;
@@ -118,6 +126,11 @@ class Verifier : public Observer {
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
     StateVerifier states_;
     SeaVerifier sea_;
+    /// Of the row that is farthest beyond its bound.
+    struct Bound {
+        InteractionId row{};
+        double force = 0.0, bound = 0.0;  ///< [N or N m]
+    } worst_bound_;
     BodyId worst_momentum_{};  ///< The body with the largest share of the step's residual.
     std::string objection_;    ///< To the last step.
     Verification result_;

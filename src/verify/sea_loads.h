@@ -17,6 +17,8 @@ namespace hawser::verify {
 class SeaVerifier {
   public:
     explicit SeaVerifier(const World& world);
+    /// Another state has been restored: memories of hulls begin with what the library has then.
+    void begin_anew() noexcept { past_.clear(); }
     /// Inputs and time of the step to come.
     void before_step(const World& world);
     /// @param pose, before  Of all bodies, where the step began. @return the largest difference of

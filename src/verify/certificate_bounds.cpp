@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Rows whose force is bounded: how far beyond, and which.
+#include "verify/certificate.h"
+#include "verify/interaction_forces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::verify {
+
+std::string called(const char* what, const std::string& name, std::int32_t index) {
+    return name.empty() ? fmt::format("{} {}", what, index) : fmt::format("\"{}\"", name);
+}
+
+double Verifier::bound_excess(const World& world) {
+    double excess = 0.0;
+    worst_bound_ = {};
+    for (const InteractionId id : interactions_) {
+        const ForceRange range = force_range(world, id, pose_);
+        if (!range.bounded) continue;
+        const double force = world.force(id)[0];
+        const double bound = std::clamp(force, range.low, range.high);
+        // Where there are contacts, less than the floor switches no row.
+        const double beyond = step_ * std::abs(force - bound) - floor_;
+        if (beyond <= 0.0) continue;
+        const double share = beyond / std::max(step_ * std::abs(bound), floor_);
+        if (share <= excess) continue;
+        excess = share;
+        worst_bound_ = {.row = id, .force = force, .bound = bound};
+        if (std::isnan(share)) break;  // Nothing is farther off.
+    }
+    return excess;
+}
+
+std::string Verifier::beyond_bound(const World& world) const {
+    const InteractionDef& def = world.interaction_def(worst_bound_.row);
+    const char* unit = kind_info(def.kind).row_units[0] == 'm' ? "N" : "N m";
+    return fmt::format("{} gives {:.6g} {}, beyond its bound of {:.6g} {}",
+                       called("interaction", def.name, worst_bound_.row.index), worst_bound_.force,
+                       unit, worst_bound_.bound, unit);
+}
+
+}  // namespace hawser::verify

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Which matrices a system may load: what has a direction without mass is taken, what has one of
+/// negative mass is not.
+#include "context/load_matrix.h"
+
+#include "support/random.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace hawser::test {
+namespace {
+
+/// A direction whose components differ by up to eight powers of ten.
+Vec3 any_direction(Random& random) {
+    Vec3 t;
+    for (int k = 0; k < 3; ++k)
+        t[k] = (random.chance(0.5) ? 1.0 : -1.0) * std::pow(10.0, random.uniform(-8, 0));
+    return t.normalized();
+}
+
+/// c (t² E − (1 + beyond) t tᵀ), as water takes a straight piece of wire along.
+std::vector<double> across(const Vec3& t, double c, double beyond) {
+    const Mat3 m = c * (t.squaredNorm() * Mat3::Identity() - (1.0 + beyond) * t * t.transpose());
+    return {c * (t.y() * t.y() + t.z() * t.z()) - c * beyond * t.x() * t.x(),
+            m(1, 0),
+            c * (t.x() * t.x() + t.z() * t.z()) - c * beyond * t.y() * t.y(),
+            m(2, 0),
+            m(2, 1),
+            c * (t.x() * t.x() + t.y() * t.y()) - c * beyond * t.z() * t.z()};
+}
+
+/// In the order of its rows the last pivot of such a matrix came out up to 1e-12 below 0, and the
+/// step ended with Status::bad_load where a wire in the sea had a free end.
+TEST(Semidefinite, TakesAPieceOfWireOfAnyDirection) {
+    Random random(1);
+    for (int i = 0; i < 100'000; ++i) {
+        const Vec3 t = any_direction(random);
+        const double c = std::pow(10.0, random.uniform(-6, 6));
+        ASSERT_TRUE(stepper::semidefinite(across(t, c, 0.0).data(), 3))
+            << i << ' ' << t.transpose();
+        // 1e-9 of it below 0: far above the rounding of its entries.
+        ASSERT_FALSE(stepper::semidefinite(across(t, c, 1e-9).data(), 3)) << i;
+    }
+}
+
+TEST(Semidefinite, TakesWhatUnderflowsBesideNothing) {
+    const double m[] = {0.0, -1e-170, 1.0, 0.0, 0.0, 1.0};
+    EXPECT_TRUE(stepper::semidefinite(m, 3));
+    const double n[] = {0.0, -1e-100, 1.0, 0.0, 0.0, 1.0};
+    EXPECT_FALSE(stepper::semidefinite(n, 3));
+}
+
+/// Sums of outer products of six rows, of any rank and with rows of very different units.
+TEST(Semidefinite, TakesSumsOfOuterProducts) {
+    Random random(2);
+    for (int i = 0; i < 20'000; ++i) {
+        double unit[6], m[21] = {};
+        for (double& u : unit) u = std::pow(10.0, random.uniform(-4, 4));
+        const int rank = random.integer(1, 6);
+        for (int r = 0; r < rank; ++r) {
+            double v[6];
+            for (int k = 0; k < 6; ++k) v[k] = unit[k] * random.uniform(-1, 1);
+            for (int a = 0, e = 0; a < 6; ++a)
+                for (int b = 0; b <= a; ++b, ++e) m[e] += v[a] * v[b];
+        }
+        ASSERT_TRUE(stepper::semidefinite(m, 6)) << i << ", rank " << rank;
+        m[random.integer(0, 1) == 0 ? 0 : 20] *= -1.0;
+        ASSERT_FALSE(stepper::semidefinite(m, 6)) << i;
+    }
+}
+
+}  // namespace
+}  // namespace hawser::test
