@@ -225,7 +225,7 @@ TEST(Slides, TakeEnergyAndMakeNone) {
     }
 }
 
-TEST(Slides, GiveTheSameBitsOnAnyThreadsAfterRestoringAndRepeated) {
+TEST(Slides, GiveTheSameBitsOnAnyThreadsAfterRestoringAndInTwins) {
     const auto hashes = [](int threads, int restored) {
         Stern d(0.15, threads);
         std::vector<std::uint64_t> out;
@@ -239,6 +239,7 @@ TEST(Slides, GiveTheSameBitsOnAnyThreadsAfterRestoringAndRepeated) {
             Stern other(0.15, threads);
             other.w.restore(made_of, bytes);
             EXPECT_EQ(other.w.state_hash(), out.back());
+            EXPECT_EQ(d.w.twin().state_hash(), out.back());
             d = std::move(other);
         }
         EXPECT_GT(d.get("slid"), 1.0);
