@@ -7,6 +7,7 @@
 #include <hawser/changes.h>
 #include <hawser/crane.h>
 #include <hawser/def.h>
+#include <hawser/edges.h>
 #include <hawser/edits.h>
 #include <hawser/factor.h>
 #include <hawser/guide.h>
