@@ -5,12 +5,14 @@
 
 #include <hawser/catenary.h>
 #include <hawser/changes.h>
+#include <hawser/chaser.h>
 #include <hawser/crane.h>
 #include <hawser/def.h>
 #include <hawser/edges.h>
 #include <hawser/edits.h>
 #include <hawser/factor.h>
 #include <hawser/guide.h>
+#include <hawser/hook.h>
 #include <hawser/hull.h>
 #include <hawser/hydro.h>
 #include <hawser/id.h>

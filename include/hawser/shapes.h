@@ -7,6 +7,13 @@
 /// ends are the lumps, so that contact on it is shared by them according to the place. A body may
 /// have any number of shapes; without one it touches nothing. Shapes of the same body, of bodies
 /// joined by a segment, and of two bodies without freedom never touch each other.
+///
+/// A segment may also run from a lump to where a body holds the wire: a point of it, a drum, the
+/// wheel of a guide. The body has its share of what touches there, at the lever that keeps momentum
+/// and angular momentum. Such a segment does not touch what of that body, or of one that a joint
+/// holds to it, has the hold within the sphere around it; of another segment that the same body
+/// holds, what is within twice both radii of both holds. What of the body is farther away it
+/// touches as all else does.
 
 #include <hawser/id.h>
 #include <hawser/math.h>
@@ -60,9 +67,11 @@ struct ShapeDef {
     std::string name{};  ///< Unique among shapes, or empty.
     ShapeKind kind = ShapeKind::sphere;
     BodyId body{};  ///< Required. Scalars have no shape; lumps: sphere or segment.
-    /// Second lump of a segment (capsule only; half_length, position, orientation are then not
-    /// used); invalid: the shape belongs to `body` alone. One of the two may be a fixed body, whose
-    /// centre is then the end.
+    /// Second end of a segment (capsule only; half_length, orientation are then not used); invalid:
+    /// the shape belongs to `body` alone. One of the two may be a body that is no lump and no
+    /// scalar: the end is then where an element of a wire from `body` to `body_b` leaves it, else
+    /// `position` in its frame. With a fixed body and `position` 0 the end is its centre, and the
+    /// segment counts as a shape of that body, too.
     BodyId body_b{};
     Vec3 position{0.0, 0.0, 0.0};         ///< Of the shape's frame in the body's frame [m].
     Quat orientation = Quat::Identity();  ///< Shape to body.

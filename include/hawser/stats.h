@@ -85,9 +85,9 @@ enum class EventKind : std::uint8_t {
     // Of cranes (crane.h), of the body that is the hook.
     alarm,      ///< Its load came to a higher step of alarm. value: load over rated load [1].
     alarm_end,  ///< It came to a lower step of alarm. value: load over rated load [1].
-    // Of shark jaws and chain stoppers (stopper.h).
-    overload,  ///< One opened above its rated load, of its joint. value: the load [N].
-    missed,    ///< One closed on nothing, of its body. value: how far the nearest wire is [m].
+    // Of shark jaws and chain stoppers (stopper.h), and of hooks (hook.h).
+    overload,  ///< One opened above its rated load, of its joint or load. value: the load [N].
+    missed,    ///< One has nothing in reach, of its body. value: how far the nearest is [m].
 };
 inline constexpr int kEventKindCount = 28;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;

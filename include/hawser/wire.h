@@ -73,6 +73,7 @@ namespace hawser {
 struct WireTrim {
     double EI = 0.0;                    ///< Bending stiffness [N m²]; 0: none.
     std::optional<ShapeDef> segment{};  ///< Capsule between lumps; its bodies do not matter.
+    bool to_ends = false;               ///< See WireDef::end_capsules.
 };
 
 /// A piece of a wire of one line type, in equal elements.
@@ -119,6 +120,10 @@ struct WireDef {
     /// are. The node between two has half of each; a bend there has their flexibilities in a row,
     /// and none where one of them has no EI (docs/wires.md, "Several line types").
     std::vector<WireSection> sections{};
+    /// True: elements between a lump and a body have capsules, too (ShapeDef::body_b), up to the
+    /// point, drum, guide or post that holds the wire, as elements come and go there. False: what
+    /// ends on a body has none there, and others pass through it. Needs a radius.
+    bool end_capsules = false;
 };
 
 /// What holds two ends together. Wires of lumps have no torsion: a swivel, which lets one end twist

@@ -29,13 +29,26 @@ void tangents(const V3& n, V3& t1, V3& t2) {
     t2 = cross(n, t1);
 }
 
+/// Whether a body that holds a segment carries what is on it along as it turns. Fixed ones do not.
+bool carries(const model::Bodies& b, std::int32_t body) {
+    return b.turns(body) && b.kind[at(body)] != BodyKind::fixed;
+}
+
+/// Of the two ends of a segment the one that carries(); −1: both are lumps or fixed.
+std::int32_t carrier_of(const model::Bodies& b, std::int32_t first, std::int32_t second) {
+    return carries(b, first) ? first : carries(b, second) ? second : -1;
+}
+
 /// World position of an anchor.
 V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
     const std::int32_t first = m.body[side][0], second = m.body[side][1];
-    const V3 local = load3(m.anchor[side]);
-    if (second >= 0)
+    V3 local = load3(m.anchor[side]);
+    if (second >= 0) {
+        if (const std::int32_t host = carrier_of(b, first, second); host >= 0)
+            local = load9(&b.r[9 * at(host)]) * local;
         return m.share[side] * body_position(b, first) +
                (1.0 - m.share[side]) * body_position(b, second) + local;
+    }
     const V3 offset = b.turns(first) ? load9(&b.r[9 * at(first)]) * local : local;
     return body_position(b, first) + offset;
 }
@@ -44,8 +57,11 @@ V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
 void set_anchor(const model::Bodies& b, ContactMemory& m, int side, const V3& p) {
     const std::int32_t first = m.body[side][0], second = m.body[side][1];
     if (second >= 0) {
-        store3(m.anchor[side], p - m.share[side] * body_position(b, first) -
-                                   (1.0 - m.share[side]) * body_position(b, second));
+        V3 local = p - m.share[side] * body_position(b, first) -
+                   (1.0 - m.share[side]) * body_position(b, second);
+        if (const std::int32_t host = carrier_of(b, first, second); host >= 0)
+            local = tmul(load9(&b.r[9 * at(host)]), local);
+        store3(m.anchor[side], local);
         return;
     }
     const V3 offset = p - body_position(b, first);
@@ -68,6 +84,19 @@ void take_sides(const ContactRow& row, ContactMemory& m) {
 }
 
 V3 tangential(const V3& v, const V3& n) { return v - dot(v, n) * n; }
+
+/// From the centre of the body of slot i to where it feels its share of a contact at p. A lump
+/// feels it at its place. A body that shares a side with a lump feels the rest of it, so that the
+/// side as a whole feels it at p: momentum and angular momentum are those of the force there.
+V3 arm_of(const collide::Contact& in, int i, const model::Bodies& bodies, const V3& p) {
+    const std::int32_t body = in.body[i];
+    const int begin = i < in.side_0 ? 0 : in.side_0, end = i < in.side_0 ? in.side_0 : in.slots;
+    if (end - begin == 1 || !carries(bodies, body)) return p - body_position(bodies, body);
+    V3 rest = p;
+    for (int k = begin; k < end; ++k)
+        if (k != i) rest = rest - in.weight[k] * body_position(bodies, in.body[k]);
+    return (1.0 / in.weight[i]) * rest - body_position(bodies, body);
+}
 
 /// Mean over the axes of w² (1/m + (r × e)ᵀ I⁻¹ (r × e)).
 double slot_mobility(const model::Bodies& b, const ContactSlot& s) {
@@ -144,7 +173,7 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
         s.dof = dof_[at(s.body)];
         s.dof_begin = dof_begin_[at(s.body)];
         s.weight = i < in.side_0 ? -in.weight[i] : in.weight[i];
-        const V3 arm = p - body_position(bodies, s.body);
+        const V3 arm = arm_of(in, i, bodies, p);
         store3(s.arm, s.dof == 3 ? V3{0, 0, 0} : arm);
         cone.mobility += slot_mobility(bodies, s);
         if (bodies.kind[at(s.body)] == BodyKind::kinematic) {

@@ -10,12 +10,12 @@
 /// needs none: its block is that of the body itself.
 ///
 /// **Memory.** While a contact sticks, its tangential rows hold a spring between two anchors, one
-/// fixed in the frame of each side (of a segment: at a place along it): a position, not an
-/// accumulated velocity, so that what rests does not creep, however its carrier moves. The
-/// violation g_t is the tangential part of anchor 1 minus anchor 0; b_t = −(4/h)Υ g_t. When the
-/// point slides, the anchors follow so that g_t = −ε_t λ_t/h, what the spring of the friction force
-/// amounts to; when the point wanders along the surfaces without sliding (rolling), they are set
-/// anew at the point with g_t as it is.
+/// fixed in the frame of each side (of a segment: at a place along it, and where a body holds an
+/// end in the frame of that body): a position, not an accumulated velocity, so that what rests does
+/// not creep, however its carrier moves. The violation g_t is the tangential part of anchor 1 minus
+/// anchor 0; b_t = −(4/h)Υ g_t. When the point slides, the anchors follow so that g_t = −ε_t λ_t/h,
+/// what the spring of the friction force amounts to; when the point wanders along the surfaces
+/// without sliding (rolling), they are set anew at the point with g_t as it is.
 
 #include <hawser/def.h>
 
@@ -40,7 +40,9 @@ inline constexpr std::int64_t kKeepLinks = 120;
 struct ContactMemory {
     std::int32_t body[2][2];  ///< Of each side; −1: one body only.
     double share[2];          ///< Weight of the first body of each side at its anchor.
-    double anchor[2][3];      ///< Rigid: body's frame. Lumps: from their weighted mean, world axes.
+    /// Rigid: body's frame. Lumps: from their weighted mean, world axes; of a lump and a body that
+    /// turns the body's.
+    double anchor[2][3];
     double rolled[3];  ///< g_t by the velocities, should the point have wandered, world axes.
     double lambda[3];  ///< Impulse of the last step, world axes [N s].
 };

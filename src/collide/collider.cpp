@@ -29,48 +29,6 @@ constexpr Bounds kNowhere{{4e30, 4e30, 4e30}, {-4e30, -4e30, -4e30}};
 
 }  // namespace
 
-/// Owners of lumps, see is_duplicate().
-void Collider::find_owners(int body_count) {
-    std::vector<std::int32_t>& owner = of_body_;
-    owner.assign(at(body_count), -1);
-    for (std::int32_t i = 0; i < count(); ++i) {
-        Shape& s = shapes_[at(i)];
-        if (!s.segment()) continue;
-        for (int end = 0; end < 2; ++end) {
-            std::int32_t& first = owner[at(s.body[end])];
-            s.owner[end] = first;
-            if (first < 0) first = i;
-        }
-    }
-}
-
-/// The stretch between the two lumps of each segment: the one with the lowest id.
-void Collider::find_lines(const model::Interactions& interactions, int body_count) {
-    of_body_.assign(at(body_count), -1);  // last line whose lower end it is
-    lines_.clear();
-    for (int k = 0; k < kInteractionKindCount; ++k) {
-        if (!kind_info(static_cast<InteractionKind>(k)).is(kWireElement)) continue;
-        for (const std::int32_t id : interactions.pool[at(k)].ids) {
-            if (interactions.gone(id)) continue;
-            const std::int32_t* body = &interactions.body[kMaxInteractionBodies * at(id)];
-            std::int32_t& last = of_body_[at(std::min(body[0], body[1]))];
-            lines_.push_back({std::max(body[0], body[1]), id, last});
-            last = static_cast<std::int32_t>(lines_.size()) - 1;
-        }
-    }
-    for (Shape& s : shapes_) {
-        s.line = -1;
-        if (!s.segment()) continue;
-        const std::int32_t other = std::max(s.body[0], s.body[1]);
-        for (std::int32_t k = of_body_[at(std::min(s.body[0], s.body[1]))]; k >= 0;
-             k = lines_[at(k)].before) {
-            const Line& line = lines_[at(k)];
-            if (line.other == other && (s.line < 0 || line.id < s.line)) s.line = line.id;
-        }
-    }
-    parted_ = &interactions.parted;
-}
-
 void Collider::prepare(const model::Bodies& bodies, const model::Interactions& interactions,
                        double h) {
     find_owners(bodies.count());
@@ -90,7 +48,7 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
         if (shapes_[at(s)].gone())
             placed.swept = kNowhere;
         else
-            place(shapes_[at(s)], bodies, h, margin, placed);
+            place(shapes_[at(s)], bodies, lines_, h, margin, placed);
     }
     new_.clear();
     broad_.prepare(placed_);
@@ -101,9 +59,9 @@ void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& 
         const std::size_t end = std::min(shapes_.size(), at((i + 1) * kPlaceChunk));
         for (std::size_t s = at(i * kPlaceChunk); s < end; ++s) {
             if (shapes_[s].gone()) continue;  // stays nowhere
-            place(shapes_[s], bodies, h, margin, placed_[s]);
+            place(shapes_[s], bodies, lines_, h, margin, placed_[s]);
             const std::int32_t line = shapes_[s].line;
-            if (line >= 0 && (*parted_)[at(line)] != 0) placed_[s].swept = kNowhere;
+            if (line >= 0 && lines_->parted[at(line)] != 0) placed_[s].swept = kNowhere;
         }
     };
     pool.for_each(base::chunks(shapes_.size(), kPlaceChunk), task);
@@ -132,8 +90,9 @@ void Collider::narrow(double h, base::Executor& pool) {
             pool.stopping() ? 0 : std::min(pairs_.size(), at((i + 1) * kPairChunk));
         for (std::size_t p = at(i * kPairChunk); p < end; ++p) {
             const std::int32_t a = pairs_[p].a, b = pairs_[p].b;
+            const bool held = shapes_[at(a)].held >= 0 || shapes_[at(b)].held >= 0;
             const int n = touch(shapes_[at(a)], placed_[at(a)], shapes_[at(b)], placed_[at(b)], h,
-                                margin, to);
+                                margin, held && filter_.of_one_host(a, b), to);
             for (int k = 0; k < n; ++k, ++to) {
                 to->shape[0] = a;
                 to->shape[1] = b;
@@ -190,10 +149,19 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
 void Collider::remove(std::int32_t shape) noexcept {
     Shape& s = shapes_[at(shape)];
     s = {};
-    s.body[0] = s.body[1] = s.owner[0] = s.owner[1] = s.line = -1;
+    s.body[0] = s.body[1] = s.owner[0] = s.owner[1] = s.line = s.held = -1;
     data_[at(shape)].reset();
     places.vacate(shape);
     new_.push_back(shape);
+}
+
+void Collider::rewire(std::int32_t shape, std::int32_t first, std::int32_t second,
+                      const Vec3& point, const model::Bodies& bodies) noexcept {
+    Shape& s = shapes_[at(shape)];
+    s.body[0] = first;
+    s.body[1] = second;
+    std::copy_n(point.data(), 3, s.local.x);
+    s.held = held_end(s, bodies);
 }
 
 void Collider::truncate(std::int32_t kept) noexcept {

@@ -58,11 +58,10 @@ class Collider {
     /// Nothing touches it any more. What was remembered of its contacts is for the caller to
     /// forget: kept().
     void remove(std::int32_t shape) noexcept;
-    /// A segment goes to another body on one side. What was remembered of its contacts is for the
-    /// caller to forget.
-    void rewire(std::int32_t shape, int side, std::int32_t body) noexcept {
-        shapes_[static_cast<std::size_t>(shape)].body[side] = body;
-    }
+    /// A segment goes between other bodies, one of which may hold it at a point of its frame [m].
+    /// What was remembered of its contacts is for the caller to forget.
+    void rewire(std::int32_t shape, std::int32_t first, std::int32_t second, const Vec3& point,
+                const model::Bodies& bodies) noexcept;
     /// Take away the places from `kept` on, whose shapes have touched nothing yet.
     void truncate(std::int32_t kept) noexcept;
     /// Whether the box of a shape, at the present poses and with the margin, meets that of another
@@ -75,7 +74,8 @@ class Collider {
     [[nodiscard]] const std::vector<Shape>& shapes() const noexcept { return shapes_; }
 
     /// Set up for the shapes, materials, interactions that there are now. Keeps a pointer to
-    /// `interactions.parted`: a segment of a line that has parted touches nothing any more.
+    /// `interactions`: a segment of a line that has parted touches nothing any more, and one that a
+    /// body holds begins where the line does.
     /// @throws std::bad_alloc.
     void prepare(const model::Bodies& bodies, const model::Interactions& interactions, double h);
 
@@ -128,7 +128,7 @@ class Collider {
 
     std::vector<Shape> shapes_;
     std::vector<std::shared_ptr<const ShapeData>> data_;  ///< Of each shape, or null.
-    const base::Array<std::uint8_t>* parted_ = nullptr;   ///< By interaction.
+    const model::Interactions* lines_ = nullptr;
     Filter filter_;
     Broad broad_;
     base::Array<Placed> placed_;
@@ -146,7 +146,7 @@ class Collider {
     struct Line {
         std::int32_t other, id, before;  ///< `before`: in the same list, −1: none.
     };
-    std::vector<Line> lines_;            ///< Scratch of prepare().
+    std::vector<Line> lines_of_bodies_;  ///< Scratch of prepare().
     std::vector<std::int32_t> of_body_;  ///< Scratch of prepare().
     std::size_t held_ = 0;               ///< Bytes at the last count of growths.
     std::int64_t growths_ = 0;
@@ -157,7 +157,7 @@ void Collider::each_near(std::int32_t shape, const model::Bodies& bodies, double
     const auto now = [&](const Shape& s) {
         Placed placed{};
         placed.geometry = s.geometry;
-        place(s, bodies, h, margin, placed);
+        place(s, bodies, lines_, h, margin, placed);
         return placed.swept;
     };
     const Bounds own = now(shapes_[static_cast<std::size_t>(shape)]);

@@ -10,7 +10,7 @@
 
 namespace hawser::collide {
 
-inline constexpr int kMaxContactBodies = 4;  ///< Two segments of two lumps each.
+inline constexpr int kMaxContactBodies = 4;  ///< Two segments of two ends each.
 
 /// How two materials touch: what the mixing rules or a pair gave.
 struct Surface {
@@ -23,7 +23,8 @@ struct Surface {
 };
 
 /// One contact point. Slots are the bodies that it acts on: those of side 0, then those of side 1.
-/// The velocity of side s at the point is Σ weight (v + ω × (point − x)) over its slots. Bodies
+/// The velocity of side s at the point is Σ weight (v + ω × (point − x)) over its slots, that of a
+/// side with a lump and a body that holds the segment Σ weight v + ω × (point − Σ weight x). Bodies
 /// without freedom have slots too.
 struct Contact {
     std::int32_t shape[2];       ///< Side 0, side 1; shape[0] < shape[1].

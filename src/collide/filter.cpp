@@ -8,11 +8,27 @@
 namespace hawser::collide {
 namespace {
 
-/// f(a, b) of each two bodies that a segment or a joint holds together.
-template <class F>
-void each_joined(const std::vector<Shape>& shapes, const model::Interactions& interactions, F&& f) {
+using Beside = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+/// The lumps next to the guides whose parts of wires have segments, by slide.
+void find_beside(const std::vector<Shape>& shapes, const model::Interactions& interactions,
+                 Beside& out) {
+    out.clear();
     for (const Shape& s : shapes)
-        if (s.segment()) f(s.body[0], s.body[1]);
+        if (s.held >= 0 && s.line >= 0 && kind_info(interactions.kinds[at(s.line)]).is(kAtGuide))
+            out.emplace_back(interactions.body[kMaxInteractionBodies * at(s.line) + 2],
+                             s.body[at(1 - s.held)]);
+    std::sort(out.begin(), out.end());
+}
+
+/// f(a, b) of each two bodies that a segment, a joint or a guide holds together.
+template <class F>
+void each_joined(const std::vector<Shape>& shapes, const model::Interactions& interactions,
+                 const Beside& beside, F&& f) {
+    for (std::size_t i = 1; i < beside.size(); ++i)
+        if (beside[i].first == beside[i - 1].first) f(beside[i - 1].second, beside[i].second);
+    for (const Shape& s : shapes)
+        if (s.segment() && s.held < 0) f(s.body[0], s.body[1]);
     for (int k = 0; k < kInteractionKindCount; ++k) {
         if (!kind_info(static_cast<InteractionKind>(k)).is(kHoldsBodies)) continue;
         for (const std::int32_t id : interactions.pool[static_cast<std::size_t>(k)].ids) {
@@ -28,15 +44,16 @@ void Filter::build(const std::vector<Shape>& shapes, int body_count,
                    const model::Interactions& interactions) {
     // Dealt out body by body, then sorted there, each once.
     const auto n = static_cast<std::size_t>(body_count);
+    find_beside(shapes, interactions, beside_);
     begin_.assign(n + 1, 0);
-    each_joined(shapes, interactions, [&](std::int32_t a, std::int32_t b) {
+    each_joined(shapes, interactions, beside_, [&](std::int32_t a, std::int32_t b) {
         ++begin_[at(a) + 1];
         ++begin_[at(b) + 1];
     });
     for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
     joined_.resize(at(begin_.back()));
     cursor_.assign(begin_.begin(), begin_.end());
-    each_joined(shapes, interactions, [&](std::int32_t a, std::int32_t b) {
+    each_joined(shapes, interactions, beside_, [&](std::int32_t a, std::int32_t b) {
         joined_[at(cursor_[at(a)]++)] = b;
         joined_[at(cursor_[at(b)]++)] = a;
     });
@@ -51,7 +68,12 @@ void Filter::build(const std::vector<Shape>& shapes, int body_count,
     joined_.erase(to, joined_.end());
     entries_.clear();
     for (const Shape& s : shapes)
-        entries_.push_back({{s.body[0], s.body[1]}, s.group, s.touches, s.moves});
+        entries_.push_back({{s.held == 0 ? -1 : s.body[0], s.held == 1 ? -1 : s.body[1]},
+                            s.held >= 0 ? s.body[at(s.held)] : -1,
+                            s.group,
+                            s.touches,
+                            s.moves,
+                            s.segment()});
 }
 
 }  // namespace hawser::collide

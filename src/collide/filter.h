@@ -7,12 +7,17 @@
 /// of bodies that a segment or one of the joints ball, hinge, prismatic, cylindrical, universal,
 /// lock holds together, which overlap as drawn. Along a wire that leaves out neighbours and their
 /// neighbours. Lines, distances and springs exclude nothing: two ships joined by a tow line touch.
+///
+/// A body that holds the end of a wire (Shape::held) is not the wire's: other wires that end on it
+/// touch this one, and so does what of the body is away from the end (touch()). Lumps on either
+/// side of a guide are neighbours.
 
 #include "collide/placing.h"
 #include "model/interactions.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace hawser::collide {
@@ -32,12 +37,24 @@ class Filter {
                 if (x >= 0 && y >= 0 && (x == y || joined(x, y))) return false;
         return true;
     }
+    /// Whether one of two shapes is a segment that a body holds, and the other one of that body, of
+    /// one that a joint holds to it, or a segment held by either.
+    [[nodiscard]] bool of_one_host(std::int32_t a, std::int32_t b) const noexcept {
+        const Entry& p = entries_[static_cast<std::size_t>(a)];
+        const Entry& q = entries_[static_cast<std::size_t>(b)];
+        const auto carrier = [](const Entry& e) {
+            return e.host >= 0 ? e.host : e.segment ? -1 : e.body[0];
+        };
+        const std::int32_t x = carrier(p), y = carrier(q);
+        return x >= 0 && y >= 0 && (p.host >= 0 || q.host >= 0) && (x == y || joined(x, y));
+    }
 
   private:
     struct Entry {
-        std::int32_t body[2];
+        std::int32_t body[2];  ///< Without the host.
+        std::int32_t host;     ///< Body that holds the segment; −1: none.
         std::uint32_t group, touches;
-        bool moves;
+        bool moves, segment;
     };
     [[nodiscard]] bool joined(std::int32_t x, std::int32_t y) const noexcept {
         const auto i = static_cast<std::size_t>(x), j = static_cast<std::size_t>(y);
@@ -50,6 +67,8 @@ class Filter {
     std::vector<Entry> entries_;
     std::vector<std::int32_t> begin_, joined_;  ///< Bodies joined to each body, ascending.
     std::vector<std::int32_t> cursor_;          ///< Scratch of build().
+    /// Slides of guides, and the lumps whose segments end there. Scratch of build().
+    std::vector<std::pair<std::int32_t, std::int32_t>> beside_;
 };
 
 }  // namespace hawser::collide

@@ -40,8 +40,38 @@ void frame_of(const V3& axis, double* r) noexcept {
     }
 }
 
-void place_segment(const Shape& s, const model::Bodies& bodies, Placed& p) noexcept {
-    const V3 a = load3(&bodies.x[3 * at(s.body[0])]), b = load3(&bodies.x[3 * at(s.body[1])]);
+/// Whether the element along a segment is there still: edits come before the next preparation.
+bool has_line(const Shape& s, const model::Interactions* lines) noexcept {
+    if (lines == nullptr || s.line < 0 || s.line >= lines->count() || lines->gone(s.line))
+        return false;
+    const std::int32_t* body = &lines->body[kMaxInteractionBodies * at(s.line)];
+    return body[0] == s.body[0] && body[1] == s.body[1] &&
+           kind_info(lines->kinds[at(s.line)]).is(kWireElement);
+}
+
+/// Where a body holds an end: a point of it, or where a part of the wire leaves its wheel.
+V3 held_point(const Shape& s, const model::Bodies& bodies,
+              const model::Interactions* lines) noexcept {
+    const std::int32_t body = s.body[at(s.held)];
+    V3 point = load3(s.local.x);
+    if (has_line(s, lines)) {
+        if (kind_info(lines->kinds[at(s.line)]).is(kRouted)) {
+            const Vec3 leaves = lines->line_shape(s.line, bodies).at[at(s.held)];
+            return load3(leaves.data());
+        }
+        point = load3(lines->def[at(s.line)].point[at(s.held)].data());
+    }
+    return load3(&bodies.x[3 * at(body)]) + generic::load9(&bodies.r[9 * at(body)]) * point;
+}
+
+void place_segment(const Shape& s, const model::Bodies& bodies, const model::Interactions* lines,
+                   Placed& p) noexcept {
+    V3 a = load3(&bodies.x[3 * at(s.body[0])]), b = load3(&bodies.x[3 * at(s.body[1])]);
+    if (s.held >= 0) {
+        const V3 held = held_point(s, bodies, lines);
+        (s.held == 0 ? a : b) = held;
+        store3(p.held, held);
+    }
     const V3 along = b - a;
     const double length = generic::norm(along);
     p.geometry.half_length = 0.5 * length;
@@ -49,7 +79,13 @@ void place_segment(const Shape& s, const model::Bodies& bodies, Placed& p) noexc
     store3(p.at.x, 0.5 * (a + b));
     store3(p.origin, 0.5 * (a + b));
     const Motion ma = motion_of(bodies, s.body[0]), mb = motion_of(bodies, s.body[1]);
-    const V3 va = load3(ma.v), vb = load3(mb.v);
+    V3 va = load3(ma.v), vb = load3(mb.v);
+    if (s.held >= 0) {
+        const Motion& m = s.held == 0 ? ma : mb;
+        V3& v = s.held == 0 ? va : vb;
+        const V3 arm = load3(p.held) - load3(&bodies.x[3 * at(s.body[at(s.held)])]);
+        v = v + generic::cross(load3(m.w), arm);
+    }
     store3(p.motion.v, 0.5 * (va + vb));
     store3(p.motion.w, {0.0, 0.0, 0.0});
     store3(p.stretch, 0.5 * (vb - va));
@@ -95,12 +131,23 @@ Motion motion_of(const model::Bodies& bodies, std::int32_t body) noexcept {
     return m;
 }
 
-void place(const Shape& shape, const model::Bodies& bodies, double h, double margin,
-           Placed& placed) noexcept {
+std::int32_t held_end(const Shape& shape, const model::Bodies& bodies) noexcept {
+    if (!shape.segment()) return -1;
+    const bool centre =
+        shape.local.x[0] == 0.0 && shape.local.x[1] == 0.0 && shape.local.x[2] == 0.0;
+    for (std::int32_t end = 0; end < 2; ++end) {
+        const BodyKind kind = bodies.kind[at(shape.body[at(end)])];
+        if (kind != BodyKind::lump && !(kind == BodyKind::fixed && centre)) return end;
+    }
+    return -1;
+}
+
+void place(const Shape& shape, const model::Bodies& bodies, const model::Interactions* lines,
+           double h, double margin, Placed& placed) noexcept {
     const Placement before = placed.at;
     const double length = placed.geometry.half_length;
     if (shape.segment())
-        place_segment(shape, bodies, placed);
+        place_segment(shape, bodies, lines, placed);
     else
         place_on_body(shape, bodies, placed);
     const bool same = std::memcmp(&before, &placed.at, sizeof before) == 0;

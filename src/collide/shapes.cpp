@@ -35,6 +35,7 @@ std::int32_t Collider::add(const ShapeDef& def, const model::Bodies& bodies) {
     s.group = def.group;
     s.touches = def.touches;
     s.margin = def.margin;
+    s.held = held_end(s, bodies);
     for (const std::int32_t b : s.body) s.moves = s.moves || (b >= 0 && bodies.dof(b) > 0);
     std::shared_ptr<const ShapeData> data = make_shape_data(def);
     s.geometry.data = data.get();

@@ -17,6 +17,8 @@ using generic::store3;
 using generic::V3;
 /// Place on a segment nearer than this to an end, of its length, is the end.
 constexpr double kAtEnd = 1e-9;
+/// Segments that one body holds are beside their holds within so many times their radii.
+constexpr double kBeside = 2.0;
 constexpr double kSameNormal = 0.95;  ///< Cosine: 18°.
 
 /// Slots of one side from c.slots on. `on` is on the surface, `inward` the unit vector from there
@@ -35,7 +37,11 @@ double add_side(Contact& c, const Shape& s, const Placed& p, const double* on,
     const V3 from = load3(on) + p.geometry.radius * inward - load3(p.at.x);
     const double along = dot(from, {p.at.r[2], p.at.r[5], p.at.r[8]});
     const double half = p.geometry.half_length;
-    const double t = half > 0.0 ? 0.5 + 0.5 * along / half : 0.5;
+    double t = half > 0.0 ? 0.5 + 0.5 * along / half : 0.5;
+    // A body that holds an end has its share at the point on the surface (Contacts::set), and that
+    // is nothing like a contact of the body alone.
+    if (s.held == 0) t = std::max(t, 2.0 * kAtEnd);
+    if (s.held == 1) t = std::min(t, 1.0 - 2.0 * kAtEnd);
     if (t <= kAtEnd) {
         add(s.body[0], 1.0);
         return -1.0;
@@ -53,6 +59,19 @@ double add_side(Contact& c, const Shape& s, const Placed& p, const double* on,
 V3 velocity(const Placed& p, double place, const V3& point) noexcept {
     return load3(p.motion.v) + generic::cross(load3(p.motion.w), point - load3(p.origin)) +
            place * load3(p.stretch);
+}
+
+/// Whether a segment is held within the sphere around another shape, or near it.
+bool is_at_hold(const Shape& s, const Placed& p, const Placed& other, double margin) noexcept {
+    if (other.unbounded) return true;
+    const V3 apart = load3(p.held) - load3(other.centre);
+    const double reach = other.radius + s.geometry.radius + margin;
+    return dot(apart, apart) <= reach * reach;
+}
+
+/// Way of a place on a segment, as add_side() returned it, from where the segment is held [m].
+double from_hold(const Shape& s, const Placed& p, double place) noexcept {
+    return p.geometry.half_length * (s.held == 0 ? 1.0 + place : 1.0 - place);
 }
 
 /// Twice the area of triangle a b c.
@@ -121,9 +140,13 @@ void reduce(Manifold& m) noexcept {
 }
 
 int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, double h,
-          double margin, Contact* out) noexcept {
+          double margin, bool of_one_host, Contact* out) noexcept {
     const Collide collide = collide_function(a.geometry.kind, b.geometry.kind);
     if (collide == nullptr) return 0;
+    const bool both_held = a.held >= 0 && b.held >= 0;
+    if (of_one_host && !both_held &&
+        (a.held >= 0 ? is_at_hold(a, pa, pb, margin) : is_at_hold(b, pb, pa, margin)))
+        return 0;
     margin = std::max({margin, a.margin, b.margin});
     Manifold m;
     m.count = 0;
@@ -141,6 +164,10 @@ int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, do
         const double ta = add_side(c, a, pa, p.on[0], -n);
         c.side_0 = c.slots;
         const double tb = add_side(c, b, pb, p.on[1], n);
+        const double beside = kBeside * (a.geometry.radius + b.geometry.radius);
+        if (of_one_host && both_held && from_hold(a, pa, ta) < beside &&
+            from_hold(b, pb, tb) < beside)
+            continue;
         const V3 middle = 0.5 * (load3(p.on[0]) + load3(p.on[1]));
         const double opening = dot(n, velocity(pb, tb, middle) - velocity(pa, ta, middle));
         if (!(p.gap < margin + h * std::max(0.0, -opening))) continue;

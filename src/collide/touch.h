@@ -21,8 +21,11 @@ void reduce(Manifold& manifold) noexcept;
 /// present velocities: gap < margin + h max(0, −relative normal velocity). These are the
 /// speculative contacts by which fast and thin things do not pass through each other; a contact
 /// that the step then does not close carries no force. `previous`, `surface` are left to the
-/// caller. @return how many, at most kMaxManifold.
+/// caller.
+/// @param of_one_host  See Filter: a segment held by a body does not touch what of that body is
+/// where it is held, or nearer to the hold than the sphere around it, nor another segment beside
+/// both holds. @return how many, at most kMaxManifold.
 int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, double h,
-          double margin, Contact* out) noexcept;
+          double margin, bool of_one_host, Contact* out) noexcept;
 
 }  // namespace hawser::collide

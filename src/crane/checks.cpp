@@ -8,7 +8,7 @@
 namespace hawser::crane {
 namespace {
 
-constexpr int kMostFalls = 64, kMostEyes = 8;
+constexpr int kMostFalls = 64;
 constexpr double kFar = 1e4, kHeavy = 1e12, kStrong = 1e15;
 
 /// Checks fields of one part.
@@ -113,23 +113,6 @@ void check_rating(const Common& c) {
     if (r.cut_out && r.curve.empty()) f.fail("cut_out", "it needs a curve of rated loads");
 }
 
-void check_loads(const Common& c) {
-    for (std::size_t i = 0; i < c.loads.size(); ++i) {
-        const CraneLoad& load = c.loads[i];
-        const Fields f(c.name, "loads/" + std::to_string(i));
-        if (load.eyes.empty() || load.eyes.size() > kMostEyes) f.fail("eyes", "give 1 to 8");
-        for (const Vec3& eye : load.eyes) f.point("eyes", eye, false);
-        f.positive("sling_length", load.sling_length, kFar)
-            .positive("sling_EA", load.sling_EA, kStrong)
-            .from_zero("reach", load.reach, kFar)
-            .positive("breaking_load", load.breaking_load, 1e30);
-    }
-    if (c.take < 0 || c.take > static_cast<int>(c.loads.size()))
-        refuse(c.name, "take",
-               "there is no load " + std::to_string(c.take) + "; the hook knows " +
-                   std::to_string(c.loads.size()) + ", 0 takes none");
-}
-
 void check_common(const Common& c) {
     if (c.name.empty()) throw DefError("a crane needs a name");
     Fields(c.name, "mount").point("point", c.mount.point, false);
@@ -150,7 +133,7 @@ void check_common(const Common& c) {
     check_tackle(c.name, "hoist", c.hoist, true);
     check_hook(c);
     check_rating(c);
-    check_loads(c);
+    check_loads(c.name, c.loads, c.take);
 }
 
 void check_cylinder(const std::string& name, const char* part, const CraneCylinder& cylinder,
@@ -183,6 +166,23 @@ void check_cylinder(const std::string& name, const char* part, const CraneCylind
 }
 
 }  // namespace
+
+void check_loads(const std::string& name, const std::vector<CraneLoad>& loads, int take) {
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+        const CraneLoad& load = loads[i];
+        const Fields f(name, "loads/" + std::to_string(i));
+        if (load.eyes.empty() || load.eyes.size() > kMostEyes) f.fail("eyes", "give 1 to 8");
+        for (const Vec3& eye : load.eyes) f.point("eyes", eye, false);
+        f.positive("sling_length", load.sling_length, kFar)
+            .positive("sling_EA", load.sling_EA, kStrong)
+            .from_zero("reach", load.reach, kFar)
+            .positive("breaking_load", load.breaking_load, 1e30);
+    }
+    if (take < 0 || take > static_cast<int>(loads.size()))
+        refuse(name, "take",
+               "there is no load " + std::to_string(take) + "; the hook knows " +
+                   std::to_string(loads.size()) + ", 0 takes none");
+}
 
 void check(const KnuckleCraneDef& d) {
     const Common c = common_of(d);

@@ -51,10 +51,18 @@ template <class Def>
 /// Refuses what is out of range, or does not fit, before anything is added. @throws DefError.
 void check(const KnuckleCraneDef& def);
 void check(const LatticeCraneDef& def);
+void check_loads(const std::string& name, const std::vector<CraneLoad>& loads, int take);
+
+inline constexpr std::size_t kMostEyes = 8;
 
 /// Name of a part.
 [[nodiscard]] inline std::string part(const std::string& crane, const char* what) {
     return crane + "/" + what;
+}
+
+/// Leg i of a hook.
+[[nodiscard]] inline std::string leg_name(const std::string& hook, std::size_t i) {
+    return hook + "/leg" + std::to_string(i + 1);
 }
 
 /// Sling to eye i of a load, from a point of the hook that is so far away [m].

@@ -174,11 +174,17 @@ void visit_fields(D& d, F&& f) {
     f.list(d.shapes);
     f(d.owns);
     f(d.trim.EI);
-    bool touches = d.trim.segment.has_value();
-    f(touches);
-    if constexpr (!std::is_const_v<D>)
-        if (touches) d.trim.segment.emplace();
-    if (touches) f(*d.trim.segment);
+    // Of its capsules: none, between lumps, to its ends.
+    enum class Capsules : std::uint8_t { none, lumps, ends };
+    Capsules capsules = !d.trim.segment   ? Capsules::none
+                        : !d.trim.to_ends ? Capsules::lumps
+                                          : Capsules::ends;
+    f.word(capsules, 3);
+    if constexpr (!std::is_const_v<D>) {
+        if (capsules != Capsules::none) d.trim.segment.emplace();
+        d.trim.to_ends = capsules == Capsules::ends;
+    }
+    if (capsules != Capsules::none) f(*d.trim.segment);
 }
 
 template <class F, FieldsOf<GearPiece> D>

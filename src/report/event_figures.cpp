@@ -161,10 +161,10 @@ std::string what_happened(const EventFigures& e) {
         case EventKind::alarm_end:
             return "alarms of cranes ended " + plural(e.count, "time", "times");
         case EventKind::overload:
-            return plural(e.count, "stopper opened above its rated load",
-                          "stoppers opened above their rated loads");
+            return plural(e.count, "stopper or hook opened above its rated load",
+                          "stoppers or hooks opened above their rated loads");
         case EventKind::missed:
-            return "stoppers closed on nothing " + plural(e.count, "time", "times");
+            return "stoppers and hooks found nothing in reach " + plural(e.count, "time", "times");
         case EventKind::node_limit:
             return "wires had all the nodes that they may " + plural(e.count, "time", "times");
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verify/certificate.h"
 
+#include "verify/contact_side.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -190,20 +192,6 @@ double Verifier::step_map(const World& world) {
     return map;
 }
 
-Verifier::Side Verifier::side_of(const World& world, ShapeId shape, const Vec3& on_axis) const {
-    const ShapeDef& def = world.shape_def(shape);
-    Side side{.count = 1, .body = {def.body, def.body_b}};
-    if (!def.body_b.valid()) return side;
-    const Vec3 from = pose_[slot(side.body[0].index)].position;
-    const Vec3 along = pose_[slot(side.body[1].index)].position - from;
-    const double s = std::clamp((on_axis - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    side.count = 2;
-    side.share[0] = 1.0 - s;
-    side.share[1] = s;
-    side.length = along.norm();
-    return side;
-}
-
 double Verifier::natural_map(const World& world, const ContactView& contact) {
     const Vec3 &n = contact.normal, lambda = step_ * contact.force;
     Vec3 u = Vec3::Zero();
@@ -211,7 +199,8 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
     for (int k = 0; k < 2; ++k) {
         const double sign = k == 0 ? -1.0 : 1.0;
         const double to_axis = 0.5 * contact.gap + world.shape_def(contact.shape[k]).radius;
-        const Side side = side_of(world, contact.shape[k], contact.point + sign * to_axis * n);
+        const ContactSide side = contact_side(
+            world, contact.shape[k], contact.point + sign * to_axis * n, contact.point, pose_);
         for (int i = 0; i < side.count; ++i) {
             const BodyId id = side.body[i];
             const std::size_t b = slot(id.index);
@@ -219,7 +208,7 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
             const double w = side.share[i];
             const Twist now = world.velocity(id), before = twist_[b];
             const bool turns = def.kind != BodyKind::lump;
-            const Vec3 arm = turns ? Vec3(contact.point - pose_[b].position) : Vec3::Zero();
+            const Vec3& arm = side.arm[i];
             const Vec3 at_point = now.linear + now.angular.cross(arm);
             u += sign * w * at_point;
             // Of what a coordinate loses, levers make velocity, and a segment's length shares.

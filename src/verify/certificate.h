@@ -72,13 +72,6 @@ class Verifier : public Observer {
     [[nodiscard]] const Verification& result() const noexcept { return result_; }
 
   private:
-    struct Side {
-        int count = 0;
-        BodyId body[2];
-        double share[2] = {1.0, 0.0};
-        double length = HUGE_VAL;  ///< Over which two bodies share [m].
-    };
-    [[nodiscard]] Side side_of(const World& world, ShapeId shape, const Vec3& on_axis) const;
     [[nodiscard]] double natural_map(const World& world, const ContactView& contact);
     /// μ, Σ, b along the normal. @param speed  Along the normal, before the step; > 0: apart.
     /// @param speeds  Sizes of what that adds up to, for its rounding.

@@ -3,6 +3,7 @@
 #include "verify/certificate_state.h"
 
 #include "record/units.h"
+#include "verify/contact_side.h"
 #include "verify/interaction_forces.h"
 #include "verify/load_impulses.h"
 
@@ -141,20 +142,16 @@ void StateVerifier::add_sources(const World& world) {
     }
     for (const ContactView& c : world.contacts())
         for (int k = 0; k < 2; ++k) {
-            const ShapeDef& shape = world.shape_def(c.shape[k]);
             const double sign = k == 0 ? -1.0 : 1.0;
-            // A segment hangs between two lumps: by how near each is.
-            const std::size_t a = place_of(shape.body.index);
-            double other = 0.0;
-            if (shape.body_b.valid()) {
-                const std::size_t b = place_of(shape.body_b.index);
-                const Vec3 along = pose_[b].position - pose_[a].position;
-                other = std::clamp((c.point - pose_[a].position).dot(along) / along.squaredNorm(),
-                                   0.0, 1.0);
-                force_[b] += sign * other * c.force;
+            const double to_axis = 0.5 * c.gap + world.shape_def(c.shape[k]).radius;
+            const ContactSide side = contact_side(
+                world, c.shape[k], c.point + sign * to_axis * c.normal, c.point, pose_);
+            for (int i = 0; i < side.count; ++i) {
+                const Vec3 force = sign * side.share[i] * c.force;
+                force_[place_of(side.body[i].index)] += force;
+                torque_[place_of(side.body[i].index)] += side.arm[i].cross(force);
             }
-            force_[a] += sign * (1.0 - other) * c.force;
-            torque_[a] += sign * ((c.point - pose_[a].position).cross(c.force) + c.moment);
+            torque_[place_of(side.body[0].index)] += sign * c.moment;
         }
 }
 

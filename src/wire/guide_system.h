@@ -45,7 +45,10 @@ class GuideSystem final : public System {
     [[nodiscard]] const std::array<double, 2>& tension() const noexcept { return tension_; }
     [[nodiscard]] double angle() const noexcept { return angle_; }
     [[nodiscard]] double slide() const noexcept { return slide_; }
+    [[nodiscard]] double speed() const noexcept { return speed_; }
     [[nodiscard]] bool parted() const noexcept { return parted_ != 0; }
+    /// Side that has nothing left to run, 0 before it, 1 behind it; −1: both have.
+    [[nodiscard]] int stopped() const noexcept { return stopped_; }
     /// What the wire presses on the wheel with, for small angles [N]: its tension by the angle, and
     /// the weight of the half elements that is put on the guide, where it points to the wheel.
     /// Below 0 the wheel would have to hold the wire. @param slack  Angle that does not count

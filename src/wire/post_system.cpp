@@ -5,6 +5,7 @@
 #include <hawser/world.h>
 
 #include "wire/lay_on.h"
+#include "wire/lift.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,6 @@ constexpr double kStrain = 1e-5;     ///< ε of post_system.h.
 constexpr double kNearEnd = 0.06;    ///< Of an element: a lump lies on the post.
 constexpr double kTouches = 2e-3;    ///< Gap at which a contact bears [m].
 constexpr double kBentOnPost = 3.2;  ///< A lump on a post goes however the wire is bent there.
-constexpr double kLong = 1.5;        ///< Of element_length: what was let go gets a node.
 constexpr std::int32_t kSteady = 3;  ///< Looks running at which a wire touches before it is taken.
 constexpr std::int32_t kWait = 15;   ///< Steps.
 /// The element before or behind another; invalid: there is none, or a drum or guide loads it.
@@ -213,33 +213,7 @@ bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot, bool off_end) {
     const GuideSystem& guide = *guides_[slot];
     bool past = off_end;
     if (!pulls(world, guide, past)) return false;
-    const InteractionDef& a = world.interaction_def(guide.ids().before);
-    const InteractionDef& b = world.interaction_def(guide.ids().behind);
-    const double q = world.pose(guide.ids().slide).position.x();
-    const auto rest_of = [&](const InteractionDef& d) {
-        return d.get("length") + d.get("radius") * (q - d.get("drum_zero"));
-    };
-    const double rest = rest_of(a) + rest_of(b);
-    const auto way = [&](InteractionId id) {
-        const std::array<Vec3, 2> ends = world.ends(id);
-        return (ends[1] - ends[0]).norm();
-    };
-    const Vec3 first = world.world_point(a.body[0], a.point[0]),
-               last = world.world_point(b.body[1], b.point[1]);
-    const double path = way(guide.ids().before) + way(guide.ids().behind) +
-                        std::abs(guide.def().radius) * std::min(0.0, guide.angle());
-    InteractionDef element;
-    element.kind = InteractionKind::Stretch;
-    element.name = a.name;
-    element.body = {a.body[0], b.body[1]};
-    element.point = {a.point[0], b.point[1], Vec3::Zero(), Vec3::Zero()};
-    const double length = past ? rest : rest * (last - first).norm() / path;
-    element.set("length", length).set("EA", a.get("EA"));
-    element.set("mass", guide.def().mass_per_length * (guide.material()[0] + guide.material()[1]));
-    element.set("tension_only", a.get("tension_only"));
-    if (const double load = a.get("breaking_load"); !std::isnan(load))
-        element.set("breaking_load", load);
-    element.damping_time[0] = a.damping_time[0] * length / a.get("length");
+    const InteractionDef element = lifted_element(world, guide, past);
     on_[slot] = 0;  // it holds nothing of it
     const InteractionId whole = nodes.lift_off(guide.ids(), element);
     if (!whole.valid()) {
@@ -248,7 +222,7 @@ bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot, bool off_end) {
     }
     let_go_ += 1.0;
     wait_ = kWait;
-    if (guide.material()[0] + guide.material()[1] > kLong * guide.def().element_length)
+    if (guide.material()[0] + guide.material()[1] > kLongLifted * guide.def().element_length)
         (void)nodes.insert_node(whole, 0.5);
     return true;
 }

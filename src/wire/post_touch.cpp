@@ -30,6 +30,13 @@ Closest closest(const Vec3& a, const Vec3& b, const Vec3& centre, const Vec3& ax
     return {share, along, at - along * axis};
 }
 
+/// Of an end of an element, at a place of the world [m/s].
+Vec3 speed_at(const World& world, const InteractionDef& d, std::size_t end, const Vec3& place) {
+    const Twist twist = world.velocity(d.body[end]);
+    if (world.body_def(d.body[end]).kind == BodyKind::lump) return twist.linear;
+    return twist.linear + twist.angular.cross(place - world.pose(d.body[end]).position);
+}
+
 }  // namespace
 
 PostSystem::Apart PostSystem::apart(const World& world, const std::array<Vec3, 2>& line) const {
@@ -45,10 +52,13 @@ PostSystem::Apart PostSystem::apart(const World& world, const std::array<Vec3, 2
 bool PostSystem::find(const World& world, ShapeId segment, Touch& out) const {
     const ShapeDef& capsule = world.shape_def(segment);
     if (!capsule.body_b.valid()) return false;
+    // A body that holds one end may hold the wire elsewhere, too.
+    const bool first = world.body_def(capsule.body).kind == BodyKind::lump;
+    const BodyId lump = first ? capsule.body : capsule.body_b;
     for (const WireId wire : world.wires()) {
         const auto nodes = world.nodes(wire);
         const auto elements = world.elements(wire);
-        const auto at = std::find(nodes.begin(), nodes.end(), capsule.body);
+        const auto at = std::find(nodes.begin(), nodes.end(), lump);
         if (at == nodes.end()) continue;
         for (const std::ptrdiff_t k : {at - nodes.begin(), at - nodes.begin() - 1}) {
             if (k < 0 || k >= std::ssize(elements)) continue;
@@ -72,7 +82,8 @@ void PostSystem::place_touch(const World& world, double half, Touch& out) const 
     const Pose pose = world.pose(place_.body);
     const Vec3 axis = pose.orientation * place_.axis;
     const Vec3 centre = pose.position + pose.orientation * place_.centre;
-    const Vec3 a = world.pose(d.body[0]).position, b = world.pose(d.body[1]).position;
+    const Vec3 a = world.world_point(d.body[0], d.point[0]),
+               b = world.world_point(d.body[1], d.point[1]);
     const Closest near = closest(a, b, centre, axis);
     const Vec3 along = (b - a).normalized();
     const double apart = near.apart.norm();
@@ -85,8 +96,7 @@ void PostSystem::place_touch(const World& world, double half, Touch& out) const 
     const Twist twist = world.velocity(place_.body);
     const Vec3 surface =
         twist.linear + twist.angular.cross(centre + near.along * axis + near.apart - pose.position);
-    const Vec3 speed[2] = {world.velocity(d.body[0]).linear - surface,
-                           world.velocity(d.body[1]).linear - surface};
+    const Vec3 speed[2] = {speed_at(world, d, 0, a) - surface, speed_at(world, d, 1, b) - surface};
     out.along = ((1.0 - near.share) * speed[0] + near.share * speed[1]).dot(along);
     out.strain = 0.0;
     for (const std::size_t end : {0U, 1U}) {
@@ -101,8 +111,10 @@ void PostSystem::place_touch(const World& world, double half, Touch& out) const 
 bool PostSystem::pulls(const World& world, const GuideSystem& guide, bool& past) const {
     if (guide.parted()) return false;
     const Pose pose = world.pose(place_.body);
-    const Vec3 a = world.pose(world.interaction_def(guide.ids().before).body[0]).position;
-    const Vec3 b = world.pose(world.interaction_def(guide.ids().behind).body[1]).position;
+    const InteractionDef& before = world.interaction_def(guide.ids().before);
+    const InteractionDef& behind = world.interaction_def(guide.ids().behind);
+    const Vec3 a = world.world_point(before.body[0], before.point[0]);
+    const Vec3 b = world.world_point(behind.body[1], behind.point[1]);
     const Closest near = closest(a, b, pose.position + pose.orientation * place_.centre,
                                  pose.orientation * place_.axis);
     past = past || std::abs(near.along) > place_.half_length + place_.radius;

@@ -3,6 +3,8 @@
 
 #include <hawser/world.h>
 
+#include "wire/lift.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -27,14 +29,6 @@ bool is_held(const World& world, const StopperSystem& by, BodyId lump) noexcept 
         if (other != nullptr && other->node() == lump) return true;
     }
     return false;
-}
-
-/// Of an element, as drums and guides have it now [m].
-double rest_length(const World& world, InteractionId id) {
-    const InteractionDef& d = world.interaction_def(id);
-    const double length = d.get("length");
-    if (!kind_info(d.kind).is(kWoundUp)) return length;
-    return length + d.get("radius") * (world.pose(d.body[2]).position.x() - d.get("drum_zero"));
 }
 
 }  // namespace

@@ -97,7 +97,9 @@ struct World::Impl final : private world::InputDoor {
     void know_wire_of(InteractionId element);
     void follow_definitions(const stepper::NodePlace& place) noexcept;
     void follow_inputs(std::int32_t element) noexcept;
+    void put_segment(ShapeId segment, BodyId first, BodyId second, const Vec3& point) noexcept;
     void move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept;
+    void join_segments(ShapeId near, ShapeId far) noexcept;
     [[nodiscard]] ShapeId segment_between(std::int32_t a, std::int32_t b) const noexcept;
     void check_node(InteractionId element, double share, double mass) const;
     void check_cut_at_node(const std::string& where, stepper::NodePlace& place) const;

@@ -8,6 +8,7 @@
 #include "step/wire_ends.h"
 #include "world/checks.h"
 #include "world/impl.h"
+#include "world/wire_capsule.h"
 #include "world/wire_list.h"
 
 #include <algorithm>
@@ -48,6 +49,34 @@ double given_to_guide(const World& world, const world::Wire& wire, InteractionId
     return std::max(0.0, std::min(has, half) - stepper::kKeptMass * half);
 }
 
+/// Parts of an element at a guide, and the capsules that they have.
+struct Parts {
+    std::array<InteractionId, 2> element;
+    std::array<ShapeId, 2> capsule;
+};
+
+/// Adds them, all or none. @param then  What may throw as well.
+template <class F>
+Parts add_parts(World& world, const WireTrim& trim, const InteractionDef& before,
+                const InteractionDef& behind, F&& then) {
+    Parts out;
+    try {
+        for (const std::size_t k : {0U, 1U})
+            out.element[k] = world.add_interaction(k == 0 ? before : behind);
+        for (const std::size_t k : {0U, 1U})
+            if (const auto part = world::capsule_of(world, trim, k == 0 ? before : behind))
+                out.capsule[k] = world.add_shape(*part);
+        then();
+    } catch (...) {
+        for (const ShapeId id : out.capsule)
+            if (id.valid()) (void)world.remove_shape(id);
+        for (const InteractionId id : out.element)
+            if (id.valid()) (void)world.remove_interaction(id);
+        throw;
+    }
+    return out;
+}
+
 }  // namespace
 
 std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionDef before,
@@ -72,20 +101,18 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
     m.refuse_held(element);
     base::make_room(wire->elements, 1);
     base::make_room(wire->nodes, 1);
+    base::make_room(wire->shapes, 2);
     std::array<InteractionId, 2> out;
     {
         const Impl::Untold untold(m);
         // Its name changes hands once nothing can be refused.
         const std::string name_before = std::exchange(before.name, "");
-        out[0] = add_interaction(before);
+        const Parts parts =
+            add_parts(*this, wire->trim, before, behind, [&m] { m.reserve_removal(); });
         before.name = name_before;
-        try {
-            out[1] = add_interaction(behind);
-            m.reserve_removal();
-        } catch (...) {
-            (void)remove_interaction(out[0]);
-            throw;
-        }
+        out = parts.element;
+        for (const ShapeId id : parts.capsule)
+            if (id.valid()) wire->shapes.push_back(id);
         const ShapeId capsule = m.segment_between(old.body[0].index, old.body[1].index);
         if (capsule.valid()) {
             m.remove(capsule);
@@ -171,12 +198,9 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
         ShapeId capsule;
         try {
             out = add_interaction(element);
-            if (wire.trim.segment && is_lump(a.body[0]) && is_lump(b.body[1])) {
+            if (const auto segment = world::capsule_of(*this, wire.trim, element)) {
                 base::make_room(wire.shapes, 1);
-                ShapeDef segment = *wire.trim.segment;
-                segment.body = a.body[0];
-                segment.body_b = b.body[1];
-                capsule = add_shape(segment);
+                capsule = add_shape(*segment);
             }
             m.reserve_removal();
         } catch (...) {
@@ -184,6 +208,12 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
             if (out.valid()) (void)remove_interaction(out);
             weigh(0.0);
             throw;
+        }
+        for (const InteractionDef* part : {&a, &b}) {
+            const ShapeId its = m.segment_between(part->body[0].index, part->body[1].index);
+            if (!its.valid()) continue;
+            m.remove(its);
+            std::erase(wire.shapes, its);
         }
         world::Names::Map::node_type name = m.interaction_names.take(a.name);
         m.remove(a.body[2]);  // with the parts, their friction and its inputs

@@ -115,9 +115,10 @@ void check_bodies(const Where& where, const ShapeDef& d, const model::Bodies& bo
         if (d.body_b == d.body) reject(where, "a segment needs two different lumps");
         const BodyKind b = kind(d.body_b, "body_b");
         const bool lumps = a == BodyKind::lump || b == BodyKind::lump;
-        const auto fits = [](BodyKind k) { return k == BodyKind::lump || k == BodyKind::fixed; };
-        if (!lumps || !fits(a) || !fits(b))
-            reject(where, "a segment lies between two lumps, or a lump and a fixed body");
+        if (!lumps || a == BodyKind::scalar || b == BodyKind::scalar)
+            reject(where,
+                   "a segment lies between two lumps, or a lump and a body that is no scalar; name "
+                   "a lump on one side");
         return;
     }
     if (a == BodyKind::scalar) reject(where, "a scalar body has no place, so no shape");

@@ -64,8 +64,11 @@ class SecondPiece {
         move(whole.lumps, wire.lumps, [&](BodyId id) { return id.index; });
         move(whole.bends, wire.bends,
              [&](InteractionId id) { return in.body[kMaxInteractionBodies * at(id.index) + 1]; });
-        move(whole.shapes, wire.shapes,
-             [&](ShapeId id) { return collider.shapes()[at(id.index)].body[1]; });
+        move(whole.shapes, wire.shapes, [&](ShapeId id) {
+            // A body may hold both pieces.
+            const collide::Shape& s = collider.shapes()[at(id.index)];
+            return s.body[s.held == 1 ? 0 : 1];
+        });
         if (whole.owns) wire.lumps.push_back(end);
     }
     world::Wire wire;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -198,6 +199,31 @@ EndShare end_share(const stepper::StepContext& ctx, const world::Systems& system
     return out;
 }
 
+/// The capsule of an end which had none, as that of the next element.
+std::optional<ShapeDef> capsule_like(const World& world, const stepper::StepContext& c,
+                                     std::int32_t beyond) {
+    for (const ShapeId id : world.shapes()) {
+        const ShapeDef& its = world.shape_def(id);
+        if (beyond < 0 || its.body.index != stepper::end_of(c, beyond, 0) ||
+            its.body_b.index != stepper::end_of(c, beyond, 1))
+            continue;
+        ShapeDef out = its;
+        out.name.clear();
+        out.position.setZero();
+        return out;
+    }
+    return std::nullopt;
+}
+
+/// A lump weighs what it did.
+void weigh_as(World& world, stepper::StepContext& c, BodyId lump, const BodyDef& was,
+              BodyDef& def) {
+    world.set_mass(lump, was.mass);
+    def = was;
+    for (int k = 0; k < 3; ++k)
+        c.model.bodies.damping[6 * at(lump.index) + at(k)] = was.linear_damping[k];
+}
+
 }  // namespace
 
 /// Off a body. What lies on a drum stays there, parted; another element goes on in its place.
@@ -209,12 +235,9 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     const bool wound = kind_info(in.def[at(e)].kind).is(kWoundUp);
     const auto [share, carried, beyond, lump_next] = end_share(ctx, systems, element, next);
     world::check_end(where, share.mass, carried);
-    ShapeDef segment_def;
-    ShapeId segment;
-    if (beyond >= 0) {
-        segment = segment_between(stepper::end_of(ctx, beyond, 0), stepper::end_of(ctx, beyond, 1));
-        if (segment.valid()) segment_def = shape_defs[at(segment.index)];
-    }
+    const ShapeId own = segment_between(in.def[at(e)].body[0].index, in.def[at(e)].body[1].index);
+    std::optional<ShapeDef> segment;
+    if (!own.valid()) segment = capsule_like(world, ctx, beyond);
     world::Wire* wire = wire_with(element);
     if (wire != nullptr) make_room_for_end(*wire);
     world::Wire made;
@@ -223,20 +246,26 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     const double drive = ctx.state.ledger.drive;
     const double had = stepper::splice_energy(ctx, next.index, -1, e, e);
     const Untold untold(*this);
+    const BodyDef light = body_defs[at(next.index)];
+    const bool weighs = carried > 0.0 && lump_next;
     try {
         made.lumps.push_back(world.add_body(freed_body(world, ctx, e, side, share)));
         const BodyId lump = made.lumps[0];
+        // What the drum's winch loaded the next lump with is its own before an element asks for it.
+        if (weighs) world.set_mass(next, light.mass + 0.5 * carried);
         if (wound)
             made.elements.push_back(
                 world.add_interaction(unwound(ctx, {e, beyond}, side, lump, carried)));
-        if (segment.valid()) {
-            segment_def.name.clear();
-            segment_def.body = side == 0 ? lump : next;
-            segment_def.body_b = side == 0 ? next : lump;
-            made.shapes.push_back(world.add_shape(segment_def));
+        if (segment) {
+            segment->body = side == 0 ? lump : next;
+            segment->body_b = side == 0 ? next : lump;
+            made.shapes.push_back(world.add_shape(*segment));
         }
     } catch (...) {
         take_back(before, made);
+        if (weighs) weigh_as(world, ctx, next, light, body_defs[at(next.index)]);
+        for (int k = 0; weighs && k < 3; ++k) add_up_force(next, k);
+        ctx.state.ledger.drive = drive;
         throw;
     }
     // From here on nothing throws.
@@ -246,8 +275,6 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     stepper::begin_recoil(ctx.model, e, false);
     if (lump_next && beyond >= 0)
         stepper::begin_recoil(ctx.model, beyond, false);  // what a drum pays out is of no wire
-    if (carried > 0.0 && lump_next)
-        world.set_mass(next, body_defs[at(next.index)].mass + 0.5 * carried);
     stepper::begin_edit(ctx);
     if (bend >= 0)
         stepper::move_end(ctx, bend, stepper::end_of(ctx, bend, 0) == held.index ? 0 : 2,
@@ -260,34 +287,12 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     } else {
         stepper::move_end(ctx, e, side, lump.index);
     }
+    if (own.valid()) move_segment(own, side, lump);
     for (const BodyId id : {held, next, lump}) stepper::disturb(ctx.model, id.index);
     ctx.state.ledger.drive = drive + stepper::splice_energy(ctx, next.index, -1, now, now) - had +
                              stepper::energy_of_body(ctx, lump.index);
     stepper::push_event(ctx, EventKind::detach, now, tension);
     if (wire != nullptr) end_at_lump(*wire, side, made, element, in.id(now));
-}
-
-void World::release(InteractionId hook) {
-    const world::Using use(impl_->use, "release");
-    Impl& m = *impl_;
-    model::Interactions& in = m.ctx.model.interactions;
-    const std::size_t i = m.place(hook);
-    const auto found =
-        std::find_if(m.gear.begin(), m.gear.end(), [&](const auto& g) { return g.id == hook; });
-    const std::string where = world::label("interaction", in.def[i].name);
-    if (found == m.gear.end() || found->kind != Gear::pelican_hook)
-        world::refuse(where, "it is no pelican hook; detach() opens other gear");
-    if (in.parted[i] != 0) world::refuse(where, "it is open already");
-    m.know_wire_of(hook);
-    const double tension = stepper::tension_of(m.ctx, hook.index);
-    stepper::begin_recoil(m.ctx.model, hook.index, false);
-    m.ctx.state.ledger.drive -= stepper::energy_of_interaction(m.ctx, hook.index);
-    stepper::begin_edit(m.ctx);
-    for (std::size_t b = 0; b < 2; ++b)
-        stepper::disturb(m.ctx.model, stepper::end_of(m.ctx, hook.index, b));
-    stepper::part_all(m.ctx.model, hook.index);
-    stepper::push_event(m.ctx, EventKind::release, hook.index, tension);
-    if (m.listener != nullptr) m.listener->released(hook);
 }
 
 }  // namespace hawser

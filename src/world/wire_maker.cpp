@@ -2,6 +2,7 @@
 #include "world/wire_maker.h"
 
 #include "world/checks.h"
+#include "world/wire_capsule.h"
 
 #include <cmath>
 #include <cstdint>
@@ -118,6 +119,7 @@ class WireMaker {
             segment.material = def_.material;
             segment.group = def_.group;
             segment.touches = def_.touches;
+            out_.trim.to_ends = def_.end_capsules;
         }
         out_.nodes.push_back(def_.from);
         for (std::size_t i = 0; i < lumps_.size(); ++i) add_lump(i);
@@ -127,7 +129,8 @@ class WireMaker {
             if (sections_.of(i - 1).EI > 0.0 && sections_.of(i).EI > 0.0 &&
                 out_.nodes[i - 1] != out_.nodes[i + 1])
                 add_bend(i);
-        for (std::size_t i = 1; def_.radius > 0.0 && i + 1 < out_.nodes.size(); ++i) add_segment(i);
+        for (std::size_t i = out_.trim.to_ends ? 0 : 1; i + 1 < out_.nodes.size(); ++i)
+            add_segment(i);
     }
 
   private:
@@ -192,14 +195,10 @@ class WireMaker {
         d.set("EI", EI).set("length", length);
         out_.bends.push_back(world_.add_interaction(d));
     }
-    /// Between lumps: what ends on a body has none there.
     void add_segment(std::size_t i) {
-        const auto is_lump = [&](BodyId id) { return world_.body_def(id).kind == BodyKind::lump; };
-        if (!is_lump(out_.nodes[i]) || !is_lump(out_.nodes[i + 1]) || !out_.trim.segment) return;
-        ShapeDef s = *out_.trim.segment;
-        s.body = out_.nodes[i];
-        s.body_b = out_.nodes[i + 1];
-        out_.shapes.push_back(world_.add_shape(s));
+        const std::optional<ShapeDef> segment = capsule_of(
+            world_, out_.trim, {out_.nodes[i], out_.nodes[i + 1]}, {point(i), point(i + 1)});
+        if (segment) out_.shapes.push_back(world_.add_shape(*segment));
     }
 
     World& world_;
@@ -239,6 +238,8 @@ void check(const WireDef& def) {
         refuse(where, "a wire of one element needs a body at its last end");
     if (!(def.radius >= 0.0) || !std::isfinite(def.radius))
         refuse(where, "radius must be a number from 0 on");
+    if (def.end_capsules && !(def.radius > 0.0))
+        refuse(where, "end_capsules: its capsules need a radius above 0");
     if (!def.sections.empty() && (!std::isnan(def.length) || !std::isnan(def.EA) ||
                                   def.mass_per_length != 0.0 || def.EI != 0.0 || def.drag != 0.0 ||
                                   !std::isnan(def.axial_damping) || !std::isnan(def.breaking_load)))

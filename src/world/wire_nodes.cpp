@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -86,43 +85,6 @@ void World::Impl::follow_inputs(std::int32_t element) noexcept {
     for (std::size_t i = 0; i < inputs.size(); ++i)
         if (inputs[i].interaction.valid() && inputs[i].interaction.index == element)
             input_values[i] = ctx.model.interactions.def[at(element)].get(inputs[i].param);
-}
-
-/// The segment of an element goes to where the element goes.
-void World::Impl::move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept {
-    stepper::forget_contacts(ctx, segment.index);
-    (side == 0 ? shape_defs[at(segment.index)].body : shape_defs[at(segment.index)].body_b) = to;
-    ctx.model.collider.rewire(segment.index, static_cast<int>(side), to.index);
-}
-
-/// The capsule between two lumps; invalid: there is none.
-ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexcept {
-    for (const ShapeId id : shape_ids) {
-        const std::int32_t* body = ctx.model.collider.shapes()[at(id.index)].body;
-        if (body[0] == a && body[1] == b) return id;
-    }
-    return {};
-}
-
-/// The capsule that comes with a node on an element; none: its wire touches nothing there.
-std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodePlace& place, BodyId node,
-                                                  bool first, const world::Wire* wire) const {
-    const auto end = [&](std::size_t slot) {
-        return ctx.model.bodies.id(stepper::end_of(ctx, place.first, slot));
-    };
-    const ShapeId own = segment_between(end(0).index, end(1).index);
-    std::optional<ShapeDef> out;
-    if (own.valid()) {
-        out = shape_defs[at(own.index)];
-        out->name.clear();
-        out->body = node;
-    } else if (wire != nullptr && wire->trim.segment &&
-               stepper::is_lump(ctx, end(first ? 0 : 1).index)) {
-        out = wire->trim.segment;
-        out->body = first ? end(0) : node;
-        out->body_b = first ? node : end(1);
-    }
-    return out;
 }
 
 /// EI of a bend that comes with a node on an element [N m²]: that of the bend at its first end, or
@@ -217,7 +179,7 @@ bool World::remove_node(BodyId node, double bend) {
                           ? stepper::release_drum_node(m.ctx, place, bend)
                           : stepper::release_node(m.ctx, place, bend);
     if (!goes) return false;
-    if (near.valid() && far.valid()) m.move_segment(near, 1, b);
+    if (near.valid() && far.valid()) m.join_segments(near, far);
     if (place.bend[1] >= 0) m.remove(in.id(place.bend[1]));
     m.drop_folded(place.bend[0]);
     m.drop_folded(place.bend[2]);

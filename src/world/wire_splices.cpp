@@ -71,9 +71,9 @@ void World::Impl::turn_round(std::span<const std::int32_t> chain) noexcept {
         const std::int32_t id = chain[k];
         const std::int32_t ends[2] = {stepper::end_of(ctx, id, 0), stepper::end_of(ctx, id, 1)};
         if (const ShapeId s = segment_between(ends[0], ends[1]); s.valid()) {
-            const BodyId first = shape_defs[at(s.index)].body;
-            move_segment(s, 0, shape_defs[at(s.index)].body_b);
-            move_segment(s, 1, first);
+            const ShapeDef& def = shape_defs[at(s.index)];
+            const Vec3 point = def.position;
+            put_segment(s, def.body_b, def.body, point);
         }
         if (k > 0) {
             const std::int32_t* last = &in.body[kMaxInteractionBodies * at(chain[k - 1])];

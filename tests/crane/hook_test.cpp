@@ -1,254 +1,270 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hooks that take and let go, bits that do not depend on threads or restoring, refusals.
-#include "support/cranes_yard.h"
+/// Hooks on bodies and at the ends of wires: tensions of slings in closed form, taking, waiting,
+/// letting go, latch, strength, bits, refusals.
+#include <hawser/hawser.h>
 
-#include <hawser/structure.h>
+#include <gtest/gtest.h>
 
-#include <functional>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
 
 namespace hawser {
 namespace {
 
-using test::knuckle_crane;
-using test::KnuckleYard;
-using test::lattice_crane;
-using test::LatticeYard;
+constexpr double kTurn = 6.283185307179586, kBoxMass = 2000.0, kFall = 9.81;
 
-TEST(CraneHook, TakesWhatIsInReachAndLetsItFall) {
-    KnuckleYard y(knuckle_crane, 20e3, [](KnuckleCraneDef& d) { d.take = 0; });
-    // On a rod a metre below the reach of its sling.
-    const Vec3 at = y.w.pose(y.box).position - Vec3(0, 0, 1.0);
-    y.w.set_pose(y.box, {.position = at});
-    y.w.add(BallDef{.name = "stand", .a = y.quay, .b = y.box, .point = at});
-    y.order("take", 1.0);
-    y.run(2.0);
-    EXPECT_EQ(y.signal("held"), 0.0);
-    EXPECT_EQ(y.count(EventKind::join), 0);
-    y.order("hoist", -0.4);
-    y.run(6.0);
-    y.order("hoist", 0.0);
-    EXPECT_EQ(y.signal("held"), 1.0);
-    ASSERT_EQ(y.count(EventKind::join), 1);
-    EXPECT_EQ(y.w.event_extremes(EventKind::join).first.body, y.box);
-    EXPECT_LE(y.w.event_extremes(EventKind::join).first.value, test::kSling + 0.01);
-    (void)y.w.remove_interaction(y.w.find_interaction("stand"));
-    y.run(20.0);
-    EXPECT_NEAR(y.signal("load"), 20e3, 50.0);
-    y.order("take", 0.0);
-    y.run(2.0 * test::kYardStep);
-    EXPECT_EQ(y.signal("held"), 0.0);
-    EXPECT_FALSE(y.w.find_interaction("crane/sling1").valid());
-    ASSERT_EQ(y.count(EventKind::detach), 1);
-    const double before = y.w.velocity(y.box).linear.z();
-    y.run(0.5);
-    EXPECT_NEAR(y.w.velocity(y.box).linear.z() - before, -0.5 * test::kG, 1e-9);
+BodyId add_box(World& w, const char* name, const Vec3& at) {
+    const BodyId box = w.add_body({.name = name,
+                                   .position = at,
+                                   .mass = kBoxMass,
+                                   .inertia = Mat3::Identity() * 2000.0,
+                                   .linear_damping = Vec3::Constant(4000.0),
+                                   .angular_damping = Vec3::Constant(4000.0),
+                                   .half_size = {1, 1, 0.5}});
+    w.add_shape({.kind = ShapeKind::box, .body = box, .half_size = {1, 1, 0.5}});
+    return box;
 }
 
-TEST(CraneHook, SlingsThatAreTakenAwayAreLetGo) {
-    KnuckleYard y(knuckle_crane, 20e3);
-    y.run(1.0);
-    ASSERT_EQ(y.signal("held"), 1.0);
-    (void)y.w.remove_interaction(y.w.find_interaction("crane/sling1"));
-    y.order("take", 0.0);
-    y.run(0.5);
-    EXPECT_EQ(y.signal("held"), 0.0);
-    KnuckleYard gone(knuckle_crane, 20e3);
-    gone.run(1.0);
-    (void)gone.w.remove_body(gone.box);
-    gone.run(1.0);
-    EXPECT_EQ(gone.signal("held"), 0.0);
-    EXPECT_THROW((void)gone.w.remove_body(gone.ids.hook), DefError);
+/// Legs to eyes evenly round the top of a box.
+CraneLoad slung(BodyId body, int legs, double length, double radius) {
+    CraneLoad load{.body = body, .sling_length = length, .sling_EA = 2e9, .reach = 0.05};
+    for (int k = 0; k < legs; ++k)
+        load.eyes.push_back({radius * std::cos(kTurn * k / legs + 0.3),
+                             radius * std::sin(kTurn * k / legs + 0.3), 0.5});
+    return load;
 }
 
-/// Slews and hoists; lets go at step 350.
-template <class Yard>
-void work(Yard& y, int from, int to) {
-    for (int i = from; i < to; ++i) {
-        if (i == 30) y.order("slew", 0.03);
-        if (i == 60) y.order("hoist", 0.1);
-        if (i == 90) y.order("luff", -0.05);
-        if (i == 350) y.order("take", 0.0);
-        ASSERT_EQ(y.w.step(), Status::ok);
+TEST(Hooks, CarryALoadOnEvenLegs) {
+    for (const int legs : {1, 2, 3, 4}) {
+        World w({.step = 0.01});
+        const BodyId block =
+            w.add_body({.name = "block", .kind = BodyKind::kinematic, .position = {0, 0, 10}});
+        const double radius = legs == 1 ? 0.0 : 1.2, length = 2.5;
+        const double drop = std::sqrt(length * length - radius * radius);
+        const BodyId box = add_box(w, "box", {0, 0, 10 - 0.4 - drop - 0.5});
+        w.add(HookDef{.name = "hook",
+                      .body = block,
+                      .point = {0, 0, -0.4},
+                      .loads = {slung(box, legs, length, radius)},
+                      .take = 1});
+        for (int i = 0; i < 3000; ++i) ASSERT_EQ(w.step(), Status::ok);
+        const double cosine = drop / length, expected = kBoxMass * kFall / (legs * cosine);
+        std::printf("%d legs: %.3f N a leg, W/(n cos a) = %.3f N\n", legs,
+                    w.system_signal("hook.leg"), expected);
+        EXPECT_NEAR(w.system_signal("hook.leg") / expected, 1.0, 1e-3) << legs;
+        for (int k = 1; k <= legs; ++k)
+            EXPECT_NEAR(-w.force(w.find_interaction("hook/leg" + std::to_string(k)))[0] / expected,
+                        1.0, 1e-3)
+                << k;
+        EXPECT_NEAR(w.system_signal("hook.load") / (kBoxMass * kFall), 1.0, 1e-3);
     }
 }
 
-template <class Yard, class Make>
-void expect_same_bits(Make make, double mass) {
-    std::vector<std::uint64_t> hashes;
-    for (const int threads : {1, 2, 4, 8}) {
-        Yard y(make, mass, [](auto&) {}, threads);
-        work(y, 0, 500);
-        hashes.push_back(y.w.state_hash());
-    }
-    for (const int at : {0, 45, 200, 400}) {
-        Yard y(make, mass);
-        work(y, 0, at);
-        const Structure made_of = y.w.structure();
-        const std::vector<std::byte> saved = y.w.save();
-        work(y, at, 500);
-        y.w.restore(made_of, saved);
-        work(y, at, 500);
-        hashes.push_back(y.w.state_hash());
-        // In a world of its own that has only been set up.
-        Yard other(make, mass);
-        other.w.restore(made_of, saved);
-        work(other, at, 500);
-        hashes.push_back(other.w.state_hash());
-    }
-    for (std::size_t i = 0; i < hashes.size(); ++i) EXPECT_EQ(hashes[i], hashes.front()) << i;
-}
-
-TEST(CraneBits, DoNotDependOnThreadsOrRestoring) {
-    expect_same_bits<KnuckleYard>(knuckle_crane, 20e3);
-    expect_same_bits<LatticeYard>(lattice_crane, 300e3);
-}
-
-TEST(CraneBits, TwinsGoOnTheSame) {
-    KnuckleYard y(knuckle_crane, 20e3);
-    work(y, 0, 100);
-    World twin = y.w.twin();
-    for (int i = 0; i < 100; ++i) {
-        ASSERT_EQ(y.w.step(), Status::ok);
-        ASSERT_EQ(twin.step(), Status::ok);
-    }
-    EXPECT_EQ(y.w.state_hash(), twin.state_hash());
-}
-
-template <class Def>
-std::string refused(Def (*make)(BodyId), const std::function<void(Def&)>& change) {
+/// A wire from a carrier down to a hook at its end, above a box on the ground.
+struct Hoist {
     World w;
-    const BodyId quay = w.add_body({.name = "quay", .kind = BodyKind::fixed});
-    const BodyId spool = w.add_body({.name = "spool", .kind = BodyKind::scalar, .mass = 1.0});
-    static_cast<void>(spool);
-    Def def = make(quay);
-    change(def);
-    try {
-        (void)w.add(def);
-    } catch (const DefError& error) {
-        EXPECT_EQ(w.bodies().size(), 2u);
-        EXPECT_TRUE(w.interactions().empty());
-        EXPECT_TRUE(w.inputs().empty());
-        EXPECT_EQ(w.system_count(), 0);
-        return error.what();
+    BodyId carrier{}, box{}, other{};
+    WireId wire{};
+
+    explicit Hoist(HookDef def = {}, int threads = 1) : w({.step = 0.01, .threads = threads}) {
+        const BodyId ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
+        w.add_shape({.kind = ShapeKind::plane, .body = ground});
+        carrier =
+            w.add_body({.name = "carrier", .kind = BodyKind::kinematic, .position = {0, 0, 25}});
+        box = add_box(w, "box", {0, 0, 0.5});
+        other = add_box(w, "other", {6, 0, 0.5});
+        WireDef line{.name = "fall", .from = carrier, .elements = 8, .length = 20.0, .EA = 1e8};
+        line.mass_per_length = 10.0;
+        line.drag = 50.0;
+        line.consistent_mass = true;
+        wire = w.add_wire(line);
+        def.name = "hook";
+        def.body = w.nodes(wire).back();
+        def.loads = {slung(box, 4, 2.5, 1.2), slung(other, 2, 2.5, 0.9)};
+        w.add(def);
     }
-    return "taken";
+    void move(const Vec3& by, double seconds) {
+        w.set_velocity(carrier, {.linear = by / seconds, .angular = Vec3::Zero()});
+        run(seconds);
+        w.set_velocity(carrier, {});
+    }
+    void run(double seconds) {
+        for (long i = std::lround(seconds / w.settings().step); i > 0; --i)
+            ASSERT_EQ(w.step(), Status::ok) << w.time();
+    }
+    void take(double number) { w.set_system_signal("hook.take", number); }
+    [[nodiscard]] double get(const char* what) const {
+        return w.system_signal(std::string("hook.") + what);
+    }
+    [[nodiscard]] bool is(HookState state) const {
+        return get("state") == static_cast<double>(state);
+    }
+    [[nodiscard]] std::int64_t count(EventKind kind) const { return w.event_extremes(kind).count; }
+};
+
+TEST(Hooks, TakeWhatComesIntoReachAndLetItGo) {
+    Hoist d;
+    d.run(1.0);
+    EXPECT_TRUE(d.is(HookState::empty));
+    d.take(1);
+    d.run(2.0);
+    EXPECT_TRUE(d.is(HookState::waiting)) << "the hook is 5 m up";
+    EXPECT_EQ(d.count(EventKind::missed), 1) << "once";
+    EXPECT_NEAR(d.w.event_extremes(EventKind::missed).first.value, std::hypot(4.0, 1.2), 0.1);
+    d.move({0, 0, -2}, 4.0);
+    EXPECT_TRUE(d.is(HookState::holding));
+    EXPECT_EQ(d.get("held"), 1.0);
+    EXPECT_EQ(d.count(EventKind::join), 1);
+    d.move({0, 0, 6}, 12.0);
+    d.run(8.0);
+    EXPECT_GT(d.w.pose(d.box).position.z(), 2.0) << "lifted";
+    EXPECT_NEAR(d.get("load") / (kBoxMass * kFall), 1.0, 1e-3);
+    d.move({0, 0, -6}, 12.0);
+    d.run(2.0);
+    d.take(0);
+    d.run(0.1);
+    EXPECT_TRUE(d.is(HookState::empty));
+    EXPECT_EQ(d.count(EventKind::detach), 1);
+    EXPECT_FALSE(d.w.find_interaction("hook/leg1").valid());
+    // Another load, which is 6 m away, and the first one again without 0 between.
+    d.take(2);
+    d.run(0.2);
+    EXPECT_TRUE(d.is(HookState::waiting));
+    EXPECT_EQ(d.count(EventKind::missed), 2);
+    d.take(1);
+    d.run(0.1);
+    EXPECT_EQ(d.get("held"), 1.0);
+    EXPECT_EQ(d.count(EventKind::join), 2);
+    EXPECT_NE(d.w.verdict().grade, Grade::wrong);
 }
 
-TEST(CraneRefusals, NameTheFieldAndLeaveNothing) {
-    using K = KnuckleCraneDef;
-    using L = LatticeCraneDef;
-    struct Row {
-        std::function<void(K&)> change;
-        const char* words;
-    };
-    const BodyId nobody{77};
-    for (const Row& row : std::vector<Row>{
-             {[](K& d) { d.name = ""; }, "needs a name"},
-             {[&](K& d) { d.mount.on = nobody; }, "is not there"},
-             {[](K& d) { d.mount.on = BodyId{1}; }, "mount/on: a crane stands on"},
-             {[](K& d) { d.hoist.efficiency = 0.0; }, "hoist/efficiency: 0; give"},
-             {[](K& d) { d.hoist.efficiency = 1.01; }, "hoist/efficiency: 1.01"},
-             {[](K& d) { d.hoist.falls = 0; }, "hoist/falls"},
-             {[](K& d) { d.hoist.EA = kDefault; }, "hoist/EA"},
-             {[](K& d) { d.boom.length = -1.0; }, "boom/length"},
-             {[](K& d) { d.boom.centre = 20.0; }, "boom/centre"},
-             {[](K& d) { d.boom_foot.y() = 0.1; }, "boom_foot"},
-             {[](K& d) { d.boom_cylinder.max_length = 8.0; }, "boom_cylinder/max_length"},
-             {[](K& d) { d.boom_cylinder.min_length = 2.0; }, "boom_cylinder/min_length"},
-             {[](K& d) { d.jib_cylinder.max_length = 12.0; }, "jib_cylinder/max_length"},
-             {[](K& d) { d.jib_cylinder.head = {0, 0, 0}; }, "jib_cylinder/head"},
-             {[](K& d) { d.hook.hang = 0.5; }, "hook/hang"},
-             {[](K& d) { d.hook.least_hang = 9.0; }, "hook/least_hang"},
-             {[](K& d) { d.rating.curve[1].radius = 14.0; }, "rating/curve/1"},
-             {[](K& d) { d.rating.curve[2].mass = 24e3; }, "rating/curve/2"},
-             {[](K& d) { d.rating.warning = 1.1; }, "rating/warning"},
-             {[](K& d) { d.take = 1; }, "take"},
-             {[&](K& d) {
-                  d.loads = {
-                      {.body = nobody, .eyes = {{0, 0, 0}}, .sling_length = 1.0, .sling_EA = 1e8}};
-              },
-              "loads/0/body"},
-             {[](K& d) {
-                  d.loads = {{.body = BodyId{0}, .eyes = {}, .sling_length = 1.0, .sling_EA = 1e8}};
-              },
-              "loads/0/eyes"},
-             {[](K& d) {
-                  d.loads = {{.body = BodyId{0},
-                              .eyes = {{0, 0, 0}},
-                              .sling_length = 1.0,
-                              .sling_EA = 1e8}};
-              },
-              "loads/0/body: a load is"},
-             {[](K& d) { d.hoist.drum = {2.5, 0, 14}; }, "jib_angle"}})
-        EXPECT_NE(refused<K>(knuckle_crane, row.change).find(row.words), std::string::npos)
-            << row.words << ": " << refused<K>(knuckle_crane, row.change);
-    for (const auto& [change, words] : std::vector<std::pair<std::function<void(L&)>, const char*>>{
-             {[](L& d) { d.boom_angle = 1.5; }, "boom_angle"},
-             {[](L& d) { d.gantry = {3, 0, 16}; }, "gantry"},
-             {[](L& d) { d.pendant_length = 60.0; }, "pendant_length"},
-             {[](L& d) { d.luffing.efficiency = -1.0; }, "luffing/efficiency"},
-             {[](L& d) { d.gantry = {-8, 0, -40}; }, "gantry"}})
-        EXPECT_NE(refused<L>(lattice_crane, change).find(words), std::string::npos)
-            << words << ": " << refused<L>(lattice_crane, change);
-    World w;
-    const BodyId quay = w.add_body({.kind = BodyKind::fixed});
-    (void)w.add(knuckle_crane(quay));
-    const std::size_t bodies = w.bodies().size();
-    EXPECT_THROW((void)w.add(lattice_crane(quay)), DefError);  // the name is taken
-    EXPECT_EQ(w.bodies().size(), bodies);
-    EXPECT_EQ(w.step(), Status::ok);
+TEST(Hooks, KeepShutUnderALoadThatHasALatch) {
+    Hoist d({.latch = 2e3});
+    d.take(1);
+    d.move({0, 0, -2}, 4.0);
+    d.move({0, 0, 6}, 12.0);
+    d.run(2.0);
+    d.take(0);
+    d.run(2.0);
+    EXPECT_TRUE(d.is(HookState::latched));
+    EXPECT_EQ(d.get("held"), 1.0);
+    EXPECT_GT(d.w.pose(d.box).position.z(), 2.0) << "it hangs on";
+    d.take(1);
+    d.run(0.1);
+    EXPECT_TRUE(d.is(HookState::holding)) << "the order is taken back";
+    d.take(0);
+    d.move({0, 0, -6}, 12.0);
+    EXPECT_TRUE(d.is(HookState::empty)) << "set down";
+    EXPECT_EQ(d.count(EventKind::detach), 1);
+    EXPECT_LE(d.w.event_extremes(EventKind::detach).first.value, 2e3);
 }
 
-/// Any number of falls, on a body that is turned and leans: what hangs is what is shown.
-template <class Def>
-void hang_on_falls(Def (*make)(BodyId), double mass) {
-    for (const int falls : {1, 2, 3, 4, 5, 8, 13}) {
-        SCOPED_TRACE(falls);
-        World w;
-        const Quat leans(Eigen::AngleAxisd(0.05, Vec3(0.6, 0.8, 0)));
-        const BodyId ship = w.add_body({.name = "ship",
-                                        .kind = BodyKind::fixed,
-                                        .position = {10, -20, 3},
-                                        .orientation = leans});
-        Def def = make(ship);
-        def.mount.orientation = Quat(Eigen::AngleAxisd(2.5, Vec3::UnitZ()));
-        def.slew.angle = -0.7;
-        def.hoist.falls = falls;
-        def.hoist.breaking_load = 1e30;  // one fall has what twelve are made for
-        def.hoist.pull = def.hoist.brake = mass * test::kG * 1.5;
-        const CraneIds ids = w.add(def);
-        ASSERT_EQ(ids.falls.size(), static_cast<std::size_t>(falls));
-        w.set_force(ids.hook, {0, 0, -mass * test::kG}, Vec3::Zero());
-        double shown = 0.0;
-        for (int i = 0; i < 2400; ++i) {
-            ASSERT_EQ(w.step(), Status::ok);
-            if (i >= 1200) shown += w.system_signal("crane.load") / 1200.0;
+TEST(Hooks, OpenAboveTheirStrength) {
+    Hoist d({.strength = 15e3});  // of 19.6 kN that the box weighs
+    d.take(1);
+    d.move({0, 0, -2}, 4.0);
+    d.move({0, 0, 6}, 12.0);
+    EXPECT_TRUE(d.is(HookState::opened));
+    EXPECT_EQ(d.count(EventKind::overload), 1);
+    EXPECT_GT(d.w.event_extremes(EventKind::overload).first.value, 15e3);
+    EXPECT_LT(d.w.pose(d.box).position.z(), 0.6);
+    d.move({0, 0, -6}, 12.0);
+    EXPECT_EQ(d.get("held"), 0.0) << "until it has been opened";
+    d.take(0);
+    d.run(0.1);
+    EXPECT_TRUE(d.is(HookState::empty));
+    d.take(1);
+    d.run(0.1);
+    EXPECT_TRUE(d.is(HookState::holding));
+}
+
+TEST(Hooks, OpenWhenTheirLegsHaveParted) {
+    Hoist d;
+    d.take(1);
+    d.move({0, 0, -2}, 4.0);
+    for (int k = 1; k <= 4; ++k) d.w.part(d.w.find_interaction("hook/leg" + std::to_string(k)));
+    d.run(0.1);
+    EXPECT_TRUE(d.is(HookState::opened));
+    EXPECT_EQ(d.get("held"), 0.0);
+}
+
+TEST(Hooks, RepeatBitForBit) {
+    const auto hashes = [](int threads, int restored) {
+        std::vector<std::uint64_t> out;
+        Hoist d({}, threads);
+        const auto drive = [&](World& w, int from) {
+            for (int i = from; i < 700; ++i) {
+                if (i == 50) w.set_system_signal("hook.take", 1);
+                if (i == 600) w.set_system_signal("hook.take", 0);
+                const double speed = i < 400 ? -0.6 : 0.5;
+                w.set_velocity(w.find_body("carrier"),
+                               {.linear = {0, 0, speed}, .angular = Vec3::Zero()});
+                ASSERT_EQ(w.step(), Status::ok) << i;
+                out.push_back(w.state_hash());
+                if (i + 1 == restored) return;
+            }
+        };
+        drive(d.w, 0);
+        if (restored == 0) {
+            EXPECT_EQ(d.count(EventKind::join), 1);
+            EXPECT_EQ(d.count(EventKind::detach), 1);
+            return out;
         }
-        EXPECT_NEAR(shown / mass, 1.0, 5e-3);
-        EXPECT_EQ(w.verdict().grade, Grade::good);
-        for (const InteractionId fall : ids.falls)
-            EXPECT_NEAR(w.force(fall)[0] / w.force(ids.falls[0])[0], 1.0, 1e-3);
-    }
+        const auto bytes = d.w.save();
+        const Structure made_of = d.w.structure();
+        Hoist other;
+        other.w.restore(made_of, bytes);
+        drive(other.w, restored);
+        return out;
+    };
+    const auto one = hashes(1, 0);
+    for (const int threads : {2, 4}) EXPECT_EQ(hashes(threads, 0), one) << threads;
+    for (const int at : {10, 51, 300, 420, 600, 601, 602}) EXPECT_EQ(hashes(1, at), one) << at;
 }
 
-TEST(CraneFalls, OfAnyNumberCarryTheHook) {
-    hang_on_falls(knuckle_crane, 15e3);
-    hang_on_falls(lattice_crane, 200e3);
-}
-
-TEST(CraneRefusals, OnesThatMoveWithTheirBodyAreTaken) {
-    // On a ship that moves: the crane starts with its velocity.
+TEST(Hooks, RefuseWhatCannotBe) {
     World w;
-    const BodyId ship = w.add_body({.name = "ship",
-                                    .kind = BodyKind::kinematic,
-                                    .position = {5, 3, 1},
-                                    .velocity = {2, 0, 0}});
-    KnuckleCraneDef def = knuckle_crane(ship);
-    def.mount.orientation = Quat(Eigen::AngleAxisd(2.0, Vec3::UnitZ()));
-    const CraneIds ids = w.add(def);
-    for (int i = 0; i < 300; ++i) ASSERT_EQ(w.step(), Status::ok);
-    EXPECT_NEAR(w.system_signal("crane.radius"), 17.18, 0.05);
-    EXPECT_NEAR(w.velocity(ids.hook).linear.x(), 2.0, 0.02);
+    const BodyId block =
+        w.add_body({.name = "block", .kind = BodyKind::kinematic, .position = {0, 0, 10}});
+    const BodyId box = add_box(w, "box", {0, 0, 0});
+    const BodyId lump = w.add_body({.name = "lump", .kind = BodyKind::lump, .mass = 10.0});
+    const BodyId drum = w.add_body({.name = "drum", .kind = BodyKind::scalar, .mass = 10.0});
+    const CraneLoad load = slung(box, 2, 2.0, 1.0);
+    CraneLoad no_length = load, of_fixed = load, no_eyes = load;
+    no_length.sling_length = 0.0;
+    of_fixed.body = block;
+    no_eyes.eyes.clear();
+    struct Row {
+        HookDef def;
+        const char* says;
+    };
+    for (const Row& row :
+         {Row{{.body = block, .loads = {load}}, "needs a name"},
+          Row{{.name = "h", .loads = {load}}, "no body"},
+          Row{{.name = "h", .body = drum, .loads = {load}}, "scalar"},
+          Row{{.name = "h", .body = lump, .point = {0, 0, 1}, .loads = {load}}, "lump is a point"},
+          Row{{.name = "h", .body = block}, "can take nothing"},
+          Row{{.name = "h", .body = block, .loads = {no_length}}, "loads/0/sling_length"},
+          Row{{.name = "h", .body = lump, .loads = {of_fixed}}, "rigid body or a lump"},
+          Row{{.name = "h", .body = block, .loads = {of_fixed}}, "does not take itself"},
+          Row{{.name = "h", .body = block, .loads = {no_eyes}}, "give 1 to 8"},
+          Row{{.name = "h", .body = block, .loads = {load}, .take = 2}, "no load 2"},
+          Row{{.name = "h", .body = block, .loads = {load}, .take = 1}, "have it taken later"},
+          Row{{.name = "h", .body = block, .loads = {load}, .latch = 0.0}, "above 0"}}) {
+        const auto hash = w.state_hash();
+        try {
+            w.add(row.def);
+            ADD_FAILURE() << row.says;
+        } catch (const DefError& error) {
+            EXPECT_NE(std::string(error.what()).find(row.says), std::string::npos)
+                << row.says << " in: " << error.what();
+        }
+        EXPECT_EQ(w.state_hash(), hash);
+    }
 }
 
 }  // namespace

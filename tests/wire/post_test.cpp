@@ -18,7 +18,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kDensity = 23.0, kEA = 2.33e8, kHalf = 0.038;  // kg/m, N, m
+constexpr double kPostDensity = 23.0, kPostEA = 2.33e8, kPostHalf = 0.038;  // kg/m, N, m
 
 /// A wire that hangs between two carriers, above a post across it.
 struct AbovePost {
@@ -32,7 +32,7 @@ struct AbovePost {
         CatenaryDef shape;
         shape.from = {-20, 0, kHeight};
         shape.to = {20, 0, kHeight};
-        shape.sections = {{kLength, kDensity * 9.81, kEA, elements}};
+        shape.sections = {{kLength, kPostDensity * 9.81, kPostEA, elements}};
         const Catenary start = catenary(shape);
         ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
         left = w.add_body({.name = "left", .kind = BodyKind::kinematic, .position = shape.from});
@@ -40,11 +40,11 @@ struct AbovePost {
         WireDef def{.name = "wire", .from = left, .to = right};
         def.elements = elements;
         def.length = kLength;
-        def.EA = kEA;
-        def.mass_per_length = kDensity;
+        def.EA = kPostEA;
+        def.mass_per_length = kPostDensity;
         def.drag = 60.0;
         def.consistent_mass = true;
-        def.radius = kHalf;
+        def.radius = kPostHalf;
         def.path.assign(start.nodes.begin() + 1, start.nodes.end() - 1);
         wire = w.add_wire(def);
         const ShapeId pin =
@@ -107,7 +107,7 @@ TEST(Posts, TakeAWireThatComesToLieAndLetItGo) {
             EXPECT_EQ(d.w.interaction_def(id).kind, InteractionKind::Stretch);
         EXPECT_EQ(d.w.verdict().grade, Grade::good) << elements;
         // It hangs as it did: its weight, from both ends.
-        const double weight = 9.81 * kDensity * 42.0;
+        const double weight = 9.81 * kPostDensity * 42.0;
         const double pulls[] = {d.w.tension(d.wire, 0.0), d.w.tension(d.wire, d.w.length(d.wire))};
         EXPECT_NEAR(pulls[0] / pulls[1], 1.0, 0.02);
         EXPECT_GT(pulls[0], 0.5 * weight);
@@ -144,7 +144,7 @@ TEST(Posts, RubAtEulersRatio) {
 TEST(Posts, DoNotChatter) {
     AbovePost d;
     const double sag = d.w.pose(d.w.nodes(d.wire)[6]).position.z();
-    d.move({0, 0, 0.3 + kHalf - sag - 0.002}, 20.0);
+    d.move({0, 0, 0.3 + kPostHalf - sag - 0.002}, 20.0);
     d.rest(10.0);
     constexpr int kPeriods = 4;
     const double before = d.get("post.taken");
@@ -228,7 +228,7 @@ struct Thrown {
         constexpr double kElement = 5.0, kPull = 10.0;
         // Aimed at the pin: its place on the wire is `offset` from the middle when they meet.
         const Vec3 start = -0.12 * velocity;
-        const double apart = kElement * (1.0 + kPull / kEA);
+        const double apart = kElement * (1.0 + kPull / kPostEA);
         const auto at = [&](int k) {
             return Vec3(start + Vec3(0, (k - 0.5 * kElements) * apart - offset, 0));
         };
@@ -236,14 +236,14 @@ struct Thrown {
                             .kind = BodyKind::lump,
                             .position = at(0),
                             .velocity = velocity,
-                            .mass = 0.5 * kDensity * kElement});
+                            .mass = 0.5 * kPostDensity * kElement});
         WireDef def{.name = "wire", .from = first};
         def.elements = kElements;
         def.length = kElement * kElements;
-        def.EA = kEA;
-        def.mass_per_length = kDensity;
+        def.EA = kPostEA;
+        def.mass_per_length = kPostDensity;
         def.consistent_mass = true;
-        def.radius = kHalf;
+        def.radius = kPostHalf;
         def.velocity = velocity;
         for (int k = 1; k <= kElements; ++k) def.path.push_back(at(k));
         wire = w.add_wire(def);

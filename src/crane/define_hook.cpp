@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/hook.h>
+#include <hawser/world.h>
+
+#include "crane/common.h"
+#include "crane/hook_system.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hawser {
+namespace {
+
+[[noreturn]] void refuse(const HookDef& def, const std::string& why) {
+    throw DefError("hook '" + def.name + "': " + why);
+}
+
+void check_bodies(World& world, const HookDef& def) {
+    if (!world.alive(def.body)) refuse(def, "there is no body that it is; give one");
+    const BodyKind own = world.body_def(def.body).kind;
+    if (own == BodyKind::scalar) refuse(def, "a scalar body has no place to hang anything from");
+    if (!def.point.allFinite() || !(def.point.norm() <= 1e7))
+        refuse(def, "point is not finite, or beyond 1e7 m");
+    if (own == BodyKind::lump && !def.point.isZero(0.0))
+        refuse(def, "a lump is a point: leave out `point`");
+    for (std::size_t i = 0; i < def.loads.size(); ++i) {
+        const CraneLoad& load = def.loads[i];
+        const std::string where = "loads/" + std::to_string(i) + ": ";
+        if (!world.alive(load.body)) refuse(def, where + "there is no such body");
+        if (load.body == def.body) refuse(def, where + "a hook does not take itself");
+        const BodyKind kind = world.body_def(load.body).kind;
+        if (kind != BodyKind::rigid && kind != BodyKind::lump)
+            refuse(def, where + "a load is a rigid body or a lump");
+        for (const Vec3& eye : load.eyes)
+            if (kind == BodyKind::lump && !eye.isZero(0.0))
+                refuse(def, where + "a lump is a point: its one eye is [0, 0, 0]");
+    }
+}
+
+void check(World& world, const HookDef& def) {
+    if (def.name.empty()) throw DefError("a hook needs a name");
+    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
+    if (def.loads.empty()) refuse(def, "it can take nothing; name what it may take in `loads`");
+    try {
+        crane::check_loads(def.name, def.loads, def.take);
+    } catch (const DefError& error) {
+        // "crane 'NAME': " is what a hook is not.
+        const std::string text = error.what();
+        const auto said = text.find("': ");
+        refuse(def, said == std::string::npos ? text : text.substr(said + 3));
+    }
+    check_bodies(world, def);
+    for (const double force : {def.strength, def.latch})
+        if (!(force > 0.0 && force <= 1e30))
+            refuse(def, "strength and latch are forces above 0 [N]; leave them out for none");
+    for (std::size_t i = 0; i < crane::kMostEyes; ++i)
+        if (world.find_interaction(crane::leg_name(def.name, i)).valid())
+            refuse(def, "the interaction '" + crane::leg_name(def.name, i) +
+                            "' is there; one of its legs would be called so");
+}
+
+}  // namespace
+
+void define(World& world, const HookDef& def) {
+    check(world, def);
+    std::vector<InteractionId> legs;
+    try {
+        if (def.take > 0) {
+            const CraneLoad& load = def.loads[static_cast<std::size_t>(def.take - 1)];
+            const Vec3 point = world.world_point(def.body, def.point);
+            for (std::size_t i = 0; i < load.eyes.size(); ++i) {
+                const double way = (world.world_point(load.body, load.eyes[i]) - point).norm();
+                if (way > load.sling_length + load.reach)
+                    refuse(def, "take: an eye of the load is " + number(way) +
+                                    " m from the hook's point, and its sling reaches " +
+                                    number(load.sling_length + load.reach) +
+                                    " m; have it taken later, or bring the hook nearer");
+                legs.push_back(world.add_interaction(crane::sling_of(
+                    load, i, crane::leg_name(def.name, i), def.body, def.point, way)));
+            }
+        }
+        world.add_system(std::make_unique<crane::HookSystem>(def));
+    } catch (...) {
+        for (const InteractionId leg : legs) (void)world.remove_interaction(leg);
+        throw;
+    }
+}
+
+}  // namespace hawser

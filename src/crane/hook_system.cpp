@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "crane/hook_system.h"
+
+#include <hawser/world.h>
+
+#include "crane/common.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hawser::crane {
+
+HookSystem::HookSystem(HookDef def)
+    : def_(std::move(def)), take_(def_.take), held_(def_.take), shown_(def_.take) {
+    std::size_t most = 0;
+    for (const CraneLoad& load : def_.loads) most = std::max(most, load.eyes.size());
+    for (std::size_t i = 0; i < most; ++i) leg_names_.push_back(leg_name(def_.name, i));
+    become(held_ > 0 ? HookState::holding : HookState::empty);
+    as_ = state_;
+}
+
+void HookSystem::visit_state(StateVisitor& v) {
+    for (double* x : {&take_, &shown_, &load_, &leg_, &as_}) v.visit(*x);
+    for (std::int32_t* x : {&held_, &state_, &told_}) v.visit(*x);
+}
+
+void HookSystem::signals(SignalTable& table) {
+    table.input("take", "1", take_, 0.0, static_cast<double>(def_.loads.size()));
+    table.output("held", "1", shown_);
+    table.output("load", "N", load_);
+    table.output("leg", "N", leg_);
+    table.output("state", "1", as_);
+}
+
+/// A state that was tampered with may say anything.
+int HookSystem::wanted() const noexcept {
+    const int most = static_cast<int>(def_.loads.size());
+    return take_ >= 0.0 && take_ <= most ? static_cast<int>(std::lround(take_)) : 0;
+}
+
+/// What the legs pull. @return whether one of them holds.
+bool HookSystem::weigh(const World& world) noexcept {
+    const CraneLoad& load = load_of(held_);
+    const Vec3 point = world.world_point(def_.body, def_.point);
+    Vec3 pull = Vec3::Zero();
+    bool there = false;
+    leg_ = 0.0;
+    for (std::size_t i = 0; i < load.eyes.size(); ++i) {
+        const InteractionId leg = world.find_interaction(leg_names_[i]);
+        if (!world.alive(leg) || !world.intact(leg)) continue;
+        there = true;
+        const double tension = std::max(0.0, -world.force(leg)[0]);
+        leg_ = std::max(leg_, tension);
+        pull += tension * (world.world_point(load.body, load.eyes[i]) - point).normalized();
+    }
+    load_ = pull.norm();
+    return there;
+}
+
+void HookSystem::let_go(Prestep& now, EventKind kind) noexcept {
+    const CraneLoad& load = load_of(held_);
+    for (std::size_t i = 0; i < load.eyes.size(); ++i)
+        if (const InteractionId leg = now.world.find_interaction(leg_names_[i]);
+            now.world.alive(leg))
+            now.edits.remove_interaction(leg);
+    if (now.world.alive(load.body)) now.tell(kind, load.body, load_);
+    held_ = 0;
+    load_ = leg_ = 0.0;
+}
+
+void HookSystem::hold(Prestep& now) noexcept {
+    const bool there = weigh(now.world);
+    if (there && load_ > def_.strength) {
+        let_go(now, EventKind::overload);
+        return become(HookState::opened);
+    }
+    // All its legs have parted, or others took them away.
+    if (there && wanted() == held_) return become(HookState::holding);
+    if (there && load_ > def_.latch) return become(HookState::latched);
+    let_go(now, EventKind::detach);
+    become(HookState::empty);
+    // Parted legs are not replaced for an order that has been carried out.
+    if (!there && wanted() > 0) become(HookState::opened);
+}
+
+void HookSystem::take(Prestep& now) noexcept {
+    const int number = wanted();
+    const CraneLoad& load = load_of(number);
+    if (!now.world.alive(load.body)) return become(HookState::waiting);
+    const Vec3 point = now.world.world_point(def_.body, def_.point);
+    double farthest = 0.0;
+    for (const Vec3& eye : load.eyes)
+        farthest = std::max(farthest, (now.world.world_point(load.body, eye) - point).norm());
+    if (farthest > load.sling_length + load.reach) {
+        if (told_ == 0) now.tell(EventKind::missed, def_.body, farthest);
+        told_ = 1;
+        return become(HookState::waiting);
+    }
+    for (std::size_t i = 0; i < load.eyes.size(); ++i) {
+        const double way = (now.world.world_point(load.body, load.eyes[i]) - point).norm();
+        (void)now.edits.add_interaction(
+            sling_of(load, i, leg_names_[i], def_.body, def_.point, way));
+    }
+    held_ = number;
+    now.tell(EventKind::join, load.body, farthest);
+    become(HookState::holding);
+}
+
+void HookSystem::prestep(Prestep& now, Loads&) noexcept {
+    if (held_ < 0 || held_ > static_cast<int>(def_.loads.size())) held_ = 0;
+    if (wanted() == 0 && held_ == 0) {
+        become(HookState::empty);
+        told_ = 0;
+    } else if (held_ > 0) {
+        hold(now);
+    } else if (state_ != static_cast<std::int32_t>(HookState::opened)) {
+        take(now);
+    }
+    if (held_ > 0) told_ = 0;
+    shown_ = held_;
+    as_ = state_;
+}
+
+}  // namespace hawser::crane

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file hook_system.h
+/// What a hook does at the beginning of each step (hawser/hook.h). Legs come and go by
+/// Prestep::edits and are found by their names, which mean the same after a restore.
+
+#include <hawser/hook.h>
+#include <hawser/system.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hawser::crane {
+
+class HookSystem final : public System {
+  public:
+    explicit HookSystem(HookDef def);
+
+    [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
+    void prestep(Prestep& now, Loads& loads) noexcept override;
+    void visit_state(StateVisitor& visitor) override;
+    void signals(SignalTable& table) override;
+    void holds(HoldTable& table) const override { table.hold(def_.body); }
+    [[nodiscard]] std::unique_ptr<System> clone() const override {
+        return std::make_unique<HookSystem>(def_);
+    }
+
+  private:
+    void become(HookState state) noexcept { state_ = static_cast<std::int32_t>(state); }
+    [[nodiscard]] const CraneLoad& load_of(int number) const noexcept {
+        return def_.loads[static_cast<std::size_t>(number - 1)];
+    }
+    [[nodiscard]] int wanted() const noexcept;
+    [[nodiscard]] bool weigh(const World& world) noexcept;
+    void hold(Prestep& now) noexcept;
+    void let_go(Prestep& now, EventKind kind) noexcept;
+    void take(Prestep& now) noexcept;
+
+    HookDef def_;
+    std::vector<std::string> leg_names_;
+    // State.
+    double take_ = 0.0;                  ///< Input.
+    std::int32_t held_ = 0, state_ = 0;  ///< Number of the load; HookState.
+    std::int32_t told_ = 0;              ///< 1: that what is to be taken is out of reach.
+    // Outputs.
+    double shown_ = 0.0, load_ = 0.0, leg_ = 0.0, as_ = 0.0;
+};
+
+}  // namespace hawser::crane

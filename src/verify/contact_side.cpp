@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/contact_side.h"
+
+#include "verify/line_path.h"
+
+#include <algorithm>
+
+namespace hawser::verify {
+namespace {
+
+const Pose& pose_of(std::span<const Pose> pose, BodyId body) {
+    return pose[static_cast<std::size_t>(body.index)];
+}
+
+/// Whether a body holds the end of a segment by a point of its frame.
+bool holds(const World& world, const ShapeDef& def, BodyId body) {
+    const BodyKind kind = world.body_def(body).kind;
+    return kind != BodyKind::lump && !(kind == BodyKind::fixed && def.position.isZero(0.0));
+}
+
+/// The element along a segment; invalid: there is none.
+InteractionId element_along(const World& world, const ShapeDef& def) {
+    for (const InteractionId id : world.interactions()) {
+        const InteractionDef& d = world.interaction_def(id);
+        if (kind_info(d.kind).is(kWireElement) && d.body[0] == def.body && d.body[1] == def.body_b)
+            return id;
+    }
+    return {};
+}
+
+}  // namespace
+
+ContactSide contact_side(const World& world, ShapeId shape, const Vec3& on_axis, const Vec3& point,
+                         std::span<const Pose> pose) {
+    const ShapeDef& def = world.shape_def(shape);
+    ContactSide side{.body = {def.body, def.body_b}};
+    const auto is_lump = [&](int k) { return world.body_def(side.body[k]).kind == BodyKind::lump; };
+    if (!def.body_b.valid()) {
+        if (!is_lump(0)) side.arm[0] = point - pose_of(pose, def.body).position;
+        return side;
+    }
+    side.count = 2;
+    Vec3 end[2] = {pose_of(pose, def.body).position, pose_of(pose, def.body_b).position};
+    int held = -1;
+    for (int k = 0; k < 2; ++k)
+        if (holds(world, def, side.body[k])) held = k;
+    if (held >= 0) {
+        const InteractionId element = element_along(world, def);
+        const Pose& by = pose_of(pose, side.body[held]);
+        end[held] = element.valid() ? line_ends(Attached(world, element, pose)).at[held]
+                                    : Vec3(by.position + by.orientation * def.position);
+    }
+    const Vec3 along = end[1] - end[0];
+    const double s = std::clamp((on_axis - end[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    side.share[0] = 1.0 - s;
+    side.share[1] = s;
+    side.length = along.norm();
+    // What the lump does not feel the body does, so that both together feel the force at its point.
+    if (held >= 0 && side.share[held] > 0.0) {
+        const int lump = 1 - held;
+        const Vec3 rest = point - side.share[lump] * pose_of(pose, side.body[lump]).position;
+        side.arm[held] = rest / side.share[held] - pose_of(pose, side.body[held]).position;
+    }
+    return side;
+}
+
+}  // namespace hawser::verify

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/chaser_system.h"
+
+#include <hawser/world.h>
+
+#include "wire/lay_on.h"
+#include "wire/lift.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace hawser::wire {
+namespace {
+
+/// Of an element: nearer to its ends the ring is not put, since a part of no length is a rigid one.
+constexpr double kFromEnd = 0.06;
+constexpr std::int32_t kTryAgain = 15;  ///< Steps, where a wire was refused.
+
+std::unique_ptr<GuideSystem> no_guide(const ChaserDef& def) {
+    GuideDef guide;
+    guide.name = def.name;
+    guide.body = def.body;
+    guide.friction = def.friction;
+    guide.element_length = def.element;
+    return std::make_unique<GuideSystem>(std::move(guide), Guide{}, InputId{},
+                                         std::array<double, 2>{});
+}
+
+}  // namespace
+
+ChaserSystem::ChaserSystem(ChaserDef def)
+    : def_(std::move(def)), guide_(no_guide(def_)), close_(def_.closed ? 1.0 : 0.0) {}
+
+void ChaserSystem::visit_state(StateVisitor& v) {
+    for (std::int32_t* x : {&state_, &due_, &reached_, &wait_}) v.visit(*x);
+    for (double* x : {&close_, &value_, &shown_, &held_, &at_, &left_, &arrived_, &angle_, &speed_,
+                      &tension_[0], &tension_[1]})
+        v.visit(*x);
+    guide_->visit_place(v);
+    guide_->visit_state(v);
+}
+
+void ChaserSystem::signals(SignalTable& table) {
+    table.input("close", "1", close_, 0.0, 1.0);
+    table.output("state", "1", shown_);
+    table.output("held", "1", held_);
+    table.output("at", "m", at_);
+    table.output("left", "m", left_);
+    table.output("arrived", "1", arrived_);
+    table.output("before", "N", tension_[0]);
+    table.output("behind", "N", tension_[1]);
+    table.output("angle", "rad", angle_);
+    table.output("speed", "m/s", speed_);
+}
+
+void ChaserSystem::holds(HoldTable& table) const {
+    table.hold(def_.body);
+    if (is(ChaserState::on)) guide_->holds(table);
+}
+
+/// Of all elements that no drum or guide has, of wires that are not made fast to the ring.
+ChaserSystem::Found ChaserSystem::nearest(const World& world) const {
+    const Vec3 at = world.world_point(def_.body, def_.point);
+    Found out;
+    for (const WireId wire : world.wires()) {
+        const auto nodes = world.nodes(wire);
+        if (std::find(nodes.begin(), nodes.end(), def_.body) != nodes.end()) continue;
+        for (const InteractionId id : world.elements(wire)) {
+            if (!world.alive(id) || !world.intact(id)) continue;
+            const InteractionDef& d = world.interaction_def(id);
+            if (kind_info(d.kind).is(kWoundUp) || !(d.get("mass") > 0.0)) continue;
+            const std::array<Vec3, 2> ends = world.ends(id);
+            const Vec3 along = ends[1] - ends[0];
+            const double share =
+                std::clamp((at - ends[0]).dot(along) / std::max(along.squaredNorm(), 1e-300),
+                           kFromEnd, 1.0 - kFromEnd);
+            const Vec3 place = ends[0] + share * along;
+            const double far = (place - at).norm();
+            if (far < out.far) out = {wire, id, share, far, place};
+        }
+    }
+    return out;
+}
+
+/// The eye is where the wire passes: nothing is pulled to it.
+void ChaserSystem::take(NodeEdits& nodes) {
+    const World& world = nodes.world;
+    if (wait_ > 0) {
+        --wait_;
+        return;
+    }
+    const Found found = nearest(world);
+    const auto miss = [&] {
+        const bool told = is(ChaserState::waiting);
+        value_ = found.far;
+        become(ChaserState::waiting, told ? Due::nothing : Due::missed);
+    };
+    if (!(found.far <= def_.reach)) return miss();
+    const InteractionDef element = world.interaction_def(found.element);
+    const std::array<Vec3, 2> ends = world.ends(found.element);
+    const EndLumps had = end_lumps(world, element);
+    GuideDef def = no_guide(def_)->def();
+    def.wire = found.wire;
+    def.element = found.element;
+    def.point = world.local_point(def_.body, found.place);
+    const Twist ring = world.velocity(def_.body);
+    const Vec3 moves =
+        ring.linear + ring.angular.cross(found.place - world.pose(def_.body).position);
+    const Vec3 wire = (1.0 - found.share) * world.velocity(element.body[0]).linear +
+                      found.share * world.velocity(element.body[1]).linear;
+    const double speed = (wire - moves).dot((ends[1] - ends[0]).normalized());
+    Guide made;
+    double material[2] = {};
+    if (!nodes.lay_over(def, speed, made, material)) {
+        wait_ = kTryAgain;
+        return miss();
+    }
+    const InputId stop = world.find_input(def.name + "/friction/force");
+    // All of the element's mass is on one side or the other, but for what lumps keep.
+    const double whole = element.get("mass"),
+                 mass = whole - kept_by_lumps(had, end_lumps(world, element), whole);
+    const double scale = mass / (def.mass_per_length * (material[0] + material[1]));
+    guide_ = std::make_unique<GuideSystem>(
+        std::move(def), made, stop,
+        std::array<double, 2>{scale * material[0], scale * material[1]});
+    guide_->begin_at(speed);
+    value_ = found.far;
+    become(ChaserState::on, Due::taken);
+}
+
+void ChaserSystem::let_go(NodeEdits& nodes) {
+    if (guide_->parted()) return;
+    const InteractionDef element = lifted_element(nodes.world, *guide_, false);
+    value_ = std::max(guide_->tension()[0], guide_->tension()[1]);
+    become(ChaserState::open, Due::let_go);  // it holds nothing of it
+    const InteractionId whole = nodes.lift_off(guide_->ids(), element);
+    if (!whole.valid()) return become(ChaserState::on, Due::nothing);
+    if (guide_->material()[0] + guide_->material()[1] > kLongLifted * guide_->def().element_length)
+        (void)nodes.insert_node(whole, 0.5);
+    guide_ = no_guide(def_);
+}
+
+/// Where it is on its wire.
+void ChaserSystem::look(const World& world) {
+    held_ = at_ = left_ = arrived_ = angle_ = speed_ = tension_[0] = tension_[1] = 0.0;
+    shown_ = state_;
+    if (!is(ChaserState::on)) return;
+    const WireId wire = world.wire_of(guide_->ids().before);
+    const auto wires = world.wires();
+    held_ = 1.0 + static_cast<double>(std::find(wires.begin(), wires.end(), wire) - wires.begin());
+    if (!wire.valid()) return;
+    bool before = true;
+    for (const InteractionId id : world.elements(wire)) {
+        if (!world.alive(id)) continue;
+        (before ? at_ : left_) += rest_length(world, id);
+        if (id == guide_->ids().before) before = false;
+    }
+    arrived_ = guide_->stopped() >= 0 ? 1.0 + guide_->stopped()
+               : at_ < def_.arrives   ? 1.0
+               : left_ < def_.arrives ? 2.0
+                                      : 0.0;
+    angle_ = guide_->angle();
+    speed_ = guide_->speed();
+    for (const std::size_t k : {0U, 1U}) tension_[k] = guide_->tension()[k];
+}
+
+void ChaserSystem::before_step(NodeEdits& nodes) noexcept {
+    try {
+        const Guide& ids = guide_->ids();
+        const bool there = nodes.world.alive(ids.slide) && nodes.world.alive(ids.before) &&
+                           nodes.world.alive(ids.behind) && nodes.world.alive(ids.friction);
+        if (is(ChaserState::on) && !there) become(ChaserState::open, Due::nothing);
+        if (is(ChaserState::on)) {
+            guide_->before_step(nodes);
+            if (close_ < 0.5) let_go(nodes);
+        } else if (close_ >= 0.5) {
+            take(nodes);
+        } else {
+            become(ChaserState::open, static_cast<Due>(due_));
+        }
+        look(nodes.world);
+    } catch (const std::exception&) {
+        due_ = 0;  // without memory: it looks anew before the next step
+    }
+}
+
+void ChaserSystem::tell(Prestep& now) noexcept {
+    constexpr EventKind kKinds[] = {EventKind::join, EventKind::missed, EventKind::detach};
+    // A state that was tampered with may say anything.
+    if (due_ > 0 && due_ <= 3) now.tell(kKinds[due_ - 1], def_.body, value_);
+    due_ = 0;
+    const auto end = static_cast<std::int32_t>(arrived_);
+    if (end != reached_ && end != 0) now.tell(EventKind::range, def_.body, end == 1 ? at_ : left_);
+    reached_ = end;
+}
+
+void ChaserSystem::prestep(Prestep& now, Loads& loads) noexcept {
+    tell(now);
+    if (is(ChaserState::on)) guide_->prestep(now, loads);
+}
+
+}  // namespace hawser::wire

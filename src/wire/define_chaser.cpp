@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <hawser/chaser.h>
+#include <hawser/world.h>
+
+#include "base/number.h"
+#include "wire/chaser_system.h"
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace hawser {
+namespace {
+
+[[noreturn]] void refuse(const ChaserDef& def, const std::string& why) {
+    throw DefError("chaser '" + def.name + "': " + why);
+}
+
+void check(World& world, const ChaserDef& def) {
+    if (def.name.empty()) throw DefError("a chaser needs a name");
+    if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
+    for (const char* part : {"/slide", "/behind", "/friction"})
+        if (world.find_body(def.name + part).valid() ||
+            world.find_interaction(def.name + part).valid())
+            refuse(def, "'" + def.name + part + "' is there; one of its parts will be called so");
+    if (!world.alive(def.body)) refuse(def, "there is no body that is its ring; give one");
+    if (world.body_def(def.body).kind != BodyKind::rigid)
+        refuse(def, "its ring is a rigid body; what stands still is a guide");
+    if (!def.point.allFinite() || !(def.point.norm() <= 1e7))
+        refuse(def, "point is not finite, or beyond 1e7 m");
+    if (!(def.reach > 0.0 && def.reach <= 1e3))
+        refuse(def, "reach = " + number(def.reach) + " m; give a length above 0 up to 1000");
+    if (!(def.friction >= 0.0 && def.friction <= 10.0))
+        refuse(def, "friction = " + number(def.friction) + "; give a number from 0 to 10");
+    if (!(def.arrives >= 0.0 && def.arrives <= 1e6))
+        refuse(def, "arrives = " + number(def.arrives) + " m; give a length from 0 on");
+    if (!std::isnan(def.element) && !(def.element > 0.0 && def.element <= 1e6))
+        refuse(def, "element = " + number(def.element) + " m; give a length above 0, or none");
+}
+
+}  // namespace
+
+void define(World& world, const ChaserDef& def) {
+    check(world, def);
+    world.add_system(std::make_unique<wire::ChaserSystem>(def));
+}
+
+}  // namespace hawser

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Pelican hooks of wires (hawser/wire.h).
+#include <hawser/world.h>
+
+#include "access/asleep.h"
+#include "access/push_event.h"
+#include "access/wire_alerts.h"
+#include "step/edits.h"
+#include "step/node_pieces.h"
+#include "step/wire_ends.h"
+#include "world/checks.h"
+#include "world/impl.h"
+#include "world/parts.h"
+
+#include <algorithm>
+#include <string>
+
+namespace hawser {
+
+void World::release(InteractionId hook) {
+    const world::Using use(impl_->use, "release");
+    Impl& m = *impl_;
+    model::Interactions& in = m.ctx.model.interactions;
+    const std::size_t i = m.place(hook);
+    const auto found =
+        std::find_if(m.gear.begin(), m.gear.end(), [&](const auto& g) { return g.id == hook; });
+    const std::string where = world::label("interaction", in.def[i].name);
+    if (found == m.gear.end() || found->kind != Gear::pelican_hook)
+        world::refuse(where, "it is no pelican hook; detach() opens other gear");
+    if (in.parted[i] != 0) world::refuse(where, "it is open already");
+    m.know_wire_of(hook);
+    const double tension = stepper::tension_of(m.ctx, hook.index);
+    stepper::begin_recoil(m.ctx.model, hook.index, false);
+    m.ctx.state.ledger.drive -= stepper::energy_of_interaction(m.ctx, hook.index);
+    stepper::begin_edit(m.ctx);
+    for (std::size_t b = 0; b < 2; ++b)
+        stepper::disturb(m.ctx.model, stepper::end_of(m.ctx, hook.index, b));
+    stepper::part_all(m.ctx.model, hook.index);
+    stepper::push_event(m.ctx, EventKind::release, hook.index, tension);
+    if (m.listener != nullptr) m.listener->released(hook);
+}
+
+}  // namespace hawser

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Capsules of wires, as elements come, go and change hands.
+#include "step/edits.h"
+#include "step/node_pieces.h"
+#include "world/impl.h"
+#include "world/wire_capsule.h"
+
+#include <optional>
+
+namespace hawser {
+namespace world {
+
+std::optional<ShapeDef> capsule_of(const World& world, const WireTrim& trim,
+                                   const std::array<BodyId, 2>& body,
+                                   const std::array<Vec3, 2>& point) {
+    std::optional<ShapeDef> out;
+    if (!trim.segment) return out;
+    const auto is_lump = [&](std::size_t end) {
+        return world.body_def(body[end]).kind == BodyKind::lump;
+    };
+    const bool lumps = is_lump(0) && is_lump(1), one = is_lump(0) || is_lump(1);
+    if (!lumps && !(one && trim.to_ends)) return out;
+    out = trim.segment;
+    out->body = body[0];
+    out->body_b = body[1];
+    if (!lumps) out->position = point[is_lump(0) ? 1 : 0];
+    return out;
+}
+
+}  // namespace world
+
+/// A segment goes between other bodies, of which one may hold it at a point of its frame.
+void World::Impl::put_segment(ShapeId segment, BodyId first, BodyId second,
+                              const Vec3& point) noexcept {
+    stepper::forget_contacts(ctx, segment.index);
+    ShapeDef& def = shape_defs[at(segment.index)];
+    def.body = first;
+    def.body_b = second;
+    def.position = point;
+    ctx.model.collider.rewire(segment.index, first.index, second.index, point, ctx.model.bodies);
+}
+
+/// The segment of an element goes to where the element goes: to a lump, or to a body that holds it
+/// where it was held before.
+void World::Impl::move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept {
+    const ShapeDef& def = shape_defs[at(segment.index)];
+    const BodyId first = side == 0 ? to : def.body, second = side == 0 ? def.body_b : to;
+    const bool lumps = stepper::is_lump(ctx, first.index) && stepper::is_lump(ctx, second.index);
+    put_segment(segment, first, second, lumps ? Vec3(Vec3::Zero()) : def.position);
+}
+
+/// Two segments that meet at a lump which goes become one. Between two bodies there is none: both
+/// go with the lump.
+void World::Impl::join_segments(ShapeId near, ShapeId far) noexcept {
+    const ShapeDef &before = shape_defs[at(near.index)], &behind = shape_defs[at(far.index)];
+    const bool ends_at_lump = stepper::is_lump(ctx, behind.body_b.index);
+    if (!ends_at_lump && !stepper::is_lump(ctx, before.body.index)) return;
+    const Vec3 point = ends_at_lump ? before.position : behind.position;
+    put_segment(near, before.body, behind.body_b, point);
+}
+
+/// The capsule between two ends of an element, in their order; invalid: there is none.
+ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexcept {
+    for (const ShapeId id : shape_ids) {
+        const std::int32_t* body = ctx.model.collider.shapes()[at(id.index)].body;
+        if (body[0] == a && body[1] == b) return id;
+    }
+    return {};
+}
+
+/// The capsule that comes with a node on an element; none: its wire touches nothing there.
+std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodePlace& place, BodyId node,
+                                                  bool first, const world::Wire* wire) const {
+    const auto end = [&](std::size_t slot) {
+        return ctx.model.bodies.id(stepper::end_of(ctx, place.first, slot));
+    };
+    const ShapeId own = segment_between(end(0).index, end(1).index);
+    std::optional<ShapeDef> out;
+    if (own.valid()) {
+        out = shape_defs[at(own.index)];
+        out->name.clear();
+        out->body = node;
+        if (stepper::is_lump(ctx, out->body_b.index)) out->position.setZero();
+    } else if (wire != nullptr && wire->trim.segment &&
+               stepper::is_lump(ctx, end(first ? 0 : 1).index)) {
+        out = wire->trim.segment;
+        out->body = first ? end(0) : node;
+        out->body_b = first ? node : end(1);
+    }
+    return out;
+}
+
+}  // namespace hawser

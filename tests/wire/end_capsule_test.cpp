@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Capsules of wires up to what holds them: nothing passes through an element next to a fairlead;
+/// momentum and energy; posts; what they leave alone; refusals.
+#include <hawser/hawser.h>
+
+#include "support/random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser::test {
+namespace {
+
+constexpr double kHeavy = 23.0, kStiff = 2.33e8, kThin = 0.038;  // kg/m, N, m
+constexpr double kTick = 1.0 / 60.0;
+
+/// Ends of a straight piece before and after a step [m].
+using Swept = std::array<std::array<Vec3, 2>, 2>;
+
+/// Whether two pieces went through each other: they lie in a plane, by bisection, at a moment at
+/// which they cross.
+bool went_through(const Swept& a, const Swept& b) {
+    const auto at = [](const Swept& s, double t) {
+        return std::array<Vec3, 2>{s[0][0] + t * (s[1][0] - s[0][0]),
+                                   s[0][1] + t * (s[1][1] - s[0][1])};
+    };
+    const auto volume = [&](double t) {
+        const auto p = at(a, t), q = at(b, t);
+        return (p[1] - p[0]).cross(q[1] - q[0]).dot(q[0] - p[0]);
+    };
+    constexpr int kParts = 32;
+    for (int k = 0; k < kParts; ++k) {
+        double low = static_cast<double>(k) / kParts, high = static_cast<double>(k + 1) / kParts;
+        if ((volume(low) > 0.0) == (volume(high) > 0.0)) continue;
+        for (int i = 0; i < 40; ++i) {
+            const double middle = 0.5 * (low + high);
+            ((volume(middle) > 0.0) == (volume(low) > 0.0) ? low : high) = middle;
+        }
+        const auto p = at(a, low), q = at(b, low);
+        const Vec3 u = p[1] - p[0], v = q[1] - q[0], n = u.cross(v), from = q[0] - p[0];
+        const double s = from.cross(v).dot(n), t = from.cross(u).dot(n), all = n.squaredNorm();
+        if (s > 0.0 && s < all && t > 0.0 && t < all) return true;
+    }
+    return false;
+}
+
+/// A wire of two elements from a fairlead off the middle of a free hull to a buoy, and another one
+/// between two weights, thrown at the element next to the fairlead. Nothing has weight.
+struct Thrown {
+    World w{WorldDef{.step = kTick, .gravity = Vec3::Zero(), .contact_margin = 0.1}};
+    BodyId hull{}, buoy{};
+    WireId still{}, thrown{};
+
+    explicit Thrown(Random& random) {
+        const auto body = [&](const char* name, const Vec3& at, double mass, const Vec3& speed) {
+            return w.add_body({.name = name,
+                               .position = at,
+                               .velocity = speed,
+                               .mass = mass,
+                               .inertia = Mat3::Identity() * mass});
+        };
+        const double pull = std::exp(random.uniform(8.0, 12.5));  // 3 to 270 kN
+        const Vec3 fairlead(2.0, 1.0, 0.5);
+        hull = body("hull", -fairlead, 2e5, Vec3::Zero());
+        buoy = body("buoy", {20, 0, 0}, 2e4, Vec3::Zero());
+        WireDef def{.name = "still", .from = hull, .from_point = fairlead, .to = buoy};
+        def.elements = 4;
+        def.length = 20.0 / (1.0 + pull / kStiff);
+        def.EA = kStiff;
+        def.mass_per_length = kHeavy;
+        def.consistent_mass = true;
+        def.radius = kThin;
+        def.end_capsules = true;
+        still = w.add_wire(def);
+        // Its middle meets the first element, anywhere but at the very hull, from any side.
+        const Vec3 aim(random.uniform(0.3, 4.7), 0, 0);
+        const double round = random.uniform(0.0, 6.283), lean = random.uniform(-0.5, 0.5);
+        const Vec3 way = Vec3(0, std::cos(round), std::sin(round));
+        const Vec3 along = Vec3(std::sin(lean), -std::cos(lean) * std::sin(round),
+                                std::cos(lean) * std::cos(round));
+        const Vec3 speed = -random.uniform(2.5, 20.0) * way;
+        const Vec3 middle = aim + random.uniform(0.3, 1.0) * way;
+        const double share = random.uniform(0.4, 0.6), length = 12.0;
+        const Vec3 ends[2] = {middle - share * length * along,
+                              middle + (1.0 - share) * length * along};
+        WireDef other = def;
+        other.name = "thrown";
+        other.from = body("a", ends[0], 300.0, speed);
+        other.from_point = Vec3::Zero();
+        other.to = body("b", ends[1], 300.0, speed);
+        other.elements = random.integer(3, 6);
+        other.length = length;
+        other.velocity = speed;
+        thrown = w.add_wire(other);
+    }
+    [[nodiscard]] std::vector<std::array<Vec3, 2>> pieces(WireId wire) const {
+        std::vector<std::array<Vec3, 2>> out;
+        for (const InteractionId id : w.elements(wire)) out.push_back(w.ends(id));
+        return out;
+    }
+    /// What moves and what is stretched, by the forces that it exerts [J].
+    [[nodiscard]] double energy() const {
+        double sum = w.energy().kinetic;
+        for (const WireId wire : {still, thrown})
+            for (const InteractionId id : w.elements(wire)) {
+                const double pull = w.force(id)[0];
+                sum += 0.5 * pull * pull * w.interaction_def(id).get("length") / kStiff;
+            }
+        return sum;
+    }
+};
+
+TEST(EndCapsules, LetNothingThroughBesideAFairlead) {
+    Random random(21);
+    int through = 0, touched = 0;
+    double made = 0.0;
+    for (int k = 0; k < 100; ++k) {
+        Thrown d(random);
+        bool hit = false;
+        // Half a second, so that weights at the ends have not come round.
+        double first = 0.0;
+        for (int i = 0; i < 30; ++i) {
+            const auto before = std::pair(d.pieces(d.still), d.pieces(d.thrown));
+            ASSERT_EQ(d.w.step(), Status::ok) << k << " " << i;
+            const auto after = std::pair(d.pieces(d.still), d.pieces(d.thrown));
+            for (std::size_t a = 0; a < after.first.size(); ++a)
+                for (std::size_t b = 0; b < after.second.size(); ++b)
+                    through += went_through({before.first[a], after.first[a]},
+                                            {before.second[b], after.second[b]})
+                                   ? 1
+                                   : 0;
+            for (const ContactView& c : d.w.contacts()) hit = hit || c.force.norm() > 0.0;
+            // The first step finds the forces of the tension that the wire starts with.
+            if (i == 0) first = d.energy();
+            made = std::max(made, d.energy() / first - 1.0);
+        }
+        touched += hit ? 1 : 0;
+        EXPECT_NE(d.w.verdict().grade, Grade::wrong) << k;
+    }
+    std::printf("end capsules: %d of 100 touched, %d went through, energy made %.2e\n", touched,
+                through, made);
+    EXPECT_EQ(touched, 100);
+    EXPECT_EQ(through, 0);
+    // As of judges, of single steps (docs/limits.md).
+    EXPECT_LT(made, 0.01);
+}
+
+/// What a ball gives to an element that a hull holds, both get: all of it, at its lever.
+TEST(EndCapsules, ShareMomentumBetweenLumpAndBody) {
+    for (const double along : {0.1, 1.5, 4.9}) {
+        World w({.step = kTick, .gravity = Vec3::Zero()});
+        Mat3 inertia = Vec3(3e3, 5e3, 4e3).asDiagonal();
+        const BodyId hull = w.add_body({.name = "hull",
+                                        .position = {-1, 2, 0.5},
+                                        .orientation = Quat(0.9, 0.1, -0.3, 0.2).normalized(),
+                                        .mass = 2e3,
+                                        .inertia = inertia});
+        const Vec3 fairlead = w.local_point(hull, Vec3::Zero());
+        const BodyId far = w.add_body(
+            {.name = "far", .kind = BodyKind::lump, .position = {10, 0, 0}, .mass = 200.0});
+        WireDef def{.name = "wire", .from = hull, .from_point = fairlead, .to = far};
+        def.elements = 2;
+        def.length = 12.0;  // slack: nothing but the contact acts
+        def.path = {{5, 0, 0}};
+        def.EA = kStiff;
+        def.mass_per_length = kHeavy;
+        def.radius = 0.05;
+        def.end_capsules = true;
+        (void)w.add_wire(def);
+        const BodyId ball = w.add_body({.name = "ball",
+                                        .position = {along, 0.02, 0.31},
+                                        .velocity = {1.5, -0.5, -6.0},
+                                        .angular_velocity = {2, 1, 0},
+                                        .mass = 100.0,
+                                        .inertia = Mat3::Identity() * 4.0});
+        w.add_shape({.kind = ShapeKind::sphere, .body = ball, .radius = 0.25});
+        const auto sums = [&](const std::vector<Vec3>& at) {
+            std::pair<Vec3, Vec3> out(Vec3::Zero(), Vec3::Zero());
+            for (std::size_t i = 0; i < w.bodies().size(); ++i) {
+                const BodyId id = w.bodies()[i];
+                const BodyDef& d = w.body_def(id);
+                const Twist v = w.velocity(id);
+                out.first += d.mass * v.linear;
+                out.second += at[i].cross(d.mass * v.linear);
+            }
+            return out;
+        };
+        std::vector<Vec3> at;
+        for (const BodyId id : w.bodies()) at.push_back(w.pose(id).position);
+        const Vec3 spun = w.velocity(ball).angular;
+        const auto before = sums(at);
+        ASSERT_EQ(w.step(), Status::ok);
+        double force = 0.0;
+        for (const ContactView& c : w.contacts()) force += c.force.norm();
+        EXPECT_GT(force, 1.0) << along;
+        const auto after = sums(at);
+        // What spins: by the change of the angular velocities of hull and ball about their centres,
+        // at the attitudes with which the step began; the hull was at rest.
+        const Mat3 turn = Quat(0.9, 0.1, -0.3, 0.2).normalized().toRotationMatrix();
+        const Vec3 spin = turn * inertia * turn.transpose() * w.velocity(hull).angular +
+                          4.0 * (w.velocity(ball).angular - spun);
+        const Vec3 lost = after.second + spin - before.second;
+        EXPECT_LT((after.first - before.first).norm(), 1e-9 * 600.0) << along;
+        // The hull turns by a part in a thousand within the step, of what it gets.
+        EXPECT_LT(lost.norm(), 2e-3 * spin.norm()) << along;
+        EXPECT_GT(w.velocity(hull).angular.norm(), 1e-6) << along;
+    }
+}
+
+/// A post that the wire's last element comes to lie on: the element before the anchor.
+TEST(EndCapsules, LayTheElementBeforeAnAnchorOverAPost) {
+    World w({.step = kTick});
+    const BodyId ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
+    const BodyId tug =
+        w.add_body({.name = "tug", .kind = BodyKind::kinematic, .position = {-14, 0, 1.5}});
+    const BodyId anchor = w.add_body({.name = "anchor",
+                                      .position = {4, 0, 1.5},
+                                      .mass = 3e3,
+                                      .inertia = Mat3::Identity() * 3e3,
+                                      .angular_damping = Vec3::Constant(1e4)});
+    WireDef def{.name = "wire", .from = tug, .to = anchor, .to_point = {-0.5, 0, 0}};
+    const double way = 17.5 / 3.0;
+    def.path = {{-14 + way, 0, 1.5}, {-14 + 2 * way, 0, 1.5}};
+    def.elements = 3;
+    def.length = 17.5;
+    def.EA = kStiff;
+    def.mass_per_length = kHeavy;
+    def.drag = 60.0;
+    def.consistent_mass = true;
+    def.radius = kThin;
+    def.end_capsules = true;
+    const WireId wire = w.add_wire(def);
+    const ShapeId pin = w.add_shape({.kind = ShapeKind::cylinder,
+                                     .body = ground,
+                                     .orientation = Quat(std::sqrt(0.5), std::sqrt(0.5), 0, 0),
+                                     .radius = 0.5,
+                                     .half_length = 2.0,
+                                     .margin = 1.0});
+    w.add(PostDef{.name = "post", .shape = pin, .friction = 0.2});
+    double deepest = 0.0;
+    const auto run = [&](int steps, double speed) {
+        w.set_velocity(tug, {.linear = {speed, 0, 0}, .angular = Vec3::Zero()});
+        for (int i = 0; i < steps; ++i) {
+            ASSERT_EQ(w.step(), Status::ok) << w.time();
+            for (const InteractionId id : w.elements(wire)) {
+                const std::array<Vec3, 2> ends = w.ends(id);
+                const Vec3 along = ends[1] - ends[0];
+                const double t = std::clamp(-ends[0].dot(along) / along.squaredNorm(), 0.0, 1.0);
+                const Vec3 near = ends[0] + t * along;
+                deepest = std::max(deepest, 0.5 + kThin - std::hypot(near.x(), near.z()));
+            }
+        }
+    };
+    run(600, 0.0);
+    EXPECT_EQ(w.system_signal("post.held"), 1.0);
+    run(300, -0.5);
+    std::printf("anchor over a post: %.4f m into it at most\n", deepest);
+    // What a contact of 1e8 N/m gives way under a wire that falls on it, and the sagitta of what a
+    // contact node's straight parts cut off.
+    EXPECT_LT(deepest, 0.02);
+    EXPECT_LT(w.pose(anchor).position.z(), 0.0) << "it hangs";
+    EXPECT_GT(w.pose(anchor).position.x(), 0.0) << "on its side of the post";
+}
+
+/// Two wires that end at one point of a hull do not push each other off, nor do they touch it.
+TEST(EndCapsules, LeaveAloneWhatHoldsThem) {
+    World w({.step = kTick, .gravity = Vec3::Zero()});
+    const BodyId hull = w.add_body(
+        {.name = "hull", .mass = 1e5, .inertia = Mat3::Identity() * 1e5, .half_size = {4, 2, 1}});
+    w.add_shape({.kind = ShapeKind::box, .body = hull, .half_size = {4, 2, 1}});
+    for (const double side : {-1.0, 1.0}) {
+        const BodyId far = w.add_body({.name = side < 0 ? "left" : "right",
+                                       .kind = BodyKind::fixed,
+                                       .position = {14, side, 0}});
+        WireDef def{
+            .name = side < 0 ? "l" : "r", .from = hull, .from_point = {3.5, 0, 0}, .to = far};
+        def.to_point = {0, 0.1, 0};
+        def.elements = 2;
+        def.EA = kStiff;
+        def.mass_per_length = kHeavy;
+        def.radius = kThin;
+        def.end_capsules = true;
+        (void)w.add_wire(def);
+    }
+    for (int i = 0; i < 60; ++i) {
+        ASSERT_EQ(w.step(), Status::ok);
+        for (const ContactView& c : w.contacts()) EXPECT_EQ(c.force.norm(), 0.0) << i;
+    }
+    EXPECT_LT(w.velocity(hull).linear.norm(), 1e-9);
+}
+
+TEST(EndCapsules, NeedARadius) {
+    World w;
+    const BodyId ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
+    WireDef def{.name = "wire", .from = ground, .elements = 3, .length = 3.0};
+    def.EA = kStiff;
+    def.mass_per_length = kHeavy;
+    def.end_capsules = true;
+    try {
+        (void)w.add_wire(def);
+        FAIL();
+    } catch (const DefError& error) {
+        EXPECT_NE(std::string(error.what()).find("radius"), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace hawser::test
