@@ -48,8 +48,9 @@ enum class ChangeKind : std::uint8_t {
     degrade_wires,
     lay_over,
     lift_off,
+    detach_carried,
 };
-inline constexpr int kChangeKindCount = 33;
+inline constexpr int kChangeKindCount = 34;
 
 template <class D, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;

@@ -198,6 +198,20 @@ EndShare end_share(const stepper::StepContext& ctx, const world::Systems& system
     return out;
 }
 
+/// To the last bit, which scaling back would not.
+template <class Impl>
+void put_back_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
+    BodyDef& now = m.body_defs[at(lump.index)];
+    if (now.mass == was.mass) return;
+    world.set_mass(lump, was.mass);
+    for (int k = 0; k < 3; ++k) {
+        now.linear_damping[k] = m.ctx.model.bodies.damping[at(6 * lump.index + k)] =
+            was.linear_damping[k];
+        now.force[k] = was.force[k];
+        m.add_up_force(lump, k);
+    }
+}
+
 }  // namespace
 
 /// Off a body. What lies on a drum stays there, parted; another element goes on in its place.
@@ -223,9 +237,12 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     const double drive = ctx.state.ledger.drive;
     const double had = stepper::splice_energy(ctx, next.index, -1, e, e);
     const Untold untold(*this);
+    const BodyDef was = body_defs[at(next.index)];
     try {
         made.lumps.push_back(world.add_body(freed_body(world, ctx, e, side, share)));
         const BodyId lump = made.lumps[0];
+        // Before the element that needs it: what a drum pays out may be heavier than the next one.
+        if (carried > 0.0 && lump_next) world.set_mass(next, was.mass + 0.5 * carried);
         if (wound)
             made.elements.push_back(
                 world.add_interaction(unwound(ctx, {e, beyond}, side, lump, carried)));
@@ -237,6 +254,8 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
         }
     } catch (...) {
         take_back(before, made);
+        put_back_mass(*this, world, next, was);
+        ctx.state.ledger.drive = drive;
         throw;
     }
     // From here on nothing throws.
@@ -246,8 +265,6 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     stepper::begin_recoil(ctx.model, e, false);
     if (lump_next && beyond >= 0)
         stepper::begin_recoil(ctx.model, beyond, false);  // what a drum pays out is of no wire
-    if (carried > 0.0 && lump_next)
-        world.set_mass(next, body_defs[at(next.index)].mass + 0.5 * carried);
     stepper::begin_edit(ctx);
     if (bend >= 0)
         stepper::move_end(ctx, bend, stepper::end_of(ctx, bend, 0) == held.index ? 0 : 2,
