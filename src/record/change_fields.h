@@ -49,8 +49,9 @@ enum class ChangeKind : std::uint8_t {
     lay_over,
     lift_off,
     move_along,
+    detach_carried,
 };
-inline constexpr int kChangeKindCount = 34;
+inline constexpr int kChangeKindCount = 35;
 
 template <class D, class T>
 concept FieldsOf = std::same_as<std::remove_const_t<D>, T>;

@@ -2,12 +2,41 @@
 #include "record/changes.h"
 #include "record/field_bytes.h"
 
+#include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace hawser::record {
 
 namespace {
+
+/// Has the mass of an element as the system had that carried it when its end was let go: replays
+/// have none.
+class Carrier final : public System {
+  public:
+    Carrier(InteractionId element, double mass) : element_(element), mass_(mass) {}
+    [[nodiscard]] std::string_view name() const noexcept override { return "recorded mass"; }
+    void prestep(Prestep&, Loads&) noexcept override {}
+    [[nodiscard]] double carried_mass(InteractionId element) const noexcept override {
+        return element == element_ ? mass_ : 0.0;
+    }
+
+  private:
+    InteractionId element_;
+    double mass_;
+};
+
+void detach_carried(World& world, InteractionId element, int end, double mass) {
+    const System& carrier = world.add_system(std::make_unique<Carrier>(element, mass));
+    try {
+        world.detach(element, end);
+    } catch (...) {
+        (void)world.remove_system(carrier);
+        throw;
+    }
+    (void)world.remove_system(carrier);
+}
 
 void apply_removal(ChangeKind kind, GetFields& get, World& world) {
     if (kind == ChangeKind::remove_body)
@@ -95,6 +124,12 @@ void apply_wire_change(ChangeKind kind, GetFields& get, World& world) {
     } else if (kind == ChangeKind::detach) {
         const auto element = get.value<InteractionId>();
         world.detach(element, get.value<std::int32_t>());
+    } else if (kind == ChangeKind::detach_carried) {
+        const auto element = get.value<InteractionId>();
+        const auto end = get.value<std::int32_t>();
+        const auto mass = get.value<double>();
+        if (!(mass > 0.0 && mass <= 1e12)) throw BadBytes("an end is let go with no mass");
+        detach_carried(world, element, end, mass);
     } else {
         world.release(get.value<InteractionId>());
     }
@@ -123,7 +158,8 @@ void apply_one(ChangeKind kind, ByteReader& in, World& world) {
         return apply_motion(kind, get, world);
     if (kind >= ChangeKind::set_group && kind <= ChangeKind::set_coupling)
         return apply_grouping(kind, get, world);
-    if (kind >= ChangeKind::part && kind < ChangeKind::rebuild)
+    if ((kind >= ChangeKind::part && kind < ChangeKind::rebuild) ||
+        kind == ChangeKind::detach_carried)
         return apply_wire_change(kind, get, world);
     if (kind >= ChangeKind::lay_over && kind <= ChangeKind::move_along)
         return apply_guide_change(kind, get, world);

@@ -248,6 +248,15 @@ void ChangeBytes::detached(InteractionId element, int end) noexcept {
         put(static_cast<std::int32_t>(end));
     });
 }
+void ChangeBytes::detached_carried(InteractionId element, int end, double mass) noexcept {
+    other_bodies_ = true;
+    write([&](PutFields& put) {
+        begin(put, ChangeKind::detach_carried);
+        put(element);
+        put(static_cast<std::int32_t>(end));
+        put(mass);
+    });
+}
 void ChangeBytes::released(InteractionId hook) noexcept {
     write([&](PutFields& put) {
         begin(put, ChangeKind::release);

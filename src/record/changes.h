@@ -51,6 +51,8 @@ class ChangeBytes : public ChangeListener {
     void cut(InteractionId element, double share) noexcept override;
     void joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept override;
     void detached(InteractionId element, int end) noexcept override;
+    /// An end let go whose element has its mass from a system (System::carried_mass()) [kg].
+    void detached_carried(InteractionId element, int end, double mass) noexcept;
     void released(InteractionId hook) noexcept override;
     void restored(std::span<const std::byte> bytes) noexcept override;
     void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept override;

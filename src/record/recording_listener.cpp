@@ -24,6 +24,12 @@ void RecordingListener::set(InputId id, double value) noexcept {
     }
 }
 
+void RecordingListener::detached(InteractionId element, int end) noexcept {
+    double mass = 0.0;
+    for (int i = 0; i < world_.system_count(); ++i) mass += world_.system(i).carried_mass(element);
+    mass > 0.0 ? detached_carried(element, end, mass) : ChangeBytes::detached(element, end);
+}
+
 /// A state has been restored: it belongs to the step at which the world was before, in a chunk of
 /// its own, before which a replay makes its world like that of the start.
 template <class F>

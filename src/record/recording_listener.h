@@ -23,6 +23,7 @@ class RecordingListener final : public ChangeBytes {
     /// Inputs of a scene are commands, which a recording has apart.
     void set(InputId id, double value) noexcept override;
     /// Replays have no systems, but what these did.
+    void detached(InteractionId element, int end) noexcept override;
     void restored(std::span<const std::byte> bytes) noexcept override;
     void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept override;
     /// Before each step. @throws RecordingError, also for what failed since the last call.
@@ -41,8 +42,8 @@ class RecordingListener final : public ChangeBytes {
     RecordingWriter& writer_;
     World& world_;
     std::vector<RecordedInput> set_;  ///< Since the last change; not written yet.
-    std::int32_t inputs_;  ///< Of the scene: the recording has their names.
-    std::int64_t now_;     ///< Steps taken when it looked last.
+    std::int32_t inputs_;             ///< Of the scene: the recording has their names.
+    std::int64_t now_;                ///< Steps taken when it looked last.
     std::exception_ptr fault_;
 };
 

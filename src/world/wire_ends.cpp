@@ -215,13 +215,18 @@ std::optional<ShapeDef> capsule_like(const World& world, const stepper::StepCont
     return std::nullopt;
 }
 
-/// A lump weighs what it did.
-void weigh_as(World& world, stepper::StepContext& c, BodyId lump, const BodyDef& was,
-              BodyDef& def) {
+/// To the last bit, which scaling back would not.
+template <class Impl>
+void put_back_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
+    BodyDef& now = m.body_defs[at(lump.index)];
+    if (now.mass == was.mass) return;
     world.set_mass(lump, was.mass);
-    def = was;
-    for (int k = 0; k < 3; ++k)
-        c.model.bodies.damping[6 * at(lump.index) + at(k)] = was.linear_damping[k];
+    for (int k = 0; k < 3; ++k) {
+        now.linear_damping[k] = m.ctx.model.bodies.damping[at(6 * lump.index + k)] =
+            was.linear_damping[k];
+        now.force[k] = was.force[k];
+        m.add_up_force(lump, k);
+    }
 }
 
 }  // namespace
@@ -246,13 +251,12 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     const double drive = ctx.state.ledger.drive;
     const double had = stepper::splice_energy(ctx, next.index, -1, e, e);
     const Untold untold(*this);
-    const BodyDef light = body_defs[at(next.index)];
-    const bool weighs = carried > 0.0 && lump_next;
+    const BodyDef was = body_defs[at(next.index)];
     try {
         made.lumps.push_back(world.add_body(freed_body(world, ctx, e, side, share)));
         const BodyId lump = made.lumps[0];
-        // What the drum's winch loaded the next lump with is its own before an element asks for it.
-        if (weighs) world.set_mass(next, light.mass + 0.5 * carried);
+        // Before the element that needs it: what a drum pays out may be heavier than the next one.
+        if (carried > 0.0 && lump_next) world.set_mass(next, was.mass + 0.5 * carried);
         if (wound)
             made.elements.push_back(
                 world.add_interaction(unwound(ctx, {e, beyond}, side, lump, carried)));
@@ -263,8 +267,7 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
         }
     } catch (...) {
         take_back(before, made);
-        if (weighs) weigh_as(world, ctx, next, light, body_defs[at(next.index)]);
-        for (int k = 0; weighs && k < 3; ++k) add_up_force(next, k);
+        put_back_mass(*this, world, next, was);
         ctx.state.ledger.drive = drive;
         throw;
     }

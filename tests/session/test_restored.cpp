@@ -178,5 +178,25 @@ TEST(SessionRestored, RecordsOfAStepThatFailedWhatStays) {
     EXPECT_EQ(expect_repeats(recording, 1).scene.world.step_count(), 30);
 }
 
+/// A replay has no winch, which had the mass of what it had paid out.
+TEST(SessionRestored, RecordsWhatComesOffADrum) {
+    const RestoredFolder folder;
+    std::string text = kCutAtSea;
+    const std::string cut = R"({"at": 1, "cut": "tow", "s": 30})";
+    text.replace(text.find(cut), cut.size(),
+                 R"({"at": 1, "detach": {"wire": "tow", "end": "first"}})");
+    for (const char* speed : {"-1.5", "0", "1.5"}) {
+        std::string one = text;
+        one.replace(one.find("-1.5"), 4, speed);
+        {
+            Session session({.scene_text = one, .record = folder.file("run.hwr"), .verify = true});
+            (void)finish_run(session);
+            session.finish();
+        }
+        const record::Recording recording = record::Recording::open(folder.file("run.hwr"));
+        EXPECT_EQ(expect_repeats(recording, 1).scene.world.step_count(), kRestoredSteps) << speed;
+    }
+}
+
 }  // namespace
 }  // namespace hawser::test

@@ -137,5 +137,38 @@ TEST(WinchEnds, NoRoomForANodeIsAnEvent) {
     EXPECT_GT(w.system_signal("winch.at_drum"), 30.0);
 }
 
+/// The element that a drum has paid out is heavier than the next one, whose lump gets half of it:
+/// before, letting it go was refused.
+TEST(WinchEnds, ALongElementComesOffTheDrum) {
+    World w(WorldDef{.step = 0.01});
+    const BodyId deck =
+        w.add_body({.name = "deck", .kind = BodyKind::fixed, .position = {0, 0, 30}});
+    WinchDef def = big_winch();
+    def.wire = w.add_wire({.name = "hoist",
+                           .from = deck,
+                           .elements = 10,
+                           .length = 20.0,
+                           .EA = 3e8,
+                           .mass_per_length = 25.0,
+                           .consistent_mass = true});
+    w.add(def);
+    w.set_system_signal("winch.mode", static_cast<double>(WinchMode::speed));
+    w.set_system_signal("winch.speed", 0.5);
+    const BodyId next = w.nodes(def.wire)[1];
+    while (w.system_signal("winch.at_drum") < 2.8) ASSERT_EQ(w.step(), Status::ok);
+    ASSERT_EQ(w.nodes(def.wire)[1], next);  // Before the next node comes, at 3 m.
+    const double before = w.body_def(next).mass;
+    const double half = 0.5 * 25.0 * w.system_signal("winch.at_drum");
+    EXPECT_LT(before, half);
+    w.detach(def.wire, 0);
+    // The signal is that of the last step's begin, 5 mm of wire ago.
+    EXPECT_NEAR(w.body_def(w.nodes(def.wire).front()).mass, half, 0.1);
+    EXPECT_NEAR(w.body_def(next).mass - before, half, 0.1);
+    for (int i = 0; i < 100; ++i) ASSERT_EQ(w.step(), Status::ok);
+    // Doubtful is the start alone, at which the drum turns from one step to the next.
+    EXPECT_NE(w.verdict().grade, Grade::wrong);
+    EXPECT_LT(w.verdict().of(Judge::energy).time, 0.1);
+}
+
 }  // namespace
 }  // namespace hawser::test
