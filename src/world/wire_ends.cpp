@@ -17,7 +17,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace hawser {
 
@@ -207,12 +206,12 @@ std::optional<ShapeDef> capsule_like(const World& world, const stepper::StepCont
         if (beyond < 0 || its.body.index != stepper::end_of(c, beyond, 0) ||
             its.body_b.index != stepper::end_of(c, beyond, 1))
             continue;
-        ShapeDef out = its;
-        out.name.clear();
-        out.position.setZero();
+        std::optional<ShapeDef> out = its;
+        out->name.clear();
+        out->position.setZero();
         return out;
     }
-    return std::nullopt;
+    return {};
 }
 
 /// To the last bit, which scaling back would not.
