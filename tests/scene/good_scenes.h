@@ -227,7 +227,7 @@ inline constexpr std::string_view kCranes = R"({
   "version": 1, "name": "cranes",
   "bodies": [{"name": "quay", "kind": "fixed"},
              {"name": "box", "kind": "lump", "position": [-2.98, 16.91, 4], "mass": 5000},
-             {"name": "collar", "position": [80, 0, 4], "mass": 1500}],
+             {"name": "collar", "position": [80, 0, 4], "mass": 1500, "sphere": 0.5}],
   "cranes": [
     {"name": "knuckle", "kind": "knuckle_boom", "on": "quay", "point": [0, 0, 2],
      "euler_deg": [0, 0, 90], "description": "typical",
