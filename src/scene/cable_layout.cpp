@@ -179,6 +179,9 @@ void read_contact(CableLayout& c, Description& out, const Json& cable, const Pla
     if (!(c.contact.radius > 0.0)) {
         refuse(at, "a cable that touches needs \"radius\", or \"diameter\" in its line type");
     }
+    c.to_ends = contact->value("to_ends", false);
+    if (c.to_ends && c.links)
+        refuse(at / "to_ends", "links have their capsules on them; leave it out");
     read_surface(c.contact, out, *contact, at);
 }
 

@@ -52,7 +52,8 @@ struct CableLayout {
 
     std::vector<std::string> groups{""};  ///< Of its bodies, shared out evenly.
 
-    bool touches = false;  ///< Its elements have shapes like `contact`.
+    bool touches = false;  ///< Its elements have shapes like `contact` …
+    bool to_ends = false;  ///< … and so do those that end on a body.
     ShapeDef contact;      ///< Its radius is that of the contact.
 
     BodyId drum;               ///< Of the winch, if any.

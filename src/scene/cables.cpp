@@ -17,6 +17,7 @@ class Builder {
         cable_.length = c_.length;
         for (const LayoutSection& section : c_.sections) add_up(section);
         if (c_.touches) cable_.trim.segment = c_.contact;
+        cable_.trim.to_ends = c_.to_ends;
         cable_.from_point = c_.from.local;
         cable_.to_point = c_.to.local;
         cable_.laid_from = c_.laid_from;
@@ -239,23 +240,21 @@ class Builder {
 
     // --- Shapes ------------------------------------------------------------------------------
 
-    /// Segments of all elements but those that end on a body, which have no lump there.
+    /// Segments of all elements; of those that end on a body, which have no lump there, only where
+    /// the cable touches to its ends. The centre of a fixed body always counts as a lump.
     void add_segments() {
-        const auto at_rest_or_lump = [&](std::size_t i) {
-            const BodyKind kind = out_.body(cable_.nodes[i]).kind;
-            return kind == BodyKind::lump || (kind == BodyKind::fixed && point(i).isZero(0.0));
-        };
-        const auto is_lump = [&](std::size_t i) {
-            return out_.body(cable_.nodes[i]).kind == BodyKind::lump;
+        const auto kind = [&](std::size_t i) { return out_.body(cable_.nodes[i]).kind; };
+        const auto is_lump = [&](std::size_t i) { return kind(i) == BodyKind::lump; };
+        const auto ends = [&](std::size_t i) {
+            return is_lump(i) || c_.to_ends || (kind(i) == BodyKind::fixed && point(i).isZero(0.0));
         };
         for (std::size_t i = 0; i < c_.elements; ++i) {
-            if (!at_rest_or_lump(i) || !at_rest_or_lump(i + 1) || !(is_lump(i) || is_lump(i + 1))) {
-                continue;
-            }
+            if (!ends(i) || !ends(i + 1) || !(is_lump(i) || is_lump(i + 1))) continue;
             ShapeDef def = c_.contact;
             def.name = part("c", i);
             def.body = cable_.nodes[i];
             def.body_b = cable_.nodes[i + 1];
+            if (!is_lump(i) || !is_lump(i + 1)) def.position = point(is_lump(i) ? i + 1 : i);
             out_.add_shape(std::move(def), place_);
         }
     }

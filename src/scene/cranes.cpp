@@ -3,6 +3,7 @@
 /// cables find by their names; what drives them comes once there is a world.
 #include "scene/cranes.h"
 
+#include "scene/deck.h"
 #include "scene/description.h"
 #include "scene/timeline.h"
 
@@ -86,10 +87,7 @@ void read_common(Def& def, Description& out, const Scope& scope, const Json& jso
     read_crane_part(def.hook, json["hook"]);
     if (const auto rating = json.find("rating"); rating != json.end())
         def.rating = read_rating(*rating);
-    if (const auto loads = json.find("loads"); loads != json.end())
-        for (std::size_t i = 0; i < loads->size(); ++i)
-            def.loads.push_back(read_load(out, scope, (*loads)[i], place / "loads" / i));
-    def.take = first_load(out, scope, def.loads, json, place);
+    read_loads(out, scope, json, place, def.loads, def.take);
 }
 
 /// Adds parts to the lists of a scene.
@@ -167,8 +165,19 @@ void expand_cranes(Description& out, const Scope& scope) {
     }
 }
 
+void read_loads(Description& out, const Scope& scope, const Json& json, const Place& place,
+                std::vector<CraneLoad>& loads, int& take) {
+    if (const auto list = json.find("loads"); list != json.end())
+        for (std::size_t i = 0; i < list->size(); ++i)
+            loads.push_back(read_load(out, scope, (*list)[i], place / "loads" / i));
+    take = first_load(out, scope, loads, json, place);
+}
+
 InputWords loads_by_word(const Description& description) {
     InputWords words;
+    for (const auto& hook : description.deck.hooks)
+        for (const CraneLoad& load : hook.def.loads)
+            words[hook.def.name + ".take"].push_back(description.body(load.body).name);
     for (const Crane& crane : description.cranes)
         std::visit(
             [&](const auto& def) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Deck gear: what takes cables on deck and holds them, and pins that go up and down
-/// (hawser/stopper.h, hawser/pin.h).
+/// (hawser/stopper.h, hawser/pin.h); hooks that take loads (hawser/hook.h),
+/// chasers (hawser/chaser.h).
 #include "scene/deck.h"
 
 #include <string>
@@ -46,6 +47,31 @@ PinDef read_pin(Description& out, const Scope& scope, const Json& json, const Pl
     return def;
 }
 
+HookDef read_hook(Description& out, const Scope& scope, const Json& json, const Place& place) {
+    HookDef def;
+    def.name = scope.prefix + json["name"].get<std::string>();
+    def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
+    def.point = vector_or(json, "point", def.point);
+    def.strength = number_or(json, "strength", def.strength);
+    def.latch = number_or(json, "latch", def.latch);
+    read_loads(out, scope, json, place, def.loads, def.take);
+    return def;
+}
+
+ChaserDef read_chaser(Description& out, const Scope& scope, const Json& json, const Place& place) {
+    ChaserDef def;
+    def.name = scope.prefix + json["name"].get<std::string>();
+    def.body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
+    def.point = vector_or(json, "point", def.point);
+    def.reach = number_or(json, "reach", def.reach);
+    def.friction = number_or(json, "friction", def.friction);
+    def.arrives = number_or(json, "arrives", def.arrives);
+    def.element = number_or(json, "element", def.element);
+    if (const auto closed = json.find("closed"); closed != json.end())
+        def.closed = closed->get<bool>();
+    return def;
+}
+
 template <class Item, class Read>
 void expand_list(Description& out, const Scope& scope, const char* key, std::vector<Item>& items,
                  const Read& read) {
@@ -82,12 +108,18 @@ void add(World& world, const Def& def, const Place& place) {
 void expand_deck(Description& out, const Scope& scope) {
     expand_list(out, scope, "stoppers", out.deck.stoppers, read_stopper);
     expand_list(out, scope, "pins", out.deck.pins, read_pin);
+    expand_list(out, scope, "hooks", out.deck.hooks, read_hook);
+    expand_list(out, scope, "chasers", out.deck.chasers, read_chaser);
 }
 
 void add_deck(World& world, const Description& from) {
     for (const auto& item : from.deck.pins)
         (void)attempt(from.mistakes, [&] { add(world, item.def, item.place); });
     for (const auto& item : from.deck.stoppers)
+        (void)attempt(from.mistakes, [&] { add(world, item.def, item.place); });
+    for (const auto& item : from.deck.hooks)
+        (void)attempt(from.mistakes, [&] { add(world, item.def, item.place); });
+    for (const auto& item : from.deck.chasers)
         (void)attempt(from.mistakes, [&] { add(world, item.def, item.place); });
 }
 

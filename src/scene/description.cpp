@@ -52,12 +52,15 @@ void Description::add_shape(ShapeDef def, int place) {
     shape_at_.push_back(static_cast<std::size_t>(place));
 }
 
-void Description::remove_segment(BodyId a, BodyId b) {
+std::optional<ShapeDef> Description::remove_segment(BodyId a, BodyId b) {
+    std::optional<ShapeDef> out;
     for (std::size_t i = shapes.size(); i-- > 0;) {
         if (shapes[i].body != a || shapes[i].body_b != b) continue;
+        out = std::move(shapes[i]);
         shapes.erase(shapes.begin() + static_cast<std::ptrdiff_t>(i));
         shape_at_.erase(shape_at_.begin() + static_cast<std::ptrdiff_t>(i));
     }
+    return out;
 }
 
 InteractionId Description::add_interaction(InteractionDef def, int place) {

@@ -4,9 +4,11 @@
 /// A scene as flat lists of definitions, before it becomes a world. Bodies and interactions
 /// refer to one another by their index here, which is also their index in the world.
 
+#include <hawser/chaser.h>
 #include <hawser/crane.h>
 #include <hawser/edges.h>
 #include <hawser/guide.h>
+#include <hawser/hook.h>
 #include <hawser/pin.h>
 #include <hawser/post.h>
 #include <hawser/resolution.h>
@@ -70,6 +72,8 @@ struct DeckGear {
     };
     std::vector<Item<StopperDef>> stoppers;
     std::vector<Item<PinDef>> pins;
+    std::vector<Item<HookDef>> hooks;
+    std::vector<Item<ChaserDef>> chasers;
 };
 
 /// A cable's resolution before there is a world.
@@ -159,8 +163,8 @@ class Description {
     [[nodiscard]] const Place& shape_place(std::size_t i) const { return places_[shape_at_[i]]; }
 
     void add_shape(ShapeDef def, int place);
-    /// The capsule between two lumps goes, if there is one.
-    void remove_segment(BodyId a, BodyId b);
+    /// The capsule between two ends goes, if there is one. @return it.
+    std::optional<ShapeDef> remove_segment(BodyId a, BodyId b);
     /// Bits of the groups named by a word or a list of words. A group comes to be by being named.
     std::uint32_t groups(const Json& names, const Place& place);
     /// Bits of the groups that a shape touches, named in the same way; check_groups() refuses names

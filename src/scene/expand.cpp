@@ -210,6 +210,8 @@ class Expander {
             {"posts", f.posts.get()},
             {"stoppers", f.stoppers.get()},
             {"pins", f.pins.get()},
+            {"hooks", f.hooks.get()},
+            {"chasers", f.chasers.get()},
             {"cranes", f.cranes.get()},
             {"routes", f.routes.get()},
             {"interactions", f.interactions.get()},

@@ -125,6 +125,9 @@ ShapePtr scene_template(const Format& format) {
          {"stoppers", with_placeholders(format.stoppers), false, "", "",
           "Shark jaws and chain stoppers."},
          {"pins", with_placeholders(format.pins), false, "", "", "Pins that go up and down."},
+         {"hooks", with_placeholders(format.hooks), false, "", "", "Hooks that take loads."},
+         {"chasers", with_placeholders(format.chasers), false, "", "",
+          "Rings that run along cables."},
          {"cranes", with_placeholders(format.cranes), false, "", "", "Cranes."},
          {"routes", with_placeholders(format.routes), false, "", "",
           "Lines over posts and sheaves."},
@@ -181,6 +184,8 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"posts", f.posts, false, "", "", "What cables may come to lie on."},
         {"stoppers", f.stoppers, false, "", "", "Shark jaws and chain stoppers."},
         {"pins", f.pins, false, "", "", "Pins that go up and down."},
+        {"hooks", f.hooks, false, "", "", "Hooks that take loads."},
+        {"chasers", f.chasers, false, "", "", "Rings that run along cables."},
         {"cranes", f.cranes, false, "", "", "Cranes."},
         {"routes", f.routes, false, "", "", "Lines over posts and sheaves."},
         {"instances", f.instances, false, "", "", "Uses of templates."},
@@ -232,6 +237,8 @@ Format make_format() {
     f.posts = list_of("a list of posts", post_shape());
     f.stoppers = list_of("a list of stoppers", stopper_shape());
     f.pins = list_of("a list of pins", pin_shape());
+    f.hooks = list_of("a list of hooks", hook_shape());
+    f.chasers = list_of("a list of chasers", chaser_shape());
     f.cranes = list_of("a list of cranes", crane_shape());
     f.routes = list_of("a list of routes", route_shape());
     f.instances = list_of("a list of instances", instance());

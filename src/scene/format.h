@@ -37,6 +37,8 @@ struct Format {
     ShapePtr posts;
     ShapePtr stoppers;
     ShapePtr pins;
+    ShapePtr hooks;
+    ShapePtr chasers;
     ShapePtr cranes;
     ShapePtr routes;
     ShapePtr instances;
@@ -64,8 +66,12 @@ struct Format {
 /// Deck gear. See format_deck.cpp.
 [[nodiscard]] ShapePtr stopper_shape();
 [[nodiscard]] ShapePtr pin_shape();
+[[nodiscard]] ShapePtr hook_shape();
+[[nodiscard]] ShapePtr chaser_shape();
 /// A crane on a body. See format_cranes.cpp.
 [[nodiscard]] ShapePtr crane_shape();
+/// What its hook may take.
+[[nodiscard]] ShapePtr crane_load_shape();
 /// The sea, and what a line type says of water. See format_sea.cpp.
 [[nodiscard]] ShapePtr sea_shape();
 /// An entry of "hulls" (format_hulls.cpp).

@@ -145,7 +145,7 @@ ShapePtr cable_shape() {
           "Groups of its nodes or links, which are shared out evenly from the first end on."},
          {"winch", drum_of_cable(), false, "", "", "Drum that pays it out."},
          {"contact", cable_contact(), false, "it touches nothing", "",
-          "Its elements touch what they meet; an element that ends on a body does not."},
+          "Its elements touch what they meet; one that ends on a body only with \"to_ends\"."},
          {"compliance", number("a compliance", 0.0, 1e12), false, "of a ball joint", "m/N",
           "Of the ball joints of links."},
          {"damping_time", number("a time", 0.0, 1e12), false, "of a ball joint", "s",

@@ -54,14 +54,6 @@ ShapePtr rating_shape() {
           "In step 2 of the alarm no motion goes on that raises the moment."}});
 }
 
-ShapePtr crane_load_shape() {
-    return crane_part<CraneLoad>(
-        "crane_load", "a load of a crane", "What the hook can take, by slings of equal length.",
-        {{"body", body_ref(), true, "", "", "A rigid body or a lump."},
-         {"eyes", list("a list of points", vector3("a point"), 1, 8), false, "[[0, 0, 0]]", "m",
-          "Where slings are made fast, in its frame."}});
-}
-
 /// What cranes of all kinds have, in the order of the reference.
 std::vector<Field> common_fields_of_cranes(const char* kind) {
     return {{"kind", literal(word("the kind", {kind})), true, "", "", "The kind."},
@@ -103,6 +95,14 @@ ShapePtr crane_kind(const char* kind, const char* id, const char* what, const ch
 }
 
 }  // namespace
+
+ShapePtr crane_load_shape() {
+    return crane_part<CraneLoad>(
+        "crane_load", "a load of a crane", "What the hook can take, by slings of equal length.",
+        {{"body", body_ref(), true, "", "", "A rigid body or a lump."},
+         {"eyes", list("a list of points", vector3("a point"), 1, 8), false, "[[0, 0, 0]]", "m",
+          "Where slings are made fast, in its frame."}});
+}
 
 ShapePtr crane_shape() {
     const ShapePtr cylinder =

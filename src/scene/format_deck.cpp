@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Deck gear: shark jaws, chain stoppers, guide pins.
+/// Deck gear: shark jaws, chain stoppers, guide pins, hooks, chasers.
 #include "scene/format.h"
 
 #include <utility>
@@ -58,6 +58,52 @@ ShapePtr pin_shape() {
                   "A guide pin that goes up and down through a deck, by the signal NAME.up, 1 up "
                   "to 0 down. It is a body on a slide with the post NAME/post.",
                   std::move(fields));
+}
+
+ShapePtr hook_shape() {
+    return object(
+        "hook", "a hook",
+        "A hook at the end of a cable, or on any body, that takes loads by slings and lets them "
+        "go: "
+        "the signal NAME.take, the number of a load or in a timeline its name, 0 none. Its legs "
+        "are "
+        "the interactions NAME/leg1 and on.",
+        {{"name", name("a name"), true, "", "", "Unique among hooks; of its signals, name.load."},
+         {"on", body_ref(), true, "", "",
+          "The body that is the hook, or the last lump of a cable (CABLE/number)."},
+         {"point", vector3("a point"), false, "[0, 0, 0]", "m",
+          "Where slings bear, in the frame of the body."},
+         {"loads", list("a list of loads", crane_load_shape(), 1, 1000), true, "", "",
+          "What it may take."},
+         {"take", body_ref(), false, "none", "", "Body of the load that hangs from the start."},
+         {"strength", positive("a force", 1e30), false, "none", "N",
+          "Above it the hook opens by itself."},
+         {"latch", positive("a force", 1e30), false, "none", "N",
+          "Under more than it the hook does not open when it is told to."},
+         {"description", text("a text"), false, "", "", "Remarks."}});
+}
+
+ShapePtr chaser_shape() {
+    return object(
+        "chaser", "a chaser",
+        "A ring that is put round the cable within its reach, runs along it with friction, and is "
+        "taken off again: the signal NAME.close, 1 or 0. Cables that are made fast to the ring are "
+        "left out; others need \"consistent_mass\".",
+        {{"name", name("a name"), true, "", "",
+          "Unique among chasers; of its signals, name.arrived."},
+         {"on", body_ref(), true, "", "", "The rigid body that is the ring."},
+         {"point", vector3("a point"), false, "[0, 0, 0]", "m",
+          "Of its middle, in the frame of the body."},
+         {"reach", positive("a length", 1e3), false, "1", "m",
+          "How far from there it takes cables."},
+         {"friction", number("a coefficient", 0.0, 10.0), false, "0.3", "1", "Of the cable in it."},
+         {"arrives", number("a length", 0.0, 1e6), false, "2", "m",
+          "Nearer than this to an end of the cable it has arrived."},
+         {"element", positive("a length", 1e6), false, "that of the cable", "m",
+          "Of elements that come and go there."},
+         {"closed", boolean("true or false"), false, "false", "",
+          "Whether it is to be round a cable from the start."},
+         {"description", text("a text"), false, "", "", "Remarks."}});
 }
 
 }  // namespace hawser::scene

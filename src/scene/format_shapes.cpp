@@ -143,9 +143,12 @@ ShapePtr material_pair() {
 }
 
 ShapePtr cable_contact() {
-    std::vector<Field> fields{{"radius", positive("a length", 1e3), false,
-                               "half the diameter; of links their radius", "m",
-                               "Of the capsules along its elements."}};
+    std::vector<Field> fields{
+        {"radius", positive("a length", 1e3), false, "half the diameter; of links their radius",
+         "m", "Of the capsules along its elements."},
+        {"to_ends", boolean("true or false"), false, "false", "",
+         "Also of elements that end on a body: up to its point, drum or "
+         "fairlead, and up to guides and posts. Not of links."}};
     const auto surface = surface_fields();
     fields.insert(fields.end(), surface.begin(), surface.end());
     return object("contact", "a contact", "How a cable touches.", std::move(fields));

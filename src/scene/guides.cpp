@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -103,6 +104,21 @@ void turn_bends(Description& out, const InteractionDef& element, const GuidePlan
     }
 }
 
+/// The capsule of a part between a lump and the guide.
+void add_part_segment(Description& out, const ShapeDef& whole, const InteractionDef& part,
+                      const char* suffix, int place) {
+    const auto is_lump = [&](std::size_t end) {
+        return out.body(part.body[end]).kind == BodyKind::lump;
+    };
+    if (is_lump(0) == is_lump(1)) return;
+    ShapeDef def = whole;
+    def.name += suffix;
+    def.body = part.body[0];
+    def.body_b = part.body[1];
+    def.position = part.point[is_lump(0) ? 1 : 0];
+    out.add_shape(std::move(def), place);
+}
+
 GuideDef read_guide(Description& out, const Scope& scope, const Json& json, const Place& place) {
     GuideDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
@@ -147,7 +163,10 @@ void divide(Description& out, Cable& cable, std::size_t k, GuideDef& def, const 
     const int at = out.keep(place);
     def.slide = out.add_body(plan.slide, at);
     for (InteractionDef* part : {&plan.before, &plan.behind}) part->body[2] = def.slide;
-    out.remove_segment(element.body[0], element.body[1]);
+    const std::optional<ShapeDef> segment = out.remove_segment(element.body[0], element.body[1]);
+    if (segment && cable.trim.to_ends)
+        for (const InteractionDef* part : {&plan.before, &plan.behind})
+            add_part_segment(out, *segment, *part, part == &plan.before ? "" : "/behind", at);
     turn_bends(out, element, plan, def.radius);
     element_of(out, cable.stretch[k]) = plan.before;
     const InteractionId behind = out.add_interaction(plan.behind, at);

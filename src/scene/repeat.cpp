@@ -13,7 +13,7 @@ namespace {
 /// What of the description is copy 0.
 struct Extent {
     std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, posts,
-        stoppers, pins, resolutions, cranes, levers;
+        stoppers, pins, hooks, chasers, resolutions, cranes, levers;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -60,8 +60,9 @@ class Copier {
           base_{out.bodies.size(),        out.interactions.size(), out.inputs.size(),
                 out.outputs.size(),       out.cables.size(),       out.shapes.size(),
                 out.winches.size(),       out.guides.size(),       out.posts.size(),
-                out.deck.stoppers.size(), out.deck.pins.size(),    out.resolutions.size(),
-                out.cranes.size(),        out.levers.size()} {}
+                out.deck.stoppers.size(), out.deck.pins.size(),    out.deck.hooks.size(),
+                out.deck.chasers.size(),  out.resolutions.size(),  out.cranes.size(),
+                out.levers.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
@@ -103,9 +104,11 @@ class Copier {
         add_posts(prefix);
         add_gear(out_.deck.stoppers, base_.stoppers, prefix);
         add_gear(out_.deck.pins, base_.pins, prefix);
+        add_gear(out_.deck.hooks, base_.hooks, prefix);
+        add_gear(out_.deck.chasers, base_.chasers, prefix);
         add_resolutions(prefix);
         add_cranes(prefix, shift);
-        add_shapes(prefix);
+        add_shapes(prefix, shift);
     }
 
     /// What of this copy stands for what of copy 0.
@@ -210,6 +213,8 @@ class Copier {
             auto item = items[i];
             rename(item.def.name, prefix);
             item.def.body = mapped(item.def.body);
+            if constexpr (requires { item.def.loads; })
+                for (CraneLoad& load : item.def.loads) load.body = mapped(load.body);
             items.push_back(std::move(item));
         }
     }
@@ -240,13 +245,16 @@ class Copier {
         }
     }
 
-    void add_shapes(const std::string& prefix) {
+    void add_shapes(const std::string& prefix, const Vec3& shift) {
         for (std::size_t i = 0; i < base_.shapes; ++i) {
             if (is_its_own_copy(out_.shapes[i])) {
                 continue;
             }
             ShapeDef def = out_.shapes[i];
             rename(def.name, prefix);
+            // Where the world holds a wire.
+            if (def.body_b.valid() && (is_world(def.body) || is_world(def.body_b)))
+                def.position += shift;
             def.body = mapped(def.body);
             def.body_b = mapped(def.body_b);
             out_.add_shape(std::move(def), number_);

@@ -5,6 +5,7 @@
 #include "access/asleep.h"
 #include "access/push_event.h"
 #include "access/wire_alerts.h"
+#include "split/split.h"
 #include "step/edits.h"
 #include "step/node_pieces.h"
 #include "step/wire_ends.h"

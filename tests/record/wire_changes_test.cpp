@@ -58,7 +58,8 @@ World wires_world(int threads) {
                           .EI = k == 0 ? 0.0 : 30.0,
                           .drag = 30.0,
                           .radius = k == 0 ? 0.0 : 0.02,
-                          .consistent_mass = k == 1});
+                          .consistent_mass = k == 1,
+                          .end_capsules = k == 1});
     }
     return w;
 }

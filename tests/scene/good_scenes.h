@@ -226,7 +226,8 @@ inline constexpr std::string_view kShapes = R"({
 inline constexpr std::string_view kCranes = R"({
   "version": 1, "name": "cranes",
   "bodies": [{"name": "quay", "kind": "fixed"},
-             {"name": "box", "kind": "lump", "position": [-2.98, 16.91, 4], "mass": 5000}],
+             {"name": "box", "kind": "lump", "position": [-2.98, 16.91, 4], "mass": 5000},
+             {"name": "collar", "position": [80, 0, 4], "mass": 1500, "sphere": 0.5}],
   "cranes": [
     {"name": "knuckle", "kind": "knuckle_boom", "on": "quay", "point": [0, 0, 2],
      "euler_deg": [0, 0, 90], "description": "typical",
@@ -280,6 +281,11 @@ inline constexpr std::string_view kCranes = R"({
     {"name": "other_pin", "on": "quay", "from": [45, 1, 0], "to": [45, 1, 2], "radius": 0.15,
      "friction": 0.15, "efficiency": 0.98, "speed": 0.2, "force": 3e5, "density": 7800,
      "margin": 0.5, "up": false, "touches": "default", "description": "down at the start"}],
+  "hooks": [{"name": "lifter", "on": "quay", "point": [60, 0, 8], "strength": 5e5, "latch": 1e3,
+    "loads": [{"body": "box", "eyes": [[0, 0, 0]], "sling_length": 2,
+               "sling_EA": 2e7, "reach": 0.5, "breaking_load": 3e5}], "description": "a spare"}],
+  "chasers": [{"name": "ring", "on": "collar", "point": [0, 0, 0.2], "reach": 0.6, "friction": 0.25,
+    "arrives": 1.5, "element": 5, "closed": false, "description": "open"}],
   "outputs": [{"name": "turn", "kind": "coordinate", "interaction": "knuckle/slew"}],
   "repeat": {"offset": [200, 0, 0], "copies": 2}
 })";

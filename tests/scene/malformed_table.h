@@ -57,6 +57,13 @@ inline constexpr Mistake kMistakes[] = {
 {kPendulum, R"([{"op":"add","path":"/pins","value":[{"name":"pin","on":"bub","from":[0,0,0],"to":[0,0,1],"radius":0.1}]}])", "/pins/0/on", "no body"},
 {kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/pins","value":[{"name":"pin","on":"quay","from":[0,0,1],"to":[0,0,1],"radius":0.1}]}])", "/pins/0", "shorter"},
 {kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/pins","value":[{"name":"pin","on":"quay","from":[0,0,0],"to":[0,0,1],"radius":0.1,"force":10}]}])", "/pins/0", "weight"},
+{kPendulum, R"([{"op":"add","path":"/hooks","value":[{"name":"h","on":"bub","loads":[{"body":"bob","sling_length":1,"sling_EA":1e6}]}]}])", "/hooks/0/on", "no body"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/hooks","value":[{"name":"h","on":"quay"}]}])", "/hooks/0", "loads"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/hooks","value":[{"name":"h","on":"quay","loads":[{"body":"bub","sling_length":1,"sling_EA":1e6}]}]}])", "/hooks/0/loads/0/body", "no body"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/hooks","value":[{"name":"h","on":"quay","loads":[{"body":"bob","sling_length":1,"sling_EA":1e6}],"latsch":1}]}])", "/hooks/0/latsch", "did you mean"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/chasers","value":[{"name":"c","on":"quay"}]}])", "/chasers/0", "rigid body"},
+{kPendulum, R"([{"op":"add","path":"/chasers","value":[{"name":"c","on":"bub"}]}])", "/chasers/0/on", "no body"},
+{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/chasers","value":[{"name":"c","on":"quay","reech":1}]}])", "/chasers/0/reech", "did you mean"},
 // --- posts ----------------------------------------------------------------------------------
 {kPendulum, R"([{"op":"add","path":"/posts","value":[{"name":"pin","on":"bub","from":[0,0,0],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/on", "no body"},
 {kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,1],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/to", "no length"},
