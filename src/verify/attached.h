@@ -22,6 +22,8 @@ class Attached {
     [[nodiscard]] Vec3 axis(int slot, int k) const { return frame(slot) * Vec3::Unit(k); }
     [[nodiscard]] BodyKind kind(int slot) const;
     [[nodiscard]] const InteractionDef& def() const { return def_; }
+    /// That the step was solved for; poses are those before it.
+    [[nodiscard]] Twist velocity(int slot) const;
 
   private:
     [[nodiscard]] const Pose& at(int slot) const;

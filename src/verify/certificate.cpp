@@ -2,6 +2,7 @@
 #include "verify/certificate.h"
 
 #include "verify/contact_side.h"
+#include "verify/step_velocity.h"
 
 #include <fmt/format.h>
 
@@ -206,7 +207,7 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
             const std::size_t b = slot(id.index);
             const BodyDef& def = world.body_def(id);
             const double w = side.share[i];
-            const Twist now = world.velocity(id), before = twist_[b];
+            const Twist now = step_velocity(world, id, pose_[b]), before = twist_[b];
             const bool turns = def.kind != BodyKind::lump;
             const Vec3& arm = side.arm[i];
             const Vec3 at_point = now.linear + now.angular.cross(arm);
@@ -254,7 +255,7 @@ double Verifier::turn_map(const World& world, const ContactView& contact) {
         const std::size_t b = slot(id.index);
         const BodyDef& def = world.body_def(id);
         const double sign = k == 0 ? -1.0 : 1.0;
-        u += sign * world.velocity(id).angular;
+        u += sign * step_velocity(world, id, pose_[b]).angular;
         angular_[b] += sign * lambda;
         if (is_free(def.kind)) mobility += def.inertia.inverse().trace() / 3.0;
     }

@@ -2,6 +2,7 @@
 /// Momentum of the bodies over a step.
 #include "verify/certificate.h"
 #include "verify/load_impulses.h"
+#include "verify/step_velocity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -150,7 +151,7 @@ double Verifier::momentum_residual(const World& world) {
         const BodyDef& def = world.body_def(id);
         const bool turns = def.kind == BodyKind::rigid, scalar = def.kind == BodyKind::scalar;
         const Quat turn = turns ? pose_[b].orientation : Quat::Identity();
-        const Twist now = world.velocity(id), force = applied(world, id, turn);
+        const Twist now = step_velocity(world, id, pose_[b]), force = applied(world, id, turn);
         // Of drag d on velocities before and after, each axis of the body with its own mobility.
         const auto drag = [&](const Vec3& d, const Vec3& mobility, const Vec3& old,
                               const Vec3& v) -> Vec3 {

@@ -2,6 +2,7 @@
 #include "verify/interaction_forces.h"
 
 #include "verify/line_path.h"
+#include "verify/step_velocity.h"
 
 #include <cmath>
 
@@ -153,6 +154,10 @@ bool Forces::piece_of_line(std::span<const double> f) {
 }
 
 }  // namespace
+
+Twist Attached::velocity(int slot) const {
+    return step_velocity(world_, def_.body[static_cast<std::size_t>(slot)], at(slot));
+}
 
 const Pose& Attached::at(int slot) const {
     return pose_[static_cast<std::size_t>(def_.body[place(slot)].index)];

@@ -93,7 +93,7 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
         const auto at_point = [&](const Twist& t) -> Vec3 {
             return turns ? Vec3(t.linear + t.angular.cross(arm[b])) : t.linear;
         };
-        const Vec3 now = at_point(world.velocity(body)), old = at_point(before[i]);
+        const Vec3 now = at_point(on.velocity(b)), old = at_point(before[i]);
         const Vec3 expected = prescribed ? now : Vec3(2.0 * old - at_point(earlier[i]));
         push += (b == 0 ? -1.0 : 1.0) * (late * (now - old) + ahead * (now - expected));
     }
@@ -239,7 +239,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     Vec3 arm[2], turned[2], spin[2];  // changes of velocity; (1 − u) ω + (1 + u) ω₊
     for (int b = 0; b < 2; ++b) {
         const BodyId body = on.def().body[static_cast<std::size_t>(b)];
-        const Twist &old = before[static_cast<std::size_t>(body.index)], now = world.velocity(body);
+        const Twist &old = before[static_cast<std::size_t>(body.index)], now = on.velocity(b);
         const bool turns = !on.is_point(b);
         arm[b] = ends.at[b] - on.center(b);
         turned[b] = turns ? Vec3(now.angular - old.angular) : Vec3::Zero();

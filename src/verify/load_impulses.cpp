@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verify/load_impulses.h"
 
+#include "verify/step_velocity.h"
+
 #include <Eigen/Cholesky>
 
 #include <cmath>
@@ -57,7 +59,8 @@ std::vector<LoadImpulse> load_impulses(const World& world, const std::vector<Pos
         const Matrix fast = h * d + 0.25 * h * h * k;
         const double late =
             d.isZero(0.0) ? 0.5 : late_share_of_load(whole.llt().solve(fast).trace());
-        const Vector v = motion(before[b], n), u = motion(world.velocity(load.body), n);
+        const Vector v = motion(before[b], n),
+                     u = motion(step_velocity(world, load.body, pose[b]), n);
         Vector p = -(a + 0.25 * h * h * k) * (u - v) - h * (d * (late * u + (1.0 - late) * v));
         for (int i = 0; i < n; ++i) p[i] += h * load.force[static_cast<std::size_t>(i)];
         LoadImpulse one;

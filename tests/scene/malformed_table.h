@@ -4,20 +4,15 @@
 /// the place that the message must name and words that it must contain.
 
 #include "good_scenes.h"
+#include "malformed_gear_table.h"
 
-#include <string_view>
+#include <algorithm>
+#include <array>
 
 namespace hawser::scene::test {
 
-struct Mistake {
-    std::string_view scene;
-    std::string_view patch;
-    std::string_view path;
-    std::string_view words;
-};
-
 // clang-format off
-inline constexpr Mistake kMistakes[] = {
+inline constexpr Mistake kSceneMistakes[] = {
 // --- the document --------------------------------------------------------------------------
 {kPendulum, R"([{"op":"remove","path":"/version"}])", "", "version"},
 {kPendulum, R"([{"op":"replace","path":"/version","value":2}])", "/version", "at most 1"},
@@ -47,39 +42,6 @@ inline constexpr Mistake kMistakes[] = {
 {kPendulum, R"([{"op":"add","path":"/include","value":["../../../../etc/passwd"]}])", "/include/0", "outside"},
 {kPendulum, R"([{"op":"add","path":"/include","value":[""]}])", "/include/0", "1 to 4096"},
 {kPendulum, R"([{"op":"add","path":"/include","value":["."]}])", "/include/0", "no file"},
-// --- deck gear ------------------------------------------------------------------------------
-{kPendulum, R"([{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"bub","point":[0,0,0],"rated_load":1e6}]}])", "/stoppers/0/on", "no body"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"quay","point":[0,0,0]}]}])", "/stoppers/0", "rated_load"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"quay","point":[0,0,0],"rated_load":1e6,"outboard":[0,0,0]}]}])", "/stoppers/0", "no direction"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"quay","point":[0,0,0],"rated_load":1e6},{"name":"jaw","on":"quay","point":[0,0,0],"rated_load":1e6}]}])", "/stoppers/1/name", "exists already"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"quay","point":[0,0,0],"rated_load":1e6,"pitch":0.01}]}])", "/stoppers/0", "0.05"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/stoppers","value":[{"name":"jaw","on":"quay","point":[0,0,0],"rated_load":1e6,"reach_":1}]}])", "/stoppers/0/reach_", "did you mean"},
-{kPendulum, R"([{"op":"add","path":"/pins","value":[{"name":"pin","on":"bub","from":[0,0,0],"to":[0,0,1],"radius":0.1}]}])", "/pins/0/on", "no body"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/pins","value":[{"name":"pin","on":"quay","from":[0,0,1],"to":[0,0,1],"radius":0.1}]}])", "/pins/0", "shorter"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/pins","value":[{"name":"pin","on":"quay","from":[0,0,0],"to":[0,0,1],"radius":0.1,"force":10}]}])", "/pins/0", "weight"},
-{kPendulum, R"([{"op":"add","path":"/hooks","value":[{"name":"h","on":"bub","loads":[{"body":"bob","sling_length":1,"sling_EA":1e6}]}]}])", "/hooks/0/on", "no body"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/hooks","value":[{"name":"h","on":"quay"}]}])", "/hooks/0", "loads"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/hooks","value":[{"name":"h","on":"quay","loads":[{"body":"bub","sling_length":1,"sling_EA":1e6}]}]}])", "/hooks/0/loads/0/body", "no body"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/hooks","value":[{"name":"h","on":"quay","loads":[{"body":"bob","sling_length":1,"sling_EA":1e6}],"latsch":1}]}])", "/hooks/0/latsch", "did you mean"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/chasers","value":[{"name":"c","on":"quay"}]}])", "/chasers/0", "rigid body"},
-{kPendulum, R"([{"op":"add","path":"/chasers","value":[{"name":"c","on":"bub"}]}])", "/chasers/0/on", "no body"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/chasers","value":[{"name":"c","on":"quay","reech":1}]}])", "/chasers/0/reech", "did you mean"},
-// --- posts ----------------------------------------------------------------------------------
-{kPendulum, R"([{"op":"add","path":"/posts","value":[{"name":"pin","on":"bub","from":[0,0,0],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/on", "no body"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,1],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/to", "no length"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","to":[0,0,1],"radius":0.1}]}])", "/posts/0", "needs \"from\""},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed","box":[6,4,2]}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge":[1,0,1],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/to", "leave out"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed","box":[6,4,2]}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge":[1,1,1],"radius":0.1}]}])", "/posts/0/edge", "one 0"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed","box":[6,4,2]}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge":[1,0,0],"radius":0.1}]}])", "/posts/0/edge", "one 0"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge":[1,0,1],"radius":0.1}]}])", "/posts/0/edge", "no box"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed","box":[6,4,2]}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge":[1,0,1],"radius":2.5}]}])", "/posts/0/radius", "thinner"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed","shapes":[{"name":"wall","kind":"box","half_size":[6,4,2]}]}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge_of":{"shape":"walls","sharper_than":1},"radius":0.1}]}])", "/posts/0/edge_of/shape", "wall"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed","shapes":[{"name":"wall","kind":"box","half_size":[6,4,2]}]}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge_of":{"sharper_than":1},"radius":2.5}]}])", "/posts/0/edge_of", "thinner"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge_of":{"sharper_than":1},"radius":0.1}]}])", "/posts/0/edge_of", "no shape with edges"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed","box":[6,4,2]}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","edge":[1,0,1],"edge_of":{"sharper_than":1},"radius":0.1}]}])", "/posts/0/edge_of", "leave out"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,0],"to":[0,0,1],"radius":0.1,"slides":1}]}])", "/posts/0/slides", "true or false"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,0],"to":[0,0,1],"radius":0}]}])", "/posts/0/radius", "greater than 0"},
-{kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,0],"to":[0,0,1],"radius":0.1,"efficiency":0}]}])", "/posts/0", "above 0"},
 // --- settings -------------------------------------------------------------------------------
 {kSite, R"([{"op":"replace","path":"/settings/step","value":0}])", "/settings/step", "at least"},
 {kSite, R"([{"op":"replace","path":"/settings/step","value":-0.01}])", "/settings/step", "at least"},
@@ -400,5 +362,13 @@ inline constexpr Mistake kMistakes[] = {
 {kPendulum, R"([{"op":"add","path":"/plot/view_box","value":[0,0,0,1,1,0]}])", "/plot/view_box", "corner"},
 };
 // clang-format on
+
+/// All of them.
+inline constexpr auto kMistakes = [] {
+    std::array<Mistake, std::size(kGearMistakes) + std::size(kSceneMistakes)> all{};
+    std::copy_n(kSceneMistakes, std::size(kSceneMistakes), all.begin());
+    std::copy_n(kGearMistakes, std::size(kGearMistakes), all.begin() + std::size(kSceneMistakes));
+    return all;
+}();
 
 }  // namespace hawser::scene::test
