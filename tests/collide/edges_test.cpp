@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kRight = 0.5 * std::numbers::pi;
 
-ShapeDef box(const Vec3& half) { return {.kind = ShapeKind::box, .half_size = half}; }
+ShapeDef box_of(const Vec3& half) { return {.kind = ShapeKind::box, .half_size = half}; }
 
 /// A step of 1 m on a floor, of triangles counterclockwise seen from above: the floor, a face, a
 /// top, in strips along y whose vertices divide the edges.
@@ -37,7 +37,7 @@ ShapeDef step_mesh(int strips) {
 
 TEST(Edges, OfABoxAreTwelve) {
     const Vec3 half(3.0, 2.0, 1.0);
-    const auto edges = convex_edges(box(half), 0.1);
+    const auto edges = convex_edges(box_of(half), 0.1);
     ASSERT_EQ(edges.size(), 12U);
     double length = 0.0;
     for (const ShapeEdge& edge : edges) {
@@ -58,12 +58,12 @@ TEST(Edges, OfABoxAreTwelve) {
         EXPECT_NEAR(edge.most_radius, across.minCoeff(), 1e-9);
     }
     EXPECT_NEAR(length, 8.0 * half.sum(), 1e-12);
-    EXPECT_TRUE(convex_edges(box(half), 1.6).empty()) << "none is sharper than a right angle";
+    EXPECT_TRUE(convex_edges(box_of(half), 1.6).empty()) << "none is sharper than a right angle";
 }
 
 TEST(Edges, FollowTheShapesFrame) {
     test::Random random(3);
-    ShapeDef def = box({3.0, 2.0, 1.0});
+    ShapeDef def = box_of({3.0, 2.0, 1.0});
     const auto plain = convex_edges(def, 0.1);
     def.position = random.vector(5.0);
     def.orientation = Quat(0.5, -0.5, 0.5, 0.5);

@@ -112,7 +112,7 @@ Manifold touch(const Geometry& a, const Placement& pa, const Geometry& b, const 
     collide::collide_function(a.kind, b.kind)(a, pa, b, pb, margin, m);
     return m;
 }
-double least_gap(const Manifold& m) {
+double least_of(const Manifold& m) {
     double least = 1e300;
     for (int i = 0; i < m.count; ++i) least = std::min(least, m.point[i].gap);
     return least;
@@ -225,7 +225,7 @@ TEST(NarrowSurface, RidgesAndValleys) {
             touch(beam, place({0, 0.1, 0.2 * std::sqrt(2.0) - 0.01}, turn(M_PI / 4, Vec3(1, 0, 0))),
                   ground.geometry, place({0, 0, 0}));
         ASSERT_GE(cross.count, 1);
-        EXPECT_NEAR(least_gap(cross), -0.01, 1e-9);
+        EXPECT_NEAR(least_of(cross), -0.01, 1e-9);
     }
     for (const Surface& ground : surfaces(valley)) {
         const Manifold m = touch(ball, place({0, 0.2, 0.4 * std::sqrt(2.0) - 0.01}),
@@ -245,7 +245,7 @@ TEST(NarrowSurface, GroundPushesUpFromAnyDepthAndAMeshToEitherSide) {
                 touch(mover.geometry, place({0.13, -0.2, mover.height - depth}, mover.attitude),
                       both[0].geometry, place({0, 0, 0}));
             ASSERT_GE(m.count, 1) << mover.name << depth;
-            EXPECT_NEAR(least_gap(m), -depth, 1e-9) << mover.name;
+            EXPECT_NEAR(least_of(m), -depth, 1e-9) << mover.name;
             EXPECT_NEAR(m.point[0].normal[2], -1.0, 1e-9);
         }
     for (const Mover& mover : movers()) {
@@ -254,7 +254,7 @@ TEST(NarrowSurface, GroundPushesUpFromAnyDepthAndAMeshToEitherSide) {
             place({0.13, -0.2, -mover.height + 0.01}, turn(M_PI, Vec3(1, 0, 0)) * mover.attitude),
             both[1].geometry, place({0, 0, 0}));
         ASSERT_EQ(m.count, mover.points) << mover.name;
-        EXPECT_NEAR(least_gap(m), -0.01, 1e-9);
+        EXPECT_NEAR(least_of(m), -0.01, 1e-9);
         EXPECT_NEAR(m.point[0].normal[2], 1.0, 1e-9);
     }
 }
@@ -295,7 +295,7 @@ TEST(NarrowSurface, RoughGroundGivesTheDistance) {
                 EXPECT_EQ(m.count > 0, least < 0.5L) << test::kind_name(kind) << i;
                 if (m.count == 0 || least >= 0.5L) continue;
                 ++seen;
-                EXPECT_NEAR(least_gap(m), static_cast<double>(least), 1e-6)
+                EXPECT_NEAR(least_of(m), static_cast<double>(least), 1e-6)
                     << test::kind_name(kind) << " on " << test::kind_name(ground.geometry.kind)
                     << " " << i;
             }

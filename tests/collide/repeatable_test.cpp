@@ -121,8 +121,9 @@ TEST(Collider, FindsWhatAllPairsGive) {
     for (std::size_t a = 0; a < shapes.size(); ++a)
         for (std::size_t b = a + 1; b < shapes.size(); ++b) {
             if (!filter.allows(static_cast<int>(a), static_cast<int>(b))) continue;
-            const int n = collide::touch(shapes[a], placed[a], shapes[b], placed[b], site.h,
-                                         site.collider.margin, some.data());
+            const int n = collide::touch(
+                shapes[a], placed[a], shapes[b], placed[b], site.h, site.collider.margin,
+                filter.of_one_host(static_cast<int>(a), static_cast<int>(b)), some.data());
             for (int k = 0; k < n; ++k) {
                 some[static_cast<std::size_t>(k)].shape[0] = static_cast<int>(a);
                 some[static_cast<std::size_t>(k)].shape[1] = static_cast<int>(b);
