@@ -26,8 +26,8 @@ const std::map<std::string, int> kSteps = {
 constexpr int kFewSteps = 20;
 const std::set<std::string> kAtRest = {"anchor_contact", "arch",          "bouncing_ball",
                                        "box_stack",      "box_stack_1e6", "rolling_resistance",
-                                       "crane_knuckle",  "crane_lattice", "wire_edge",
-                                       "wire_pins",      "wire_slide"};
+                                       "crane_knuckle",  "crane_lattice", "chaser",
+                                       "wire_edge",      "wire_pins",     "wire_slide"};
 
 /// Friction, ranges and motors, and nothing that touches.
 const std::set<std::string> kJoints = {

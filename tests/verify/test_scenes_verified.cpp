@@ -18,15 +18,38 @@ namespace {
 constexpr int kVerifiedSteps = 120;
 
 // A list, since every test is a process of its own: to find the names takes reading all scenes.
-const std::vector<std::string> kTouchingScenes = {
-    "anchor_adaptive", "anchor_contact", "anchor_drag",   "anchor_run",
-    "anchor_run_fine", "arch",           "belt",          "bouncing_ball",
-    "box_stack",       "box_stack_1e6",  "buoy",          "chain_gypsy",
-    "chain_pile",      "crane_knuckle",  "crane_lattice", "incline",
-    "incline_slide",   "mooring_seabed", "painleve",      "rolling_resistance",
-    "rolling_sphere",  "spinning_disk",  "tow_payout",    "wall_648",
-    "wall_976",        "wedge",          "wire_cross",    "wire_cylinder",
-    "wire_edge",       "wire_pins",      "wire_slide"};
+const std::vector<std::string> kTouchingScenes = {"anchor_adaptive",
+                                                  "anchor_contact",
+                                                  "anchor_drag",
+                                                  "anchor_run",
+                                                  "anchor_run_fine",
+                                                  "arch",
+                                                  "belt",
+                                                  "bouncing_ball",
+                                                  "box_stack",
+                                                  "box_stack_1e6",
+                                                  "buoy",
+                                                  "chain_gypsy",
+                                                  "chain_pile",
+                                                  "chaser",
+                                                  "crane_knuckle",
+                                                  "crane_lattice",
+                                                  "incline",
+                                                  "incline_slide",
+                                                  "mooring_seabed",
+                                                  "painleve",
+                                                  "rolling_resistance",
+                                                  "rolling_sphere",
+                                                  "spinning_disk",
+                                                  "tow_payout",
+                                                  "wall_648",
+                                                  "wall_976",
+                                                  "wedge",
+                                                  "wire_cross",
+                                                  "wire_cylinder",
+                                                  "wire_edge",
+                                                  "wire_pins",
+                                                  "wire_slide"};
 
 TEST(SceneVerified, IsEverySceneWithShapes) {
     std::vector<std::string> names;

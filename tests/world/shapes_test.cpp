@@ -107,9 +107,19 @@ TEST(Shapes, RefusesWhatMakesNoSense) {
     EXPECT_TRUE(has(why([&](ShapeDef& d) {
                         d.kind = ShapeKind::capsule;
                         d.radius = 1.0;
-                        d.body_b = lump;
+                        d.body = lump;
+                        d.body_b = drum;
                     }),
-                    "two lumps"));
+                    "no scalar"));
+    b.kind = BodyKind::rigid;
+    b.position = {5, 0, 0};
+    const BodyId second = w.add_body(b);
+    EXPECT_TRUE(has(why([&](ShapeDef& d) {
+                        d.kind = ShapeKind::capsule;
+                        d.radius = 1.0;
+                        d.body_b = second;
+                    }),
+                    "a lump on one side"));
     EXPECT_TRUE(has(why([](ShapeDef& d) { d.half_size[1] = 0.0; }), "half_size"));
     EXPECT_TRUE(has(why([&](ShapeDef& d) { d.half_size[1] = nan; }), "half_size"));
     EXPECT_TRUE(has(why([&](ShapeDef& d) { d.position[1] = nan; }), "position"));
