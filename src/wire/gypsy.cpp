@@ -9,7 +9,7 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kThere = 1e-6;  ///< Of a pocket, where a link lies in it.
+constexpr double kInPocket = 1e-6;  ///< Of a pocket, where a link lies in it.
 constexpr double kAhead = 2.0;   ///< Steps before the next pocket in which it is looked for.
 
 }  // namespace
@@ -25,13 +25,13 @@ double GypsyChain::look(double apart, double rate, double torque, double pull) n
     double load = 0.0;
     if (jumping_ == 0) {
         const bool gave_way = std::abs(grip_) >= wheel_.jump_load * (1.0 - kNear) &&
-                              std::abs(way_) > kThere * wheel_.pocket && way_ * grip_ > 0.0;
+                              std::abs(way_) > kInPocket * wheel_.pocket && way_ * grip_ > 0.0;
         if (!gave_way) return 0.0;
         jumping_ = 1;
         count_ += 1.0;
         if (way_ < 0.0) seat_ -= 1.0;
         load = std::abs(grip_);
-    } else if (way_ >= (1.0 - kThere) * wheel_.pocket || way_ <= kThere * wheel_.pocket) {
+    } else if (way_ >= (1.0 - kInPocket) * wheel_.pocket || way_ <= kInPocket * wheel_.pocket) {
         const bool out = way_ > 0.5 * wheel_.pocket, stays = std::abs(pull_) <= wheel_.jump_load;
         if (out) seat_ += 1.0;
         if (stays) {
