@@ -10,7 +10,7 @@ namespace hawser::wire {
 namespace {
 
 constexpr double kInPocket = 1e-6;  ///< Of a pocket, where a link lies in it.
-constexpr double kAhead = 2.0;   ///< Steps before the next pocket in which it is looked for.
+constexpr double kAhead = 2.0;      ///< Steps before the next pocket in which it is looked for.
 
 }  // namespace
 
