@@ -17,7 +17,8 @@ using generic::store3;
 using generic::V3;
 /// Place on a segment nearer than this to an end, of its length, is the end.
 constexpr double kAtEnd = 1e-9;
-/// Segments that one body holds are beside their holds within so many times their radii.
+/// Capsules of two wires made fast to one body do not touch each other nearer to both points of
+/// attachment than this, over the sum of their radii.
 constexpr double kBeside = 2.0;
 constexpr double kSameNormal = 0.95;  ///< Cosine: 18°.
 

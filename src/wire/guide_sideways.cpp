@@ -3,6 +3,7 @@
 #include <hawser/world.h>
 
 #include "wire/guide_system.h"
+#include "wire/lift.h"
 #include "wire/sideways.h"
 
 #include <algorithm>
@@ -28,8 +29,7 @@ GuideSystem::Sideways GuideSystem::slide_sideways(NodeEdits& nodes,
         c.along[side] = to.dot(axis);
         const double flat = (to - c.along[side] * axis).squaredNorm() - def_.radius * def_.radius;
         c.across[side] = std::sqrt(std::max(flat, kShortest * kShortest));
-        const double slide = world.pose(ids_.slide).position.x();
-        parts.rest[side] = d.get("length") + d.get("radius") * (slide - d.get("drum_zero"));
+        parts.rest[side] = rest_length(world, id);
         parts.longer[side] = world.violation(id)[0];
     }
     const double by = way_sideways(c, def_.friction * std::max(0.0, angle_));

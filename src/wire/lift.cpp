@@ -14,11 +14,8 @@ namespace hawser::wire {
 InteractionDef lifted_element(const World& world, const GuideSystem& guide, bool keeps_length) {
     const InteractionDef& a = world.interaction_def(guide.ids().before);
     const InteractionDef& b = world.interaction_def(guide.ids().behind);
-    const double q = world.pose(guide.ids().slide).position.x();
-    const auto rest_of = [&](const InteractionDef& d) {
-        return d.get("length") + d.get("radius") * (q - d.get("drum_zero"));
-    };
-    const double rest = rest_of(a) + rest_of(b);
+    const double rest =
+        rest_length(world, guide.ids().before) + rest_length(world, guide.ids().behind);
     const auto way = [&](InteractionId id) {
         const std::array<Vec3, 2> ends = world.ends(id);
         return (ends[1] - ends[0]).norm();

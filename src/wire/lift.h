@@ -13,7 +13,8 @@ namespace hawser::wire {
 
 class GuideSystem;
 
-/// Longer than so many of GuideDef::element_length, what was let go gets a node.
+/// The element that a wire becomes where it is let go is divided by a node when its material is
+/// longer than this times GuideDef::element_length.
 inline constexpr double kLongLifted = 1.5;
 
 /// The element that both parts at a guide become, of the material that they have: at the rest

@@ -199,19 +199,15 @@ EndShare end_share(const stepper::StepContext& ctx, const world::Systems& system
 }
 
 /// The capsule of an end which had none, as that of the next element.
-std::optional<ShapeDef> capsule_like(const World& world, const stepper::StepContext& c,
-                                     std::int32_t beyond) {
-    for (const ShapeId id : world.shapes()) {
-        const ShapeDef& its = world.shape_def(id);
-        if (beyond < 0 || its.body.index != stepper::end_of(c, beyond, 0) ||
-            its.body_b.index != stepper::end_of(c, beyond, 1))
-            continue;
-        std::optional<ShapeDef> out = its;
-        out->name.clear();
-        out->position.setZero();
-        return out;
-    }
-    return {};
+template <class Impl>
+std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t beyond) {
+    const ShapeId its =
+        m.segment_between(stepper::end_of(m.ctx, beyond, 0), stepper::end_of(m.ctx, beyond, 1));
+    if (!its.valid()) return {};
+    std::optional<ShapeDef> out = m.shape_defs[at(its.index)];
+    out->name.clear();
+    out->position.setZero();
+    return out;
 }
 
 /// To the last bit, which scaling back would not.
@@ -241,7 +237,7 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     world::check_end(where, share.mass, carried);
     const ShapeId own = segment_between(in.def[at(e)].body[0].index, in.def[at(e)].body[1].index);
     std::optional<ShapeDef> segment;
-    if (!own.valid()) segment = capsule_like(world, ctx, beyond);
+    if (!own.valid() && beyond >= 0) segment = capsule_like(*this, beyond);
     world::Wire* wire = wire_with(element);
     if (wire != nullptr) make_room_for_end(*wire);
     world::Wire made;
