@@ -8,6 +8,11 @@
 namespace hawser::verify {
 namespace {
 
+/// Share that a lump has of a contact at the end of a segment that a body holds
+/// (docs/collision.md, item "Wires"): what a velocity of the lump makes of it is above
+/// the tolerance of this verification.
+constexpr double kLeastShareOfLump = 2e-9;
+
 const Pose& pose_of(std::span<const Pose> pose, BodyId body) {
     return pose[static_cast<std::size_t>(body.index)];
 }
@@ -51,7 +56,10 @@ ContactSide contact_side(const World& world, ShapeId shape, const Vec3& on_axis,
                                     : Vec3(by.position + by.orientation * def.position);
     }
     const Vec3 along = end[1] - end[0];
-    const double s = std::clamp((on_axis - end[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    double s = std::clamp((on_axis - end[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    // Beyond the point where a body holds the segment the lump keeps its least share.
+    if (held == 0) s = std::max(s, kLeastShareOfLump);
+    if (held == 1) s = std::min(s, 1.0 - kLeastShareOfLump);
     side.share[0] = 1.0 - s;
     side.share[1] = s;
     side.length = along.norm();

@@ -98,5 +98,39 @@ TEST(EndCapsulesVerified, SeparateCodeAgrees) {
     EXPECT_GE(verifier.result().covered_bodies, verifier.result().moving_bodies - 2);
 }
 
+// The lowest point of a capsule is where a body holds it, and the body turns: what the lump keeps
+// of such a contact counts times the velocity that the body would have at the lump.
+TEST(EndCapsulesVerified, SeparateCodeAgreesBeyondTheHeldPoint) {
+    World w({.step = 1.0 / 60.0, .contact_margin = 0.1});
+    const BodyId ground = w.add_body({.kind = BodyKind::fixed});
+    w.add_shape({.kind = ShapeKind::plane, .body = ground});
+    const BodyId post =
+        w.add_body({.kind = BodyKind::fixed, .position = {20, 0, 6}, .half_size = {1, 1, 1}});
+    const BodyId wheel = w.add_body({.name = "wheel",
+                                     .position = {0, 0, 0.15},
+                                     .angular_velocity = {0, 0.5, 0},
+                                     .mass = 500,
+                                     .inertia = Mat3::Identity() * 2e3});
+    WireDef def{.name = "wire", .from = wheel, .to = post};
+    def.elements = 4;
+    def.length = 21.0;
+    def.EA = 1e8;
+    def.mass_per_length = 10.0;
+    def.drag = 100.0;
+    def.radius = 0.1;
+    def.end_capsules = true;
+    w.add_wire(def);
+    verify::Verifier verifier(w);
+    int beyond = 0;
+    for (int i = 0; i < 60; ++i) {
+        verifier.before_step(w);
+        ASSERT_EQ(w.step(), Status::ok) << i;
+        ASSERT_EQ(verifier.after_step(w), "") << i;
+        for (const ContactView& c : w.contacts())
+            if (w.shape_def(c.shape[1]).body == wheel && std::abs(c.point.x()) < 0.1) ++beyond;
+    }
+    EXPECT_GE(beyond, 50);
+}
+
 }  // namespace
 }  // namespace hawser
