@@ -85,6 +85,19 @@ void LoadStore::measure(const model::Bodies& bodies, double h, const double* v, 
     });
 }
 
+double LoadStore::gain(const model::Bodies& bodies, double h, const double* v,
+                       const double* next) const noexcept {
+    double sum = 0.0;
+    for (std::int32_t body = 0; body < static_cast<std::int32_t>(entry_of_.size()); ++body) {
+        if (!loaded(body)) continue;
+        const Entry& e = entries_[at(entry_of_[at(body)])];
+        const std::int32_t begin = bodies.dof_begin[at(body)];
+        for (int i = 0; i < e.freedom; ++i)
+            sum += h * data_[at(e.place + i)] * (next[begin + i] - v[begin + i]);
+    }
+    return sum;
+}
+
 double LoadStore::count() noexcept {
     if (!measured_) return 0.0;
     work += taken_.work + change_;

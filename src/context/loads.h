@@ -107,6 +107,9 @@ class LoadStore {
     /// What loads do from v to the velocities of a step that has been solved.
     void measure(const model::Bodies& bodies, double h, const double* v, const double* next,
                  base::Executor& executor) noexcept;
+    /// Impulses h f of loads, times by how much velocities change in the step [J].
+    [[nodiscard]] double gain(const model::Bodies& bodies, double h, const double* v,
+                              const double* next) const noexcept;
     /// The step is good: what was measured joins the sums. @return what D took [J].
     double count() noexcept;
     /// ½ vᵀA v after the step that has been solved, for the A of the last one [J].

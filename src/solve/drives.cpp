@@ -8,13 +8,20 @@
 #include "base/index.h"
 
 #include <cmath>
+#include <span>
 
 namespace hawser::stepper {
 namespace {
 
-/// λ·G (v + v₊)/2 over the rows: what an interaction does to the kinetic energy of the bodies
-/// that move. Exact for the scheme: its velocities change by M⁻¹Gᵀλ.
-double work_on_bodies(const assembly::View& v, std::int32_t id, bool rigid_rows_only) noexcept {
+/// How much of the velocities before and after the step counts.
+struct Weights {
+    double before, after;
+};
+
+/// λ·G (a v + b v₊) over the rows. With a = b = ½ that is what an interaction does to the kinetic
+/// energy of the bodies that move, exact for the scheme: its velocities change by M⁻¹Gᵀλ.
+double impulse_times(const assembly::View& v, std::int32_t id, Weights weights,
+                     bool rigid_rows_only) noexcept {
     double room[model::kArmRoom];
     const double* jac = packed_rows(v, id, room);
     double work = 0.0;
@@ -25,7 +32,7 @@ double work_on_bodies(const assembly::View& v, std::int32_t id, bool rigid_rows_
             const std::int32_t body = v.body[kMaxInteractionBodies * id + b];
             for (int j = 0; j < v.dof[body]; ++j) {
                 const std::int32_t k = v.dof_begin[body] + j;
-                speed += 0.5 * *jac++ * (v.v[k] + v.v_new[k]);
+                speed += *jac++ * (weights.before * v.v[k] + weights.after * v.v_new[k]);
             }
         }
         const bool velocity = (v.row_flags[row] & model::kRowVelocity) != 0;
@@ -50,24 +57,47 @@ double work_of_carriers(const Model& model, const assembly::View& v, std::int32_
     return work;
 }
 
+/// f(id, whether it is friction, whether it is driven) of what may do work from outside. Friction
+/// counts with what its spring holds.
+template <class F>
+void each_drive(const Model& model, const assembly::View& v, F&& f) noexcept {
+    for (const std::int32_t id : model.interactions.working) {
+        if (v.active[id] == 0.0 && v.held[id] == 0.0) continue;
+        const bool velocity = (v.row_flags[v.row_begin[id]] & model::kRowVelocity) != 0;
+        f(id, (v.flags[id] & model::kFriction) != 0,
+          velocity || (v.flags[id] & model::kByInput) != 0);
+    }
+}
+
 }  // namespace
 
 double drive_work(Model& model) noexcept {
     const assembly::View v = row_view(model);
     double work = 0.0;
-    for (const std::int32_t id : model.interactions.working) {
-        if (v.active[id] == 0.0 && v.held[id] == 0.0) continue;
-        const int flags = v.flags[id];
-        const bool velocity = (v.row_flags[v.row_begin[id]] & model::kRowVelocity) != 0;
-        if (flags & model::kFriction) {  // with what its spring holds
-            work += work_on_bodies(v, id, false);
-            continue;
-        }
-        const bool driven = velocity || (flags & model::kByInput) != 0;
-        if (driven) work += work_on_bodies(v, id, true);
-        if (flags & model::kCarried) work += work_of_carriers(model, v, id, driven);
-    }
+    each_drive(model, v, [&](std::int32_t id, bool friction, bool driven) {
+        if (friction || driven) work += impulse_times(v, id, {0.5, 0.5}, !friction);
+        if (!friction && (v.flags[id] & model::kCarried))
+            work += work_of_carriers(model, v, id, driven);
+    });
     return work;
+}
+
+double drive_gain(Model& model) noexcept {
+    const assembly::View v = row_view(model);
+    double gain = 0.0;
+    each_drive(model, v, [&](std::int32_t id, bool friction, bool driven) {
+        if (friction || driven) gain += impulse_times(v, id, {-1.0, 1.0}, !friction);
+    });
+    return gain;
+}
+
+double spring_gain(Model& model, std::span<const std::int32_t> springs) noexcept {
+    const assembly::View v = row_view(model);
+    double gain = 0.0;
+    for (const std::int32_t id : springs)
+        if (v.active[id] != 0.0 && !model.system.rests(id))
+            gain += impulse_times(v, id, {-1.0, 1.0}, false);
+    return gain;
 }
 
 void move_carriers(Model& model) noexcept {

@@ -5,11 +5,21 @@
 
 #include "context/context.h"
 
+#include <cstdint>
+#include <span>
+
 namespace hawser::stepper {
 
 /// Work done in the step by motors, by rigid rows that an input drives and by bodies with a
 /// prescribed velocity [J], see Energy::driven. Before the velocities are overwritten.
 [[nodiscard]] double drive_work(Model& model) noexcept;
+
+/// Impulses of the same over the step, times by how much the velocities at them change in it [J].
+/// Before the velocities are overwritten.
+[[nodiscard]] double drive_gain(Model& model) noexcept;
+
+/// The same of springs and lines. @param springs  Interactions.
+[[nodiscard]] double spring_gain(Model& model, std::span<const std::int32_t> springs) noexcept;
 
 /// Bodies with a prescribed velocity: exactly, a turn by h|ω| about ω.
 void move_carriers(Model& model) noexcept;

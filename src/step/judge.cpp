@@ -3,10 +3,12 @@
 
 #include "access/copies.h"
 #include "access/rows.h"
+#include "access/view.h"
 #include "base/index.h"
 #include "context/context.h"
 #include "context/judge_data.h"
 #include "context/undo_data.h"
+#include "solve/drives.h"
 #include "solve/evaluate.h"
 #include "step/judge_energy.h"
 #include "step/judge_look.h"
@@ -203,6 +205,35 @@ void tell(State& state, StepStats& stats, const Findings& now, JudgeState& memor
     }
 }
 
+/// By how much the ledger rises from the start to the first look where forces stay as they are,
+/// beyond half of the work of the first step, which follow_energy() takes for what was done before
+/// the start.
+///
+/// With v₋ and v₊ half a step before and after the start, forces F that do work and N of gravity
+/// and springs, whose energy is counted half-way between poses:
+/// ```
+///     W(−h/2 … 0) = (h/8) F·(3v₋ + v₊) = W(−h/2 … h/2)/2 − (h/8) F·(v₊ − v₋)
+///     (x₀ + x₁)/2 = x(h/2) + (h/8)(v₊ − v₋)
+/// ```
+/// so that (h/8)(F − N)·(v₊ − v₋) is left. From rest, where v₋ = −v₊, the first step's work is
+/// nothing, and that is the kinetic energy that it ends with where N = 0.
+double early_gain(StepContext& ctx) noexcept {
+    const model::Bodies& b = ctx.model.bodies;
+    const assembly::View v = view(ctx);
+    double gain = drive_gain(ctx.model) + ctx.state.loads.gain(b, v.h, v.v, v.v_new) -
+                  spring_gain(ctx.model, ctx.state.judge.elastic);
+    for (const std::int32_t body : b.moving) {
+        const bool falls = b.weight[at(body)] && b.dof(body) >= 3;
+        for (int i = 0; i < b.dof(body); ++i) {
+            const std::int32_t k = v.dof_begin[body] + i;
+            const double weight =
+                falls && i < 3 ? b.mass[at(body)] * ctx.model.def.gravity[i] : 0.0;
+            gain += v.h * (b.force[at(6 * body + i)] - weight) * (v.v_new[k] - v.v[k]);
+        }
+    }
+    return std::max(0.0, 0.125 * gain);
+}
+
 }  // namespace
 
 void begin_judge(StepContext& ctx) noexcept {
@@ -222,6 +253,11 @@ Status judge(StepContext& ctx) noexcept {
     JudgeData& d = ctx.state.judge;
     // Joints are looked at in each step, at no cost: in between they may open and close.
     const bool open = ctx.work.stats.violation_max > limit::kOpen.doubtful;
+    // The account of a start is closed at the first look, up to this.
+    if (ctx.state.step == 0 && ctx.model.def.staggered_start) {
+        const double early = early_gain(ctx);
+        for (double& start : d.state.mean) start += early;
+    }
     if (ctx.state.step == 0 || (ctx.state.step > 1 && ctx.state.step % d.every != 0 && !open))
         return Status::ok;
     JudgeState next = d.state;
