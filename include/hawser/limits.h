@@ -21,7 +21,9 @@ inline constexpr Limit kHidden{1.0, 2.0};
 inline constexpr Limit kLost{0.3, 1.0};
 /// What a joint softer than nothing, but no softer than this, may give is a gap [m/N].
 inline constexpr double kMeantRigid = 1e-10;
-inline constexpr Limit kOpen{0.005, 0.05};       ///< [m], and over the size of the smaller body.
+inline constexpr Limit kOpen{0.005, 0.05};  ///< [m], and over the size of the smaller body.
+/// How deep bodies lie in each other, over the thickness of the thinner shape.
+inline constexpr Limit kDeep{0.5, 1.0};
 inline constexpr Limit kCable{0.03, 0.15};       ///< |l − l₀(1 + T/EA)|/l₀.
 inline constexpr Limit kCertificate{1e-3, 0.1};  ///< Relative, for kSustained.
 inline constexpr Limit kTurn{0.5, 20.0};         ///< Of a body or an element in a step [rad].

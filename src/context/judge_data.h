@@ -51,6 +51,8 @@ struct JudgeState {
     double unsolved = 0.0;               ///< For so long [s].
     std::array<double, 2> risen{};       ///< Created energy at the last two looks [J].
     std::array<double, 2> stretched{};   ///< Off the cable law at the last two looks, newest first.
+    std::array<double, 2> beyond{};      ///< JudgePart::beyond of the same.
+    std::array<double, 2> deep{};        ///< JudgePart::deep of the same.
     double open_start = 0.0;             ///< What still excuses joints that started open.
     std::int64_t step = 0;               ///< Of the last look.
     std::int64_t begun = 0;              ///< 0: the next look is the first one.
@@ -64,7 +66,10 @@ struct JudgePart {
     double by_length = 0.0;  ///< Elastic energy, of lines by their true lengths half-way.
     double by_force = 0.0;   ///< Elastic energy by the force of the last step, ½ f² ε.
     double open = 0.0, stretch = 0.0, turn = 0.0, twist = 0.0;
+    double beyond = 0.0;  ///< Outside of a range, over what is doubtful.
+    double deep = 0.0;    ///< In each other, over the thickness of the thinner shape.
     std::int32_t open_row = -1, stretch_id = -1, turn_body = -1, twist_id = -1;
+    std::int32_t beyond_row = -1, deep_contact = -1;
 };
 
 struct JudgeData {
@@ -73,6 +78,9 @@ struct JudgeData {
     std::vector<std::int32_t> elastic;  ///< Interactions with rows that hold energy.
     std::vector<std::uint8_t> line;     ///< Of those: 1, a spring or wire between two points.
     std::vector<std::int32_t> lines;    ///< Wire elements.
+    std::vector<std::int32_t> ranges;   ///< Rows of ranges that are meant rigid.
+    std::vector<double> range_allowed;  ///< Of those: 1 / what they may be beyond by.
+    std::vector<double> thickness;      ///< By shape [m]; of what has none: 1e30.
     std::vector<JudgePart> part;        ///< One a chunk.
     double nothing = 0.0;               ///< See limit::kNothingHigher [J].
     std::int32_t every = 1;             ///< Steps from look to look.

@@ -21,6 +21,7 @@ std::string share(double of_limit) {
 }  // namespace
 
 std::string sentence(Judge judge, const Finding& f, const std::string& where) {
+    const bool of_body = !f.interaction.valid() && f.body.valid();
     const std::string when = fmt::format("at {:.6g} s", f.time);
     switch (judge) {
         case Judge::energy:
@@ -28,6 +29,9 @@ std::string sentence(Judge judge, const Finding& f, const std::string& where) {
                 "{} of mechanical energy {} {}", record::with_unit(std::abs(f.value), "J"),
                 f.value < 0.0 ? "had vanished without reason" : "had come out of nothing", when);
         case Judge::violation:
+            if (of_body)
+                return fmt::format("'{}' and what it touches lay {} in each other {}", where,
+                                   record::with_unit(f.value, "m"), when);
             return fmt::format("joint '{}' stood open by {:.4g} m or rad {}", where, f.value, when);
         case Judge::cable:
             return fmt::format(

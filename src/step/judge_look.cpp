@@ -52,6 +52,28 @@ void look_at_rows(const State& state, const View& v, std::int32_t begin, std::in
     }
 }
 
+/// Outside of its range a row has a violation, inside none.
+void look_at_ranges(const State& state, const View& v, JudgePart& p) noexcept {
+    for (std::size_t i = 0; i < state.judge.ranges.size(); ++i) {
+        const std::int32_t row = state.judge.ranges[i];
+        const double beyond = std::fabs(v.g[row]) * state.judge.range_allowed[i];
+        if (beyond <= p.beyond) continue;
+        p.beyond = beyond;
+        p.beyond_row = row;
+    }
+}
+
+void look_at_contacts(const State& state, JudgePart& p) noexcept {
+    for (std::size_t i = 0; i < state.contacts.awake; ++i) {
+        const collide::Contact& c = state.contacts.contacts[i];
+        const double deep = -c.gap / std::min(state.judge.thickness[at(c.shape[0])],
+                                              state.judge.thickness[at(c.shape[1])]);
+        if (deep <= p.deep) continue;
+        p.deep = deep;
+        p.deep_contact = static_cast<std::int32_t>(i);
+    }
+}
+
 /// ½ f² ε by the force of the last step.
 double held_by_force(const View& v, std::int32_t row) noexcept {
     return 0.5 * v.force_of_row[row] * v.force_of_row[row] * v.epsilon[row];
@@ -173,6 +195,8 @@ JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcep
         data.part[at(a / StepContext::kChunk)] = p;
     });
     JudgePart sum;
+    look_at_ranges(state, v, sum);
+    look_at_contacts(state, sum);
     for (int i = 0; i < StepContext::chunks(most); ++i) {
         const JudgePart& p = data.part[at(i)];
         sum.kinetic += p.kinetic;

@@ -19,6 +19,32 @@ double size_of(const model::Bodies& b, std::int32_t body) noexcept {
     return std::sqrt(2.0 * (s[0] + s[4] + s[8]) / b.mass[at(body)]);
 }
 
+/// What something else cannot lie in without coming out behind [m].
+double thickness_of(const collide::Shape& s) noexcept {
+    constexpr double kNone = 1e30;
+    // What lines may touch is wider than they are, and gives way.
+    if (s.gone() || s.segment()) return kNone;
+    switch (s.geometry.kind) {
+        case ShapeKind::plane:
+        case ShapeKind::heightfield:
+        case ShapeKind::mesh:
+            return kNone;
+        default:
+            break;
+    }
+    const collide::Placement here{{0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+    const collide::Bounds box = collide::bounds(s.geometry, here);
+    double least = kNone;
+    for (int i = 0; i < 3; ++i) least = std::min(least, box.high[i] - box.low[i]);
+    return least;
+}
+
+/// What a row of a joint with bodies of this size may be open by, as its inverse.
+double allowance(double size, bool turns) noexcept {
+    const double arm = std::isfinite(size) ? 0.5 * size : 0.0;
+    return (turns ? arm : 1.0) / (limit::kOpen.doubtful * std::max(1.0, 2.0 * arm));
+}
+
 }  // namespace
 
 void prepare_judge(const Model& model, State& state) {
@@ -29,6 +55,10 @@ void prepare_judge(const Model& model, State& state) {
     d.elastic.clear();
     d.line.clear();
     d.lines.clear();
+    d.ranges.clear();
+    d.range_allowed.clear();
+    d.thickness.clear();
+    for (const collide::Shape& s : model.collider.shapes()) d.thickness.push_back(thickness_of(s));
     for (std::int32_t id = 0; id < interaction_count(model); ++id) {
         const KindInfo& kind = kind_info(in.kinds[at(id)]);
         if (in.rest_length[at(id)] > 0.0) d.lines.push_back(id);
@@ -47,12 +77,13 @@ void prepare_judge(const Model& model, State& state) {
             const bool stiff =
                 in.epsilon[row] <= limit::kMeantRigid && model::may_ever_complete(in, id);
             // Of a wire element the cable law is asked.
-            if ((stiff || !holds) && length == 0.0 &&
-                !(in.flags[at(id)] & (model::kRange | model::kMotor))) {
-                const bool turns = kind.row_units[r] == 'r';
-                const double arm = std::isfinite(size) ? 0.5 * size : 0.0;
-                const double open = limit::kOpen.doubtful * std::max(1.0, 2.0 * arm);
-                d.allowed[row] = (turns ? arm : 1.0) / open;
+            if ((!stiff && holds) || length != 0.0 || (in.flags[at(id)] & model::kMotor)) continue;
+            const double allowed = allowance(size, kind.row_units[r] == 'r');
+            if (in.flags[at(id)] & model::kRange) {
+                d.ranges.push_back(static_cast<std::int32_t>(row));
+                d.range_allowed.push_back(allowed);
+            } else {
+                d.allowed[row] = allowed;
             }
         }
         if (!soft) continue;

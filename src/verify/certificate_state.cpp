@@ -213,6 +213,8 @@ std::string StateVerifier::after_step(const World& world) {
     if (wrong.empty()) wrong = std::move(other);
     if (wrong.empty()) wrong = check_lines(world);
     if (wrong.empty()) wrong = check_turns(world);
+    other = lasting_.after_step(world, now_);
+    if (wrong.empty()) wrong = std::move(other);
     arrived_ = now_;
     potential_after_ = potential(world);
     ++steps_;

@@ -3,7 +3,8 @@
 /// @file certificate_state.h
 /// Judges states as the step does (docs/limits.md), computed anew from definitions, poses,
 /// velocities and the forces that a World shows: mechanical energy that no work explains, joints
-/// that stand open, lines whose tension is not that of their length, turns within a step.
+/// that stand open, lines whose tension is not that of their length, turns within a step, ranges
+/// and contacts that stay violated.
 ///
 /// Energy is taken at the poses, with the mean of the kinetic energies before and after; elastic
 /// energy is that of rows that are all elastic, by their compliance. Work is done by applied
@@ -12,6 +13,8 @@
 /// What drag and damping take can only lower the energy, and is not counted.
 
 #include <hawser/hawser.h>
+
+#include "verify/lasting_faults.h"
 
 #include <array>
 #include <string>
@@ -74,8 +77,9 @@ class StateVerifier {
     double energy_ = 0.0, swing_ = 0.0;       ///< Before [J].
     double work_ = 0.0, exchanged_ = 0.0;     ///< [J].
     double mean_ = 0.0, least_ = 0.0;         ///< Of energy less work [J].
-    double excused_ = 0.0;                    ///< What joints stood open by at the start.
-    std::array<double, 2> off_before_{};      ///< Of the worst elements of the two steps before.
+    LastingFaults lasting_;
+    double excused_ = 0.0;                ///< What joints stood open by at the start.
+    std::array<double, 2> off_before_{};  ///< Of the worst elements of the two steps before.
     std::int64_t steps_ = 0;
     StateFigures result_;
 };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/limits.h>
+
 #include "record/units.h"
 #include "report/start/parts.h"
 
@@ -67,6 +69,68 @@ void check_gaps(const World& world, const JointRows& rows, Findings& out) {
                                 "them away with a blow: give its bodies velocities that fit",
                                 record::interaction_in_words(world, joint.id),
                                 record::with_unit(std::max(speed.length, turning), "m/s")));
+    }
+}
+
+namespace {
+
+struct Range {
+    InteractionId id;
+    double min, max;
+    std::pair<std::int32_t, std::int32_t> bodies;
+    KindCoordinate coordinate;
+    [[nodiscard]] std::string text() const { return fmt::format("[{:.4g}, {:.4g}]", min, max); }
+};
+
+/// Ranges that are meant rigid, with the order of bodies that they measure by.
+std::vector<Range> rigid_ranges(const World& world) {
+    std::vector<Range> out;
+    for (const InteractionId id : world.interactions()) {
+        const InteractionDef& d = world.interaction_def(id);
+        const KindInfo& kind = kind_info(d.kind);
+        if (!kind.is(kRangeKind) || d.compliance[0] > limit::kMeantRigid) continue;
+        out.push_back(
+            {id, d.get("min"), d.get("max"), {d.body[0].index, d.body[1].index}, kind.coordinate});
+    }
+    return out;
+}
+
+/// Whether two ranges measure the same: bodies, and axes in the first one's frame.
+bool same_coordinate(const World& world, const Range& a, const Range& b) {
+    if (a.bodies != b.bodies || a.coordinate != b.coordinate) return false;
+    const double apart = std::abs(world.coordinate(a.id) - world.coordinate(b.id));
+    const InteractionDef &d = world.interaction_def(a.id), &e = world.interaction_def(b.id);
+    const Vec3 u = d.frame[0] * Vec3::UnitZ(), v = e.frame[0] * Vec3::UnitZ();
+    return apart < 1e-9 && (u - v).norm() < 1e-9;
+}
+
+}  // namespace
+
+void check_ranges(const World& world, Findings& out) {
+    const std::vector<Range> ranges = rigid_ranges(world);
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        const Range& r = ranges[i];
+        const char* unit = r.coordinate == KindCoordinate::about ? "rad" : "m";
+        const std::string name = record::interaction_label(world, r.id);
+        const double q = world.coordinate(r.id);
+        const double beyond = std::max(r.min - q, q - r.max);
+        if (beyond > limit::kOpen.doubtful)
+            out.add(false, FindingKind::gap, {name}, beyond,
+                    fmt::format("{} starts at {:.4g} {}, outside of its range {}; the first steps "
+                                "close that with a blow: start inside",
+                                record::interaction_in_words(world, r.id), q, unit, r.text()));
+        for (std::size_t k = i + 1; k < ranges.size(); ++k) {
+            const Range& other = ranges[k];
+            if (!same_coordinate(world, r, other)) continue;
+            const double apart = std::max(r.min, other.min) - std::min(r.max, other.max);
+            if (apart <= 0.0) continue;
+            out.add(true, FindingKind::contradiction,
+                    {name, record::interaction_label(world, other.id)}, apart,
+                    fmt::format("{} and {} contradict each other: no value lies in {} and in {}",
+                                record::interaction_in_words(world, r.id),
+                                record::name_in_quotes(record::interaction_label(world, other.id)),
+                                r.text(), other.text()));
+        }
     }
 }
 

@@ -26,6 +26,8 @@ void check_overlaps(const World& world, Findings& out);
 void check_gaps(const World& world, const JointRows& rows, Findings& out);
 /// Joints, motors and prescribed motions that repeat or contradict each other (repetitions.cpp).
 void check_repetitions(const World& world, JointRows& rows, Findings& out);
+/// Ranges that start outside, or have nothing in common (joints.cpp).
+void check_ranges(const World& world, Findings& out);
 /// Motors that friction holds (joints.cpp).
 void check_motor_friction(const World& world, Findings& out);
 /// Wires and joints that the step does not resolve (steps.cpp).

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What each judge finds.
+#include "step/judge_findings.h"
+
+#include "base/index.h"
+#include "context/context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace hawser::stepper {
+namespace {
+
+/// Interaction of a row.
+std::int32_t owner_of(const Model& model, std::int32_t row) noexcept {
+    const auto& begin = model.interactions.row_begin;
+    const auto end = begin.begin() + interaction_count(model);
+    return static_cast<std::int32_t>(std::upper_bound(begin.begin(), end, row) - begin.begin()) - 1;
+}
+
+/// How far the step's equations and laws are from solved.
+double certificate(const Model& model, const StepStats& stats) noexcept {
+    // The other methods end where they end, as does a step that keeps to a budget.
+    if (model.def.nonsmooth != Nonsmooth::newton || stats.degradation.of_solve()) return 0.0;
+    return std::max(stats.natural_map, stats.momentum_residual);
+}
+
+Finding finding(double value, Limit by, double time) noexcept {
+    return {.value = value,
+            .doubtful = value / by.doubtful,
+            .wrong = value / by.wrong,
+            .time = time,
+            .interaction = {},
+            .body = {}};
+}
+
+/// The least of three looks running: what passes its range, or comes in, for a moment comes back.
+double lasting(double now, std::array<double, 2>& before) noexcept {
+    const double least = std::min({now, before[0], before[1]});
+    before = {now, before[0]};
+    return least;
+}
+
+}  // namespace
+
+Works works(const State& state) noexcept {
+    return {state.ledger.work + state.loads.work,
+            state.ledger.drive,
+            state.ledger.drag,
+            state.ledger.friction,
+            state.ledger.contact,
+            state.ledger.damped};
+}
+
+Finding energy_finding(const Model& model, const State& state, const JudgePart& p,
+                       JudgeState& memory, double time) noexcept {
+    const Unexplained u = follow_energy(p, works(state), time, memory);
+    const double nothing = std::max(limit::kNothing * (p.kinetic + p.elastic), state.judge.nothing);
+    const auto share = [nothing](double energy, double of) {
+        return energy <= nothing ? 0.0 : energy / of;
+    };
+    const double exchanged = p.kinetic + memory.exchanged, counted = p.kinetic + memory.counted;
+    const ByAccount<Swing>&now = u.now, &mean = u.mean;
+    // By each account energy comes and goes by different amounts: half-way between two poses, and
+    // at the one before, which is half a step away where the last look was a step ago.
+    const bool close = time < 1.5 * model.def.step;
+    const double posed = close ? u.posed : std::max(now[kAtPoses].rise, u.posed);
+    const double created = std::min({now[kBetween].rise, now[kByForce].rise, posed});
+    const double stays = std::min({created, memory.risen[0], memory.risen[1]});
+    memory.risen = {created, memory.risen[0]};
+    const double lasting =
+        std::min({mean[kBetween].rise, mean[kByForce].rise, mean[kAtPoses].rise});
+    const double hidden = std::max(now[kUnexplained].rise, now[kWithGiven].rise);
+    const double lost = now[kUnexplained].fall;
+    Finding out;
+    const double gained = std::max(share(stays, exchanged) / limit::kCreated.doubtful,
+                                   share(hidden, counted) / limit::kHidden.doubtful);
+    const double fell = share(lost, counted) / limit::kLost.doubtful;
+    out.value = gained >= fell ? std::max(created, now[kUnexplained].rise) : -lost;
+    out.doubtful = std::max(gained, fell);
+    out.wrong = std::max({share(lasting, exchanged) / limit::kCreated.wrong,
+                          share(std::max(mean[kUnexplained].rise, mean[kWithGiven].rise), counted) /
+                              limit::kHidden.wrong,
+                          share(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
+    // A split is approximate by choice, and says itself what it does to momentum and forces.
+    if (has_cuts(model)) out.wrong = 0.0;
+    if (!std::isfinite(now[kUnexplained].rise)) out.doubtful = out.wrong = HUGE_VAL;
+    out.time = state.time;
+    return out;
+}
+
+Finding open_finding(const Model& model, const State& state, const JudgePart& p, JudgeState& memory,
+                     double time) noexcept {
+    memory.open_start *= std::exp(-time / (limit::kSettled * model.def.step));
+    Finding out = finding(p.open * limit::kOpen.doubtful, limit::kOpen, state.time);
+    // What the scene opened may close without being refused; that it stood open is said.
+    const double open = std::max(0.0, p.open - memory.open_start);
+    out.wrong = open * limit::kOpen.doubtful / limit::kOpen.wrong;
+    if (p.open_row < 0) return out;
+    out.value = std::fabs(model.interactions.g[at(p.open_row)]);
+    out.interaction = model.interactions.id(owner_of(model, p.open_row));
+    return out;
+}
+
+Finding range_finding(const Model& model, const State& state, const JudgePart& p,
+                      JudgeState& memory) noexcept {
+    const double beyond = lasting(p.beyond, memory.beyond) * limit::kOpen.doubtful;
+    Finding out = finding(beyond, limit::kOpen, state.time);
+    out.wrong =
+        std::max(0.0, beyond - memory.open_start * limit::kOpen.doubtful) / limit::kOpen.wrong;
+    if (p.beyond_row < 0) return out;
+    out.value = std::fabs(model.interactions.g[at(p.beyond_row)]);
+    out.interaction = model.interactions.id(owner_of(model, p.beyond_row));
+    return out;
+}
+
+Finding depth_finding(const Model& model, const State& state, const JudgePart& p,
+                      JudgeState& memory) noexcept {
+    Finding out = finding(lasting(p.deep, memory.deep), limit::kDeep, state.time);
+    if (p.deep_contact < 0) return out;
+    const collide::Contact& c = state.contacts.contacts[at(p.deep_contact)];
+    const std::vector<double>& thick = state.judge.thickness;
+    const int thinner = thick[at(c.shape[0])] <= thick[at(c.shape[1])] ? 0 : 1;
+    out.value = -c.gap;
+    out.body = model.bodies.id(model.collider.shapes()[at(c.shape[thinner])].body[0]);
+    return out;
+}
+
+Finding solved_finding(const StepContext& ctx, JudgeState& state, double time) noexcept {
+    const double residual = certificate(ctx.model, ctx.work.stats);
+    state.unsolved = residual > limit::kCertificate.doubtful ? state.unsolved + time : 0.0;
+    const bool counts = state.unsolved >= limit::kSustained;
+    return finding(counts ? residual : 0.0, limit::kCertificate, ctx.state.time);
+}
+
+Finding stretch_finding(const Model& model, const State& state, const JudgePart& p,
+                        JudgeState& memory) noexcept {
+    Finding out = finding(lasting(p.stretch, memory.stretched), limit::kCable, state.time);
+    out.interaction = model.interactions.id(p.stretch_id);
+    return out;
+}
+
+Finding turn_finding(const Model& model, const State& state, const JudgePart& p) noexcept {
+    Finding out =
+        finding(model.def.step * std::sqrt(std::max(p.turn, p.twist)), limit::kTurn, state.time);
+    if (p.turn >= p.twist)
+        out.body = model.bodies.id(p.turn_body);
+    else
+        out.interaction = model.interactions.id(p.twist_id);
+    return out;
+}
+
+}  // namespace hawser::stepper

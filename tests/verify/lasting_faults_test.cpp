@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Separate code finds ranges that do not hold and bodies that lie in each other.
+#include <hawser/hawser.h>
+
+#include "verify/certificate.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace hawser {
+namespace {
+
+std::string first_objection(World& w, int steps) {
+    verify::Verifier verifier(w);
+    for (int i = 0; i < steps; ++i) {
+        verifier.before_step(w);
+        EXPECT_EQ(w.step(), Status::ok) << i;
+        if (std::string wrong = verifier.after_step(w); !wrong.empty()) return wrong;
+    }
+    return {};
+}
+
+TEST(LastingFaultsVerified, ARangeThatNeverHolds) {
+    World w({.step = 1.0 / 60.0, .on_diverged = OnDiverged::warn});
+    const BodyId ground = w.add_body({.kind = BodyKind::fixed});
+    const BodyId box = w.add_body(
+        {.mass = 1000, .inertia = Mat3::Identity() * 167.0, .half_size = {0.5, 0.5, 0.5}});
+    w.add_interaction({.kind = InteractionKind::Lock, .body = {ground, box}});
+    InteractionDef range{
+        .name = "stop", .kind = InteractionKind::HingeRange, .body = {ground, box}};
+    range.set("min", 0.5);
+    range.set("max", 0.6);
+    w.add_interaction(range);
+    EXPECT_NE(first_objection(w, 60).find("'stop' has been beyond its range"), std::string::npos);
+}
+
+TEST(LastingFaultsVerified, ABodyThatIsPressedThroughAnother) {
+    World w({.step = 1.0 / 60.0, .on_diverged = OnDiverged::warn});
+    const BodyId plate = w.add_body({.name = "plate", .kind = BodyKind::fixed});
+    w.add_shape({.kind = ShapeKind::box, .body = plate, .half_size = {5, 5, 0.05}});
+    const BodyId ball = w.add_body({.name = "ball",
+                                    .position = {0, 0, 1.1},
+                                    .mass = 3e7,
+                                    .inertia = Mat3::Identity() * 1.2e7});
+    w.add_shape({.kind = ShapeKind::sphere, .body = ball, .radius = 1.0});
+    const std::string wrong = first_objection(w, 120);
+    EXPECT_NE(wrong.find("'plate' and 'ball' have lain in each other"), std::string::npos) << wrong;
+}
+
+}  // namespace
+}  // namespace hawser

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Ranges that do not hold and bodies that lie in each other end a run; what strikes the end of a
+/// range, or falls, does not.
+#include <hawser/hawser.h>
+#include <hawser/limits.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace hawser {
+namespace {
+
+/// A wheel on a hinge, with ranges of its angle.
+struct Wheel {
+    World world;
+    BodyId ground, wheel;
+    explicit Wheel(double speed = 0.0) : world({.step = 1.0 / 60.0}) {
+        ground = world.add_body({.kind = BodyKind::fixed});
+        wheel = world.add_body({.angular_velocity = {0, 0, speed},
+                                .mass = 1000,
+                                .inertia = Mat3::Identity() * 167.0,
+                                .gravity = false});
+        world.add_interaction({.kind = InteractionKind::Hinge, .body = {ground, wheel}});
+    }
+    Wheel& range(const std::string& name, double min, double max) {
+        InteractionDef d{
+            .name = name, .kind = InteractionKind::HingeRange, .body = {ground, wheel}};
+        d.set("min", min);
+        d.set("max", max);
+        world.add_interaction(d);
+        return *this;
+    }
+};
+
+Status run(World& w, int steps) {
+    Status status = Status::ok;
+    for (int i = 0; i < steps && status == Status::ok; ++i) status = w.step();
+    return status;
+}
+
+TEST(JudgeLasting, RangesThatContradictEachOtherEndTheRun) {
+    Wheel m;
+    m.range("left", 0.5, 0.6).range("right", -0.6, -0.5);
+    EXPECT_EQ(run(m.world, 60), Status::diverged);
+    const Verdict v = m.world.verdict();
+    EXPECT_EQ(v.judge, Judge::violation);
+    const std::string& name = m.world.interaction_def(v.of(v.judge).interaction).name;
+    EXPECT_TRUE(name == "left" || name == "right") << name;
+}
+
+TEST(JudgeLasting, AMotorThatPushesBeyondARangeEndsTheRun) {
+    Wheel m;
+    m.range("stop", -0.1, 0.1);
+    InteractionDef motor{.kind = InteractionKind::HingeMotor, .body = {m.ground, m.wheel}};
+    motor.set("speed", 1.0);
+    m.world.add_interaction(motor);
+    EXPECT_EQ(run(m.world, 120), Status::diverged);
+    EXPECT_EQ(m.world.verdict().judge, Judge::violation);
+}
+
+TEST(JudgeLasting, WhatStrikesTheEndOfItsRangeIsGood) {
+    // In a step it goes 0.033 rad beyond, 14 mm at its edge: more than what is doubtful.
+    Wheel m(2.0);
+    m.range("stop", -0.3, 0.3);
+    ASSERT_EQ(run(m.world, 240), Status::ok);
+    EXPECT_EQ(m.world.verdict().grade, Grade::good);
+    EXPECT_GT(m.world.stats().event_count[static_cast<std::size_t>(EventKind::range)], 0);
+}
+
+/// A ball on a plate that is thinner than it.
+World ball_on_plate(double mass, double height) {
+    World w({.step = 1.0 / 60.0});
+    const BodyId plate = w.add_body({.name = "plate", .kind = BodyKind::fixed});
+    w.add_shape({.kind = ShapeKind::box, .body = plate, .half_size = {5, 5, 0.05}});
+    const BodyId ball = w.add_body({.name = "ball",
+                                    .position = {0, 0, 1.05 + height},
+                                    .mass = mass,
+                                    .inertia = Mat3::Identity() * 0.4 * mass});
+    w.add_shape({.kind = ShapeKind::sphere, .body = ball, .radius = 1.0});
+    return w;
+}
+
+TEST(JudgeLasting, WhatSinksThroughAPlateEndsTheRun) {
+    World w = ball_on_plate(3e7, 0.1);
+    EXPECT_EQ(run(w, 300), Status::diverged);
+    const Verdict v = w.verdict();
+    EXPECT_EQ(v.judge, Judge::violation);
+    EXPECT_EQ(w.body_def(v.of(v.judge).body).name, "plate");
+}
+
+TEST(JudgeLasting, WhatFallsOnAPlateIsGood) {
+    World w = ball_on_plate(1e3, 3.0);
+    ASSERT_EQ(run(w, 300), Status::ok);
+    EXPECT_EQ(w.verdict().grade, Grade::good);
+}
+
+TEST(JudgeLasting, ARestoredWorldGivesTheSameVerdictAtTheSameStep) {
+    World w = ball_on_plate(3e7, 0.1), other = ball_on_plate(3e7, 0.1);
+    int steps = 0;
+    std::vector<std::byte> saved;
+    while (w.step() == Status::ok && steps < 300) {
+        ++steps;
+        saved = w.save();
+    }
+    other.restore(saved);
+    EXPECT_EQ(other.step(), Status::diverged);
+    EXPECT_EQ(other.verdict().of(Judge::violation).wrong, w.verdict().of(Judge::violation).wrong);
+}
+
+}  // namespace
+}  // namespace hawser
