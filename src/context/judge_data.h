@@ -41,22 +41,21 @@ struct JudgeState {
     Works work{};              ///< At the last look.
     ByAccount<double> mean{};  ///< Over kMean [J].
     ByAccount<Tide> now_tide{}, mean_tide{};
-    double posed = 0.0;                  ///< Rise of kAtPoses, at the last look [J].
-    double held = 0.0, given = 0.0;      ///< By rows: what they may give back, and gave beyond [J].
-    double exchanged = 0.0;              ///< By bodies and springs, and by what drives them [J].
-    double counted = 0.0;                ///< The same with what rows took and gave [J].
-    double age = 0.0;                    ///< Since the sums began [s].
-    double closed = 0.0;                 ///< Higher by closing poses, in the last step [J].
-    double closed_elastic = 0.0;         ///< held_by_closing() in the last step [J].
-    double unsolved = 0.0;               ///< For so long [s].
-    std::array<double, 2> risen{};       ///< Created energy at the last two looks [J].
-    std::array<double, 2> stretched{};   ///< Off the cable law at the last two looks, newest first.
-    std::array<double, 2> beyond{};      ///< JudgePart::beyond of the same.
-    std::array<double, 2> deep{};        ///< JudgePart::deep of the same.
-    double open_start = 0.0;             ///< What still excuses joints that started open.
-    std::int64_t step = 0;               ///< Of the last look.
-    std::int64_t begun = 0;              ///< 0: the next look is the first one.
-    std::array<std::uint8_t, 8> told{};  ///< By judge: it has been said, and holds on.
+    double posed = 0.0;                 ///< Rise of kAtPoses, at the last look [J].
+    double held = 0.0, given = 0.0;     ///< By rows: what they may give back, and gave beyond [J].
+    double exchanged = 0.0;             ///< By bodies and springs, and by what drives them [J].
+    double counted = 0.0;               ///< The same with what rows took and gave [J].
+    double age = 0.0;                   ///< Since the sums began [s].
+    double closed = 0.0;                ///< Higher by closing poses, in the last step [J].
+    double closed_elastic = 0.0;        ///< held_by_closing() in the last step [J].
+    double unsolved = 0.0;              ///< For so long [s].
+    std::array<double, 2> risen{};      ///< Created energy at the last two looks [J].
+    std::array<double, 2> stretched{};  ///< Off the cable law at the last two looks, newest first.
+    std::array<double, 5> beyond{}, deep{};  ///< See JudgePart, at the last looks, newest first.
+    double open_start = 0.0;                 ///< What still excuses joints that started open.
+    std::int64_t step = 0;                   ///< Of the last look.
+    std::int64_t begun = 0;                  ///< 0: the next look is the first one.
+    std::array<std::uint8_t, 8> told{};      ///< By judge: it has been said, and holds on.
 };
 
 /// What a chunk of bodies or interactions adds.

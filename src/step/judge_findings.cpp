@@ -35,10 +35,12 @@ Finding finding(double value, Limit by, double time) noexcept {
             .body = {}};
 }
 
-/// The least of three looks running: what passes its range, or comes in, for a moment comes back.
-double lasting(double now, std::array<double, 2>& before) noexcept {
-    const double least = std::min({now, before[0], before[1]});
-    before = {now, before[0]};
+/// The least of the looks remembered and this one.
+template <std::size_t N>
+double lasting(double now, std::array<double, N>& before) noexcept {
+    const double least = std::min(now, *std::min_element(before.begin(), before.end()));
+    std::copy_backward(before.begin(), before.end() - 1, before.end());
+    before[0] = now;
     return least;
 }
 

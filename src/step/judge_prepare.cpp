@@ -25,6 +25,7 @@ double thickness_of(const collide::Shape& s) noexcept {
     // What lines may touch is wider than they are, and gives way.
     if (s.gone() || s.segment()) return kNone;
     switch (s.geometry.kind) {
+        case ShapeKind::capsule:  // links of lines, which come to lie across each other
         case ShapeKind::plane:
         case ShapeKind::heightfield:
         case ShapeKind::mesh:

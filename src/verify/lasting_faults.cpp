@@ -17,7 +17,7 @@ namespace hawser::verify {
 namespace {
 
 int most_steps(const World& world) {
-    constexpr double kLooks = 3.0;
+    constexpr double kLooks = 6.0;
     return static_cast<int>(
         std::ceil(kLooks * std::max(1.0, limit::kLook / world.settings().step)));
 }
@@ -35,7 +35,6 @@ double thickness(const ShapeDef& s) {
     if (s.body_b.valid()) return HUGE_VAL;
     switch (s.kind) {
         case ShapeKind::sphere:
-        case ShapeKind::capsule:
             return 2.0 * s.radius;
         case ShapeKind::box:
             return 2.0 * s.half_size.minCoeff();

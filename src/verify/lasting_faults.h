@@ -4,7 +4,7 @@
 /// Ranges that do not hold and bodies that lie in each other, by definitions and poses alone.
 ///
 /// What strikes the end of a range passes it within a step by the way that it goes in one, and what
-/// falls comes in: both come back. Wrong is what stays for three looks of the program's own judge,
+/// falls comes in: both come back. Wrong is what stays for six looks of the program's own judge,
 /// which for large worlds are limit::kLook apart.
 
 #include <hawser/hawser.h>

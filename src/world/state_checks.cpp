@@ -214,8 +214,9 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
             "a figure of the judge", 1e300);
     numbers(j.mean, "a figure of the judge", 1e300);
     numbers(j.work, "a figure of the judge", 1e300);
-    for (const auto& lasting : {j.stretched, j.beyond, j.deep})
-        numbers(lasting, "a figure of the judge", 1e300);
+    numbers(j.stretched, "a figure of the judge", 1e300);
+    numbers(j.beyond, "a figure of the judge", 1e300);
+    numbers(j.deep, "a figure of the judge", 1e300);
     for (const auto& tides : {j.now_tide, j.mean_tide})
         for (const stepper::Tide& tide : tides)
             numbers(std::array{tide.least, tide.most}, "a figure of the judge", 1e300);

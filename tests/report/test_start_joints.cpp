@@ -56,6 +56,41 @@ TEST(StartJoints, TwoDoorsOnOneWallAreToldApart) {
     EXPECT_EQ(found[1].about, (Names{"b-0.8", "b0.8"}));
 }
 
+std::string wheel_with_ranges(const std::string& ranges) {
+    return R"("bodies": [{"name": "wheel", "mass": 1000, "box": [0.5, 0.5, 0.5]}],
+        "interactions": [
+            {"name": "hub", "kind": "hinge", "bodies": ["world", "wheel"], "at": [0, 0, 0],
+             "axis": [0, 0, 1]})" +
+           ranges + "]";
+}
+
+std::string range(const std::string& name, const std::string& ends) {
+    return R"(, {"name": ")" + name +
+           R"(", "kind": "hinge_range", "bodies": ["world", "wheel"], "axis": [0, 0, 1], )" + ends +
+           "}";
+}
+
+TEST(StartJoints, RangesWithNothingInCommonContradictEachOther) {
+    const Started s = start_of(wheel_with_ranges(range("left", R"("min": -0.1, "max": 0.1)") +
+                                                 range("right", R"("min": 0.3, "max": 0.6)")));
+    const Finding f = only(s, FindingKind::contradiction);
+    EXPECT_TRUE(f.error);
+    EXPECT_EQ(f.about, (Names{"left", "right"}));
+    EXPECT_NEAR(f.value, 0.2, 1e-12);
+    const Finding outside = only(s, FindingKind::gap);
+    EXPECT_FALSE(outside.error);
+    EXPECT_EQ(outside.about, Names{"right"});
+    EXPECT_NE(outside.text.find("starts at 0 rad, outside of its range [0.3, 0.6]"),
+              std::string::npos)
+        << outside.text;
+}
+
+TEST(StartJoints, RangesThatOverlapAreNoMistake) {
+    const Started s = start_of(wheel_with_ranges(range("wide", R"("min": -1, "max": 1)") +
+                                                 range("narrow", R"("min": -0.2, "max": 1.5)")));
+    EXPECT_TRUE(s.found.list.empty()) << s.text();
+}
+
 /// Overconstrained, and moves: six hinges in a ring have 30 rows for 5 x 6 relative freedoms.
 TEST(StartJoints, BricardIsAWarningAtMost) {
     const Started s = start_of_file("scenes/bricard.json");

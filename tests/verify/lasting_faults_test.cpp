@@ -2,7 +2,7 @@
 // Separate code finds ranges that do not hold and bodies that lie in each other.
 #include <hawser/hawser.h>
 
-#include "verify/certificate.h"
+#include "verify/certificate_state.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace hawser {
 namespace {
 
 std::string first_objection(World& w, int steps) {
-    verify::Verifier verifier(w);
+    verify::StateVerifier verifier(w);
     for (int i = 0; i < steps; ++i) {
         verifier.before_step(w);
         EXPECT_EQ(w.step(), Status::ok) << i;
