@@ -158,6 +158,10 @@ struct Frame {
     /// What wires are made of, where that is no longer what cables say; the recording's own.
     const std::vector<RecordedWire>* wires = nullptr;
     std::vector<float> pulls;  ///< Tension of each of their pieces [N], −1: parted.
+    /// Links, legs of hooks and slings that have come since the start, of one piece each.
+    const std::vector<RecordedWire>* lines = nullptr;
+    std::vector<float> line_pulls;                           ///< As `pulls`.
+    const std::vector<std::int32_t>* gone_joints = nullptr;  ///< In Recording::joints; null: none.
 };
 
 enum class Ending : std::uint8_t { finished, interrupted, failed, unknown };
@@ -227,8 +231,12 @@ class Recording {
     [[nodiscard]] std::int64_t least_step(const std::vector<T>& all,
                                           std::size_t RecordedTake::* before) const;
     void read_note(ByteReader in);
-    void read_wires(ByteReader in);
-    void read_pulls(std::span<const std::byte> payload);
+    struct Wires;
+    using WireTables = std::vector<std::unique_ptr<Wires>>;
+    void read_wires(ByteReader in, WireTables& tables, bool joints_follow);
+    void read_pulls(std::span<const std::byte> payload, const WireTables& tables);
+    static const Wires* find_wires(std::size_t index, const WireTables& tables,
+                                   std::vector<float>& pulls);
     void find_wires(std::size_t index, Frame& frame) const;
     void read_cut(ByteReader in);
     void read_event(ByteReader in);
@@ -251,8 +259,9 @@ class Recording {
         std::size_t first_frame = 0, pieces = 0;
         std::vector<RecordedWire> wires;
         std::vector<std::span<const std::byte>> pulls;  ///< Of each frame from there on.
+        std::vector<std::int32_t> gone;                 ///< Of lines: joints of the start.
     };
-    std::vector<std::unique_ptr<Wires>> wires_;  ///< Frames point into them.
+    WireTables wires_, lines_;  ///< Frames point into them.
 };
 
 /// Does to a world again what was done to the recorded one, and lets its steps leave out what those

@@ -36,8 +36,6 @@ class Broad {
     void find(const base::Array<Placed>& placed, const Filter& filter, double h, double margin,
               std::int64_t most, base::Executor& pool, base::Array<Pair>& out);
     [[nodiscard]] std::size_t bytes() const noexcept;
-    /// Shapes that are held against all others.
-    [[nodiscard]] std::size_t large() const noexcept { return large_.size(); }
 
   private:
     struct Sorted {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Definitions of cranes that are wrong by themselves, whatever they stand on.
+/// Definitions of cranes that are wrong by themselves, whatever they stand on; loads.
+#include <hawser/world.h>
+
 #include "crane/common.h"
 #include "crane/linkage.h"
 
@@ -14,7 +16,8 @@ constexpr double kFar = 1e4, kHeavy = 1e12, kStrong = 1e15;
 /// Checks fields of one part.
 class Fields {
   public:
-    Fields(const std::string& name, std::string part) : name_(name), part_(std::move(part)) {}
+    Fields(const std::string& name, std::string part, const char* kind = "crane")
+        : name_(name), part_(std::move(part)), kind_(kind) {}
 
     /// Above 0 where `least` is.
     const Fields& positive(const char* field, double value, double most) const {
@@ -40,12 +43,17 @@ class Fields {
         return *this;
     }
     [[noreturn]] void fail(const char* field, const std::string& why) const {
-        refuse(name_, part_.empty() ? field : *field == '\0' ? part_ : part_ + "/" + field, why);
+        refuse(name_,
+               part_.empty()    ? field
+               : *field == '\0' ? part_
+                                : part_ + "/" + field,
+               why, kind_);
     }
 
   private:
     const std::string& name_;
     std::string part_;
+    const char* kind_;
 };
 
 void check_link(const std::string& name, const char* part, const CraneLink& link) {
@@ -133,7 +141,7 @@ void check_common(const Common& c) {
     check_tackle(c.name, "hoist", c.hoist, true);
     check_hook(c);
     check_rating(c);
-    check_loads(c.name, c.loads, c.take);
+    check_loads({"crane", c.name, c.loads, c.take});
 }
 
 void check_cylinder(const std::string& name, const char* part, const CraneCylinder& cylinder,
@@ -167,10 +175,10 @@ void check_cylinder(const std::string& name, const char* part, const CraneCylind
 
 }  // namespace
 
-void check_loads(const std::string& name, const std::vector<CraneLoad>& loads, int take) {
-    for (std::size_t i = 0; i < loads.size(); ++i) {
-        const CraneLoad& load = loads[i];
-        const Fields f(name, "loads/" + std::to_string(i));
+void check_loads(const Takes& takes) {
+    for (std::size_t i = 0; i < takes.loads.size(); ++i) {
+        const CraneLoad& load = takes.loads[i];
+        const Fields f(takes.name, "loads/" + std::to_string(i), takes.kind);
         if (load.eyes.empty() || load.eyes.size() > kMostEyes) f.fail("eyes", "give 1 to 8");
         for (const Vec3& eye : load.eyes) f.point("eyes", eye, false);
         f.positive("sling_length", load.sling_length, kFar)
@@ -178,10 +186,25 @@ void check_loads(const std::string& name, const std::vector<CraneLoad>& loads, i
             .from_zero("reach", load.reach, kFar)
             .positive("breaking_load", load.breaking_load, 1e30);
     }
-    if (take < 0 || take > static_cast<int>(loads.size()))
-        refuse(name, "take",
-               "there is no load " + std::to_string(take) + "; the hook knows " +
-                   std::to_string(loads.size()) + ", 0 takes none");
+    if (takes.take < 0 || takes.take > static_cast<int>(takes.loads.size()))
+        refuse(takes.name, "take",
+               "there is no load " + std::to_string(takes.take) + "; the hook knows " +
+                   std::to_string(takes.loads.size()) + ", 0 takes none",
+               takes.kind);
+}
+
+void check_load_bodies(const World& world, const Takes& takes) {
+    for (std::size_t i = 0; i < takes.loads.size(); ++i) {
+        const CraneLoad& load = takes.loads[i];
+        const Fields f(takes.name, "loads/" + std::to_string(i), takes.kind);
+        if (!world.alive(load.body)) f.fail("body", "there is no such body");
+        const BodyKind kind = world.body_def(load.body).kind;
+        if (kind != BodyKind::rigid && kind != BodyKind::lump)
+            f.fail("body", "a load is a rigid body or a lump");
+        for (const Vec3& eye : load.eyes)
+            if (kind == BodyKind::lump && !eye.isZero(0.0))
+                f.fail("eyes", "a lump is a point: its one eye is [0, 0, 0]");
+    }
 }
 
 void check(const KnuckleCraneDef& d) {

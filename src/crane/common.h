@@ -42,18 +42,29 @@ template <class Def>
             d.hoist, d.hook,  d.rating, d.loads,  d.take,      d.ramp};
 }
 
-/// @param where  Path of the field, such as "hoist/efficiency".
+/// @param where  Path of the field, such as "hoist/efficiency". @param kind  Of what has the name.
 [[noreturn]] inline void refuse(const std::string& name, const std::string& where,
-                                const std::string& why) {
-    throw DefError("crane '" + name + "': " + where + ": " + why);
+                                const std::string& why, const char* kind = "crane") {
+    throw DefError(std::string(kind) + " '" + name + "': " + where + ": " + why);
 }
 
 /// Refuses what is out of range, or does not fit, before anything is added. @throws DefError.
 void check(const KnuckleCraneDef& def);
 void check(const LatticeCraneDef& def);
-void check_loads(const std::string& name, const std::vector<CraneLoad>& loads, int take);
 
 inline constexpr std::size_t kMostEyes = 8;
+
+/// What a hook is to take: that of a crane, or one by itself (hawser/hook.h).
+struct Takes {
+    const char* kind;  ///< "crane", "hook": what refusals call the owner.
+    const std::string& name;
+    const std::vector<CraneLoad>& loads;
+    int take;
+};
+/// Loads that are wrong by themselves. @throws DefError.
+void check_loads(const Takes& takes);
+/// Loads that cannot hang in this world. @throws DefError.
+void check_load_bodies(const World& world, const Takes& takes);
 
 /// Name of a part.
 [[nodiscard]] inline std::string part(const std::string& crane, const char* what) {

@@ -109,17 +109,7 @@ class Finder {
 void check_bodies(World& world, const Common& c) {
     if (world.find_system(c.name) != nullptr)
         refuse(c.name, "name", "the name is taken; names are unique");
-    for (std::size_t i = 0; i < c.loads.size(); ++i) {
-        const std::string where = "loads/" + std::to_string(i) + "/body";
-        const CraneLoad& load = c.loads[i];
-        if (!world.alive(load.body)) refuse(c.name, where, "there is no such body");
-        const BodyKind kind = world.body_def(load.body).kind;
-        if (kind != BodyKind::rigid && kind != BodyKind::lump)
-            refuse(c.name, where, "a load is a rigid body or a lump");
-        for (const Vec3& eye : load.eyes)
-            if (kind == BodyKind::lump && !eye.isZero(0.0))
-                refuse(c.name, where, "a lump is a point: its one eye is [0, 0, 0]");
-    }
+    check_load_bodies(world, {"crane", c.name, c.loads, c.take});
     const int hang =
         c.take > 0 ? static_cast<int>(c.loads[static_cast<std::size_t>(c.take - 1)].eyes.size())
                    : 0;

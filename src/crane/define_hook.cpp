@@ -24,32 +24,17 @@ void check_bodies(World& world, const HookDef& def) {
         refuse(def, "point is not finite, or beyond 1e7 m");
     if (own == BodyKind::lump && !def.point.isZero(0.0))
         refuse(def, "a lump is a point: leave out `point`");
-    for (std::size_t i = 0; i < def.loads.size(); ++i) {
-        const CraneLoad& load = def.loads[i];
-        const std::string where = "loads/" + std::to_string(i) + ": ";
-        if (!world.alive(load.body)) refuse(def, where + "there is no such body");
-        if (load.body == def.body) refuse(def, where + "a hook does not take itself");
-        const BodyKind kind = world.body_def(load.body).kind;
-        if (kind != BodyKind::rigid && kind != BodyKind::lump)
-            refuse(def, where + "a load is a rigid body or a lump");
-        for (const Vec3& eye : load.eyes)
-            if (kind == BodyKind::lump && !eye.isZero(0.0))
-                refuse(def, where + "a lump is a point: its one eye is [0, 0, 0]");
-    }
+    for (std::size_t i = 0; i < def.loads.size(); ++i)
+        if (def.loads[i].body == def.body)
+            refuse(def, "loads/" + std::to_string(i) + "/body: a hook does not take itself");
+    crane::check_load_bodies(world, {"hook", def.name, def.loads, def.take});
 }
 
 void check(World& world, const HookDef& def) {
     if (def.name.empty()) throw DefError("a hook needs a name");
     if (world.find_system(def.name) != nullptr) refuse(def, "the name is taken; names are unique");
     if (def.loads.empty()) refuse(def, "it can take nothing; name what it may take in `loads`");
-    try {
-        crane::check_loads(def.name, def.loads, def.take);
-    } catch (const DefError& error) {
-        // "crane 'NAME': " is what a hook is not.
-        const std::string text = error.what();
-        const auto said = text.find("': ");
-        refuse(def, said == std::string::npos ? text : text.substr(said + 3));
-    }
+    crane::check_loads({"hook", def.name, def.loads, def.take});
     check_bodies(world, def);
     for (const double force : {def.strength, def.latch})
         if (!(force > 0.0 && force <= 1e30))

@@ -76,7 +76,9 @@ void draw_joints(Drawing& drawing, const Axes& axes, const View& view,
                  const record::Recording& recording, const record::Frame& frame, bool ghost) {
     const Color color = ghost ? kGhost : kBodyLine;
     const double width = ghost ? 1.0 : 1.8;
-    for (const record::RecordedJoint& joint : recording.joints) {
+    for (std::size_t j = 0; j < recording.joints.size(); ++j) {
+        if (is_gone(frame, j)) continue;
+        const record::RecordedJoint& joint = recording.joints[j];
         Point ends[2];
         bool drum = false;
         for (int k = 0; k < 2; ++k) {
@@ -125,15 +127,16 @@ bool is_changed(const record::Frame& frame, const record::RecordedCable& cable) 
 /// Wires as they are made up in a frame in which nodes have come or gone. What lies on a wheel
 /// between two pieces is drawn as its chord.
 void draw_wires(Drawing& drawing, const Axes& axes, const View& view, const record::Frame& frame,
+                const std::vector<record::RecordedWire>& wires, const std::vector<float>& pulls,
                 const FrameStyle& style) {
     const auto where = [&](const record::RecordedPiece& piece, int k) {
         return project(axes, view, place(frame, piece.body[k], piece.point[k]));
     };
-    for (const record::RecordedWire& wire : *frame.wires)
+    for (const record::RecordedWire& wire : wires)
         for (std::size_t i = 0; i < wire.pieces.size(); ++i) {
             const record::RecordedPiece& piece = wire.pieces[i];
             const Point from = where(piece, 0), to = where(piece, 1);
-            const double pull = frame.pulls[wire.first_piece + i];
+            const double pull = pulls[wire.first_piece + i];
             if (pull < 0.0 && !style.ghost) {
                 for (const Point end : {from, to}) draw_cross(drawing, end);
                 continue;
@@ -154,7 +157,10 @@ void draw_cables(Drawing& drawing, const Axes& axes, const View& view,
                  const FrameStyle& style) {
     const std::vector<PartedElement> parted =
         style.ghost ? std::vector<PartedElement>{} : parted_elements(recording, frame.time);
-    if (frame.wires != nullptr) draw_wires(drawing, axes, view, frame, style);
+    if (frame.wires != nullptr)
+        draw_wires(drawing, axes, view, frame, *frame.wires, frame.pulls, style);
+    if (frame.lines != nullptr)
+        draw_wires(drawing, axes, view, frame, *frame.lines, frame.line_pulls, style);
     for (std::size_t c = 0; c < recording.cables.size(); ++c) {
         const record::RecordedCable& cable = recording.cables[c];
         if (is_changed(frame, cable)) continue;
@@ -193,6 +199,12 @@ Point project(const Axes& axes, const View& view, const Vec3& p) {
     return axes.at(p[view.right], p[view.up]);
 }
 
+bool is_gone(const record::Frame& frame, std::size_t joint) {
+    return frame.gone_joints != nullptr &&
+           std::find(frame.gone_joints->begin(), frame.gone_joints->end(),
+                     static_cast<std::int32_t>(joint)) != frame.gone_joints->end();
+}
+
 std::vector<bool> visible_bodies(const record::Recording& recording) {
     std::vector<bool> node = recording.wire_lumps(), visible(recording.bodies.size());
     for (const record::RecordedCable& cable : recording.cables)
@@ -214,10 +226,12 @@ void add_to_bounds(const record::Recording& recording, const record::Frame& fram
     for (const record::RecordedCable& cable : recording.cables)
         if (!is_changed(frame, cable))
             for (const Vec3& point : cable_points(recording, cable, frame)) bounds.add(point);
-    if (frame.wires != nullptr)
-        for (const record::RecordedWire& wire : *frame.wires)
+    for (const auto* wires : {frame.wires, frame.lines}) {
+        if (wires == nullptr) continue;
+        for (const record::RecordedWire& wire : *wires)
             for (const record::RecordedPiece& piece : wire.pieces)
                 for (int k = 0; k < 2; ++k) bounds.add(place(frame, piece.body[k], piece.point[k]));
+    }
     for (const record::RecordedJoint& joint : recording.joints)
         for (int k = 0; k < 2; ++k)
             if (recording.bodies[static_cast<std::size_t>(joint.body[k])].kind != BodyKind::scalar)

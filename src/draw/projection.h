@@ -34,6 +34,9 @@ struct Bounds {
     [[nodiscard]] bool empty() const { return (low.array() > high.array()).any(); }
 };
 
+/// Whether a joint of Recording::joints has gone by the frame.
+[[nodiscard]] bool is_gone(const record::Frame& frame, std::size_t joint);
+
 /// Which bodies a picture shows by themselves: those with a size, and points that are not
 /// nodes of a cable; not the world itself and not drums, which have no place.
 [[nodiscard]] std::vector<bool> visible_bodies(const record::Recording& recording);

@@ -134,9 +134,10 @@ void Space::draw_cross(const Vec3& end) {
 }
 
 void Space::draw_joints(double level, bool above) {
-    for (const record::RecordedJoint& joint : recording_.joints) {
+    for (std::size_t j = 0; j < recording_.joints.size(); ++j) {
+        const record::RecordedJoint& joint = recording_.joints[j];
         Vec3 where[2];
-        bool drawn = true;
+        bool drawn = !is_gone(frame_, j);
         for (int k = 0; k < 2; ++k) {
             const auto body = static_cast<std::size_t>(joint.body[k]);
             drawn = drawn && frame_.there[body] && recording_.bodies[body].kind != BodyKind::scalar;

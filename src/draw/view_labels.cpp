@@ -184,6 +184,7 @@ void draw_names(Drawing& drawing, const Axes& axes, const View& view,
 Range tension_range(const record::Frame& frame) {
     const std::vector<float>& of = frame.wires != nullptr ? frame.pulls : frame.tensions;
     std::vector<double> values(of.begin(), of.end());
+    values.insert(values.end(), frame.line_pulls.begin(), frame.line_pulls.end());
     for (double& value : values) value = std::max(0.0, value);  // of what has parted −1
     Range r = range_of(values);
     if (r.low > 0.0 && r.low < 0.6 * r.high) r.low = 0.0;

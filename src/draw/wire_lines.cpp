@@ -54,10 +54,10 @@ void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireL
 
 /// Between pieces that lie on a wheel a chord joins them, with the tension of the one before.
 void WireReader::read_wire(const record::RecordedWire& wire, const record::Frame& frame,
-                           WireLine& out) const {
+                           const std::vector<float>& pulls, WireLine& out) {
     for (std::size_t i = 0; i < wire.pieces.size(); ++i) {
         const record::RecordedPiece& piece = wire.pieces[i];
-        const float pull = frame.pulls[wire.first_piece + i];
+        const float pull = pulls[wire.first_piece + i];
         const WirePiece segment{place_of(frame, piece.body[0], piece.point[0]),
                                 place_of(frame, piece.body[1], piece.point[1]),
                                 std::max(0.0F, pull), pull < 0.0F};
@@ -81,7 +81,7 @@ void WireReader::read(const record::Frame& frame, std::vector<WireLine>& out) co
             auto own = cables_.find(wire.name);
             if (own != cables_.end()) {
                 changed[own->second] = true;
-                read_wire(wire, frame, out[own->second]);
+                read_wire(wire, frame, frame.pulls, out[own->second]);
                 continue;
             }
             // Piece "tow/2" of the cable "tow".
@@ -91,11 +91,16 @@ void WireReader::read(const record::Frame& frame, std::vector<WireLine>& out) co
                 line.EA = recording_.cables[own->second].EA;
                 line.breaking_load = recording_.cables[own->second].breaking_load;
             }
-            read_wire(wire, frame, line);
+            read_wire(wire, frame, frame.pulls, line);
             out.push_back(std::move(line));
         }
     for (std::size_t c = 0; c < recording_.cables.size(); ++c)
         if (!changed[c]) read_cable(c, frame, out[c]);
+    if (frame.lines == nullptr) return;
+    for (const record::RecordedWire& line : *frame.lines) {
+        out.push_back({line.name, 0.0, 0.0, {}});
+        read_wire(line, frame, frame.line_pulls, out.back());
+    }
 }
 
 }  // namespace hawser::draw

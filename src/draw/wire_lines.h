@@ -32,14 +32,15 @@ struct WireLine {
 class WireReader {
   public:
     explicit WireReader(const record::Recording& recording);
-    /// Cables of the scene in its order, each as it is in the frame; then pieces that were cut off.
+    /// Cables of the scene in its order, each as it is in the frame; then pieces that were cut off,
+    /// and lines that are no wires and have come since the start.
     /// @param out  In the caller's memory.
     void read(const record::Frame& frame, std::vector<WireLine>& out) const;
 
   private:
     void read_cable(std::size_t index, const record::Frame& frame, WireLine& out) const;
-    void read_wire(const record::RecordedWire& wire, const record::Frame& frame,
-                   WireLine& out) const;
+    static void read_wire(const record::RecordedWire& wire, const record::Frame& frame,
+                          const std::vector<float>& pulls, WireLine& out);
 
     const record::Recording& recording_;
     std::map<std::string, std::size_t, std::less<>> cables_;

@@ -25,34 +25,46 @@ Vec3 on_body(const Pose& pose, const Vec3& point) {
 
 }  // namespace
 
+/// @return whether it is one of these, and has been put.
+bool RecordedScene::add_recorded(const record::Frame& frame, std::string_view name,
+                                 const std::vector<record::RecordedWire>* wires,
+                                 const std::vector<float>& pulls, std::vector<float>& points,
+                                 std::vector<float>& tensions) const {
+    if (wires == nullptr) return false;
+    for (const record::RecordedWire& recorded : *wires) {
+        if (recorded.name != name) continue;
+        Vec3 last = Vec3::Zero();
+        for (std::size_t p = 0; p < recorded.pieces.size(); ++p) {
+            const record::RecordedPiece& piece = recorded.pieces[p];
+            const auto end = [&](std::size_t k) -> Vec3 {
+                return on_body(frame.poses[at(piece.body[k])], piece.point[k]) - origin_;
+            };
+            const float pull = pulls[recorded.first_piece + p];
+            const Vec3 begin = end(0);
+            if (p == 0) {
+                put_point(points, begin);
+            } else if ((begin - last).squaredNorm() > kTogether * kTogether) {
+                put_point(points, begin);  // it lies on a wheel between them
+                tensions.push_back(std::max(pull, tensions.back()));
+            }
+            last = end(1);
+            put_point(points, last);
+            tensions.push_back(pull);
+        }
+        return true;
+    }
+    return false;
+}
+
 /// Of a wire whose nodes came and went what the frame itself says, else what its cable says.
 void RecordedScene::add_wire(const record::Frame& frame, std::size_t wire,
                              std::vector<float>& points, std::vector<float>& tensions) const {
     const WireSource& source = plan_.wires[wire];
-    if (frame.wires) {
-        for (const record::RecordedWire& recorded : *frame.wires) {
-            if (recorded.name != source.name) continue;
-            Vec3 last = Vec3::Zero();
-            for (std::size_t p = 0; p < recorded.pieces.size(); ++p) {
-                const record::RecordedPiece& piece = recorded.pieces[p];
-                const auto end = [&](std::size_t k) -> Vec3 {
-                    return on_body(frame.poses[at(piece.body[k])], piece.point[k]) - origin_;
-                };
-                const float pull = frame.pulls[recorded.first_piece + p];
-                const Vec3 begin = end(0);
-                if (p == 0) {
-                    put_point(points, begin);
-                } else if ((begin - last).squaredNorm() > kTogether * kTogether) {
-                    put_point(points, begin);  // it lies on a wheel between them
-                    tensions.push_back(std::max(pull, tensions.back()));
-                }
-                last = end(1);
-                put_point(points, last);
-                tensions.push_back(pull);
-            }
-            return;
-        }
-    }
+    if (add_recorded(frame, source.name, frame.wires, frame.pulls, points, tensions) ||
+        add_recorded(frame, source.name, frame.lines, frame.line_pulls, points, tensions))
+        return;
+    const auto* gone = frame.gone_joints;
+    if (gone != nullptr && std::count(gone->begin(), gone->end(), sources_[wire].joint) > 0) return;
     if (sources_[wire].cable >= 0) {
         const record::RecordedCable& cable = recording_.cables[at(sources_[wire].cable)];
         const std::size_t n = cable.nodes.size();

@@ -106,7 +106,7 @@ void RecordedScene::build_from_list() {
     std::erase_if(plan_.rigid, is_node);
 }
 
-/// Wires of the scene, and those that cuts have made.
+/// Wires of the scene, those that cuts have made, and lines that came while it ran.
 void RecordedScene::find_wires() {
     std::set<std::string> known;
     for (const WireSource& wire : plan_.wires) known.insert(wire.name);
@@ -117,20 +117,36 @@ void RecordedScene::find_wires() {
         plan_.wires.push_back(std::move(wire));
     };
     for (const record::RecordedCable& cable : recording_.cables) add(cable.name, WireKind::wire);
-    const std::vector<record::RecordedWire>* last = nullptr;
+    const std::vector<record::RecordedWire>*last = nullptr, *last_lines = nullptr;
     for (std::size_t f = 0; f < recording_.frame_count(); ++f) {
-        const auto* wires = recording_.frame(f).wires;
-        if (!wires || wires == last) continue;
-        for (const record::RecordedWire& wire : *wires) add(wire.name, WireKind::wire);
-        last = wires;
+        const record::Frame frame = recording_.frame(f);
+        if (frame.wires != nullptr && frame.wires != last)
+            for (const record::RecordedWire& wire : *frame.wires) add(wire.name, WireKind::wire);
+        if (frame.lines != nullptr && frame.lines != last_lines)
+            for (const record::RecordedWire& line : *frame.lines) add(line.name, WireKind::line);
+        last = frame.wires;
+        last_lines = frame.lines;
     }
     sources_.resize(plan_.wires.size());
     for (std::size_t w = 0; w < plan_.wires.size(); ++w) {
-        sources_[w].links = plan_.wires[w].kind == WireKind::links;
+        sources_[w].joint = joint_of(plan_.wires[w]);
         for (std::size_t c = 0; c < recording_.cables.size(); ++c)
             if (recording_.cables[c].name == plan_.wires[w].name)
                 sources_[w].cable = static_cast<std::int32_t>(c);
     }
+}
+
+std::int32_t RecordedScene::joint_of(const WireSource& wire) const {
+    const bool alone = wire.kind == WireKind::line || wire.kind == WireKind::rod;
+    if (!alone || wire.pieces.size() != 1) return -1;
+    const HeldPoint(&end)[2] = wire.pieces.front().end;
+    for (std::size_t j = 0; j < recording_.joints.size(); ++j) {
+        const record::RecordedJoint& joint = recording_.joints[j];
+        if (joint.body[0] == end[0].body && joint.body[1] == end[1].body &&
+            joint.point[0] == end[0].point && joint.point[1] == end[1].point)
+            return static_cast<std::int32_t>(j);
+    }
+    return -1;
 }
 
 void RecordedScene::follow_inputs() {

@@ -14,7 +14,9 @@
 #include <hawser/recording.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hawser::live {
@@ -38,13 +40,18 @@ class RecordedScene {
     void find_wires();
     void follow_inputs();
     [[nodiscard]] std::vector<float> inputs_at(std::size_t index, std::int64_t step) const;
+    [[nodiscard]] std::int32_t joint_of(const WireSource& wire) const;
+    bool add_recorded(const record::Frame& frame, std::string_view name,
+                      const std::vector<record::RecordedWire>* wires,
+                      const std::vector<float>& pulls, std::vector<float>& points,
+                      std::vector<float>& tensions) const;
     void add_wire(const record::Frame& frame, std::size_t wire, std::vector<float>& points,
                   std::vector<float>& tensions) const;
 
     /// Where tensions and points of a wire of the plan come from.
     struct Source {
         std::int32_t cable = -1;  ///< Of the recording.
-        bool links = false;
+        std::int32_t joint = -1;  ///< Of the recording, that a line or rod of the scene is.
     };
 
     const record::Recording& recording_;

@@ -7,23 +7,6 @@
 namespace hawser::record {
 namespace {
 
-// Joints and rods between two bodies that are not elements of a cable.
-std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world) {
-    std::vector<bool> in_cable(static_cast<std::size_t>(world.interaction_count()), false);
-    for (const CableInfo& cable : scene.cables)
-        for (const InteractionId element : cable.elements)
-            in_cable[static_cast<std::size_t>(element.index)] = true;
-    std::vector<InteractionId> joints;
-    for (const InteractionId id : world.interactions()) {
-        const KindInfo& kind = kind_info(world.interaction_def(id).kind);
-        // Lines that drums pay out and parts of routes have their drums and slides behind them.
-        const bool two = kind.bodies == 2 || kind.scalar_slot == 2;
-        if (two && kind.uses_points && !in_cable[static_cast<std::size_t>(id.index)])
-            joints.push_back(id);
-    }
-    return joints;
-}
-
 void put_joints(ByteWriter& out, const SceneInfo& scene, const World& world) {
     const std::vector<InteractionId> joints = joints_of(scene, world);
     out.put(static_cast<std::uint32_t>(joints.size()));
@@ -49,6 +32,22 @@ Vec3 end_point(const CableInfo& cable, const World& world, bool last) {
 }
 
 }  // namespace
+
+std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world) {
+    std::vector<bool> in_cable(static_cast<std::size_t>(world.interaction_count()), false);
+    for (const CableInfo& cable : scene.cables)
+        for (const InteractionId element : cable.elements)
+            in_cable[static_cast<std::size_t>(element.index)] = true;
+    std::vector<InteractionId> joints;
+    for (const InteractionId id : world.interactions()) {
+        const KindInfo& kind = kind_info(world.interaction_def(id).kind);
+        // Lines that drums pay out and parts of routes have their drums and slides behind them.
+        const bool two = kind.bodies == 2 || kind.scalar_slot == 2;
+        if (two && kind.uses_points && !in_cable[static_cast<std::size_t>(id.index)])
+            joints.push_back(id);
+    }
+    return joints;
+}
 
 void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose) {
     out.put_text(def.name);

@@ -9,8 +9,12 @@
 
 #include <hawser/hawser.h>
 
+#include <vector>
+
 namespace hawser::record {
 
+/// Joints and rods between two bodies that are not elements of a cable, as a layout has them.
+[[nodiscard]] std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world);
 void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose);
 void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world);
 

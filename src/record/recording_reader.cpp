@@ -127,9 +127,13 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
     } else if (kind == kBodiesChunk) {
         read_bodies(in);
     } else if (kind == kWiresChunk) {
-        read_wires(in);
+        read_wires(in, wires_, false);
     } else if (kind == kPullsChunk) {
-        read_pulls(payload);
+        read_pulls(payload, wires_);
+    } else if (kind == kLinesChunk) {
+        read_wires(in, lines_, true);
+    } else if (kind == kLinePullsChunk) {
+        read_pulls(payload, lines_);
     } else if (kind == kCutChunk) {
         read_cut(in);
     } else if (kind == kEventChunk) {

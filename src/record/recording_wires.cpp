@@ -47,6 +47,25 @@ bool WireFollower::changed(const World& world) {
     return other;
 }
 
+void put_piece(ByteWriter& out, const World& world, InteractionId element,
+               std::span<const BodyId> bodies) {
+    const InteractionDef& d = world.interaction_def(element);
+    const std::array<Vec3, 2> ends = world.ends(element);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto place = std::lower_bound(bodies.begin(), bodies.end(), d.body[k]);
+        out.put(static_cast<std::int32_t>(place - bodies.begin()));
+        const Pose pose = world.pose(d.body[k]);
+        const Vec3 held = pose.orientation.conjugate() * (ends[k] - pose.position);
+        for (int c = 0; c < 3; ++c) out.put(std::isfinite(held[c]) ? held[c] : 0.0);
+    }
+}
+
+void put_pull(ByteWriter& out, const World& world, InteractionId element) {
+    constexpr double kMost = std::numeric_limits<float>::max();
+    const double pull = world.intact(element) ? std::max(0.0, -world.force(element)[0]) : -1.0;
+    out.put(static_cast<float>(std::isnan(pull) ? 0.0 : std::min<double>(pull, kMost)));
+}
+
 void WireFollower::put_wires(ByteWriter& out, const World& world,
                              std::span<const BodyId> bodies) const {
     const auto wires = world.wires();
@@ -54,27 +73,13 @@ void WireFollower::put_wires(ByteWriter& out, const World& world,
     for (std::size_t w = 0; w < wires.size(); ++w) {
         out.put_text(world.wire_name(wires[w]));
         out.put(static_cast<std::uint32_t>(elements_[w].size()));
-        for (const InteractionId id : elements_[w]) {
-            const InteractionDef& d = world.interaction_def(id);
-            const std::array<Vec3, 2> ends = world.ends(id);
-            for (std::size_t k = 0; k < 2; ++k) {
-                const auto place = std::lower_bound(bodies.begin(), bodies.end(), d.body[k]);
-                out.put(static_cast<std::int32_t>(place - bodies.begin()));
-                const Pose pose = world.pose(d.body[k]);
-                const Vec3 held = pose.orientation.conjugate() * (ends[k] - pose.position);
-                for (int c = 0; c < 3; ++c) out.put(std::isfinite(held[c]) ? held[c] : 0.0);
-            }
-        }
+        for (const InteractionId id : elements_[w]) put_piece(out, world, id, bodies);
     }
 }
 
 void WireFollower::put_pulls(ByteWriter& out, const World& world) const {
-    constexpr double kMost = std::numeric_limits<float>::max();
     for (const auto& wire : elements_)
-        for (const InteractionId id : wire) {
-            const double pull = world.intact(id) ? std::max(0.0, -world.force(id)[0]) : -1.0;
-            out.put(static_cast<float>(std::isnan(pull) ? 0.0 : std::min<double>(pull, kMost)));
-        }
+        for (const InteractionId id : wire) put_pull(out, world, id);
 }
 
 std::vector<RecordedWire> get_wires(ByteReader& in, std::span<const std::int32_t> bodies,
@@ -98,23 +103,31 @@ std::vector<RecordedWire> get_wires(ByteReader& in, std::span<const std::int32_t
     return out;
 }
 
-/// From the next frame on.
-void Recording::read_wires(ByteReader in) {
+/// From the next frame on. @param joints  Whether those of the start that have gone follow.
+void Recording::read_wires(ByteReader in, WireTables& tables, bool joints_follow) {
     auto next = std::make_unique<Wires>();
     next->first_frame = frames_.size();
     next->wires = get_wires(in, layouts_.back().bodies, next->pieces);
+    if (joints_follow) {
+        next->gone.resize(in.get_count(4));
+        for (std::int32_t& joint : next->gone) {
+            joint = in.get<std::int32_t>();
+            if (joint < 0 || static_cast<std::size_t>(joint) >= joints.size())
+                throw BadBytes("an index is out of range");
+        }
+    }
     in.expect_end();
-    wires_.push_back(std::move(next));
+    tables.push_back(std::move(next));
 }
 
-void Recording::read_pulls(std::span<const std::byte> payload) {
-    if (wires_.empty() ||
-        frames_.size() != wires_.back()->first_frame + wires_.back()->pulls.size() + 1 ||
-        payload.size() != 4 * wires_.back()->pieces)
+void Recording::read_pulls(std::span<const std::byte> payload, const WireTables& tables) {
+    if (tables.empty() ||
+        frames_.size() != tables.back()->first_frame + tables.back()->pulls.size() + 1 ||
+        payload.size() != 4 * tables.back()->pieces)
         throw BadBytes("tensions of wires that are not there");
     ByteReader in(payload);
-    for (std::size_t k = 0; k < wires_.back()->pieces; ++k) (void)get_finite<float>(in);
-    wires_.back()->pulls.push_back(payload);
+    for (std::size_t k = 0; k < tables.back()->pieces; ++k) (void)get_finite<float>(in);
+    tables.back()->pulls.push_back(payload);
 }
 
 std::vector<bool> Recording::wire_lumps() const {
@@ -129,17 +142,27 @@ std::vector<bool> Recording::wire_lumps() const {
     return out;
 }
 
-void Recording::find_wires(std::size_t index, Frame& frame) const {
+/// @return null: none has come, or the recording ends before they are whole.
+const Recording::Wires* Recording::find_wires(std::size_t index, const WireTables& tables,
+                                              std::vector<float>& pulls) {
     const auto behind =
-        std::upper_bound(wires_.begin(), wires_.end(), index,
+        std::upper_bound(tables.begin(), tables.end(), index,
                          [](std::size_t f, const auto& w) { return f < w->first_frame; });
-    if (behind == wires_.begin()) return;
+    if (behind == tables.begin()) return nullptr;
     const Wires& wires = **std::prev(behind);
-    if (index - wires.first_frame >= wires.pulls.size()) return;  // the recording ends before them
-    frame.wires = &wires.wires;
+    if (index - wires.first_frame >= wires.pulls.size()) return nullptr;
     ByteReader in(wires.pulls[index - wires.first_frame]);
-    frame.pulls.resize(wires.pieces);
-    for (float& pull : frame.pulls) pull = in.get<float>();
+    pulls.resize(wires.pieces);
+    for (float& pull : pulls) pull = in.get<float>();
+    return &wires;
+}
+
+void Recording::find_wires(std::size_t index, Frame& frame) const {
+    if (const Wires* wires = find_wires(index, wires_, frame.pulls)) frame.wires = &wires->wires;
+    if (const Wires* lines = find_wires(index, lines_, frame.line_pulls)) {
+        frame.lines = &lines->wires;
+        frame.gone_joints = &lines->gone;
+    }
 }
 
 }  // namespace hawser::record

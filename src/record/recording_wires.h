@@ -32,6 +32,13 @@ class WireFollower {
     std::vector<std::vector<InteractionId>> elements_;  ///< Of each wire, what there is.
 };
 
+/// Both ends of an element: the body of each by its place in a frame, and where it is held [m].
+/// @param bodies  Those of a frame, ascending.
+void put_piece(ByteWriter& out, const World& world, InteractionId element,
+               std::span<const BodyId> bodies);
+/// Its tension [N], −1: parted.
+void put_pull(ByteWriter& out, const World& world, InteractionId element);
+
 /// @param bodies  Of a frame, as numbers of the recording. @param pieces  How many there are.
 /// @throws BadBytes
 [[nodiscard]] std::vector<RecordedWire> get_wires(ByteReader& in,

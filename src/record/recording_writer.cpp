@@ -54,7 +54,7 @@ void put_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kin
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneInfo& scene,
                                  const World& world, const RecordingSettings& settings)
-    : file_(file), wires_(world) {
+    : file_(file), wires_(world), lines_(world, joints_of(scene, world)) {
     // A pipe would be waited for.
     if (const std::string fault = output_fault(file); !fault.empty())
         throw RecordingError(
@@ -173,15 +173,27 @@ void RecordingWriter::follow_bodies(const World& world) {
 void RecordingWriter::follow_wires(const World& world) {
     if (!wires_.changed(world)) return;
     other_wires_ = true;
-    std::vector<BodyId> bodies;
-    for (const FramedBody& body : bodies_) bodies.push_back(body.id);
-    wires_.put_wires(payload_, world, bodies);
+    wires_.put_wires(payload_, world, bodies_of_frame());
     write_chunk(kWiresChunk);
+}
+
+void RecordingWriter::follow_lines(const World& world) {
+    if (!lines_.changed(world)) return;
+    other_lines_ = true;
+    lines_.put_lines(payload_, world, bodies_of_frame());
+    write_chunk(kLinesChunk);
+}
+
+std::vector<BodyId> RecordingWriter::bodies_of_frame() const {
+    std::vector<BodyId> out;
+    for (const FramedBody& body : bodies_) out.push_back(body.id);
+    return out;
 }
 
 void RecordingWriter::add_frame(const World& world) {
     if (other_bodies_) follow_bodies(world);
     follow_wires(world);
+    follow_lines(world);
     const StepStats& stats = world.stats();
     payload_.put(world.step_count());
     payload_.put(world.time());
@@ -194,9 +206,13 @@ void RecordingWriter::add_frame(const World& world) {
     for (const InteractionId element : elements_)
         payload_.put(to_float(world.alive(element) ? element_tension(world, element) : 0.0));
     write_chunk(kFrameChunk);
-    if (!other_wires_) return;
-    wires_.put_pulls(payload_, world);
-    write_chunk(kPullsChunk);
+    if (other_wires_) {
+        wires_.put_pulls(payload_, world);
+        write_chunk(kPullsChunk);
+    }
+    if (!other_lines_) return;
+    lines_.put_pulls(payload_, world);
+    write_chunk(kLinePullsChunk);
 }
 
 void RecordingWriter::add_inputs(std::span<const RecordedInput> changes) {

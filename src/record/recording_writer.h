@@ -8,6 +8,7 @@
 
 #include "record/bytes.h"
 #include "record/changes.h"
+#include "record/recording_lines.h"
 #include "record/recording_wires.h"
 #include "record/scene_info.h"
 
@@ -56,11 +57,15 @@ class RecordingWriter {
     };
     void follow_bodies(const World& world);
     void follow_wires(const World& world);
+    void follow_lines(const World& world);
+    [[nodiscard]] std::vector<BodyId> bodies_of_frame() const;
 
     std::vector<InteractionId> elements_;
     std::vector<FramedBody> bodies_;  ///< Of a frame, in its order.
     WireFollower wires_;
+    LineFollower lines_;
     bool other_wires_ = false;   ///< Than those of the start: frames have their tensions.
+    bool other_lines_ = false;   ///< Have come or gone: frames have their tensions.
     bool other_bodies_ = false;  ///< Than bodies_: they are written before the next frame.
 };
 

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -111,19 +112,14 @@ class SceneSite final : public CraneSite {
     int at_;
 };
 
-/// A refusal of the library, "crane 'NAME': hoist/falls: why", at its place in the file.
-[[noreturn]] void refuse_at(const Place& place, const std::string& text) {
-    const auto name_ends = text.find("': ");
-    const std::string rest = name_ends == std::string::npos ? text : text.substr(name_ends + 3);
-    const auto ends = rest.find(": ");
-    constexpr const char* kOfPaths = "abcdefghijklmnopqrstuvwxyz_/0123456789EA";
-    if (ends == std::string::npos || rest.find_first_not_of(kOfPaths) != ends) refuse(place, rest);
-    std::string path = rest.substr(0, ends);
-    for (const char* mount : {"mount/"})
-        if (path.starts_with(mount)) path = path.substr(std::string_view(mount).size());
-    if (path == "orientation") path = "euler_deg";
-    if (path.ends_with("angle")) path += "_deg";
-    refuse({place.file, place.path + "/" + path}, rest.substr(ends + 2));
+/// The library says mount/point, boom_angle [rad] where a scene has point, boom_angle_deg.
+[[noreturn]] void refuse_at(const Place& place, const DefError& error) {
+    FieldWords said = field_words(error);
+    constexpr std::string_view kMount = "mount/";
+    if (said.path.starts_with(kMount)) said.path = said.path.substr(kMount.size());
+    if (said.path == "orientation") said.path = "euler_deg";
+    if (said.path.ends_with("angle")) said.path += "_deg";
+    refuse_field(place, said);
 }
 
 void read_crane(Description& out, const Scope& scope, const Json& json, const Place& place) {
@@ -144,7 +140,7 @@ void read_crane(Description& out, const Scope& scope, const Json& json, const Pl
         SceneSite site(out, crane.place);
         std::visit([&](const auto& def) { build_crane(site, def); }, crane.def);
     } catch (const DefError& error) {
-        refuse_at(place, error.what());
+        refuse_at(place, error);
     }
     out.cranes.push_back(std::move(crane));
 }

@@ -91,15 +91,12 @@ void expand_list(Description& out, const Scope& scope, const char* key, std::vec
     }
 }
 
-/// "stopper 'NAME': " is what the place says.
 template <class Def>
 void add(World& world, const Def& def, const Place& place) {
     try {
         world.add(def);
     } catch (const DefError& error) {
-        const std::string text = error.what();
-        const auto colon = text.find(": ");
-        refuse(place, colon == std::string::npos ? text : text.substr(colon + 2));
+        refuse_field(place, field_words(error));
     }
 }
 

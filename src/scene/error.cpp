@@ -49,6 +49,26 @@ void refuse(const Place& place, const std::string& message) {
     throw SceneError(place.file, place.path, message);
 }
 
+std::string own_words(const DefError& error) {
+    const std::string text = error.what();
+    // "kind 'NAME': ", or "kind: " of what has no name.
+    const std::string_view ends = text.find(" '") < text.find(": ") ? "': " : ": ";
+    const auto at = text.find(ends);
+    return at == std::string::npos ? text : text.substr(at + ends.size());
+}
+
+FieldWords field_words(const DefError& error) {
+    const std::string words = own_words(error);
+    constexpr const char* kOfPaths = "abcdefghijklmnopqrstuvwxyz_/0123456789EA";
+    const auto ends = words.find(": ");
+    if (ends == std::string::npos || words.find_first_not_of(kOfPaths) != ends) return {"", words};
+    return {words.substr(0, ends), words.substr(ends + 2)};
+}
+
+void refuse_field(const Place& place, const FieldWords& said) {
+    refuse({place.file, said.path.empty() ? place.path : place.path + "/" + said.path}, said.words);
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     const std::size_t width = b.size() + 1;
     std::vector<std::size_t> before(width);

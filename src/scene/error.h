@@ -3,6 +3,7 @@
 /// @file error.h
 /// Where a value stands in a file, how a mistake is reported, and the nearest valid name.
 
+#include <hawser/def.h>
 #include <hawser/scene.h>
 
 #include <cstddef>
@@ -27,6 +28,20 @@ struct Place {
 
 /// @throws SceneError always.
 [[noreturn]] void refuse(const Place& place, const std::string& message);
+
+/// What the library says against a definition, "hook 'NAME': loads/0/eyes: why": without the name,
+/// which the place in the file tells.
+[[nodiscard]] std::string own_words(const DefError& error);
+
+/// own_words() that begin with the path of a field, "loads/0/eyes: why", taken apart.
+struct FieldWords {
+    std::string path;  ///< Empty: they name no field.
+    std::string words;
+};
+[[nodiscard]] FieldWords field_words(const DefError& error);
+
+/// Refuses below the place, at the field that the library names. @throws SceneError always.
+[[noreturn]] void refuse_field(const Place& place, const FieldWords& said);
 
 /// Smallest number of insertions, deletions, replacements and swaps of neighbours that turns
 /// one text into the other (optimal string alignment).

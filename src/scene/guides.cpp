@@ -202,10 +202,7 @@ void expand_guides(Description& out, const Scope& scope) {
             try {
                 divide(out, cable, nearest(out, cable, def, place), def, place);
             } catch (const DefError& error) {
-                // "guide 'NAME': " is what the place says.
-                const std::string text = error.what();
-                const auto colon = text.find(": ");
-                refuse(place, colon == std::string::npos ? text : text.substr(colon + 2));
+                refuse(place, own_words(error));
             }
             out.guides.push_back({std::move(def), name, out.keep(place)});
         });

@@ -69,10 +69,7 @@ void read_route(Description& out, const Scope& scope, const Json& json, const Pl
             out.add_interaction(std::move(f.def), at);
         }
     } catch (const DefError& error) {
-        // "route 'NAME': " is what the place says.
-        const std::string text = error.what();
-        const auto colon = text.find(": ");
-        refuse(place, colon == std::string::npos ? text : text.substr(colon + 2));
+        refuse(place, own_words(error));
     }
 }
 

@@ -32,29 +32,12 @@ struct Lowering {
         anchor.mass = kAnchor + 0.5 * kLineMass * element;
         const double stretched = element * (1.0 + anchor.mass * kGravity / kLineEA);
         anchor.position = Vec3(0, 0, -kElements * stretched);
-        WireDef def;
-        def.name = "wire";
+        WireDef def = trial_line(kElements, element, damping);
         def.to = w.add_body(anchor);
         def.from = deck;
         if (end == 1) std::swap(def.from, def.to);
-        def.elements = kElements;
-        def.length = kElements * element;
-        def.EA = kLineEA;
-        def.mass_per_length = kLineMass;
-        def.axial_damping = damping;
-        def.consistent_mass = true;
         wire = w.add_wire(def);
-        ids = w.add(WinchDef{.name = "winch",
-                             .wire = wire,
-                             .end = end,
-                             .core_radius = 0.6,
-                             .width = 2.4,
-                             .flange_radius = 1.4,
-                             .wire_diameter = kWire,
-                             .mass_per_length = kLineMass,
-                             .stored = kStored,
-                             .inertia = 4e4,
-                             .mode = WinchMode::speed});
+        ids = w.add(trial_winch(wire, end));
     }
     [[nodiscard]] double get(const char* signal) const {
         return w.system_signal(std::string("winch.") + signal);

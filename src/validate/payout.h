@@ -3,6 +3,9 @@
 // What the cases in which a winch lowers an anchor and hauls it up again have in common.
 #include "validate/tools.h"
 
+#include <hawser/winch.h>
+#include <hawser/wire.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -24,6 +27,34 @@ inline double speed_at(double t, double even) {
         return u - std::sin(2.0 * kPi * u) / (2.0 * kPi);
     };
     return ramp(t) - ramp(t - even - kRamp);
+}
+
+/// The wire on the drum, of elements so long [m]. @param damping  WireDef::axial_damping.
+inline WireDef trial_line(int elements, double element, double damping) {
+    WireDef def;
+    def.name = "wire";
+    def.elements = elements;
+    def.length = element * elements;
+    def.EA = kLineEA;
+    def.mass_per_length = kLineMass;
+    def.axial_damping = damping;
+    def.consistent_mass = true;
+    return def;
+}
+
+/// Its winch, which holds what it is told by speed.
+inline WinchDef trial_winch(WireId wire, int end = 0) {
+    return {.name = "winch",
+            .wire = wire,
+            .end = end,
+            .core_radius = 0.6,
+            .width = 2.4,
+            .flange_radius = 1.4,
+            .wire_diameter = kWire,
+            .mass_per_length = kLineMass,
+            .stored = kStored,
+            .inertia = 4e4,
+            .mode = WinchMode::speed};
 }
 
 /// How a tension changes in a step.

@@ -26,7 +26,6 @@ constexpr double kDeck = 40.0;                    // From the winch to the rolle
 struct OverRoller {
     World w{WorldDef{.step = kStep}};
     WireId wire;
-    WinchIds winch;
     Guide roller;
 
     OverRoller(double element, double damping) {
@@ -42,17 +41,10 @@ struct OverRoller {
         for (int k = 0; k < 3; ++k) path.push_back({kRoller, 0, -first - k * stretched});
         BodyDef anchor{.name = "anchor", .kind = BodyKind::lump, .position = path.back()};
         anchor.mass = kAnchor + 0.5 * kLineMass * element;
-        WireDef def;
-        def.name = "wire";
+        WireDef def = trial_line(static_cast<int>(path.size()) - 1, element, damping);
         def.from = deck;
         def.from_point = path.front();
         def.to = w.add_body(anchor);
-        def.elements = static_cast<int>(path.size()) - 1;
-        def.length = element * def.elements;
-        def.EA = kLineEA;
-        def.mass_per_length = kLineMass;
-        def.axial_damping = damping;
-        def.consistent_mass = true;
         def.path.assign(path.begin() + 1, path.end() - 1);
         wire = w.add_wire(def);
         roller = w.add(GuideDef{.name = "roller",
@@ -60,16 +52,7 @@ struct OverRoller {
                                 .body = deck,
                                 .radius = kRoller,
                                 .friction = kFriction});
-        winch = w.add(WinchDef{.name = "winch",
-                               .wire = wire,
-                               .core_radius = 0.6,
-                               .width = 2.4,
-                               .flange_radius = 1.4,
-                               .wire_diameter = kWire,
-                               .mass_per_length = kLineMass,
-                               .stored = kStored,
-                               .inertia = 4e4,
-                               .mode = WinchMode::speed});
+        (void)w.add(trial_winch(wire));
     }
     [[nodiscard]] double get(const std::string& signal) const { return w.system_signal(signal); }
     /// Wire that is out, by the masses of lumps and what winch and guide say of their own [m].

@@ -3,7 +3,7 @@
 
 #include <hawser/world.h>
 
-#include "wire/lay_on.h"
+#include "wire/guide_on_off.h"
 #include "wire/lift.h"
 
 #include <algorithm>
@@ -25,8 +25,7 @@ std::unique_ptr<GuideSystem> no_guide(const ChaserDef& def) {
     guide.body = def.body;
     guide.friction = def.friction;
     guide.element_length = def.element;
-    return std::make_unique<GuideSystem>(std::move(guide), Guide{}, InputId{},
-                                         std::array<double, 2>{});
+    return bare_guide(std::move(guide));
 }
 
 }  // namespace
@@ -61,28 +60,14 @@ void ChaserSystem::holds(HoldTable& table) const {
     if (is(ChaserState::on)) guide_->holds(table);
 }
 
-/// Of all elements that no drum or guide has, of wires that are not made fast to the ring.
-ChaserSystem::Found ChaserSystem::nearest(const World& world) const {
-    const Vec3 at = world.world_point(def_.body, def_.point);
-    Found out;
-    for (const WireId wire : world.wires()) {
+/// Of wires that are not made fast to the ring, where nodes can run through.
+PlaceOnWire ChaserSystem::nearest(const World& world) const {
+    const auto loose = [&](WireId wire) {
         const auto nodes = world.nodes(wire);
-        if (std::find(nodes.begin(), nodes.end(), def_.body) != nodes.end()) continue;
-        for (const InteractionId id : world.elements(wire)) {
-            if (!world.alive(id) || !world.intact(id)) continue;
-            const InteractionDef& d = world.interaction_def(id);
-            if (kind_info(d.kind).is(kWoundUp) || !(d.get("mass") > 0.0)) continue;
-            const std::array<Vec3, 2> ends = world.ends(id);
-            const Vec3 along = ends[1] - ends[0];
-            const double share =
-                std::clamp((at - ends[0]).dot(along) / std::max(along.squaredNorm(), 1e-300),
-                           kFromEnd, 1.0 - kFromEnd);
-            const Vec3 place = ends[0] + share * along;
-            const double far = (place - at).norm();
-            if (far < out.far) out = {wire, id, share, far, place};
-        }
-    }
-    return out;
+        return std::find(nodes.begin(), nodes.end(), def_.body) == nodes.end();
+    };
+    return nearest_place(world, world.world_point(def_.body, def_.point), kFromEnd, loose,
+                         [](const InteractionDef& d) { return d.get("mass") > 0.0; });
 }
 
 /// The eye is where the wire passes: nothing is pulled to it.
@@ -92,7 +77,7 @@ void ChaserSystem::take(NodeEdits& nodes) {
         --wait_;
         return;
     }
-    const Found found = nearest(world);
+    const PlaceOnWire found = nearest(world);
     const auto miss = [&] {
         const bool told = is(ChaserState::waiting);
         value_ = found.far;
@@ -101,32 +86,21 @@ void ChaserSystem::take(NodeEdits& nodes) {
     if (!(found.far <= def_.reach)) return miss();
     const InteractionDef element = world.interaction_def(found.element);
     const std::array<Vec3, 2> ends = world.ends(found.element);
-    const EndLumps had = end_lumps(world, element);
     GuideDef def = no_guide(def_)->def();
     def.wire = found.wire;
     def.element = found.element;
-    def.point = world.local_point(def_.body, found.place);
+    def.point = world.local_point(def_.body, found.at);
     const Twist ring = world.velocity(def_.body);
-    const Vec3 moves =
-        ring.linear + ring.angular.cross(found.place - world.pose(def_.body).position);
+    const Vec3 moves = ring.linear + ring.angular.cross(found.at - world.pose(def_.body).position);
     const Vec3 wire = (1.0 - found.share) * world.velocity(element.body[0]).linear +
                       found.share * world.velocity(element.body[1]).linear;
     const double speed = (wire - moves).dot((ends[1] - ends[0]).normalized());
-    Guide made;
-    double material[2] = {};
-    if (!nodes.lay_over(def, speed, made, material)) {
+    auto made = lay_on_guide(nodes, std::move(def), speed);
+    if (made == nullptr) {
         wait_ = kTryAgain;
         return miss();
     }
-    const InputId stop = world.find_input(def.name + "/friction/force");
-    // All of the element's mass is on one side or the other, but for what lumps keep.
-    const double whole = element.get("mass"),
-                 mass = whole - kept_by_lumps(had, end_lumps(world, element), whole);
-    const double scale = mass / (def.mass_per_length * (material[0] + material[1]));
-    guide_ = std::make_unique<GuideSystem>(
-        std::move(def), made, stop,
-        std::array<double, 2>{scale * material[0], scale * material[1]});
-    guide_->begin_at(speed);
+    guide_ = std::move(made);
     value_ = found.far;
     become(ChaserState::on, Due::taken);
 }
@@ -136,10 +110,7 @@ void ChaserSystem::let_go(NodeEdits& nodes) {
     const InteractionDef element = lifted_element(nodes.world, *guide_, false);
     value_ = std::max(guide_->tension()[0], guide_->tension()[1]);
     become(ChaserState::open, Due::let_go);  // it holds nothing of it
-    const InteractionId whole = nodes.lift_off(guide_->ids(), element);
-    if (!whole.valid()) return become(ChaserState::on, Due::nothing);
-    if (guide_->material()[0] + guide_->material()[1] > kLongLifted * guide_->def().element_length)
-        (void)nodes.insert_node(whole, 0.5);
+    if (!lift_off_guide(nodes, *guide_, element)) return become(ChaserState::on, Due::nothing);
     guide_ = no_guide(def_);
 }
 
@@ -149,8 +120,7 @@ void ChaserSystem::look(const World& world) {
     shown_ = state_;
     if (!is(ChaserState::on)) return;
     const WireId wire = world.wire_of(guide_->ids().before);
-    const auto wires = world.wires();
-    held_ = 1.0 + static_cast<double>(std::find(wires.begin(), wires.end(), wire) - wires.begin());
+    held_ = number_of(world, wire);
     if (!wire.valid()) return;
     bool before = true;
     for (const InteractionId id : world.elements(wire)) {

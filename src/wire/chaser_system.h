@@ -8,6 +8,7 @@
 #include <hawser/system.h>
 
 #include "wire/guide_system.h"
+#include "wire/place_on_wire.h"
 
 #include <cstdint>
 #include <memory>
@@ -33,14 +34,6 @@ class ChaserSystem final : public System {
     }
 
   private:
-    /// A place on a wire.
-    struct Found {
-        WireId wire{};
-        InteractionId element{};
-        double share = 0.0;  ///< Of the element, from its first body.
-        double far = 1e300;  ///< From the ring's point [m].
-        Vec3 place{0, 0, 0};
-    };
     /// Of what there is to tell, in the next prestep.
     enum class Due : std::int32_t { nothing, taken, missed, let_go };
 
@@ -51,7 +44,7 @@ class ChaserSystem final : public System {
         state_ = static_cast<std::int32_t>(state);
         due_ = static_cast<std::int32_t>(due);
     }
-    [[nodiscard]] Found nearest(const World& world) const;
+    [[nodiscard]] PlaceOnWire nearest(const World& world) const;
     void take(NodeEdits& nodes);
     void let_go(NodeEdits& nodes);
     void look(const World& world);

@@ -13,10 +13,6 @@ namespace hawser::wire {
 
 class GuideSystem;
 
-/// The element that a wire becomes where it is let go is divided by a node when its material is
-/// longer than this times GuideDef::element_length.
-inline constexpr double kLongLifted = 1.5;
-
 /// The element that both parts at a guide become, of the material that they have: at the rest
 /// length that keeps the tension along the straight way between their ends, or, where the wire
 /// keeps its rest length, at the sum of theirs.

@@ -4,7 +4,7 @@
 #include <hawser/guide.h>
 #include <hawser/world.h>
 
-#include "wire/lay_on.h"
+#include "wire/guide_on_off.h"
 #include "wire/lift.h"
 
 #include <algorithm>
@@ -62,8 +62,7 @@ PostSystem::PostSystem(PostDef def, const PostPlace& place)
         guide.efficiency = def_.efficiency;
         guide.inertia = def_.inertia;
         guide.element_length = def_.element_length;
-        guides_.push_back(std::make_unique<GuideSystem>(std::move(guide), Guide{}, InputId{},
-                                                        std::array<double, 2>{}));
+        guides_.push_back(bare_guide(std::move(guide)));
     }
 }
 
@@ -166,8 +165,6 @@ bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
     const World& world = nodes.world;
     if ((touch.share < kNearEnd || touch.share > 1.0 - kNearEnd) && !take_lump(nodes, touch))
         return false;
-    const InteractionDef element = world.interaction_def(touch.element);
-    const EndLumps had = end_lumps(world, element);
     GuideDef def = guides_[slot]->def();
     def.wire = touch.wire;
     def.element = touch.element;
@@ -178,18 +175,9 @@ bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
                              ? usual_length(world, touch.wire, touch.element)
                              : def_.element_length;
     def.mass_per_length = kDefault;
-    Guide made;
-    double material[2] = {};
-    if (!nodes.lay_over(def, touch.along, made, material)) return false;
-    const InputId stop = world.find_input(def.name + "/friction/force");
-    // All of the element's mass is on one side or the other, but for what lumps keep.
-    const double whole = element.get("mass"),
-                 mass = whole - kept_by_lumps(had, end_lumps(world, element), whole);
-    const double scale = mass / (def.mass_per_length * (material[0] + material[1]));
-    guides_[slot] = std::make_unique<GuideSystem>(
-        std::move(def), made, stop,
-        std::array<double, 2>{scale * material[0], scale * material[1]});
-    guides_[slot]->begin_at(touch.along);
+    auto made = lay_on_guide(nodes, std::move(def), touch.along);
+    if (made == nullptr) return false;
+    guides_[slot] = std::move(made);
     on_[slot] = 1;
     taken_ += 1.0;
     return true;
@@ -215,15 +203,12 @@ bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot, bool off_end) {
     if (!pulls(world, guide, past)) return false;
     const InteractionDef element = lifted_element(world, guide, past);
     on_[slot] = 0;  // it holds nothing of it
-    const InteractionId whole = nodes.lift_off(guide.ids(), element);
-    if (!whole.valid()) {
+    if (!lift_off_guide(nodes, guide, element)) {
         on_[slot] = 1;
         return false;
     }
     let_go_ += 1.0;
     wait_ = kWait;
-    if (guide.material()[0] + guide.material()[1] > kLongLifted * guide.def().element_length)
-        (void)nodes.insert_node(whole, 0.5);
     return true;
 }
 

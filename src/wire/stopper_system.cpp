@@ -57,27 +57,13 @@ void StopperSystem::signals(SignalTable& table) {
     table.output("at", "m", at_);
 }
 
-/// Of all elements that no drum or guide has.
-StopperSystem::Found StopperSystem::nearest(const World& world) const noexcept {
-    const Vec3 at = world.world_point(def_.body, def_.point);
-    Found out;
-    for (const WireId wire : world.wires())
-        for (const InteractionId id : world.elements(wire)) {
-            if (!world.alive(id) || !world.intact(id)) continue;
-            const InteractionDef& d = world.interaction_def(id);
-            if (kind_info(d.kind).is(kWoundUp)) continue;
-            const Vec3 a = world.world_point(d.body[0], d.point[0]);
-            const Vec3 along = world.world_point(d.body[1], d.point[1]) - a;
-            const double share =
-                std::clamp((at - a).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
-            const double far = (a + share * along - at).norm();
-            if (far < out.far) out = {wire, id, share, far};
-        }
-    return out;
+PlaceOnWire StopperSystem::nearest(const World& world) const noexcept {
+    const auto all = [](const auto&) { return true; };
+    return nearest_place(world, world.world_point(def_.body, def_.point), 0.0, all, all);
 }
 
 std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexcept {
-    const Found found = nearest(world);
+    const PlaceOnWire found = nearest(world);
     if (!(found.far <= def_.reach)) return std::nullopt;
     StopperClaim out{found.wire, 0.0};
     for (const InteractionId id : world.elements(found.wire)) {
@@ -94,7 +80,7 @@ std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexc
 }
 
 /// The lump that is to be held; invalid: there is none within reach.
-BodyId StopperSystem::lump_at(NodeEdits& nodes, const Found& found) noexcept {
+BodyId StopperSystem::lump_at(NodeEdits& nodes, const PlaceOnWire& found) noexcept {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(found.element);
     const double length = d.get("length");
@@ -117,10 +103,8 @@ BodyId StopperSystem::lump_at(NodeEdits& nodes, const Found& found) noexcept {
 }
 
 /// What others may read of the place.
-void StopperSystem::tell(const World& world, const Found& found) noexcept {
-    const auto wires = world.wires();
-    held_ = 1.0 +
-            static_cast<double>(std::find(wires.begin(), wires.end(), found.wire) - wires.begin());
+void StopperSystem::tell(const World& world, const PlaceOnWire& found) noexcept {
+    held_ = number_of(world, found.wire);
     at_ = 0.0;
     for (const InteractionId id : world.elements(found.wire)) {
         if (!world.alive(id)) continue;
@@ -132,7 +116,7 @@ void StopperSystem::tell(const World& world, const Found& found) noexcept {
 
 void StopperSystem::take(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
-    const Found found = nearest(world);
+    const PlaceOnWire found = nearest(world);
     far_ = found.far;
     told_ = 0;
     if (found.far <= def_.reach) {

@@ -10,6 +10,8 @@
 #include <hawser/stopper.h>
 #include <hawser/system.h>
 
+#include "wire/place_on_wire.h"
+
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -47,25 +49,18 @@ class StopperSystem final : public System {
     [[nodiscard]] std::optional<StopperClaim> claim(const World& world) const noexcept;
 
   private:
-    /// A place on a wire.
-    struct Found {
-        WireId wire{};
-        InteractionId element{};
-        double share = 0.0;  ///< Of the element, from its first body.
-        double far = 1e300;  ///< From the stopper [m].
-    };
     [[nodiscard]] bool is(StopperState state) const noexcept {
         return state_ == static_cast<std::int32_t>(state);
     }
     void become(StopperState state) noexcept { state_ = static_cast<std::int32_t>(state); }
-    [[nodiscard]] Found nearest(const World& world) const noexcept;
-    [[nodiscard]] BodyId lump_at(NodeEdits& nodes, const Found& found) noexcept;
+    [[nodiscard]] PlaceOnWire nearest(const World& world) const noexcept;
+    [[nodiscard]] BodyId lump_at(NodeEdits& nodes, const PlaceOnWire& found) noexcept;
     void take(NodeEdits& nodes) noexcept;
     void drop_idle(NodeEdits& nodes) noexcept;
     void make_joint(Prestep& now) noexcept;
     void hold(Prestep& now) noexcept;
     void let_go(Prestep& now) noexcept;
-    void tell(const World& world, const Found& found) noexcept;
+    void tell(const World& world, const PlaceOnWire& found) noexcept;
 
     StopperDef def_;
     std::string joint_name_;

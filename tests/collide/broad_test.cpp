@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Which shapes the broad phase holds against all others.
 #include "collide/broad.h"
+#include "model/interactions.h"
 
 #include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace hawser::test {
 namespace {
@@ -27,15 +32,67 @@ Placed placed(double x, double size) {
     return p;
 }
 
-/// A wire that has lost most of its nodes, under a hull: the hull alone is large. Where places of
-/// what is gone counted as shapes of no size, every element that is left was large.
-TEST(Broad, ShapesThatAreGoneMakeNoneLarge) {
-    base::Array<Placed> shapes;
-    for (int i = 0; i < 60; ++i) shapes.push_back(placed(5.0 * i, i % 3 == 0 ? 5.0 : -1.0));
-    shapes.push_back(placed(50.0, 80.0));
+/// Tells how many tasks it was given.
+class Counting final : public base::Executor {
+  public:
+    void run(int count, Task task, void* context) noexcept override {
+        given += count;
+        for (int i = 0; i < count; ++i) task(context, i, 0);
+    }
+    [[nodiscard]] int threads() const noexcept override { return 1; }
+    int given = 0;
+};
+
+struct Swept {
+    int tasks;  ///< Of the sweep alone.
+    std::vector<collide::Pair> pairs;
+};
+
+Swept swept(const base::Array<Placed>& placed) {
+    constexpr int kHeldByOneTask = 256;  // against what is large: kLargeChunk of broad.cpp
+    std::vector<collide::Shape> shapes(placed.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        shapes[i].body[0] = static_cast<std::int32_t>(i);
+        shapes[i].body[1] = shapes[i].held = shapes[i].line = -1;
+        shapes[i].group = shapes[i].touches = 1;
+        shapes[i].moves = true;
+    }
+    collide::Filter filter;
+    filter.build(shapes, static_cast<int>(shapes.size()), model::Interactions{});
     collide::Broad broad;
-    broad.prepare(shapes);
-    EXPECT_EQ(broad.large(), 1U);
+    broad.prepare(placed);
+    Counting pool;
+    base::Array<collide::Pair> out;
+    broad.find(placed, filter, 0.01, 0.1, 1 << 20, pool, out);
+    return {pool.given - base::chunks(placed.size(), kHeldByOneTask), {out.begin(), out.end()}};
+}
+
+/// A wire that has lost most of its nodes, under a hull: the sweep has as much to do as where those
+/// had never been. Where places of what is gone counted as shapes of no size, every element that is
+/// left was large: held against all others, and none was in the sweep.
+TEST(Broad, ShapesThatAreGoneMakeNoneLarge) {
+    base::Array<Placed> all, left;
+    std::vector<std::int32_t> number;  // in `all`, of those in `left`
+    const auto add = [&](double x, double size) {
+        if (size >= 0.0) {
+            number.push_back(static_cast<std::int32_t>(all.size()));
+            left.push_back(placed(x, size));
+        }
+        all.push_back(placed(x, size));
+    };
+    for (int i = 0; i < 1800; ++i) add(1.6 * i, i % 3 == 0 ? 5.0 : -1.0);
+    add(500.0, 80.0);
+    const Swept with = swept(all), without = swept(left);
+    // 600 elements in tasks of 128; more where an element lies in two strips.
+    EXPECT_GE(without.tasks, 5);
+    EXPECT_EQ(with.tasks, without.tasks);
+    std::vector<collide::Pair> expected;
+    for (std::size_t a = 0; a < left.size(); ++a)
+        for (std::size_t b = a + 1; b < left.size(); ++b)
+            if (left[a].swept.low[0] <= left[b].swept.high[0] &&
+                left[b].swept.low[0] <= left[a].swept.high[0])
+                expected.push_back({number[a], number[b]});
+    EXPECT_EQ(with.pairs, expected);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "export/gltf_layout.h"
 #include "files/mutate.h"
 #include "record/bytes.h"
+#include "record/joined_deck.h"
 #include "record/small_scene.h"
 #include "record/snapshot_file.h"
 
@@ -84,6 +85,8 @@ void expect_sound(const Recording& r) {
             ASSERT_NEAR(pose.orientation.norm(), 1.0, 2e-3);
         }
         for (const float tension : frame.tensions) ASSERT_TRUE(std::isfinite(tension));
+        for (const float pull : frame.line_pulls) ASSERT_TRUE(std::isfinite(pull));
+        ASSERT_TRUE(frame.lines == nullptr || frame.gone_joints != nullptr);
     }
     for (const record::RecordedInput& input : r.inputs) ASSERT_GE(input.input, 0);
     if (r.ending != record::Ending::unknown) {
@@ -103,16 +106,12 @@ void draw(const Recording& r) {
     if (!frames.empty()) (void)exporting::lay_out(r, frames);
 }
 
-TEST(ForgedRecordings, AreRefusedOrSound) {
-    const auto file = fresh_folder() / "r.hwr";
-    SmallScene scene;
-    scene.record(file, 5);
+void forge_recordings(const std::filesystem::path& file, int inputs) {
     const std::vector<std::byte> good = read_bytes(file);
     const std::vector<Chunk> chunks = chunks_of(good);
     const auto magic = std::span<const std::byte>(good).first(kMagicBytes);
     ASSERT_EQ(file_of(magic, chunks), good);
     Random random(8);
-    const int inputs = inputs_of(4000, 10'000, 500'000);
     int whole = 0, partly = 0, refused = 0;
     for (int i = 0; i < inputs; ++i) {
         std::vector<Chunk> bad = chunks;
@@ -133,6 +132,20 @@ TEST(ForgedRecordings, AreRefusedOrSound) {
     EXPECT_GT(whole, 0);
     EXPECT_GT(partly, 0);
     EXPECT_GT(refused, 0);
+}
+
+TEST(ForgedRecordings, AreRefusedOrSound) {
+    const auto file = fresh_folder() / "r.hwr";
+    SmallScene scene;
+    scene.record(file, 5);
+    forge_recordings(file, inputs_of(4000, 10'000, 500'000));
+}
+
+/// With lines that come and go.
+TEST(ForgedRecordings, OfJoinedWiresAreRefusedOrSound) {
+    const auto file = fresh_folder() / "r.hwr";
+    (void)JoinedDeck().record(file);
+    forge_recordings(file, inputs_of(1000, 3000, 100'000));
 }
 
 /// Forges a file of the world's state and restores it into that world, which stays as it was or

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Frames, read back as docs/live.md says, beside the world that they are of.
 #include "live/frame_writer.h"
+#include "live/recorded_scene.h"
 #include "live/scene_text.h"
 
 #include "live/client.h"
+#include "record/joined_deck.h"
 
 #include <hawser/guide.h>
 #include <hawser/scene.h>
@@ -15,7 +17,9 @@
 #include <cmath>
 #include <cstring>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace hawser::test {
 namespace {
@@ -232,6 +236,32 @@ TEST(LiveFrame, keeps_its_scene_while_nodes_come_and_go_and_takes_another_for_a_
     const live::FramePlan cut = live::FramePlan::of(scene);
     EXPECT_FALSE(cut.same_scene(after));
     EXPECT_EQ(cut.wires.size(), after.wires.size() + 1);
+}
+
+/// On the page a recording is shown with what came to its wires while it was made.
+TEST(LiveFrame, shows_links_and_legs_of_a_recording_while_they_are_there) {
+    JoinedDeck deck;
+    const record::Recording recording = deck.record(fresh_folder() / "r.hwr");
+    const live::RecordedScene shown(recording);
+    const nlohmann::json wires = shown.json()["wires"];
+    const auto number = [&](const std::string& name) {
+        for (std::size_t w = 0; w < wires.size(); ++w)
+            if (wires[w]["name"] == name) {
+                EXPECT_EQ(wires[w]["kind"], "line");
+                return w;
+            }
+        throw std::runtime_error("there is no " + name);
+    };
+    const std::size_t strop = number("strop"), leg = number("hook/leg1");
+    for (std::size_t f = 0; f < recording.frame_count(); ++f) {
+        live::Bytes bytes;
+        shown.write(f, 0, 1, bytes);
+        std::vector<char> copy(bytes.size());
+        std::memcpy(copy.data(), bytes.data(), bytes.size());
+        const ReadFrame frame = read_frame(copy);
+        EXPECT_EQ(frame.counts.at(strop), 2 * deck.lines[f].count("strop")) << f;
+        EXPECT_EQ(frame.counts.at(leg), 2 * deck.lines[f].count("hook/leg1")) << f;
+    }
 }
 
 /// A parted element is told as −1, and nothing else of it changes.

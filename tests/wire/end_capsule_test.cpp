@@ -4,6 +4,7 @@
 #include <hawser/hawser.h>
 
 #include "support/random.h"
+#include "wire/capsule_wire.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,6 @@
 namespace hawser::test {
 namespace {
 
-constexpr double kHeavy = 23.0, kStiff = 2.33e8, kThin = 0.038;  // kg/m, N, m
 constexpr double kTick = 1.0 / 60.0;
 
 /// Ends of a straight piece before and after a step [m].
@@ -72,14 +72,12 @@ struct Thrown {
         const Vec3 fairlead(2.0, 1.0, 0.5);
         hull = body("hull", -fairlead, 2e5, Vec3::Zero());
         buoy = body("buoy", {20, 0, 0}, 2e4, Vec3::Zero());
-        WireDef def{.name = "still", .from = hull, .from_point = fairlead, .to = buoy};
+        WireDef def = capsule_wire("still");
+        def.from = hull;
+        def.from_point = fairlead;
+        def.to = buoy;
         def.elements = 4;
-        def.length = 20.0 / (1.0 + pull / kStiff);
-        def.EA = kStiff;
-        def.mass_per_length = kHeavy;
-        def.consistent_mass = true;
-        def.radius = kThin;
-        def.end_capsules = true;
+        def.length = 20.0 / (1.0 + pull / kCapsuleEA);
         still = w.add_wire(def);
         // Its middle meets the first element, anywhere but at the very hull, from any side.
         const Vec3 aim(random.uniform(0.3, 4.7), 0, 0);
@@ -113,7 +111,7 @@ struct Thrown {
         for (const WireId wire : {still, thrown})
             for (const InteractionId id : w.elements(wire)) {
                 const double pull = w.force(id)[0];
-                sum += 0.5 * pull * pull * w.interaction_def(id).get("length") / kStiff;
+                sum += 0.5 * pull * pull * w.interaction_def(id).get("length") / kCapsuleEA;
             }
         return sum;
     }
@@ -167,14 +165,15 @@ TEST(EndCapsules, ShareMomentumBetweenLumpAndBody) {
         const Vec3 fairlead = w.local_point(hull, Vec3::Zero());
         const BodyId far = w.add_body(
             {.name = "far", .kind = BodyKind::lump, .position = {10, 0, 0}, .mass = 200.0});
-        WireDef def{.name = "wire", .from = hull, .from_point = fairlead, .to = far};
+        WireDef def = capsule_wire("wire");
+        def.from = hull;
+        def.from_point = fairlead;
+        def.to = far;
         def.elements = 2;
         def.length = 12.0;  // slack: nothing but the contact acts
         def.path = {{5, 0, 0}};
-        def.EA = kStiff;
-        def.mass_per_length = kHeavy;
+        def.consistent_mass = false;  // all of it is the lumps'
         def.radius = 0.05;
-        def.end_capsules = true;
         (void)w.add_wire(def);
         const BodyId ball = w.add_body({.name = "ball",
                                         .position = {along, 0.02, 0.31},
@@ -227,17 +226,15 @@ TEST(EndCapsules, LayTheElementBeforeAnAnchorOverAPost) {
                                       .mass = 3e3,
                                       .inertia = Mat3::Identity() * 3e3,
                                       .angular_damping = Vec3::Constant(1e4)});
-    WireDef def{.name = "wire", .from = tug, .to = anchor, .to_point = {-0.5, 0, 0}};
+    WireDef def = capsule_wire("wire");
+    def.from = tug;
+    def.to = anchor;
+    def.to_point = {-0.5, 0, 0};
     const double way = 17.5 / 3.0;
     def.path = {{-14 + way, 0, 1.5}, {-14 + 2 * way, 0, 1.5}};
     def.elements = 3;
     def.length = 17.5;
-    def.EA = kStiff;
-    def.mass_per_length = kHeavy;
     def.drag = 60.0;
-    def.consistent_mass = true;
-    def.radius = kThin;
-    def.end_capsules = true;
     const WireId wire = w.add_wire(def);
     const ShapeId pin = w.add_shape({.kind = ShapeKind::cylinder,
                                      .body = ground,
@@ -256,7 +253,7 @@ TEST(EndCapsules, LayTheElementBeforeAnAnchorOverAPost) {
                 const Vec3 along = ends[1] - ends[0];
                 const double t = std::clamp(-ends[0].dot(along) / along.squaredNorm(), 0.0, 1.0);
                 const Vec3 near = ends[0] + t * along;
-                deepest = std::max(deepest, 0.5 + kThin - std::hypot(near.x(), near.z()));
+                deepest = std::max(deepest, 0.5 + kCapsuleRadius - std::hypot(near.x(), near.z()));
             }
         }
     };
@@ -281,14 +278,13 @@ TEST(EndCapsules, LeaveAloneWhatHoldsThem) {
         const BodyId far = w.add_body({.name = side < 0 ? "left" : "right",
                                        .kind = BodyKind::fixed,
                                        .position = {14, side, 0}});
-        WireDef def{
-            .name = side < 0 ? "l" : "r", .from = hull, .from_point = {3.5, 0, 0}, .to = far};
+        WireDef def = capsule_wire(side < 0 ? "l" : "r");
+        def.from = hull;
+        def.from_point = {3.5, 0, 0};
+        def.to = far;
         def.to_point = {0, 0.1, 0};
         def.elements = 2;
-        def.EA = kStiff;
-        def.mass_per_length = kHeavy;
-        def.radius = kThin;
-        def.end_capsules = true;
+        def.consistent_mass = false;
         (void)w.add_wire(def);
     }
     for (int i = 0; i < 60; ++i) {
@@ -301,10 +297,11 @@ TEST(EndCapsules, LeaveAloneWhatHoldsThem) {
 TEST(EndCapsules, NeedARadius) {
     World w;
     const BodyId ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
-    WireDef def{.name = "wire", .from = ground, .elements = 3, .length = 3.0};
-    def.EA = kStiff;
-    def.mass_per_length = kHeavy;
-    def.end_capsules = true;
+    WireDef def = capsule_wire("wire");
+    def.from = ground;
+    def.elements = 3;
+    def.length = 3.0;
+    def.radius = 0.0;
     try {
         (void)w.add_wire(def);
         FAIL();

@@ -4,6 +4,7 @@
 #include <hawser/catenary.h>
 #include <hawser/hawser.h>
 
+#include "support/bits.h"
 #include "support/random.h"
 
 #include <gtest/gtest.h>
@@ -158,33 +159,16 @@ TEST(Posts, DoNotChatter) {
 }
 
 TEST(Posts, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
-    const auto hashes = [](int threads, int restored) {
-        AbovePost d(14, 0.2, threads);
-        std::vector<std::uint64_t> out;
-        const auto steps = [&](const Vec3& velocity, int n) {
-            for (const BodyId id : {d.left, d.right})
-                d.w.set_velocity(id, {velocity, Vec3::Zero()});
-            for (int i = 0; i < n; ++i) {
-                EXPECT_EQ(d.w.step(), Status::ok);
-                out.push_back(d.w.state_hash());
-                if (static_cast<int>(out.size()) != restored) continue;
-                // Goes on as another world from what was saved.
-                const auto bytes = d.w.save();
-                const Structure made_of = d.w.structure();
-                AbovePost other(14, 0.2, threads);
-                other.w.restore(made_of, bytes);
-                d = std::move(other);
-            }
-        };
-        steps({0, 0, -0.5}, 480);
-        steps({0.2, 0, 0}, 300);
-        steps({0, 0, 0.5}, 480);
-        EXPECT_EQ(d.get("post.let_go"), 1.0);
-        return out;
+    const auto drive = [](AbovePost& d, int i) {
+        const Vec3 velocity = i < 480   ? Vec3(0, 0, -0.5)
+                              : i < 780 ? Vec3(0.2, 0, 0)
+                                        : Vec3(0, 0, 0.5);
+        for (const BodyId id : {d.left, d.right}) d.w.set_velocity(id, {velocity, Vec3::Zero()});
     };
-    const auto one = hashes(1, 0);
-    for (const int threads : {2, 4}) EXPECT_EQ(hashes(threads, 0), one) << threads;
-    for (const int at : {200, 440, 700, 1200}) EXPECT_EQ(hashes(1, at), one) << at;
+    test::expect_same_bits(
+        {.steps = 1260, .restored = {200, 440, 700, 1200}},
+        [](int threads) { return AbovePost(14, 0.2, threads); }, drive,
+        [](const AbovePost& d) { EXPECT_EQ(d.get("post.let_go"), 1.0); });
 }
 
 /// Whether the axis of a pin passed through a piece of wire within a step: the piece's side of the

@@ -3,13 +3,14 @@
 /// refusals.
 #include <hawser/hawser.h>
 
+#include "support/bits.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace hawser {
 namespace {
@@ -170,49 +171,20 @@ TEST(Stoppers, AChainStopperLetsChainInAndNotOut) {
 }
 
 TEST(Stoppers, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
-    const auto hashes = [](int threads, int restored) {
-        Deck d({.pitch = 0.6}, threads);
-        std::vector<std::uint64_t> out;
-        const auto steps = [&](int n) {
-            for (int i = 0; i < n; ++i) {
-                EXPECT_EQ(d.w.step(), Status::ok);
-                out.push_back(d.w.state_hash());
-                if (static_cast<int>(out.size()) != restored) continue;
-                const auto bytes = d.w.save();
-                const Structure made_of = d.w.structure();
-                Deck other({.pitch = 0.6}, threads);
-                other.w.restore(made_of, bytes);
-                d = std::move(other);
-            }
-        };
-        d.pull(1e5, 3e5);
-        steps(30);
-        d.w.set_system_signal("jaw.close", 1.0);
-        steps(30);
-        d.pull(5e5, 1e5);
-        steps(600);
-        d.w.set_system_signal("jaw.close", 0.0);
-        steps(120);
-        if (restored == 0) {
-            EXPECT_EQ(d.count(EventKind::detach), 1);
-        }
-        return out;
+    const auto drive = [](Deck& d, int i) {
+        if (i == 0) d.pull(1e5, 3e5);
+        if (i == 30) d.w.set_system_signal("jaw.close", 1.0);
+        if (i == 60) d.pull(5e5, 1e5);
+        if (i == 660) d.w.set_system_signal("jaw.close", 0.0);
     };
-    const auto one = hashes(1, 0);
-    for (const int threads : {2, 4}) EXPECT_EQ(hashes(threads, 0), one) << threads;
-    for (const int at : {31, 32, 33, 200, 400, 661, 662}) EXPECT_EQ(hashes(1, at), one) << at;
+    test::expect_same_bits(
+        {.steps = 780, .restored = {31, 32, 33, 200, 400, 661, 662}},
+        [](int threads) { return Deck({.pitch = 0.6}, threads); }, drive,
+        [](const Deck& d) { EXPECT_EQ(d.count(EventKind::detach), 1); });
 }
 
 TEST(Stoppers, RefuseWhatCannotBe) {
     Deck d;
-    const auto refusal = [&](const StopperDef& def) -> std::string {
-        try {
-            d.w.add(def);
-        } catch (const DefError& error) {
-            return error.what();
-        }
-        return "";
-    };
     struct Row {
         StopperDef def;
         const char* says;
@@ -226,9 +198,10 @@ TEST(Stoppers, RefuseWhatCannotBe) {
           Row{{.name = "j", .body = d.ship, .reach = 0.0, .rated_load = 1e6}, "reach = 0"},
           Row{{.name = "j", .body = d.ship, .outboard = Vec3::Zero(), .rated_load = 1e6},
               "no direction"},
-          Row{{.name = "j", .body = d.ship, .rated_load = 1e6, .pitch = 0.01}, "pitch = 0.01"}})
-        EXPECT_NE(refusal(row.def).find(row.says), std::string::npos)
-            << row.says << " in: " << refusal(row.def);
+          Row{{.name = "j", .body = d.ship, .rated_load = 1e6, .pitch = 0.01}, "pitch = 0.01"}}) {
+        const std::string said = test::refusal_of(d.w, row.def);
+        EXPECT_NE(said.find(row.says), std::string::npos) << row.says << " in: " << said;
+    }
 }
 
 /// A node has one stopper: what comes second waits until the first has let go.
@@ -266,17 +239,12 @@ TEST(Stoppers, DoNotHoldOneNodeTogether) {
 
 TEST(Stoppers, RefuseTwoThatStartClosedOnOneNode) {
     Deck d({.closed = true});
-    const auto refusal = [&](double x, bool closed) -> std::string {
-        try {
-            d.w.add(StopperDef{.name = "at" + std::to_string(x),
-                               .body = d.ship,
-                               .point = {x, 0, 1.0},
-                               .rated_load = 1e6,
-                               .closed = closed});
-        } catch (const DefError& error) {
-            return error.what();
-        }
-        return "";
+    const auto refusal = [&](double x, bool closed) {
+        return test::refusal_of(d.w, StopperDef{.name = "at" + std::to_string(x),
+                                                .body = d.ship,
+                                                .point = {x, 0, 1.0},
+                                                .rated_load = 1e6,
+                                                .closed = closed});
     };
     EXPECT_NE(refusal(1.85, true).find("node that stopper 'jaw' holds"), std::string::npos)
         << refusal(1.85, true);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wire/guide_on_off.h"
+
+#include "wire/lay_on.h"
+
+#include <array>
+#include <utility>
+
+namespace hawser::wire {
+namespace {
+
+/// The element that a wire becomes where it is let go is divided by a node when its material is
+/// longer than this times GuideDef::element_length.
+constexpr double kLongLifted = 1.5;
+
+}  // namespace
+
+std::unique_ptr<GuideSystem> bare_guide(GuideDef def) {
+    return std::make_unique<GuideSystem>(std::move(def), Guide{}, InputId{},
+                                         std::array<double, 2>{});
+}
+
+std::unique_ptr<GuideSystem> lay_on_guide(NodeEdits& nodes, GuideDef def, double speed) {
+    const World& world = nodes.world;
+    const InteractionDef element = world.interaction_def(def.element);
+    const EndLumps had = end_lumps(world, element);
+    Guide made;
+    double material[2] = {};
+    if (!nodes.lay_over(def, speed, made, material)) return nullptr;
+    const InputId stop = world.find_input(def.name + "/friction/force");
+    const double whole = element.get("mass"),
+                 mass = whole - kept_by_lumps(had, end_lumps(world, element), whole);
+    const double scale = mass / (def.mass_per_length * (material[0] + material[1]));
+    auto out = std::make_unique<GuideSystem>(
+        std::move(def), made, stop,
+        std::array<double, 2>{scale * material[0], scale * material[1]});
+    out->begin_at(speed);
+    return out;
+}
+
+bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide, const InteractionDef& element) {
+    const InteractionId whole = nodes.lift_off(guide.ids(), element);
+    if (!whole.valid()) return false;
+    if (guide.material()[0] + guide.material()[1] > kLongLifted * guide.def().element_length)
+        (void)nodes.insert_node(whole, 0.5);
+    return true;
+}
+
+}  // namespace hawser::wire

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file bits.h
+/// Runs that have to give the same bits: on any number of threads, and gone on with from a state
+/// that another world has taken.
+
+#include <hawser/hawser.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace hawser::test {
+
+/// Where to look whether a run gives the same bits.
+struct SameBits {
+    int steps = 0;
+    std::initializer_list<int> restored;  ///< Steps after which another world goes on.
+    std::initializer_list<int> threads{2, 4};
+};
+
+/// @param make  Makes the deck of the run, of which `w` is the World, for so many threads.
+/// @param before  What is done to a deck before step i, from 0 on.
+/// @return state hashes after each step. @param at_end  Sees a deck that has run all by itself.
+template <class Make, class Before, class AtEnd>
+std::vector<std::uint64_t> hashes_of(const Make& make, int steps, const Before& before, int threads,
+                                     int restored, const AtEnd& at_end) {
+    std::vector<std::uint64_t> out;
+    const auto run = [&](auto& deck, int from, int to) {
+        for (int i = from; i < to; ++i) {
+            before(deck, i);
+            ASSERT_EQ(deck.w.step(), Status::ok)
+                << i << ": " << to_string(deck.w.bad_load(), deck.w);
+            out.push_back(deck.w.state_hash());
+        }
+    };
+    auto deck = make(threads);
+    if (restored == 0) {
+        run(deck, 0, steps);
+        at_end(deck);
+        return out;
+    }
+    run(deck, 0, restored);
+    const std::vector<std::byte> bytes = deck.w.save();
+    const Structure made_of = deck.w.structure();
+    auto other = make(1);
+    other.w.restore(made_of, bytes);
+    run(other, restored, steps);
+    return out;
+}
+
+template <class Make, class Before, class AtEnd>
+void expect_same_bits(const SameBits& look, const Make& make, const Before& before,
+                      const AtEnd& at_end) {
+    const auto hashes = [&](int threads, int restored) {
+        return hashes_of(make, look.steps, before, threads, restored, at_end);
+    };
+    const std::vector<std::uint64_t> one = hashes(1, 0);
+    EXPECT_EQ(one.size(), static_cast<std::size_t>(look.steps));
+    for (const int threads : look.threads) EXPECT_EQ(hashes(threads, 0), one) << threads;
+    for (const int at : look.restored) EXPECT_EQ(hashes(1, at), one) << at;
+}
+
+/// What a World says where it refuses a definition; "": it takes it.
+template <class Def>
+std::string refusal_of(World& w, const Def& def) {
+    try {
+        (void)w.add(def);
+    } catch (const DefError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace hawser::test

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file capsule_wire.h
+/// The wire of tests of capsules up to what holds a wire: 76 mm, 23 kg/m.
+
+#include <hawser/hawser.h>
+
+#include <string>
+#include <utility>
+
+namespace hawser::test {
+
+inline constexpr double kCapsuleMass = 23.0, kCapsuleEA = 2.33e8;  // [kg/m], [N]
+inline constexpr double kCapsuleRadius = 0.038;                    // [m]
+
+/// From nowhere to nowhere yet, of elements that have their mass themselves.
+inline WireDef capsule_wire(std::string name) {
+    WireDef def{.name = std::move(name), .EA = kCapsuleEA, .mass_per_length = kCapsuleMass};
+    def.radius = kCapsuleRadius;
+    def.consistent_mass = true;
+    def.end_capsules = true;
+    return def;
+}
+
+}  // namespace hawser::test
