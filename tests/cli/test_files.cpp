@@ -156,6 +156,16 @@ TEST(Files, NoOutputIsAnInputOrAnotherOutput) {
             "--summary and --save-at are the same");
     refused(run + "--trace " + at("x.json") + " --trace " + at("x.json"), "the same file");
     EXPECT_FALSE(fs::exists(at("x")));
+    // Links to what is not there yet lead to one file, too.
+    fs::create_symlink("new", folder / "a");
+    fs::create_symlink(at("new"), folder / "b");
+    fs::create_symlink("a", folder / "c");
+    for (const char* name : {"b", "c", "new", "d/../new"})
+        refused(run + "--record " + at("a") + " --csv " + at(name),
+                "--record and --csv are the same");
+    fs::create_symlink("loop", folder / "loop");
+    refused(run + "--record " + at("loop"), "Too many levels of symbolic links");
+    EXPECT_FALSE(fs::exists(at("new")));
     // Nowhere is not a file that is written twice.
     EXPECT_EQ(shell("$H " + run + "--quiet --csv /dev/null --summary /dev/null"), 0);
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
@@ -186,6 +196,16 @@ TEST(Files, AreWrittenBesideAndRenamed) {
     int files = 0;
     for (const auto& entry : fs::directory_iterator(folder)) files += entry.path().empty() ? 0 : 1;
     EXPECT_EQ(files, 3) << "something was left beside";
+}
+
+TEST(Files, AreWrittenWhereALinkToNothingLeads) {
+    const fs::path folder = test_folder();
+    fs::create_symlink("new.json", folder / "link.json");
+    ASSERT_EQ(shell("$H run " + std::string(kSwing) + " --duration 0.1 --quiet --summary " +
+                    (folder / "link.json").string()),
+              0);
+    EXPECT_TRUE(fs::is_symlink(folder / "link.json"));
+    EXPECT_EQ(json::parse(read_text(folder / "new.json"))["outcome"], "finished");
 }
 
 TEST(Times, MustBeFiniteAndReachable) {
