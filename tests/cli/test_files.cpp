@@ -208,6 +208,20 @@ TEST(Files, AreWrittenWhereALinkToNothingLeads) {
     EXPECT_EQ(json::parse(read_text(folder / "new.json"))["outcome"], "finished");
 }
 
+// A limit of file sizes is told like a full disk; before, SIGXFSZ ended the run without a word.
+TEST(Files, ThatMayNotGrowFurtherEndTheRunWithAMessage) {
+    const fs::path folder = test_folder();
+    const std::string err = (folder / "err").string();
+    for (const char* option : {"--record ", "--csv ", "--summary "}) {
+        const std::string line =
+            "$H run " + std::string(kSwing) + " --duration 30 --quiet " + option;
+        // A block of the shell is 512 bytes: less than each of the three.
+        EXPECT_EQ(shell("ulimit -f 1; " + line + (folder / "out").string() + " 2>" + err), 1)
+            << option;
+        EXPECT_NE(read_text(err).find("File too large"), std::string::npos) << read_text(err);
+    }
+}
+
 TEST(Times, MustBeFiniteAndReachable) {
     const fs::path folder = test_folder();
     const std::string run = "run " + std::string(kSwing) + " ";
