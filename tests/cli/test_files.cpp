@@ -222,6 +222,30 @@ TEST(Files, ThatMayNotGrowFurtherEndTheRunWithAMessage) {
     }
 }
 
+TEST(Files, ThatPicturesAreDrawnFromAreNotDrawnOver) {
+    const fs::path folder = test_folder();
+    const auto at = [&](const char* name) { return (folder / name).string(); };
+    ASSERT_EQ(shell(run_line(folder, " --quiet")), 0);
+    const std::string whole = read_text(at("r.hwr"));
+    fs::create_hard_link(at("r.hwr"), at("frame_0001.png"));
+    refused("plot " + at("r.hwr") + " --only scene --frames 2 -o " + folder.string(),
+            "would replace the recording");
+    for (const char* name : {"motions.svg", "space.png"}) {
+        fs::create_symlink("r.hwr", at(name));
+        refused("plot " + at("r.hwr") + " -o " + folder.string(), "would replace the recording");
+        EXPECT_FALSE(fs::exists(at("scene.svg")));
+        fs::remove(at(name));
+    }
+    fs::copy_file(at("r.hwr"), at("motions.svg"));
+    refused("plot " + at("motions.svg") + " -o " + folder.string(), "would replace the recording");
+    EXPECT_EQ(read_text(at("r.hwr")), whole);
+    EXPECT_EQ(read_text(at("motions.svg")), whole);
+    // Pictures that are not asked for replace nothing.
+    EXPECT_EQ(
+        shell("$H plot " + at("motions.svg") + " --only scene >/dev/null -o " + folder.string()),
+        0);
+}
+
 TEST(Times, MustBeFiniteAndReachable) {
     const fs::path folder = test_folder();
     const std::string run = "run " + std::string(kSwing) + " ";
