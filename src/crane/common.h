@@ -55,7 +55,7 @@ void check_loads(const std::string& name, const std::vector<CraneLoad>& loads, i
 
 inline constexpr std::size_t kMostEyes = 8;
 
-/// Name of a part.
+/// Name of a part of a crane, "crane/boom".
 [[nodiscard]] inline std::string part(const std::string& crane, const char* what) {
     return crane + "/" + what;
 }
