@@ -36,7 +36,7 @@ int bench(std::vector<std::string> arguments) {
         argv.push_back(argument.data());
     }
     argv.push_back(nullptr);
-    std::signal(SIGPIPE, SIG_DFL);  // ignored here, see streams.h
+    for (const int ignored : {SIGPIPE, SIGXFSZ}) std::signal(ignored, SIG_DFL);  // see streams.h
     execv(name.c_str(), argv.data());
     throw std::runtime_error(fmt::format("{}: cannot run: {}", name, std::strerror(errno)));
 }

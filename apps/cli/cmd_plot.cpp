@@ -4,6 +4,7 @@
 #include "draw/plots.h"
 #include "draw/png.h"
 #include "draw/raster.h"
+#include "record/files.h"
 #include "record/names.h"
 #include "record/series.h"
 
@@ -104,6 +105,8 @@ void check_pictures(const PlotOptions& options) {
                             record::nearest_name(name, known)));
 }
 
+std::string frame_name(std::size_t i) { return fmt::format("frame_{:04}.png", i); }
+
 /// Pictures of the scene for a film, with the same axes: frame_0000.png and on.
 int plot_frames(const PlotOptions& options, const record::Recording& recording,
                 const record::Series& series) {
@@ -123,16 +126,31 @@ int plot_frames(const PlotOptions& options, const record::Recording& recording,
         const auto drawing = draw::plot_views(recording, series, chosen[i], view);
         if (!drawing) throw record::RecordingError(options.file + ": nothing has a place");
         draw::write_png(draw::rasterise(*drawing, pixels),
-                        std::filesystem::path(options.folder) / fmt::format("frame_{:04}.png", i),
-                        *drawing);
+                        std::filesystem::path(options.folder) / frame_name(i), *drawing);
     }
-    fmt::print("wrote {} pictures {}/frame_0000.png to frame_{:04}.png\n", chosen.size(),
-               options.folder, chosen.size() - 1);
+    fmt::print("wrote {} pictures {}/{} to {}\n", chosen.size(), options.folder, frame_name(0),
+               frame_name(chosen.size() - 1));
     return kOk;
+}
+
+/// No picture takes the place of the recording, whatever name that has.
+void check_names(const PlotOptions& options) {
+    const std::filesystem::path folder = options.folder;
+    const auto check = [&](const std::filesystem::path& file) {
+        if (record::same_file(file, options.file))
+            throw std::runtime_error(file.string() + ": would replace the recording");
+    };
+    for (std::size_t i = 0; i < options.frames; ++i) check(folder / frame_name(i));
+    if (options.frames > 0) return;
+    for (const char* picture : kPictures)
+        if (options.wants(picture))
+            for (const char* ending : {".svg", ".png"})
+                check(folder / (picture + std::string(ending)));
 }
 
 int plot(const PlotOptions& options) {
     check_pictures(options);
+    check_names(options);
     const draw::ViewOptions view = view_of(options);
     const record::Recording recording = record::Recording::open(options.file);
     if (recording.frame_count() == 0)

@@ -54,6 +54,7 @@ void replace(std::FILE*& standard, Stream& stream, int buffering) noexcept {
 
 void open_streams() noexcept {
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     for (int number = 0; number <= STDERR_FILENO; ++number)
         if (::fcntl(number, F_GETFD) < 0 && errno == EBADF) {
             // Input is opened for writing, outputs for reading, so that the loss shows.

@@ -9,7 +9,9 @@
 
 namespace hawser::cli {
 
-/// First of all in main(). SIGPIPE is ignored: a run goes on where nobody reads its report.
+/// First of all in main(). SIGPIPE is ignored: a run goes on where nobody reads its report. So is
+/// SIGXFSZ: a file that may not grow further (ulimit -f) fails like one on a full disk, with a
+/// message.
 void open_streams() noexcept;
 
 /// Last of all. @param code  What the program would return. @return that, or kUsageError where it

@@ -29,7 +29,7 @@ void keep_links(const Model& model, Undo& undo);
 void keep_state(StepContext& ctx, Undo::Depth depth);
 /// Everything as it was when it was kept first.
 void restore_kept(StepContext& ctx) noexcept;
-/// All is well.
+/// The step has succeeded: forget what restore_kept() would have brought back.
 void drop_kept(Undo& undo) noexcept;
 
 }  // namespace hawser::stepper

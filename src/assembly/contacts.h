@@ -151,7 +151,7 @@ class Contacts {
     [[nodiscard]] std::int32_t block_of(std::int32_t a, std::int32_t b) const noexcept;
     /// Whether contacts act on the same bodies as when this was last asked.
     [[nodiscard]] bool same_bodies() noexcept;
-    // Parts of connect().
+    // connect() in three parts: which blocks contacts act on, and the lists made from them.
     [[nodiscard]] bool find_blocks(std::int64_t step) noexcept;
     void list_terms() noexcept;
     void list_slots() noexcept;

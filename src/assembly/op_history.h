@@ -49,7 +49,7 @@ class OpHistory {
     /// Find what stays, and remember what the next list is made of. @throws std::bad_alloc. The
     /// next call finds nothing unless done() is called.
     void follow(const OpSources& now);
-    /// The list is made.
+    /// To be called when the new list has been made: the next follow() compares with it.
     void done() noexcept { known_ = true; }
     /// The list is about to change in its place.
     void forget() noexcept { known_ = false; }

@@ -15,11 +15,11 @@ namespace hawser::stepper {
 void begin_laps(Work& work) noexcept;
 /// What levels of cuts there are, in the first step in which forces are known.
 [[nodiscard]] Status prepare_levels(StepContext& ctx) noexcept;
-/// Cuts of this step. Only those who ask by themselves have some without a budget.
+/// Choose the cuts of this step; without a budget only those that ask for themselves are there.
 [[nodiscard]] Status choose_cuts(StepContext& ctx) noexcept;
-/// Limits of the solve that begins now.
+/// Set the limits of time or work for the solve that begins now.
 void begin_budget(StepContext& ctx) noexcept;
-/// What the step's times teach, and what it left out.
+/// Learn rates from the times of the step, and tell what it left out.
 void end_budget(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

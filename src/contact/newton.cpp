@@ -49,7 +49,7 @@ Way search(Model& model, const Newton& newton, double before) noexcept {
     return {best_t, best};
 }
 
-/// An iteration is done.
+/// Note when an iteration ended, from which the time of the next is foreseen.
 void note_lap(StepContext& ctx) noexcept {
     if (!ctx.work.limits.budget.needs_time()) return;
     ctx.work.limits.laps.last = ctx.stopwatch->seconds();
@@ -174,7 +174,7 @@ void soften_by(Model& model, double factor) noexcept {
     for (nonsmooth::Resistance& a : model.system.contacts.resistances.laws) a.sigma *= factor;
 }
 
-/// Continuation, see newton.h.
+/// Solve with contacts 1,024 and 32 times softer first, each a start for the next (newton.h).
 Status from_soft(StepContext& ctx) noexcept {
     constexpr double kRough = 1e-2;  // what a softer system needs to be a start for the next
     for (const double soften : {1024.0, 32.0}) {  // powers of two: exactly undone

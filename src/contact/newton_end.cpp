@@ -20,7 +20,7 @@ namespace {
 using assembly::Contacts;
 using nonsmooth::Cone;
 
-/// Impulses onto their cones.
+/// Project the impulses of all contacts onto their friction cones.
 void project_all(Model& model) noexcept {
     for (Cone& c : model.system.contacts.cones) {
         nonsmooth::project(c.friction, c.lambda);

@@ -37,7 +37,7 @@ class Budget {
         cause_ = DegradedBy::nothing;
         foreseen_ = 0.0;
     }
-    /// No limits until begin().
+    /// The solve has ended: nothing is limited until the next begin().
     void end() noexcept { limits_ = {}; }
     [[nodiscard]] bool needs_time() const noexcept {
         return !limits_.imposed.any() && limits_.seconds > 0.0;

@@ -95,7 +95,7 @@ class EventLog {
         cursor = total;
         return lost;
     }
-    /// Events so far.
+    /// How many events the world has told since its start, those that have left the ring included.
     [[nodiscard]] std::uint64_t count() const noexcept {
         return static_cast<std::uint64_t>(total_);
     }

@@ -57,7 +57,7 @@ class LoadStore {
     /// Zeros, before systems act. Does nothing where no system did.
     void clear() noexcept;
 
-    // What systems do.
+    // What systems call in their prestep().
     BodyLoad of(BodyId id) noexcept;
     void reserve(std::span<const BodyId> bodies) noexcept;
     /// Whose loads those to come are. Threads may be at work only where `parallel`.
@@ -85,7 +85,7 @@ class LoadStore {
     [[nodiscard]] bool loaded(std::int32_t body) const noexcept {
         return any_ && used(entry_of_[static_cast<std::size_t>(body)]);
     }
-    /// Coupled blocks for kernels.
+    /// Point the kernels' view to the matrices of loads that couple bodies.
     void show(assembly::View& view) const noexcept;
     /// Blocks and right-hand sides of bodies [begin, end) take their loads.
     void add_terms(const assembly::View& view, std::int32_t begin, std::int32_t end) const noexcept;

@@ -71,9 +71,9 @@ class Builder {
     [[nodiscard]] double raising(const Vec3& pin, const Vec3& at, const Vec3& force) const {
         return raise_axis_.dot((at - pin).cross(force));
     }
-    /// Once the column is there: about which raising turns, world frame.
+    /// Unit vector of the world about which the boom turns when it is raised, at the start.
     [[nodiscard]] const Vec3& raise_axis() const { return raise_axis_; }
-    /// Level, forward.
+    /// Level unit vector of the world, to where the boom points.
     [[nodiscard]] const Vec3& ahead() const { return ahead_; }
 
   private:

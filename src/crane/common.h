@@ -66,7 +66,7 @@ void check_loads(const Takes& takes);
 /// Loads that cannot hang in this world. @throws DefError.
 void check_load_bodies(const World& world, const Takes& takes);
 
-/// Name of a part.
+/// Name of a part of a crane, "crane/boom".
 [[nodiscard]] inline std::string part(const std::string& crane, const char* what) {
     return crane + "/" + what;
 }

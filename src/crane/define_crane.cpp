@@ -118,7 +118,7 @@ void check_bodies(World& world, const Common& c) {
             refuse(c.name, "name", "an interaction has the name of one of its slings");
 }
 
-/// What both kinds have.
+/// Find the bodies and interactions that cranes of both kinds have.
 CraneParts common_parts(Finder& find, const Common& c, const char* tip) {
     CraneParts p;
     p.on = c.mount.on;

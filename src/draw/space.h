@@ -32,7 +32,7 @@ class Space {
     void fit(const ViewOptions& options);
     void gather();
     [[nodiscard]] Point at(const Vec3& p) const;
-    /// In the box.
+    /// Whether a point lies in the box that is shown.
     [[nodiscard]] bool inside(const Vec3& p) const;
 
     void polygon(const std::vector<Vec3>& points, Color fill, Color stroke, double width);

@@ -19,7 +19,7 @@ class Levers {
   public:
     /// @param input  As resolved() gave it.
     void ask(const Session& session, const std::string& input, double value);
-    /// NaN: nobody has.
+    /// The value last asked of an input, in its unit; NaN: nobody has asked.
     [[nodiscard]] double asked(const std::string& input) const noexcept;
 
     void begin(const Session& session, const Fault& fault);

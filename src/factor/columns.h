@@ -53,7 +53,7 @@ class Columns {
         const auto n = static_cast<std::size_t>(node);
         return {pool_.data() + begin_[n], static_cast<std::size_t>(count_[n])};
     }
-    /// Scalars of these.
+    /// How many scalar rows those nodes make together.
     [[nodiscard]] std::int32_t below(std::int32_t node) const noexcept {
         return below_[static_cast<std::size_t>(node)];
     }

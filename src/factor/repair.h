@@ -132,7 +132,7 @@ class Analysis {
     void compare_lists(const Pattern& next);
     void keep_chains(const Pattern& next, RepairReport& report);
     [[nodiscard]] bool chain_holds(const Pattern& next, std::int32_t chain);
-    // placing.cpp
+    // How nodes are moved to their new places: see placing.cpp.
     void choose_moves(const Pattern& next);
     void join(const Pattern& next, std::int32_t a, std::int32_t b);
     void collect_rest(const Pattern& next);

@@ -31,7 +31,7 @@ enum class CommandKind : std::uint8_t {
     end,    ///< Of an exercise.
     left,   ///< The client has gone: what it held is let go.
 };
-/// As in messages.
+/// The word that messages of the protocol have for a command.
 [[nodiscard]] const char* to_string(CommandKind kind) noexcept;
 
 /// A text of limited length in place.

@@ -36,7 +36,7 @@ class Lesson {
         : exercise_(exercise), run_(run) {}
 
     Status step() { return run_.step(); }
-    /// @throws exercise::Refused, DefError
+    /// Set an input for a role. @throws exercise::Refused, DefError
     void set_input(const Command& command);
     /// Begins or ends one. @throws exercise::Refused, DefError
     void fault(const Command& command);

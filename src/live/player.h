@@ -19,7 +19,7 @@ class Player {
     /// @param recording  Has to outlive it. @throws RecordingError where it has no frame.
     Player(const record::Recording& recording, Hub& hub);
 
-    /// Until `stop` says so.
+    /// Serve the recording to the clients of the hub until `stop` returns true.
     void run(const std::function<bool()>& stop);
     /// What is waiting, the next frame where it plays, and a frame; without a clock.
     void advance();

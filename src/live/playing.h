@@ -78,7 +78,7 @@ class Playing {
         }
     }
 
-    /// A frame was made.
+    /// Note that a frame has just been shown.
     void showed() noexcept { shown_ = Pace::Clock::now(); }
     /// What stands still is shown ten times a second, so that who comes late sees it, too.
     [[nodiscard]] bool due_to_show() const noexcept {

@@ -26,7 +26,7 @@ class RecordedScene {
     /// @param recording  Has to outlive it. @throws RecordingError where it has no frame.
     explicit RecordedScene(const record::Recording& recording);
 
-    /// The message `scene`.
+    /// The message `scene` of the protocol: bodies, shapes and cables that frames move.
     [[nodiscard]] nlohmann::json json() const;
     /// A frame as it was recorded, in single precision: forces of contacts and joints, outputs and
     /// times of stages are not in recordings.

@@ -32,7 +32,7 @@ class Server {
     [[nodiscard]] std::uint16_t port() const noexcept;
     /// Where a role begins: "http://127.0.0.1:8080/#token=…".
     [[nodiscard]] std::string address_of(const Role& role) const;
-    /// From any thread.
+    /// Frames sent and left out, clients refused and dropped so far. From any thread.
     [[nodiscard]] ServerFigures figures() const noexcept;
 
   private:

@@ -14,7 +14,7 @@ constexpr double kPi = std::numbers::pi;
 
 Matrix6 symmetric(const Matrix6& m) { return 0.5 * (m + m.transpose()); }
 
-/// sin(x)/x.
+/// sin(x)/x, by its series near 0.
 double sinc(double x) noexcept { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x; }
 
 }  // namespace

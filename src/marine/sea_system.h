@@ -103,7 +103,7 @@ class HullWater {
     [[nodiscard]] int strip_chunks() const noexcept;
     [[nodiscard]] int triangle_chunks() const noexcept;
     void press(const WaterField& field, int chunk) noexcept;
-    /// Water at strips.
+    /// Take the water's velocity at the hull's strips.
     void flow_past(const WaterField& field, int chunk) noexcept;
     /// Triangles, once all corners are pressed.
     void sum(int chunk) noexcept;

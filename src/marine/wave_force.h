@@ -27,7 +27,7 @@ class WaveForce {
     /// Along and about axes of the slow heading, at the reference; false: a wave has a direction
     /// that the table lacks.
     [[nodiscard]] bool act(const Sea& sea, const SeaMoment& now, Vec6& out) const noexcept;
-    /// Slow heading [rad].
+    /// Heading of the body without its oscillation in the waves [rad].
     [[nodiscard]] double heading() const noexcept { return slow(2); }
     void visit_state(StateVisitor& v);
     void tell(HullMemory& out) const;

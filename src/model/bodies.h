@@ -76,7 +76,7 @@ struct Bodies {
     [[nodiscard]] int dof(int body) const noexcept {
         return dof_of(kind[static_cast<std::size_t>(body)]);
     }
-    /// It has an orientation.
+    /// Whether a body has an orientation: all but lumps and scalar bodies.
     [[nodiscard]] bool turns(int body) const noexcept {
         const BodyKind k = kind[static_cast<std::size_t>(body)];
         return k != BodyKind::lump && k != BodyKind::scalar;

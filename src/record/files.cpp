@@ -81,9 +81,17 @@ bool write_all(int to, std::span<const std::byte> bytes) {
 
 /// Where a name leads to: the end of its links, whether there is something or not.
 std::filesystem::path target(const std::filesystem::path& file) {
+    constexpr int kMostLinks = 40;  // as many as Linux follows
     std::error_code failure;
-    auto out = std::filesystem::weakly_canonical(std::filesystem::absolute(file, failure), failure);
-    return failure ? file : out;
+    std::filesystem::path at = std::filesystem::absolute(file, failure);
+    for (int links = 0; !failure && links < kMostLinks; ++links) {
+        const auto out = std::filesystem::weakly_canonical(at, failure);
+        if (failure) break;
+        // What exists has been followed; a link to what does not is left as it stands.
+        if (!std::filesystem::is_symlink(std::filesystem::symlink_status(out, failure))) return out;
+        at = out.parent_path() / std::filesystem::read_symlink(out, failure);
+    }
+    return file;
 }
 
 bool is_device(const std::filesystem::path& file) {

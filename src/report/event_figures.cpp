@@ -105,7 +105,7 @@ std::string plural(std::int64_t count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-/// What happened, how often.
+/// An event and how often it happened, in words.
 std::string what_happened(const EventFigures& e) {
     switch (e.kind) {
         case EventKind::line_break:

@@ -142,7 +142,7 @@ class SummaryCollector : public Observer {
     void add_step_cpu(double seconds);
     /// What a scene's timeline did before that step, in words. @param time  It was due at [s].
     void add_operation(double time, std::string what);
-    /// The figures so far.
+    /// Summary of the steps so far.
     [[nodiscard]] Summary result(const World& world) const;
 
   private:

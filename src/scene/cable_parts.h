@@ -60,7 +60,7 @@ struct CableLayout {
     double drum_radius = 0.0;  ///< [m].
 
     [[nodiscard]] const LayoutSection& first() const { return sections.front(); }
-    /// Of element i.
+    /// Section that element i belongs to.
     [[nodiscard]] const LayoutSection& of(std::size_t i) const {
         std::size_t k = 0;
         for (; k + 1 < sections.size() && i >= sections[k].line.elements; ++k)

@@ -143,7 +143,7 @@ class Builder {
         }
     }
 
-    /// After the shapes.
+    /// Add the posts, whose shapes have been added before.
     void add_posts(World& world) {
         for (std::size_t i = 0; i < description_.posts.size() && numbered_ && whole_; ++i) {
             (void)take(description_.post_place(i), [&] {

@@ -148,7 +148,7 @@ class Reader {
         wires_[next_piece(out.wire)] = rest;
     }
 
-    /// As World::cut() names it.
+    /// Name that World::cut() gives the next piece of a wire: "tow/2", "tow/3" …
     [[nodiscard]] std::string next_piece(const std::string& of) const {
         std::string base = of;
         const std::size_t slash = of.rfind('/');

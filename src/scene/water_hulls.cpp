@@ -41,7 +41,7 @@ const Json& list_in(const Json& json, const char* key) {
     return found == json.end() ? none : *found;
 }
 
-/// One number a frequency.
+/// Read one number for each frequency.
 std::vector<double> values_of(const Json& entry, const char* key, std::size_t count,
                               const Place& place) {
     std::vector<double> out(count, 0.0);

@@ -7,7 +7,7 @@
 
 namespace hawser::stepper {
 
-/// Of one strip.
+/// Evaluate the interactions of one strip of memory: violations and Jacobian.
 void evaluate_strip(const Model& model, const assembly::View& v, int strip) noexcept;
 
 /// Evaluate every interaction at the current poses (g, Jacobian), as stage 5 does.

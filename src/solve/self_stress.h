@@ -8,7 +8,7 @@
 
 namespace hawser::stepper {
 
-/// After rounds have ended.
+/// Filter the impulses of joints. To be called when the rounds of completion have ended.
 void take_self_stress(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

@@ -11,10 +11,10 @@
 
 namespace hawser::stepper {
 
-/// Mark wires that are not resolved. @return whether there are any.
+/// Mark wires whose swing the step does not resolve. @return whether there are any.
 [[nodiscard]] bool find_fast_wires(Model& model, const Before& kept) noexcept;
 
-/// Wires::gain of the fast ones.
+/// Compute for the marked wires what energy they gained (Wires::gain [J]).
 void measure_wires(Model& model, runtime::Pool& pool) noexcept;
 
 }  // namespace hawser::stepper

@@ -25,9 +25,9 @@
 
 namespace hawser::stepper {
 
-/// Images and copies for the groups and couplings there are. @throws std::bad_alloc.
+/// Make images and copies for the groups and couplings there are. @throws std::bad_alloc.
 void make_cuts(Model& model);
-/// Take them away.
+/// Take all images and copies away: the model is whole again.
 void drop_cuts(Model& model);
 
 /// Which cuts are in force: those whose sides hold to each other in no other way. Contacts and what

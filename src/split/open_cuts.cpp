@@ -23,7 +23,7 @@ std::int32_t root(std::vector<std::int32_t>& part, std::int32_t b) {
     return b;
 }
 
-/// Bodies hold together.
+/// Make the parts of the bodies that move among these one part.
 void join(Model& model, std::span<const std::int32_t> bodies) {
     std::int32_t first = -1;
     for (const std::int32_t b : bodies) {

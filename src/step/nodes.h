@@ -66,7 +66,7 @@ struct NodeLedger {
 [[nodiscard]] NodeDef node_on(const StepContext& ctx, std::int32_t element, double share,
                               double mass) noexcept;
 
-/// Before anything of the place changes.
+/// Take the energies about the place of a node before anything there changes.
 [[nodiscard]] NodeLedger begin_node_edit(const StepContext& ctx, const NodePlace& place) noexcept;
 
 /// n, the other element and the bend at n have been added: `old` ends at n, and all have their

@@ -67,7 +67,7 @@ class Report {
                   const std::function<Result(double step)>& simulate,
                   const Steps& steps = kAbout960);
 
-    /// A case that threw.
+    /// Note that the case threw, which is a failed check.
     void fail(std::string message);
 
     [[nodiscard]] const std::vector<Check>& checks() const noexcept { return checks_; }

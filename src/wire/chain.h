@@ -26,9 +26,9 @@ struct Chain {
     [[nodiscard]] double total_weight() const noexcept;
 };
 
-/// @throws DefError.
+/// Make the chain of a definition. @throws DefError.
 [[nodiscard]] Chain make_chain(const CatenaryDef& def);
-/// Seen from the last end.
+/// The same chain counted from its last end.
 [[nodiscard]] Chain reversed(const Chain& chain);
 
 /// What the sums of its chords are not known better than, ends this far apart [m].

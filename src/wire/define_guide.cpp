@@ -3,6 +3,7 @@
 #include <hawser/world.h>
 
 #include "wire/bounds.h"
+#include "wire/guide_route.h"
 #include "wire/guide_system.h"
 #include "wire/lay_on.h"
 
@@ -18,33 +19,6 @@ namespace {
 
 [[noreturn]] void refuse(const GuideDef& def, const std::string& why) {
     throw DefError("guide '" + def.name + "': " + why);
-}
-
-/// A line from end to end of the element, over the guide.
-RouteDef route_of(const GuideDef& def, const InteractionDef& element, double tension) {
-    RouteDef out;
-    out.EA = element.get("EA");
-    out.first = {.body = element.body[0], .point = element.point[0]};
-    out.last = {.body = element.body[1], .point = element.point[1]};
-    out.places.push_back({.body = def.body,
-                          .point = def.point,
-                          .axis = def.axis,
-                          .radius = def.radius,
-                          .friction = def.friction,
-                          .efficiency = def.efficiency,
-                          .inertia = def.inertia,
-                          .turns = def.turns});
-    out.tension = std::max(0.0, tension);
-    out.breaking_load = element.get("breaking_load");
-    return out;
-}
-
-/// "route: places/0: radius: …" is what a guide calls "radius: …".
-std::string without_route(const std::string& text) {
-    for (const char* lead : {"places/0: ", "route: "})
-        if (const auto at = text.find(lead); at != std::string::npos)
-            return text.substr(at + std::string(lead).size());
-    return text;
 }
 
 /// Distance of a point from what is between two others [m].
@@ -152,7 +126,7 @@ void check(World& world, const GuideDef& def) {
 
 GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double tension,
                      const RouteBodies& bodies) {
-    const RouteDef route = route_of(def, element, tension);
+    const RouteDef route = wire::route_of(def, element, tension);
     GuidePlan out{};
     RoutePlan plan;
     try {
@@ -160,13 +134,12 @@ GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double 
         // Bodies are numbered by the caller.
         plan = plan_route(route, bodies, std::array<BodyId, 1>{BodyId{0}});
     } catch (const DefError& error) {
-        refuse(def, without_route(error.what()));
+        refuse(def, wire::without_route(error.what()));
     }
     out.slide.name = def.name + "/slide";
     out.angle = plan.angles.front();
-    if (out.angle > std::acos(-1.0) * (1.0 + 1e-9) + 2.0 * std::acos(-1.0) * def.turns)
-        refuse(def, "the wire would turn by " + number(out.angle) +
-                        " rad, more than half a turn beyond `turns`; change the sign of `radius`");
+    if (out.angle > wire::most_angle(def))
+        refuse(def, wire::too_far_round(def, element, tension, bodies, out.angle));
     out.before = std::move(plan.parts[0]);
     out.behind = std::move(plan.parts[1]);
     const double whole = element.get("length");

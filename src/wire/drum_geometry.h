@@ -35,15 +35,15 @@ struct DrumGeometry {
     double layer_pitch = 0.0;    ///< p [m].
     double flange_radius = 0.0;  ///< Wire does not stand above it [m].
 
-    /// n.
+    /// Turns side by side in a layer, n.
     [[nodiscard]] int wraps_a_layer() const noexcept;
     /// Layers that fit below the flange.
     [[nodiscard]] int layers() const noexcept;
     /// r_k of layer k, 1 the innermost [m].
     [[nodiscard]] double radius(int layer) const noexcept;
-    /// S(K) [m].
+    /// Length of wire in K full layers, S(K) [m].
     [[nodiscard]] double length_of(int layers) const noexcept;
-    /// All that fits [m].
+    /// Length of wire that fits below the flange [m].
     [[nodiscard]] double capacity() const noexcept { return length_of(layers()); }
 
     /// Where wire of a length on the drum ends.
@@ -57,11 +57,11 @@ struct DrumGeometry {
     [[nodiscard]] Place place(double length) const noexcept;
     /// Radius at which the wire leaves the drum with a length on it [m].
     [[nodiscard]] double leaving_radius(double length) const noexcept;
-    /// Turns of the drum from empty [rad] …
+    /// Angle by which the drum has turned from empty to hold a length [rad].
     [[nodiscard]] double angle(double length) const noexcept;
-    /// … and the other way [m].
+    /// Length of wire on the drum when it has turned by an angle from empty [m].
     [[nodiscard]] double length(double angle) const noexcept;
-    /// Of the wire on the drum about its axis [kg m²]. @param mass_per_length  [kg/m].
+    /// Inertia of the wire on the drum about its axis [kg m²]. @param mass_per_length  [kg/m].
     [[nodiscard]] double inertia(double length, double mass_per_length) const noexcept;
 };
 

@@ -62,7 +62,7 @@ class Laid {
     [[nodiscard]] Rising lying(std::size_t e, double h) const {
         return {chain_.length[e], chain_.compliance[e], h, sunk(e)};
     }
-    /// Its chord.
+    /// Append the chord and tension of an element that lies on the ground.
     void append_lying(Plane& out, std::size_t e, const Vec3& chord, double tension) const {
         const double up = e == 0 ? sunk_first_ : e + 1 == n_ ? -sunk_last_ : 0.0;
         out.chord.emplace_back(chord + up * Vec3::UnitZ());

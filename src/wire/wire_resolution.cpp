@@ -180,7 +180,7 @@ bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
     return true;
 }
 
-/// What signals say.
+/// Take the figures that its signals show: nodes, material, longest and shortest element.
 void WireResolution::tell(const World& world) noexcept {
     nodes_ = static_cast<double>(world.nodes(def_.wire).size());
     material_ = longest_ = 0.0;

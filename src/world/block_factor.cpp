@@ -27,7 +27,7 @@ void BlockFactor::Impl::take(const BlockPattern& p) {
         value_begin.push_back(value_begin.back() + p.size[at(e.row)] * p.size[at(e.column)]);
 }
 
-/// Where each block goes.
+/// Find where each block of the matrix goes among the panels of the factor.
 void BlockFactor::Impl::place() {
     const factor::Symbolic& s = analysis.symbolic();
     numeric.reserve(s, pool.threads());

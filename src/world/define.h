@@ -21,7 +21,7 @@ struct Parts {
         defs.push_back(std::move(def));
         ids.push_back(&id);
     }
-    /// All or none.
+    /// Add all interactions, or none where one is refused.
     void add_to(World& world) const;
 };
 

@@ -19,7 +19,7 @@ using world::lookup;
 
 namespace {
 
-/// What a client shows.
+/// Refuse a nominal size or a spring of an input that no display could use.
 void check_display(const InputDef& def, const world::Where& where) {
     if (!(def.nominal >= 0.0) || !std::isfinite(def.nominal))
         throw DefError(where.text() + ": nominal = " + world::number(def.nominal) +

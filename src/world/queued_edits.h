@@ -32,7 +32,7 @@ class QueuedEdits final : public Edits::Hands {
     [[nodiscard]] std::size_t size() const noexcept { return list_.size(); }
     [[nodiscard]] std::size_t left() const noexcept { return list_.size() - done_; }
     [[nodiscard]] bool out_of_memory() const noexcept { return out_of_memory_; }
-    /// Of the next one.
+    /// Name of the system that asked for the next edit.
     [[nodiscard]] std::string_view next_system() const noexcept { return list_[done_].system; }
     /// Make the next one. @throws what World's function does; it is then still to be made.
     void make_next(World& world);

@@ -128,7 +128,7 @@ struct SavedState {
     /// @param header  Its counts fit into the bytes that there are. @throws std::bad_alloc.
     SavedState(const stepper::StepContext& ctx, const std::vector<double>& inputs,
                const Header& header);
-    /// Bytes of all arrays.
+    /// How many bytes all arrays of the state take.
     [[nodiscard]] std::uint64_t size();
     /// Take all from bytes, of which there are size().
     void read(std::span<const std::byte> from);

@@ -49,7 +49,7 @@ void flags(const A& array, const char* what) {
             refuse_state(std::string(what) + " is no flag" + entry(i));
 }
 
-/// Of a quaternion's length.
+/// Whether the norm of a quaternion is 1 to within `off`.
 bool unit(const double* q, double off) {
     const double n = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     return std::abs(n - 1.0) <= off;

@@ -46,7 +46,7 @@ class InputDoor {
     /// poses are by then.
     virtual void unturn_forces() noexcept = 0;
     virtual void turn_forces() noexcept = 0;
-    /// So many inputs.
+    /// How many inputs the world has.
     [[nodiscard]] virtual std::size_t count() const noexcept = 0;
 };
 
@@ -73,7 +73,7 @@ class Systems final : public stepper::Actors {
     /// @throws DefError with the nearest name.
     [[nodiscard]] const SystemSignal& signal(std::string_view name) const;
 
-    /// Whose step it is.
+    /// Set the world whose step systems see.
     void use(const World& world) noexcept { world_ = &world; }
     /// What systems hold, each told with its name. @throws std::bad_alloc, and what f throws.
     template <class F>

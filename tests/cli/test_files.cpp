@@ -156,6 +156,16 @@ TEST(Files, NoOutputIsAnInputOrAnotherOutput) {
             "--summary and --save-at are the same");
     refused(run + "--trace " + at("x.json") + " --trace " + at("x.json"), "the same file");
     EXPECT_FALSE(fs::exists(at("x")));
+    // Links to what is not there yet lead to one file, too.
+    fs::create_symlink("new", folder / "a");
+    fs::create_symlink(at("new"), folder / "b");
+    fs::create_symlink("a", folder / "c");
+    for (const char* name : {"b", "c", "new", "d/../new"})
+        refused(run + "--record " + at("a") + " --csv " + at(name),
+                "--record and --csv are the same");
+    fs::create_symlink("loop", folder / "loop");
+    refused(run + "--record " + at("loop"), "Too many levels of symbolic links");
+    EXPECT_FALSE(fs::exists(at("new")));
     // Nowhere is not a file that is written twice.
     EXPECT_EQ(shell("$H " + run + "--quiet --csv /dev/null --summary /dev/null"), 0);
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
@@ -186,6 +196,54 @@ TEST(Files, AreWrittenBesideAndRenamed) {
     int files = 0;
     for (const auto& entry : fs::directory_iterator(folder)) files += entry.path().empty() ? 0 : 1;
     EXPECT_EQ(files, 3) << "something was left beside";
+}
+
+TEST(Files, AreWrittenWhereALinkToNothingLeads) {
+    const fs::path folder = test_folder();
+    fs::create_symlink("new.json", folder / "link.json");
+    ASSERT_EQ(shell("$H run " + std::string(kSwing) + " --duration 0.1 --quiet --summary " +
+                    (folder / "link.json").string()),
+              0);
+    EXPECT_TRUE(fs::is_symlink(folder / "link.json"));
+    EXPECT_EQ(json::parse(read_text(folder / "new.json"))["outcome"], "finished");
+}
+
+// A limit of file sizes is told like a full disk; before, SIGXFSZ ended the run without a word.
+TEST(Files, ThatMayNotGrowFurtherEndTheRunWithAMessage) {
+    const fs::path folder = test_folder();
+    const std::string err = (folder / "err").string();
+    for (const char* option : {"--record ", "--csv ", "--summary "}) {
+        const std::string line =
+            "$H run " + std::string(kSwing) + " --duration 30 --quiet " + option;
+        // A block of the shell is 512 bytes: less than each of the three.
+        EXPECT_EQ(shell("ulimit -f 1; " + line + (folder / "out").string() + " 2>" + err), 1)
+            << option;
+        EXPECT_NE(read_text(err).find("File too large"), std::string::npos) << read_text(err);
+    }
+}
+
+TEST(Files, ThatPicturesAreDrawnFromAreNotDrawnOver) {
+    const fs::path folder = test_folder();
+    const auto at = [&](const char* name) { return (folder / name).string(); };
+    ASSERT_EQ(shell(run_line(folder, " --quiet")), 0);
+    const std::string whole = read_text(at("r.hwr"));
+    fs::create_hard_link(at("r.hwr"), at("frame_0001.png"));
+    refused("plot " + at("r.hwr") + " --only scene --frames 2 -o " + folder.string(),
+            "would replace the recording");
+    for (const char* name : {"motions.svg", "space.png"}) {
+        fs::create_symlink("r.hwr", at(name));
+        refused("plot " + at("r.hwr") + " -o " + folder.string(), "would replace the recording");
+        EXPECT_FALSE(fs::exists(at("scene.svg")));
+        fs::remove(at(name));
+    }
+    fs::copy_file(at("r.hwr"), at("motions.svg"));
+    refused("plot " + at("motions.svg") + " -o " + folder.string(), "would replace the recording");
+    EXPECT_EQ(read_text(at("r.hwr")), whole);
+    EXPECT_EQ(read_text(at("motions.svg")), whole);
+    // Pictures that are not asked for replace nothing.
+    EXPECT_EQ(
+        shell("$H plot " + at("motions.svg") + " --only scene >/dev/null -o " + folder.string()),
+        0);
 }
 
 TEST(Times, MustBeFiniteAndReachable) {

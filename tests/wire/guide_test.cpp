@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -215,6 +216,44 @@ TEST(Guides, OnAMovingBodyMomentumStays) {
     // Of the halves that lumps have as a load the speeds are within 1 m/s of each other: 20 kg.
     EXPECT_LT((momentum() - start).norm(), 40.0);
     EXPECT_EQ(w.verdict().grade, Grade::good);
+}
+
+/// What plan_guide() says of an element from (−1, 0, 0) to `last` and a wheel; "": it lies on it.
+std::string plan_refused(const Vec3& last, const Vec3& wheel, double radius) {
+    const std::array<Vec3, 3> at{Vec3(-1, 0, 0), last, wheel};
+    InteractionDef element;
+    element.kind = InteractionKind::Stretch;
+    element.name = "tow/s4";
+    element.body = {BodyId{0}, BodyId{1}};
+    element.set("EA", 1e6).set("length", (last - at[0]).norm());
+    const GuideDef guide{.name = "roller", .body = {2}, .axis = {0, 1, 0}, .radius = radius};
+    try {
+        (void)plan_guide(guide, element, 0.0, [&](BodyId b) {
+            return RouteBody{at[static_cast<std::size_t>(b.index)], Quat::Identity(),
+                             b.index == 2 ? BodyKind::fixed : BodyKind::lump, 1.0};
+        });
+    } catch (const DefError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+/// The sign is advised only where the other one lies on it: round a corner. Where both ends are on
+/// one side of the wheel the wire would turn back by more than π whichever way it goes.
+TEST(Guides, AdviseTheOtherSignOnlyWhereItHelps) {
+    const Vec3 down(0, 0, -1);
+    int lies = 0;
+    for (const double radius : {0.3, -0.3}) {
+        const std::string why = plan_refused(down, {0, 0, 0}, radius);
+        lies += why.empty() ? 1 : 0;
+        if (!why.empty()) {
+            EXPECT_NE(why.find("change the sign of `radius`"), std::string::npos) << why;
+        }
+        const std::string beside = plan_refused({1, 0, 0}, {2, 0, 0}, radius);
+        EXPECT_EQ(beside.find("change the sign"), std::string::npos) << beside;
+        EXPECT_NE(beside.find("'tow/s4'"), std::string::npos) << beside;
+    }
+    EXPECT_EQ(lies, 1);
 }
 
 TEST(Guides, RefuseWhatCannotBe) {

@@ -143,7 +143,7 @@ class JointRows {
                                      view_.upsilon[r] * view_.recall[r], view_.h);
         }
     }
-    /// Joints that have parted.
+    /// Write zeros into the rows of those of the eight joints that have parted.
     void part() const {
         std::uint64_t parted;
         std::memcpy(&parted, view_.parted + id_, sizeof parted);

@@ -36,7 +36,7 @@ void reduce(Points& points, double size, bool row = false);
 void write_sorted(Points& points, const double* origin, Manifold& out);
 /// Reduce to four, sort by feature, and write with `origin` added.
 void finish(Points& points, const double* origin, double size, Manifold& out);
-/// One contact.
+/// As above, of a manifold of one point: write it with `origin` added.
 void finish(const Point& point, const double* origin, Manifold& out);
 
 }  // namespace hawser::collide::narrow

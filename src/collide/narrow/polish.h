@@ -12,7 +12,7 @@ struct Separation {
     double s;  ///< Signed distance of the cores [m].
 };
 
-/// s(n) of two cores.
+/// Signed distance of two cores along a unit normal n, s(n) [m]; negative: they overlap.
 double separation_along(const Convex& a, const Convex& b, const V3& n);
 
 /// The largest s(n) near a good guess: over the normals of faces near it, normals perpendicular

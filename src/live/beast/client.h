@@ -74,7 +74,7 @@ class Client : public std::enable_shared_from_this<Client> {
         frame_.reset();
         pump();
     }
-    /// Once a second.
+    /// Let go of a client that says no hello or takes no frames in time. Called once a second.
     void look(double now) {
         const ServerOptions& o = floor_.options_;
         if (!known() && !closing_ && now - born_ > o.handshake_seconds) {
