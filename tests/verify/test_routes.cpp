@@ -26,11 +26,14 @@ TEST(RoutesVerified, SlidingAndHolding) {
         }
 }
 
-TEST(RoutesVerified, ATackleWithSheavesOnBodiesThatTurn) {
+/// A block that turns on three falls between two wheels. @param spin  [rad/s]
+void verify_tackle(const Vec3& spin, const Quat& turned) {
     World w;
     const BodyId boom = w.add_body({.kind = BodyKind::fixed, .position = {0, 0, 20}});
     const BodyId block = w.add_body({.name = "block",
                                      .position = {0.3, 0.0, 5.0},
+                                     .orientation = turned,
+                                     .angular_velocity = spin,
                                      .mass = 2000.0,
                                      .inertia = 300.0 * Mat3::Identity()});
     const BodyId drum = w.add_body(
@@ -47,6 +50,16 @@ TEST(RoutesVerified, ATackleWithSheavesOnBodiesThatTurn) {
                    .last = {.body = boom, .point = {10, 0, -2}, .drum = drum, .radius = 0.5},
                    .tension = 1000.0 * 9.81});
     verify(w, 240);
+}
+
+TEST(RoutesVerified, ATackleWithSheavesOnBodiesThatTurn) {
+    verify_tackle(Vec3::Zero(), Quat::Identity());
+}
+
+TEST(RoutesVerified, ATackleWhoseBlockYawsAndSwings) {
+    // Axes of its wheels are not parallel from the first step on.
+    verify_tackle({0.2, 0.1, 0.6}, Quat::Identity());
+    verify_tackle({0.0, 0.0, -0.3}, Quat(Eigen::AngleAxisd(0.8, Vec3(0.1, 0.2, 1.0).normalized())));
 }
 
 }  // namespace

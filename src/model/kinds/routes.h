@@ -30,11 +30,13 @@
 /// route, one with R < 0 about −z.
 ///
 /// Limits: φ stays within half a turn of the mark (whole turns of the line round the wheel are part
-/// of l_j); the far end keeps out of the circle; the part of a span along the axis counts in its
-/// length but not in the tangent. A wheel on either end has its axis square to the span, nearly.
+/// of l_j); the far end keeps out of the circle; the part of a span along an axis counts in its
+/// length but not in the tangent, so that axes are square to the span, nearly. Of two wheels each
+/// is left in its own plane: they need not be parallel (base/wheel_tangent.h).
 /// Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless
 /// frictional contacts" (2011).
 
+#include "base/wheel_tangent.h"
 #include "model/kinds/friction.h"
 
 namespace hawser::HAWSER_ISA::kinds {
@@ -87,16 +89,24 @@ inline SpanShape span_shape(const SpanEnd (&e)[2], const BodyRef* b) {
         const double turn = e[0].radius != 0.0 && dot(axis[0], axis[1]) < 0.0 ? -1.0 : 1.0;
         const double s1 = e[1].radius * (e[0].radius != 0.0 ? turn : 1.0);
         const V3 u = tangent_direction(d, n, s1 - e[0].radius);
-        const double s[2] = {e[0].radius, s1};
+        // Of each wheel: its sense, its axis, from its centre to the tangent point per radius.
+        const V3 across = cross(u, n);
+        double s[2] = {e[0].radius, s1};
+        V3 about[2] = {n, n}, out_of[2] = {across, across};
+        if (s[0] != 0.0 && s[1] != 0.0 && !are_parallel(axis[0], axis[1])) {
+            about[1] = axis[1];
+            s[1] = e[1].radius;
+            const V3 nearly = d + (s1 - s[0]) * across;
+            tangent_between_wheels(d, about, s, nearly, out_of);
+        }
         for (int k = 0; k < 2; ++k) {
             if (e[k].radius == 0.0) continue;
-            const V3 out_of = cross(u, n);  // from the centre to the tangent point, per radius
-            out.at[k] = centre[k] + s[k] * out_of;
+            out.at[k] = centre[k] + s[k] * out_of[k];
             const double sense = s[k] > 0.0 ? 1.0 : -1.0;
-            const V3 radial = sense * out_of;
-            // Going on along the route the line turns by `sense` about n: at its first end what
-            // lies on the wheel ends at the tangent point, at its second it begins there.
-            const double turned = arc(dot(cross(mark[k], radial), n), dot(mark[k], radial));
+            const V3 radial = sense * out_of[k];
+            // Going on along the route the line turns by `sense` about its axis: at its first end
+            // what lies on the wheel ends at the tangent point, at its second it begins there.
+            const double turned = arc(dot(cross(mark[k], radial), about[k]), dot(mark[k], radial));
             out.angle[k] = (k == 0 ? sense : -sense) * turned;
         }
     }
