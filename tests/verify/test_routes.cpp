@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace hawser {
 namespace {
 
@@ -60,6 +62,42 @@ TEST(RoutesVerified, ATackleWhoseBlockYawsAndSwings) {
     // Axes of its wheels are not parallel from the first step on.
     verify_tackle({0.2, 0.1, 0.6}, Quat::Identity());
     verify_tackle({0.0, 0.0, -0.3}, Quat(Eigen::AngleAxisd(0.8, Vec3(0.1, 0.2, 1.0).normalized())));
+}
+
+TEST(RoutesVerified, ATackleOfWhichAFallParts) {
+    // Behind it nothing holds but what rubs: the next falls pull through until they are slack, and
+    // what parted never comes to pull.
+    World w(WorldDef{.step = 0.2});
+    const BodyId boom = w.add_body({.kind = BodyKind::kinematic,
+                                    .position = {0, 0, 17},
+                                    .velocity = {-0.45, -0.35, -0.25},
+                                    .angular_velocity = {0.06, 0.1, 0.08}}),
+                 mast = w.add_body({.kind = BodyKind::fixed});
+    // As the scene reader has a box of half sizes 3.1, 2.8 and 3.1 m.
+    const BodyId load =
+        w.add_body({.name = "load",
+                    .position = {0, 0, 4},
+                    .velocity = {0.2, 0.4, 0.6},
+                    .mass = 5e5,
+                    .inertia = Vec3(2.91e6, 3.2e6, 2.91e6).asDiagonal().toDenseMatrix()});
+    RouteDef def{.name = "tackle",
+                 .EA = 7.5e8,
+                 .first = {.body = boom, .point = {-1.3, 0, 0}},
+                 .last = {.body = mast, .point = {2.3, 0, 17}},
+                 .breaking_load = 2e6,
+                 .damping_time = 0.18};
+    for (int i = 0; i < 5; ++i) {
+        const bool up = i % 2 == 1;
+        def.places.push_back({.body = up ? boom : load,
+                              .point = {0.26 * i - 1.05, 0, up ? 0.0 : 3.1},
+                              .radius = up ? 0.25 : -0.25,
+                              .friction = 0.3,
+                              .efficiency = 0.9});
+    }
+    const Route r = w.add(def);
+    verify(w, 20);
+    EXPECT_TRUE(std::any_of(r.parts.begin(), r.parts.end(),
+                            [&](InteractionId id) { return !w.intact(id); }));
 }
 
 }  // namespace
