@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hawser {
 namespace {
@@ -62,6 +63,32 @@ TEST(RoutesVerified, ATackleWhoseBlockYawsAndSwings) {
     // Axes of its wheels are not parallel from the first step on.
     verify_tackle({0.2, 0.1, 0.6}, Quat::Identity());
     verify_tackle({0.0, 0.0, -0.3}, Quat(Eigen::AngleAxisd(0.8, Vec3(0.1, 0.2, 1.0).normalized())));
+}
+
+TEST(RoutesVerified, AWeightHauledIntoItsSheave) {
+    // Near the wheel there is no tangent any more; what stands in for it is a law, too.
+    World w(WorldDef{.step = 1.0 / 240.0});
+    const BodyId boom = w.add_body({.kind = BodyKind::fixed}),
+                 mast = w.add_body({.kind = BodyKind::fixed});
+    const BodyId load =
+        w.add_body({.kind = BodyKind::lump, .position = {0.3, 0.05, -0.6}, .mass = 500.0});
+    const BodyId drum = w.add_body(
+        {.kind = BodyKind::scalar, .velocity = {-1.0, 0, 0}, .mass = 200.0, .gravity = false});
+    w.add(DrumDef{.drum = drum, .motor = AxisMotor{.speed = -1.0}});
+    w.add(RouteDef{.EA = 2e6,
+                   .first = {.body = load},
+                   .places = {{.body = boom, .radius = -0.4}},
+                   .last = {.body = mast, .point = {-5, 0, -1}, .drum = drum, .radius = 0.5},
+                   .tension = 500.0 * 9.81,
+                   .damping_time = 0.1});
+    bool drawn_in = false;
+    for (int i = 0; i < 120 && !drawn_in; ++i) {
+        verify(w, 4);
+        const Vec3 at = w.pose(load).position;
+        drawn_in = std::hypot(at.x(), at.z()) < 0.4;
+    }
+    EXPECT_TRUE(drawn_in);
+    verify(w, 12);
 }
 
 TEST(RoutesVerified, ATackleOfWhichAFallParts) {
