@@ -96,8 +96,10 @@ void Verifier::add_interactions(const World& world) {
         }
         // A system may have parted it as the step began; what parts by its load does at the end.
         const bool held = intact_[i] && (world.intact(id) || has_force(world, id));
+        // Of what an edit made, its wire's is known in the step alone.
+        const int alert = std::max(alert_[i], world.wire_alert(id));
         const Wrenches other =
-            held ? stiffness_wrenches(world, id, pose_, twist_, earlier_, last_[i], alert_[i])
+            held ? stiffness_wrenches(world, id, pose_, twist_, earlier_, last_[i], alert)
                  : Wrenches{};
         for (int k = 0; k < kind_info(def.kind).bodies; ++k) {
             const BodyId on = def.body[index_of(k)];
