@@ -71,6 +71,14 @@ double LoadStore::added_energy(const model::Bodies& bodies, const double* v,
     return all.added;
 }
 
+double LoadStore::power(const model::Bodies& bodies, const double* v,
+                        base::Executor& executor) noexcept {
+    if (!any_) return 0.0;
+    return sum(executor,
+               [&](std::int32_t a, std::int32_t b, Works& w) { works(bodies, 1.0, v, v, a, b, w); })
+        .work;
+}
+
 void LoadStore::count_change(const model::Bodies& bodies, base::Executor& executor) noexcept {
     if (any_ || added != 0.0) change_ = added_energy(bodies, bodies.v.data(), executor) - added;
 }

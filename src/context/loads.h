@@ -99,7 +99,10 @@ class LoadStore {
     /// Load of a body of another world.
     void copy_entry(const LoadStore& from, std::int32_t its, std::int32_t mine) noexcept;
 
-    /// ½ vᵀA v of all loads of the step [J].
+    /// Σ f·v of all loads of the step [W].
+    [[nodiscard]] double power(const model::Bodies& bodies, const double* v,
+                               base::Executor& executor) noexcept;
+    /// ½ vᵀA v of them [J].
     [[nodiscard]] double added_energy(const model::Bodies& bodies, const double* v,
                                       base::Executor& executor) noexcept;
     /// What A has become since the last step changes the energy that is in it: work of systems.

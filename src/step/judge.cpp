@@ -218,6 +218,22 @@ void begin_judge(StepContext& ctx) noexcept {
     begin_energy(p, works(ctx.state), state);
 }
 
+double power_of_forces(StepContext& ctx) noexcept {
+    const model::Bodies& b = ctx.model.bodies;
+    double power = ctx.state.loads.power(b, b.v.data(), ctx.pool);
+    for (const std::int32_t body : b.moving)
+        for (int j = 0; j < b.dof(body); ++j)
+            power += b.force[at(6 * body + j)] * b.v[at(b.dof_begin[at(body)] + j)];
+    return power;
+}
+
+void judge_from_half_a_step_before(StepContext& ctx, double power) noexcept {
+    // At the speed of the start itself forces do work in the first step as well, which is allowed
+    // for there; what would have to be taken away is left.
+    const double work = 0.5 * ctx.model.def.step * (power - power_of_forces(ctx));
+    begin_with_work(std::max(0.0, work), ctx.state.judge.state);
+}
+
 Status judge(StepContext& ctx) noexcept {
     JudgeData& d = ctx.state.judge;
     // Joints are looked at in each step, at no cost: in between they may open and close.

@@ -37,6 +37,12 @@ namespace hawser::stepper {
 
 /// Energy at the start, from velocities as given.
 void begin_judge(StepContext& ctx) noexcept;
+/// Velocities have gone from the start to half a step before, by which the start is as far away
+/// along the way that forces pushed: what rests and is pushed up against its weight is higher
+/// there, and no step tells of that work. @param power  Of forces at the velocities as given [W].
+void judge_from_half_a_step_before(StepContext& ctx, double power) noexcept;
+/// Of applied forces and loads of systems at the velocities at hand [W].
+[[nodiscard]] double power_of_forces(StepContext& ctx) noexcept;
 /// Judge the state before the step being taken, whose rows have been evaluated.
 [[nodiscard]] Status judge(StepContext& ctx) noexcept;
 /// The verdict with the present state.

@@ -61,6 +61,10 @@ void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcep
     keep(p, w, state);
 }
 
+void begin_with_work(double work, JudgeState& state) noexcept {
+    for (std::size_t i = 0; i < state.mean.size(); ++i) set(state, i, state.mean[i] + work);
+}
+
 Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
                           JudgeState& state) noexcept {
     if (state.begun == 0) begin_energy(p, w, state);

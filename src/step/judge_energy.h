@@ -21,6 +21,9 @@ struct Unexplained {
 
 /// The sums begin: energy at the start.
 void begin_energy(const JudgePart& p, const Works& works, JudgeState& state) noexcept;
+/// Right after it: forces do that much work on the way from the pose of the start to the half step
+/// before, from which on steps keep the books [J].
+void begin_with_work(double work, JudgeState& state) noexcept;
 
 /// `state` goes on to this look. @param time  Since the last one [s].
 [[nodiscard]] Unexplained follow_energy(const JudgePart& p, const Works& works, double time,

@@ -61,12 +61,15 @@ Status start_world(StepContext& ctx) noexcept {
     if (const Status acted = prestep(ctx); acted != Status::ok) return acted;
     keep_motion(ctx);
     ctx.state.loads.added = added_energy(ctx.model, ctx.state, ctx.pool, ctx.model.bodies.v.data());
+    const bool begins = ctx.state.judge.state.begun == 0;
     begin_judge(ctx);
+    const double power = power_of_forces(ctx);
     Status status = Status::ok;
     if (ctx.model.collider.count() > 0) status = find_contacts(ctx);
     if (status == Status::ok && ctx.model.collider.count() > 0)
         status = start_contacts(ctx, Phase::stagger);
     if (status == Status::ok) status = stagger(ctx);
+    if (status == Status::ok && begins) judge_from_half_a_step_before(ctx, power);
     ctx.state.loads.added = added_energy(ctx.model, ctx.state, ctx.pool, ctx.model.bodies.v.data());
     return status;
 }
