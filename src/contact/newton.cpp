@@ -280,6 +280,7 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
         end_hastily(ctx.model, ctx.work, ctx.pool);
     else if (early)
         status = end_early(ctx);
+    if (early) show_held(ctx.model);
     // Bounds follow loads of refined solutions only, and projected impulses need the refinement.
     const bool refines = early || !settled_later || !ctx.work.newton.loaded.empty();
     ctx.work.stats.refinements = 0;

@@ -13,7 +13,7 @@
 ///
 /// A sheave of the hook is two eyes a diameter apart, each with the root of its efficiency: the
 /// tensions at both are those of a sheave, whatever the block does. A wheel would have to keep its
-/// axis parallel to those of the head (route.h), and a hook yaws and swings.
+/// axis square to the falls, nearly (model/kinds/routes.h), and a slack hook tips over.
 #include "crane/builder.h"
 
 #include <cmath>

@@ -231,6 +231,15 @@ bool any_asks(const Model& model, const Newton& newton, const View& v) noexcept 
     return false;
 }
 
+void show_held(Model& model) noexcept {
+    const View v = row_view(model);
+    for (const std::int32_t id : model.system.bounded) {
+        if (v.active[id] != 0.0 || v.parted[id] || model.wires.gives_way(id)) continue;
+        double& lambda = v.lambda[v.row_begin[id]];
+        if (lambda != v.held[id]) lambda = v.held[id];
+    }
+}
+
 std::int32_t asking_rows(Model& model, Work& work, double floor) noexcept {
     take_bounds(model, work.newton);
     keep_bounds(work.newton, 1.0);

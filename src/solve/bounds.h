@@ -54,6 +54,10 @@ inline constexpr std::int32_t kAnyRows = 0x7fffffff;
 /// count. @return rows that ask to be active, or idle.
 std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t most) noexcept;
 
+/// Shows of idle rows what acts on the bodies: after a step back to an iterate, or to a place
+/// between two, λ of a row that was switched since is still what it had before.
+void show_held(Model& model) noexcept;
+
 /// Rows that ask to switch where λ, v₊ are as they stand. Nothing is moved. @param floor  Impulse
 /// that does not count [N s].
 [[nodiscard]] std::int32_t asking_rows(Model& model, Work& work, double floor) noexcept;

@@ -60,6 +60,11 @@ Twist applied(const World& world, BodyId body, const Quat& turn) {
     return f;
 }
 
+bool has_force(const World& world, InteractionId id) {
+    const auto force = world.force(id);
+    return std::any_of(force.begin(), force.end(), [](double f) { return f != 0.0; });
+}
+
 /// Squares of bodies, and the body that has the largest.
 struct Shares {
     double sum = 0.0, most = 0.0;
@@ -89,9 +94,13 @@ void Verifier::add_interactions(const World& world) {
             const auto with = world.stiffness_force(id);
             std::copy_n(with.begin(), last_[i].size(), last_[i].begin());
         }
+        // A system may have parted it as the step began; what parts by its load does at the end.
+        const bool held = intact_[i] && (world.intact(id) || has_force(world, id));
+        // Of what an edit made, its wire's is known in the step alone.
+        const int alert = std::max(alert_[i], world.wire_alert(id));
         const Wrenches other =
-            intact_[i] ? stiffness_wrenches(world, id, pose_, twist_, earlier_, last_[i], alert_[i])
-                       : Wrenches{};
+            held ? stiffness_wrenches(world, id, pose_, twist_, earlier_, last_[i], alert)
+                 : Wrenches{};
         for (int k = 0; k < kind_info(def.kind).bodies; ++k) {
             const BodyId on = def.body[index_of(k)];
             const std::size_t b = index_of(on.index);

@@ -155,7 +155,8 @@ std::string StateVerifier::check_joints(const World& world) {
 }
 
 /// By how much of its length a taut element is off its law: beyond what it moved in the step, and
-/// what its damper adds at that speed.
+/// what its damper adds at that speed. One that was slack as the step began pulls for its end
+/// alone: it may as if it had been just taut.
 double StateVerifier::off_law(const World& world, InteractionId id) const {
     const InteractionDef& def = world.interaction_def(id);
     const double tension = -world.force(id)[0];
@@ -165,7 +166,7 @@ double StateVerifier::off_law(const World& world, InteractionId id) const {
     const double length = (at.point(1) - at.point(0)).norm(),
                  way = std::abs((then.point(1) - then.point(0)).norm() - length);
     const double late = std::isfinite(def.damping_time[0]) ? def.damping_time[0] / h : 0.0;
-    const double off = std::abs(length - rest * (1.0 + tension / def.get("EA")));
+    const double off = std::abs(std::max(length, rest) - rest * (1.0 + tension / def.get("EA")));
     return std::max(0.0, off - (1.0 + late) * way) / rest;
 }
 

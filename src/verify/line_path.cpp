@@ -19,6 +19,27 @@ bool has_ends(const World& world, InteractionId id) {
     return id.valid() && world.interaction_def(id).kind != InteractionKind::BodySpan;
 }
 
+// Where, seen along the axis of the first wheel, an end has come within the other's circle or all
+// but, no tangent is left: both ends lie as if what keeps the centres apart were 0.999 of their
+// distance.
+// @return whether that is so.
+bool drawn_in(const Attached& on, const double* radius, LineEnds& out) {
+    const bool first = radius[0] != 0.0, both = first && radius[1] != 0.0;
+    if (!first && radius[1] == 0.0) return false;
+    const Vec3 n = on.axis(first ? 0 : 1, 2), d = out.at[1] - out.at[0], flat = d - d.dot(n) * n;
+    // A second wheel whose axis points the other way is passed the other way round.
+    const double second = both && n.dot(on.axis(1, 2)) < 0.0 ? -radius[1] : radius[1];
+    const double apart = second - radius[0];
+    if (d.norm() < 1e-6 || std::abs(apart) <= 0.999 * flat.norm()) return false;
+    const Vec3 ahead = flat.normalized(), left = n.cross(ahead);
+    const double angle = std::asin(std::copysign(0.999, apart));
+    const Vec3 u = std::cos(angle) * ahead - std::sin(angle) * left;
+    out.at[0] += radius[0] * u.cross(n);
+    out.at[1] += second * u.cross(n);
+    out.along = (out.at[1] - out.at[0]).normalized();
+    return true;
+}
+
 }  // namespace
 
 // A wheel of radius R > 0 lies to the left of what passes it, seen against its axis: the end is at
@@ -27,6 +48,7 @@ LineEnds line_ends(const Attached& on) {
     const double radius[2] = {wheel_at(on.def(), 0), wheel_at(on.def(), 1)};
     const Vec3 centre[2] = {on.point(0), on.point(1)};
     LineEnds out{{centre[0], centre[1]}, Vec3::UnitX()};
+    if (drawn_in(on, radius, out)) return out;
     for (int i = 0; i < 200; ++i) {
         const Vec3 d = out.at[1] - out.at[0];
         if (d.norm() < 1e-12) {

@@ -2,6 +2,7 @@
 #include <hawser/route.h>
 #include <hawser/world.h>
 
+#include "base/wheel_tangent.h"
 #include "wire/bounds.h"
 #include "wire/route_checks.h"
 
@@ -37,6 +38,19 @@ struct Straight {
     double length;
 };
 
+/// Two wheels whose axes are not parallel. @param s  In: about how the line lies.
+void leave_own_planes(const Corner& a, const Corner& b, Straight& s) {
+    const auto small = [](const Vec3& v) { return generic::V3{v.x(), v.y(), v.z()}; };
+    const generic::V3 axes[2] = {small(a.normal), small(b.normal)};
+    if (generic::are_parallel(axes[0], axes[1])) return;
+    const double radii[2] = {a.radius, b.radius};
+    generic::V3 q[2];
+    generic::tangent_between_wheels(small(b.centre - a.centre), axes, radii, small(s.to - s.from),
+                                    q);
+    s.from = a.centre + a.radius * Vec3(q[0].x, q[0].y, q[0].z);
+    s.to = b.centre + b.radius * Vec3(q[1].x, q[1].y, q[1].z);
+}
+
 /// As model/kinds/routes.h has it.
 Straight straight_between(const RouteDef& def, const Corner& a, const Corner& b) {
     const Vec3 d = b.centre - a.centre;
@@ -53,6 +67,7 @@ Straight straight_between(const RouteDef& def, const Corner& a, const Corner& b)
         const Vec3 u = (c * flat - apart * n.cross(flat)) / (size * size);
         s.from += a.radius * u.cross(n);
         s.to += r1 * u.cross(n);
+        if (a.radius != 0.0 && b.radius != 0.0) leave_own_planes(a, b, s);
     }
     s.length = (s.to - s.from).norm();
     if (!(s.length > 1e-6)) refuse(def, "two of its places, or a place and an end, coincide");

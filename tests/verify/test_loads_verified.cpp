@@ -53,5 +53,32 @@ TEST(LoadsVerified, ScenesWithWaterHoldByIndependentCode) {
     }
 }
 
+/// A body at rest that is pushed up by more than its weight, as a hull that starts too deep.
+TEST(LoadsVerified, AStartThatIsPushedUpMakesNoEnergy) {
+    // Velocities begin half a step before the start, where the body is higher by a h²/4: at 0.2 s
+    // by 10 cm, for which the push has done the work.
+    for (const bool by_system : {false, true})
+        for (const double step : {0.2, 0.05, 1.0 / 60.0}) {
+            World w(WorldDef{.step = step});
+            const BodyId hull = w.add_body({.mass = 1e6, .inertia = 1e8 * Mat3::Identity()});
+            const Vec3 push(0.0, 0.0, 2.0 * 9.81e6);
+            if (by_system)
+                test::act(w, "water", [push](test::Acting&, Prestep&, Loads& loads) {
+                    loads.add_force(BodyId{0}, push, Vec3::Zero());
+                });
+            else
+                w.set_force(hull, push, Vec3::Zero());
+            verify::Verifier verifier(w);
+            for (int i = 0; i < 40; ++i) {
+                verifier.before_step(w);
+                ASSERT_EQ(w.step(), Status::ok) << step << " step " << i;
+                ASSERT_EQ(verifier.after_step(w), "") << step << " step " << i;
+            }
+            EXPECT_EQ(w.verdict().grade, Grade::good) << step << " by system: " << by_system;
+            // v = a t, exactly in this scheme, at the half step before.
+            EXPECT_NEAR(w.velocity(hull).linear.z(), 9.81 * 39.5 * step, 1e-9);
+        }
+}
+
 }  // namespace
 }  // namespace hawser

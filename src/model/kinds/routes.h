@@ -30,11 +30,15 @@
 /// route, one with R < 0 about −z.
 ///
 /// Limits: φ stays within half a turn of the mark (whole turns of the line round the wheel are part
-/// of l_j); the far end keeps out of the circle; the part of a span along the axis counts in its
-/// length but not in the tangent. A wheel on either end has its axis square to the span, nearly.
-/// Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless
-/// frictional contacts" (2011).
+/// of l_j); the part of a span along an axis counts in its length but not in the tangent, so that
+/// axes are square to the span, nearly. Of two wheels each is left in its own plane: they need not
+/// be parallel (base/wheel_tangent.h). The far end keeps out of the circle: seen along the axis, a
+/// tangent at more than asin 0.999 to the line between the centres there is none, and the span
+/// leaves where it would at that angle, of two wheels both in the first one's plane. Source:
+/// Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless frictional
+/// contacts" (2011).
 
+#include "base/wheel_tangent.h"
 #include "model/kinds/friction.h"
 
 namespace hawser::HAWSER_ISA::kinds {
@@ -55,16 +59,24 @@ struct SpanShape {
     double angle[2];  ///< φ of each end [rad].
 };
 
+inline constexpr double kSteepest = 0.999;  ///< Sine of the angle of a tangent to the centres.
+
 /// The tangent leaves a wheel of signed radius s at s u × n from its centre. @param d  Between
 /// centres. @param n  The axes. @param apart  Second signed radius less the first one.
 inline V3 tangent_direction(const V3& d, const V3& n, double apart) {
     const V3 flat = d - dot(d, n) * n;
-    const double size = norm(flat), most = 0.999 * size;
+    const double size = norm(flat), most = kSteepest * size;
     const double s = apart > most ? most : apart < -most ? -most : apart;
     const double c = __builtin_sqrt(size * size - s * s);
     // Of unit length in the plane, with d·(u × n) = −s.
     const double scale = 1.0 / (size * size);
     return (scale * c) * flat - (scale * s) * cross(n, flat);
+}
+
+/// Whether there is that tangent, or one that stands in for it.
+inline bool keeps_apart(const V3& d, const V3& n, double apart) {
+    const V3 flat = d - dot(d, n) * n;
+    return apart * apart <= kSteepest * kSteepest * dot(flat, flat);
 }
 
 inline SpanShape span_shape(const SpanEnd (&e)[2], const BodyRef* b) {
@@ -87,16 +99,25 @@ inline SpanShape span_shape(const SpanEnd (&e)[2], const BodyRef* b) {
         const double turn = e[0].radius != 0.0 && dot(axis[0], axis[1]) < 0.0 ? -1.0 : 1.0;
         const double s1 = e[1].radius * (e[0].radius != 0.0 ? turn : 1.0);
         const V3 u = tangent_direction(d, n, s1 - e[0].radius);
-        const double s[2] = {e[0].radius, s1};
+        // Of each wheel: its sense, its axis, from its centre to the tangent point per radius.
+        const V3 across = cross(u, n);
+        double s[2] = {e[0].radius, s1};
+        V3 about[2] = {n, n}, out_of[2] = {across, across};
+        if (s[0] != 0.0 && s[1] != 0.0 && !are_parallel(axis[0], axis[1]) &&
+            keeps_apart(d, n, s1 - s[0])) {
+            about[1] = axis[1];
+            s[1] = e[1].radius;
+            const V3 nearly = d + (s1 - s[0]) * across;
+            tangent_between_wheels(d, about, s, nearly, out_of);
+        }
         for (int k = 0; k < 2; ++k) {
             if (e[k].radius == 0.0) continue;
-            const V3 out_of = cross(u, n);  // from the centre to the tangent point, per radius
-            out.at[k] = centre[k] + s[k] * out_of;
+            out.at[k] = centre[k] + s[k] * out_of[k];
             const double sense = s[k] > 0.0 ? 1.0 : -1.0;
-            const V3 radial = sense * out_of;
-            // Going on along the route the line turns by `sense` about n: at its first end what
-            // lies on the wheel ends at the tangent point, at its second it begins there.
-            const double turned = arc(dot(cross(mark[k], radial), n), dot(mark[k], radial));
+            const V3 radial = sense * out_of[k];
+            // Going on along the route the line turns by `sense` about its axis: at its first end
+            // what lies on the wheel ends at the tangent point, at its second it begins there.
+            const double turned = arc(dot(cross(mark[k], radial), about[k]), dot(mark[k], radial));
             out.angle[k] = (k == 0 ? sense : -sense) * turned;
         }
     }
