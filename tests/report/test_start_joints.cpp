@@ -85,6 +85,15 @@ TEST(StartJoints, RangesWithNothingInCommonContradictEachOther) {
         << outside.text;
 }
 
+TEST(StartJoints, AnEndOfARangeBeyondHalfATurnNeverActs) {
+    const Started s = start_of(wheel_with_ranges(range("wrapped", R"("min": -1, "max": 4)") +
+                                                 range("one end", R"("min": -1, "max": 1e9)")));
+    const Finding f = only(s, FindingKind::gap);
+    EXPECT_FALSE(f.error);
+    EXPECT_EQ(f.about, Names{"wrapped"});
+    EXPECT_EQ(f.value, 4.0);
+}
+
 TEST(StartJoints, RangesThatOverlapAreNoMistake) {
     const Started s = start_of(wheel_with_ranges(range("wide", R"("min": -1, "max": 1)") +
                                                  range("narrow", R"("min": -0.2, "max": 1.5)")));

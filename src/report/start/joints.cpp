@@ -119,6 +119,16 @@ void check_ranges(const World& world, Findings& out) {
                     fmt::format("{} starts at {:.4g} {}, outside of its range {}; the first steps "
                                 "close that with a blow: start inside",
                                 record::interaction_in_words(world, r.id), q, unit, r.text()));
+        // A hinge's angle does not count turns. Ends far away are no ends.
+        constexpr double kTurn = std::numbers::pi, kNoEnd = 1e3;
+        for (const double end : {r.min, r.max})
+            if (r.coordinate == KindCoordinate::about && std::abs(end) > kTurn &&
+                std::abs(end) < kNoEnd)
+                out.add(false, FindingKind::gap, {name}, end,
+                        fmt::format("{} has an end at {:.4g} rad, but its angle lies between -pi "
+                                    "and pi: that end never acts; turn the axes so that the range "
+                                    "lies within, or limit a drum or slide that it drives",
+                                    record::interaction_in_words(world, r.id), end));
         for (std::size_t k = i + 1; k < ranges.size(); ++k) {
             const Range& other = ranges[k];
             if (!same_coordinate(world, r, other)) continue;
