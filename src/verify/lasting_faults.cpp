@@ -16,11 +16,8 @@
 namespace hawser::verify {
 namespace {
 
-int most_steps(const World& world) {
-    constexpr double kLooks = 6.0;
-    return static_cast<int>(
-        std::ceil(kLooks * std::max(1.0, limit::kLook / world.settings().step)));
-}
+/// What strikes an end comes back by 4/9 of its way beyond it in a step.
+constexpr int kMostSteps = 6;
 
 /// Angle or travel of frame 1 against frame 0, about or along z of that.
 double coordinate(const World& world, InteractionId id, std::span<const Pose> pose) {
@@ -69,7 +66,7 @@ std::string LastingFaults::check_ranges(const World& world, std::span<const Pose
         where = id;
     }
     beyond_ = where.valid() ? beyond_ + 1 : 0;
-    if (beyond_ <= most_steps(world)) return {};
+    if (beyond_ <= kMostSteps) return {};
     return fmt::format(
         "'{}' has been beyond its range for {} steps, now by {:.4g} {}",
         record::interaction_label(world, where), beyond_, by,
@@ -89,7 +86,7 @@ std::string LastingFaults::check_depths(const World& world) {
         where = &c;
     }
     deep_ = where != nullptr ? deep_ + 1 : 0;
-    if (deep_ <= most_steps(world)) return {};
+    if (deep_ <= kMostSteps) return {};
     return fmt::format("'{}' and '{}' have lain in each other for {} steps, now by {}",
                        record::body_label(world, world.shape_def(where->shape[0]).body),
                        record::body_label(world, world.shape_def(where->shape[1]).body), deep_,

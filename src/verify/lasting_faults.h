@@ -4,8 +4,8 @@
 /// Ranges that do not hold and bodies that lie in each other, by definitions and poses alone.
 ///
 /// What strikes the end of a range passes it within a step by the way that it goes in one, and what
-/// falls comes in: both come back. Wrong is what stays for six looks of the program's own judge,
-/// which for large worlds are limit::kLook apart.
+/// falls comes in: both come back. Wrong is what stays for more than six steps, which in small
+/// worlds are six looks of the program's own judge.
 
 #include <hawser/hawser.h>
 

@@ -87,7 +87,7 @@ TEST(StartJoints, RangesWithNothingInCommonContradictEachOther) {
 
 TEST(StartJoints, AnEndOfARangeBeyondHalfATurnNeverActs) {
     const Started s = start_of(wheel_with_ranges(range("wrapped", R"("min": -1, "max": 4)") +
-                                                 range("one end", R"("min": -1, "max": 1e9)")));
+                                                 range("one_end", R"("min": -1, "max": 1e9)")));
     const Finding f = only(s, FindingKind::gap);
     EXPECT_FALSE(f.error);
     EXPECT_EQ(f.about, Names{"wrapped"});
