@@ -154,8 +154,7 @@ int view_exercise(const ViewOptions& options) {
            .paused = options.paused,
            .exercise = &loaded.exercise,
            .run = &run},
-          std::move(roles),
-          [&] { close_exercise(options, recording, loaded.exercise, run); });
+          std::move(roles), [&] { close_exercise(options, recording, loaded.exercise, run); });
     return kOk;
 }
 
