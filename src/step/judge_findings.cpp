@@ -2,6 +2,7 @@
 /// What each judge finds.
 #include "step/judge_findings.h"
 
+#include "access/copies.h"
 #include "base/index.h"
 #include "context/context.h"
 

@@ -34,7 +34,8 @@ Worst worst_of(const World& world, const Joint& joint, const std::vector<double>
     const KindInfo& kind = kind_info(world.interaction_def(joint.id).kind);
     Worst worst;
     for (std::int32_t k = 0; k < joint.rows; ++k) {
-        const double g = std::abs(values[static_cast<std::size_t>(joint.row_begin + k)]);
+        const double g = std::abs(
+            values[static_cast<std::size_t>(joint.row_begin) + static_cast<std::size_t>(k)]);
         double& most =
             is_angle(kind, joint.row[static_cast<std::size_t>(k)]) ? worst.angle : worst.length;
         most = std::max(most, g);
