@@ -25,8 +25,9 @@ struct Shape {
     std::int32_t line;  ///< Interaction that a segment lies along, or −1: it goes when that parts.
     std::int32_t material;
     std::uint32_t group, touches;
-    double margin;  ///< Its own [m]; counts where larger than that of all.
-    bool moves;     ///< Some body of it has freedom.
+    double margin;     ///< Its own [m]; counts where larger than that of all.
+    double thickness;  ///< Beyond which something in it comes out behind [m]; infinite: never.
+    bool moves;        ///< Some body of it has freedom.
     [[nodiscard]] bool segment() const noexcept { return body[1] >= 0; }
     /// It was removed, and nothing has taken its place.
     [[nodiscard]] bool gone() const noexcept { return body[0] < 0; }

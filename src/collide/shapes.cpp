@@ -3,6 +3,7 @@
 #include "collide/narrow/shape_data.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace hawser::collide {
@@ -16,6 +17,23 @@ Placement local_frame(const ShapeDef& def) {
         for (int j = 0; j < 3; ++j) p.r[3 * i + j] = r(i, j);
     }
     return p;
+}
+
+/// Shape::thickness of a shape that is no segment: what lines may touch is wider than they are.
+double thickness_of(const Geometry& geometry) {
+    switch (geometry.kind) {
+        case ShapeKind::capsule:  // links of lines, which come to lie across each other
+        case ShapeKind::plane:
+        case ShapeKind::heightfield:
+        case ShapeKind::mesh:
+            return HUGE_VAL;
+        default:
+            break;
+    }
+    const Bounds box = bounds(geometry, {{0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}});
+    double least = HUGE_VAL;
+    for (int i = 0; i < 3; ++i) least = std::min(least, box.high[i] - box.low[i]);
+    return least;
 }
 
 }  // namespace
@@ -39,6 +57,7 @@ std::int32_t Collider::add(const ShapeDef& def, const model::Bodies& bodies) {
     for (const std::int32_t b : s.body) s.moves = s.moves || (b >= 0 && bodies.dof(b) > 0);
     std::shared_ptr<const ShapeData> data = make_shape_data(def);
     s.geometry.data = data.get();
+    s.thickness = s.segment() ? HUGE_VAL : thickness_of(s.geometry);
     base::make_room(data_, 1);
     base::make_room(shapes_, 1);
     make_room();

@@ -79,7 +79,6 @@ struct JudgeData {
     std::vector<std::int32_t> lines;    ///< Wire elements.
     std::vector<std::int32_t> ranges;   ///< Rows of ranges that are meant rigid.
     std::vector<double> range_allowed;  ///< Of those: 1 / what they may be beyond by.
-    std::vector<double> thickness;      ///< By shape [m]; of what has none: 1e30.
     std::vector<JudgePart> part;        ///< One a chunk.
     double nothing = 0.0;               ///< See limit::kNothingHigher [J].
     std::int32_t every = 1;             ///< Steps from look to look.

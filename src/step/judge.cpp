@@ -37,8 +37,7 @@ void take(const Finding& f, Finding& worst) noexcept {
 Findings judged(StepContext& ctx, JudgeState& state) noexcept {
     const JudgePart p = look(ctx.model, ctx.state, ctx.pool, At::half_step);
     const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
-    // Bodies were put where they are.
-    if (state.begun == 0) state.open_start = std::max(p.open, p.beyond);
+    if (state.begun == 0) state.open_start = p.open;  // bodies were put where they are
     Findings out{};
     out[place(Judge::energy)] = energy_finding(ctx.model, ctx.state, p, state, time);
     out[place(Judge::violation)] = open_finding(ctx.model, ctx.state, p, state, time);
@@ -140,8 +139,7 @@ void begin_judge(StepContext& ctx) noexcept {
     const JudgePart p = look(ctx.model, ctx.state, ctx.pool, At::pose);
     state = {};
     state.step = ctx.state.step;
-    const double open = std::max(p.open, p.beyond);
-    state.open_start = open > 1.0 ? open : 0.0;
+    state.open_start = p.open > 1.0 ? p.open : 0.0;
     begin_energy(p, works(ctx.state), state);
 }
 

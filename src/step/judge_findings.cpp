@@ -36,6 +36,13 @@ Finding finding(double value, Limit by, double time) noexcept {
             .body = {}};
 }
 
+/// Tell the violation of a row and the interaction that has it. @param row  −1: none.
+void name_row(const Model& model, std::int32_t row, Finding& out) noexcept {
+    if (row < 0) return;
+    out.value = std::fabs(model.interactions.g[at(row)]);
+    out.interaction = model.interactions.id(owner_of(model, row));
+}
+
 /// The least of the looks remembered and this one.
 template <std::size_t N>
 double lasting(double now, std::array<double, N>& before) noexcept {
@@ -100,21 +107,15 @@ Finding open_finding(const Model& model, const State& state, const JudgePart& p,
     // What the scene opened may close without being refused; that it stood open is said.
     const double open = std::max(0.0, p.open - memory.open_start);
     out.wrong = open * limit::kOpen.doubtful / limit::kOpen.wrong;
-    if (p.open_row < 0) return out;
-    out.value = std::fabs(model.interactions.g[at(p.open_row)]);
-    out.interaction = model.interactions.id(owner_of(model, p.open_row));
+    name_row(model, p.open_row, out);
     return out;
 }
 
 Finding range_finding(const Model& model, const State& state, const JudgePart& p,
                       JudgeState& memory) noexcept {
-    const double beyond = lasting(p.beyond, memory.beyond) * limit::kOpen.doubtful;
-    Finding out = finding(beyond, limit::kOpen, state.time);
-    out.wrong =
-        std::max(0.0, beyond - memory.open_start * limit::kOpen.doubtful) / limit::kOpen.wrong;
-    if (p.beyond_row < 0) return out;
-    out.value = std::fabs(model.interactions.g[at(p.beyond_row)]);
-    out.interaction = model.interactions.id(owner_of(model, p.beyond_row));
+    Finding out =
+        finding(lasting(p.beyond, memory.beyond) * limit::kOpen.doubtful, limit::kOpen, state.time);
+    name_row(model, p.beyond_row, out);
     return out;
 }
 
@@ -123,10 +124,10 @@ Finding depth_finding(const Model& model, const State& state, const JudgePart& p
     Finding out = finding(lasting(p.deep, memory.deep), limit::kDeep, state.time);
     if (p.deep_contact < 0) return out;
     const collide::Contact& c = state.contacts.contacts[at(p.deep_contact)];
-    const std::vector<double>& thick = state.judge.thickness;
-    const int thinner = thick[at(c.shape[0])] <= thick[at(c.shape[1])] ? 0 : 1;
+    const std::vector<collide::Shape>& shapes = model.collider.shapes();
+    const collide::Shape &one = shapes[at(c.shape[0])], &other = shapes[at(c.shape[1])];
     out.value = -c.gap;
-    out.body = model.bodies.id(model.collider.shapes()[at(c.shape[thinner])].body[0]);
+    out.body = model.bodies.id((one.thickness <= other.thickness ? one : other).body[0]);
     return out;
 }
 

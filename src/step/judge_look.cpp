@@ -63,11 +63,13 @@ void look_at_ranges(const State& state, const View& v, JudgePart& p) noexcept {
     }
 }
 
-void look_at_contacts(const State& state, JudgePart& p) noexcept {
+/// How deep contacts of the step are, over the thickness of the thinner shape.
+void look_at_contacts(const Model& model, const State& state, JudgePart& p) noexcept {
+    const std::vector<collide::Shape>& shapes = model.collider.shapes();
     for (std::size_t i = 0; i < state.contacts.awake; ++i) {
         const collide::Contact& c = state.contacts.contacts[i];
-        const double deep = -c.gap / std::min(state.judge.thickness[at(c.shape[0])],
-                                              state.judge.thickness[at(c.shape[1])]);
+        const double deep =
+            -c.gap / std::min(shapes[at(c.shape[0])].thickness, shapes[at(c.shape[1])].thickness);
         if (deep <= p.deep) continue;
         p.deep = deep;
         p.deep_contact = static_cast<std::int32_t>(i);
@@ -196,7 +198,7 @@ JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcep
     });
     JudgePart sum;
     look_at_ranges(state, v, sum);
-    look_at_contacts(state, sum);
+    if (when == At::half_step) look_at_contacts(model, state, sum);  // a start has found none
     for (int i = 0; i < StepContext::chunks(most); ++i) {
         const JudgePart& p = data.part[at(i)];
         sum.kinetic += p.kinetic;

@@ -19,27 +19,6 @@ double size_of(const model::Bodies& b, std::int32_t body) noexcept {
     return std::sqrt(2.0 * (s[0] + s[4] + s[8]) / b.mass[at(body)]);
 }
 
-/// What something else cannot lie in without coming out behind [m].
-double thickness_of(const collide::Shape& s) noexcept {
-    constexpr double kNone = 1e30;
-    // What lines may touch is wider than they are, and gives way.
-    if (s.gone() || s.segment()) return kNone;
-    switch (s.geometry.kind) {
-        case ShapeKind::capsule:  // links of lines, which come to lie across each other
-        case ShapeKind::plane:
-        case ShapeKind::heightfield:
-        case ShapeKind::mesh:
-            return kNone;
-        default:
-            break;
-    }
-    const collide::Placement here{{0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
-    const collide::Bounds box = collide::bounds(s.geometry, here);
-    double least = kNone;
-    for (int i = 0; i < 3; ++i) least = std::min(least, box.high[i] - box.low[i]);
-    return least;
-}
-
 /// What a row of a joint with bodies of this size may be open by, as its inverse.
 double allowance(double size, bool turns) noexcept {
     const double arm = std::isfinite(size) ? 0.5 * size : 0.0;
@@ -58,8 +37,6 @@ void prepare_judge(const Model& model, State& state) {
     d.lines.clear();
     d.ranges.clear();
     d.range_allowed.clear();
-    d.thickness.clear();
-    for (const collide::Shape& s : model.collider.shapes()) d.thickness.push_back(thickness_of(s));
     for (std::int32_t id = 0; id < interaction_count(model); ++id) {
         const KindInfo& kind = kind_info(in.kinds[at(id)]);
         if (in.rest_length[at(id)] > 0.0) d.lines.push_back(id);

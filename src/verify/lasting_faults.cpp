@@ -27,7 +27,8 @@ double coordinate(const World& world, InteractionId id, std::span<const Pose> po
     return std::atan2(at.axis(1, 0).dot(at.axis(0, 1)), at.axis(1, 0).dot(at.axis(0, 0)));
 }
 
-/// What else cannot be inside of without coming out behind [m]; of other shapes infinite.
+/// Thickness of a shape, beyond which something in it comes out behind [m]; of others than spheres,
+/// boxes and cylinders infinite.
 double thickness(const ShapeDef& s) {
     if (s.body_b.valid()) return HUGE_VAL;
     switch (s.kind) {
@@ -35,6 +36,8 @@ double thickness(const ShapeDef& s) {
             return 2.0 * s.radius;
         case ShapeKind::box:
             return 2.0 * s.half_size.minCoeff();
+        case ShapeKind::cylinder:
+            return 2.0 * std::min(s.radius, s.half_length);
         default:
             return HUGE_VAL;
     }

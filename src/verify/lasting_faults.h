@@ -22,7 +22,8 @@ class LastingFaults {
   private:
     std::string check_ranges(const World& world, std::span<const Pose> pose);
     std::string check_depths(const World& world);
-    int beyond_ = 0, deep_ = 0;  ///< For so many steps.
+    int beyond_ = 0;  ///< Steps in a row after which some range was violated.
+    int deep_ = 0;    ///< Steps in a row after which some body lay deep in another.
 };
 
 }  // namespace hawser::verify

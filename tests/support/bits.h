@@ -23,7 +23,8 @@ struct SameBits {
     std::initializer_list<int> threads{2, 4};
 };
 
-/// @param make  Makes the deck of the run, of which `w` is the World, for so many threads.
+/// @param make  Function that builds the scene anew for a number of threads; its member `w` is the
+/// World.
 /// @param before  What is done to a deck before step i, from 0 on.
 /// @return state hashes after each step. @param at_end  Sees a deck that has run all by itself.
 template <class Make, class Before, class AtEnd>

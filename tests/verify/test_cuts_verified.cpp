@@ -33,6 +33,19 @@ TEST_P(CutVerified, SeparateCodeAgrees) {
 // Near an end of an element, in its middle, near both ends of the wire [m].
 INSTANTIATE_TEST_SUITE_P(Places, CutVerified, ::testing::Values(60.3, 165.8, 168.2, 200.0, 318.0));
 
+WinchDef small_winch(WireId wire, double stored) {
+    return {.name = "winch",
+            .wire = wire,
+            .core_radius = 0.3,
+            .width = 1.0,
+            .wire_diameter = 0.03,
+            .mass_per_length = 7.0,
+            .stored = stored,
+            .inertia = 400.0,
+            .torque_haul = 3e6,
+            .torque_pay = 3e6};
+}
+
 /// A light wire along x under 100 kN, bent from side to side: no step of 1/60 s resolves its swing.
 struct Lively {
     World w{WorldDef{.gravity = Vec3::Zero(), .on_diverged = OnDiverged::warn}};
@@ -53,16 +66,7 @@ struct Lively {
         for (int i = 1; i < kElements; ++i)
             def.path.push_back({1.0 * i, 0.3 * std::sin(2.0 * i), 0.3 * std::cos(5.0 * i)});
         wire = w.add_wire(def);
-        w.add(WinchDef{.name = "winch",
-                       .wire = wire,
-                       .core_radius = 0.3,
-                       .width = 1.0,
-                       .wire_diameter = 0.03,
-                       .mass_per_length = 7.0,
-                       .stored = 50.0,
-                       .inertia = 400.0,
-                       .torque_haul = 3e6,
-                       .torque_pay = 3e6});
+        w.add(small_winch(wire, 50.0));
         w.set_force(end, Vec3(1e5, 0, 0), Vec3::Zero());
     }
     [[nodiscard]] int most_alert() const {
@@ -105,17 +109,10 @@ TEST(CutsVerified, AWeakLinkThatPartsAsAStepBegins) {
                                     .elements = 6,
                                     .EA = 3e7,
                                     .mass_per_length = 10.0});
-    const WinchIds winch = w.add(WinchDef{.name = "winch",
-                                          .wire = wire,
-                                          .core_radius = 0.3,
-                                          .width = 1.0,
-                                          .wire_diameter = 0.03,
-                                          .mass_per_length = 10.0,
-                                          .stored = 0.5,
-                                          .inertia = 400.0,
-                                          .torque_haul = 3e6,
-                                          .torque_pay = 3e6,
-                                          .weak_link = 4e4});
+    WinchDef def = small_winch(wire, 0.5);
+    def.mass_per_length = 10.0;
+    def.weak_link = 4e4;
+    const WinchIds winch = w.add(def);
     verify::Verifier verifier(w);
     for (int i = 0; i < 240; ++i) {
         if (i == 60) w.set_force(load, Vec3(0, 0, -6e4), Vec3::Zero());

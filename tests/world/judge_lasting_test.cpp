@@ -89,6 +89,26 @@ TEST(JudgeLasting, WhatSinksThroughAPlateEndsTheRun) {
     EXPECT_EQ(w.body_def(v.of(v.judge).body).name, "plate");
 }
 
+TEST(JudgeLasting, AShapeThatCameWhileTheWorldRanIsJudgedAsWell) {
+    World w({.step = 1.0 / 60.0});
+    const BodyId plate = w.add_body({.name = "plate", .kind = BodyKind::fixed});
+    w.add_shape(
+        {.kind = ShapeKind::box, .body = plate, .position = {0, 50, 0}, .half_size = {1, 1, 1}});
+    const BodyId ball = w.add_body({.name = "ball",
+                                    .position = {0, 0, 1.1},
+                                    .mass = 3e7,
+                                    .inertia = Mat3::Identity() * 1.2e7,
+                                    .gravity = false});
+    w.add_shape({.kind = ShapeKind::sphere, .body = ball, .radius = 1.0});
+    ASSERT_EQ(run(w, 10), Status::ok);
+    w.add_shape({.kind = ShapeKind::box, .body = plate, .half_size = {5, 5, 0.05}});
+    w.set_force(ball, {0, 0, -3e8}, Vec3::Zero());
+    EXPECT_EQ(run(w, 300), Status::diverged);
+    const Verdict v = w.verdict();
+    EXPECT_EQ(v.judge, Judge::violation);
+    EXPECT_EQ(w.body_def(v.of(v.judge).body).name, "plate");
+}
+
 TEST(JudgeLasting, WhatFallsOnAPlateIsGood) {
     World w = ball_on_plate(1e3, 3.0);
     ASSERT_EQ(run(w, 300), Status::ok);
