@@ -84,8 +84,9 @@ struct OutputDef {
     BodyId body_b{};                    ///< Other end of distance.
     Vec3 point_b{0.0, 0.0, 0.0};        ///< In the frame of body_b [m].
     InteractionId interaction{};        ///< Of coordinate, speed, motor_force, force, drum.
-    WireId wire{};                      ///< Of tension: of a wire …
-    std::vector<InteractionId> line{};  ///< … or of a line, by its elements in order.
+    WireId wire{};                      ///< Of tension: of a wire, whatever nodes it has …
+    std::vector<InteractionId> line{};  ///< … or of a line, by its elements in order. Where one of
+                                        ///< them goes, there is no number any more.
     /// Name of one of the kind's components; "" where it has but one.
     std::string component{};
     /// Of velocity: along and about the body's own axes instead of the world's.

@@ -343,6 +343,15 @@ class System {
         static_cast<void>(element);
         return 0.0;
     }
+    /// Line that a drum of this system has paid out of an element in the state that there is, from
+    /// the start on, also what has become elements of its own since (OutputKind::drum) [m];
+    /// negative: hauled in. kDefault: it keeps no account of this element.
+    [[nodiscard]] virtual double paid_out(const World& world,
+                                          InteractionId element) const noexcept {
+        static_cast<void>(world);
+        static_cast<void>(element);
+        return kDefault;
+    }
     /// Whether a higher level of World::coarsening() would have it leave out more.
     [[nodiscard]] virtual bool coarsens() const noexcept { return false; }
     /// Another one with the same definition, for World::twin(), which then copies the state; null:

@@ -102,8 +102,10 @@ std::vector<bool> noted_channels(const std::vector<Channel>& channels, const Wor
         }
         const OutputId id = world.find_output(c.output);
         const OutputKind kind = world.output_def(id).kind;
-        // Times that a clock measured are not the same twice either.
-        out.push_back(kind == OutputKind::signal || kind == OutputKind::statistic);
+        // Times that a clock measured are not the same twice either; a winch keeps account of what
+        // its drum has paid out.
+        out.push_back(kind == OutputKind::signal || kind == OutputKind::statistic ||
+                      kind == OutputKind::drum);
     }
     return out;
 }

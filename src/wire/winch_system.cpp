@@ -52,6 +52,15 @@ double WinchSystem::leaving_radius() const noexcept {
     return wheel_ ? wheel_->radius : drum_.leaving_radius(stored_);
 }
 
+/// What the drum has turned since the account was last kept is added: that is done as steps begin.
+double WinchSystem::paid_out(const World& world, InteractionId element) const noexcept {
+    if (element != ids_.line) return kDefault;
+    const double since = parted_ == 0 && world.intact(element)
+                             ? radius_ * (world.pose(wound()).position.x() - angle_)
+                             : 0.0;
+    return def_.stored - stored_ + since;
+}
+
 /// Of the wire on the drum [kg m²]; the chain on a gypsy is a body of its own.
 double WinchSystem::wound_inertia() const noexcept {
     return wheel_ ? 0.0 : drum_.inertia(stored_, def_.mass_per_length);

@@ -69,6 +69,9 @@ class WinchSystem final : public System {
         return element == ids_.line && feeds() && parted_ == 0 ? def_.mass_per_length * at_drum_
                                                                : 0.0;
     }
+    /// By the account of what is on the drum, which begins anew with no node.
+    [[nodiscard]] double paid_out(const World& world,
+                                  InteractionId element) const noexcept override;
     [[nodiscard]] std::unique_ptr<System> clone() const override {
         return std::make_unique<WinchSystem>(def_, WinchWheel{drum_, wheel_}, ids_, inputs_,
                                              at_drum_);

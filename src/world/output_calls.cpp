@@ -54,7 +54,8 @@ std::span<const double> World::outputs() const noexcept {
 void World::evaluate_outputs() const noexcept {
     Impl& m = *impl_;
     if (!m.outputs.values().empty())
-        m.outputs.evaluate(m.ctx, m.wires, m.outputs.wants_energy() ? energy() : Energy{});
+        m.outputs.evaluate(*this, m.ctx, m.wires, m.systems,
+                           m.outputs.wants_energy() ? energy() : Energy{});
     m.use.unchanged();
 }
 

@@ -111,9 +111,13 @@ double line_tension(const model::Interactions& in, const std::vector<Interaction
     return most;
 }
 
-double drum(const stepper::StepContext& ctx, InteractionId id, int component) noexcept {
+/// A winch makes elements of what its drum pays out, and its layers have other radii: it keeps the
+/// account. Of a drum by itself it is what it has turned.
+double drum(const World& world, const stepper::StepContext& ctx, const Systems& systems,
+            InteractionId id, int component) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     if (component == kLength) return in.rest_length[at(id.index)];
+    if (const double paid = systems.paid_out(world, id); !std::isnan(paid)) return paid;
     const InteractionDef& def = in.def[at(id.index)];
     const auto slot = at(kind_info(def.kind).scalar_slot);
     return def.get("radius") *
@@ -230,8 +234,8 @@ void Outputs::keep_figures(const StepStats& s) noexcept {
     figures_[kSolverTime] = s.solver_cpu_seconds;
 }
 
-void Outputs::evaluate(const stepper::StepContext& ctx, const WireList& wires,
-                       const Energy& energy) noexcept {
+void Outputs::evaluate(const World& world, const stepper::StepContext& ctx, const WireList& wires,
+                       const Systems& systems, const Energy& energy) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const model::Interactions& in = ctx.model.interactions;
     for (std::size_t i = 0; i < defs_.size(); ++i) {
@@ -263,7 +267,7 @@ void Outputs::evaluate(const stepper::StepContext& ctx, const WireList& wires,
                                               : line_tension(in, def.line, c);
                 break;
             case OutputKind::drum:
-                values_[i] = drum(ctx, def.interaction, c);
+                values_[i] = drum(world, ctx, systems, def.interaction, c);
                 break;
             case OutputKind::distance:
                 values_[i] = (place_in_world(b, def.body_b.index, def.point_b) -

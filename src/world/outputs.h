@@ -10,6 +10,7 @@
 #include "base/places.h"
 #include "context/context.h"
 #include "world/lookup.h"
+#include "world/systems.h"
 #include "world/wire_list.h"
 
 #include <array>
@@ -80,8 +81,8 @@ class Outputs {
     /// Whether some output asks for an energy that only a pass over all interactions gives.
     [[nodiscard]] bool wants_energy() const noexcept { return wants_energy_; }
     /// All values. @param energy  Where wants_energy().
-    void evaluate(const stepper::StepContext& ctx, const WireList& wires,
-                  const Energy& energy) noexcept;
+    void evaluate(const World& world, const stepper::StepContext& ctx, const WireList& wires,
+                  const Systems& systems, const Energy& energy) noexcept;
 
   private:
     std::vector<OutputDef> defs_;

@@ -10,6 +10,7 @@
 #include "world/queued_edits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -90,6 +91,12 @@ class Systems final : public stepper::Actors {
         double sum = 0.0;
         for (const auto& s : list_) sum += s->carried_mass(element);
         return sum;
+    }
+    /// System::paid_out() of the system that keeps account of an element [m]; else kDefault.
+    [[nodiscard]] double paid_out(const World& world, InteractionId element) const noexcept {
+        for (const auto& s : list_)
+            if (const double paid = s->paid_out(world, element); !std::isnan(paid)) return paid;
+        return kDefault;
     }
     /// Whether nodes are systems' to put and take: those that carry an element keep its account.
     [[nodiscard]] bool refuses_nodes(InteractionId element) const noexcept {

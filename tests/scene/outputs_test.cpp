@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 namespace hawser::scene::test {
 namespace {
 
@@ -57,6 +60,57 @@ TEST(SceneOutputs, are_those_of_the_world) {
     EXPECT_EQ(world.output_def(world.find_output("bearing_load")).unit, "N");
     EXPECT_EQ(world.output(world.find_output("fall")),
               -world.force(world.find_interaction("fall"))[0]);
+}
+
+/// A winch pays out 10 m of a wire of elements of 2 m and hauls in 16: nodes of its own come and go,
+/// then those of the start.
+const std::string kPayOut = R"({
+  "version": 1, "name": "pay_out", "settings": {"step": 0.02},
+  "line_types": {"wire": {"mass_per_length": 4.2, "EA": 4.5e7, "diameter": 0.032,
+                          "axial_damping": 2, "drag": 20}},
+  "bodies": [{"name": "load", "position": [0, 0, 0], "mass": 800, "box": [1, 1, 1]}],
+  "cables": [{"name": "fall", "line_type": "wire", "from": {"at": [0, 0, 12]},
+              "to": {"body": "load"}, "elements": 6, "consistent_mass": true}],
+  "winches": [{"name": "hoist", "cable": "fall", "core_radius": 0.3, "width": 1, "stored": 68,
+               "inertia": 500, "mode": "speed", "speed": 1}],
+  "outputs": [{"name": "paid", "kind": "drum", "cable": "fall", "component": "paid_out"},
+              {"name": "first", "kind": "tension", "cable": "fall", "component": "first"},
+              {"name": "last", "kind": "tension", "cable": "fall", "component": "last"},
+              {"name": "largest", "kind": "tension", "cable": "fall", "component": "largest"}]})";
+
+TEST(SceneOutputs, go_on_where_nodes_of_a_wire_come_and_go) {
+    Scene scene = load_text(kPayOut, "test.json");
+    World& w = scene.world;
+    const WireId fall = w.find_wire("fall");
+    const auto value = [&](const char* name) { return w.output(w.find_output(name)); };
+    const auto tension = [&](InteractionId id) { return -w.force(id)[0]; };
+    const double start = w.length(fall);
+    EXPECT_EQ(value("paid"), 0.0);
+    std::size_t most = 0, least = 100;
+    for (int i = 0; i < 1300; ++i) {
+        if (i == 500) w.set_system_signal("hoist.speed", -1.0);
+        ASSERT_EQ(w.step(), Status::ok);
+        const auto elements = w.elements(fall);
+        double largest = -1e300;
+        for (const InteractionId id : elements) largest = std::max(largest, tension(id));
+        ASSERT_EQ(value("first"), tension(elements.front())) << i;
+        ASSERT_EQ(value("last"), tension(elements.back())) << i;
+        ASSERT_EQ(value("largest"), largest) << i;
+        // What is beyond the drum has become longer by what it has paid out: sums of some tens of
+        // lengths, each to rounding.
+        ASSERT_NEAR(value("paid"), w.length(fall) - start, 1e-9) << i;
+        most = std::max(most, elements.size());
+        least = std::min(least, elements.size());
+    }
+    EXPECT_GT(most, 9U);   // 22 m in elements of 2 m
+    EXPECT_LT(least, 5U);  // 6 m
+    // Within what the motor needs to turn the drum round.
+    EXPECT_NEAR(value("paid"), -6.0, 0.5);
+    // A restored state tells the same.
+    const double paid = value("paid");
+    Scene other = load_text(kPayOut, "test.json");
+    other.world.restore(w.save());
+    EXPECT_EQ(other.world.output(other.world.find_output("paid")), paid);
 }
 
 }  // namespace
