@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // hawser-bench interface: what it costs a client to read a world: state, outputs, contacts, events,
-// save and restore.
+// save and restore; and what a system costs that does nothing.
 #include <hawser/scene.h>
 #include "commands.h"
 #include "verdict.h"
@@ -12,7 +12,10 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hawser::bench {
@@ -21,7 +24,8 @@ namespace {
 constexpr const char* kFooter =
     R"(Medians, each call timed on its own, after steps that bring the scene into motion. Outputs: as many
 as asked for, of every kind that the scene has a target for. Exit code 1 where a bar is missed:
-state() without a copy, 100 outputs in 5 us, save in 1 ms and restore in 1.5 ms (scenes/anchor_contact.json).)";
+state() without a copy, 100 outputs in 5 us, save in 1 ms and restore in 1.5 ms (scenes/anchor_contact.json),
+a system that does nothing in 0.1 us a step.)";
 
 using ReadClock = std::chrono::steady_clock;
 
@@ -135,6 +139,37 @@ ReadFigures measure(World& world, int rounds) {
     return f;
 }
 
+/// What a system that does nothing costs a step [s]: of two small worlds, one of which has a
+/// thousand of them, the least of many times of stage prestep.
+double idle_system_seconds() {
+    struct Idle final : System {
+        std::string own;
+        [[nodiscard]] std::string_view name() const noexcept override { return own; }
+        void prestep(Prestep&, Loads&) noexcept override {}
+    };
+    constexpr int kSystems = 1000, kSteps = 300;
+    World worlds[2];
+    for (World& w : worlds) {
+        BodyDef def{.name = "block"};
+        def.mass = 1.0;
+        def.inertia = Vec3(1, 1, 1).asDiagonal();
+        w.add_body(def);
+    }
+    for (int i = 0; i < kSystems; ++i) {
+        auto idle = std::make_unique<Idle>();
+        idle->own = fmt::format("idle {}", i);
+        worlds[0].add_system(std::move(idle));
+    }
+    double least[2] = {1.0, 1.0};
+    for (int i = 0; i < kSteps; ++i)
+        for (const std::size_t k : {0U, 1U}) {
+            if (worlds[k].step() != Status::ok) throw std::runtime_error("a step failed");
+            if (i == 0) continue;  // the first step calls them before its clock starts
+            least[k] = std::min(least[k], worlds[k].stats().stage_seconds[0]);
+        }
+    return (least[0] - least[1]) / kSystems;
+}
+
 }  // namespace
 
 int interface_command(int argc, char** argv) {
@@ -172,6 +207,9 @@ int interface_command(int argc, char** argv) {
                             1e-6 * static_cast<double>(f.bytes), f.save_ms));
     verdict.ask("restore", "", f.restore_ms <= 1.5,
                 fmt::format("restore {:.3g} ms, to be 1.5 ms", f.restore_ms));
+    const double idle_us = 1e6 * idle_system_seconds();
+    verdict.ask("idle system", "", idle_us <= 0.1,
+                fmt::format("a system that does nothing {:.3g} us a step, to be 0.1 us", idle_us));
     if (!json.empty()) {
         const nlohmann::json figures{{"scene", file},
                                      {"outputs", outputs},
@@ -185,6 +223,7 @@ int interface_command(int argc, char** argv) {
                                      {"restore_ms", f.restore_ms},
                                      {"hash_ms", f.hash_ms},
                                      {"step_ms", f.step_ms},
+                                     {"idle_system_us", idle_us},
                                      {"bars", verdict.json()}};
         std::ofstream(json) << figures.dump(2) << '\n';
     }

@@ -24,7 +24,8 @@ constexpr const char* kSettleFooter = R"(Examples:
 Integrates the scene with strong added damping until nothing moves, and writes the place of
 every body as a state file, which a scene names under "state". Exit codes: 0 settled, 1 wrong
 option, scene or file, 2 a step failed or nothing settled within --max-time (the state reached is
-written all the same), 130 interrupted (likewise).)";
+written all the same), 130 interrupted (the state reached is
+written, too).)";
 
 struct SettleOptions {
     SceneOptions scene;

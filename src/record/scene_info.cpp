@@ -53,11 +53,28 @@ std::vector<BodyId> watched_bodies(const SceneInfo& scene, const World& world) {
     return out;
 }
 
+namespace {
+
+/// The wire that has a lump as a node; invalid where none does.
+WireId wire_at(const World& world, BodyId body) {
+    if (world.body_def(body).kind != BodyKind::lump) return {};
+    for (const WireId wire : world.wires()) {
+        const auto nodes = world.nodes(wire);
+        if (std::find(nodes.begin(), nodes.end(), body) != nodes.end()) return wire;
+    }
+    return {};
+}
+
+}  // namespace
+
 std::string body_label(const World& world, BodyId body) {
     if (!body.valid()) return "-";
     if (!world.alive(body)) return fmt::format("body {}, which is gone", body.index);
     const std::string& name = world.body_def(body).name;
-    return name.empty() ? fmt::format("body {}", body.index) : name;
+    if (!name.empty()) return name;
+    const WireId wire = wire_at(world, body);
+    return wire.valid() ? fmt::format("{} node {}", world.wire_name(wire), body.index)
+                        : fmt::format("body {}", body.index);
 }
 
 std::string interaction_label(const World& world, InteractionId interaction) {
@@ -65,8 +82,12 @@ std::string interaction_label(const World& world, InteractionId interaction) {
     if (!world.alive(interaction))
         return fmt::format("interaction {}, which is gone", interaction.index);
     const InteractionDef& def = world.interaction_def(interaction);
-    return def.name.empty() ? fmt::format("{} {}", kind_info(def.kind).name, interaction.index)
-                            : def.name;
+    if (!def.name.empty()) return def.name;
+    const KindInfo& kind = kind_info(def.kind);
+    const WireId wire =
+        kind.is(kBendsWire) ? wire_at(world, def.body[1]) : world.wire_of(interaction);
+    const std::string number = fmt::format("{} {}", kind.name, interaction.index);
+    return wire.valid() ? world.wire_name(wire) + " " + number : number;
 }
 
 std::string name_in_quotes(const std::string& name) { return "\"" + name + "\""; }

@@ -48,9 +48,10 @@ struct SceneInfo {
 /// that are not inside a cable.
 [[nodiscard]] std::vector<BodyId> watched_bodies(const SceneInfo& scene, const World& world);
 
-/// The body's own name, or "body 17".
+/// The body's own name, or "tow/2 node 17" of a lump of a wire, or "body 17".
 [[nodiscard]] std::string body_label(const World& world, BodyId body);
-/// The interaction's own name, or its kind and number: "stretch 17"; "-" for no interaction.
+/// The interaction's own name, or "tow/2 stretch 17" of a part of a wire, or "stretch 17"; "-" for
+/// no interaction.
 [[nodiscard]] std::string interaction_label(const World& world, InteractionId interaction);
 /// Where an event or a finding is: an interaction, a body, or "-".
 [[nodiscard]] std::string place_label(const World& world, InteractionId interaction, BodyId body);

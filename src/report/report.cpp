@@ -181,22 +181,28 @@ void quality(Out out, const Summary& s) {
 }
 
 void cables(Out out, const Summary& s) {
-    if (s.cables.empty()) return;
+    // Pieces of cables that were cut have lines of their own: that of the cable is of all of them.
+    std::vector<CableFigures> all = s.cables;
+    for (const WireFigures& w : s.wires)
+        if (w.came)
+            all.push_back(
+                {w.name, w.tension.least, w.tension.mean, w.tension.greatest, w.breaking_load});
+    if (all.empty()) return;
     constexpr std::size_t kShown = 20;
     std::size_t width = 5;
-    for (const CableFigures& c : s.cables) width = std::max(width, c.name.size());
+    for (const CableFigures& c : all) width = std::max(width, c.name.size());
     fmt::format_to(out, "\n  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}\n", "cable", width, "min",
                    "mean", "max", "of break");
-    for (std::size_t i = 0; i < std::min(kShown, s.cables.size()); ++i) {
-        const CableFigures& c = s.cables[i];
+    for (std::size_t i = 0; i < std::min(kShown, all.size()); ++i) {
+        const CableFigures& c = all[i];
         fmt::format_to(
             out, "  {:<{}}  {:>10}  {:>10}  {:>10}  {:>10}\n", c.name, width,
             record::with_unit(c.min, "N"), record::with_unit(c.mean, "N"),
             record::with_unit(c.max, "N"),
             c.breaking_load > 0.0 ? fmt::format("{:.3g} %", 100.0 * c.max / c.breaking_load) : "-");
     }
-    if (s.cables.size() > kShown)
-        fmt::format_to(out, "  … and {} more (see --summary)\n", s.cables.size() - kShown);
+    if (all.size() > kShown)
+        fmt::format_to(out, "  … and {} more (see --summary)\n", all.size() - kShown);
 }
 
 void bodies(Out out, const Summary& s) {

@@ -65,6 +65,8 @@ void WireWatch::look(const World& world, Watched& w, bool first) {
     w.share.assign(elements.size(), -1);
     const auto n = static_cast<double>(w.figures.along.size());
     double s = 0.0, shortest = HUGE_VAL, longest = 0.0, mass = 0.0;
+    constexpr double kNeverParts = 1e30;  // the default of elements [N]
+    double weakest = kNeverParts;
     for (std::size_t i = 0; i < elements.size(); ++i) {
         if (!world.alive(elements[i])) continue;
         const double rest = record::rest_length(world, elements[i]);
@@ -74,8 +76,11 @@ void WireWatch::look(const World& world, Watched& w, bool first) {
         shortest = std::min(shortest, rest);
         longest = std::max(longest, rest);
         const InteractionDef& d = world.interaction_def(elements[i]);
-        if (!kind_info(d.kind).is(kWoundUp)) mass += std::max(0.0, d.get("mass"));
+        const KindInfo& kind = kind_info(d.kind);
+        if (!kind.is(kWoundUp)) mass += std::max(0.0, d.get("mass"));
+        if (kind.is(kWireElement)) weakest = std::min(weakest, d.get("breaking_load"));
     }
+    w.figures.breaking_load = weakest < kNeverParts ? weakest : 0.0;
     if (longest == 0.0) shortest = 0.0;
     follow(w.figures.shortest, shortest, first);
     follow(w.figures.longest, longest, first);
@@ -99,16 +104,30 @@ void WireWatch::note_times(const World& world) {
 }
 
 WireWatch::WireWatch(const World& world) {
-    for (const WireId id : world.wires()) {
-        const std::size_t shares = std::clamp<std::size_t>(world.elements(id).size(), 1, kShares);
-        Watched one{.id = id, .figures = {}};
-        one.sum.assign(shares, 0.0);
-        one.counted.assign(shares, 0);
-        one.figures.name = world.wire_name(id);
-        one.figures.along.assign(shares, {HUGE_VAL, 0.0, -HUGE_VAL});
-        look(world, one, true);
-        wires_.push_back(std::move(one));
-    }
+    for (const WireId id : world.wires()) add(world, id, false);
+    known_.assign(world.wires().begin(), world.wires().end());
+}
+
+void WireWatch::add(const World& world, WireId id, bool came) {
+    const std::size_t shares = std::clamp<std::size_t>(world.elements(id).size(), 1, kShares);
+    Watched one{.id = id, .figures = {}};
+    one.sum.assign(shares, 0.0);
+    one.counted.assign(shares, 0);
+    one.figures.name = world.wire_name(id);
+    one.figures.since = world.time();
+    one.figures.came = came;
+    one.figures.along.assign(shares, {HUGE_VAL, 0.0, -HUGE_VAL});
+    look(world, one, true);
+    wires_.push_back(std::move(one));
+}
+
+/// Those that have come since: the pieces of wires that were cut.
+void WireWatch::add_pieces(const World& world) {
+    const auto now = world.wires();
+    if (std::equal(now.begin(), now.end(), known_.begin(), known_.end())) return;
+    for (const WireId id : now)
+        if (std::find(known_.begin(), known_.end(), id) == known_.end()) add(world, id, true);
+    known_.assign(now.begin(), now.end());
 }
 
 void WireWatch::after_step(const World& world, std::span<const Event> events) {
@@ -116,6 +135,7 @@ void WireWatch::after_step(const World& world, std::span<const Event> events) {
         if (event.kind != EventKind::line_break || parted_.size() >= kMostParted) continue;
         if (world.alive(event.interaction)) parted_.push_back(parted_wire(world, event));
     }
+    add_pieces(world);
     const bool due = steps_ % kLookEvery == 0, noted = steps_ % noted_every_ == 0;
     ++steps_;
     for (Watched& w : wires_) {
@@ -143,11 +163,24 @@ std::vector<WireFigures> WireWatch::result(const World& world) const {
     std::vector<WireFigures> out;
     for (Watched w : wires_) {
         if (world.alive(w.id)) look(world, w, false);
-        for (std::size_t k = 0; k < w.sum.size(); ++k)
-            if (w.counted[k] > 0)
-                w.figures.along[k].mean = w.sum[k] / static_cast<double>(w.counted[k]);
-            else
-                w.figures.along[k] = {};
+        TensionAlong whole{HUGE_VAL, 0.0, -HUGE_VAL};
+        double tensions = 0.0;
+        for (std::size_t k = 0; k < w.sum.size(); ++k) {
+            TensionAlong& along = w.figures.along[k];
+            if (w.counted[k] == 0) {
+                along = {};
+                continue;
+            }
+            along.mean = w.sum[k] / static_cast<double>(w.counted[k]);
+            whole.least = std::min(whole.least, along.least);
+            whole.greatest = std::max(whole.greatest, along.greatest);
+            whole.mean += w.sum[k];
+            tensions += static_cast<double>(w.counted[k]);
+        }
+        if (tensions > 0.0) {
+            whole.mean /= tensions;
+            w.figures.tension = whole;
+        }
         for (const PartedWire& p : parted_)
             if (p.wire == w.figures.name) w.figures.parted.push_back(p);
         out.push_back(std::move(w.figures));
@@ -176,9 +209,11 @@ std::string wires_in_words(const std::vector<WireFigures>& wires,
     for (const WireFigures& w : wires) {
         const bool changes =
             w.nodes.least != w.nodes.most || w.length.most - w.length.least > 1e-9 * w.length.most;
-        if ((!changes && w.parted.empty()) || ++shown > kShownWires) continue;
-        fmt::format_to(out, "  {:<11}  {}: nodes {}, elements {} to {}, unstretched length {}",
-                       shown == 1 ? "wires" : "", record::name_in_quotes(w.name),
+        if ((!changes && w.parted.empty() && !w.came) || ++shown > kShownWires) continue;
+        const std::string since =
+            w.came ? ", a piece since " + record::with_unit(w.since, "s") : std::string();
+        fmt::format_to(out, "  {:<11}  {}{}: nodes {}, elements {} to {}, unstretched length {}",
+                       shown == 1 ? "wires" : "", record::name_in_quotes(w.name), since,
                        count_from_to(w.nodes), record::with_unit(w.shortest.least, "m"),
                        record::with_unit(w.longest.most, "m"), from_to(w.length, "m"));
         if (w.mass.most > 0.0) fmt::format_to(out, ", material {:.6g} kg", w.mass.now);

@@ -43,18 +43,22 @@ struct Resolved {
 
 struct WireFigures {
     std::string name;
+    double since = 0.0;        ///< When it was first there [s].
+    bool came = false;         ///< It is a piece of a wire that was cut in the run.
     Course nodes;              ///< That there are, the bodies that hold it included.
     Course length;             ///< Unstretched [m].
     Course shortest, longest;  ///< Element, unstretched [m].
     Course mass;               ///< Of the material of its elements, those at drums left out [kg].
     std::vector<Resolved> times;       ///< At even times, up to kMostTimes of them.
     std::vector<TensionAlong> along;   ///< In equal shares of its length, from the first end on.
+    TensionAlong tension{};            ///< In the whole of it.
+    double breaking_load = 0.0;        ///< Of its weakest element [N]; 0: none parts.
     std::vector<PartedWire> parted{};  ///< The first ones, in order.
 };
 
-/// Watches the wires that a world starts with: tensions in each step, which costs O(elements),
-/// lengths and which share of the wire an element is in every 32 steps and where nodes came or
-/// went.
+/// Watches the wires that a world starts with and the pieces that they are cut into: tensions in
+/// each step, which costs O(elements), lengths and which share of the wire an element is in every
+/// 32 steps and where nodes came or went.
 class WireWatch {
   public:
     static constexpr int kLookEvery = 32;          ///< Steps.
@@ -76,9 +80,12 @@ class WireWatch {
         std::vector<std::size_t> counted{};     ///< Number of tensions in that sum.
     };
     static void look(const World& world, Watched& w, bool first);
+    void add(const World& world, WireId id, bool came);
+    void add_pieces(const World& world);
     void note_times(const World& world);
 
     std::vector<Watched> wires_;
+    std::vector<WireId> known_;  ///< The wires of the world when it was last asked.
     std::vector<PartedWire> parted_;
     int steps_ = 0;
     int noted_every_ = kLookEvery;  ///< Steps.

@@ -43,6 +43,7 @@ Json wires_json(const std::vector<WireFigures>& wires) {
             longest.push_back(r.longest);
         }
         out[w.name] = {
+            {"since", w.since},
             {"nodes", course(w.nodes)},
             {"length", course(w.length)},
             {"shortest", course(w.shortest)},

@@ -140,7 +140,7 @@ ShapePtr water_hull_shape() {
          {"added_mass", list("six numbers", number6, 6, 6), false, "0", "kg, kg m^2",
           "Along and about the body's axes, at the centre of mass."},
          {"damping", list("six numbers", number6, 6, 6), false, "0", "N s/m, N m s",
-          "Linear, likewise."},
+          "Linear, along and about the same axes."},
          {"drag_area", area_of_axes(), false, "0", "m^2",
           "Drag coefficient times area along its axes, when all of it is wet."},
          {"wind_area", area_of_axes(), false, "0", "m^2",

@@ -267,6 +267,11 @@ TEST(Ticks, AreRoundAndInside) {
     EXPECT_EQ(record::with_unit(-0.0, "N"), "0 N");
     EXPECT_EQ(record::with_unit(1.25e6, "N"), "1.25 MN");
     EXPECT_EQ(record::with_unit(5e-6, "m"), "5 µm");
+    // The kilogram has a prefix already.
+    EXPECT_EQ(record::with_unit(797e3, "kg"), "797 t");
+    EXPECT_EQ(record::with_unit(12.34e6, "kg"), "12.34 kt");
+    EXPECT_EQ(record::with_unit(-20.0, "kg"), "-20 kg");
+    EXPECT_EQ(record::with_unit(0.25, "kg"), "250 g");
 }
 
 TEST(Curves, ThinningKeepsPeaks) {

@@ -144,6 +144,7 @@ TEST(StartJoints, RodsTooShortForTheirTriangleContradictEachOther) {
     const Started closes = rods(3.5);
     EXPECT_EQ(closes.found.errors(), 0U) << closes.text();
     EXPECT_EQ(closes.of(FindingKind::gap).size(), 2U) << closes.text();
+    EXPECT_NE(closes.text().find(" too short"), std::string::npos) << closes.text();
 }
 
 /// A planar four-bar of hinges repeats rows across its plane, and is 5 cm open in it: it closes.
@@ -211,6 +212,8 @@ TEST(StartJoints, MotorsAgainstWhatHolds) {
     EXPECT_FALSE(weak.error);
     EXPECT_EQ(weak.value, 2.0);
     EXPECT_NE(std::find(weak.about.begin(), weak.about.end(), "stop"), weak.about.end());
+    EXPECT_NE(weak.text.find(" wants 2 rad/s where "), std::string::npos) << weak.text;
+    EXPECT_NE(weak.text.find(" hold still or drive otherwise"), std::string::npos) << weak.text;
     const Started unlimited = start_of(driven(motor("m", R"("speed": 2)"), true));
     EXPECT_TRUE(only(unlimited, FindingKind::motor).error) << unlimited.text();
 }

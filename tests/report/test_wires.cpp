@@ -30,6 +30,42 @@ struct HangingWire {
     }
 };
 
+TEST(ReportedWires, ListThePiecesOfWiresThatAreCut) {
+    HangingWire h;
+    report::SummaryCollector collector(h.info, h.w);
+    WireId piece;
+    InteractionId first;
+    for (int i = 0; i < 30; ++i) {
+        // Within an element: a node, an end and an element come, none of which has a name.
+        if (i == 12) {
+            piece = h.w.cut(h.wire, 33.0);
+            first = h.w.elements(piece).front();
+            EXPECT_EQ(record::body_label(h.w, h.w.nodes(piece).front()),
+                      "rope/2 node " + std::to_string(h.w.nodes(piece).front().index));
+            const std::string label = record::interaction_label(h.w, first);
+            EXPECT_EQ(label, "rope/2 stretch " + std::to_string(first.index));
+        }
+        ASSERT_EQ(h.w.step(), Status::ok);
+        collector.after_step(h.w, h.w.take_events());
+    }
+    const report::Summary s = collector.result(h.w);
+    ASSERT_EQ(s.wires.size(), 2U);
+    EXPECT_FALSE(s.wires[0].came);
+    EXPECT_TRUE(s.wires[1].came);
+    EXPECT_EQ(s.wires[1].name, "rope/2");
+    // The step in which it was cut is the thirteenth: looked at when it has been taken.
+    EXPECT_NEAR(s.wires[1].since, 13.0 / 60.0, 1e-12);
+    EXPECT_NEAR(s.wires[1].length.now, 17.0, 1e-9);
+    // It falls freely: it pulls no more than what hung below it, with the recoil of that.
+    EXPECT_GE(s.wires[1].tension.least, 0.0);
+    EXPECT_LT(s.wires[1].tension.greatest, 2.0 * 17.0 * 4.0 * 9.81);
+    const std::string text = report::to_text(s);
+    EXPECT_NE(text.find("\n  rope/2  "), std::string::npos) << "in the table of cables: " << text;
+    EXPECT_NE(text.find("\"rope/2\", a piece since 216.7 ms"), std::string::npos) << text;
+    EXPECT_NEAR(nlohmann::json::parse(report::to_json(s))["wires"]["rope/2"]["since"].get<double>(),
+                13.0 / 60.0, 1e-12);
+}
+
 TEST(ReportedWires, TellWhereTheyPart) {
     HangingWire h;
     report::SummaryCollector collector(h.info, h.w);

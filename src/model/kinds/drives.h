@@ -215,9 +215,9 @@ struct ScalarMotor {
 #endif
 };
 
-inline constexpr ParamInfo kRangeParams[] = {
-    {"min", "m or rad", kDefault, -1e9, 1e9, "Lower end of the range."},
-    {"max", "m or rad", kDefault, -1e9, 1e9, "Upper end of the range."}};
+inline constexpr ParamInfo kSlideRangeParams[] = {
+    {"min", "m", kDefault, -1e9, 1e9, "Lower end of the range."},
+    {"max", "m", kDefault, -1e9, 1e9, "Upper end of the range."}};
 
 struct RangeData {
     double min, max;
@@ -238,6 +238,15 @@ inline void range_rows(const InteractionDef& d, double h, RowSpec* s) {
     s[0].range = true;
 }
 
+/// Half a turn, rounded up, so that 3.1416 may stand for an end that is never reached [rad].
+inline constexpr double kHalfTurn = 3.1416;
+inline constexpr ParamInfo kHingeRangeParams[] = {
+    {"min", "rad", kDefault, -kHalfTurn, kHalfTurn,
+     "Lower end of the range; none at -3.1416: the angle goes from -π to π and counts no turns."},
+    {"max", "rad", kDefault, -kHalfTurn, kHalfTurn,
+     "Upper end of the range; none at 3.1416. What turns past π within a step is taken to come "
+     "from below."}};
+
 /// Range of a hinge's angle; idle inside.
 struct HingeRange {
     static constexpr int kBodies = 2, kRows = 1;
@@ -252,7 +261,7 @@ struct HingeRange {
         .row_units = "r",
         .coordinate = KindCoordinate::about,
         .traits = kRangeKind,
-        .params = kRangeParams,
+        .params = kHingeRangeParams,
         .doc = "Range of the angle of frame 1 against frame 0 about z."};
     using Data = RangeData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { range_rows(d, h, s); }
@@ -278,7 +287,7 @@ struct SlideRange {
                                     .row_units = "m",
                                     .coordinate = KindCoordinate::along,
                                     .traits = kRangeKind,
-                                    .params = kRangeParams,
+                                    .params = kSlideRangeParams,
                                     .doc = "Range of the travel of body 1 along z of frame 0."};
     using Data = RangeData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { range_rows(d, h, s); }

@@ -162,7 +162,8 @@ inline constexpr ParamInfo kSpanParams[] = {
     {"slide_1", "1", -1.0, -1e3, 1e3, "Length that comes per unit of the second slide."},
     {"wheel_0", "m", 0.0, -1e3, 1e3,
      "Radius of the wheel at the first body, 0: an eye; below 0: passed turning about -z."},
-    {"wheel_1", "m", 0.0, -1e3, 1e3, "Radius of the wheel at the second body, likewise."}};
+    {"wheel_1", "m", 0.0, -1e3, 1e3,
+     "Radius of the wheel at the second body, with the same signs."}};
 
 struct SpanData {
     SpanEnd end[2];

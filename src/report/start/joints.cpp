@@ -54,13 +54,19 @@ void check_gaps(const World& world, const JointRows& rows, Findings& out) {
         const Worst gap = worst_of(world, joint, rows.violations());
         if (gap.length > kOpen * reach(joint) || gap.angle > kTurned) {
             const bool open = gap.length > kOpen * reach(joint);
+            const auto first = static_cast<std::size_t>(joint.row_begin);
+            const bool is_rod = kind_info(world.interaction_def(joint.id).kind).is(kAlongLine);
             out.add(false, FindingKind::gap, {name}, open ? gap.length : gap.angle,
-                    fmt::format("{} starts {}; the first steps close that with a blow: move the "
-                                "bodies or the joint's points",
+                    fmt::format("{} starts {}; the first steps close that with a blow: {}",
                                 record::interaction_in_words(world, joint.id),
-                                open ? record::with_unit(gap.length, "m") + " apart"
+                                open ? record::with_unit(gap.length, "m") +
+                                           (is_rod ? rows.violations()[first] > 0.0 ? " too long"
+                                                                                    : " too short"
+                                                   : " apart")
                                      : fmt::format("{:.3g} degrees out of line",
-                                                   gap.angle * 180.0 / std::numbers::pi)));
+                                                   gap.angle * 180.0 / std::numbers::pi),
+                                is_rod ? "move the bodies or give it another `length`"
+                                       : "move the bodies or the joint's points"));
         }
         const Worst speed = worst_of(world, joint, rows.rates());
         const double turning = speed.angle * reach(joint);

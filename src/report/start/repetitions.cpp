@@ -113,12 +113,14 @@ class Search {
 
     void report(const Group& group, const std::vector<double>& still) {
         double speed = 0.0, asked = 0.0;
+        const char* unit = "";
         bool drives = false;
         for (const std::int32_t j : group.joints) {
             const Joint& one = joint(index(j));
             drives |= one.motor;
             for (std::int32_t k = 0; k < one.rows; ++k) {
                 const std::size_t r = index(one.row_begin + k);
+                if (std::abs(still[r]) > speed) unit = unit_of(one, k);
                 speed = std::max(speed, std::abs(still[r]));
                 asked = std::max(asked, std::abs(speeds_[r]));
             }
@@ -127,9 +129,17 @@ class Search {
         const bool known = std::any_of(group.joints.begin(), group.joints.end(),
                                        [&](std::int32_t j) { return contradicts_[index(j)]; });
         if (speed > std::max(kStill, kSpeedApart * asked))
-            report_motion(group, names, in_quotes(names), speed, drives);
+            report_motion(group, names, in_quotes(names), speed, unit, drives);
         else if (!known)
             report_repetition(group, names, in_quotes(names), drives);
+    }
+
+    /// Of the rate of a joint's k-th row; a scalar body has metres or radians.
+    [[nodiscard]] const char* unit_of(const Joint& one, std::int32_t k) const {
+        const KindInfo& kind = kind_info(world_.interaction_def(one.id).kind);
+        if (kind.coordinate == KindCoordinate::scalar) return "m/s or rad/s";
+        if (one.motor) return kind.coordinate == KindCoordinate::about ? "rad/s" : "m/s";
+        return kind.row_units[one.row[index(k)]] == 'r' ? "rad/s" : "m/s";
     }
 
     [[nodiscard]] static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -139,12 +149,12 @@ class Search {
     }
 
     void report_motion(const Group& group, const std::vector<std::string>& names,
-                       const std::string& all, double speed, bool drives) {
+                       const std::string& all, double speed, const char* unit, bool drives) {
         if (!drives) {
             out_.add(true, FindingKind::contradiction, names, speed,
                      fmt::format("{} contradict the prescribed velocities of bodies that they hold "
-                                 "by {:.3g} m/s or rad/s: no motion of the others satisfies both",
-                                 all, speed));
+                                 "by {:.3g} {}: no motion of the others satisfies both",
+                                 all, speed, unit));
             return;
         }
         for (const std::int32_t j : group.joints) {
@@ -159,14 +169,16 @@ class Search {
             for (const std::string& name : names)
                 if (name != record::interaction_label(world_, one.id))
                     others.push_back(record::name_in_quotes(name));
-            out_.add(unlimited, FindingKind::motor, names, std::abs(wanted),
-                     fmt::format("{} wants {:.3g} m/s or rad/s where {} hold still or drive "
-                                 "otherwise: {}",
-                                 record::interaction_in_words(world_, one.id), wanted,
-                                 record::names_in_words(others),
-                                 unlimited ? "with no limit of its force nothing can give way; "
-                                             "give it force_min and force_max, or take one away"
-                                           : "it will push with all its force and not move"));
+            out_.add(
+                unlimited, FindingKind::motor, names, std::abs(wanted),
+                fmt::format(
+                    "{} wants {:.3g} {} where {} otherwise: {}",
+                    record::interaction_in_words(world_, one.id), wanted, unit_of(one, 0),
+                    record::names_in_words(others) +
+                        (others.size() == 1 ? " holds still or drives" : " hold still or drive"),
+                    unlimited ? "with no limit of its force nothing can give way; "
+                                "give it force_min and force_max, or take one away"
+                              : "it will push with all its force and not move"));
         }
     }
 
