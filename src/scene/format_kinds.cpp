@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <memory>
-#include <utility>
 
 namespace hawser::scene {
 namespace {
@@ -27,12 +25,7 @@ Field parameter_field(const KindInfo& kind, const ParamInfo& param) {
     const bool from_pose = taken_from_pose(kind, param.name);
     Field field;
     field.name = param.name;
-    Shape shape = *make::number(fmt::format("a number [{}]", param.unit), param.min, param.max);
-    if (kind.is(kRangeKind) && kind.coordinate == KindCoordinate::about)
-        shape.why =
-            "the angle of a hinge counts no turns, it goes from -π to π and on from -π; -3.1416 or "
-            "3.1416 leaves an end free";
-    field.shape = std::make_shared<const Shape>(std::move(shape));
+    field.shape = make::number(fmt::format("a number [{}]", param.unit), param.min, param.max);
     field.required = std::isnan(param.fallback) && !from_pose;
     field.unit = param.unit;
     field.doc = param.doc;

@@ -75,8 +75,7 @@ void Finder::number(const Json& value, const Shape& shape) {
     }
     const bool low = shape.above_min ? number <= shape.min : number < shape.min;
     if (low || number > shape.max) {
-        wrong("must be " + range_text(shape) + ", found " + describe(value) +
-              (shape.why.empty() ? "" : "; " + shape.why));
+        wrong("must be " + range_text(shape) + ", found " + describe(value));
     }
 }
 

@@ -52,7 +52,6 @@ struct Shape {
 
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
-    std::string why{};  ///< Of a number: what who gives one outside is told.
     bool above_min = false;  ///< min itself is refused.
 
     std::vector<std::string> words;

@@ -224,18 +224,6 @@ void check_load(const InteractionDef& def, const FrictionLoad& load, const Inter
         refuse(where, "factor of a load must be 0 to 1e6");
 }
 
-namespace {
-
-/// What lies behind the ranges of a kind's parameters; "" where there is no more to say.
-const char* why_no_more(const KindInfo& kind) {
-    return kind.is(kRangeKind) && kind.coordinate == KindCoordinate::about
-               ? "; the angle of a hinge counts no turns, it goes from -π to π and on from -π: "
-                 "-3.1416 or 3.1416 leaves an end free"
-               : "";
-}
-
-}  // namespace
-
 void check_params(const InteractionDef& def) {
     const Where where("interaction", def.name);
     const KindInfo& info = kind_info(def.kind);
@@ -248,7 +236,7 @@ void check_params(const InteractionDef& def) {
         if (!(value >= p.min && value <= p.max))
             refuse(where, std::string("parameter '") + p.name + "' = " + std::to_string(value) +
                               " " + p.unit + " is outside " + std::to_string(p.min) + " … " +
-                              std::to_string(p.max) + why_no_more(info));
+                              std::to_string(p.max));
     }
     for (const char* low : {"min", "force_min"}) {
         const std::string high = std::string(low) == "min" ? "max" : "force_max";

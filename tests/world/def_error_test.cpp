@@ -181,15 +181,9 @@ TEST_F(BadInteractions, Values) {
     expect_refused(d, "EA");
     d = between(InteractionKind::HingeRange, {a, b});
     expect_refused(d.set("min", 1.0).set("max", -1.0), "min");
-    // The angle goes from -π to π: an end beyond would never be met.
-    expect_refused(d.set("min", -1.0).set("max", 4.0), "counts no turns");
-    expect_refused(d.set("min", -10.0).set("max", 1.0), "counts no turns");
     d = between(InteractionKind::ScalarMotor, {drum});
     expect_refused(d.set("force_min", 1.0).set("force_max", -1.0), "force_min");
     expect_refused(d.set("force_min", -1.0).set("force_max", 1.0).set("speed", 1e9), "speed");
-    // π written with five digits leaves an end of a hinge's range free.
-    d = between(InteractionKind::HingeRange, {a, b});
-    EXPECT_TRUE(w.add_interaction(d.set("min", -3.1416).set("max", 3.1416)).valid());
 }
 
 /// Every parameter of every kind: below its minimum, above its maximum, not a number where it

@@ -238,14 +238,13 @@ inline void range_rows(const InteractionDef& d, double h, RowSpec* s) {
     s[0].range = true;
 }
 
-/// Half a turn, rounded up, so that 3.1416 may stand for an end that is never reached [rad].
-inline constexpr double kHalfTurn = 3.1416;
 inline constexpr ParamInfo kHingeRangeParams[] = {
-    {"min", "rad", kDefault, -kHalfTurn, kHalfTurn,
-     "Lower end of the range; none at -3.1416: the angle goes from -π to π and counts no turns."},
-    {"max", "rad", kDefault, -kHalfTurn, kHalfTurn,
-     "Upper end of the range; none at 3.1416. What turns past π within a step is taken to come "
-     "from below."}};
+    {"min", "rad", kDefault, -1e9, 1e9,
+     "Lower end of the range; at -π or below there is none, since the angle goes from -π to π and "
+     "counts no turns."},
+    {"max", "rad", kDefault, -1e9, 1e9,
+     "Upper end of the range; at π or above there is none. What turns past π within a step is "
+     "taken to come from below."}};
 
 /// Range of a hinge's angle; idle inside.
 struct HingeRange {
