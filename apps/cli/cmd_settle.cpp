@@ -4,6 +4,7 @@
 #include "outputs.h"
 #include "progress.h"
 #include "scene_options.h"
+#include "settle_world.h"
 #include "signals.h"
 
 #include <fmt/format.h>
@@ -22,7 +23,8 @@ constexpr const char* kSettleFooter = R"(Examples:
   hawser settle scenes/anchor_lines.json -o scenes/anchor_lines.settled.json
 
 Integrates the scene with strong added damping until nothing moves, and writes the place of
-every body as a state file, which a scene names under "state". Exit codes: 0 settled, 1 wrong
+every body as a state file, which a scene names under "state". Its sea has mean current and wind,
+but no waves and gusts; winches hold by their brakes. Exit codes: 0 settled, 1 wrong
 option, scene or file, 2 a step failed or nothing settled within --max-time (the state reached is
 written all the same), 130 interrupted (the state reached is
 written, too).)";
@@ -34,11 +36,6 @@ struct SettleOptions {
     double tolerance = 1e-5;
     bool quiet = false;
 };
-
-bool moves(const World& world, BodyId body) {
-    const BodyKind kind = world.body_def(body).kind;
-    return kind == BodyKind::rigid || kind == BodyKind::lump || kind == BodyKind::scalar;
-}
 
 struct Motion {
     double fastest = 0.0;  ///< Largest speed of a centre of mass, or of a rotation times the
@@ -63,46 +60,6 @@ Motion motion_of(const World& world) {
     return out;
 }
 
-/// The scene as it stands, at rest, with drag on every body that would stop it alone within
-/// `stop_time`. Drag is implicit in the step and takes nothing from the equilibrium, which has
-/// no motion. (Scaling or zeroing velocities between steps instead makes stiff rows unstable:
-/// the scheme keeps half of their force in the velocity of the step before.) Contacts forget what
-/// friction held, so that a scene settles to where little friction is needed. Nothing has been
-/// removed from the world of a scene file: ids are the same in both.
-World with_drag(const World& from, double stop_time) {
-    World world(from.settings());
-    for (const BodyId id : from.bodies()) {
-        BodyDef def = from.body_def(id);
-        const Pose pose = from.pose(id);
-        def.position = pose.position;
-        def.orientation = pose.orientation;
-        if (moves(from, id)) {
-            def.velocity.setZero();
-            def.angular_velocity.setZero();
-            def.linear_damping.array() += def.mass / stop_time;
-            if (def.kind == BodyKind::rigid) {
-                def.angular_damping += def.inertia.diagonal() / stop_time;
-            }
-        }
-        world.add_body(def);
-    }
-    for (const InteractionId id : from.interactions()) {
-        InteractionDef def = from.interaction_def(id);
-        if (kind_info(def.kind).is(kWireElement)) {
-            def.set("breaking_load", 1e30);  // Nothing parts on the way to rest.
-            // A compliance from EA goes on following the length that a drum pays out.
-            if (def.compliance[0] == def.get("length") / def.get("EA"))
-                def.compliance[0] = kDefault;
-        }
-        world.add_interaction(def);
-    }
-    for (std::int32_t i = 1; i < from.material_count(); ++i)
-        world.add_material(from.material_def({i}));  // 0, the default, is there
-    for (const MaterialPairDef& pair : from.material_pairs()) world.add_material_pair(pair);
-    for (const ShapeId id : from.shapes()) world.add_shape(from.shape_def(id));
-    return world;
-}
-
 /// Heavy drag first, which lays the lines; then less and less, because drag also holds up slow
 /// motion: a mode of frequency ω under drag of stop time T creeps at the rate ω² T.
 class Settler {
@@ -115,13 +72,17 @@ class Settler {
             static_cast<std::int64_t>(std::min(std::ceil(options_.max_time / h), 0x1p53));
         catch_signals();
         Progress progress(steps, h, !options_.quiet);
+        World still = still_world(scene_.world);
         for (double stop_time : {0.1, 0.3, 1.0, 4.0, 15.0}) {
             const bool last = stop_time == 15.0;
-            World world = with_drag(scene_.world, stop_time);
+            World world = with_drag(still, stop_time);
             const int code =
                 run_stage(world, last ? HUGE_VAL : 20.0 + 4.0 * stop_time, last, steps, progress);
-            for (const BodyId id : world.bodies())
-                if (moves(world, id)) scene_.world.set_pose(id, world.pose(id));
+            for (const BodyId id : scene_.world.bodies()) {
+                if (!moves(scene_.world, id) || !world.alive(id)) continue;
+                still.set_pose(id, world.pose(id));
+                scene_.world.set_pose(id, world.pose(id));
+            }
             if (code != kOk || settled_) {
                 progress.close();
                 return code;
@@ -164,6 +125,11 @@ class Settler {
                            failure(world));
                 return kFailed;
             }
+            if (const std::string other = other_than_stored(world); !other.empty()) {
+                progress.close();
+                fmt::print(stderr, "hawser: not settled: at {:.6g} s {}\n", time(), other);
+                return kFailed;
+            }
             motion_ = motion_of(world);
             quiet = motion_.fastest < options_.tolerance ? quiet + h : 0.0;
             progress.at(++step_, fmt::format("fastest {:.2e} m/s ({})", motion_.fastest,
@@ -171,6 +137,25 @@ class Settler {
         }
         settled_ = last && quiet >= kQuietTime;
         return kOk;
+    }
+
+    /// Of what parts and of nodes that come and go, at a drum or where a wire becomes finer, a
+    /// state file knows nothing. @return which, in words; empty: the world is made as the scene is.
+    [[nodiscard]] std::string other_than_stored(const World& world) const {
+        if (const EventExtremes part = world.event_extremes(EventKind::line_break); part.count > 0)
+            return "the element " + record::interaction_label(world, part.first.interaction) +
+                   " parted on the way; start nearer to rest, or give it a larger breaking load";
+        const auto now = world.bodies(), stored = scene_.world.bodies();
+        if (std::equal(now.begin(), now.end(), stored.begin(), stored.end())) return {};
+        std::string where;
+        for (const BodyId id : stored)
+            if (where.empty() && !world.alive(id)) where = "the node " + name(id) + " went";
+        for (const BodyId id : now)
+            if (where.empty() && !scene_.world.alive(id))
+                where = "the node " + record::body_label(world, id) + " came";
+        return where +
+               ": a state file holds the bodies of the scene alone; leave out resolutions "
+               "of its wires, or let brakes of its winches hold more";
     }
 
     scene::Scene& scene_;
