@@ -61,6 +61,7 @@ void GuideSystem::signals(SignalTable& table) {
 
 void GuideSystem::holds(HoldTable& table) const {
     table.hold(def_.body);
+    if (ran_off()) return;
     table.hold(ids_.slide);
     for (const InteractionId id : {ids_.before, ids_.behind}) table.hold(id);
     table.hold(ids_.friction);
@@ -89,6 +90,10 @@ double GuideSystem::straight(const World& world, std::size_t side) const noexcep
 
 /// What the last step came to, before nodes come or go.
 void GuideSystem::look(const World& world) noexcept {
+    if (ran_off()) {
+        tension_ = {};
+        return;
+    }
     const double slide = world.pose(ids_.slide).position.x(), ran = slide - slide_;
     slide_ = slide;
     const double before = speed_;
@@ -160,6 +165,12 @@ void GuideSystem::weigh(const World& world, Loads& loads) const noexcept {
     loads.add_mass(ids_.slide, Eigen::Matrix<double, 1, 1>(moved));
 }
 
+bool GuideSystem::nearly_used_up(const World& world, std::size_t side) const noexcept {
+    const double least = kLeast * (def_.element_length > 0.0 ? length_[side] : 1.0) +
+                         world.settings().step * std::abs(speed_);
+    return straight(world, side) < least && kSign[side] * speed_ < 0.0;
+}
+
 /// Held against running out of a side, until the slide is pulled the other way.
 void GuideSystem::stop(Prestep& now) noexcept {
     if (parted_ != 0) return;
@@ -169,12 +180,8 @@ void GuideSystem::stop(Prestep& now) noexcept {
         const double force = now.world.force(ids_.friction)[0];
         if (force * kSign[static_cast<std::size_t>(stopped_)] < 0.0) stopped_ = -1;
     }
-    for (std::size_t side = 0; side < 2 && stopped_ < 0 && was < 0; ++side) {
-        const double least = kLeast * (def_.element_length > 0.0 ? length_[side] : 1.0) +
-                             now.step * std::abs(speed_);
-        if (straight(now.world, side) < least && kSign[side] * speed_ < 0.0)
-            stopped_ = static_cast<std::int32_t>(side);
-    }
+    for (std::size_t side = 0; side < 2 && stopped_ < 0 && was < 0; ++side)
+        if (nearly_used_up(now.world, side)) stopped_ = static_cast<std::int32_t>(side);
     // The weight at the guide presses on it as the tensions of the elements do.
     const double exponent = def_.friction * std::max(0.0, angle_) - std::log(def_.efficiency);
     const double least = std::tanh(0.5 * exponent) * std::max(0.0, hanging_);
@@ -184,6 +191,10 @@ void GuideSystem::stop(Prestep& now) noexcept {
 }
 
 void GuideSystem::prestep(Prestep& now, Loads& loads) noexcept {
+    if (parted_ == kRunsOff) {
+        now.tell(EventKind::detach, def_.body, tension_[0]);
+        parted_ = kRanOff;
+    }
     stop(now);
     weigh(now.world, loads);
 }
@@ -191,8 +202,9 @@ void GuideSystem::prestep(Prestep& now, Loads& loads) noexcept {
 void GuideSystem::before_step(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
     look(world);
-    if (!(def_.element_length > 0.0) || parted_ != 0) return;
-    for (std::size_t side = 0; side < 2; ++side) {
+    if (parted_ != 0) return;
+    def_.wire = world.wire_of(ids_.before);  // a cut or splice may have made it another one
+    for (std::size_t side = 0; side < 2 && def_.element_length > 0.0; ++side) {
         const double out = straight(world, side), there = material_[side];
         const double length = length_[side] = element_beside(world, def_, element(side), side, out);
         Feed feed{element(side), side == 1, def_.element_length, def_.mass_per_length};
@@ -203,6 +215,7 @@ void GuideSystem::before_step(NodeEdits& nodes) noexcept {
         else if (out < kShrunk * length)
             (void)take_node(nodes, feed, 1 - kPlace[side], material_[side]);
     }
+    run_off(nodes);
 }
 
 }  // namespace hawser::wire

@@ -5,7 +5,8 @@
 ///
 /// *Stops.* Where a side has next to nothing left and no node could go, the slide is held by its
 /// friction, whose bound is raised for it, until what holds it would have to push: until it is
-/// pulled back.
+/// pulled back. Where the wire ends there (lift.h) it runs off instead, and the guide has none
+/// from then on.
 ///
 /// What runs through, dq of the slide, comes off the material before and goes onto that behind. The
 /// straight part to the node on each side, of length L, says when nodes come and go: material that
@@ -46,7 +47,9 @@ class GuideSystem final : public System {
     [[nodiscard]] double angle() const noexcept { return angle_; }
     [[nodiscard]] double slide() const noexcept { return slide_; }
     [[nodiscard]] double speed() const noexcept { return speed_; }
+    /// It acts on nothing any more: the wire has parted in it, or run off.
     [[nodiscard]] bool parted() const noexcept { return parted_ != 0; }
+    [[nodiscard]] bool ran_off() const noexcept { return parted_ >= kRunsOff; }
     /// Side that has nothing left to run, 0 before it, 1 behind it; −1: both have.
     [[nodiscard]] int stopped() const noexcept { return stopped_; }
     /// What the wire presses on the wheel with, for small angles [N]: its tension by the angle, and
@@ -85,6 +88,10 @@ class GuideSystem final : public System {
     [[nodiscard]] double straight(const World& world, std::size_t side) const noexcept;
     /// Of what no lump has of an element [kg].
     [[nodiscard]] double half_mass(std::size_t side) const noexcept;
+    /// Whether what is left on a side is next to nothing, and going.
+    [[nodiscard]] bool nearly_used_up(const World& world, std::size_t side) const noexcept;
+    /// Lets go of a wire that ends where it runs out.
+    void run_off(NodeEdits& nodes) noexcept;
     void stop(Prestep& now) noexcept;
     void look(const World& world) noexcept;
     void weigh(const World& world, Loads& loads) const noexcept;
@@ -96,7 +103,9 @@ class GuideSystem final : public System {
     std::array<double, 2> material_;
     double slide_ = 0.0;
     double bound_ = 0.0;  ///< Of its friction, beside the elements' tensions [N].
+    /// 1: the wire has parted in it. Or it has run off, which is to be told, or is.
     std::int32_t parted_ = 0;
+    static constexpr std::int32_t kRunsOff = 2, kRanOff = 3;
     std::int32_t stopped_ = -1;  ///< Side that has nothing left to run, −1: none.
     // Outputs.
     double angle_ = 0.0, speed_ = 0.0;

@@ -10,6 +10,32 @@
 #include <cmath>
 
 namespace hawser::wire {
+namespace {
+
+/// Whether nothing but these elements, bends, and what has parted is at a lump.
+bool holds_only(const World& world, BodyId lump, InteractionId a, InteractionId b) noexcept {
+    for (const InteractionId id : world.interactions()) {
+        if (id == a || id == b) continue;
+        const InteractionDef& d = world.interaction_def(id);
+        const KindInfo& kind = kind_info(d.kind);
+        const auto end = d.body.begin() + kind.bodies;
+        if (std::find(d.body.begin(), end, lump) == end) continue;
+        if (!kind.is(kBendsWire) && world.intact(id)) return false;
+    }
+    return true;
+}
+
+/// The next element of the wire away from a guide; invalid: there is none, or it has parted.
+InteractionId next_to_end(const World& world, InteractionId element, std::size_t side) {
+    const auto elements = world.elements(world.wire_of(element));
+    const auto at = std::find(elements.begin(), elements.end(), element);
+    if (at == elements.end() || at == (side == 0 ? elements.begin() : elements.end() - 1))
+        return {};
+    const InteractionId next = side == 0 ? *(at - 1) : *(at + 1);
+    return world.alive(next) && world.intact(next) ? next : InteractionId{};
+}
+
+}  // namespace
 
 InteractionDef lifted_element(const World& world, const GuideSystem& guide, bool keeps_length) {
     const InteractionDef& a = world.interaction_def(guide.ids().before);
@@ -44,6 +70,46 @@ double rest_length(const World& world, InteractionId id) {
     const double length = d.get("length");
     if (!kind_info(d.kind).is(kWoundUp)) return length;
     return length + d.get("radius") * (world.pose(d.body[2]).position.x() - d.get("drum_zero"));
+}
+
+bool ends_free(const World& world, InteractionId part, std::size_t side, double mass_per_length,
+               double element_length) noexcept {
+    const auto free = [&](BodyId body, InteractionId a, InteractionId b) {
+        const BodyDef& d = world.body_def(body);
+        return d.kind == BodyKind::lump && d.mass <= mass_per_length * element_length &&
+               holds_only(world, body, a, b);
+    };
+    if (!world.wire_of(part).valid()) return false;
+    const BodyId lump = world.interaction_def(part).body[side];
+    const InteractionId next = next_to_end(world, part, side);
+    if (!next.valid()) return free(lump, part, {});
+    const InteractionDef& d = world.interaction_def(next);
+    if (kind_info(d.kind).is(kWoundUp) || next_to_end(world, next, side).valid()) return false;
+    return world.body_def(lump).kind == BodyKind::lump && holds_only(world, lump, part, next) &&
+           free(d.body[side], next, {});
+}
+
+void GuideSystem::run_off(NodeEdits& nodes) noexcept {
+    const World& world = nodes.world;
+    if (!whole(world)) return;
+    const auto ends = [&](std::size_t side) {
+        const double length = def_.element_length > 0.0 ? length_[side] : material_[side];
+        return nearly_used_up(world, side) &&
+               ends_free(world, element(side), side, def_.mass_per_length, length);
+    };
+    if (!ends(0) && !ends(1)) return;
+    const InteractionDef lifted = lifted_element(world, *this, false);
+    parted_ = kRunsOff;  // it holds nothing of the wire
+    const InteractionId whole_again = nodes.lift_off(ids_, lifted);
+    if (!whole_again.valid()) {
+        parted_ = 0;
+        return;
+    }
+    if (material_[0] + material_[1] > kLongLifted * def_.element_length)
+        (void)nodes.insert_node(whole_again, 0.5);
+    tension_.fill(std::max(tension_[0], tension_[1]));  // for what tells of it
+    angle_ = speed_ = 0.0;
+    stopped_ = -1;
 }
 
 }  // namespace hawser::wire

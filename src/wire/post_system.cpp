@@ -199,6 +199,12 @@ bool PostSystem::slide(NodeEdits& nodes, std::size_t slot) noexcept {
 bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot, bool off_end) {
     const World& world = nodes.world;
     const GuideSystem& guide = *guides_[slot];
+    if (guide.ran_off()) {
+        on_[slot] = 0;
+        let_go_ += 1.0;
+        wait_ = kWait;
+        return true;
+    }
     bool past = off_end;
     if (!pulls(world, guide, past)) return false;
     const InteractionDef element = lifted_element(world, guide, past);
