@@ -38,7 +38,7 @@ export class Connection extends EventTarget {
             return;
         }
         const wait = retryDelay(this.tries++);
-        this.tell('status', {state: 'lost', wait, reason: this.goodbye});
+        this.tell('status', {state: 'lost', wait, reason: this.goodbye || c.reason});
         this.timer = setTimeout(() => this.open(), wait);
     }
 

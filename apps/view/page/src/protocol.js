@@ -71,6 +71,21 @@ export function leftOutWords(frame) {
 /// Role's token from the fragment of the address: "#token=…"; "" where there is none that is one.
 export const tokenOf = hash => /[#&]token=([0-9a-f]{32})\b/i.exec(hash ?? '')?.[1] ?? '';
 
-/// Sea components of a scene as objects.
-export const seaComponents = sea => (sea?.components ?? []).map(
-    ([amplitude, wave_number, direction, frequency, phase]) => ({amplitude, wave_number, direction, frequency, phase}));
+/// Sea components of a scene as objects, with phases for places relative to `origin`, as frames have them.
+export const seaComponents = (sea, origin = [0, 0, 0]) => (sea?.components ?? []).map(
+    ([amplitude, wave_number, direction, frequency, phase]) => ({
+        amplitude, wave_number, direction, frequency,
+        phase: phase + wave_number * (origin[0] * Math.cos(direction) + origin[1] * Math.sin(direction)),
+    }));
+
+/// Level of still water [m] and factor on all waves with a frame: what inputs and the tide say, and where
+/// a frame does not know it (recordings), what the scene says.
+export function seaState(scene, frame) {
+    const read = (list, values, name) => values?.[list.findIndex(i => i.name === name)];
+    const level = read(scene.inputs, frame?.inputs, 'sea.level') + read(scene.outputs, frame?.outputs, 'sea.tide');
+    const factor = read(scene.inputs, frame?.inputs, 'sea.waves');
+    return {
+        level: Number.isFinite(level) ? level : scene.sea?.level ?? 0,
+        factor: Number.isFinite(factor) ? factor : scene.sea?.waves_factor ?? 1,
+    };
+}

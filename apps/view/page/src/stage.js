@@ -11,7 +11,7 @@ import {Labels} from './labels.js';
 import {nearestPiece} from './picking.js';
 import {makePlainSky, plainBed, plainPaint, plainWater} from './plain.js';
 import {Quality} from './quality.js';
-import {seaComponents} from './protocol.js';
+import {seaComponents, seaState} from './protocol.js';
 import {aimSun, HORIZON, makeLight, makeSky, Seabed, Water} from './surroundings.js';
 import {Wires} from './wires.js';
 
@@ -89,12 +89,10 @@ export class Stage {
         const first = !this.info || this.info.name !== scene.name;
         this.info = scene;
         this.level = scene.sea?.level ?? 0;
-        this.levelInput = scene.inputs.findIndex(i => i.name === 'sea.level');
-        this.factorInput = scene.inputs.findIndex(i => i.name === 'sea.waves');
-        this.tideOutput = scene.outputs.findIndex(o => o.name === 'sea.tide');
+        this.waveFactor = scene.sea?.waves_factor ?? 1;
         this.bodies.setScene(scene, this.level);
         this.wires.setScene(scene.wires.map(w => ({...w, radius: Math.max(0.01, (w.diameter || 0.06) / 2)})));
-        this.water.setWaves(seaComponents(scene.sea));
+        this.water.setWaves(seaComponents(scene.sea, scene.origin));
         this.afloat = Boolean(scene.sea) || this.bodies.bodies.some(b => ['ship', 'semi', 'barge'].includes(b.role));
         this.findBed(scene);
         this.labels.setScene(this.bodies.bodies, scene.wires);
@@ -183,7 +181,7 @@ export class Stage {
     /// Takes over a frame (not yet drawn).
     take(frame) {
         this.frame = frame;
-        if (this.levelInput >= 0) this.level = frame.inputs[this.levelInput] + (this.tideOutput >= 0 ? frame.outputs[this.tideOutput] : 0);
+        ({level: this.level, factor: this.waveFactor} = seaState(this.info, frame));
         this.bodies.update(frame);
         this.wires.fill(frame, this.full, this.reference ?? 0);
         if (this.subjectBody) {
@@ -200,8 +198,7 @@ export class Stage {
         const under = this.afloat && eye.z < this.level - 0.3;
         this.water.mesh.visible = this.afloat && this.show.water;
         this.water.material.uniforms.opacity.value = this.show.clear ? 0.42 : 0.97;
-        const factor = frame && this.factorInput >= 0 ? frame.inputs[this.factorInput] : this.info?.sea?.waves_factor ?? 1;
-        this.water.update(frame?.time ?? 0, this.level, camera, factor);
+        this.water.update(frame?.time ?? 0, this.level, camera, this.waveFactor);
         this.seabed.mesh.visible = this.show.seabed;
         this.seabed.update(camera);
         this.haze(under);

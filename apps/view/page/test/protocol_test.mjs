@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {mayRetry, retryDelay, Connection} from '../src/connection.js';
-import {decodeFrame, largestTensions, leftOutWords, seaComponents, tokenOf} from '../src/protocol.js';
+import {decodeFrame, largestTensions, leftOutWords, seaComponents, seaState, tokenOf} from '../src/protocol.js';
+import {waveHeight} from '../src/surroundings.js';
 
 /// A frame as docs/live.md has it, written field by field from its table.
 export function makeFrame({counts = [3, 0, 2], tensions = [5, 7, 9], bits = 1, rigid = 1, epoch = 1, time = 1.5} = {}) {
@@ -128,4 +129,22 @@ test('the connection says hello, leaves out frames of other epochs, answers by i
 test('waiting times double up to 6 s; a refusal is final', () => {
     assert.deepEqual([0, 1, 2, 3, 4, 9].map(retryDelay), [400, 800, 1600, 3200, 6000, 6000]);
     assert.deepEqual([1000, 1006, 1013, 1008].map(mayRetry), [true, true, true, false]);
+});
+
+test('level and waves are those of the frame, and of recordings, which do not know them, those of the scene', () => {
+    const scene = {
+        inputs: [{name: 'sea.waves'}, {name: 'sea.level'}], outputs: [{name: 'speed'}, {name: 'sea.tide'}],
+        sea: {level: 1.25, waves_factor: 0.5},
+    };
+    assert.deepEqual(seaState(scene, {inputs: [2, 5], outputs: [0, 1.5]}), {level: 6.5, factor: 2});
+    assert.deepEqual(seaState(scene, {inputs: [NaN, NaN], outputs: [NaN, NaN]}), {level: 1.25, factor: 0.5});
+    assert.deepEqual(seaState(scene, null), {level: 1.25, factor: 0.5});
+    assert.deepEqual(seaState({inputs: [], outputs: [], sea: null}, {inputs: [], outputs: []}), {level: 0, factor: 1});
+});
+
+test('waves have the phase of the world wherever the origin of the frames is', () => {
+    const sea = {components: [[2, 0.1, 0.4, 1, 0.3], [1, 0.2, -2, 1.4, 5]]}, origin = [1210, -740, 0], at = [33, -12];
+    const world = seaComponents(sea), here = seaComponents(sea, origin);
+    const want = waveHeight(world, 7, origin[0] + at[0], origin[1] + at[1]);
+    assert.ok(Math.abs(waveHeight(here, 7, ...at) - want) < 1e-9);   // phases of some hundred radians
 });
