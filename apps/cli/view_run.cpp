@@ -17,6 +17,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -80,23 +81,26 @@ Session open_session(const ViewOptions& options) {
 }
 
 /// Steps a session for clients until a signal, and closes it.
+/// @param then  What is written at the end: before clients are said goodbye to, so that whatever
+///              they do does not cost it.
 void serve(const ViewOptions& options, Session& session, const live::DriverOptions& how,
-           std::vector<live::Role> roles) {
+           std::vector<live::Role> roles, const std::function<void()>& then) {
     live::Hub hub;
     live::Driver driver(session, hub, how);
     const live::ServerOptions to_serve = server_options(options, std::move(roles), false);
     live::Server server(hub, to_serve);
+    catch_signals();  // before the addresses: who reads them may end the program at once
     print_addresses(server, to_serve);
     if (options.open) open_browser(server.address_of(to_serve.roles.front()));
     // The server's thread is there: it is not to have what this one asks for now.
     if (options.rt) fmt::print(stderr, "--rt: {}\n", request_realtime(options.scene.threads));
-    catch_signals();
     const CancelledBySignal cancelled(session.world());
     driver.run([] { return stop_requested(); });
     if (how.run != nullptr) how.run->end("interrupted", true);
     session.finish();
     fmt::print("{:.6g} s in {} steps{}\n", session.time(), session.world().step_count(),
                options.record.empty() ? "" : ", recorded in " + options.record);
+    then();
 }
 
 int view_scene(const ViewOptions& options) {
@@ -106,7 +110,7 @@ int view_scene(const ViewOptions& options) {
             ": a scene has no score: --report and --summary are for exercises");
     Session session = open_session(options);
     serve(options, session, {.recording = options.record, .paused = options.paused},
-          {live::instructor(), live::watcher()});
+          {live::instructor(), live::watcher()}, [] {});
     return kOk;
 }
 
@@ -123,6 +127,20 @@ void check_exercise_files(const ViewOptions& options, const scene::Scene& scene)
                            {"--summary", options.summary}});
 }
 
+/// Score, summary and report.
+void close_exercise(const ViewOptions& options, const std::string& recording,
+                    const exercise::Exercise& exercise, const exercise::Run& run) {
+    const exercise::Result& result = run.result();
+    fmt::print("{}: {}, {:.6g} of {:.6g} points, {}\n", result.exercise,
+               exercise::to_string(result.outcome), result.points, result.possible, result.end);
+    if (!options.summary.empty())
+        write_output(options.summary, exercise::to_json(result), "the summary");
+    if (options.report.empty()) return;
+    const record::Recording whole = record::Recording::open(recording);
+    write_output(options.report, debrief::to_html(exercise, result, run.curves(), &whole),
+                 "the report");
+}
+
 int view_exercise(const ViewOptions& options) {
     exercise::Loaded loaded = exercise::load_file(options.scene.file, options.scene.options());
     check_exercise_files(options, loaded.scene);
@@ -136,16 +154,7 @@ int view_exercise(const ViewOptions& options) {
            .paused = options.paused,
            .exercise = &loaded.exercise,
            .run = &run},
-          std::move(roles));
-    const exercise::Result& result = run.result();
-    fmt::print("{}: {}, {:.6g} of {:.6g} points, {}\n", result.exercise,
-               exercise::to_string(result.outcome), result.points, result.possible, result.end);
-    if (!options.summary.empty())
-        write_output(options.summary, exercise::to_json(result), "the summary");
-    if (options.report.empty()) return kOk;
-    const record::Recording whole = record::Recording::open(recording);
-    write_output(options.report, debrief::to_html(loaded.exercise, result, run.curves(), &whole),
-                 "the report");
+          std::move(roles), [&] { close_exercise(options, recording, loaded.exercise, run); });
     return kOk;
 }
 
@@ -169,9 +178,9 @@ int view_recording(const ViewOptions& options) {
     const live::ServerOptions to_serve =
         server_options(options, {live::instructor(), live::watcher()}, true);
     live::Server server(hub, to_serve);
+    catch_signals();
     print_addresses(server, to_serve);
     if (options.open) open_browser(server.address_of(to_serve.roles.front()));
-    catch_signals();
     player.run([] { return stop_requested(); });
     return kOk;
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <new>
+#include <set>
 #include <stdexcept>
 
 namespace hawser::live {
@@ -246,9 +247,30 @@ const Word& word_of(const std::string& type) {
                   record::nearest_name(type, names) + "\"");
 }
 
+/// The reader would take the last one of two keys of the same name without a word.
+Json parsed(std::string_view text) {
+    std::vector<std::set<std::string>> open;  // keys of the objects around
+    std::string twice;
+    Json out = Json::parse(
+        text,
+        [&](int, Json::parse_event_t event, Json& value) {
+            if (event == Json::parse_event_t::object_start) open.emplace_back();
+            if (event == Json::parse_event_t::object_end) open.pop_back();
+            if (event == Json::parse_event_t::key) {
+                const auto& key = value.get_ref<const std::string&>();
+                if (!open.back().insert(key).second && twice.empty()) twice = key;
+            }
+            return true;
+        },
+        false);
+    if (!out.is_discarded() && !twice.empty())
+        throw Refused("the key " + in_quotes(twice) + " is given twice");
+    return out;
+}
+
 void read_message(std::string_view text, Request& out) {
     if (text.size() > kMostMessage) throw Refused("a message has at most 16 kB");
-    const Json from = Json::parse(text, nullptr, false);
+    const Json from = parsed(text);
     if (from.is_discarded()) throw Refused("this is not JSON");
     if (!from.is_object()) throw Refused("a message is a JSON object");
     if (from.contains("id")) out.id = static_cast<std::int64_t>(whole(from, "id", 0.0, kMostWhole));

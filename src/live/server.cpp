@@ -64,6 +64,8 @@ struct Server::Impl final : Floor {
     ~Impl() override {
         asio::post(context, [this] { goodbye(); });
         thread.join();
+        // Who has not hung up holds timers of the context, which ends before the base class.
+        clients_.clear();
     }
 
     void listen() {

@@ -130,7 +130,7 @@ void SeaSystem::prestep(Prestep& now, Loads& loads) noexcept {
     }
     elevation_ = sea_.elevation(moment_, def_.gauge[0], def_.gauge[1]);
     gust_ = moment_.wind - moment_.mean_wind;
-    tide_ = moment_.level;
+    tide_ = sea_.tide(now.time);  // without in_.level, which is an input of its own
     if (!compute(now)) return now.set_input(InputId{}, std::nan(""));
     acted_ = true;
     give(loads);

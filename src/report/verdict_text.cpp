@@ -2,7 +2,7 @@
 #include "report/verdict_text.h"
 
 #include "record/scene_info.h"
-#include "record/units.h"
+#include "record/verdict_words.h"
 
 #include <fmt/format.h>
 
@@ -20,28 +20,6 @@ std::string share(double of_limit) {
 
 }  // namespace
 
-std::string sentence(Judge judge, const Finding& f, const std::string& where) {
-    const std::string when = fmt::format("at {:.6g} s", f.time);
-    switch (judge) {
-        case Judge::energy:
-            return fmt::format(
-                "{} of mechanical energy {} {}", record::with_unit(std::abs(f.value), "J"),
-                f.value < 0.0 ? "had vanished without reason" : "had come out of nothing", when);
-        case Judge::violation:
-            return fmt::format("joint '{}' stood open by {:.4g} m or rad {}", where, f.value, when);
-        case Judge::cable:
-            return fmt::format(
-                "the tension of element '{}' was off by what {:.4g} of its length makes {}", where,
-                f.value, when);
-        case Judge::certificate:
-            return fmt::format("the step's equations were left unsolved by {:.2e}, relative, {}",
-                               f.value, when);
-        case Judge::speed:
-            return fmt::format("'{}' turned by {:.3g} rad in a step {}", where, f.value, when);
-    }
-    return {};
-}
-
 VerdictText in_words(const World& world, const Verdict& verdict) {
     VerdictText out{.verdict = verdict, .where = {}, .said = {}};
     for (std::size_t k = 0; k < kJudgeCount; ++k) {
@@ -51,7 +29,8 @@ VerdictText in_words(const World& world, const Verdict& verdict) {
     }
     if (verdict.grade == Grade::good) return out;
     const Finding& f = verdict.of(verdict.judge);
-    out.said = fmt::format("{}; {}", sentence(verdict.judge, f, out.where[place_of(verdict.judge)]),
+    out.said = fmt::format("{}; {}",
+                           record::sentence(verdict.judge, f, out.where[place_of(verdict.judge)]),
                            remedy(verdict.judge));
     return out;
 }

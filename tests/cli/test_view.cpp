@@ -72,6 +72,65 @@ std::string first_line(std::uint16_t port) {
     return {};
 }
 
+/// A WebSocket at /live that says nothing and never hangs up by itself.
+class Silent {
+  public:
+    explicit Silent(std::uint16_t port) {
+        for (int tried = 0; tried < 100 && answer_.empty(); ++tried) {
+            socket_ = ::socket(AF_INET, SOCK_STREAM, 0);
+            sockaddr_in at{};
+            at.sin_family = AF_INET;
+            at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+            at.sin_port = htons(port);
+            if (::connect(socket_, reinterpret_cast<sockaddr*>(&at), sizeof at) == 0) {
+                ask(port);
+            } else {
+                ::close(socket_);
+                std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            }
+        }
+    }
+    ~Silent() { ::close(socket_); }
+    Silent(const Silent&) = delete;
+    Silent& operator=(const Silent&) = delete;
+    [[nodiscard]] const std::string& answer() const { return answer_; }
+
+  private:
+    void ask(std::uint16_t port) {
+        const std::string asked =
+            "GET /live HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
+            "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+            "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
+        if (::send(socket_, asked.data(), asked.size(), MSG_NOSIGNAL) <= 0) return;
+        char bytes[256];
+        const auto count = ::recv(socket_, bytes, sizeof bytes, 0);
+        if (count > 0) answer_.assign(bytes, static_cast<std::size_t>(count));
+        answer_ = answer_.substr(0, answer_.find('\r'));
+    }
+
+    int socket_ = -1;
+    std::string answer_;
+};
+
+TEST(View, ASocketThatNeverHangsUpDoesNotCostTheReport) {
+    const fs::path folder = test_folder();
+    const std::string report = (folder / "r.html").string(), score = (folder / "s.json").string();
+    Port port;
+    port.free();
+    Outcome outcome;
+    std::thread program([&] {
+        outcome = run_program({"view", "exercises/tow_out.json", "--port", port.text(), "--report",
+                               report, "--summary", score},
+                              3.0);
+    });
+    const Silent silent(port.number());
+    program.join();
+    EXPECT_EQ(silent.answer(), "HTTP/1.1 101 Switching Protocols");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(fs::exists(score));
+    EXPECT_TRUE(fs::exists(report));
+}
+
 TEST(View, ServesASceneUntilItIsInterrupted) {
     Port port;
     port.free();

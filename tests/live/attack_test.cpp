@@ -9,6 +9,7 @@
 #include <chrono>
 #include <memory>
 #include <thread>
+#include <vector>
 
 namespace hawser::test {
 namespace {
@@ -178,7 +179,18 @@ TEST(LiveAttack, places_for_clients_are_counted) {
     greet(*two);
     {
         LiveClient three(run.port(), run.roles[1].token);
-        EXPECT_EQ(three.answer(), "HTTP/1.1 503 Service Unavailable");
+        EXPECT_EQ(three.wait_for("error")["reason"],
+                  "all places for clients are taken (--clients 2)");
+        EXPECT_EQ(three.closes(2.0), 1013);
+    }
+    {
+        // One place is kept for roles with control, and one only.
+        LiveClient instructor(run.port(), run.roles[0].token);
+        greet(instructor);
+        LiveClient beside(run.port(), run.roles[0].token);
+        EXPECT_EQ(beside.closes(2.0), 1013);
+        instructor.say("", 8);
+        EXPECT_NE(instructor.closes(3.0), -1);
     }
     two->say("", 8);
     EXPECT_NE(two->closes(3.0), -1);
@@ -189,6 +201,39 @@ TEST(LiveAttack, places_for_clients_are_counted) {
     LiveClient again(run.port(), run.roles[1].token);
     EXPECT_EQ(again.answer(), "HTTP/1.1 101 Switching Protocols");
     greet(again);
+}
+
+TEST(LiveAttack, sockets_without_a_hello_take_no_place) {
+    LiveRun run(live_def(), {.handshake_seconds = 1.0, .clients = 2});
+    std::vector<std::unique_ptr<LiveClient>> strangers;
+    for (int k = 0; k < 40; ++k) strangers.push_back(std::make_unique<LiveClient>(run.port(), ""));
+    for (int k = 0; k < 2; ++k) {
+        LiveClient client(run.port(), run.roles[k].token);
+        EXPECT_EQ(client.answer(), "HTTP/1.1 101 Switching Protocols");
+        greet(client);
+    }
+    // More than 32 at a time are not kept: the first ones went for the last.
+    EXPECT_EQ(strangers.front()->closes(0.2), 0);
+    EXPECT_GE(run.logged("too many sockets without a hello", 8), 8);
+    // Who is not dropped for others is at its time, without a goodbye of its own: 1 s, half a
+    // second for the words, and a look every quarter of a second.
+    EXPECT_TRUE(strangers.back()->line().ends(3.0));
+    EXPECT_TRUE(run.goes_on());
+}
+
+TEST(LiveServer, ends_while_clients_do_not_hang_up) {
+    std::unique_ptr<LiveClient> silent, stranger;
+    {
+        LiveRun run(live_def());
+        silent = std::make_unique<LiveClient>(run.port(), run.roles[1].token);
+        greet(*silent);
+        stranger = std::make_unique<LiveClient>(run.port(), "");
+        // It has been accepted once the server has answered.
+        EXPECT_EQ(stranger->answer(), "HTTP/1.1 101 Switching Protocols");
+    }
+    EXPECT_EQ(silent->wait_for("bye")["reason"], "the program ends");
+    EXPECT_EQ(silent->closes(2.0), 1000);
+    EXPECT_EQ(stranger->closes(2.0), 1000);
 }
 
 TEST(LiveServer, proposes_a_free_port_and_refuses_addresses_that_make_no_sense) {

@@ -16,6 +16,8 @@ inline constexpr std::size_t kMostWaiting = 4096;          ///< Texts for one cl
 inline constexpr std::size_t kMostWaitingBytes = 1 << 20;  ///< … and their bytes, but for scenes.
 inline constexpr double kMostRate = 200.0;                 ///< Messages a second of a client.
 inline constexpr int kMostFaults = 3;                      ///< Of a client.
+/// For the other side's goodbye where it never said hello [s]: time for ours to go out.
+inline constexpr double kStrangersGoodbye = 0.5;
 
 /// A client at the socket /live.
 class Client : public std::enable_shared_from_this<Client> {
@@ -85,7 +87,8 @@ class Client : public std::enable_shared_from_this<Client> {
                        std::to_string(static_cast<int>(std::round(o.slow_seconds))) + " s");
             floor_.dropped_.fetch_add(1, std::memory_order_relaxed);
             drop();
-        } else if (closing_ && now - closing_since_ > o.handshake_seconds) {
+        } else if (closing_ &&
+                   now - closing_since_ > (known() ? o.handshake_seconds : kStrangersGoodbye)) {
             drop();
         }
     }
@@ -161,6 +164,7 @@ class Client : public std::enable_shared_from_this<Client> {
             return fault("this server speaks version 1 of the protocol", true);
         const Role* role = role_of(floor_.options_.roles, request.token);
         if (!role) return fault("no role has this token", true);
+        if (!floor_.has_place(*role)) return turn_away();
         role_ = role;
         floor_.hub_.clients.fetch_add(1, std::memory_order_relaxed);
         if (floor_.scene_) send_scene(*floor_.scene_);
@@ -169,6 +173,15 @@ class Client : public std::enable_shared_from_this<Client> {
         if (floor_.exercise_) send(floor_.exercise_);
         if (floor_.faults_ && role->control) send(floor_.faults_);
         if (floor_.newest_) show(floor_.newest_);
+    }
+
+    /// No fault of the client's, which may try again later.
+    void turn_away() {
+        const std::string reason = "all places for clients are taken (--clients " +
+                                   std::to_string(floor_.options_.clients) + ")";
+        floor_.refuse(from_ + ": " + reason);
+        error(reason, kNoId, CommandKind::none);
+        close(websocket::close_code::try_again_later, reason);
     }
 
     /// A rule was broken. @param last  This closes the connection.

@@ -8,6 +8,7 @@
 namespace hawser::live::net {
 
 inline constexpr std::size_t kMostHeader = 8 * 1024;  ///< Of a request [bytes].
+inline constexpr int kMostStrangers = 32;             ///< Sockets that have not said hello.
 inline constexpr int kSendBuffer = 128 * 1024;        ///< Of the kernel, of a client [bytes].
 
 /// A connection until it is answered, or becomes a client.
@@ -75,15 +76,25 @@ class Connection : public std::enable_shared_from_this<Connection> {
             floor_.refuse(from_ + ": no socket " + shown(view_of(request.target())));
             return answer(http::status::not_found, "The socket is /live.\n");
         }
-        if (floor_.clients_.size() >= static_cast<std::size_t>(floor_.options_.clients)) {
-            floor_.refuse(from_ + ": all places for clients are taken (--clients " +
-                          std::to_string(floor_.options_.clients) + ")");
-            return answer(http::status::service_unavailable, "All places are taken.\n");
-        }
+        make_room_for_strangers();
         const std::uint32_t number = floor_.next_number();
         auto client = std::make_shared<Client>(floor_, std::move(stream_), number, from_);
         floor_.clients_.emplace(number, client);
         client->begin(request);
+    }
+
+    /// Sockets that have not said hello take no place of a client, but memory: the oldest goes.
+    void make_room_for_strangers() {
+        std::shared_ptr<Client> oldest;  // numbers rise
+        int strangers = 0;
+        for (const auto& [number, client] : floor_.clients_) {
+            if (client->known()) continue;
+            if (!oldest) oldest = client;
+            ++strangers;
+        }
+        if (strangers < kMostStrangers) return;
+        floor_.refuse(from_ + ": too many sockets without a hello; the oldest is closed");
+        oldest->drop();
     }
 
     /// What a stranger sent, for the log: short, and nothing that a terminal obeys.

@@ -73,6 +73,12 @@ class Floor {
         refused_.fetch_add(1, std::memory_order_relaxed);
         log("refused: " + line);
     }
+    /// Whether one more may say hello. A role with control finds a place beside those of all
+    /// clients, so that no crowd keeps the instructor out.
+    [[nodiscard]] bool has_place(const Role& role) const {
+        const int kept = role.control ? 1 : 0;
+        return hub_.clients.load(std::memory_order_relaxed) < options_.clients + kept;
+    }
     virtual void left(std::uint32_t number) = 0;
     virtual std::uint32_t next_number() = 0;
 
