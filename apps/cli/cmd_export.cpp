@@ -42,12 +42,24 @@ exporting::Frames frames_of(const record::Recording& recording, const ExportOpti
         exporting::choose_frames(recording, options.every, options.from, options.to);
     if (!frames.empty()) return frames;
     const std::size_t n = recording.frame_count();
-    if (n == 0) throw record::RecordingError(options.file + ": no complete frame");
+    const std::size_t first = recording.takes.empty() ? 0 : recording.takes.back().frames;
+    if (first >= n) throw record::RecordingError(options.file + ": no complete frame");
     throw record::RecordingError(
         fmt::format("{}: no frame between {:.6g} and {:.6g} s; the recording is from {:.6g} to "
                     "{:.6g} s",
-                    options.file, options.from, options.to, recording.frame_head(0).time,
+                    options.file, options.from, options.to, recording.frame_head(first).time,
                     recording.frame_head(n - 1).time));
+}
+
+/// What of a run that went back to another state is not in the file.
+void say_takes(const record::Recording& recording) {
+    if (recording.takes.empty()) return;
+    fmt::print(stderr,
+               "{}: the run went back {} {}; exporting what came after the last one, from {:.6g} "
+               "s on\n",
+               recording.file, recording.takes.size(),
+               recording.takes.size() == 1 ? "time" : "times",
+               recording.frame_head(recording.takes.back().frames).time);
 }
 
 int export_recording(const ExportOptions& options) {
@@ -67,6 +79,8 @@ int export_recording(const ExportOptions& options) {
     if (record::same_file(file, options.file))
         throw std::runtime_error(file.string() + ": would replace the recording");
     const exporting::Frames frames = frames_of(recording, options);
+    say_takes(recording);
+    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     Progress progress(static_cast<std::int64_t>(frames.size()), recording.settings.step,
@@ -76,9 +90,13 @@ int export_recording(const ExportOptions& options) {
         exporting::write_gltf(recording, frames, file, tell);
     } else if (options.contacts) {
         RepeatedContacts contacts(recording, options.threads);
+        std::size_t next = 0;  // frames are asked for in their order
         exporting::write_vtk(
             recording, frames, file,
-            [&](const record::Frame& frame) -> const auto& { return contacts.at(frame); }, tell);
+            [&](const record::Frame& frame) -> const auto& {
+                return contacts.at(frame, frames[next++]);
+            },
+            tell);
     } else {
         exporting::write_vtk(recording, frames, file, {}, tell);
     }

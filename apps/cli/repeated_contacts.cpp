@@ -13,10 +13,14 @@ RepeatedContacts::RepeatedContacts(const record::Recording& recording, int threa
       scene_(record::recorded_scene(recording, threads)),
       repeater_(recording) {}
 
-const exporting::ContactForces& RepeatedContacts::at(const record::Frame& frame) {
+const exporting::ContactForces& RepeatedContacts::at(const record::Frame& frame,
+                                                     std::size_t index) {
     World& world = scene_.world;
-    while (world.step_count() < frame.step) {
+    const std::size_t take = recording_.take_of(index);
+    while (world.step_count() < frame.step || repeater_.take() < take) {
         repeater_.before_step(world);
+        // A take may begin with a frame, before its first step.
+        if (world.step_count() == frame.step && repeater_.take() == take) break;
         if (world.step() != Status::ok)
             throw record::RecordingError(fmt::format("{}: the step from {:.6g} s failed: {}",
                                                      recording_.file, world.time(),

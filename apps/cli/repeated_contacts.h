@@ -8,8 +8,8 @@
 
 #include "export/export.h"
 
-#include <memory>
-#include <string>
+#include <cstddef>
+#include <vector>
 
 namespace hawser::cli {
 
@@ -18,7 +18,8 @@ class RepeatedContacts {
     RepeatedContacts(const record::Recording& recording, int threads);
     /// Steps on to a frame, which is not before the last one asked for. @throws
     /// record::RecordingError where a step fails, or comes to another state than the recorded one.
-    const exporting::ContactForces& at(const record::Frame& frame);
+    /// @param index  Of the frame in the recording, whose takes before it are repeated as well.
+    const exporting::ContactForces& at(const record::Frame& frame, std::size_t index);
 
   private:
     const record::Recording& recording_;

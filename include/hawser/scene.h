@@ -90,6 +90,9 @@ struct SignalInput {
     std::string signal;              ///< "system.signal".
     double factor = 1.0;             ///< The signal is the value times this.
     double min = -1e30, max = 1e30;  ///< Of the value, which is clamped.
+    std::string unit{}, group{};     ///< For displays; "": the unit of the signal, no heading.
+    double nominal = 0.0;            ///< Usual size, for levers; 0: not known.
+    std::optional<double> spring{};  ///< Value that its lever goes home to when it is let go.
 };
 
 /// A scene, ready to run.

@@ -19,7 +19,9 @@ namespace hawser::exporting {
 /// Which frames, ascending.
 using Frames = std::vector<std::size_t>;
 
-/// Every `every`-th frame whose time is in [from, to], of these the last one too.
+/// Every `every`-th frame of the last take whose time is in [from, to], of these the last one too.
+/// Earlier takes, which the run left by going back to another state, are left out: in both formats
+/// times ascend.
 [[nodiscard]] Frames choose_frames(const record::Recording& recording, std::size_t every,
                                    double from, double to);
 

@@ -132,6 +132,20 @@ std::string unit_of(const World& world, const InputDef& def) {
     return {};
 }
 
+/// Of the mode of a winch, in the order of WinchMode; nothing of other signals.
+std::vector<std::string> words_of(const World& world, const SystemSignal& signal) {
+    if (signal.name != "mode") return {};
+    const auto signals = world.system_signals();
+    const auto has = [&](std::string_view name) {
+        return std::any_of(signals.begin(), signals.end(), [&](const SystemSignal& s) {
+            return s.input && s.system == signal.system && s.name == name;
+        });
+    };
+    if (!has("speed") || !has("tension") || !has("brake") || !has("clutch")) return {};
+    static_assert(static_cast<int>(WinchMode::release) == 5);
+    return {"speed", "tension", "render", "brake", "free", "release"};
+}
+
 void add_inputs(const scene::Scene& scene, FramePlan& plan) {
     const World& world = scene.world;
     // What a winch or crane is made of is driven by it, not by hand.
@@ -145,15 +159,19 @@ void add_inputs(const scene::Scene& scene, FramePlan& plan) {
     for (const scene::SignalInput& input : scene.signal_inputs)
         for (const SystemSignal& s : world.system_signals())
             if (s.system + "." + s.name == input.signal && s.input)
-                plan.inputs.push_back({.name = input.name,
-                                       .unit = s.unit,
-                                       .group = {},
-                                       .kind = "lever",
-                                       .min = input.min,
-                                       .max = input.max,
-                                       .factor = input.factor,
-                                       .id = {},
-                                       .signal = s.value});
+                plan.inputs.push_back(
+                    {.name = input.name,
+                     .unit = input.unit.empty() ? s.unit : input.unit,
+                     .group = input.group,
+                     .kind = "lever",
+                     .min = input.min,
+                     .max = input.max,
+                     .nominal = input.nominal,
+                     .factor = input.factor,
+                     .spring = input.spring,
+                     .words = input.factor == 1.0 ? words_of(world, s) : std::vector<std::string>{},
+                     .id = {},
+                     .signal = s.value});
     for (const InputId id : world.inputs()) {
         const InputDef& def = world.input_def(id);
         plan.inputs.push_back({.name = def.name,
@@ -174,6 +192,7 @@ void add_inputs(const scene::Scene& scene, FramePlan& plan) {
                                    .kind = "signal",
                                    .min = s.min,
                                    .max = s.max,
+                                   .words = words_of(world, s),
                                    .id = {},
                                    .signal = s.value});
     // A lever without a group belongs to what its name begins with.

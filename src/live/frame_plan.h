@@ -57,8 +57,9 @@ struct InputSource {
     std::string name{}, unit{}, group{}, kind{};
     double min = -1e30, max = 1e30, nominal = 0.0, factor = 1.0;
     std::optional<double> spring{};
-    InputId id{};                    ///< Of the world, or …
-    const double* signal = nullptr;  ///< … a system's number; the value is that over `factor`.
+    std::vector<std::string> words{};  ///< Of the values 0, 1, …; empty: it is no choice.
+    InputId id{};                      ///< Of the world, or …
+    const double* signal = nullptr;    ///< … a system's number; the value is that over `factor`.
 };
 
 struct FramePlan {

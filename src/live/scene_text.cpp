@@ -176,6 +176,7 @@ Json inputs_of(const World& world, const FramePlan& plan) {
              {"value", input.signal ? *input.signal / input.factor : world.input(input.id)},
              {"nominal", input.nominal},
              {"spring", input.spring ? Json(*input.spring) : Json(nullptr)},
+             {"words", input.words},
              {"kind", input.kind}});
     return out;
 }

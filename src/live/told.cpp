@@ -3,6 +3,7 @@
 
 #include "record/scene_info.h"
 #include "record/units.h"
+#include "record/verdict_words.h"
 #include "record/wire_place.h"
 
 #include <fmt/format.h>
@@ -128,8 +129,7 @@ Failure failure_of(const World& world, Status status) {
         const Finding& worst = verdict.of(verdict.judge);
         if (worst.interaction.valid() || worst.body.valid())
             out.element = record::place_label(world, worst.interaction, worst.body);
-        out.reason = fmt::format("judge {}: {:.4g}, {:.3g} times what is possible",
-                                 to_string(verdict.judge), worst.value, worst.wrong);
+        out.reason = record::sentence(world, verdict.judge, worst, out.element);
         out.remedy = remedy(verdict.judge);
     }
     return out;

@@ -18,10 +18,6 @@ struct VerdictText {
 };
 [[nodiscard]] VerdictText in_words(const World& world, const Verdict& verdict);
 
-/// What one judge found, e.g. "joint 'l' stands open by 1.2 m at 0.4 s".
-[[nodiscard]] std::string sentence(const World& world, Judge judge, const Finding& finding,
-                                   const std::string& where);
-
 /// The judges with the shares of their limits, for a report.
 [[nodiscard]] std::string margins(const VerdictText& text);
 

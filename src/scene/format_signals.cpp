@@ -128,7 +128,6 @@ ShapePtr input_shape() {
                    {"signal", "body"},
                    {"signal", "component"},
                    {"signal", "local"},
-                   {"signal", "spring"},
                    {"factor", "interaction"},
                    {"factor", "body"}});
 }

@@ -43,6 +43,16 @@ int component_of(const std::string& word) {
     return word.starts_with("torque") ? 3 + axis : axis;
 }
 
+/// Within the range, which has been read.
+template <class Def>
+void read_spring(Def& def, const Json& json, const Place& place) {
+    const auto spring = json.find("spring");
+    if (spring == json.end()) return;
+    def.spring = spring->get<double>();
+    if (!(*def.spring >= def.min && *def.spring <= def.max))
+        refuse(place / "spring", "must lie between \"min\" and \"max\"");
+}
+
 InputDef read_input(Description& out, const Scope& scope, const Json& json, const Place& place) {
     InputDef def;
     def.name = scope.prefix + json["name"].get<std::string>();
@@ -53,12 +63,7 @@ InputDef read_input(Description& out, const Scope& scope, const Json& json, cons
     }
     read_display(def, json);
     def.local = json.value("local", false);
-    if (const auto spring = json.find("spring"); spring != json.end()) {
-        def.spring = spring->get<double>();
-        if (!(*def.spring >= def.min && *def.spring <= def.max)) {
-            refuse(place / "spring", "must lie between \"min\" and \"max\"");
-        }
-    }
+    read_spring(def, json, place);
     if (json.contains("interaction")) {
         def.interaction = resolve_interaction(out, scope, json["interaction"].get<std::string>(),
                                               place / "interaction");
@@ -98,6 +103,8 @@ SignalInput read_lever(const Scope& scope, const Json& json, const Place& place)
     out.min = number_or(json, "min", out.min);
     out.max = number_or(json, "max", out.max);
     if (out.min > out.max) refuse(place / "min", "must not be greater than \"max\"");
+    read_display(out, json);
+    read_spring(out, json, place);
     return out;
 }
 

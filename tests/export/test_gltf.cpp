@@ -3,6 +3,8 @@
 #include "export/export.h"
 #include "record/small_scene.h"
 
+#include <hawser/session.h>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -120,6 +122,29 @@ TEST(Gltf, GivesAWireAJointPerEndOfAnElementAndPartsIt) {
     const json& skin = glb.doc["skins"].back();
     EXPECT_EQ(skin["name"], "wire");
     EXPECT_EQ(skin["joints"].size(), 4U);
+}
+
+/// A run that goes back: what is written has times that ascend.
+TEST(Gltf, TakesTheLastTakeAlone) {
+    const auto folder = fresh_folder();
+    {
+        Session session({.scene_text = R"({"version": 1, "name": "f", "bodies": [
+            {"name": "b", "mass": 1, "sphere": 0.5}]})",
+                         .record = (folder / "r.hwr").string()});
+        const auto start = session.world().save();
+        for (int k = 0; k < 20; ++k) ASSERT_EQ(session.step(), Status::ok);
+        session.world().restore(start);
+        for (int k = 0; k < 10; ++k) ASSERT_EQ(session.step(), Status::ok);
+        session.finish();
+    }
+    const record::Recording r = record::Recording::open(folder / "r.hwr");
+    ASSERT_EQ(r.takes.size(), 1U);
+    const exporting::Frames frames = exporting::choose_frames(r, 1, 0.0, 1e9);
+    ASSERT_GE(frames.size(), 10U);
+    EXPECT_EQ(r.take_of(frames.front()), 1U);
+    EXPECT_EQ(frames.back(), r.frame_count() - 1);
+    for (std::size_t i = 1; i < frames.size(); ++i)
+        EXPECT_LT(r.frame_head(frames[i - 1]).time, r.frame_head(frames[i]).time);
 }
 
 TEST(Gltf, TakesFramesBetweenTimes) {

@@ -81,6 +81,9 @@ TEST(LiveParser, takes_what_the_document_says) {
 
 TEST(LiveParser, names_what_is_wrong) {
     EXPECT_EQ(refused("{"), "this is not JSON");
+    EXPECT_EQ(refused(R"({"type":"set","input":"a","value":1,"value":2})"),
+              "the key \"value\" is given twice");
+    EXPECT_EQ(refused(R"({"type":"hello","type":"pause"})"), "the key \"type\" is given twice");
     EXPECT_EQ(refused("[1]"), "a message is a JSON object");
     EXPECT_EQ(refused("{}"), "a message has a type");
     EXPECT_EQ(refused(R"({"type":"puase"})"),

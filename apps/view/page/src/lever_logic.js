@@ -27,8 +27,9 @@ export function toDeflection(range, v) {
     return side > 0 ? Math.min(1, Math.max(-1, (v - rest) / side)) : 0;
 }
 
-/// One press of a key: a twentieth of the range, a round number of the neutral value apart.
-export function nudge(range, v, steps) {
+/// One press of a key: a twentieth of the range, a round number of the neutral value apart. Of choices the next one.
+export function nudge(range, v, steps, choices = false) {
+    if (choices) return clampTo(range, Math.round(v) + Math.sign(steps));
     const unit = (range[1] - range[0]) / 20, rest = neutral(range);
     const at = Math.round((v - rest) / unit) + steps;
     return clampTo(range, rest + at * unit);
@@ -83,6 +84,9 @@ export function groupLevers(inputs) {
     });
     return groups;
 }
+
+/// The value of an input in words, where it has words for its values.
+export const valueWords = (input, value, unit = '') => input.words?.[Math.round(value)] ?? quantity(value, unit);
 
 /// A number with four digits and its unit, thousands as k, M: "612 kN".
 export function quantity(value, unit = '', digits = 3) {

@@ -2,7 +2,7 @@
 /// The levers: one slider an input, by group, with value, range and unit. What springs home does so
 /// when it is let go, from wherever it was moved: pointer, touch, keys or gamepad.
 import {el, memory} from './dom.js';
-import {groupLevers, leverRange, neutral, nudge, quantity, springHome, toDeflection, fromDeflection, Throttle} from './lever_logic.js';
+import {groupLevers, leverRange, neutral, nudge, quantity, springHome, toDeflection, valueWords, fromDeflection, Throttle} from './lever_logic.js';
 import {readable} from './roles.js';
 
 export class Levers {
@@ -40,13 +40,13 @@ export class Levers {
     }
 
     make(def, group) {
-        const range = leverRange(def), vague = / or /.test(def.unit ?? ''), unit = vague ? '' : def.unit, at = this.levers.length, id = `lever-${at}`;
+        const range = leverRange(def), vague = / or /.test(def.unit ?? ''), unit = vague ? '' : def.unit === '1' ? '' : def.unit, at = this.levers.length, id = `lever-${at}`;
         const rest = def.spring ?? neutral(range), own = def.name.startsWith(`${group}/`) || def.name.startsWith(`${group}.`) ? def.name.slice(group.length + 1) : def.name;
-        const slider = el('input', {type: 'range', id, min: range[0], max: range[1], step: 'any', value: def.value ?? rest});
+        const slider = el('input', {type: 'range', id, min: range[0], max: range[1], step: def.words?.length ? 1 : 'any', value: def.value ?? rest});
         const output = el('output', {htmlFor: id});
-        const ends = el('div', {className: 'ends', 'aria-hidden': 'true'}, el('span', {textContent: quantity(range[0], unit)}),
-            el('span', {className: 'home', textContent: def.spring === null || def.spring === undefined ? vague ? def.unit : '' : `springs to ${quantity(def.spring, unit)}`}),
-            el('span', {textContent: quantity(range[1], unit)}));
+        const ends = el('div', {className: 'ends', 'aria-hidden': 'true'}, el('span', {textContent: valueWords(def, range[0], unit)}),
+            el('span', {className: 'home', textContent: def.spring === null || def.spring === undefined ? vague ? def.unit : '' : `springs to ${valueWords(def, def.spring, unit)}`}),
+            el('span', {textContent: valueWords(def, range[1], unit)}));
         const element = el('div', {className: 'lever'}, el('div', {className: 'head'}, el('label', {for: id, textContent: readable(own), title: def.name}), output), slider, ends);
         const lever = {def, unit, range, rest, slider, output, element, value: Number(slider.value), held: new Set(), sent: null, until: 0};
         this.levers.push(lever);
@@ -69,7 +69,7 @@ export class Levers {
     key(e, at) {
         const lever = this.levers[at], steps = {ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 5, PageDown: -5}[e.key];
         let to = null;
-        if (steps) to = nudge(lever.range, lever.value, steps);
+        if (steps) to = nudge(lever.range, lever.value, steps, lever.def.words?.length > 0);
         else if (e.key === 'Home') to = lever.range[0];
         else if (e.key === 'End') to = lever.range[1];
         else if (e.key === '0' || e.key === 'Backspace') to = lever.rest;
@@ -106,7 +106,7 @@ export class Levers {
         const lever = this.levers[this.active];
         if (!lever) return;
         this.hold(this.active, by);
-        this.move(this.active, nudge(lever.range, lever.value, steps));
+        this.move(this.active, nudge(lever.range, lever.value, steps, lever.def.words?.length > 0));
     }
 
     neutral() {
@@ -124,6 +124,7 @@ export class Levers {
 
     move(at, value) {
         const lever = this.levers[at];
+        if (lever?.def.words?.length) value = Math.round(value);
         if (!lever || value === lever.value) return;
         lever.value = value;
         lever.until = performance.now() + 700;
@@ -153,7 +154,7 @@ export class Levers {
 
     paint(lever) {
         const {slider, range, value, def} = lever, of = v => 100 * (v - range[0]) / (range[1] - range[0]);
-        const words = quantity(value, lever.unit);
+        const words = valueWords(lever.def, value, lever.unit);
         lever.output.textContent = words;
         slider.setAttribute('aria-valuetext', words);
         const a = Math.min(of(lever.rest), of(value)), b = Math.max(of(lever.rest), of(value)), grey = 'rgb(255 255 255 / 22%)';

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {defaultMapping, readPad} from '../src/gamepad.js';
-import {deadZone, fromDeflection, groupLevers, leverRange, neutral, nudge, quantity, springHome, Throttle, toDeflection} from '../src/lever_logic.js';
+import {deadZone, fromDeflection, groupLevers, leverRange, neutral, nudge, quantity, springHome, Throttle, toDeflection, valueWords} from '../src/lever_logic.js';
 import {goalState} from '../src/exercise.js';
 
 test('ranges: given, open at an end, degenerate', () => {
@@ -110,4 +110,12 @@ test('a goal is open, reached or too late', () => {
     assert.equal(goalState({...goal, by: null}, 20).words, '');
     assert.equal(goalState({...goal, reached: 12.5}, 20).words, 'reached at 0:12.5');
     assert.equal(goalState({...goal, late: true}, 70).className, 'late');
+});
+
+test('a choice has words and goes on by one', () => {
+    const mode = {min: 0, max: 2, words: ['speed', 'tension', 'brake']}, range = leverRange(mode);
+    assert.equal(valueWords(mode, 2), 'brake');
+    assert.equal(valueWords({words: []}, 2, 'm/s'), quantity(2, 'm/s'));
+    assert.equal(valueWords({}, 2, 'm/s'), quantity(2, 'm/s'));
+    assert.deepEqual([nudge(range, 0, 1, true), nudge(range, 0, 5, true), nudge(range, 2, 1, true), nudge(range, 1, -1, true)], [1, 1, 2, 0]);
 });

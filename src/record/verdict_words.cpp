@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/verdict_words.h"
+
+#include "record/units.h"
+
+#include <hawser/interactions.h>
+#include <hawser/world.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+namespace hawser::record {
+
+namespace {
+
+/// Of the rows of a joint; some have rows of both.
+const char* opening_unit(const World& world, InteractionId id) {
+    if (!world.alive(id)) return "m or rad";
+    const KindInfo& kind = kind_info(world.interaction_def(id).kind);
+    const std::string_view units(kind.row_units);
+    if (kind.coordinate == KindCoordinate::scalar || units.empty()) return "m or rad";
+    return units.find('r') == units.npos ? "m" : units.find('m') == units.npos ? "rad" : "m or rad";
+}
+
+}  // namespace
+
+std::string sentence(const World& world, Judge judge, const Finding& f, const std::string& where) {
+    const bool of_body = !f.interaction.valid() && f.body.valid();
+    const std::string when = fmt::format("at {:.6g} s", f.time);
+    switch (judge) {
+        case Judge::energy:
+            return fmt::format(
+                "{} of mechanical energy {} {}", with_unit(std::abs(f.value), "J"),
+                f.value < 0.0 ? "had vanished without reason" : "had come out of nothing", when);
+        case Judge::violation:
+            if (of_body)
+                return fmt::format("'{}' and what it touches lay {} in each other {}", where,
+                                   with_unit(f.value, "m"), when);
+            return fmt::format("joint '{}' stood open by {:.4g} {} {}", where, f.value,
+                               opening_unit(world, f.interaction), when);
+        case Judge::cable:
+            return fmt::format(
+                "the tension of element '{}' was off by what {:.4g} of its length makes {}", where,
+                f.value, when);
+        case Judge::certificate:
+            return fmt::format("the step's equations were left unsolved by {:.2e}, relative, {}",
+                               f.value, when);
+        case Judge::speed:
+            return fmt::format("'{}' turned by {:.3g} rad in a step {}", where, f.value, when);
+    }
+    return {};
+}
+
+}  // namespace hawser::record
