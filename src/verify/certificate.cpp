@@ -135,17 +135,6 @@ void Verifier::before_step(const World& world) {
     sea_.before_step(world);
 }
 
-/// What a system parted as the step began, such as a drum that lets go of its wire, was not in the
-/// step: it has no force. What its load breaks parts when the step ends, and has that load.
-void Verifier::leave_out_parted(const World& world) {
-    for (const InteractionId id : interactions_) {
-        if (!intact_[slot(id.index)] || world.intact(id)) continue;
-        const auto force = world.force(id);
-        intact_[slot(id.index)] =
-            std::any_of(force.begin(), force.end(), [](double f) { return f != 0.0; });
-    }
-}
-
 std::string Verifier::after_step(const World& world) {
     if (!knows(world)) {
         follow(world);
@@ -154,7 +143,6 @@ std::string Verifier::after_step(const World& world) {
         impacts_ = world.stats().impacts;
         return {};
     }
-    leave_out_parted(world);
     const StepStats& stats = world.stats();
     const double map = step_map(world);
     // Joints whose friction has loads are part of what the step says, by how far their bounds moved

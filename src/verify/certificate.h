@@ -86,7 +86,6 @@ class Verifier : public Observer {
     /// The worst of them in words: its name, its force, its bound.
     [[nodiscard]] std::string beyond_bound(const World& world) const;
     void add_interactions(const World& world);
-    void leave_out_parted(const World& world);
     /// Whether bodies and interactions are those of the tables; and tables of those that are.
     [[nodiscard]] bool knows(const World& world) const;
     void follow(const World& world);
@@ -104,7 +103,7 @@ class Verifier : public Observer {
     std::vector<BodyId> bodies_, moving_;
     std::vector<InteractionId> interactions_;
     std::vector<std::vector<double>> last_;  ///< Forces of each interaction's rows before the step.
-    std::vector<bool> intact_;               ///< When the step was assembled, by interaction.
+    std::vector<bool> intact_;               ///< Before the step, by interaction.
     std::vector<bool> slept_;                ///< Likewise, by body.
     std::vector<bool> turning_;              ///< Bodies at joints that hold at the step's end.
     std::vector<bool> unsure_;               ///< Bodies left out in this step.
