@@ -30,8 +30,7 @@ VerdictText in_words(const World& world, const Verdict& verdict) {
     if (verdict.grade == Grade::good) return out;
     const Finding& f = verdict.of(verdict.judge);
     out.said = fmt::format(
-        "{}; {}",
-        record::sentence(world, verdict.judge, f, out.where[place_of(verdict.judge)]),
+        "{}; {}", record::sentence(world, verdict.judge, f, out.where[place_of(verdict.judge)]),
         remedy(verdict.judge));
     return out;
 }

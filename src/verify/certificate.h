@@ -111,6 +111,7 @@ class Verifier : public Observer {
     std::vector<Vec3> change_;               ///< Of spin by torque in the last step, body frame.
     std::vector<Vec3> linear_, angular_;  ///< Impulses of contacts and interactions on each body.
     bool loads_ = false;                  ///< Friction in joints depends on other forces.
+    double within_rounding_ = 0.0;        ///< The most of a natural map that is taken for rounding.
     double impulse_ = 0.0;                ///< Σ of their squares in the norm of M⁻¹.
     std::string wrong_law_;               ///< The first contact of the step that has one.
     std::int64_t impacts_ = 0;            ///< Until the last step.

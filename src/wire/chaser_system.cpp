@@ -145,7 +145,13 @@ void ChaserSystem::before_step(NodeEdits& nodes) noexcept {
         if (is(ChaserState::on) && !there) become(ChaserState::open, Due::nothing);
         if (is(ChaserState::on)) {
             guide_->before_step(nodes);
-            if (close_ < 0.5) let_go(nodes);
+            if (guide_->ran_off()) {
+                value_ = guide_->tension()[0];
+                become(close_ < 0.5 ? ChaserState::open : ChaserState::waiting, Due::let_go);
+                guide_ = no_guide(def_);
+            } else if (close_ < 0.5) {
+                let_go(nodes);
+            }
         } else if (close_ >= 0.5) {
             take(nodes);
         } else {

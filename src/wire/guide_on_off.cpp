@@ -2,7 +2,9 @@
 #include "wire/guide_on_off.h"
 
 #include "wire/lay_on.h"
+#include "wire/lift.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -44,6 +46,29 @@ bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide, const Interactio
     if (guide.material()[0] + guide.material()[1] > kLongLifted * guide.def().element_length)
         (void)nodes.insert_node(whole, 0.5);
     return true;
+}
+
+void GuideSystem::run_off(NodeEdits& nodes) noexcept {
+    const World& world = nodes.world;
+    if (!whole(world)) return;
+    const auto ends = [&](std::size_t side) {
+        const double length = def_.element_length > 0.0 ? length_[side] : material_[side];
+        // An end that is whipped round leaves straight what has no material any more.
+        const bool none_left =
+            def_.element_length > 0.0 && !(material_[side] > 0.0) && runs_out(side);
+        return (none_left || nearly_used_up(world, side)) &&
+               ends_free(world, element(side), side, def_.mass_per_length, length);
+    };
+    if (!ends(0) && !ends(1)) return;
+    const InteractionDef lifted = lifted_element(world, *this, false);
+    parted_ = kRunsOff;  // it holds nothing of the wire
+    if (!lift_off_guide(nodes, *this, lifted)) {
+        parted_ = 0;
+        return;
+    }
+    tension_.fill(std::max(tension_[0], tension_[1]));  // for what tells of it
+    angle_ = speed_ = 0.0;
+    stopped_ = -1;
 }
 
 }  // namespace hawser::wire

@@ -168,7 +168,7 @@ void GuideSystem::weigh(const World& world, Loads& loads) const noexcept {
 bool GuideSystem::nearly_used_up(const World& world, std::size_t side) const noexcept {
     const double least = kLeast * (def_.element_length > 0.0 ? length_[side] : 1.0) +
                          world.settings().step * std::abs(speed_);
-    return straight(world, side) < least && kSign[side] * speed_ < 0.0;
+    return straight(world, side) < least && runs_out(side);
 }
 
 /// Held against running out of a side, until the slide is pulled the other way.

@@ -88,6 +88,10 @@ class GuideSystem final : public System {
     [[nodiscard]] double straight(const World& world, std::size_t side) const noexcept;
     /// Of what no lump has of an element [kg].
     [[nodiscard]] double half_mass(std::size_t side) const noexcept;
+    /// Whether the wire runs through from a side to the other.
+    [[nodiscard]] bool runs_out(std::size_t side) const noexcept {
+        return (side == 0 ? -speed_ : speed_) < 0.0;
+    }
     /// Whether what is left on a side is next to nothing, and going.
     [[nodiscard]] bool nearly_used_up(const World& world, std::size_t side) const noexcept;
     /// Lets go of a wire that ends where it runs out.

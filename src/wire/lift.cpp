@@ -89,27 +89,4 @@ bool ends_free(const World& world, InteractionId part, std::size_t side, double 
            free(d.body[side], next, {});
 }
 
-void GuideSystem::run_off(NodeEdits& nodes) noexcept {
-    const World& world = nodes.world;
-    if (!whole(world)) return;
-    const auto ends = [&](std::size_t side) {
-        const double length = def_.element_length > 0.0 ? length_[side] : material_[side];
-        return nearly_used_up(world, side) &&
-               ends_free(world, element(side), side, def_.mass_per_length, length);
-    };
-    if (!ends(0) && !ends(1)) return;
-    const InteractionDef lifted = lifted_element(world, *this, false);
-    parted_ = kRunsOff;  // it holds nothing of the wire
-    const InteractionId whole_again = nodes.lift_off(ids_, lifted);
-    if (!whole_again.valid()) {
-        parted_ = 0;
-        return;
-    }
-    if (material_[0] + material_[1] > kLongLifted * def_.element_length)
-        (void)nodes.insert_node(whole_again, 0.5);
-    tension_.fill(std::max(tension_[0], tension_[1]));  // for what tells of it
-    angle_ = speed_ = 0.0;
-    stopped_ = -1;
-}
-
 }  // namespace hawser::wire

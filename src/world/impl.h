@@ -102,6 +102,10 @@ struct World::Impl final : private world::InputDoor {
     void join_segments(ShapeId near, ShapeId far) noexcept;
     [[nodiscard]] ShapeId segment_between(std::int32_t a, std::int32_t b) const noexcept;
     void check_node(InteractionId element, double share, double mass) const;
+    /// Before a node that two elements hold, 0, and behind it, 1.
+    [[nodiscard]] InteractionId element_at(BodyId node, std::size_t side) noexcept;
+    /// Makes a short element that a cut leaves at an end one with the next, where its node can go.
+    void join_short_end(World& world, InteractionId end, std::size_t side) noexcept;
     void check_cut_at_node(const std::string& where, stepper::NodePlace& place) const;
     void turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept;
     void drop_folded(std::int32_t bend) noexcept;

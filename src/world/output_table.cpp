@@ -47,7 +47,9 @@ constexpr OutputComponent kTension[] = {
     {"last", "N", "Of the last element."},
     {"largest", "N", "Of the element with most."}};
 constexpr OutputComponent kDrum[] = {
-    {"paid_out", "m", "Line paid out since the start, by the winch's account where the cable has a winch; of another "
+    {"paid_out", "m",
+     "Line paid out since the start, by the winch's account where the cable has a winch; of "
+     "another "
      "drum since it was at 0. Negative: hauled in."},
     {"length", "m", "Line between the drum and the next node, without tension."}};
 constexpr OutputComponent kDistance[] = {{"value", "m", "From point to point."}};

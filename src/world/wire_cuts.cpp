@@ -24,6 +24,11 @@ namespace {
 /// Share of an element within which a cut is at its node, so that no tiny element is left.
 constexpr double kNear = 1e-3;
 
+/// Share of the element beside it below which an element that a cut leaves at an end is made one
+/// with it: the light lump between them would be whipped round faster than a step follows.
+constexpr double kShort = 0.25;
+constexpr double kAnyBend = 3.2;  ///< More than half a turn [rad].
+
 /// "tow/2" where tow or a piece of it is cut: the first that nothing has.
 std::string next_name(const world::Names& names, const std::string& of) {
     std::string base = of;
@@ -134,6 +139,27 @@ void World::Impl::part_lump(const stepper::NodePlace& place, BodyId end) noexcep
     }
 }
 
+InteractionId World::Impl::element_at(BodyId node, std::size_t side) noexcept {
+    stepper::NodePlace place{.node = node.index};
+    (void)stepper::find_place(ctx, place);
+    return ctx.model.interactions.id(side == 0 ? place.first : place.second);
+}
+
+/// @param side  0: the end is the first end of the element, 1: its last one.
+void World::Impl::join_short_end(World& world, InteractionId end, std::size_t side) noexcept {
+    const model::Interactions& in = ctx.model.interactions;
+    stepper::NodePlace place{.node = in.def[at(end.index)].body[1 - side].index};
+    if (!stepper::is_lump(ctx, place.node) || !stepper::find_place(ctx, place)) return;
+    const std::int32_t next = side == 0 ? place.second : place.first;
+    if (in.rest_length[at(end.index)] >= kShort * in.rest_length[at(next)]) return;
+    try {
+        const Untold untold(*this);
+        (void)world.remove_node(ctx.model.bodies.id(place.node), kAnyBend);
+    } catch (const std::exception&) {
+        return;  // what holds the node keeps the element as well
+    }
+}
+
 WireId World::cut(WireId id, double s) {
     const world::Using use(impl_->use, "cut");
     const world::Wire& wire = impl_->wire(id);
@@ -222,6 +248,7 @@ WireId World::cut(InteractionId element, double share) {
             claimed = true;
         }
         if (share > 0.0) node = insert_node(element, share);
+        m.reserve_removal();
     } catch (...) {
         if (claimed) world::release(m.wires.names, second->wire.name);
         m.take_back(before, made);
@@ -229,6 +256,11 @@ WireId World::cut(InteractionId element, double share) {
     }
     // From here on nothing throws.
     const BodyId end = made.lumps[0];
+    // While the wire is whole it is straight there, and the node can go.
+    if (share > 0.0) {
+        m.join_short_end(*this, m.element_at(node, 0), 1);
+        m.join_short_end(*this, m.element_at(node, 1), 0);
+    }
     place = {.node = node.index};
     (void)stepper::find_place(c, place);
     const double tension = stepper::tension_of(c, place.first);
