@@ -60,7 +60,11 @@ void GuideSystem::run_off(NodeEdits& nodes) noexcept {
                ends_free(world, element(side), side, def_.mass_per_length, length);
     };
     if (!ends(0) && !ends(1)) return;
-    const InteractionDef lifted = lifted_element(world, *this, false);
+    InteractionDef lifted = lifted_element(world, *this, true);
+    // What lay round the wheel comes off it as well.
+    if (const double whole = material_[0] + material_[1];
+        def_.element_length > 0.0 && whole > lifted.get("length"))
+        lifted.set("length", whole);
     parted_ = kRunsOff;  // it holds nothing of the wire
     if (!lift_off_guide(nodes, *this, lifted)) {
         parted_ = 0;

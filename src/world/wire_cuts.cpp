@@ -256,11 +256,11 @@ WireId World::cut(InteractionId element, double share) {
     }
     // From here on nothing throws.
     const BodyId end = made.lumps[0];
-    // While the wire is whole it is straight there, and the node can go.
-    if (share > 0.0) {
-        m.join_short_end(*this, m.element_at(node, 0), 1);
-        m.join_short_end(*this, m.element_at(node, 1), 0);
-    }
+    // A taut wire is straight there while it is whole, and a node can go; of a slack one
+    // afterwards.
+    if (share > 0.0)
+        for (const std::size_t side : {0U, 1U})
+            m.join_short_end(*this, m.element_at(node, side), 1 - side);
     place = {.node = node.index};
     (void)stepper::find_place(c, place);
     const double tension = stepper::tension_of(c, place.first);
@@ -273,6 +273,11 @@ WireId World::cut(InteractionId element, double share) {
         second->take(*wire, in.id(place.second), end, in, c.model.collider);
         std::erase_if(wire->bends, [&](InteractionId id) { return !alive(id); });
         out = m.put_wire(second->wire, vacant);
+    }
+    if (share > 0.0) {
+        const InteractionId ends[] = {in.id(place.first), in.id(place.second)};
+        m.join_short_end(*this, ends[0], 1);
+        m.join_short_end(*this, ends[1], 0);
     }
     if (m.listener != nullptr) m.listener->cut(element, share);
     return out;
