@@ -55,7 +55,8 @@ TEST(ReportedWires, ListThePiecesOfWiresThatAreCut) {
     EXPECT_EQ(s.wires[1].name, "rope/2");
     // The step in which it was cut is the thirteenth: looked at when it has been taken.
     EXPECT_NEAR(s.wires[1].since, 13.0 / 60.0, 1e-12);
-    EXPECT_NEAR(s.wires[1].length.now, 17.0, 1e-9);
+    // The node beside the cut goes, which keeps tensions: lengths move by what differs in strains.
+    EXPECT_NEAR(s.wires[1].length.now, 17.0, 1e-4);
     // It falls freely: it pulls no more than what hung below it, with the recoil of that.
     EXPECT_GE(s.wires[1].tension.least, 0.0);
     EXPECT_LT(s.wires[1].tension.greatest, 2.0 * 17.0 * 4.0 * 9.81);
