@@ -18,6 +18,7 @@ constexpr const char* kRunFooter = R"(Examples:
   hawser run scenes/anchor_lines.json --duration 60 --record run.hwr --summary run.json
   hawser run scene.json --set settings.step=0.005 --set bodies.rig.mass=2e7 --csv run.csv
   hawser run scene.json --control levers.csv --realtime
+  hawser run scene.json --control levers.csv --control operations.json
   hawser run scene.json --duration 5 --threads 2 --trace run.json --trace run.svg
   hawser run scenes/anchor_contact.json --budget 5 --record run.hwr --summary run.json
   hawser run scene.json --save-at 10 ten.hws; hawser run scene.json --restore ten.hws
@@ -55,7 +56,7 @@ void add_run(CLI::App& app, Command& chosen) {
                       "Keep pace with the wall clock and report late frames");
     command->add_flag("--rt", options->rt,
                       "Ask for real-time scheduling and processors of its own");
-    command->add_option("--control", options->control, "Input values over time (CSV)");
+    options->scene.add_control_to(*command);
     add_outputs(*command, *options);
     CLI::Option* save = command->add_option("--save-at", *save_at,
                                             "TIME [s] and FILE: save the state at that time");

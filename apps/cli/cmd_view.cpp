@@ -46,7 +46,7 @@ void add_view(CLI::App& app, Command& chosen) {
                      "next")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
-    command->add_option("--control", options->control, "Input values over time (CSV)");
+    options->scene.add_control_to(*command);
     command->add_option("--restore", options->restore, "Continue from a saved state");
     command->add_option("--report", options->report,
                         "Of an exercise: write a report for the debriefing at the end (HTML)");

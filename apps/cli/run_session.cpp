@@ -47,11 +47,13 @@ Session RunSession::open() {
     // A restored state is no start: what touches presses, and lines carry what they carry.
     if (options_.restore.empty()) check_start(scene);
     if (options_.verify) verifier_ = std::make_unique<verify::Verifier>(scene.world);
-    return Session(std::move(scene), {.restore = options_.restore, .control = options_.control});
+    return Session(std::move(scene),
+                   {.restore = options_.restore, .control = options_.scene.control()});
 }
 
 void RunSession::check_files(const scene::Scene& scene) const {
-    std::vector<NamedFile> inputs{{"the control file", options_.control},
+    std::vector<NamedFile> inputs{{"the control file", options_.scene.control()},
+                                  {"the file of operations", options_.scene.operations()},
                                   {"the saved state", options_.restore}};
     for (const std::filesystem::path& file : scene.files)
         inputs.push_back({"a file of the scene", file.string()});

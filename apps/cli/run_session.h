@@ -26,7 +26,7 @@ struct RunOptions {
     std::optional<double> duration;  ///< Time at which the run ends [s].
     bool realtime = false, rt = false, quiet = false, verify = false;
     bool unchecked = false;  ///< Runs whatever check_start() finds.
-    std::string control, record, csv, summary, restore, save_file;
+    std::string record, csv, summary, restore, save_file;
     std::optional<double> save_time;  ///< [s]
     std::int32_t stride = 0;          ///< Steps from frame to frame; 0 = chosen by size.
     TraceOptions trace;

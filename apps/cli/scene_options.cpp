@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace hawser::cli {
 
@@ -74,8 +77,39 @@ std::optional<scene::Scene> SceneOptions::load(std::vector<scene::SceneError>& m
     return scene::load_file(file, options(), mistakes);
 }
 
+namespace {
+
+bool is_json(const std::string& file) { return file.ends_with(".json"); }
+
+std::string only(const std::vector<std::string>& files, bool json) {
+    std::string out;
+    for (const std::string& file : files) {
+        if (is_json(file) != json) continue;
+        if (!out.empty())
+            throw std::runtime_error("--control: " + out + " and " + file +
+                                     ": give one CSV file and one JSON file at most");
+        out = file;
+    }
+    return out;
+}
+
+}  // namespace
+
+void SceneOptions::add_control_to(CLI::App& command) {
+    command
+        .add_option("--control", controls,
+                    "Input values over time (FILE.csv), operations as a timeline lists them "
+                    "(FILE.json); may be given once for each")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+std::string SceneOptions::control() const { return only(controls, false); }
+std::string SceneOptions::operations() const { return only(controls, true); }
+
 scene::Options SceneOptions::options() const {
     scene::Options options;
+    options.operations = operations();
     options.scale = scale;
     options.set = set;
     if (nonsmooth) options.set.push_back("settings.nonsmooth=" + *nonsmooth);

@@ -28,6 +28,7 @@ struct SceneOptions {
     double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none. `run` has options for them.
     int scale = 1;
     std::vector<std::string> set;
+    std::vector<std::string> controls;  ///< Files of --control; `run` and `view` have it.
 
     /// @param required  Whether the scene must be named.
     void add_to(CLI::App& command, bool required = true);
@@ -37,6 +38,12 @@ struct SceneOptions {
     [[nodiscard]] scene::Scene load() const;
     /// All mistakes in place of the first; nothing where there are any.
     [[nodiscard]] std::optional<scene::Scene> load(std::vector<scene::SceneError>& mistakes) const;
+    /// --control: inputs over time, as CSV, and operations, as JSON.
+    void add_control_to(CLI::App& command);
+    /// The file of inputs over time among them; "": none. @throws std::runtime_error of two.
+    [[nodiscard]] std::string control() const;
+    /// The file of operations; "": none. @throws std::runtime_error of two.
+    [[nodiscard]] std::string operations() const;
     /// As the readers of scenes and exercises take them.
     [[nodiscard]] scene::Options options() const;
 };

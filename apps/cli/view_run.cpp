@@ -69,13 +69,14 @@ void print_addresses(const live::Server& server, const live::ServerOptions& opti
 
 Session open_session(const ViewOptions& options) {
     scene::Scene scene = options.scene.load();
-    std::vector<NamedFile> inputs{{"the control file", options.control},
+    std::vector<NamedFile> inputs{{"the control file", options.scene.control()},
+                                  {"the file of operations", options.scene.operations()},
                                   {"the saved state", options.restore}};
     for (const std::filesystem::path& file : scene.files)
         inputs.push_back({"a file of the scene", file.string()});
     check_outputs(inputs, {{"--record", options.record}});
     return Session(std::move(scene), {.restore = options.restore,
-                                      .control = options.control,
+                                      .control = options.scene.control(),
                                       .record = options.record,
                                       .every = options.stride});
 }
@@ -115,7 +116,7 @@ int view_scene(const ViewOptions& options) {
 }
 
 void check_exercise_files(const ViewOptions& options, const scene::Scene& scene) {
-    if (!options.restore.empty() || !options.control.empty())
+    if (!options.restore.empty() || !options.scene.controls.empty())
         throw std::runtime_error(options.scene.file +
                                  ": an exercise begins at its start and is driven by its stations: "
                                  "--restore and --control are for scenes");
@@ -159,7 +160,7 @@ int view_exercise(const ViewOptions& options) {
 }
 
 int view_recording(const ViewOptions& options) {
-    if (!options.record.empty() || !options.restore.empty() || !options.control.empty())
+    if (!options.record.empty() || !options.restore.empty() || !options.scene.controls.empty())
         throw std::runtime_error(
             options.scene.file +
             ": a recording is shown as it is: --record, --restore and --control are for scenes");

@@ -12,7 +12,7 @@ namespace hawser::cli {
 
 struct ViewOptions {
     SceneOptions scene;  ///< Its file may be a recording or an exercise.
-    std::string listen = "127.0.0.1", record, restore, control;
+    std::string listen = "127.0.0.1", record, restore;
     std::string report, summary;  ///< Of an exercise.
     int port = 8080, clients = 16;
     std::int32_t stride = 1;

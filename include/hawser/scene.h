@@ -40,6 +40,8 @@ struct Options {
     /// "path=value", for instance "settings.step=0.01", "bodies.rig.mass=2e7" or
     /// "interactions.j1.length=3": keys joined by dots, a list entry by its name or index.
     std::vector<std::string> set;
+    /// File of operations beside those of "timeline", as that key lists them (JSON); "": none.
+    std::string operations{};
     std::optional<double> step;  ///< Instead of settings.step [s].
     std::optional<Form> form;    ///< Instead of settings.form.
     int threads = 1;             ///< Worker threads of the world; not part of the text.

@@ -103,9 +103,24 @@ class Includer {
     std::set<std::string> done_;
 };
 
+/// Operations of a file go behind those of the scene. They are checked where they stand.
+void add_operations(Document& document, const std::string& file) {
+    document.operations = {file, ""};
+    document.files.emplace_back(file);
+    Json list = read_json_file(file, document.mistakes);
+    check_document(list, *format().operations, document.operations, document.mistakes);
+    if (!list.is_array()) return;
+    Json& timeline = document.root["timeline"];
+    if (timeline.is_null()) timeline = Json::array();
+    document.own_operations = timeline.size();
+    for (Json& operation : list) timeline.push_back(std::move(operation));
+}
+
 void apply_options(Document& document, const Options& options) {
     Json& root = document.root;
     const bool changed = !options.set.empty() || options.step || options.form || options.scale != 1;
+    if (!options.operations.empty())
+        (void)attempt(document.mistakes, [&] { add_operations(document, options.operations); });
     // What is left of a document with mistakes is not what the options were meant for.
     if (!changed || (document.mistakes != nullptr && !document.mistakes->none())) {
         return;
@@ -169,6 +184,8 @@ Document make_document(Json root, const std::filesystem::path& file, const Optio
                       .line_types = {},
                       .templates = {},
                       .materials = {},
+                      .operations = {},
+                      .own_operations = 0,
                       .state = {},
                       .files = {},
                       .state_file = {},

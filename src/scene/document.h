@@ -21,7 +21,9 @@ struct Document {
     std::map<std::string, Place, std::less<>> line_types;
     std::map<std::string, Place, std::less<>> templates;
     std::map<std::string, Place, std::less<>> materials;
-    Place state;                               ///< Of the state's "bodies".
+    Place operations;              ///< Of the entries of "timeline" that came from a file …
+    std::size_t own_operations{};  ///< … which are those from this one on.
+    Place state;                   ///< Of the state's "bodies".
     std::vector<std::filesystem::path> files;  ///< Read beside the scene's own.
     std::filesystem::path state_file;          ///< Of these; empty: none.
     Mistakes* mistakes = nullptr;  ///< Where mistakes are taken down; null: they are thrown.

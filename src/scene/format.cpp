@@ -192,8 +192,7 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"inputs", f.inputs, false, "", "", "Inputs."},
         {"outputs", f.outputs, false, "", "", "Outputs: columns of --csv."},
         {"sea", sea_shape(), false, "air", "", "Water and wind."},
-        {"timeline", list_of("a list of operations", operation_shape()), false, "", "",
-         "What is done to the scene at times."},
+        {"timeline", f.operations, false, "", "", "What is done to the scene at times."},
         {"repeat",
          object("repeat", "a repetition", "How copies of the scene stand side by side.",
                 {{"offset", vector3("an offset"), true, "", "m", "From one copy to the next."},
@@ -229,6 +228,7 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
 Format make_format() {
     Format f;
     f.line_type = line_type_shape();
+    f.operations = list_of("a list of operations", operation_shape());
     f.bodies = list_of("a list of bodies", body());
     f.interactions = list_of("a list of interactions", interaction_shape());
     f.cables = list_of("a list of cables", cable_shape());

@@ -28,6 +28,7 @@ struct Format {
     ShapePtr part;   ///< A file that is included.
     ShapePtr state;  ///< A state file.
 
+    ShapePtr operations;  ///< Of a timeline, or of a file of them.
     ShapePtr line_type;
     ShapePtr bodies;  ///< The lists of a scene, and of a template once its parameters are in.
     ShapePtr interactions;

@@ -244,9 +244,13 @@ std::vector<Operation> read_timeline(const World& world, const Document& documen
     });
     Reader reader(world, words, levers);
     std::vector<Operation> out;
-    for (const std::size_t i : order)
-        (void)attempt(document.mistakes,
-                      [&] { out.push_back(reader.read((*list)[i], place / i)); });
+    const bool others = !document.operations.file.empty();
+    for (const std::size_t i : order) {
+        const Place at = others && i >= document.own_operations
+                             ? document.operations / (i - document.own_operations)
+                             : place / i;
+        (void)attempt(document.mistakes, [&] { out.push_back(reader.read((*list)[i], at)); });
+    }
     return out;
 }
 

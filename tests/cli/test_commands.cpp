@@ -182,6 +182,45 @@ TEST(Run, ControlMovesInputsAndReplays) {
     EXPECT_NE(wrong.err.find("\"tug.thrust\""), std::string::npos) << wrong.err;
 }
 
+TEST(Run, ControlTakesOperations) {
+    const auto folder = test_folder();
+    const std::string part = folder / "ops.json", scene = folder / "tug.json";
+    write_text(scene, tug_scene());
+    write_text(folder / "c.csv", "time,tug.thrust\n0,1000\n");
+    write_text(part,
+               R"([{"at": 0.5, "cut": "line", "s": 4}, {"at": 0.2, "set": {"tug.thrust": 500}}])");
+    const std::vector<std::string> run{"run", scene,       "--duration",
+                                       "1",   "--quiet",   "--control",
+                                       part,  "--control", folder / "c.csv"};
+    std::vector<std::string> all = run;
+    for (const std::string& more : {std::string("--record"), std::string(folder / "r.hwr"),
+                                    std::string("--summary"), std::string(folder / "s.json")})
+        all.push_back(more);
+    ASSERT_EQ(run_program(all).code, 0);
+    const json s = json::parse(read_text(folder / "s.json"));
+    EXPECT_EQ(s["event_counts"]["cut"].get<int>(), 1);
+    EXPECT_TRUE(s["wires"].contains("line/2")) << s["wires"].dump();
+    EXPECT_EQ(run_program({"replay", "--quiet", folder / "r.hwr"}).code, 0);
+    // Mistakes are told where they stand in that file.
+    write_text(part,
+               R"([{"at": 0.2, "set": {"tug.thrust": 500}}, {"at": 0.5, "cut": "lien", "s": 4}])");
+    const Outcome unknown = run_program(run);
+    EXPECT_EQ(unknown.code, 1);
+    EXPECT_NE(unknown.err.find("ops.json: /1/cut: "), std::string::npos) << unknown.err;
+    EXPECT_NE(unknown.err.find("\"line\""), std::string::npos) << unknown.err;
+    write_text(part, R"([{"at": 0.5, "cutt": "line", "s": 4}])");
+    const Outcome misspelt = run_program(run);
+    EXPECT_EQ(misspelt.code, 1);
+    EXPECT_NE(misspelt.err.find("ops.json: /0"), std::string::npos) << misspelt.err;
+    const Outcome two = run_program({"run", scene, "--control", part, "--control", part});
+    EXPECT_EQ(two.code, 1);
+    EXPECT_NE(two.err.find("one JSON file at most"), std::string::npos) << two.err;
+    write_text(part, "[]");
+    const Outcome over = run_program({"run", scene, "--control", part, "--csv", part});
+    EXPECT_EQ(over.code, 1);
+    EXPECT_NE(over.err.find("would overwrite"), std::string::npos) << over.err;
+}
+
 TEST(Run, CtrlCWritesWhatThereIs) {
     const auto folder = test_folder();
     const Outcome run = run_program(
