@@ -270,6 +270,9 @@ void keep_water(Description& out, const CableWater& water);
 void add_sea(World& world, const Description& from);
 /// Outputs of one scope, when all interactions are there (outputs.cpp).
 void expand_outputs(Description& out, const Scope& scope);
+/// One of them as a world has it: a tension of all elements of a cable is one of its wire, whose
+/// elements come and go. @param world  Has the scene's wires.
+[[nodiscard]] OutputDef output_of(const Description& scene, std::size_t output, const World& world);
 /// Start from the stored state (state.cpp): bodies of copy 0, or the cables that join copies.
 void apply_state(Description& out, const Document& document);
 /// Copies of everything so far, and the cables that join them (repeat.cpp).

@@ -110,4 +110,16 @@ void expand_outputs(Description& out, const Scope& scope) {
     }
 }
 
+OutputDef output_of(const Description& scene, std::size_t output, const World& world) {
+    OutputDef def = scene.outputs[output];
+    if (def.kind != OutputKind::tension) return def;
+    for (const Cable& cable : scene.cables)
+        if (!cable.links && cable.stretch == def.line) {
+            def.wire = world.find_wire(cable.name);
+            def.line.clear();
+            break;
+        }
+    return def;
+}
+
 }  // namespace hawser::scene

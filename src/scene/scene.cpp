@@ -57,7 +57,7 @@ class Builder {
         }
         for (std::size_t i = 0; i < description_.outputs.size() && numbered_; ++i) {
             (void)take(description_.output_place(i),
-                       [&] { world->add_output(of_wire(description_.outputs[i], *world)); });
+                       [&] { world->add_output(output_of(description_, i, *world)); });
         }
         return std::move(*world);
     }
@@ -130,18 +130,6 @@ class Builder {
                 world.add(def);
             });
         }
-    }
-
-    /// A tension of all elements of a cable is one of its wire, whose elements come and go.
-    [[nodiscard]] OutputDef of_wire(OutputDef def, const World& world) const {
-        if (def.kind != OutputKind::tension) return def;
-        for (const Cable& cable : description_.cables)
-            if (!cable.links && cable.stretch == def.line) {
-                def.wire = world.find_wire(cable.name);
-                def.line.clear();
-                return def;
-            }
-        return def;
     }
 
     void add_guides(World& world) {
