@@ -196,7 +196,7 @@ std::optional<Drawing> plot_views(const record::Recording& recording, const reco
         bounds.high = options.box->second;
     }
     const bool both = options.shown == Shown::side_and_top;
-    const Water water = water_of(recording);
+    const Water water = water_of(recording, frame);
     Layout layout = both
                         ? arrange(bounds)
                         : arrange_one(bounds, options, options.box && !options.around ? 1.0 : 1.12);
