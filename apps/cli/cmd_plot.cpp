@@ -175,7 +175,9 @@ int plot(const PlotOptions& options) {
     write(
         "tensions", [&] { return draw::plot_tensions(recording, series); },
         "the scene has no cables");
-    write("wires", [&] { return draw::plot_wires(recording, series); }, "the scene has no cables");
+    write(
+        "wires", [&] { return draw::plot_wires(recording, series, frame); },
+        "the scene has no cables");
     write(
         "motions", [&] { return draw::plot_motions(recording, series); },
         "the scene has no moving bodies");
@@ -201,7 +203,10 @@ void add_plot(CLI::App& app, Command& chosen) {
         ->required();
     command->add_option("-o,--output", options->folder, "Folder for the pictures")
         ->capture_default_str();
-    command->add_option("--at", options->at, "Time of the views of the scene [s]; else the end")
+    command
+        ->add_option(
+            "--at", options->at,
+            "Time of the views of the scene, and of tensions along wires [s]; else the end")
         ->check(finite());
     command
         ->add_option("--only", options->only,

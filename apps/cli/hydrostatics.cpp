@@ -13,11 +13,12 @@ namespace {
 void print_hull(const World& world, const SeaDef& sea, const WaterHull& hull) {
     const BodyDef& def = world.body_def(hull.body);
     fmt::print("{}\n", def.name);
-    const HullStatics now = hull_statics(hull.mesh, world.pose(hull.body));
+    const double level = still_water(world);
+    const HullStatics now = hull_statics(hull.mesh, world.pose(hull.body), level);
     fmt::print("  mesh             {} vertices, {} triangles\n", hull.mesh.vertices.size(),
                hull.mesh.triangles.size());
-    fmt::print("  where it is      {:.6g} kg of water, {:.6g} m³, under z = 0\n",
-               sea.density * now.volume, now.volume);
+    fmt::print("  where it is      {:.6g} kg of water, {:.6g} m³, under z = {:.6g} m\n",
+               sea.density * now.volume, now.volume, level);
     if (def.kind != BodyKind::rigid) return;
     const Flotation at = float_hull(hull.mesh, def.mass, sea.density);
     if (!at.floats) {
@@ -26,7 +27,7 @@ void print_hull(const World& world, const SeaDef& sea, const WaterHull& hull) {
     }
     fmt::print(
         "  afloat           {:.6g} kg at a draught of {:.9g} m, centre of mass at z = {:.9g} m\n",
-        def.mass, at.draught, at.pose.position.z());
+        def.mass, at.draught, level + at.pose.position.z());
     fmt::print("  waterplane       {:.6g} m², centre at x = {:.6g} m, y = {:.6g} m\n",
                at.statics.plane_area, at.statics.plane_centre.x(), at.statics.plane_centre.y());
     fmt::print("  KB               {:.9g} m\n  BM               {:.9g} m, along {:.9g} m\n", at.kb,

@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hawser {
@@ -152,6 +153,7 @@ struct Frame {
     double violation_max = 0.0;      ///< [m]
     double momentum_residual = 0.0;  ///< Relative.
     double energy = 0.0;             ///< Mechanical [J].
+    double water = 0.0;              ///< z of still water of a sea [m].
     std::vector<Pose> poses;         ///< Of every body; that of the start where it is not there.
     std::vector<bool> there;         ///< By body: it had come, and had not gone.
     std::vector<float> tensions;     ///< Of every element of every cable [N].
@@ -192,6 +194,7 @@ class Recording {
     std::uint64_t start_hash = 0;
     std::span<const std::byte> snapshot;    ///< For World::restore.
     std::vector<std::string> input_names;   ///< By index of RecordedInput::input; may be missing.
+    std::vector<bool> inner_inputs;         ///< By the same: driven by a system they are a part of.
     std::vector<RecordedOutline> outlines;  ///< May be missing.
     std::vector<RecordedInput> inputs;
     std::vector<RecordedChanges> changes;
@@ -261,7 +264,8 @@ class Recording {
         std::vector<std::span<const std::byte>> pulls;  ///< Of each frame from there on.
         std::vector<std::int32_t> gone;                 ///< Of lines: joints of the start.
     };
-    WireTables wires_, lines_;  ///< Frames point into them.
+    WireTables wires_, lines_;                            ///< Frames point into them.
+    std::vector<std::pair<std::size_t, double>> waters_;  ///< From which frame on; Frame::water.
 };
 
 /// Does to a world again what was done to the recorded one, and lets its steps leave out what those

@@ -280,6 +280,8 @@ System* define(World& world, const SeaDef& def);
 
 /// The sea of a world as defined; null: it has none.
 [[nodiscard]] const SeaDef* find_sea(const World& world) noexcept;
+/// z of still water now, tide and input `level` [m]; NaN: there is no sea.
+[[nodiscard]] double still_water(const World& world) noexcept;
 /// What the sea did to bodies in the last step, one entry a body, ascending: for readers and
 /// verifiers. Good until the next step. Empty: there is none.
 [[nodiscard]] std::vector<LoadView> sea_loads(const World& world);

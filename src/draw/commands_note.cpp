@@ -1,16 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/commands_note.h"
 
+#include "record/commands.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
 
 namespace hawser::draw {
 
 namespace {
 
-constexpr std::size_t kMost = 6;          // Moments listed.
+constexpr std::size_t kMost = 6;          // Moments at which something was set, …
+constexpr std::size_t kMostDone = 12;     // … and at which something was done.
 constexpr std::size_t kMostInMoment = 8;  // Changes listed in one of them.
+
+struct Moment {
+    std::vector<std::string> done, set;
+
+    static void put(std::vector<std::string>& to, std::string text) {
+        // What a take after a restored state does again is listed once.
+        if (std::find(to.begin(), to.end(), text) == to.end()) to.push_back(std::move(text));
+    }
+    static std::string listed(const std::vector<std::string>& texts) {
+        std::string out;
+        for (std::size_t i = 0; i < std::min(kMostInMoment, texts.size()); ++i)
+            out += (i > 0 ? ", " : "") + texts[i];
+        return out;
+    }
+};
 
 std::string input_name(const record::Recording& recording, std::int32_t input) {
     const auto i = static_cast<std::size_t>(input);
@@ -18,36 +39,46 @@ std::string input_name(const record::Recording& recording, std::int32_t input) {
                                             : fmt::format("input {}", input);
 }
 
+void add_inputs(const record::Recording& recording, std::map<std::int64_t, Moment>& moments) {
+    // What an input was set to last: repeating a value is no command.
+    std::map<std::int32_t, double> last;
+    for (const record::RecordedInput& change : recording.inputs) {
+        const auto i = static_cast<std::size_t>(change.input);
+        const double before = std::exchange(last[change.input], change.value);
+        if (change.value == before) continue;
+        if (i < recording.inner_inputs.size() && recording.inner_inputs[i]) continue;
+        Moment::put(moments[change.step].set,
+                    fmt::format("{} {:.4g}", input_name(recording, change.input), change.value));
+    }
+}
+
 }  // namespace
 
 std::vector<Command> commands_of(const record::Recording& recording) {
-    // What an input was set to last: repeating a value is no command.
-    std::vector<std::pair<std::int32_t, double>> last;
-    std::vector<Command> out;
-    std::size_t more = 0, in_moment = 0;
-    std::int64_t step = -1;
-    for (const record::RecordedInput& change : recording.inputs) {
-        const auto known = std::find_if(last.begin(), last.end(),
-                                        [&](const auto& l) { return l.first == change.input; });
-        const double before = known == last.end() ? 0.0 : known->second;
-        if (known == last.end())
-            last.emplace_back(change.input, change.value);
-        else
-            known->second = change.value;
-        if (change.value == before) continue;
-        if (change.step != step) {
-            step = change.step;
-            in_moment = 0;
-            if (out.size() == kMost) ++more;
-            if (out.size() < kMost)
-                out.push_back({static_cast<double>(step) * recording.settings.step, ""});
-        }
-        if (more > 0 || ++in_moment > kMostInMoment) continue;
-        std::string& text = out.back().text;
-        if (!text.empty()) text += ", ";
-        text += fmt::format("{} {:.4g}", input_name(recording, change.input), change.value);
+    std::map<std::int64_t, Moment> moments;
+    add_inputs(recording, moments);
+    for (const record::RecordedNote& note : recording.notes) {
+        const bool done = note.kind == record::kDoneNote;
+        if (!done && note.kind != record::kSetNote) continue;
+        Moment& moment = moments[note.step];
+        Moment::put(done ? moment.done : moment.set,
+                    {reinterpret_cast<const char*>(note.bytes.data()), note.bytes.size()});
     }
-    if (more > 0) out.back().text += fmt::format("; {} later changes are not marked", more);
+    std::vector<Command> out;
+    std::size_t set = 0, done = 0, more = 0;
+    for (const auto& [step, moment] : moments) {
+        const bool marked = moment.done.empty() ? set++ < kMost : done++ < kMostDone;
+        if (!marked) {
+            ++more;
+            continue;
+        }
+        out.push_back({static_cast<double>(step) * recording.settings.step,
+                       Moment::listed(moment.set), Moment::listed(moment.done)});
+    }
+    if (more > 0) {
+        std::string& text = out.back().text.empty() ? out.back().done : out.back().text;
+        text += fmt::format("; {} later changes are not marked", more);
+    }
     return out;
 }
 
@@ -65,11 +96,20 @@ void mark_commands(Drawing& drawing, const Axes& axes, const std::vector<Command
     }
 }
 
+namespace {
+
+std::string words_of(const Command& c) {
+    if (c.text.empty()) return c.done;
+    return c.done + (c.done.empty() ? "" : "; ") + "inputs set, " + c.text;
+}
+
+}  // namespace
+
 void list_commands(Drawing& drawing, Point at, const std::vector<Command>& commands) {
     for (std::size_t i = 0; i < commands.size(); ++i)
         drawing.text({at.x, at.y + kCommandLine * static_cast<double>(i)},
-                     fmt::format("{}  {:.4g} s: inputs set, {}", static_cast<char>('A' + i),
-                                 commands[i].time, commands[i].text),
+                     fmt::format("{}  {:.4g} s: {}", static_cast<char>('A' + i), commands[i].time,
+                                 words_of(commands[i])),
                      12.0, Anchor::start, kSoft);
 }
 

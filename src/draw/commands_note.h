@@ -11,13 +11,16 @@
 
 namespace hawser::draw {
 
-/// A moment at which inputs changed.
+/// A moment at which something was commanded.
 struct Command {
     double time = 0.0;  ///< [s]
-    std::string text;   ///< E.g. "tow_speed −0.2, thrust_y 2e+05".
+    std::string text;   ///< Inputs and signals that changed: "tow_speed −0.2, winch.speed 0.5"; "".
+    std::string
+        done{};  ///< What else was done: "cut tow at 120 m, winch.mode render"; "": nothing.
 };
 
-/// The first moments, and in the last entry's text how many more there were.
+/// By time: the first moments at which something was done, and the first at which inputs alone
+/// changed; in the last entry how many more there were. Inputs that systems drive are left out.
 [[nodiscard]] std::vector<Command> commands_of(const record::Recording& recording);
 
 /// A dashed line at each moment, numbered along the top of the panel.

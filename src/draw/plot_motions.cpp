@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/axes.h"
 #include "draw/commands_note.h"
+#include "draw/curves.h"
 #include "draw/plots.h"
 #include "record/units.h"
 
@@ -48,13 +49,13 @@ void draw_panel(Drawing& drawing, const record::Series& series,
     axes.draw(drawing);
     mark_commands(drawing, axes, commands);
     for (std::size_t i = 0; i < series.bodies.size(); ++i) {
-        std::vector<double> values = series.bodies[i].value[std::size_t(k)];
-        if (values.empty()) continue;
-        for (double& v : values) v *= factor;
-        drawing.add(Path{.points = thinned(axes, series.time, values),
-                         .stroke = curve_color(i),
-                         .width = 1.6,
-                         .dash = i < 9 ? std::vector<double>{} : std::vector<double>{7.0, 6.0}});
+        const std::vector<double>& values = series.bodies[i].value[std::size_t(k)];
+        for (std::vector<Point>& part : curve_parts(axes, series, values, factor))
+            drawing.add(
+                Path{.points = std::move(part),
+                     .stroke = curve_color(i),
+                     .width = 1.6,
+                     .dash = i < 9 ? std::vector<double>{} : std::vector<double>{7.0, 6.0}});
     }
 }
 

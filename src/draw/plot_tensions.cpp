@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/axes.h"
 #include "draw/commands_note.h"
+#include "draw/curves.h"
 #include "draw/plots.h"
 #include "record/units.h"
 
@@ -58,12 +59,6 @@ Range tension_range(const record::Series& series, const Curves& curves, double f
     return r;
 }
 
-std::vector<double> scaled(const std::vector<double>& values, double factor) {
-    std::vector<double> out(values);
-    for (double& v : out) v *= factor;
-    return out;
-}
-
 std::vector<double> dash_of(std::size_t index) {
     return index < 9 ? std::vector<double>{} : std::vector<double>{7.0, 6.0};
 }
@@ -72,20 +67,22 @@ void draw_curves(Drawing& drawing, const Axes& axes, const record::Series& serie
                  const Curves& curves, double factor) {
     for (const std::size_t i : curves) {
         const record::CableSeries& s = series.cables[i];
-        std::vector<Point> band = thinned(axes, series.time, scaled(s.highest, factor));
-        const std::vector<Point> lower = thinned(axes, series.time, scaled(s.lowest, factor));
-        band.insert(band.end(), lower.rbegin(), lower.rend());
-        drawing.add(Path{.points = std::move(band),
-                         .width = 0.0,
-                         .fill = curve_color(i).with_alpha(36),
-                         .closed = true});
+        std::vector<std::vector<Point>> bands = curve_parts(axes, series, s.highest, factor);
+        const std::vector<std::vector<Point>> lower = curve_parts(axes, series, s.lowest, factor);
+        for (std::size_t p = 0; p < bands.size(); ++p) {
+            bands[p].insert(bands[p].end(), lower[p].rbegin(), lower[p].rend());
+            drawing.add(Path{.points = std::move(bands[p]),
+                             .width = 0.0,
+                             .fill = curve_color(i).with_alpha(36),
+                             .closed = true});
+        }
     }
     for (const std::size_t i : curves)
-        drawing.add(
-            Path{.points = thinned(axes, series.time, scaled(series.cables[i].first, factor)),
-                 .stroke = curve_color(i),
-                 .width = 1.8,
-                 .dash = dash_of(i)});
+        for (std::vector<Point>& part : curve_parts(axes, series, series.cables[i].first, factor))
+            drawing.add(Path{.points = std::move(part),
+                             .stroke = curve_color(i),
+                             .width = 1.8,
+                             .dash = dash_of(i)});
 }
 
 std::vector<LegendEntry> legend(const record::Recording& recording, const record::Series& series,
@@ -97,7 +94,7 @@ std::vector<LegendEntry> legend(const record::Recording& recording, const record
         std::string note = "max " + record::with_unit(s.peak, "N");
         if (cable.breaking_load > 0.0)
             note += fmt::format(", {:.3g} % of breaking", 100.0 * s.peak / cable.breaking_load);
-        entries.push_back({cable.name, note, curve_color(i), dash_of(i)});
+        entries.push_back({s.name, note, curve_color(i), dash_of(i)});
     }
     return entries;
 }
@@ -168,8 +165,8 @@ std::optional<Drawing> plot_tensions(const record::Recording& recording,
     }
     list_commands(drawing, {110, drawing.height - 22 - listed + kCommandLine}, commands);
     drawing.text({110, drawing.height - 22 - listed},
-                 "Line: first element of the cable. Band: lowest to highest element.", 12.0,
-                 Anchor::start, kSoft);
+                 "Line: first element of the cable. Band: lowest to highest element it has then.",
+                 12.0, Anchor::start, kSoft);
     return drawing;
 }
 

@@ -91,16 +91,18 @@ void draw_paths(Drawing& drawing, const Axes& axes, const View& view,
         const record::BodySeries& s = series.bodies[i];
         const record::RecordedBody& body = recording.bodies[static_cast<std::size_t>(s.body)];
         if (body.kind == BodyKind::scalar) continue;
-        std::vector<Point> path;
-        for (std::size_t t = 0; t < s.value[0].size(); ++t) {
-            const Point p =
-                project(axes, view,
-                        body.start.position + Vec3(s.value[0][t], s.value[1][t], s.value[2][t]));
-            if (path.empty() || std::hypot(p.x - path.back().x, p.y - path.back().y) > 0.5)
-                path.push_back(p);
+        for (const auto& [begin, end] : record::stretches(series, s.value[0])) {
+            std::vector<Point> path;
+            for (std::size_t t = begin; t < end; ++t) {
+                const Point p = project(
+                    axes, view,
+                    body.start.position + Vec3(s.value[0][t], s.value[1][t], s.value[2][t]));
+                if (path.empty() || std::hypot(p.x - path.back().x, p.y - path.back().y) > 0.5)
+                    path.push_back(p);
+            }
+            drawing.add(Path{
+                .points = std::move(path), .stroke = curve_color(i).with_alpha(150), .width = 1.2});
         }
-        drawing.add(Path{
-            .points = std::move(path), .stroke = curve_color(i).with_alpha(150), .width = 1.2});
     }
 }
 
@@ -194,7 +196,7 @@ std::optional<Drawing> plot_views(const record::Recording& recording, const reco
         bounds.high = options.box->second;
     }
     const bool both = options.shown == Shown::side_and_top;
-    const Water water = water_of(recording);
+    const Water water = water_of(recording, frame);
     Layout layout = both
                         ? arrange(bounds)
                         : arrange_one(bounds, options, options.box && !options.around ? 1.0 : 1.12);

@@ -21,10 +21,13 @@ namespace hawser::draw {
 [[nodiscard]] std::optional<Drawing> plot_tensions(const record::Recording& recording,
                                                    const record::Series& series);
 
-/// Least, mean and greatest tension of the plotted cables (up to six) along them, a panel each.
-/// @return Nothing when there are none.
+/// Tension along the plotted cables and the pieces that were cut off them (up to six), a panel
+/// each: least, mean and greatest of the frames, and that of one frame, over the length along the
+/// wire as it lies where nodes come and go, else over the unstretched length. @return Nothing when
+/// there are none.
 [[nodiscard]] std::optional<Drawing> plot_wires(const record::Recording& recording,
-                                                const record::Series& series);
+                                                const record::Series& series,
+                                                std::size_t frame_index);
 
 /// Displacement and rotation of bodies over time, one panel per direction.
 [[nodiscard]] std::optional<Drawing> plot_motions(const record::Recording& recording,

@@ -32,7 +32,7 @@ Space::Space(const record::Recording& recording, const record::Frame& frame,
     : recording_(recording),
       frame_(frame),
       camera_(Camera::at(options.azimuth, std::clamp(options.elevation, 5.0, 85.0))),
-      water_(water_of(recording)),
+      water_(water_of(recording, frame)),
       box_(bounds),
       tension_(tension_range(frame)) {
     drawing_.width = options.width > 0.0 ? options.width : kSpaceWidth;

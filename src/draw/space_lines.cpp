@@ -166,20 +166,25 @@ void Space::draw_paths(const record::Series& series) {
         if (body.kind == BodyKind::scalar) continue;
         Path path{
             .points = {}, .stroke = curve_color(i).with_alpha(130), .width = 1.1, .dash = {5, 4}};
-        for (std::size_t t = 0; t < s.value[0].size(); ++t) {
-            const Vec3 where =
-                body.start.position + Vec3(s.value[0][t], s.value[1][t], s.value[2][t]);
-            if (!inside(where)) {
-                if (path.points.size() > 1) drawing_.add(path);
-                path.points.clear();
-                continue;
+        const auto put = [&] {
+            if (path.points.size() > 1) drawing_.add(path);
+            path.points.clear();
+        };
+        for (const auto& [begin, end] : record::stretches(series, s.value[0])) {
+            for (std::size_t t = begin; t < end; ++t) {
+                const Vec3 where =
+                    body.start.position + Vec3(s.value[0][t], s.value[1][t], s.value[2][t]);
+                if (!inside(where)) {
+                    put();
+                    continue;
+                }
+                const Point p = at(where);
+                if (path.points.empty() ||
+                    std::hypot(p.x - path.points.back().x, p.y - path.points.back().y) > 0.7)
+                    path.points.push_back(p);
             }
-            const Point p = at(where);
-            if (path.points.empty() ||
-                std::hypot(p.x - path.points.back().x, p.y - path.points.back().y) > 0.7)
-                path.points.push_back(p);
+            put();
         }
-        if (path.points.size() > 1) drawing_.add(std::move(path));
     }
 }
 

@@ -34,18 +34,19 @@ void add_outline(const record::Recording& recording, const record::RecordedOutli
 
 }  // namespace
 
-Water water_of(const record::Recording& recording) {
+Water water_of(const record::Recording& recording, const record::Frame& frame) {
     Water out;
     const Json root = Json::parse(recording.scene_text, nullptr, false);
     if (!root.is_object()) return out;
     if (const auto sea = root.find("sea"); sea != root.end() && sea->is_object()) {
-        out.level = 0.0;
+        out.level = frame.water;
         if (const auto depth = sea->find("depth"); depth != sea->end() && depth->is_number())
             if (depth->get<double>() > 0.0) out.seabed = -depth->get<double>();
     }
     if (const auto list = root.find("interactions"); list != root.end() && list->is_array())
         for (const Json& one : *list)
-            if (one.is_object() && one.value("kind", Json()) == "hydrostatic") out.level = 0.0;
+            if (one.is_object() && one.value("kind", Json()) == "hydrostatic" && !out.level)
+                out.level = 0.0;
     for (const record::RecordedOutline& o : recording.outlines) add_outline(recording, o, out);
     return out;
 }

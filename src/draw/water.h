@@ -14,7 +14,8 @@ struct Water {
     std::optional<double> seabed;  ///< z [m]: of a level plane or of the sea; highest of several.
 };
 
-/// From the scene's document and its shapes. Waves are left out: recordings do not hold them.
-[[nodiscard]] Water water_of(const record::Recording& recording);
+/// From the scene's document and its shapes, with the level of the frame: tide and what was set.
+/// Waves are left out: recordings do not hold them.
+[[nodiscard]] Water water_of(const record::Recording& recording, const record::Frame& frame);
 
 }  // namespace hawser::draw

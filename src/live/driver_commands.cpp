@@ -3,11 +3,13 @@
 #include "live/driver.h"
 #include "live/pick.h"
 
+#include "record/commands.h"
 #include "record/names.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 namespace hawser::live {
@@ -129,8 +131,9 @@ void Driver::part(const Command& command) {
         world.part(wire.pieces.front().element);
     else
         throw DefError("\"" + wire.name + "\" is a chain of rigid links, which does not part");
-    out_.command(session_.time(), command,
-                 fmt::format("parted {} at {:.0f} %", wire.name, 100.0 * command.value));
+    const std::string text = fmt::format("parted {} at {:.0f} %", wire.name, 100.0 * command.value);
+    session_.note(record::kDoneNote, std::as_bytes(std::span(text)));
+    out_.command(session_.time(), command, text);
 }
 
 void Driver::save(const std::string& name) {

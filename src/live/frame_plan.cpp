@@ -2,6 +2,7 @@
 #include "live/frame_plan.h"
 
 #include "base/index.h"
+#include "record/commands.h"
 #include "record/scene_info.h"
 
 #include <algorithm>
@@ -132,52 +133,31 @@ std::string unit_of(const World& world, const InputDef& def) {
     return {};
 }
 
-/// Of the mode of a winch, in the order of WinchMode; nothing of other signals.
-std::vector<std::string> words_of(const World& world, const SystemSignal& signal) {
-    if (signal.name != "mode") return {};
-    const auto signals = world.system_signals();
-    const auto has = [&](std::string_view name) {
-        return std::any_of(signals.begin(), signals.end(), [&](const SystemSignal& s) {
-            return s.input && s.system == signal.system && s.name == name;
-        });
-    };
-    if (!has("speed") || !has("tension") || !has("brake") || !has("clutch")) return {};
-    static_assert(static_cast<int>(WinchMode::release) == 5);
-    return {"speed", "tension", "render", "brake", "free", "release"};
-}
-
 void add_inputs(const scene::Scene& scene, FramePlan& plan) {
     const World& world = scene.world;
-    // What a winch or crane is made of is driven by it, not by hand.
-    const auto of_system = [&](const std::string& name) {
-        const auto signals = world.system_signals();
-        return std::any_of(signals.begin(), signals.end(), [&](const SystemSignal& s) {
-            return name.size() > s.system.size() && name.starts_with(s.system) &&
-                   name[s.system.size()] == '/';
-        });
-    };
     for (const scene::SignalInput& input : scene.signal_inputs)
         for (const SystemSignal& s : world.system_signals())
             if (s.system + "." + s.name == input.signal && s.input)
-                plan.inputs.push_back(
-                    {.name = input.name,
-                     .unit = input.unit.empty() ? s.unit : input.unit,
-                     .group = input.group,
-                     .kind = "lever",
-                     .min = input.min,
-                     .max = input.max,
-                     .nominal = input.nominal,
-                     .factor = input.factor,
-                     .spring = input.spring,
-                     .words = input.factor == 1.0 ? words_of(world, s) : std::vector<std::string>{},
-                     .id = {},
-                     .signal = s.value});
+                plan.inputs.push_back({.name = input.name,
+                                       .unit = input.unit.empty() ? s.unit : input.unit,
+                                       .group = input.group,
+                                       .kind = "lever",
+                                       .min = input.min,
+                                       .max = input.max,
+                                       .nominal = input.nominal,
+                                       .factor = input.factor,
+                                       .spring = input.spring,
+                                       .words = input.factor == 1.0 ? record::signal_words(world, s)
+                                                                    : std::vector<std::string>{},
+                                       .id = {},
+                                       .signal = s.value});
     for (const InputId id : world.inputs()) {
         const InputDef& def = world.input_def(id);
         plan.inputs.push_back({.name = def.name,
                                .unit = unit_of(world, def),
                                .group = def.group,
-                               .kind = of_system(def.name) ? "inner" : "lever",
+                               // What a winch or crane is made of is driven by it, not by hand.
+                               .kind = record::is_inner_input(world, def.name) ? "inner" : "lever",
                                .min = def.min,
                                .max = def.max,
                                .nominal = def.nominal,
@@ -192,7 +172,7 @@ void add_inputs(const scene::Scene& scene, FramePlan& plan) {
                                    .kind = "signal",
                                    .min = s.min,
                                    .max = s.max,
-                                   .words = words_of(world, s),
+                                   .words = record::signal_words(world, s),
                                    .id = {},
                                    .signal = s.value});
     // A lever without a group belongs to what its name begins with.

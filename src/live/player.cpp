@@ -3,6 +3,7 @@
 
 #include "live/scene_text.h"
 #include "live/told.h"
+#include "record/commands.h"
 
 #include <algorithm>
 
@@ -19,6 +20,15 @@ Player::Player(const record::Recording& recording, Hub& hub)
 void Player::tell_timeline() {
     constexpr std::size_t kMost = 4096;
     Json events = Json::array(), inputs = Json::array(), takes = Json::array();
+    for (const record::RecordedNote& note : recording_.notes) {
+        if (note.kind != record::kDoneNote || events.size() >= kMost) continue;
+        const std::string text(reinterpret_cast<const char*>(note.bytes.data()), note.bytes.size());
+        events.push_back({{"time", static_cast<double>(note.step) * recording_.settings.step},
+                          {"kind", "command"},
+                          {"name", text},
+                          {"value", 0.0},
+                          {"words", text}});
+    }
     // What happens seldom is worth a mark on the line.
     for (const bool often : {false, true})
         for (const record::RecordedEvent& event : recording_.events) {
@@ -30,12 +40,13 @@ void Player::tell_timeline() {
                               {"value", event.value},
                               {"words", event_words(event.where, event.kind, event.value)}});
         }
-    for (const record::RecordedInput& input : recording_.inputs)
-        if (inputs.size() < kMost &&
-            static_cast<std::size_t>(input.input) < recording_.input_names.size())
+    for (const record::RecordedInput& input : recording_.inputs) {
+        const auto place = static_cast<std::size_t>(input.input);
+        const bool inner = place < recording_.inner_inputs.size() && recording_.inner_inputs[place];
+        if (inputs.size() < kMost && place < recording_.input_names.size() && !inner)
             inputs.push_back({static_cast<double>(input.step) * recording_.settings.step,
-                              recording_.input_names[static_cast<std::size_t>(input.input)],
-                              input.value});
+                              recording_.input_names[place], input.value});
+    }
     for (const record::RecordedTake& take : recording_.takes)
         takes.push_back({static_cast<double>(take.from) * recording_.settings.step,
                          static_cast<double>(take.to) * recording_.settings.step});

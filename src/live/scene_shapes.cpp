@@ -103,14 +103,13 @@ void add_sea(const World& world, Json& out) {
     const SeaDef* def = find_sea(world);
     if (!def) return;
     const Sea sea(*def, world.settings().gravity.norm());
-    double factor = 1.0, level = 0.0;
+    double factor = 1.0;
     for (const SystemSignal& s : world.system_signals()) {
         if (s.system != "sea") continue;
         if (s.name == "waves") factor = *s.value;
-        if (s.name == "level") level = *s.value;
     }
     out["sea"] = {{"depth", sea.depth()},
-                  {"level", level + sea.tide(world.time())},
+                  {"level", still_water(world)},
                   {"waves_factor", factor},
                   {"gauge", def->gauge},
                   {"components", waves_of(sea)}};

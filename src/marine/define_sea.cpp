@@ -7,6 +7,7 @@
 #include "marine/checks.h"
 #include "marine/sea_system.h"
 
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -100,6 +101,12 @@ System* define(World& world, const SeaDef& def) {
 const SeaDef* find_sea(const World& world) noexcept {
     const auto* sea = dynamic_cast<const marine::SeaSystem*>(world.find_system("sea"));
     return sea == nullptr ? nullptr : &sea->def();
+}
+
+double still_water(const World& world) noexcept {
+    const auto* sea = dynamic_cast<const marine::SeaSystem*>(world.find_system("sea"));
+    return sea == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                          : sea->still_water(world.time());
 }
 
 std::vector<LoadView> sea_loads(const World& world) {

@@ -170,6 +170,10 @@ class SeaSystem final : public System {
     void holds(HoldTable& table) const override;
     [[nodiscard]] std::unique_ptr<System> clone() const override;
     [[nodiscard]] const SeaDef& def() const noexcept { return def_; }
+    /// z of it at a time, with the level that was set [m].
+    [[nodiscard]] double still_water(double time) const noexcept {
+        return sea_.tide(time) + in_.level;
+    }
     /// @throws std::bad_alloc
     [[nodiscard]] std::vector<LoadView> loads() const;
     [[nodiscard]] HullMemory memory(std::size_t hull) const;

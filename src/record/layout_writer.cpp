@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/layout_writer.h"
 
+#include "record/commands.h"
+
+#include <algorithm>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace hawser::record {
@@ -87,6 +91,17 @@ void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
     out.put(static_cast<std::uint32_t>(scene.plot_bodies.size()));
     for (const BodyId body : scene.plot_bodies) out.put(body.index);
     put_joints(out, scene, world);
+}
+
+void put_input_names(ByteWriter& out, const World& world) {
+    std::vector<std::string> names(static_cast<std::size_t>(world.input_count()));
+    for (const InputId id : world.inputs())
+        names[static_cast<std::size_t>(id.index)] = world.input_def(id).name;
+    out.put(static_cast<std::uint32_t>(names.size()));
+    for (const std::string& name : names) out.put_text(name);
+    const auto inner = [&](const std::string& name) { return is_inner_input(world, name); };
+    if (std::none_of(names.begin(), names.end(), inner)) return;
+    for (const std::string& name : names) out.put(static_cast<std::uint8_t>(inner(name) ? 1 : 0));
 }
 
 }  // namespace hawser::record

@@ -27,6 +27,7 @@ inline constexpr char kLinesChunk[] = "LINE";
 inline constexpr char kLinePullsChunk[] = "LPUL";
 inline constexpr char kLoadsChunk[] = "LOAD";
 inline constexpr char kNoteChunk[] = "NOTE";
+inline constexpr char kWaterChunk[] = "WATR";
 inline constexpr char kInputsChunk[] = "INPT";
 inline constexpr char kCutChunk[] = "CUTS";
 inline constexpr char kEventChunk[] = "EVNT";

@@ -114,6 +114,9 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         if (!input_names.empty() || !inputs.empty()) throw BadBytes("inputs are named too late");
         input_names.resize(in.get_count(4));
         for (std::string& name : input_names) name = in.get_text();
+        if (in.left() > 0) inner_inputs.resize(input_names.size());
+        for (std::size_t i = 0; i < inner_inputs.size(); ++i)
+            inner_inputs[i] = in.get<std::uint8_t>() != 0;
         in.expect_end();
     } else if (kind == kOutlineChunk) {
         outlines = get_outlines(in, bodies.size());
@@ -134,6 +137,9 @@ void Recording::read_chunk(std::string_view kind, std::span<const std::byte> pay
         read_wires(in, lines_, true);
     } else if (kind == kLinePullsChunk) {
         read_pulls(payload, lines_);
+    } else if (kind == kWaterChunk) {
+        waters_.emplace_back(frames_.size(), get_finite(in));
+        in.expect_end();
     } else if (kind == kCutChunk) {
         read_cut(in);
     } else if (kind == kEventChunk) {
@@ -250,6 +256,9 @@ Frame Recording::frame(std::size_t index) const {
     frame.tensions.resize(static_cast<std::size_t>(element_count));
     for (float& tension : frame.tensions) tension = in.get<float>();
     find_wires(index, frame);
+    const auto water = std::upper_bound(waters_.begin(), waters_.end(), index,
+                                        [](std::size_t f, const auto& w) { return f < w.first; });
+    if (water != waters_.begin()) frame.water = std::prev(water)->second;
     return frame;
 }
 

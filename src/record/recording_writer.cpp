@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording_writer.h"
 
-#include "base/index.h"
 #include "record/files.h"
 #include "record/layout_writer.h"
 #include "record/outlines.h"
@@ -96,13 +95,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     payload_.put_bytes(world.save_motion());
     write_chunk(kSnapshotChunk);
 
-    payload_.put(static_cast<std::uint32_t>(world.input_count()));
-    for (std::int32_t i = 0, next = 0; i < world.input_count(); ++i) {
-        // By place; "" where one was removed.
-        const auto inputs = world.inputs();
-        const bool there = at(next) < inputs.size() && inputs[at(next)].index == i;
-        payload_.put_text(there ? world.input_def(inputs[at(next++)]).name : std::string());
-    }
+    put_input_names(payload_, world);
     write_chunk(kInputNamesChunk);
     if (const auto outlines = outlines_of(scene, world); !outlines.empty()) {
         put_outlines(payload_, outlines);
@@ -184,6 +177,14 @@ void RecordingWriter::follow_lines(const World& world) {
     write_chunk(kLinesChunk);
 }
 
+void RecordingWriter::follow_water(const World& world) {
+    const double now = still_water(world);
+    if (!std::isfinite(now) || now == water_) return;
+    water_ = now;
+    payload_.put(now);
+    write_chunk(kWaterChunk);
+}
+
 std::vector<BodyId> RecordingWriter::bodies_of_frame() const {
     std::vector<BodyId> out;
     for (const FramedBody& body : bodies_) out.push_back(body.id);
@@ -194,6 +195,7 @@ void RecordingWriter::add_frame(const World& world) {
     if (other_bodies_) follow_bodies(world);
     follow_wires(world);
     follow_lines(world);
+    follow_water(world);
     const StepStats& stats = world.stats();
     payload_.put(world.step_count());
     payload_.put(world.time());

@@ -58,12 +58,14 @@ class RecordingWriter {
     void follow_bodies(const World& world);
     void follow_wires(const World& world);
     void follow_lines(const World& world);
+    void follow_water(const World& world);
     [[nodiscard]] std::vector<BodyId> bodies_of_frame() const;
 
     std::vector<InteractionId> elements_;
     std::vector<FramedBody> bodies_;  ///< Of a frame, in its order.
     WireFollower wires_;
     LineFollower lines_;
+    double water_ = 0.0;         ///< z of still water in the frame before [m].
     bool other_wires_ = false;   ///< Than those of the start: frames have their tensions.
     bool other_lines_ = false;   ///< Have come or gone: frames have their tensions.
     bool other_bodies_ = false;  ///< Than bodies_: they are written before the next frame.

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
+#include <string_view>
 
 namespace hawser::record {
 
@@ -24,15 +27,54 @@ std::vector<std::int32_t> chosen_bodies(const Recording& recording, std::size_t 
     return out;
 }
 
-void append(CableSeries& s, const RecordedCable& cable, const Frame& frame) {
-    if (cable.elements == 0) return;
-    const float* from = frame.tensions.data() + cable.first_element;
-    const float* to = from + cable.elements;
-    s.first.push_back(*from);
-    s.last.push_back(*(to - 1));
-    s.lowest.push_back(*std::min_element(from, to));
-    s.highest.push_back(*std::max_element(from, to));
-    s.peak = std::max(s.peak, s.highest.back());
+/// Tensions of the elements that a wire of this name has in a frame; those of the start where none
+/// has come or gone.
+std::span<const float> pulls_of(const Recording& recording, const CableSeries& s,
+                                const Frame& frame) {
+    if (frame.wires != nullptr)
+        for (const RecordedWire& wire : *frame.wires)
+            if (wire.name == s.name)
+                return std::span(frame.pulls).subspan(wire.first_piece, wire.pieces.size());
+    const RecordedCable& cable = recording.cables[static_cast<std::size_t>(s.cable)];
+    if (cable.name != s.name) return {};
+    return std::span(frame.tensions)
+        .subspan(static_cast<std::size_t>(cable.first_element),
+                 static_cast<std::size_t>(cable.elements));
+}
+
+void append(CableSeries& s, const Recording& recording, const Frame& frame) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const std::span<const float> pulls = pulls_of(recording, s, frame);
+    const bool none = pulls.empty();
+    const auto put = [&](std::vector<double>& to, float value) {  // of what has parted −1
+        to.push_back(none ? kNone : std::max(0.0, static_cast<double>(value)));
+    };
+    put(s.first, none ? 0.0F : pulls.front());
+    put(s.last, none ? 0.0F : pulls.back());
+    put(s.lowest, none ? 0.0F : *std::min_element(pulls.begin(), pulls.end()));
+    put(s.highest, none ? 0.0F : *std::max_element(pulls.begin(), pulls.end()));
+    if (!none) s.peak = std::max(s.peak, s.highest.back());
+}
+
+/// Pieces that have been cut off cables since the frames before.
+void add_pieces(Series& series, const Recording& recording, const Frame& frame) {
+    if (frame.wires == nullptr) return;
+    for (const RecordedWire& wire : *frame.wires) {
+        const auto named = [&](const CableSeries& s) { return s.name == wire.name; };
+        if (std::any_of(series.cables.begin(), series.cables.end(), named)) continue;
+        const std::string_view of = std::string_view(wire.name).substr(0, wire.name.rfind('/'));
+        const auto whole =
+            std::find_if(series.cables.begin(), series.cables.end(), [&](const CableSeries& s) {
+                return s.name == of &&
+                       recording.cables[static_cast<std::size_t>(s.cable)].name == of;
+            });
+        if (whole == series.cables.end() || of == wire.name) continue;
+        CableSeries piece{.cable = whole->cable, .name = wire.name};
+        const std::vector<double> none(series.time.size(),
+                                       std::numeric_limits<double>::quiet_NaN());
+        piece.first = piece.last = piece.lowest = piece.highest = none;
+        series.cables.push_back(std::move(piece));
+    }
 }
 
 // Angles jump by a turn at ±180°; curves must not.
@@ -71,7 +113,8 @@ Series collect_series(const Recording& recording, std::size_t limit) {
         cables.push_back(static_cast<std::int32_t>(i));
     for (const std::int32_t cable : cables)
         if (recording.cables[static_cast<std::size_t>(cable)].elements > 0)
-            series.cables.push_back({.cable = cable});
+            series.cables.push_back(
+                {.cable = cable, .name = recording.cables[static_cast<std::size_t>(cable)].name});
     for (const std::int32_t body : chosen_bodies(recording, limit)) {
         const BodyKind kind = recording.bodies[static_cast<std::size_t>(body)].kind;
         series.bodies.push_back(
@@ -80,19 +123,39 @@ Series collect_series(const Recording& recording, std::size_t limit) {
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
         Frame frame = recording.frame(i);
         // Before the first step no tension is known: the curves begin with the next frame's.
-        if (i == 0 && frame.step == 0 && recording.frame_count() > 1)
-            frame.tensions = recording.frame(1).tensions;
+        if (i == 0 && frame.step == 0 && recording.frame_count() > 1) {
+            const Frame next = recording.frame(1);
+            frame.tensions = next.tensions;
+            frame.wires = next.wires;
+            frame.pulls = next.pulls;
+        }
+        add_pieces(series, recording, frame);
         series.time.push_back(frame.time);
-        for (CableSeries& s : series.cables)
-            append(s, recording.cables[static_cast<std::size_t>(s.cable)], frame);
+        for (CableSeries& s : series.cables) append(s, recording, frame);
         for (BodySeries& s : series.bodies) append(s, recording, frame);
     }
+    for (const RecordedTake& take : recording.takes) series.takes.push_back(take.frames);
     if (all && series.cables.size() > limit) {
         std::stable_sort(series.cables.begin(), series.cables.end(),
                          [](const auto& a, const auto& b) { return a.peak > b.peak; });
         series.cables.resize(limit);
     }
     return series;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> stretches(const Series& series,
+                                                           const std::vector<double>& values) {
+    std::vector<std::pair<std::size_t, std::size_t>> out;
+    bool open = false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool there = std::isfinite(values[i]);
+        const bool other =
+            std::find(series.takes.begin(), series.takes.end(), i) != series.takes.end();
+        if (there && (!open || other)) out.emplace_back(i, i);
+        if (there) out.back().second = i + 1;
+        open = there;
+    }
+    return out;
 }
 
 std::string parameter_line(const Recording& recording) {

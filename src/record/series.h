@@ -6,7 +6,10 @@
 #include <hawser/recording.h>
 
 #include <array>
+#include <cstddef>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace hawser::record {
@@ -16,10 +19,13 @@ inline constexpr double kDegrees = 180.0 / std::numbers::pi;  ///< In one radian
 /// Roll, pitch and yaw [rad]: rotation about x, then y, then z of the world.
 [[nodiscard]] Vec3 euler_angles(const Quat& q);
 
+/// Tension in a cable, or in a piece that was cut off it, whatever nodes have come and gone; NaN in
+/// frames in which there is none.
 struct CableSeries {
-    std::int32_t cable = 0;
+    std::int32_t cable = 0;                   ///< Of a piece: that which it was cut off.
+    std::string name{};                       ///< Of the piece, as "tow/2".
     std::vector<double> first{}, last{};      ///< Tension at both ends [N].
-    std::vector<double> lowest{}, highest{};  ///< Over the cable's elements [N].
+    std::vector<double> lowest{}, highest{};  ///< Over the elements there are [N].
     double peak = 0.0;                        ///< Largest of `highest` [N].
 };
 
@@ -31,7 +37,8 @@ struct BodySeries {
 };
 
 struct Series {
-    std::vector<double> time;  ///< [s]
+    std::vector<double> time;        ///< [s]
+    std::vector<std::size_t> takes;  ///< Places at which the run went to another state of its own.
     std::vector<CableSeries> cables;
     std::vector<BodySeries> bodies;
 };
@@ -39,6 +46,11 @@ struct Series {
 /// The cables and bodies that the scene wants plotted; without such a wish the cables under
 /// most tension and the rigid bodies, at most `limit` of each.
 [[nodiscard]] Series collect_series(const Recording& recording, std::size_t limit = 12);
+
+/// Stretches [begin, end) in which a curve is one line: it breaks where the run went to another
+/// state, and where there is no value.
+[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> stretches(
+    const Series& series, const std::vector<double>& values);
 
 /// One line with step, form, duration, hash, instruction set and version.
 [[nodiscard]] std::string parameter_line(const Recording& recording);

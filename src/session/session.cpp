@@ -10,6 +10,7 @@
 #include "record/recording_writer.h"
 #include "record/scene_info.h"
 #include "record/snapshot_file.h"
+#include "session/run_notes.h"
 #include "session/timeline.h"
 #include "verify/certificate.h"
 
@@ -48,6 +49,7 @@ struct Session::Impl {
     std::size_t places = 0;
     Output<record::RecordingWriter> recording;
     std::unique_ptr<record::RecordingListener> listener;  ///< Of the recording.
+    session::RunNotes notes;
     Output<record::CsvWriter> table;
     std::unique_ptr<verify::Verifier> verifier;
     std::vector<Observer*> observers;
@@ -117,6 +119,7 @@ struct Session::Impl {
         for (const SystemSignal& s : world().system_signals()) {
             if (!s.input || s.system + "." + s.name != name) continue;
             world().set_system_signal(name, value);
+            if (recording.to) notes.signal(world(), *recording.to, name, value);
             return true;
         }
         return false;
@@ -263,6 +266,7 @@ void Session::set_input(std::string_view name, double value) {
 void Session::restore(const Structure& made_of, std::span<const std::byte> state) {
     World& world = impl_->world();
     world.restore(made_of, state);
+    impl_->notes.clear();
     impl_->timeline.skip(impl_->scene.timeline, world);
     // Values before the step that led to this state were in force in it.
     const double last = session::last_done(world);
@@ -299,6 +303,7 @@ void Session::record(const std::filesystem::path& file, std::int32_t every) {
 void Session::Impl::open_recording(const std::filesystem::path& file, std::int32_t every) {
     World& world = this->world();
     const WorldDef& settings = world.settings();
+    notes.clear();
     recording = {std::make_unique<record::RecordingWriter>(
                      file, info, world,
                      record::RecordingSettings{.step = settings.step,
@@ -341,6 +346,7 @@ Status Session::step() {
     World& world = impl_->world();
     impl_->last = Status::bad_edit;  // should that throw
     impl_->timeline.take(impl_->scene.timeline, world);
+    if (impl_->recording.to) impl_->notes.operations(world, *impl_->recording.to, operations());
     impl_->take_controls();
     if (impl_->listener) impl_->listener->flush();
     for (Observer* observer : impl_->observers) observer->before_step(world);

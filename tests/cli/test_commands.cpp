@@ -344,6 +344,17 @@ TEST(Inspect, PrintsSizesAndDrawsTheMatrix) {
     for (const char* line : {"205000 kg at a draught of 2 m", "KB               1 m",
                              "BM               4.16666667 m", "GM               3.16666667 m"})
         EXPECT_NE(hull.out.find(line), std::string::npos) << line << hull.out;
+    // With the tide of the start; the box lies 2 m deep in it.
+    std::string tide = read_text("scenes/floating_box.json");
+    tide.replace(tide.find("[0, 0, 0]"), 9, "[0, 0, 6]");
+    tide.replace(tide.find("\"depth\": 150"), 12,
+                 R"("depth": 150, "level": [{"time": 0, "level": 6}])");
+    write_text(folder / "tide.json", tide);
+    const Outcome high = run_program({"inspect", folder / "tide.json", "--hydrostatics"});
+    ASSERT_EQ(high.code, 0) << high.err;
+    for (const char* line : {"205000 kg of water, 200 m³, under z = 6 m",
+                             "205000 kg at a draught of 2 m", "centre of mass at z = 6 m"})
+        EXPECT_NE(high.out.find(line), std::string::npos) << line << high.out;
     EXPECT_EQ(run_program({"inspect", kMooring, "--hydrostatics"}).code, 1);
     const Outcome inspect = run_program({"inspect", kMooring, "-o", folder});
     ASSERT_EQ(inspect.code, 0) << inspect.err;

@@ -67,7 +67,7 @@ TEST(PartedCables, AreDrawnInPiecesWithTheirEndsMarked) {
 TEST(PartedCables, TensionIsDrawnAlongThem) {
     record::Recording recording = record_parting();
     const record::Series series = record::collect_series(recording);
-    const auto drawing = draw::plot_wires(recording, series);
+    const auto drawing = draw::plot_wires(recording, series, recording.frame_count() - 1);
     ASSERT_TRUE(drawing);
     const std::string svg = draw::to_svg(*drawing);
     for (const char* text : {"tension [N]", "unstretched length from the first end [m]",
@@ -75,7 +75,7 @@ TEST(PartedCables, TensionIsDrawnAlongThem) {
         EXPECT_NE(svg.find(text), std::string::npos) << text;
     recording.cables.clear();
     recording.plot_cables.clear();
-    EXPECT_FALSE(draw::plot_wires(recording, record::collect_series(recording)));
+    EXPECT_FALSE(draw::plot_wires(recording, record::collect_series(recording), 0));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "record/small_scene.h"
 
 #include <gtest/gtest.h>
+#include <hawser/session.h>
 
 #include <algorithm>
 #include <cmath>
@@ -111,26 +112,73 @@ TEST(SpaceView, CutsPolygonsAtTheWater) {
     EXPECT_EQ(draw::clipped(square, 5.0, false).size(), 4U);
 }
 
+/// A buoy in water whose level a tide raises, and a hand by 4 m after half a second.
+record::Recording record_tide(const std::filesystem::path& file) {
+    SessionDef def;
+    def.scene_text = R"({"version": 1, "name": "tide", "settings": {"step": 0.05},
+      "bodies": [{"name": "buoy", "kind": "lump", "position": [0, 0, 9], "mass": 1000},
+                 {"name": "mark", "kind": "fixed", "position": [2, 0, 5]}],
+      "sea": {"depth": 30, "level": [{"time": 0, "level": 2}, {"time": 2, "level": 3}],
+              "bodies": [{"body": "buoy", "volume": 2, "drag_area": [1, 1, 1]}]},
+      "timeline": [{"at": 0.5, "set": {"sea.level": 4}}]})";
+    def.record = file;
+    Session session(def);
+    for (int i = 0; i < 40; ++i) EXPECT_EQ(session.step(), Status::ok) << i;
+    (void)session.finish();
+    return record::Recording::open(file);
+}
+
+/// Height in the picture of the line of still water of a side view; nothing where none is drawn.
+std::optional<double> water_line(const record::Recording& r, std::size_t frame) {
+    const auto drawing =
+        draw::plot_views(r, record::collect_series(r), frame, {.shown = draw::Shown::side});
+    for (const draw::Shape& shape : drawing.value().shapes)
+        if (const auto* path = std::get_if<draw::Path>(&shape);
+            path != nullptr && path->width == 1.4 && path->points.size() == 2 &&
+            path->stroke.r == 70 && path->stroke.g == 130 && path->stroke.b == 180)
+            return path->points[0].y;
+    return std::nullopt;
+}
+
+TEST(SpaceView, WaterStandsWhereItStoodThen) {
+    const record::Recording r = record_tide(fresh_folder() / "r.hwr");
+    ASSERT_EQ(r.frame_count(), 41U);
+    // The tide of each time; 4 m more once the step from 0.5 s has been taken.
+    for (std::size_t f = 0; f < r.frame_count(); ++f) {
+        const record::Frame frame = r.frame(f);
+        const double level = 2.0 + 0.5 * frame.time + (frame.time > 0.501 ? 4.0 : 0.0);
+        EXPECT_NEAR(draw::water_of(r, frame).level.value(), level, 1e-12) << frame.time;
+        EXPECT_EQ(draw::water_of(r, frame).seabed, -30.0) << "does not rise with the tide";
+    }
+    // The picture begins at 5 m: water at z = 0 or 2 m would be below it.
+    EXPECT_FALSE(water_line(r, 0));
+    const auto low = water_line(r, 12), high = water_line(r, 39);
+    ASSERT_TRUE(low && high);
+    EXPECT_LT(*high, *low) << "pictures count down";
+    const auto space = draw::plot_space(r, record::collect_series(r), 39, {});
+    EXPECT_TRUE(space);
+}
+
 TEST(SpaceView, FindsWaterAndSeabedOfAScene) {
     SmallScene scene;
     const auto file = fresh_folder() / "r.hwr";
     scene.record(file, 3);
     record::Recording r = record::Recording::open(file);
-    EXPECT_FALSE(draw::water_of(r).level);
+    EXPECT_FALSE(draw::water_of(r, r.frame(0)).level);
     r.scene_text = R"({"sea": {"depth": 80}})";
-    EXPECT_EQ(draw::water_of(r).level, 0.0);
-    EXPECT_EQ(draw::water_of(r).seabed, -80.0);
+    EXPECT_EQ(draw::water_of(r, r.frame(0)).level, 0.0);
+    EXPECT_EQ(draw::water_of(r, r.frame(0)).seabed, -80.0);
     r.scene_text = R"({"interactions": [{"kind": "hinge"}, {"kind": "hydrostatic"}]})";
-    EXPECT_EQ(draw::water_of(r).level, 0.0);
-    EXPECT_FALSE(draw::water_of(r).seabed);
+    EXPECT_EQ(draw::water_of(r, r.frame(0)).level, 0.0);
+    EXPECT_FALSE(draw::water_of(r, r.frame(0)).seabed);
     r.outlines.push_back({.body = 0,
                           .kind = record::OutlineKind::plane,
                           .points = {Vec3(0, 0, -30), Vec3::UnitZ()}});
-    EXPECT_EQ(draw::water_of(r).seabed, -30.0);
+    EXPECT_EQ(draw::water_of(r, r.frame(0)).seabed, -30.0);
     for (const char* text : {"", "[]", "{", "{\"sea\": 3}", "{\"interactions\": [1, {}]}",
                              "{\"sea\": {\"depth\": \"x\"}}"}) {
         r.scene_text = text;
-        EXPECT_NO_THROW((void)draw::water_of(r)) << text;
+        EXPECT_NO_THROW((void)draw::water_of(r, r.frame(0))) << text;
     }
 }
 

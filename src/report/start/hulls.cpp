@@ -17,7 +17,7 @@ constexpr double kDisplacementOff = 0.01;
 void check_hulls(const World& world, Findings& out) {
     const SeaDef* sea = find_sea(world);
     if (sea == nullptr) return;
-    const double level = Sea(*sea, world.settings().gravity.norm()).tide(world.time());
+    const double level = still_water(world);
     for (const WaterHull& hull : sea->hulls) {
         const BodyDef& def = world.body_def(hull.body);
         // What does not move floats anywhere, and what has no weight floats on nothing.

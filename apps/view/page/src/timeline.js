@@ -3,6 +3,7 @@
 import {$, clock, el} from './dom.js';
 
 const kShown = 12;
+const often = ['slack', 'taut', 'more'];   // would cover the line
 const bad = /break|fail|overload|alarm|part|diverg/;
 
 export class Timeline {
@@ -27,7 +28,7 @@ export class Timeline {
     }
 
     setEvents(events) {
-        this.events = events;
+        this.events = (events ?? []).filter(e => !often.includes(e.kind));
         this.paintMarks();
         $('events').replaceChildren();
     }
@@ -70,7 +71,7 @@ export class Timeline {
 
     /// Something happened: shown, and told to screen readers.
     tell(event) {
-        if (['slack', 'taut', 'more'].includes(event.kind)) return;
+        if (often.includes(event.kind)) return;
         const words = event.words ?? `${event.name} ${event.kind}`;
         const item = el('li', {className: bad.test(event.kind) ? 'bad' : 'note', textContent: `${clock(event.time)} ${words}`});
         $('events').prepend(item);
