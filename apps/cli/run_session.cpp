@@ -124,12 +124,6 @@ void RunSession::add_observers() {
     collector_ = std::make_unique<report::SummaryCollector>(info_, world);
     session_.observe(*collector_);
     const std::vector<CutView> cuts = world.cuts();
-    const bool may_split = !cuts.empty() && (world.settings().budget > 0.0 ||
-                                             world.settings().coupling != Coupling::deadline);
-    if (may_split && options_.verify)
-        throw std::runtime_error(
-            "--verify checks momentum, which a split does not keep; use "
-            "--coupling exact");
     if (std::any_of(cuts.begin(), cuts.end(),
                     [](const CutView& c) { return c.coupling != Coupling::deadline; })) {
         coupling_ = std::make_unique<verify::CouplingObserver>(world);

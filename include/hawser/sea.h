@@ -8,7 +8,7 @@
 /// hawser::SeaDef sea{.depth = 150.0};
 /// sea.waves.push_back({.kind = hawser::WaveKind::jonswap, .height = 3.0, .period = 9.0});
 /// sea.current.push_back({.depth = 0.0, .speed = 0.8, .direction = 0.0});
-/// sea.lines.push_back({.wire = tow, .diameter = 0.076, .cd_normal = 1.8});
+/// sea.lines.push_back({.wire = tow, .sections = {{20, {.diameter = 0.076, .cd_normal = 1.8}}}});
 /// world.add(sea);
 /// world.set_system_signal("sea.waves", 0.5);     // half as high from now on
 /// ```

@@ -44,7 +44,7 @@ struct SessionDef {
     std::string record{};            ///< Recording to write.
     std::string csv{};               ///< Table of tensions and motions to write.
     std::int32_t every = 1;          ///< Steps from one frame and row to the next, 1 to 10⁶.
-    bool verify = false;             ///< Judge each step by the verifier (docs/methods.md, 8).
+    bool verify = false;             ///< Judge each step by the verifier; exact coupling alone.
 };
 
 class Session {

@@ -97,8 +97,10 @@ struct Event {
     EventKind kind = EventKind::warning;
     InteractionId interaction{};  ///< Where; invalid for what concerns the whole world.
     double value = 0.0;           ///< See EventKind.
-    InputId input{};              ///< Of input_clamped: which one.
-    BodyId body{};                ///< Where, if that is a body.
+    /// Of input_clamped: which one; of a system, which has no id, index −2 less its place in
+    /// World::system_signals().
+    InputId input{};
+    BodyId body{};  ///< Where, if that is a body.
 };
 
 /// What stays of the events of a kind, however many there were.

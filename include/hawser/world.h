@@ -122,7 +122,7 @@ class World {
     [[nodiscard]] std::span<const SystemSignal> system_signals() const noexcept;
     /// By "system.name". @throws DefError where there is none, with the nearest name.
     [[nodiscard]] double system_signal(std::string_view name) const;
-    /// Clamped to its range. @throws DefError: there is no such input, or the value is not finite.
+    /// Clamped to its range, with an event. @throws DefError: no such input, or it is not finite.
     void set_system_signal(std::string_view name, double value);
     /// Loads of systems in the last step, or the one that failed, by body; good until the next.
     [[nodiscard]] std::vector<LoadView> loads() const;

@@ -39,6 +39,10 @@ void check(World& world, const HookDef& def) {
     for (const double force : {def.strength, def.latch})
         if (!(force > 0.0 && force <= 1e30))
             refuse(def, "strength and latch are forces above 0 [N]; leave them out for none");
+    if (def.latch < HookDef{}.latch && def.latch > def.strength)
+        refuse(def, "latch = " + number(def.latch) +
+                        " N is above strength = " + number(def.strength) +
+                        " N, at which the hook opens by itself; give a latch below it");
     for (std::size_t i = 0; i < crane::kMostEyes; ++i)
         if (world.find_interaction(crane::leg_name(def.name, i)).valid())
             refuse(def, "the interaction '" + crane::leg_name(def.name, i) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/told.h"
 
+#include "record/event_input.h"
 #include "record/scene_info.h"
 #include "record/units.h"
 #include "record/verdict_words.h"
@@ -82,7 +83,7 @@ std::string event_words(const std::string& where, EventKind kind, double value) 
 }
 
 std::string event_place(const World& world, const Event& event) {
-    if (event.input.valid() && world.alive(event.input)) return world.input_def(event.input).name;
+    if (std::string input = record::input_label(world, event); !input.empty()) return input;
     if (event.kind == EventKind::line_break && event.interaction.valid())
         return record::parted_label(world, event.interaction);
     return record::place_label(world, event.interaction, event.body);

@@ -95,7 +95,7 @@ std::string finite_fault(const WaveCoefficients& c) {
 Matrix6 largest_diagonal(const std::vector<Matrix6>& all) {
     Matrix6 out = Matrix6::Zero();
     for (const Matrix6& m : all)
-        for (int i = 0; i < 6; ++i) out(i, i) = std::max(out(i, i), m(i, i));
+        for (int i = 0; i < 6; ++i) out(i, i) = std::max(out(i, i), std::abs(m(i, i)));
     return out;
 }
 

@@ -106,7 +106,10 @@ void SeaSystem::signals(SignalTable& table) {
     table.input("current", "1", in_.current, -10.0, 10.0);
     table.input("wind", "m/s", in_.wind, 0.0, 100.0);
     table.input("wind_direction", "rad", in_.wind_direction, -1e3, 1e3);
-    table.input("level", "m", in_.level, -100.0, 100.0);
+    // A hundredth of the water at the lowest tide stays: there is no sea below the bottom.
+    double lowest = def_.level.empty() ? 0.0 : def_.level.front().level;
+    for (const SeaLevel& l : def_.level) lowest = std::min(lowest, l.level);
+    table.input("level", "m", in_.level, std::max(-100.0, -0.99 * (def_.depth + lowest)), 100.0);
     table.output("elevation", "m", elevation_);
     table.output("gust", "m/s", gust_);
     table.output("tide", "m", tide_);

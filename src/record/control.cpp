@@ -35,8 +35,9 @@ std::vector<Field> split(std::string_view line) {
 
 class Parser {
   public:
-    Parser(const std::string& file, std::span<const std::string> inputs)
-        : file_(file), inputs_(inputs) {}
+    Parser(const std::string& file, std::span<const std::string> inputs,
+           std::span<const ControlRange> ranges)
+        : file_(file), inputs_(inputs), ranges_(ranges) {}
 
     void line(std::string_view line) {
         ++line_;
@@ -101,7 +102,18 @@ class Parser {
                  fmt::format("time {} is before the previous line's {}", time, last_time_));
         last_time_ = time;
         for (std::size_t i = 1; i < fields.size(); ++i)
-            if (!fields[i].text.empty()) changes_.push_back({time, columns_[i], number(fields[i])});
+            if (!fields[i].text.empty())
+                changes_.push_back({time, columns_[i], value_of(columns_[i], fields[i])});
+    }
+
+    [[nodiscard]] double value_of(std::int32_t input, const Field& field) const {
+        const double value = number(field);
+        const auto i = static_cast<std::size_t>(input);
+        if (!ranges_.empty() && !(value >= ranges_[i].min && value <= ranges_[i].max))
+            fail(field.column,
+                 fmt::format("{} is not within the range of the input \"{}\", {:.6g} to {:.6g}",
+                             field.text, inputs_[i], ranges_[i].min, ranges_[i].max));
+        return value;
     }
 
     [[nodiscard]] double number(const Field& field) const {
@@ -115,6 +127,7 @@ class Parser {
 
     const std::string& file_;
     std::span<const std::string> inputs_;
+    std::span<const ControlRange> ranges_;
     std::vector<std::int32_t> columns_;  // Input of each column; −1 for time.
     std::vector<ControlChange> changes_;
     std::size_t line_ = 0;
@@ -124,8 +137,9 @@ class Parser {
 }  // namespace
 
 std::vector<ControlChange> parse_control(std::string_view text, const std::string& file,
-                                         std::span<const std::string> inputs) {
-    Parser parser(file, inputs);
+                                         std::span<const std::string> inputs,
+                                         std::span<const ControlRange> ranges) {
+    Parser parser(file, inputs, ranges);
     while (!text.empty()) {
         const std::size_t end = text.find('\n');
         parser.line(text.substr(0, end));
@@ -135,11 +149,12 @@ std::vector<ControlChange> parse_control(std::string_view text, const std::strin
 }
 
 std::vector<ControlChange> read_control(const std::filesystem::path& file,
-                                        std::span<const std::string> inputs) {
+                                        std::span<const std::string> inputs,
+                                        std::span<const ControlRange> ranges) {
     std::string text;
     if (const std::string fault = read_file(file, text); !fault.empty())
         throw ControlError(fmt::format("{}: {}", file.string(), fault));
-    return parse_control(text, file.string(), inputs);
+    return parse_control(text, file.string(), inputs, ranges);
 }
 
 }  // namespace hawser::record

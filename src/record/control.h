@@ -22,6 +22,11 @@ struct ControlError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// What an input takes.
+struct ControlRange {
+    double min = -1e300, max = 1e300;
+};
+
 struct ControlChange {
     double time = 0.0;  ///< [s]
     std::int32_t input = 0;
@@ -29,11 +34,13 @@ struct ControlChange {
 };
 
 /// @param inputs Names of the world's inputs in their order.
-/// @throws ControlError.
+/// @param ranges Of each; empty: none has one. @throws ControlError, for what is not within it too.
 [[nodiscard]] std::vector<ControlChange> read_control(const std::filesystem::path& file,
-                                                      std::span<const std::string> inputs);
+                                                      std::span<const std::string> inputs,
+                                                      std::span<const ControlRange> ranges = {});
 [[nodiscard]] std::vector<ControlChange> parse_control(std::string_view text,
                                                        const std::string& file,
-                                                       std::span<const std::string> inputs);
+                                                       std::span<const std::string> inputs,
+                                                       std::span<const ControlRange> ranges = {});
 
 }  // namespace hawser::record

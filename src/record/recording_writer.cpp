@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording_writer.h"
+#include "record/event_input.h"
 
 #include "record/files.h"
 #include "record/layout_writer.h"
@@ -267,8 +268,10 @@ void RecordingWriter::add_event(const World& world, const Event& event) {
     payload_.put(static_cast<std::uint8_t>(event.kind));
     payload_.put(in_range(event.value));
     const bool parts = event.kind == EventKind::line_break && event.interaction.valid();
-    payload_.put_text(parts ? parted_label(world, event.interaction)
-                            : place_label(world, event.interaction, event.body));
+    const std::string input = input_label(world, event);
+    payload_.put_text(parts            ? parted_label(world, event.interaction)
+                      : !input.empty() ? input
+                                       : place_label(world, event.interaction, event.body));
     write_chunk(kEventChunk);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "record/event_input.h"
 #include "record/units.h"
 #include "report/summary.h"
 
@@ -180,8 +181,8 @@ std::string told(const EventFigures& e, const ListedEvent& event) {
 }
 
 std::string place_in_words(const World& world, const Event& event) {
-    if (event.input.valid())
-        return "the input " + record::name_in_quotes(world.input_def(event.input).name);
+    if (const std::string input = record::input_label(world, event); !input.empty())
+        return "the input " + record::name_in_quotes(input);
     if (!event.interaction.valid() && event.body.valid())
         return record::name_in_quotes(record::body_label(world, event.body));
     return record::interaction_in_words(world, event.interaction);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/summary.h"
 
+#include "record/event_input.h"
 #include "record/host.h"
 #include "record/series.h"
 
@@ -12,6 +13,11 @@
 namespace hawser::report {
 
 namespace {
+
+std::string place_of(const World& world, const Event& event) {
+    std::string input = record::input_label(world, event);
+    return input.empty() ? record::place_label(world, event.interaction, event.body) : input;
+}
 
 constexpr double kMilliseconds = 1e3;
 
@@ -89,10 +95,7 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
         const bool line = event.kind == EventKind::slack || event.kind == EventKind::taut;
         if (listed_[line ? 0 : 1]++ < kListedEvents)
             summary_.events.push_back(
-                {event.time, to_string(event.kind),
-                 event.input.valid() ? world.input_def(event.input).name
-                                     : record::place_label(world, event.interaction, event.body),
-                 event.value});
+                {event.time, to_string(event.kind), place_of(world, event), event.value});
     }
     summary_.degradations.after_step(stats);
     watch_contacts(world);

@@ -44,12 +44,10 @@ class Reader {
         : world_(world), words_(words), levers_(levers) {
         for (const WireId id : world.wires()) {
             const auto elements = world.elements(id);
-            const auto wound = [&](InteractionId e) {
-                return kind_info(world.interaction_def(e).kind).is(kWoundUp);
-            };
-            // What a drum pays out has no end that is known before.
-            wires_[world.wire_name(id)] =
-                wound(elements.front()) || wound(elements.back()) ? kDefault : world.length(id);
+            Length& one = wires_[world.wire_name(id)];
+            one.stored[0] = stored_at(elements.front());
+            if (elements.size() > 1) one.stored[1] = stored_at(elements.back());
+            one.most = world.length(id) + one.stored[0] + one.stored[1];
         }
     }
 
@@ -126,12 +124,22 @@ class Reader {
                                                            const Place& place) const {
         const auto lever = std::find_if(levers_.begin(), levers_.end(),
                                         [&](const SignalInput& l) { return l.name == name; });
-        if (lever == levers_.end()) return {name, value_of(name, json, place)};
+        if (lever == levers_.end()) {
+            const double value = value_of(name, json, place);
+            for (const SystemSignal& s : world_.system_signals())
+                if (s.system + "." + s.name == name) check_range(value, s.min, s.max, place);
+            return {name, value};
+        }
         const double value = value_of(lever->signal, json, place);
-        if (!(value >= lever->min && value <= lever->max))
-            refuse(place, fmt::format("{:.6g} is not within the input's range, {:.6g} to {:.6g}",
-                                      value, lever->min, lever->max));
+        check_range(value, lever->min, lever->max, place);
         return {lever->signal, lever->factor * value};
+    }
+
+    /// What a signal would be clamped to is not what was meant.
+    static void check_range(double value, double min, double max, const Place& place) {
+        if (!(value >= min && value <= max))
+            refuse(place, fmt::format("{:.6g} is not within the input's range, {:.6g} to {:.6g}",
+                                      value, min, max));
     }
 
     void read_cut(Operation& out, const Json& json, const Place& place) {
@@ -139,13 +147,30 @@ class Reader {
         out.wire = wire(json, "cut", place);
         if (!json.contains("s")) refuse(place, "a cut needs the key \"s\", where along the wire");
         out.s = json["s"].get<double>();
-        double& length = wires_[out.wire];
-        if (out.s >= length)
-            refuse(place / "s",
-                   fmt::format("the wire {} is {:.6g} m long then", in_quotes(out.wire), length));
-        const double rest = length - out.s;
-        if (!std::isnan(length)) length = out.s;
+        Length& length = wires_[out.wire];
+        const double stored = length.stored[0] + length.stored[1];
+        if (out.s >= length.most)
+            refuse(
+                place / "s",
+                fmt::format("the wire {} is {:.6g} m long then{}", in_quotes(out.wire), length.most,
+                            stored > 0.0 ? ", with all that its winches have stored" : ""));
+        // The first piece keeps the drum at the first end, the other one that at the last.
+        Length rest{.most = length.most - out.s, .stored = {0.0, length.stored[1]}};
+        length.most = std::min(length.most, out.s + length.stored[0]);
+        length.stored[1] = 0.0;
         wires_[next_piece(out.wire)] = rest;
+    }
+
+    /// What a drum can pay out still by the end of a wire [m]; of one without an account more than
+    /// there can be.
+    [[nodiscard]] double stored_at(InteractionId element) const {
+        const InteractionDef& def = world_.interaction_def(element);
+        if (!kind_info(def.kind).is(kWoundUp)) return 0.0;
+        const std::string& drum = world_.body_def(def.body[2]).name;
+        const std::string winch = drum.substr(0, drum.rfind('/'));
+        for (const SystemSignal& s : world_.system_signals())
+            if (s.system == winch && s.name == "wire_left") return *s.value;
+        return 1e30;
     }
 
     /// Name that World::cut() gives the next piece of a wire: "tow/2", "tow/3" …
@@ -208,7 +233,10 @@ class Reader {
         if (out.gear.gear != Gear::splice) return;
         if (out.other == out.wire)
             refuse(place / "to", "a splice would close it to a ring; give \"gear\"");
-        wires_[out.wire] += wires_[out.other];
+        Length& joined = wires_[out.wire];
+        const Length& other = wires_[out.other];
+        joined.most += other.most;
+        for (const std::size_t end : {0U, 1U}) joined.stored[end] += other.stored[end];
         wires_.erase(out.other);
     }
 
@@ -223,7 +251,11 @@ class Reader {
     const World& world_;
     const InputWords& words_;
     const std::span<const SignalInput> levers_;
-    std::map<std::string, double> wires_;  ///< With their lengths [m]; NaN: not known.
+    struct Length {
+        double most = 0.0;              ///< That it can have by then [m].
+        double stored[2] = {0.0, 0.0};  ///< Of it what drums have at its ends, or had [m].
+    };
+    std::map<std::string, Length> wires_;
     std::vector<std::string> hooks_, named_;
 };
 

@@ -4,6 +4,8 @@
 #include "scene/description.h"
 #include "scene/line_types.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -196,6 +198,13 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
         refuse(place / "element", "chain is paid out by whole links; give a multiple of " +
                                       std::to_string(section.link) +
                                       " m, the \"link\" of its line type");
+    for (const Resolution& fine : out.resolutions)
+        if (fine.cable == winch.cable && json.contains("element") &&
+            def.element > fine.def.max_length)
+            refuse(place / "element",
+                   fmt::format("{:.6g} m is above \"max_length\" of the resolution of its cable, "
+                               "{:.6g} m: what it pays out would be divided at once",
+                               def.element, fine.def.max_length));
     if (def.element > 0.0) give_mass(out, cable, def, place);
     winch.place = out.keep(place);
     const BodyId wound = add_wheel(out, winch);

@@ -193,6 +193,17 @@ std::vector<std::string> signal_names(const scene::Scene& scene) {
     return names;
 }
 
+/// What a control file may set them to; inputs of the world are clamped as the run goes on.
+std::vector<record::ControlRange> signal_ranges(const scene::Scene& scene, std::size_t places) {
+    const World& world = scene.world;
+    std::vector<record::ControlRange> ranges(places);
+    for (const scene::SignalInput& input : scene.signal_inputs)
+        ranges.push_back({input.min, input.max});
+    for (const SystemSignal& s : world.system_signals())
+        if (s.input) ranges.push_back({s.min, s.max});
+    return ranges;
+}
+
 void check_every(std::int32_t every) {
     if (every < 1 || every > 1'000'000)
         throw DefError(
@@ -225,7 +236,8 @@ Session::Session(scene::Scene scene, const SessionDef& def)
         impl_->places = names.size();
         impl_->signals = signal_names(impl_->scene);
         names.insert(names.end(), impl_->signals.begin(), impl_->signals.end());
-        impl_->control = record::read_control(def.control, names);
+        impl_->control =
+            record::read_control(def.control, names, signal_ranges(impl_->scene, impl_->places));
         impl_->go_on_with_controls();
     }
     if (!def.record.empty()) record(def.record, def.every);

@@ -43,6 +43,10 @@ Mat3 cross_matrix(const Vec3& a) {
 }
 
 Verifier::Verifier(const World& world) : step_(world.settings().step), states_(world), sea_(world) {
+    // Where there are no groups yet, or no time was short yet, they may come to be split.
+    if (world.settings().coupling != Coupling::exact)
+        throw DefError(
+            "--verify checks momentum, which a split does not keep; use --coupling exact");
     follow(world);
     result_.covered_bodies = result_.moving_bodies;
 }

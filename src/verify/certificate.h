@@ -57,7 +57,7 @@ struct Verification {
 class Verifier : public Observer {
   public:
     /// What is added and removed from now on, it follows. A step in which systems do that is not
-    /// judged.
+    /// judged. @throws DefError where groups of bodies may be split: coupling is not exact.
     explicit Verifier(const World& world);
     /// Another state has been restored: judges go on from there. What the water has of wires is
     /// that of the start, at which it was made.

@@ -243,6 +243,9 @@ RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
         path += lies.back();
     }
     const double length = std::isnan(def.length) ? path / (1.0 + def.tension / def.EA) : def.length;
+    if (path > 1.5 * length)
+        refuse(def, "its way over its places is " + number(path) + " m long, but it has " +
+                        number(length) + " m, and no line stretches by half; give it more length");
     for (std::size_t i = 0; i < straight.size(); ++i) {
         const bool to_end = i + 1 == straight.size();
         out.parts.push_back(part_between(def, corners[i], corners[i + 1], straight[i], lies[i],

@@ -79,6 +79,13 @@ wire::DrumGeometry drum_of(const WinchDef& def) {
     }
     if (drum.layers() < 1)
         refuse(def, "flange_radius = " + number(def.flange_radius) + " m: no layer fits below it");
+    // Drums usually keep as many as the default; a short wire may have less than that.
+    const WinchDef usual;
+    if (const double wraps = drum.place(def.stored).wraps;
+        def.dead_wraps > usual.dead_wraps && def.dead_wraps > wraps)
+        refuse(def, "dead_wraps = " + number(def.dead_wraps) +
+                        ", but stored = " + number(def.stored) + " m are " + number(wraps) +
+                        " wraps: the motor would pay out nothing; give fewer");
     if (def.stored > drum.capacity())
         refuse(def, "stored = " + number(def.stored) + " m, but the drum holds " +
                         number(drum.capacity()) + " m in " + std::to_string(drum.layers()) +
@@ -122,6 +129,11 @@ double element_of(const World& world, const WinchDef& def) {
     const bool asked = !std::isnan(def.element);
     if (asked && def.element == 0.0) return 0.0;
     if (asked) check_number(def, "element", def.element, 0.0, true);
+    if (asked && def.element < def.wire_diameter)
+        refuse(def, "element = " + number(def.element) + " m is shorter than its wire is thick, " +
+                        number(def.wire_diameter) +
+                        " m, and would make as many nodes; give the length of an element, or 0 "
+                        "for one that grows");
     const bool wound = kind_info(world.interaction_def(at_drum).kind).is(kWoundUp);
     const bool single = wound && elements.size() == 1;  // of which all is the drum's
     if ((!(mass > 0.0) && !(asked && single)) || !(def.mass_per_length > 0.0)) {

@@ -68,6 +68,12 @@ void World::set_system_signal(std::string_view name, double value) {
         throw DefError("signal '" + std::string(name) + "': value = " + world::number(value) +
                        " is not a finite number; give one within its range");
     *s.value = std::clamp(value, s.min, s.max);
+    if (*s.value == value) return;
+    // It has no id of an input; those below 0 stand for signals (record/event_input.h).
+    const auto place = static_cast<std::int32_t>(&s - impl_->systems.signals().data());
+    impl_->ctx.state.events.push(
+        {impl_->ctx.state.time, EventKind::input_clamped, {}, value, InputId{-2 - place}});
+    ++impl_->ctx.work.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
 }
 std::vector<LoadView> World::loads() const { return impl_->ctx.state.loads.view(); }
 const BadLoad& World::bad_load() const noexcept { return impl_->systems.bad; }

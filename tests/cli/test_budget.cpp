@@ -62,9 +62,19 @@ TEST(Budget, OpensCutsWhereNothingElseFitsAndReplaysThem) {
     EXPECT_EQ(d["friction"]["steps"], 0);
     const Outcome replay = run_program({"replay", folder / "r.hwr", "--threads", "2"});
     EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
-    const Outcome verify = run_program({"run", "scenes/anchor_lines.json", "--duration", "0.1",
-                                        "--budget", "1", "--coupling", "deadline", "--verify"});
-    EXPECT_EQ(verify.code, 1);
+}
+
+/// Also where nothing is cut yet: mooring is one group.
+TEST(Verify, NeedsExactCoupling) {
+    for (const char* coupling : {"kinematic", "compliant", "deadline"}) {
+        const Outcome outcome = run_program({"run", "scenes/mooring.json", "--duration", "0.1",
+                                             "--coupling", coupling, "--verify"});
+        EXPECT_EQ(outcome.code, 1) << coupling;
+        EXPECT_NE(outcome.err.find("use --coupling exact"), std::string::npos) << outcome.err;
+    }
+    const Outcome exact = run_program({"run", "scenes/mooring.json", "--duration", "0.1", "--quiet",
+                                       "--coupling", "exact", "--verify"});
+    EXPECT_EQ(exact.code, 0) << exact.err;
 }
 
 TEST(Budget, IsRefusedByOtherMethods) {

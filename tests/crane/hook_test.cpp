@@ -237,7 +237,9 @@ TEST(Hooks, RefuseWhatCannotBe) {
           Row{{.name = "h", .body = block, .loads = {no_eyes}}, "give 1 to 8"},
           Row{{.name = "h", .body = block, .loads = {load}, .take = 2}, "no load 2"},
           Row{{.name = "h", .body = block, .loads = {load}, .take = 1}, "have it taken later"},
-          Row{{.name = "h", .body = block, .loads = {load}, .latch = 0.0}, "above 0"}}) {
+          Row{{.name = "h", .body = block, .loads = {load}, .latch = 0.0}, "above 0"},
+          Row{{.name = "h", .body = block, .loads = {load}, .strength = 1e3, .latch = 2e3},
+              "above strength"}}) {
         const auto hash = w.state_hash();
         const std::string said = test::refusal_of(w, row.def);
         EXPECT_NE(said.find(row.says), std::string::npos) << row.says << " in: " << said;

@@ -28,6 +28,9 @@ TEST(Radiation, CoefficientsThatCannotBeAreRefused) {
     c = good;
     c.damping[7](3, 3) = -c.damping[20](3, 3);
     refused(c, "is not positive semi-definite");
+    c = good;  // All of the wrong sign, as where phases were read by the other convention.
+    for (Matrix6& m : c.damping) m = -m;
+    refused(c, "is not positive semi-definite");
     c = good;
     c.frequency[3] = c.frequency[2];
     refused(c, "they have to ascend");

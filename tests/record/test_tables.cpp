@@ -51,6 +51,22 @@ TEST(Control, ErrorsNameLineColumnAndNearestName) {
     EXPECT_THROW((void)record::read_control("no_such.csv", kInputs), record::ControlError);
 }
 
+TEST(Control, ValuesKeepToTheRangesThereAre) {
+    const record::ControlRange ranges[] = {{0.0, 5.0}, {-1.0, 1.0}, {}};
+    const auto read = [&](const char* text) {
+        return record::parse_control(text, "c.csv", kInputs, ranges);
+    };
+    EXPECT_EQ(read("time,winch1.speed,thrust\n0,5,1e9\n").size(), 2U);
+    try {
+        (void)read("time,winch1.speed,winch2.speed\n0,5,1\n1,,-1.5\n");
+        ADD_FAILURE();
+    } catch (const record::ControlError& error) {
+        EXPECT_STREQ(
+            error.what(),
+            "c.csv:3:4: -1.5 is not within the range of the input \"winch2.speed\", -1 to 1");
+    }
+}
+
 TEST(Control, SurvivesRandomText) {
     std::uint32_t state = 1;
     const std::string alphabet = "time,thrust0123456789.e-\n\r \t#\"\xFF";

@@ -25,6 +25,7 @@ struct Started {
 
     explicit Started(scene::Scene loaded) : scene(std::move(loaded)) {
         info.name = scene.name;
+        info.text = scene.text;
         for (const scene::Cable& c : scene.cables)
             info.cables.push_back({c.name, c.line_type, c.nodes, c.stretch, c.EA, c.breaking_load,
                                    c.length, c.diameter});

@@ -44,6 +44,22 @@ TEST(ReportedEvents, SummaryHasTheSame) {
     EXPECT_EQ(json["events"].size(), report::kListedEvents);
 }
 
+/// Inputs of systems are no inputs of the world, but have names.
+TEST(ReportedEvents, SignalsByTheirNames) {
+    SmallScene scene;
+    scene.world.add(SeaDef{.depth = 20.0});
+    report::SummaryCollector collector(scene.info, scene.world);
+    scene.world.set_system_signal("sea.waves", 1e6);
+    ASSERT_EQ(scene.world.step(), Status::ok);
+    collector.after_step(scene.world, scene.world.take_events());
+    const report::Summary summary = collector.result(scene.world);
+    EXPECT_NE(report::events_in_words(summary).find("the input \"sea.waves\", 1e+06"),
+              std::string::npos)
+        << report::events_in_words(summary);
+    ASSERT_EQ(summary.events.size(), 1U);
+    EXPECT_EQ(summary.events[0].where, "sea.waves");
+}
+
 TEST(ReportedEvents, LinesInWordsAndListsOfTheirOwn) {
     SmallScene scene;
     report::SummaryCollector collector(scene.info, scene.world);

@@ -163,6 +163,77 @@ TEST(Start, HullsThatDoNotCarryTheirMass) {
     EXPECT_NEAR(only(afloat("205000", "0.1"), FindingKind::displacement).value, 2.0 / 1.9, 1e-12);
 }
 
+/// A barge of 205 t with hulls, and more of a scene behind it.
+std::string barge(const std::string& keys, const std::string& hulls, const std::string& more) {
+    return R"("bodies": [{"name": "barge", "mass": 205000, "box": [5, 5, 2])" + keys +
+           R"(}, {"name": "derrick", "mass": 20500, "box": [1, 1, 5], "position": [0, 0, 7]}],
+          "sea": {"depth": 50, "hulls": [)" +
+           hulls + "]}" + more;
+}
+const std::string kHull = R"({"body": "barge", "mesh": {"box": [5, 5, 2]}})";
+constexpr const char* kDeep = R"({"body": "barge", "mesh": {"box": [5, 5, 2]}, "offset":
+          [0, 0, -0.2]})";
+
+TEST(Start, HullsOfABodyFloatTogether) {
+    EXPECT_TRUE(start_of(barge("", kHull, "")).of(FindingKind::displacement).empty());
+    const Finding twice =
+        only(start_of(barge("", kHull + "," + kHull, "")), FindingKind::displacement);
+    EXPECT_NEAR(twice.value, 0.5, 1e-12);
+    EXPECT_NE(twice.text.find("the hulls of \"barge\" displace"), std::string::npos) << twice.text;
+    const Finding weightless =
+        only(start_of(barge(R"(, "gravity": false)", kHull, "")), FindingKind::displacement);
+    EXPECT_NE(weightless.text.find("it rises"), std::string::npos) << weightless.text;
+    const Finding spring = only(start_of(barge("", kHull, R"(, "interactions": [{"name": "float",
+          "kind": "hydrostatic", "bodies": ["barge"], "heave_stiffness": 1e6, "roll_stiffness": 1e7,
+          "pitch_stiffness": 1e7}])")),
+                                FindingKind::displacement);
+    EXPECT_NE(spring.text.find("hydrostatic \"float\""), std::string::npos) << spring.text;
+}
+
+/// What joints hold to a hull, and what lines pull, it carries.
+TEST(Start, HullsCarryWhatHangsOnThem) {
+    const std::string welded = R"(, "interactions": [{"name": "foot", "kind": "lock",
+          "bodies": ["barge", "derrick"], "at": [0, 0, 2]}])";
+    // 0.2 m more of draught are 20.5 t.
+    EXPECT_TRUE(start_of(barge("", kDeep, welded)).of(FindingKind::displacement).empty());
+    const Finding heavy = only(start_of(barge("", kHull, welded)), FindingKind::displacement);
+    EXPECT_NEAR(heavy.value, 225.5 / 205.0, 1e-9);
+    EXPECT_NE(heavy.text.find("what it carries"), std::string::npos) << heavy.text;
+    // A tension leg stretched by 0.1 m pulls 201 kN, 20.5 t, straight down.
+    const std::string leg = R"(, "line_types": {"leg": {"mass_per_length": 1e-6, "EA": 5.630391e7}},
+          "cables": [{"name": "leg", "line_type": "leg", "elements": 1, "length": 28,
+          "from": {"body": "barge", "point": [0, 0, -2]}, "to": {"at": [0, 0, -30.1]}}])";
+    EXPECT_TRUE(start_of(barge("", kDeep, leg)).of(FindingKind::displacement).empty())
+        << start_of(barge("", kDeep, leg)).text();
+    EXPECT_EQ(start_of(barge("", kHull, leg)).of(FindingKind::displacement).size(), 1U);
+}
+
+TEST(Start, PostsTakeCablesWhoseElementsHaveMass) {
+    const auto beside = [](const char* more, const char* y) {
+        return start_of(std::string(R"("line_types": {"wire": {"mass_per_length": 4, "EA": 1e7,
+          "diameter": 0.03}}, "bodies": [{"name": "ship", "kind": "fixed"}],
+          "cables": [{"name": "tow", "line_type": "wire", "elements": 10, "contact": {})") +
+                        more + R"(, "from": {"at": [-10, 0, 0]}, "to": {"at": [10, 0, 0]}}],
+          "posts": [{"name": "pin", "on": "ship", "radius": 0.1, "from": [0.5, )" +
+                        y + R"(, -1], "to": [0.5, )" + y + ", 1]}]");
+    };
+    EXPECT_EQ(only(beside("", "0.5"), FindingKind::post).about, (Names{"pin", "tow"}));
+    EXPECT_TRUE(beside("", "3").of(FindingKind::post).empty());
+    EXPECT_TRUE(beside(R"(, "consistent_mass": true)", "0.5").of(FindingKind::post).empty());
+}
+
+TEST(Start, LinksAreInAir) {
+    const auto chain = [](const char* as) {
+        return start_of(std::string(R"("sea": {"depth": 50}, "line_types": {"chain": {
+          "mass_per_length": 126, "EA": 5e8, "diameter": 0.076, "cd_normal": 2.6}},
+          "cables": [{"name": "anchor", "line_type": "chain", "elements": 4, "length": 20, )") +
+                        as + R"( "from": {"at": [0, 0, -5]}, "to": {"at": [0, 0, -25]}}])");
+    };
+    EXPECT_TRUE(chain("").of(FindingKind::dry).empty());
+    EXPECT_EQ(only(chain(R"("as": "links", "radius": 0.1,)"), FindingKind::dry).about,
+              Names{"anchor"});
+}
+
 TEST(Start, ABodyThatTurnsTooFarInAStep) {
     const auto turning = [](const char* speed) {
         return start_of(R"("bodies": [{"name": "top", "mass": 10, "sphere": 0.1,

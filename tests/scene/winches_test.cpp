@@ -29,6 +29,15 @@ std::string lift_with(const std::string& from, const std::string& to) {
     return text;
 }
 
+/// With a resolution, which divides what is longer than 4 m.
+std::string fine_with(const std::string& keys) {
+    std::string text = lift_with("\"elements\": 3",
+                                 "\"elements\": 3, \"consistent_mass\": true, \"resolution\": "
+                                 "{\"min_length\": 1, \"max_length\": 4}");
+    text.replace(text.find("\"stored\": 200"), 13, "\"stored\": 200, " + keys);
+    return text;
+}
+
 /// "path: message".
 std::string refused_at(const std::string& text) {
     try {
@@ -241,6 +250,10 @@ TEST(SceneWinches, LimitsAndTimelinesAreRefusedByTheirPlace) {
           Row{lift_with("\"stored\": 200",
                         "\"stored\": 200, \"brake_static\": 10, \"brake_dynamic\": 20"),
               "/winches/0", "brake_dynamic"},
+          Row{lift_with("\"stored\": 200", "\"stored\": 200, \"dead_wraps\": 200"), "/winches/0",
+              "dead_wraps"},
+          Row{fine_with("\"element\": 1e-9"), "/winches/0", "shorter than its wire is thick"},
+          Row{fine_with("\"element\": 5"), "/winches/0/element", "\"max_length\""},
           Row{windlass_with("\"locker_fall\": 5", "\"jump_friction\": 7e4"), "/winches/0",
               "jump_friction"}}) {
         const std::string r = refused_at(row.text);
@@ -248,6 +261,36 @@ TEST(SceneWinches, LimitsAndTimelinesAreRefusedByTheirPlace) {
                     r.find(row.message) != std::string::npos)
             << row.message << " -> " << r;
     }
+}
+
+/// A mode that there is not would be clamped to an emergency release.
+TEST(SceneWinches, TimelinesKeepToTheRangesOfSignals) {
+    const auto set = [](const char* what) {
+        return refused_at(
+            lift_with("\"repeat\": {\"offset\": [0, 20, 0]}",
+                      std::string("\"timeline\": [{\"at\": 1, \"set\": {") + what + "}}]"));
+    };
+    EXPECT_EQ(set("\"hoist.mode\": 17"),
+              "/timeline/0/set/hoist.mode: 17 is not within the input's range, 0 to 5");
+    EXPECT_EQ(set("\"hoist.brake\": -0.5"),
+              "/timeline/0/set/hoist.brake: -0.5 is not within the input's range, 0 to 1");
+    EXPECT_EQ(set("\"hoist.mode\": 5, \"hoist.brake\": 1"), "");
+}
+
+/// 12 m hang and 200 m are on the drum: what is cut off is bounded by both.
+TEST(SceneWinches, CutsAreBoundedByWhatIsStored) {
+    const auto cuts = [](const char* operations) {
+        return refused_at(lift_with("\"repeat\": {\"offset\": [0, 20, 0]}",
+                                    std::string("\"timeline\": [") + operations + "]"));
+    };
+    EXPECT_EQ(cuts(R"({"at": 1, "cut": "fall", "s": 100})"), "");
+    EXPECT_TRUE(cuts(R"({"at": 1, "cut": "fall", "s": 5000})")
+                    .starts_with("/timeline/0/s: the wire \"fall\" is 212 m long then, with all"))
+        << cuts(R"({"at": 1, "cut": "fall", "s": 5000})");
+    // What hangs below a cut at 100 m is at most 112 m; what is above it may be paid out still.
+    EXPECT_TRUE(cuts(R"({"at": 1, "cut": "fall", "s": 100}, {"at": 2, "cut": "fall/2", "s": 113})")
+                    .starts_with("/timeline/1/s: the wire \"fall/2\" is 112 m long then"));
+    EXPECT_EQ(cuts(R"({"at": 1, "cut": "fall", "s": 10}, {"at": 2, "cut": "fall", "s": 50})"), "");
 }
 
 TEST(SceneWinches, MistakesAreAllListed) {

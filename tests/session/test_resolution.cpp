@@ -106,11 +106,13 @@ TEST(SessionResolution, BudgetMakesWiresCoarserFirst) {
 
 TEST(SessionResolution, InputsOfScenesSetSignals) {
     const Place place;
-    std::ofstream(place.path / "haul.csv") << "time,haul\n0,1\n0.5,5\n";
+    std::ofstream(place.path / "haul.csv") << "time,haul\n0,1\n0.5,2\n";
     Session session({.scene_text = kTow, .control = (place.path / "haul.csv").string()});
     ASSERT_EQ(session.step(), Status::ok);
     EXPECT_EQ(session.world().system_signal("winch.speed"), -0.5);
     for (int k = 0; k < 60; ++k) ASSERT_EQ(session.step(), Status::ok);
+    EXPECT_EQ(session.world().system_signal("winch.speed"), -1.0);
+    session.set_input("haul", 5.0);
     EXPECT_EQ(session.world().system_signal("winch.speed"), -1.0) << "clamped to 2, times -0.5";
     session.set_input("haul", -1.0);
     EXPECT_EQ(session.world().system_signal("winch.speed"), 0.5);

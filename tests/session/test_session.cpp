@@ -130,6 +130,36 @@ TEST(Session, ControlFileIsAsSettingTheInputs) {
     }
 }
 
+/// Inputs of systems: a file is refused, what is set while it runs is clamped, and told.
+TEST(Session, SignalsBeyondTheirRange) {
+    std::string text = kScene;
+    text.insert(text.rfind("]"), R"(, {"name": "waves", "signal": "sea.waves", "factor": 2,
+                                       "min": 0, "max": 1})");
+    text.insert(text.rfind("}"), R"(, "sea": {"depth": 50})");
+    const Folder folder;
+    std::ofstream(folder / "levers.csv") << "time,waves,sea.wind\n0,1,3\n1,1.5,3\n";
+    try {
+        const Session session({.scene_text = text, .control = folder / "levers.csv"});
+        ADD_FAILURE();
+    } catch (const std::runtime_error& error) {
+        const std::string said = error.what();
+        EXPECT_NE(said.find("levers.csv:3:3: 1.5 is not within the range of the input \"waves\""),
+                  std::string::npos)
+            << said;
+    }
+    Session session({.scene_text = text});
+    session.set_input("waves", 0.75);
+    EXPECT_EQ(session.world().system_signal("sea.waves"), 1.5);
+    session.set_input("waves", 7.0);
+    EXPECT_EQ(session.world().system_signal("sea.waves"), 2.0);
+    session.set_input("sea.wind", -5.0);
+    EXPECT_EQ(session.world().system_signal("sea.wind"), 0.0);
+    ASSERT_EQ(session.step(), Status::ok);
+    ASSERT_EQ(session.events().size(), 1U);
+    EXPECT_EQ(session.events()[0].kind, EventKind::input_clamped);
+    EXPECT_EQ(session.events()[0].value, -5.0);
+}
+
 TEST(Session, SavedStateGoesOn) {
     const Folder folder;
     Session whole({.scene_text = kScene});

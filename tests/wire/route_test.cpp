@@ -204,6 +204,8 @@ TEST(Routes, ThatAreWrongAreRefusedAndLeaveNothing) {
     EXPECT_NE(refused([&](RouteDef& d) { d.last.body = spool; }).find("drum"), std::string::npos);
     EXPECT_NE(refused([](RouteDef& d) { d.places[0].radius = 5.0; }).find("radii"),
               std::string::npos);
+    const std::string tight = refused([](RouteDef& d) { d.length = 0.5; });
+    EXPECT_NE(tight.find(" m long, but it has 0.5"), std::string::npos) << tight;
     EXPECT_NE(refused([](RouteDef& d) { d.places.clear(); }).find("places"), std::string::npos);
     EXPECT_NE(refused([](RouteDef& d) { d.places[0].inertia = -1.0; }).find("inertia"),
               std::string::npos);

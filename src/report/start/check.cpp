@@ -12,6 +12,8 @@ Findings check_start(const record::SceneInfo& scene, const World& world, std::si
     check_bodies(world, out);
     check_cable_density(scene, world, out);
     check_hulls(world, out);
+    check_dry_lines(scene, world, out);
+    check_posts(scene, world, out);
     check_tensions(scene, world, out);
     check_overlaps(world, out);
     check_ranges(world, out);

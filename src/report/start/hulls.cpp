@@ -4,35 +4,152 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
+#include <string_view>
 
 namespace hawser::report::start {
 namespace {
 
-/// Share of its mass by which a hull's displacement may be off.
+/// Share of what it carries by which a hull's displacement may be off.
 constexpr double kDisplacementOff = 0.01;
+
+std::size_t place(BodyId id) { return static_cast<std::size_t>(id.index); }
+
+/// Bodies that joints hold together float as one: derricks and cranes are carried by the hull.
+class Afloat {
+  public:
+    explicit Afloat(const World& world) : of_(static_cast<std::size_t>(world.body_count())) {
+        std::iota(of_.begin(), of_.end(), std::size_t{0});
+        for (const InteractionId id : world.interactions()) {
+            const InteractionDef& def = world.interaction_def(id);
+            const KindInfo& kind = kind_info(def.kind);
+            if (!kind.is(kHoldsBodies)) continue;
+            for (std::size_t b = 1; b < static_cast<std::size_t>(kind.bodies); ++b)
+                of_[group(def.body[b])] = group(def.body[0]);
+        }
+    }
+    [[nodiscard]] std::size_t group(BodyId id) const {
+        std::size_t at = place(id);
+        while (of_[at] != at) at = of_[at];
+        return at;
+    }
+
+  private:
+    std::vector<std::size_t> of_;
+};
+
+struct Carried {
+    BodyId body{};  ///< That of its first hull.
+    int hulls = 0;
+    bool judged = true;   ///< Nothing holds it, and its statics are not those of a table.
+    double weight = 0.0;  ///< Mass, and down what lines pull, over gravity [kg].
+    double water = 0.0;   ///< That it displaces [kg].
+    bool alone = true;    ///< The weight is the mass of that body.
+};
+
+using Floats = std::map<std::size_t, Carried>;
+
+Floats floats_of(const World& world, const SeaDef& sea, const Afloat& afloat, double level) {
+    Floats out;
+    for (const WaterHull& hull : sea.hulls) {
+        Carried& c = out[afloat.group(hull.body)];
+        if (c.hulls++ == 0) c.body = hull.body;
+        c.judged = c.judged && !hull.linear.on;
+        if (!hull.linear.on)
+            c.water += sea.density * hull_statics(hull.mesh, world.pose(hull.body), level).volume;
+    }
+    return out;
+}
+
+/// What it carries: masses, and forces that lines and the scene put on them.
+void weigh(const World& world, const Afloat& afloat, double gravity, Floats& floats) {
+    for (const BodyId id : world.bodies()) {
+        const auto found = floats.find(afloat.group(id));
+        if (found == floats.end()) continue;
+        Carried& c = found->second;
+        const BodyDef& def = world.body_def(id);
+        if (def.kind == BodyKind::fixed || def.kind == BodyKind::kinematic) c.judged = false;
+        if (def.kind == BodyKind::scalar) continue;
+        if (def.gravity) c.weight += def.mass;
+        c.weight -= def.force.z() / gravity;
+        c.alone = c.alone && id == c.body && def.gravity && def.force.z() == 0.0;
+    }
+    for (const InteractionId id : world.interactions()) {
+        const double tension = start_tension(world, id);
+        if (!(tension > 0.0)) continue;
+        const InteractionDef& def = world.interaction_def(id);
+        const RowsView view = world.rows(id);
+        for (std::size_t b = 0; b < static_cast<std::size_t>(kind_info(def.kind).bodies); ++b) {
+            if (world.body_def(def.body[b]).kind == BodyKind::scalar) continue;
+            const auto found = floats.find(afloat.group(def.body[b]));
+            if (found == floats.end()) continue;
+            found->second.weight += tension * view.jacobian[b][0][2] / gravity;
+            found->second.alone = false;
+        }
+    }
+}
+
+/// A small body in the water that a hull carries.
+void lift_small_bodies(const World& world, const SeaDef& sea, const Afloat& afloat, double level,
+                       Floats& floats) {
+    for (const WaterBody& small : sea.bodies) {
+        const auto found = floats.find(afloat.group(small.body));
+        if (found == floats.end() || world.pose(small.body).position.z() > level) continue;
+        found->second.water += sea.density * small.volume;
+    }
+}
+
+/// A spring against the water.
+bool floats_by_itself(const KindInfo& kind) {
+    return std::any_of(kind.params.begin(), kind.params.end(), [](const ParamInfo& param) {
+        return std::string_view(param.name) == "heave_stiffness";
+    });
+}
+
+/// Springs that make it float a second time.
+void check_hydrostatics(const World& world, const Floats& floats, const Afloat& afloat,
+                        Findings& out) {
+    for (const InteractionId id : world.interactions()) {
+        const InteractionDef& def = world.interaction_def(id);
+        if (!floats_by_itself(kind_info(def.kind))) continue;
+        if (floats.find(afloat.group(def.body[0])) == floats.end()) continue;
+        const std::string name = record::body_label(world, def.body[0]);
+        const std::string spring = record::interaction_label(world, id);
+        out.add(false, FindingKind::displacement, {name, spring}, 2.0,
+                fmt::format("{} has a hull in the sea and the hydrostatic {}: both make it float; "
+                            "leave out one of them",
+                            record::name_in_quotes(name), record::name_in_quotes(spring)));
+    }
+}
 
 }  // namespace
 
 void check_hulls(const World& world, Findings& out) {
     const SeaDef* sea = find_sea(world);
-    if (sea == nullptr) return;
+    if (sea == nullptr || sea->hulls.empty()) return;
+    const double gravity = world.settings().gravity.norm();
     const double level = still_water(world);
-    for (const WaterHull& hull : sea->hulls) {
-        const BodyDef& def = world.body_def(hull.body);
-        // What does not move floats anywhere, and what has no weight floats on nothing.
-        if (def.kind != BodyKind::rigid || !def.gravity || hull.linear.on) continue;
-        const double water =
-            sea->density * hull_statics(hull.mesh, world.pose(hull.body), level).volume;
-        const double ratio = def.mass / water;
-        if (water > 0.0 && std::abs(water - def.mass) <= kDisplacementOff * def.mass) continue;
-        const std::string name = record::body_label(world, hull.body);
-        out.add(false, FindingKind::displacement, {name}, ratio,
-                fmt::format("the hull of {} displaces {} of water where it starts, and its mass is "
-                            "{}: it {}; see hawser inspect --hydrostatics",
-                            record::name_in_quotes(name), record::with_unit(water, "kg"),
-                            record::with_unit(def.mass, "kg"),
-                            water < def.mass ? "sinks in" : "rises"));
+    const Afloat afloat(world);
+    Floats floats = floats_of(world, *sea, afloat, level);
+    weigh(world, afloat, gravity, floats);
+    lift_small_bodies(world, *sea, afloat, level, floats);
+    check_hydrostatics(world, floats, afloat, out);
+    for (const auto& [group, c] : floats) {
+        if (!c.judged) continue;
+        if (c.water > 0.0 && std::abs(c.water - c.weight) <= kDisplacementOff * std::abs(c.weight))
+            continue;
+        const std::string name = record::body_label(world, c.body);
+        out.add(false, FindingKind::displacement, {name}, c.weight / c.water,
+                fmt::format(
+                    "the {} of {} {} {} of water where it starts, and {} is {}: it {}; see "
+                    "hawser inspect --hydrostatics",
+                    c.hulls == 1 ? "hull" : "hulls", record::name_in_quotes(name),
+                    c.hulls == 1 ? "displaces" : "displace", record::with_unit(c.water, "kg"),
+                    c.alone ? "its mass" : "what it carries, lines included,",
+                    record::with_unit(c.weight, "kg"), c.water < c.weight ? "sinks in" : "rises"));
     }
 }
 

@@ -16,7 +16,12 @@ namespace hawser::report::start {
 void check_bodies(const World& world, Findings& out);
 /// Mass of cables over the volume of their shapes (bodies.cpp).
 void check_cable_density(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Hulls that displace more or less than their body weighs (hulls.cpp).
+/// Cables that are in air although their line type is made for water (dry_lines.cpp).
+void check_dry_lines(const record::SceneInfo& scene, const World& world, Findings& out);
+/// Posts beside cables that they never take (posts.cpp).
+void check_posts(const record::SceneInfo& scene, const World& world, Findings& out);
+/// Hulls that displace more or less than they carry: what joints hold to their bodies, and what
+/// lines pull. Bodies that float twice, by hydrostatic springs too (hulls.cpp).
 void check_hulls(const World& world, Findings& out);
 /// Lines that start beyond their breaking load (lines.cpp).
 void check_tensions(const record::SceneInfo& scene, const World& world, Findings& out);
