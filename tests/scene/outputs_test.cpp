@@ -109,7 +109,7 @@ TEST(SceneOutputs, go_on_where_nodes_of_a_wire_come_and_go) {
     // A restored state tells the same.
     const double paid = value("paid");
     Scene other = load_text(kPayOut, "test.json");
-    other.world.restore(w.save());
+    other.world.restore(w.structure(), w.save());
     EXPECT_EQ(other.world.output(other.world.find_output("paid")), paid);
 }
 
