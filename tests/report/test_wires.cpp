@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 
 namespace hawser::test {
@@ -136,6 +137,24 @@ TEST(ReportedWires, AreNoneWhereThereIsNone) {
     const report::WireWatch watch(w);
     EXPECT_TRUE(watch.result(w).empty());
     EXPECT_EQ(report::wires_in_words({}, {}), "");
+}
+
+/// docs/cli.md has a row of what a summary says of wires.
+TEST(WireSummary, EachOfItsKeysIsDocumented) {
+    std::ifstream in("docs/cli.md");
+    std::string line;
+    while (std::getline(in, line) && !line.starts_with("| `wires` | for each")) continue;
+    ASSERT_TRUE(line.starts_with("| `wires` |"));
+    report::WireFigures rope;
+    rope.name = "rope";
+    const auto out = report::wires_json({rope});
+    ASSERT_GE(out["rope"].size(), 7U);
+    for (const auto& [key, value] : out["rope"].items()) {
+        EXPECT_NE(line.find("`" + key + "`"), std::string::npos) << key;
+        if (!value.is_object()) continue;
+        for (const auto& [inner, unused] : value.items())
+            EXPECT_NE(line.find("`" + inner + "`"), std::string::npos) << key << "/" << inner;
+    }
 }
 
 }  // namespace
