@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace hawser::report::start {
 namespace {
@@ -12,11 +15,38 @@ namespace {
 /// Share of its mass by which a hull's displacement may be off.
 constexpr double kDisplacementOff = 0.01;
 
+/// What a rod displaces by itself [m³].
+double volume_of(const WaterRod& rod) {
+    const double d = rod.water.diameter, given = rod.water.volume;
+    const double area = std::isnan(given) ? 0.25 * std::numbers::pi * d * d : given;
+    return area * (rod.to - rod.from).norm();
+}
+
+/// Water that a hull and rods of one body both displace, once a body.
+void check_rods(const World& world, const SeaDef& sea, Findings& out) {
+    std::vector<BodyId> told;
+    for (const WaterHull& hull : sea.hulls) {
+        if (std::find(told.begin(), told.end(), hull.body) != told.end()) continue;
+        told.push_back(hull.body);
+        double volume = 0.0;
+        for (const WaterRod& rod : sea.rods)
+            if (rod.body == hull.body) volume += volume_of(rod);
+        if (!(volume > 0.0)) continue;
+        const std::string name = record::body_label(world, hull.body);
+        const double water = sea.density * volume;
+        out.add(false, FindingKind::displacement, {name}, world.body_def(hull.body).mass / water,
+                fmt::format("{} has a hull, and rods that displace up to {} of water beside: what "
+                            "lies inside the hull counts twice; give such rods displaced_area 0",
+                            record::name_in_quotes(name), record::with_unit(water, "kg")));
+    }
+}
+
 }  // namespace
 
 void check_hulls(const World& world, Findings& out) {
     const SeaDef* sea = find_sea(world);
     if (sea == nullptr) return;
+    check_rods(world, *sea, out);
     const double level = Sea(*sea, world.settings().gravity.norm()).tide(world.time());
     for (const WaterHull& hull : sea->hulls) {
         const BodyDef& def = world.body_def(hull.body);
