@@ -41,6 +41,7 @@
 #include <hawser/systems/pid.h>
 #include <hawser/trace.h>
 #include <hawser/water_hull.h>
+#include <hawser/water_rod.h>
 #include <hawser/winch.h>
 #include <hawser/wire.h>
 #include <hawser/world.h>

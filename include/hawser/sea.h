@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file sea.h
-/// The sea: depth, tide, waves, current and wind, and what water and air do to lines, bodies and
-/// hulls.
+/// The sea: depth, tide, waves, current and wind, and what water and air do to lines, bodies, hulls
+/// and rods.
 ///
 /// ```cpp
 /// hawser::SeaDef sea{.depth = 150.0};
@@ -49,7 +49,7 @@
 /// along the line apart. Drag goes in with its tangent, added mass as mass, buoyancy of what
 /// pierces the surface with its stiffness (Loads).
 ///
-/// **Hulls**: hull.h.
+/// **Hulls**: hull.h; **rods** of rigid bodies: water_rod.h.
 ///
 /// Limits: waves of first order, no breaking, no diffraction or radiation but by coefficients
 /// (hydro.h) and on one body by itself, no bottom that is not level; waves have the depth `depth`
@@ -65,6 +65,7 @@
 #include <hawser/math.h>
 #include <hawser/system.h>
 #include <hawser/water_hull.h>
+#include <hawser/water_rod.h>
 
 #include <array>
 #include <cstdint>
@@ -125,15 +126,6 @@ struct WindDef {
     double density = 1.225;  ///< Of air [kg/m³].
 };
 
-/// What water does to lines of one sort.
-struct LineWater {
-    double diameter = 0.0;       ///< Of drag [m]. Required.
-    double volume = kDefault;    ///< Displaced, per length [m²]; kDefault: π d²/4.
-    double cd_normal = 1.2;      ///< C_dn, on the diameter [1].
-    double cd_tangential = 0.0;  ///< C_dt, on the circumference [1].
-    double ca_normal = 1.0;      ///< C_a across, of the volume [1].
-    double ca_tangential = 0.0;  ///< C_a along, of the volume [1].
-};
 /// A wire in the water; nodes may come and go.
 struct WaterLine {
     WireId wire{};  ///< Required.
@@ -174,6 +166,7 @@ struct SeaDef {
     std::vector<WaterLine> lines{};
     std::vector<WaterBody> bodies{};
     std::vector<WaterHull> hulls{};
+    std::vector<WaterRod> rods{};
 };
 
 /// One component of the waves.

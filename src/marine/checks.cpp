@@ -56,6 +56,15 @@ void check_tables(const SeaDef& def) {
 
 }  // namespace
 
+void check_line_water(const std::string& at, const LineWater& w) {
+    check_range(at + "/diameter", w.diameter, 0.0, 1e3, true, "m");
+    check_range(at + "/volume", w.volume, 0.0, 1e6, false, "m^2");
+    check_range(at + "/cd_normal", w.cd_normal, 0.0, 1e3, false, "");
+    check_range(at + "/cd_tangential", w.cd_tangential, 0.0, 1e3, false, "");
+    check_range(at + "/ca_normal", w.ca_normal, 0.0, 1e3, false, "");
+    check_range(at + "/ca_tangential", w.ca_tangential, 0.0, 1e3, false, "");
+}
+
 void check_sea(const SeaDef& def, double gravity) {
     check_range("gravity", gravity, 0.0, 1e3, true, "m/s^2");
     check_range("depth", def.depth, 0.0, 1e5, true, "m");

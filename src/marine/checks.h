@@ -30,6 +30,9 @@ inline void check_range(const std::string& field, double value, double least, do
 /// Depth, level, waves, current, wind. @throws SeaError
 void check_sea(const SeaDef& def, double gravity);
 
+/// Coefficients of lines and rods, with their volume. @throws SeaError
+void check_line_water(const std::string& at, const LineWater& water);
+
 /// Coefficients, memory, strips and linear statics of a hull. @throws SeaError
 void check_coefficients(const World& world, const WaterHull& hull, const std::string& at);
 

@@ -55,6 +55,22 @@ void check_water_hull(const World& world, const WaterHull& h, const std::string&
     check_areas(at + "/wind_area", h.wind_area);
 }
 
+void check_water_rod(const World& world, const WaterRod& r, const std::string& at) {
+    if (!world.alive(r.body)) throw SeaError(at + "/body", "there is no such body");
+    const BodyKind kind = world.body_def(r.body).kind;
+    if (kind == BodyKind::lump || kind == BodyKind::scalar)
+        throw SeaError(at + "/body",
+                       "a rod needs a rigid body; a lump takes water as one of "
+                       "bodies, or as a node of a line in lines");
+    for (const Vec3* end : {&r.from, &r.to})
+        for (const double x : *end)
+            check_range(at + (end == &r.from ? "/from" : "/to"), x, -1e4, 1e4, false, "m");
+    if (!((r.to - r.from).norm() > 0.0))
+        throw SeaError(at + "/to", "it lies where from does; a rod needs a length");
+    marine::check_line_water(at, marine::with_volume(r.water));
+    check_range(at + "/segments", r.segments, 1.0, kMaxRodSegments, false, "");
+}
+
 /// Of a component with less than two steps a period the world sees another one.
 void check_aliasing(const World& world, const SeaDef& def) {
     const double h = world.settings().step;
@@ -88,6 +104,8 @@ System* define(World& world, const SeaDef& def) {
         check_water_body(world, def.bodies[i], entry("bodies", i));
     for (std::size_t i = 0; i < def.hulls.size(); ++i)
         check_water_hull(world, def.hulls[i], entry("hulls", i));
+    for (std::size_t i = 0; i < def.rods.size(); ++i)
+        check_water_rod(world, def.rods[i], entry("rods", i));
     marine::SeaSystem::Start start;
     start.step = world.settings().step;
     for (const WaterHull& hull : def.hulls) {

@@ -8,12 +8,6 @@
 namespace hawser::marine {
 namespace {
 
-/// Of [low, low + spread] what is below the surface, 0 to 1.
-double wet_share(double surface, double low, double spread) noexcept {
-    const double depth = surface - low;
-    return depth >= spread ? 1.0 : std::clamp(depth / spread, 0.0, 1.0);
-}
-
 /// Displaced volume at a share: buoyancy, and its stiffness where the surface cuts it.
 void add_buoyancy(double weight, double wet, double spread, PointLoad& out) noexcept {
     out.force.z() += weight * wet;
@@ -21,6 +15,31 @@ void add_buoyancy(double weight, double wet, double spread, PointLoad& out) noex
 }
 
 }  // namespace
+
+double wet_share(double surface, double low, double spread) noexcept {
+    const double depth = surface - low;
+    return depth >= spread ? 1.0 : std::clamp(depth / spread, 0.0, 1.0);
+}
+
+PieceWater water_past(const WetPiece& piece, const Vec3& velocity, const WaterPoint& water,
+                      double density) noexcept {
+    const LineWater& of = *piece.of;
+    const Vec3 &t = piece.t, r = water.velocity - velocity;
+    PieceWater out;
+    out.along = t * t.dot(r);
+    out.across = r - out.along;
+    const double sweep = 0.5 * density * of.diameter * piece.length * piece.wet;
+    out.cn = sweep * of.cd_normal;
+    out.ct = std::numbers::pi * sweep * of.cd_tangential;
+    out.fast = out.across.norm();
+    out.slide = out.along.norm();
+    out.drag = out.cn * out.fast * out.across + out.ct * out.slide * out.along;
+    out.displaced = density * of.volume * piece.length;
+    out.mass = out.displaced * piece.wet;
+    const Vec3 &a = water.acceleration, a_along = t * t.dot(a);
+    out.wave = out.mass * (a + of.ca_normal * (a - a_along) + of.ca_tangential * a_along);
+    return out;
+}
 
 void add_half_element(const HalfElement& half, const PointMotion& lump, const WaterPoint& water,
                       const WaterLaw& law, PointLoad& out) noexcept {
@@ -30,29 +49,24 @@ void add_half_element(const HalfElement& half, const PointMotion& lump, const Wa
     const double wet = wet_share(water.elevation, low, spread);
     if (!(wet > 0.0) || !(half.length > 0.0)) return;
     out.any = true;
-    const Vec3 &t = half.along, r = water.velocity - lump.velocity;
-    const Vec3 along = t * t.dot(r), across = r - along;
-    const double sweep = 0.5 * law.density * of.diameter * half.length * wet;
-    const double cn = sweep * of.cd_normal, ct = std::numbers::pi * sweep * of.cd_tangential;
-    const double fast = across.norm(), slide = along.norm();
+    const Vec3& t = half.along;
+    const PieceWater p =
+        water_past({half.of, t, half.length, wet}, lump.velocity, water, law.density);
     Sym3 damping;
     const bool known = t.x() != 0.0 || t.y() != 0.0 || t.z() != 0.0;
     const auto add_plane = [&](Sym3& to, double c) {
         if (known) return to.add_across(c, t);
         for (const int k : {0, 2, 5}) to.m[k] += c;
     };
-    add_plane(damping, cn * fast);
-    if (fast > 0.0) damping.add(cn / fast, across);
-    damping.add(2.0 * ct * slide, t);
-    Vec3 push = out.force + (cn * fast * across + ct * slide * along + damping * lump.velocity);
-    const double displaced = law.density * of.volume * half.length, mass = displaced * wet;
-    add_plane(out.mass, mass * of.ca_normal);
-    out.mass.add(mass * of.ca_tangential, t);
-    const Vec3 &a = water.acceleration, a_along = t * t.dot(a);
-    push += mass * (a + of.ca_normal * (a - a_along) + of.ca_tangential * a_along);
-    out.force = push;
+    add_plane(damping, p.cn * p.fast);
+    if (p.fast > 0.0) damping.add(p.cn / p.fast, p.across);
+    damping.add(2.0 * p.ct * p.slide, t);
+    add_plane(out.mass, p.mass * of.ca_normal);
+    out.mass.add(p.mass * of.ca_tangential, t);
+    out.force += p.drag + damping * lump.velocity;
+    out.force += p.wave;
     for (int k = 0; k < 6; ++k) out.damping.m[k] += damping.m[k];
-    add_buoyancy(displaced * law.gravity, wet, spread, out);
+    add_buoyancy(p.displaced * law.gravity, wet, spread, out);
 }
 
 void add_body_drag(const Mat3& axes, const Vec3& areas, double half_density, const Vec3& flow,

@@ -85,6 +85,28 @@ struct HalfElement {
     const LineWater* of = nullptr;
 };
 
+/// A straight piece of what is slender, and the share of it that is wet.
+struct WetPiece {
+    const LineWater* of;
+    Vec3 t;         ///< Along it.
+    double length;  ///< [m].
+    double wet;     ///< 0 to 1.
+};
+/// Morison's formula on such a piece.
+struct PieceWater {
+    Vec3 across, along;      ///< r_n, r_t [m/s].
+    double fast, slide;      ///< Their sizes [m/s].
+    double cn, ct;           ///< c_n, c_t [N s²/m²].
+    double displaced, mass;  ///< Mass of the water that it displaces, and of the wet share [kg].
+    Vec3 drag;               ///< c_n |r_n| r_n + c_t |r_t| r_t [N].
+    Vec3 wave;               ///< Of the accelerated water [N].
+};
+[[nodiscard]] PieceWater water_past(const WetPiece& piece, const Vec3& velocity,
+                                    const WaterPoint& water, double density) noexcept;
+
+/// Of what reaches from `low` over `spread` up the share that is below the surface, 0 to 1.
+[[nodiscard]] double wet_share(double surface, double low, double spread) noexcept;
+
 void add_half_element(const HalfElement& half, const PointMotion& lump, const WaterPoint& water,
                       const WaterLaw& law, PointLoad& out) noexcept;
 

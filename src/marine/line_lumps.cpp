@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <hawser/world.h>
 
+#include "marine/bodies.h"
 #include "marine/checks.h"
 #include "marine/sea_system.h"
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 
 namespace hawser::marine {
 namespace {
-
-void check_line_water(const std::string& at, const LineWater& w) {
-    check_range(at + "/diameter", w.diameter, 0.0, 1e3, true, "m");
-    check_range(at + "/volume", w.volume, 0.0, 1e6, false, "m^2");
-    check_range(at + "/cd_normal", w.cd_normal, 0.0, 1e3, false, "");
-    check_range(at + "/cd_tangential", w.cd_tangential, 0.0, 1e3, false, "");
-    check_range(at + "/ca_normal", w.ca_normal, 0.0, 1e3, false, "");
-    check_range(at + "/ca_tangential", w.ca_tangential, 0.0, 1e3, false, "");
-}
 
 void add_line(const World& world, const WaterLine& line, const std::string& at, LineTable& out) {
     if (!world.alive(line.wire)) throw SeaError(at + "/wire", "there is no such wire");
@@ -40,8 +31,7 @@ void add_line(const World& world, const WaterLine& line, const std::string& at, 
         known = {elements[i].generation, static_cast<int>(out.sorts.size() + section)};
     }
     for (std::size_t k = 0; k < line.sections.size(); ++k) {
-        LineWater w = line.sections[k].water;
-        if (std::isnan(w.volume)) w.volume = 0.25 * std::numbers::pi * w.diameter * w.diameter;
+        const LineWater w = with_volume(line.sections[k].water);
         check_line_water(at + "/" + entry("sections", k) + "/water", w);
         if (line.sections[k].elements < 0)
             throw SeaError(at + "/" + entry("sections", k) + "/elements", "give 0 or more");

@@ -33,7 +33,9 @@ void add_point(const PointLoad& from, const BodyLoad& to) noexcept {
     add_sym(from.stiffness, to.stiffness);
 }
 
-void add_hull(const HullWater& from, const BodyLoad& to) noexcept {
+/// A hull or a rod.
+template <class Water>
+void add_hull(const Water& from, const BodyLoad& to) noexcept {
     if (to.freedom < 6) return;
     for (std::size_t k = 0; k < 6; ++k) to.force[k] += from.force[k];
     for (std::size_t k = 0; k < 21; ++k) {
@@ -67,6 +69,12 @@ SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start s
             throw SeaError("hulls/" + std::to_string(i) + "/coefficients", error.what());
         }
         list_work(static_cast<int>(i));
+    }
+    rods_.reserve(def_.rods.size());
+    for (const WaterRod& rod : def_.rods) {
+        rods_.emplace_back(rod);
+        for (int c = 0; c < rods_.back().chunks(); ++c)
+            points_.push_back({Piece::segments, static_cast<int>(rods_.size()) - 1, c});
     }
 }
 
@@ -118,6 +126,7 @@ void SeaSystem::signals(SignalTable& table) {
 void SeaSystem::holds(HoldTable& table) const {
     for (const WaterBody& b : def_.bodies) table.hold(b.body);
     for (const WaterHull& h : def_.hulls) table.hold(h.body);
+    for (const WaterRod& r : def_.rods) table.hold(r.body);
 }
 
 void SeaSystem::prestep(Prestep& now, Loads& loads) noexcept {
@@ -153,20 +162,24 @@ void SeaSystem::load_body(const World& world, int i) noexcept {
                    {sea_.density(), sea_.gravity()}, out);
 }
 
+void SeaSystem::do_work(const Work& w) noexcept {
+    if (w.piece == Piece::segments)
+        return rods_[slot(w.hull)].load(field_, def_.convective, w.chunk);
+    HullWater& hull = hulls_[slot(w.hull)];
+    if (w.piece == Piece::corners) return hull.press(field_, w.chunk);
+    if (w.piece == Piece::strips) return hull.flow_past(field_, w.chunk);
+    hull.remember(sea_, moment_);
+}
+
 bool SeaSystem::compute(Prestep& now) noexcept {
     for (HullWater& hull : hulls_) hull.begin(now.world, def_.convective);
+    for (RodWater& rod : rods_) rod.begin(now.world);
     // Threads meet four times, however many hulls there are.
     now.for_each(lines_.wires(), [&](int i) noexcept { lines_.find(now.world, i); });
     const int works = static_cast<int>(points_.size());
     const int lumps = lines_.count(), chunks = (lumps + kLumpChunk - 1) / kLumpChunk;
     now.for_each(works + chunks + static_cast<int>(bodies_.size()), [&](int i) noexcept {
-        if (i < works) {
-            const Work& w = points_[slot(i)];
-            HullWater& hull = hulls_[slot(w.hull)];
-            if (w.piece == Piece::corners) return hull.press(field_, w.chunk);
-            if (w.piece == Piece::strips) return hull.flow_past(field_, w.chunk);
-            return hull.remember(sea_, moment_);
-        }
+        if (i < works) return do_work(points_[slot(i)]);
         if (i >= works + chunks) return load_body(now.world, i - works - chunks);
         const int first = (i - works) * kLumpChunk, end = std::min(first + kLumpChunk, lumps);
         for (int k = first; k < end; k += kWavePoints) lines_.load(field_, def_.convective, k);
@@ -176,12 +189,15 @@ bool SeaSystem::compute(Prestep& now) noexcept {
     now.for_each(static_cast<int>(sums_.size()), [&](int i) noexcept {
         hulls_[slot(sums_[slot(i)].hull)].sum(sums_[slot(i)].chunk);
     });
-    now.for_each(static_cast<int>(hulls_.size()),
-                 [&](int i) noexcept { hulls_[slot(i)].finish(field_, def_.wind.density); });
+    const int hulls = static_cast<int>(hulls_.size());
+    now.for_each(hulls + static_cast<int>(rods_.size()), [&](int i) noexcept {
+        if (i >= hulls) return rods_[slot(i - hulls)].finish();
+        hulls_[slot(i)].finish(field_, def_.wind.density);
+    });
     return true;
 }
 
-/// In the order of lumps, bodies and hulls, whoever computed them.
+/// In the order of lumps, bodies, hulls and rods, whoever computed them.
 void SeaSystem::give(Loads& loads) const noexcept {
     for (int i = 0; i < lines_.count(); ++i)
         if (lines_.of(i).any) add_point(lines_.of(i), loads.of(lines_.body(i)));
@@ -189,6 +205,8 @@ void SeaSystem::give(Loads& loads) const noexcept {
         if (bodies_[i].any) add_point(bodies_[i], loads.of(def_.bodies[i].body));
     for (const HullWater& hull : hulls_)
         if (hull.any()) add_hull(hull, loads.of(hull.body()));
+    for (const RodWater& rod : rods_)
+        if (rod.any()) add_hull(rod, loads.of(rod.body()));
 }
 
 std::vector<LoadView> SeaSystem::loads() const {
@@ -209,6 +227,8 @@ std::vector<LoadView> SeaSystem::loads() const {
         if (bodies_[i].any) add_point(bodies_[i], load_of(total(def_.bodies[i].body, 3)));
     for (const HullWater& hull : hulls_)
         if (hull.any()) add_hull(hull, load_of(total(hull.body(), 6)));
+    for (const RodWater& rod : rods_)
+        if (rod.any()) add_hull(rod, load_of(total(rod.body(), 6)));
     std::stable_sort(totals_.begin(), totals_.end(),
                      [](const Total& a, const Total& b) { return a.body < b.body; });
     std::size_t last = 0;

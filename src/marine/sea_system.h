@@ -3,9 +3,9 @@
 /// @file sea_system.h
 /// What the sea does at the beginning of each step (hawser/sea.h).
 ///
-/// Lumps of lines, bodies and corners of hulls are looked up in the order of the definition and of
-/// the wires' nodes; what the water does to each is computed by several threads, each with entries
-/// of its own; then loads are added in that order. No sum depends on threads.
+/// Lumps of lines, bodies, corners of hulls and segments of rods are looked up in the order of the
+/// definition and of the wires' nodes; what the water does to each is computed by several threads,
+/// each with entries of its own; then loads are added in that order. No sum depends on threads.
 ///
 /// *Lines.* An element is of the sort that its definition says for the elements there were then.
 /// Elements that came since are of the sort of the one before them on their wire, at the beginning
@@ -18,6 +18,7 @@
 #include "marine/field.h"
 #include "marine/hull_sums.h"
 #include "marine/radiation.h"
+#include "marine/rods.h"
 #include "marine/wave_force.h"
 
 #include <array>
@@ -179,9 +180,17 @@ class SeaSystem final : public System {
     [[nodiscard]] HullMemory memory(std::size_t hull) const;
 
   private:
+    /// Pieces of work on hulls and rods, in their order.
+    enum class Piece : std::uint8_t { corners, strips, memory, triangles, segments };
+    struct Work {
+        Piece piece;
+        int hull, chunk;  ///< Of segments: `hull` is the rod.
+    };
+
     /// What the water does to all of them. @return whether coefficients have all directions.
     [[nodiscard]] bool compute(Prestep& now) noexcept;
     void load_body(const World& world, int i) noexcept;
+    void do_work(const Work& work) noexcept;
     void list_work(int hull);
     void give(Loads& loads) const noexcept;
 
@@ -194,12 +203,7 @@ class SeaSystem final : public System {
     LineLumps lines_;
     std::vector<PointLoad> bodies_;
     std::vector<HullWater> hulls_;
-    /// Pieces of work on hulls, in their order.
-    enum class Piece : std::uint8_t { corners, strips, memory, triangles };
-    struct Work {
-        Piece piece;
-        int hull, chunk;
-    };
+    std::vector<RodWater> rods_;
     std::vector<Work> points_, sums_;  ///< What needs poses alone, and what needs pressures.
     // Outputs.
     double elevation_ = 0.0, gust_ = 0.0, tide_ = 0.0;

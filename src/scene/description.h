@@ -129,7 +129,8 @@ class Description {
     std::vector<CableWater> waters;  ///< Cables that are in the water if there is any.
     std::optional<SeaDef> sea;       ///< Without its lines.
     Place sea_place;
-    std::vector<Place> sea_body_place, sea_hull_place;  ///< Of each entry of its lists.
+    /// Of each entry of its lists.
+    std::vector<Place> sea_body_place, sea_hull_place, sea_rod_place;
     std::vector<MaterialDef> materials;  ///< Material i of the list is i + 1 of the world.
     std::vector<MaterialPairDef> material_pairs;
     std::vector<ShapeDef> shapes;

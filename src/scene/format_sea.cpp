@@ -73,6 +73,29 @@ ShapePtr water_body_shape() {
           "From its lowest to its highest point."}});
 }
 
+ShapePtr water_rod_shape() {
+    const ShapePtr coefficient = number("a coefficient", 0.0, 1e3);
+    return object(
+        "water_rod", "a rod in the water",
+        "A straight slender member of a rigid body, by Morison's formula: a leg, a brace, a spar, "
+        "a "
+        "boom, a pipe.",
+        {{"body", body_ref(), true, "", "", "Which."},
+         {"from", vector3("a point"), true, "", "m",
+          "One end, from the centre of mass, in the body's frame."},
+         {"to", vector3("a point"), true, "", "m", "The other end."},
+         {"diameter", positive("a diameter", 1e3), true, "", "m", "Of drag."},
+         {"displaced_area", number("an area", 0.0, 1e6), false, "of the diameter", "m^2",
+          "Volume of water displaced per length; 0 in a hull, which displaces it already."},
+         {"cd_normal", coefficient, false, "1.2", "1", "Drag across, on the diameter."},
+         {"cd_tangential", coefficient, false, "0", "1", "Drag along, on the circumference."},
+         {"ca_normal", coefficient, false, "1", "1",
+          "Added mass across, of the displaced water's."},
+         {"ca_tangential", coefficient, false, "0", "1", "Added mass along."},
+         {"segments", integer("a number", 1, kMaxRodSegments), false, "8", "",
+          "Equal ones, each with the water at its middle."}});
+}
+
 }  // namespace
 
 ShapePtr sea_shape() {
@@ -106,6 +129,8 @@ ShapePtr sea_shape() {
          {"bodies", list_of("a list of bodies in the water", water_body_shape()), false, "none", "",
           "Small bodies."},
          {"hulls", list_of("a list of hulls", water_hull_shape()), false, "none", "", "Hulls."},
+         {"rods", list_of("a list of rods", water_rod_shape()), false, "none", "",
+          "Slender members of rigid bodies."},
          {"description", text("a text"), false, "", "", "Remarks."}});
 }
 

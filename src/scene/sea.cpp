@@ -54,6 +54,22 @@ WindDef wind_of(const Json& json) {
     return wind;
 }
 
+/// But for its body.
+WaterRod rod_of(const Json& json) {
+    WaterRod rod;
+    LineWater& w = rod.water;
+    rod.from = vector_of(json["from"]);
+    rod.to = vector_of(json["to"]);
+    w.diameter = json["diameter"].get<double>();
+    w.volume = number_or(json, "displaced_area", w.volume);
+    w.cd_normal = number_or(json, "cd_normal", w.cd_normal);
+    w.cd_tangential = number_or(json, "cd_tangential", w.cd_tangential);
+    w.ca_normal = number_or(json, "ca_normal", w.ca_normal);
+    w.ca_tangential = number_or(json, "ca_tangential", w.ca_tangential);
+    rod.segments = json.value("segments", rod.segments);
+    return rod;
+}
+
 /// What of copy 0 also stands in the others.
 class SeaReader {
   public:
@@ -81,6 +97,7 @@ class SeaReader {
         sea.convective = json_.value("convective", false);
         read_bodies(sea);
         read_hulls(sea);
+        read_rods(sea);
         return sea;
     }
 
@@ -135,6 +152,22 @@ class SeaReader {
                     hull.body = id;
                     sea.hulls.push_back(hull);
                     out_.sea_hull_place.push_back(place);
+                }
+            });
+        }
+    }
+
+    void read_rods(SeaDef& sea) {
+        const Json& all = list("rods");
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i].is_null()) continue;  // Left out: mistakes.h.
+            const Place place = place_ / "rods" / i;
+            (void)attempt(out_.mistakes, [&] {
+                WaterRod rod = rod_of(all[i]);
+                for (const BodyId id : bodies(all[i], place)) {
+                    rod.body = id;
+                    sea.rods.push_back(rod);
+                    out_.sea_rod_place.push_back(place);
                 }
             });
         }
@@ -200,14 +233,14 @@ void add_sea(World& world, const Description& from) {
             field = rest == std::string::npos ? "" : field.substr(rest + 1);
             return true;
         };
+        const auto moved_to = [&](const char* list, const std::vector<Place>& places) {
+            return moved(list, [&](std::size_t i) { return places[i]; }, places.size());
+        };
         if (moved("lines", [&](std::size_t i) { return of_line[i]->place; }, of_line.size()))
             field.clear();
-        else if (!moved(
-                     "bodies", [&](std::size_t i) { return from.sea_body_place[i]; },
-                     from.sea_body_place.size()))
-            (void)moved(
-                "hulls", [&](std::size_t i) { return from.sea_hull_place[i]; },
-                from.sea_hull_place.size());
+        else
+            (void)(moved_to("bodies", from.sea_body_place) ||
+                   moved_to("hulls", from.sea_hull_place) || moved_to("rods", from.sea_rod_place));
         for (std::size_t begin = 0; begin < field.size();) {
             const std::size_t end = std::min(field.find('/', begin), field.size());
             at = at / field.substr(begin, end - begin);

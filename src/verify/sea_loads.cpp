@@ -249,6 +249,8 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
         add_hull(h, pose[body], before[body]);
         if (h.coefficients) add_coefficients(h, past_[i], pose[body], before[body]);
     }
+    for (const WaterRod& rod : def_->rods)
+        add_rod(rod, pose[numbered(rod.body.index)], before[numbered(rod.body.index)]);
     double worst = 0.0;
     for (const LoadView& view : sea_loads(world)) {
         Load& mine = load_[numbered(view.body.index)];

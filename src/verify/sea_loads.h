@@ -48,6 +48,7 @@ class SeaVerifier {
     void add_half(const World& world, WireId wire, std::size_t element, bool last,
                   const std::vector<Pose>& pose, const std::vector<Twist>& before);
     void add_body(const WaterBody& def, const Pose& pose, const Vec3& velocity);
+    void add_rod(const WaterRod& def, const Pose& pose, const Twist& twist);  // sea_rods.cpp
     void add_hull(const WaterHull& def, const Pose& pose, const Twist& twist);
     void add_motion(const WaterHull& def, const Pose& pose, const Vec3& velocity, double wet,
                     Load& out);

@@ -234,6 +234,24 @@ TEST(Start, LinksAreInAir) {
               Names{"anchor"});
 }
 
+TEST(Start, RodsThatDisplaceWhatAHullDoes) {
+    const auto with_rod = [](const char* hull, const char* area) {
+        return start_of(std::string(R"("bodies": [{"name": "barge", "mass": 205000,
+          "box": [5, 5, 2]}], "sea": {"depth": 50, )") +
+                        hull + R"("rods": [{"body": "barge", "from": [-4, 0, 0], "to": [4, 0, 0],
+          "diameter": 1)" +
+                        area + "}]}");
+    };
+    const char* const hull = R"("hulls": [{"body": "barge", "mesh": {"box": [5, 5, 2]}}], )";
+    EXPECT_TRUE(with_rod(hull, R"(, "displaced_area": 0)").found.list.empty());
+    EXPECT_TRUE(with_rod("", "").found.list.empty());
+    const Finding twice =
+        only(with_rod(hull, R"(, "displaced_area": 0.5)"), FindingKind::displacement);
+    EXPECT_FALSE(twice.error);
+    EXPECT_NEAR(twice.value, 205000.0 / (1025.0 * 4.0), 1e-9);
+    EXPECT_EQ(twice.about, Names{"barge"});
+}
+
 TEST(Start, ABodyThatTurnsTooFarInAStep) {
     const auto turning = [](const char* speed) {
         return start_of(R"("bodies": [{"name": "top", "mass": 10, "sphere": 0.1,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace hawser::scene::test {
 namespace {
@@ -182,6 +183,30 @@ TEST(State, of_a_changed_scene_is_refused) {
         EXPECT_EQ(error.file, (folder.path / "old.json").string());
         EXPECT_NE(error.message.find("\"new\""), std::string::npos);
     }
+}
+
+TEST(Copies, have_rods_of_their_own) {
+    const Description d = flat(kSea);
+    ASSERT_TRUE(d.sea.has_value());
+    const std::vector<WaterRod>& rods = d.sea->rods;
+    ASSERT_EQ(rods.size(), 4U);             // two entries, two copies
+    for (const std::size_t i : {0U, 1U}) {  // defaults
+        EXPECT_EQ(rods[i].body, d.find_body(i == 0 ? "wedge" : "1:wedge"));
+        EXPECT_EQ(rods[i].from, Vec3(0, 0, -4));
+        EXPECT_EQ(rods[i].to, Vec3(0, 0, 6));
+        EXPECT_EQ(rods[i].water.diameter, 0.5);
+        EXPECT_TRUE(std::isnan(rods[i].water.volume));
+        EXPECT_EQ(rods[i].water.cd_normal, LineWater{}.cd_normal);
+        EXPECT_EQ(rods[i].segments, WaterRod{}.segments);
+    }
+    const LineWater& w = rods[2].water;
+    EXPECT_EQ(rods[2].body, d.find_body("box"));
+    EXPECT_EQ(w.volume, 0.0);
+    EXPECT_EQ(w.cd_normal, 1.0);
+    EXPECT_EQ(w.cd_tangential, 0.1);
+    EXPECT_EQ(w.ca_normal, 0.9);
+    EXPECT_EQ(w.ca_tangential, 0.2);
+    EXPECT_EQ(rods[2].segments, 4);
 }
 
 TEST(Overrides, reach_every_value) {

@@ -342,7 +342,11 @@ inline constexpr std::string_view kSea = R"({
                                  "im": [0, 0, 0, 0, 0]}],
                  "drift_forces": [{"of": 1, "heading": 0, "values": [0, 10, 100, 400, 500]}],
                  "stiffness": [{"of": [3, 3], "value": 1e5}, {"of": [4, 4], "value": 1e6},
-                               {"of": [5, 5], "value": 1e6}]}}]},
+                               {"of": [5, 5], "value": 1e6}]}}],
+    "rods": [{"body": "wedge", "from": [0, 0, -4], "to": [0, 0, 6], "diameter": 0.5},
+             {"body": "box", "from": [-5, 0, -2], "to": [5, 0, -2], "diameter": 0.3,
+              "displaced_area": 0, "cd_normal": 1, "cd_tangential": 0.1, "ca_normal": 0.9,
+              "ca_tangential": 0.2, "segments": 4}]},
   "inputs": [{"name": "waves", "signal": "sea.waves", "min": 0, "max": 2}],
   "timeline": [{"at": 2, "set": {"sea.current": 0.5}}],
   "repeat": {"offset": [200, 0, 0], "copies": 2}

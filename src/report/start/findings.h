@@ -22,10 +22,12 @@ enum class FindingKind : std::uint8_t {
     wire_step,      ///< A wire whose sway the step does not resolve. value: h √(T/ρ)/l.
     joint_step,     ///< A joint about which a body swings faster than the step. value: h² f r/I.
     spin_step,      ///< A body that turns too far in a step. value: [rad].
-    displacement,   ///< A hull that does not carry its mass. value: its mass/that of the water.
-    dry,            ///< A cable that the sea does not act on. value: its length [m].
-    post,           ///< A post that never takes a cable beside it. value: how far it is [m].
-    unexamined,     ///< Too large to be looked at. value: rows or bodies.
+    /// A hull that does not carry its mass, or rods that displace beside it. value: mass of the
+    /// body over that of the water.
+    displacement,
+    dry,         ///< A cable that the sea does not act on. value: its length [m].
+    post,        ///< A post that never takes a cable beside it. value: how far it is [m].
+    unexamined,  ///< Too large to be looked at. value: rows or bodies.
 };
 inline constexpr int kFindingKindCount = 16;
 [[nodiscard]] const char* to_string(FindingKind kind) noexcept;

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <string_view>
+#include <vector>
 
 namespace hawser::report::start {
 namespace {
@@ -125,11 +127,38 @@ void check_hydrostatics(const World& world, const Floats& floats, const Afloat& 
     }
 }
 
+/// What a rod displaces by itself [m³].
+double volume_of(const WaterRod& rod) {
+    const double d = rod.water.diameter, given = rod.water.volume;
+    const double area = std::isnan(given) ? 0.25 * std::numbers::pi * d * d : given;
+    return area * (rod.to - rod.from).norm();
+}
+
+/// Water that a hull and rods of one body both displace, once a body.
+void check_rods(const World& world, const SeaDef& sea, Findings& out) {
+    std::vector<BodyId> told;
+    for (const WaterHull& hull : sea.hulls) {
+        if (std::find(told.begin(), told.end(), hull.body) != told.end()) continue;
+        told.push_back(hull.body);
+        double volume = 0.0;
+        for (const WaterRod& rod : sea.rods)
+            if (rod.body == hull.body) volume += volume_of(rod);
+        if (!(volume > 0.0)) continue;
+        const std::string name = record::body_label(world, hull.body);
+        const double water = sea.density * volume;
+        out.add(false, FindingKind::displacement, {name}, world.body_def(hull.body).mass / water,
+                fmt::format("{} has a hull, and rods that displace up to {} of water beside: what "
+                            "lies inside the hull counts twice; give such rods displaced_area 0",
+                            record::name_in_quotes(name), record::with_unit(water, "kg")));
+    }
+}
+
 }  // namespace
 
 void check_hulls(const World& world, Findings& out) {
     const SeaDef* sea = find_sea(world);
     if (sea == nullptr || sea->hulls.empty()) return;
+    check_rods(world, *sea, out);
     const double gravity = world.settings().gravity.norm();
     const double level = still_water(world);
     const Afloat afloat(world);
