@@ -66,9 +66,8 @@ struct Session::Impl {
         constexpr double kSlack = 1e-6;  // Times are multiples of the step up to rounding.
         World& w = world();
         const double now = w.time() + kSlack * w.settings().step;
-        for (; next_control < control.size() && control[next_control].time <= now; ++next_control) {
+        for (; next_control < control.size() && control[next_control].time <= now; ++next_control)
             set(control[next_control]);
-        }
     }
 
     void set(const record::ControlChange& change) {
@@ -131,7 +130,6 @@ struct Session::Impl {
         recording.to->add_frame(world());
         recording.written = world().step_count();
     }
-
     void add_row() {
         table.to->add_row(world());
         table.written = world().step_count();
