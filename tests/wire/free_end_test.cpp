@@ -149,8 +149,8 @@ TEST(FreeEnds, CutsAnywhereLeaveNoShortElements) {
         // lengths move by what differs in their strains.
         EXPECT_NEAR(w.length(wire), s, 1.1e-3 * kElement) << k;
         EXPECT_NEAR(w.length(wire) + w.length(piece), whole, 2e-4) << k;
-        // Of the element at the post that had half of it.
-        if (s > kElement) {
+        // The post has half of the element beside it, which a node that goes makes longer.
+        if (s > 1.3 * kElement) {
             EXPECT_NEAR(mass(), had, 1e-9 * had) << k;
         }
         for (const WireId id : {wire, piece}) {
