@@ -42,7 +42,7 @@ exporting::Frames frames_of(const record::Recording& recording, const ExportOpti
         exporting::choose_frames(recording, options.every, options.from, options.to);
     if (!frames.empty()) return frames;
     const std::size_t n = recording.frame_count();
-    const std::size_t first = recording.takes.empty() ? 0 : recording.takes.back().frames;
+    const std::size_t first = exporting::first_frame(recording);
     if (first >= n) throw record::RecordingError(options.file + ": no complete frame");
     throw record::RecordingError(
         fmt::format("{}: no frame between {:.6g} and {:.6g} s; the recording is from {:.6g} to "
@@ -59,7 +59,7 @@ void say_takes(const record::Recording& recording) {
                "s on\n",
                recording.file, recording.takes.size(),
                recording.takes.size() == 1 ? "time" : "times",
-               recording.frame_head(recording.takes.back().frames).time);
+               recording.frame_head(exporting::first_frame(recording)).time);
 }
 
 int export_recording(const ExportOptions& options) {

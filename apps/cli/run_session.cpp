@@ -53,7 +53,6 @@ Session RunSession::open() {
 
 void RunSession::check_files(const scene::Scene& scene) const {
     std::vector<NamedFile> inputs{{"the control file", options_.scene.control()},
-                                  {"the file of operations", options_.scene.operations()},
                                   {"the saved state", options_.restore}};
     for (const std::filesystem::path& file : scene.files)
         inputs.push_back({"a file of the scene", file.string()});

@@ -70,7 +70,6 @@ void print_addresses(const live::Server& server, const live::ServerOptions& opti
 Session open_session(const ViewOptions& options) {
     scene::Scene scene = options.scene.load();
     std::vector<NamedFile> inputs{{"the control file", options.scene.control()},
-                                  {"the file of operations", options.scene.operations()},
                                   {"the saved state", options.restore}};
     for (const std::filesystem::path& file : scene.files)
         inputs.push_back({"a file of the scene", file.string()});

@@ -43,10 +43,9 @@ void add_inputs(const record::Recording& recording, std::map<std::int64_t, Momen
     // What an input was set to last: repeating a value is no command.
     std::map<std::int32_t, double> last;
     for (const record::RecordedInput& change : recording.inputs) {
-        const auto i = static_cast<std::size_t>(change.input);
         const double before = std::exchange(last[change.input], change.value);
         if (change.value == before) continue;
-        if (i < recording.inner_inputs.size() && recording.inner_inputs[i]) continue;
+        if (record::is_inner_input(recording, static_cast<std::size_t>(change.input))) continue;
         Moment::put(moments[change.step].set,
                     fmt::format("{} {:.4g}", input_name(recording, change.input), change.value));
     }
@@ -61,8 +60,7 @@ std::vector<Command> commands_of(const record::Recording& recording) {
         const bool done = note.kind == record::kDoneNote;
         if (!done && note.kind != record::kSetNote) continue;
         Moment& moment = moments[note.step];
-        Moment::put(done ? moment.done : moment.set,
-                    {reinterpret_cast<const char*>(note.bytes.data()), note.bytes.size()});
+        Moment::put(done ? moment.done : moment.set, record::text_of(note));
     }
     std::vector<Command> out;
     std::size_t set = 0, done = 0, more = 0;

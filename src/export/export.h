@@ -19,6 +19,11 @@ namespace hawser::exporting {
 /// Which frames, ascending.
 using Frames = std::vector<std::size_t>;
 
+/// Of the last take, to which the run went back last; 0: it never did.
+[[nodiscard]] inline std::size_t first_frame(const record::Recording& recording) {
+    return recording.takes.empty() ? 0 : recording.takes.back().frames;
+}
+
 /// Every `every`-th frame of the last take whose time is in [from, to], of these the last one too.
 /// Earlier takes, which the run left by going back to another state, are left out: in both formats
 /// times ascend.

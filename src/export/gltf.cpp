@@ -140,8 +140,7 @@ Frames choose_frames(const record::Recording& recording, std::size_t every, doub
                      double to) {
     Frames out;
     std::size_t seen = 0, last = recording.frame_count();
-    const std::size_t first = recording.takes.empty() ? 0 : recording.takes.back().frames;
-    for (std::size_t i = first; i < recording.frame_count(); ++i) {
+    for (std::size_t i = first_frame(recording); i < recording.frame_count(); ++i) {
         const double time = recording.frame_head(i).time;
         if (time < from - 1e-9 || time > to + 1e-9) continue;
         if (seen++ % every == 0) out.push_back(i);

@@ -22,7 +22,7 @@ void Player::tell_timeline() {
     Json events = Json::array(), inputs = Json::array(), takes = Json::array();
     for (const record::RecordedNote& note : recording_.notes) {
         if (note.kind != record::kDoneNote || events.size() >= kMost) continue;
-        const std::string text(reinterpret_cast<const char*>(note.bytes.data()), note.bytes.size());
+        const std::string text = record::text_of(note);
         events.push_back({{"time", static_cast<double>(note.step) * recording_.settings.step},
                           {"kind", "command"},
                           {"name", text},
@@ -42,8 +42,8 @@ void Player::tell_timeline() {
         }
     for (const record::RecordedInput& input : recording_.inputs) {
         const auto place = static_cast<std::size_t>(input.input);
-        const bool inner = place < recording_.inner_inputs.size() && recording_.inner_inputs[place];
-        if (inputs.size() < kMost && place < recording_.input_names.size() && !inner)
+        if (inputs.size() < kMost && place < recording_.input_names.size() &&
+            !record::is_inner_input(recording_, place))
             inputs.push_back({static_cast<double>(input.step) * recording_.settings.step,
                               recording_.input_names[place], input.value});
     }

@@ -82,13 +82,6 @@ std::string event_words(const std::string& where, EventKind kind, double value) 
                          : record::with_unit(value, std::string(unit)));
 }
 
-std::string event_place(const World& world, const Event& event) {
-    if (std::string input = record::input_label(world, event); !input.empty()) return input;
-    if (event.kind == EventKind::line_break && event.interaction.valid())
-        return record::parted_label(world, event.interaction);
-    return record::place_label(world, event.interaction, event.body);
-}
-
 void tell_events(const World& world, std::span<const Event> events, Outbox& out) {
     constexpr int kMostFrequent = 8, kMost = 64;
     int told = 0, often = 0, more = 0;
@@ -99,7 +92,7 @@ void tell_events(const World& world, std::span<const Event> events, Outbox& out)
         }
         ++told;
         often += frequent(event.kind) ? 1 : 0;
-        const std::string where = event_place(world, event);
+        const std::string where = record::event_label(world, event);
         out.event(event.time, to_string(event.kind), where, event.value,
                   event_words(where, event.kind, event.value));
     };

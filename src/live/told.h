@@ -18,8 +18,6 @@ void tell_events(const World& world, std::span<const Event> events, Outbox& out)
 
 /// An event in words, such as "work1/s3 (work1 at 12.5 m) parted at 3.4 MN".
 [[nodiscard]] std::string event_words(const std::string& where, EventKind kind, double value);
-/// Name of the element, body or input to which an event happened.
-[[nodiscard]] std::string event_place(const World& world, const Event& event);
 
 /// Why the last step failed, where, and what to do.
 struct Failure {

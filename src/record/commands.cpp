@@ -7,6 +7,14 @@
 
 namespace hawser::record {
 
+std::string text_of(const RecordedNote& note) {
+    return {reinterpret_cast<const char*>(note.bytes.data()), note.bytes.size()};
+}
+
+bool is_inner_input(const Recording& recording, std::size_t place) {
+    return place < recording.inner_inputs.size() && recording.inner_inputs[place];
+}
+
 bool is_inner_input(const World& world, std::string_view name) {
     const auto signals = world.system_signals();
     return std::any_of(signals.begin(), signals.end(), [&](const SystemSignal& s) {

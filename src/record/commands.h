@@ -4,7 +4,9 @@
 /// What is commanded in a run beside inputs of the scene, as recordings keep it for pictures.
 
 #include <hawser/hawser.h>
+#include <hawser/recording.h>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +17,12 @@ namespace hawser::record {
 /// 120 m", and a signal of a system that was set, "winch.speed 0.5".
 inline constexpr char kDoneNote[] = "done";
 inline constexpr char kSetNote[] = "set";
+
+/// The text of such a note.
+[[nodiscard]] std::string text_of(const RecordedNote& note);
+
+/// Whether an input of a recording, by its place, is a part of a system, which drives it.
+[[nodiscard]] bool is_inner_input(const Recording& recording, std::size_t place);
 
 /// Whether an input is a part of a system, which drives it: its name begins with the system's, as
 /// "winch/motor/speed" of a winch.

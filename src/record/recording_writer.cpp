@@ -267,11 +267,7 @@ void RecordingWriter::add_event(const World& world, const Event& event) {
     payload_.put(event.time);
     payload_.put(static_cast<std::uint8_t>(event.kind));
     payload_.put(in_range(event.value));
-    const bool parts = event.kind == EventKind::line_break && event.interaction.valid();
-    const std::string input = input_label(world, event);
-    payload_.put_text(parts            ? parted_label(world, event.interaction)
-                      : !input.empty() ? input
-                                       : place_label(world, event.interaction, event.body));
+    payload_.put_text(event_label(world, event));
     write_chunk(kEventChunk);
 }
 

@@ -37,11 +37,7 @@ LineWater water_of(const Json& line, const Place& place) {
     if (!(w.diameter > 0.0))
         refuse(place / "line_type",
                "its line type has \"cd_normal\", drag on its diameter, but no \"diameter\"");
-    w.volume = number_or(line, "displaced_area", w.volume);
-    w.cd_normal = line["cd_normal"].get<double>();
-    w.cd_tangential = number_or(line, "cd_tangential", w.cd_tangential);
-    w.ca_normal = number_or(line, "ca_normal", w.ca_normal);
-    w.ca_tangential = number_or(line, "ca_tangential", w.ca_tangential);
+    read_line_water(line, w);
     return w;
 }
 
@@ -119,6 +115,14 @@ void read_line_types(CableLayout& c, const Json& cable, const Document& document
     if (c.links && !(c.radius > 0.0)) {
         refuse(place, "a cable of links needs \"radius\", or \"diameter\" in its line type");
     }
+}
+
+void read_line_water(const Json& json, LineWater& w) {
+    w.volume = number_or(json, "displaced_area", w.volume);
+    w.cd_normal = number_or(json, "cd_normal", w.cd_normal);
+    w.cd_tangential = number_or(json, "cd_tangential", w.cd_tangential);
+    w.ca_normal = number_or(json, "ca_normal", w.ca_normal);
+    w.ca_tangential = number_or(json, "ca_tangential", w.ca_tangential);
 }
 
 void measure_elements(CableLayout& c) noexcept {

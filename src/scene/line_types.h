@@ -12,6 +12,10 @@ namespace hawser::scene {
 void read_line_types(CableLayout& c, const Json& cable, const Document& document,
                      const Place& place);
 
+/// What water does by a line type's, or a rod's, coefficients, where they are given; all but the
+/// diameter.
+void read_line_water(const Json& json, LineWater& water);
+
 /// Lengths of all elements, once the length of the cable is known.
 void measure_elements(CableLayout& c) noexcept;
 

@@ -3,6 +3,7 @@
 #include <hawser/sea.h>
 
 #include "scene/description.h"
+#include "scene/line_types.h"
 #include "scene/water_hulls.h"
 
 #include <algorithm>
@@ -57,15 +58,10 @@ WindDef wind_of(const Json& json) {
 /// But for its body.
 WaterRod rod_of(const Json& json) {
     WaterRod rod;
-    LineWater& w = rod.water;
     rod.from = vector_of(json["from"]);
     rod.to = vector_of(json["to"]);
-    w.diameter = json["diameter"].get<double>();
-    w.volume = number_or(json, "displaced_area", w.volume);
-    w.cd_normal = number_or(json, "cd_normal", w.cd_normal);
-    w.cd_tangential = number_or(json, "cd_tangential", w.cd_tangential);
-    w.ca_normal = number_or(json, "ca_normal", w.ca_normal);
-    w.ca_tangential = number_or(json, "ca_tangential", w.ca_tangential);
+    rod.water.diameter = json["diameter"].get<double>();
+    read_line_water(json, rod.water);
     rod.segments = json.value("segments", rod.segments);
     return rod;
 }

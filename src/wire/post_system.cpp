@@ -199,17 +199,10 @@ bool PostSystem::slide(NodeEdits& nodes, std::size_t slot) noexcept {
 bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot, bool off_end) {
     const World& world = nodes.world;
     const GuideSystem& guide = *guides_[slot];
-    if (guide.ran_off()) {
-        on_[slot] = 0;
-        let_go_ += 1.0;
-        wait_ = kWait;
-        return true;
-    }
     bool past = off_end;
-    if (!pulls(world, guide, past)) return false;
-    const InteractionDef element = lifted_element(world, guide, past);
+    if (!guide.ran_off() && !pulls(world, guide, past)) return false;
     on_[slot] = 0;  // it holds nothing of it
-    if (!lift_off_guide(nodes, guide, element)) {
+    if (!guide.ran_off() && !lift_off_guide(nodes, guide, lifted_element(world, guide, past))) {
         on_[slot] = 1;
         return false;
     }

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,7 +28,6 @@ constexpr double kNear = 1e-3;
 /// Share of the element beside it below which an element that a cut leaves at an end is made one
 /// with it: the light lump between them would be whipped round faster than a step follows.
 constexpr double kShort = 0.25;
-constexpr double kAnyBend = 3.2;  ///< More than half a turn [rad].
 
 /// "tow/2" where tow or a piece of it is cut: the first that nothing has.
 std::string next_name(const world::Names& names, const std::string& of) {
@@ -154,7 +154,7 @@ void World::Impl::join_short_end(World& world, InteractionId end, std::size_t si
     if (in.rest_length[at(end.index)] >= kShort * in.rest_length[at(next)]) return;
     try {
         const Untold untold(*this);
-        (void)world.remove_node(ctx.model.bodies.id(place.node), kAnyBend);
+        (void)world.remove_node(ctx.model.bodies.id(place.node), std::numbers::pi);
     } catch (const std::exception&) {
         return;  // what holds the node keeps the element as well
     }
