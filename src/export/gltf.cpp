@@ -78,7 +78,7 @@ struct Track {
 class Animator {
   public:
     Animator(const record::Recording& recording, const Layout& layout)
-        : recording_(recording), layout_(layout), reader_(recording) {
+        : layout_(layout), reader_(recording) {
         for (const BodyNode& b : layout.bodies) {
             if (b.moves) tracks_.push_back({b.data, 3, {}});
             if (b.turns) tracks_.push_back({b.turn, 4, {}});
@@ -120,7 +120,6 @@ class Animator {
     void of_frames(std::size_t count) { frames_ = count; }
 
   private:
-    const record::Recording& recording_;
     const Layout& layout_;
     WireReader reader_;
     std::vector<WireLine> lines_;

@@ -59,7 +59,11 @@ class Playing {
     /// A step of so much time [s] has been taken, or failed: the next one is due behind it.
     void took(double step) noexcept { pace_.took(step, rate_); }
     /// One of the steps that were asked for. @return whether it was the last of them.
-    bool count_step() noexcept { return to_go_ > 0 && --to_go_ == 0; }
+    bool count_step() noexcept {
+        if (to_go_ <= 0) return false;
+        --to_go_;
+        return to_go_ == 0;
+    }
 
     /// Until the next step is due, in slices, so that at low rates, too, commands are taken at
     /// once; a slice where none is. `take` takes what is waiting and says whether that ends the

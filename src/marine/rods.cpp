@@ -120,9 +120,9 @@ void RodWater::add_segment(const Vec3& arm, const WaterPoint& water, const Water
         add_rise(weight, arm, out.under);
     }
     const Vec3 moment = arm.cross(push);
-    for (int k = 0; k < 3; ++k) {
-        out.force[static_cast<std::size_t>(k)] += push[k];
-        out.force[static_cast<std::size_t>(3 + k)] += moment[k];
+    for (std::size_t k = 0; k < 3; ++k) {
+        out.force[k] += push[static_cast<int>(k)];
+        out.force[3 + k] += moment[static_cast<int>(k)];
     }
 }
 

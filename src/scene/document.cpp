@@ -81,8 +81,8 @@ class Includer {
                 const auto other = places.find(name);
                 const std::string& there =
                     other == places.end() ? document_.place.file : other->second.file;
-                (void)attempt(document_.mistakes, [&, &name = name] {
-                    refuse(at, in_quotes(name) + " is already defined in " + there);
+                (void)attempt(document_.mistakes, [&, &taken = name] {
+                    refuse(at, in_quotes(taken) + " is already defined in " + there);
                 });
                 continue;
             }

@@ -18,7 +18,7 @@ Mat3 outer(const Vec3& a) { return a * a.transpose(); }
 SeaVerifier::SeaVerifier(const World& world) : def_(find_sea(world)) {
     if (def_ == nullptr) return;
     gravity_ = world.settings().gravity.norm();
-    sea_.emplace(*def_, gravity_);
+    sea_ = std::make_unique<const Sea>(*def_, gravity_);
     std::size_t sorts = 0;
     for (const WaterLine& line : def_->lines) sorts += line.sections.size();
     volumes_.reserve(sorts);  // pointers into it stay

@@ -8,7 +8,7 @@
 #include <hawser/hawser.h>
 
 #include <array>
-#include <optional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -78,7 +78,7 @@ class SeaVerifier {
                          const Vec3& velocity, Load& out);
 
     const SeaDef* def_ = nullptr;
-    std::optional<Sea> sea_;
+    std::unique_ptr<const Sea> sea_;
     double gravity_ = 9.81;
     std::vector<std::pair<InteractionId, const LineWater*>> known_;  ///< As defined, ascending.
     std::vector<LineWater> volumes_;
