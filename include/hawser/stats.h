@@ -170,6 +170,11 @@ struct Energy {
     /// Work done since the start by loads of systems but for their damping, which counts as
     /// dissipated; changes of their added mass included.
     double system = 0.0;
+    /// Work done since the start by water on all bodies: by all that the sea loads them with
+    /// (hawser/sea.h), its damping and added mass included, so that what water takes is negative.
+    /// A part of `system`, `dissipated` and the change of `added`. 0 where a recording is repeated,
+    /// whose loads have no names.
+    double water = 0.0;
     [[nodiscard]] double mechanical() const noexcept { return kinetic + added + gravity + elastic; }
 };
 

@@ -352,6 +352,8 @@ class System {
         static_cast<void>(element);
         return kDefault;
     }
+    /// Whether its loads are those of water (Energy::water); stays the same.
+    [[nodiscard]] virtual bool is_water() const noexcept { return false; }
     /// Whether a higher level of World::coarsening() would have it leave out more.
     [[nodiscard]] virtual bool coarsens() const noexcept { return false; }
     /// Another one with the same definition, for World::twin(), which then copies the state; null:

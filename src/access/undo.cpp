@@ -17,9 +17,9 @@ void put(const A& from, A& to) noexcept {
 }
 
 Undo::Scalars read(const State& state, const StepStats& stats) noexcept {
-    return {state.step,       state.time,        state.ledger,
-            state.loads.work, state.loads.added, state.refine_unasked,
-            state.started,    stats.event_count, state.judge.state};
+    return {state.step,        state.time,        state.ledger,         state.loads.work,
+            state.loads.water, state.loads.added, state.refine_unasked, state.started,
+            stats.event_count, state.judge.state};
 }
 
 void write(const Undo::Scalars& from, StepContext& c) noexcept {
@@ -27,6 +27,7 @@ void write(const Undo::Scalars& from, StepContext& c) noexcept {
     c.state.time = c.work.stats.time = from.time;
     c.state.ledger = from.ledger;
     c.state.loads.work = from.system_work;
+    c.state.loads.water = from.water;
     c.state.loads.added = from.added;
     c.state.refine_unasked = from.refine_unasked;
     c.state.started = from.started;

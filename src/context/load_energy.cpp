@@ -42,6 +42,12 @@ void LoadStore::works(const model::Bodies& bodies, double h, const double* v, co
         sum.work -= 0.25 * h * h * product(k, n, gain, mean);
         sum.damped += h * product(d, n, seen, mean);
         sum.added += 0.5 * product(a, n, after, after);
+        const double* wf = water_of(e);
+        if (wf == nullptr) continue;
+        const double *wa = wf + n, *wd = wa + size, *wk = wd + size;
+        for (int i = 0; i < n; ++i) sum.water += h * wf[i] * mean[i];
+        sum.water -= 0.25 * h * h * product(wk, n, gain, mean) + h * product(wd, n, seen, mean) +
+                     product(wa, n, gain, mean);
     }
 }
 
@@ -58,6 +64,7 @@ LoadStore::Works LoadStore::sum(base::Executor& executor, F&& f) noexcept {
         all.work += w.work;
         all.damped += w.damped;
         all.added += w.added;
+        all.water += w.water;
     }
     return all;
 }
@@ -101,6 +108,7 @@ double LoadStore::gain(const model::Bodies& bodies, double h, const double* v,
 double LoadStore::count() noexcept {
     if (!measured_) return 0.0;
     work += taken_.work + change_;
+    water += taken_.water;
     added = taken_.added;
     change_ = 0.0;
     measured_ = false;

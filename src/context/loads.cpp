@@ -65,6 +65,10 @@ void LoadStore::prepare(const model::Bodies& bodies) {
     entries_.clear();
     used_.clear();
     late_.clear();
+    sources_.clear();
+    last_water_.clear();
+    shared_of_.clear();
+    shared_.clear();
     data_.clear();
     coupled_count_ = 0;
     any_ = false;
@@ -83,6 +87,7 @@ void LoadStore::clear() noexcept {
         const Entry& entry = entries_[e];
         std::fill_n(&data_[at(entry.place)], size_of(entry.freedom), 0.0);
         used_[e] = 0;
+        sources_[e] = kNobody;
         coupled_[at(entry.body)] = -1;
     }
     coupled_count_ = 0;
@@ -101,6 +106,9 @@ bool LoadStore::add_entry(std::int32_t body, int freedom) noexcept {
         base::make_room(entries_, 1);
         base::make_room(used_, 1);
         base::make_room(late_, 1);
+        base::make_room(sources_, 1);
+        base::make_room(last_water_, 1);
+        base::make_room(shared_of_, 1);
         base::make_room(data_, at(size_of(freedom)));
         base::make_room(woken_, entries_.size() + 1);
         base::make_room(woken_quiet_, entries_.size() + 1);
@@ -113,6 +121,9 @@ bool LoadStore::add_entry(std::int32_t body, int freedom) noexcept {
     entries_.push_back({body, static_cast<std::int32_t>(data_.size()), freedom});
     used_.push_back(0);
     late_.push_back(0.5);
+    sources_.push_back(kNobody);
+    last_water_.push_back(0);
+    shared_of_.push_back(-1);
     data_.resize(data_.size() + at(size_of(freedom)), 0.0);
     return true;
 }
@@ -133,14 +144,25 @@ BodyLoad LoadStore::of(BodyId id) noexcept {
         if (parallel_ || !add_entry(body, freedom)) return nowhere;
     }
     const auto e = at(entry_of_[at(body)]);
-    used_[e] = system_;
+    if (used_[e] != system_) {
+        if (sources_[e] != kNobody && (last_water_[e] != 0) != water_now_ && shared_of_[e] < 0) {
+            if (parallel_) unreserved_.store(true, std::memory_order_relaxed);
+            if (parallel_ || !make_shared(e)) return nowhere;
+        }
+        note_source(e);
+        used_[e] = system_;
+    }
     return at_place(entries_[e].place, freedom);
 }
 
 void LoadStore::reserve(std::span<const BodyId> bodies) noexcept {
     for (const BodyId id : bodies) {
-        if (!there(id) || freedom_[at(id.index)] == 0 || entry_of_[at(id.index)] >= 0) continue;
-        if (!add_entry(id.index, freedom_[at(id.index)])) return;
+        if (!there(id) || freedom_[at(id.index)] == 0) continue;
+        const std::int32_t e = entry_of_[at(id.index)];
+        if (e < 0 && !add_entry(id.index, freedom_[at(id.index)])) return;
+        if (e >= 0 && sources_[at(e)] != kNobody && (last_water_[at(e)] != 0) != water_now_ &&
+            shared_of_[at(e)] < 0 && !make_shared(at(e)))
+            return;
     }
 }
 
@@ -198,6 +220,7 @@ void LoadStore::finish(model::Bodies& bodies, double h, base::Executor& executor
                        double* block = a + 3 * size;
                        double whole[21], fast[21];
                        late_[at(e)] = 0.5;
+                       finish_water(at(e));
                        if (any_of(d, size)) {
                            mass_matrix(bodies, entry.body, n, whole);
                            for (int i = 0; i < size; ++i) {
@@ -312,7 +335,8 @@ std::vector<LoadView> LoadStore::view() const {
 
 std::size_t LoadStore::bytes() const noexcept {
     return base::bytes(entry_of_) + base::bytes(freedom_) + base::bytes(coupled_) +
-           base::bytes(entries_) + base::bytes(used_) + base::bytes(late_) + base::bytes(data_);
+           base::bytes(entries_) + base::bytes(used_) + base::bytes(late_) + base::bytes(data_) +
+           base::bytes(shared_);
 }
 
 void LoadStore::accept() noexcept {

@@ -50,6 +50,7 @@ class LoadStore {
         double work = 0.0;    ///< Of f, and of K by its change.
         double damped = 0.0;  ///< Taken by D.
         double added = 0.0;   ///< ½ vᵀA v afterwards.
+        double water = 0.0;   ///< Impulses of the water's loads · v̄.
     };
 
     /// For the bodies there are; loads stay. @throws std::bad_alloc.
@@ -61,8 +62,10 @@ class LoadStore {
     BodyLoad of(BodyId id) noexcept;
     void reserve(std::span<const BodyId> bodies) noexcept;
     /// Whose loads those to come are. Threads may be at work only where `parallel`.
-    void begin_system(int number) noexcept {
+    /// @param of_water  They are those of water.
+    void begin_system(int number, bool of_water = false) noexcept {
         system_ = number + 1;
+        water_now_ = of_water;
         touched_.store(false, std::memory_order_relaxed);
     }
     void share(bool parallel) noexcept { parallel_ = parallel; }
@@ -123,6 +126,7 @@ class LoadStore {
 
     // State.
     double work = 0.0;   ///< Since the start, see Energy::system [J].
+    double water = 0.0;  ///< Since the start, see Energy::water [J].
     double added = 0.0;  ///< ½ vᵀA v after the last step [J].
 
   private:
@@ -138,6 +142,20 @@ class LoadStore {
     struct Entry {
         std::int32_t body, place, freedom;
     };
+    /// Whose loads an entry has in this step.
+    enum Source : std::uint8_t { kNobody = 0, kOther = 1, kWater = 2 };
+    /// Where water and another system load the same body: what of f, A, D, K is the water's. Room
+    /// for an entry's is made once.
+    struct Shared {
+        std::int32_t entry = -1;
+        double water[69] = {};   ///< The water's so far.
+        double before[69] = {};  ///< All there was when the water that acts now began.
+    };
+    bool make_shared(std::size_t entry) noexcept;   // load_water.cpp
+    void note_source(std::size_t entry) noexcept;   // load_water.cpp
+    void finish_water(std::size_t entry) noexcept;  // load_water.cpp
+    /// f, A, D, K of the water's loads of an entry; null: none.
+    [[nodiscard]] const double* water_of(std::size_t entry) const noexcept;
     [[nodiscard]] bool there(BodyId id) const noexcept {
         return id.index >= 0 && static_cast<std::size_t>(id.index) < generation_.size() &&
                generation_[static_cast<std::size_t>(id.index)] == id.generation;
@@ -161,14 +179,19 @@ class LoadStore {
     std::vector<Entry> entries_;            ///< In the order of their first loads.
     std::vector<std::int32_t> used_;        ///< By entry: last system + 1 in this step, 0: none.
     std::vector<double> late_;              ///< By entry: θ.
-    std::vector<std::int32_t> fault_;       ///< Scratch, one a chunk of entries.
-    base::Array<double> data_;              ///< Of each entry f, A, D, K, B.
-    double scratch_[96] = {};               ///< For what cannot be loaded.
-    Works taken_;                           ///< By the step that has been solved, if `measured_`.
+    std::vector<std::uint8_t> sources_;     ///< By entry: Source, both bits where two load it.
+    std::vector<std::uint8_t> last_water_;  ///< By entry: who acted last on it is water.
+    std::vector<std::int32_t> shared_of_;   ///< By entry: into `shared_`, −1.
+    std::vector<Shared> shared_;
+    std::vector<std::int32_t> fault_;  ///< Scratch, one a chunk of entries.
+    base::Array<double> data_;         ///< Of each entry f, A, D, K, B.
+    double scratch_[96] = {};          ///< For what cannot be loaded.
+    Works taken_;                      ///< By the step that has been solved, if `measured_`.
     double change_ = 0.0;  ///< Of `added` by what A has become, in the step being taken [J].
     int system_ = 0;
     std::int32_t coupled_count_ = 0;
     bool any_ = false, parallel_ = false, out_of_memory_ = false, measured_ = false;
+    bool water_now_ = false;  ///< The system that acts is water.
     std::atomic<bool> touched_{false};
     std::atomic<bool> unreserved_{
         false};  ///< Threads asked for a body that reserve() did not name.

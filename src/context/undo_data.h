@@ -42,7 +42,7 @@ struct Undo {
         std::int64_t step;
         double time;
         Ledger ledger;
-        double system_work, added;
+        double system_work, water, added;
         int refine_unasked;
         bool started;
         std::array<std::int64_t, kEventKindCount> event_count;

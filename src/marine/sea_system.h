@@ -169,6 +169,7 @@ class SeaSystem final : public System {
     void visit_state(StateVisitor& visitor) override;
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
+    [[nodiscard]] bool is_water() const noexcept override { return true; }
     [[nodiscard]] std::unique_ptr<System> clone() const override;
     [[nodiscard]] const SeaDef& def() const noexcept { return def_; }
     /// z of it at a time, with the level that was set [m].

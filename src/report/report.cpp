@@ -174,6 +174,9 @@ void quality(Out out, const Summary& s) {
         fmt::format_to(out, "; systems did {}, their added mass holds {}",
                        record::with_unit(s.energy_end.system - s.energy_start.system, "J"),
                        record::with_unit(s.energy_end.added, "J"));
+    if (s.energy_end.water != s.energy_start.water)
+        fmt::format_to(out, "; water did {} in all",
+                       record::with_unit(s.energy_end.water - s.energy_start.water, "J"));
     // At rest nothing is exchanged, and a part of nothing says nothing.
     if (s.energy_scale > 1e-6 * std::abs(s.energy_start.mechanical()))
         fmt::format_to(out, " ({:.2g} % of what was exchanged)", 100.0 * drift / s.energy_scale);

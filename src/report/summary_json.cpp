@@ -114,6 +114,7 @@ Json energy_balance(const Summary& s) {
             {"contact", s.energy_end.contact - s.energy_start.contact},
             {"damped", s.energy_end.damped - s.energy_start.damped},
             {"system", s.energy_end.system - s.energy_start.system},
+            {"water", s.energy_end.water - s.energy_start.water},
             {"drift", drift},
             {"step_drift",
              {{"median", s.energy_step_drift.median},

@@ -97,6 +97,7 @@ Energy energy(StepContext& ctx) noexcept {
     }
     e.added = ctx.state.loads.added;
     e.system = ctx.state.loads.work;
+    e.water = ctx.state.loads.water;
     e.applied = ctx.state.ledger.work;
     e.driven = ctx.state.ledger.drive;
     e.dissipated = ctx.state.ledger.drag;

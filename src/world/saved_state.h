@@ -15,7 +15,7 @@ namespace hawser::world {
 
 /// Identifies the world's layout and says how much follows.
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '4'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '5'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -81,6 +81,7 @@ void visit_values(Context& ctx, F&& f) {
     f(ctx.state.ledger.contact);
     f(ctx.state.ledger.damped);
     f(ctx.state.loads.work);
+    f(ctx.state.loads.water);
     f(ctx.state.loads.added);
     f(ctx.state.judge.state);
     f(ctx.work.stats.event_count);
@@ -177,7 +178,7 @@ struct SavedState {
     } model;
     struct {
         struct {
-            double work = 0.0, added = 0.0;
+            double work = 0.0, water = 0.0, added = 0.0;
         } loads;
         struct {
             stepper::JudgeState state;

@@ -223,10 +223,10 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     flags(j.told, "a word of the judge");
     if (j.step < 0 || j.step > s.state.step || j.begun < 0 || j.begun > s.state.step + 1)
         refuse_state("the judge looked at no step");
-    const double energies[] = {s.state.ledger.work,    s.state.ledger.drag,
-                               s.state.ledger.drive,   s.state.ledger.friction,
-                               s.state.ledger.contact, s.state.ledger.damped,
-                               s.state.loads.work,     s.state.loads.added};
+    const double energies[] = {
+        s.state.ledger.work,     s.state.ledger.drag,    s.state.ledger.drive,
+        s.state.ledger.friction, s.state.ledger.contact, s.state.ledger.damped,
+        s.state.loads.work,      s.state.loads.water,    s.state.loads.added};
     numbers(energies, "an energy", 1e300);
     const auto& r = s.model.regroup;
     if (r.made < 0 || r.made > s.state.step || r.seen < -1 || r.seen > s.state.step ||

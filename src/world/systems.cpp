@@ -192,7 +192,7 @@ Status Systems::act_all(stepper::StepContext& ctx) {
     Prestep now(*world_, ctx.state.time, ctx.model.def.step, ctx.state.step, hands, queue_);
     Loads loads(ctx.state.loads);
     for (std::size_t i = 0; i < list_.size(); ++i) {
-        ctx.state.loads.begin_system(static_cast<int>(i));
+        ctx.state.loads.begin_system(static_cast<int>(i), list_[i]->is_water());
         queue_.begin_system(list_[i]->name());
         list_[i]->prestep(now, loads);
         if (ctx.state.loads.out_of_memory() || queue_.out_of_memory() || untold_)

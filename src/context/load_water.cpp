@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What of a body's loads is the water's (Energy::water). Loads of all systems add up in one entry
+/// a body. Where water alone loads it, the entry is the water's. Where others do as well, what
+/// water adds is the difference between what was there when it began and when the next one did.
+#include "base/index.h"
+#include "context/load_matrix.h"
+#include "context/loads.h"
+
+#include <algorithm>
+#include <new>
+
+namespace hawser::stepper {
+
+bool LoadStore::make_shared(std::size_t entry) noexcept {
+    try {
+        shared_.emplace_back();
+    } catch (const std::bad_alloc&) {
+        out_of_memory_ = true;
+        return false;
+    }
+    shared_.back().entry = static_cast<std::int32_t>(entry);
+    shared_of_[entry] = static_cast<std::int32_t>(shared_.size() - 1);
+    return true;
+}
+
+void LoadStore::note_source(std::size_t entry) noexcept {
+    const std::uint8_t source = water_now_ ? kWater : kOther;
+    if (sources_[entry] != kNobody && (last_water_[entry] != 0) != water_now_) {
+        Shared& s = shared_[at(shared_of_[entry])];
+        const Entry& e = entries_[entry];
+        const double* all = &data_[at(e.place)];
+        const int n = e.freedom + 3 * entries_of(e.freedom);
+        const bool second = sources_[entry] == (kOther | kWater);
+        if (!second) std::fill_n(s.water, n, 0.0);
+        if (!second && !water_now_) std::fill_n(s.before, n, 0.0);  // the water was the first
+        if (water_now_)
+            std::copy_n(all, n, s.before);
+        else
+            for (int i = 0; i < n; ++i) s.water[i] += all[i] - s.before[i];
+    }
+    sources_[entry] |= source;
+    last_water_[entry] = water_now_ ? 1 : 0;
+}
+
+void LoadStore::finish_water(std::size_t entry) noexcept {
+    if (sources_[entry] != (kOther | kWater) || last_water_[entry] == 0) return;
+    Shared& s = shared_[at(shared_of_[entry])];
+    const Entry& e = entries_[entry];
+    const double* all = &data_[at(e.place)];
+    for (int i = 0; i < e.freedom + 3 * entries_of(e.freedom); ++i)
+        s.water[i] += all[i] - s.before[i];
+}
+
+const double* LoadStore::water_of(std::size_t entry) const noexcept {
+    if ((sources_[entry] & kWater) == 0) return nullptr;
+    if (sources_[entry] == kWater) return &data_[at(entries_[entry].place)];
+    return shared_[at(shared_of_[entry])].water;
+}
+
+}  // namespace hawser::stepper

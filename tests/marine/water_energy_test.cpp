@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Energy::water: what the sea does to bodies, also where other systems load the same ones.
+#include "floater.h"
+#include "systems/acting.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+namespace hawser::test {
+namespace {
+
+/// A ball of 2 t that displaces 4 m³, let go below the surface of a current, in waves.
+BodyId add_ball(World& w) {
+    const BodyId ball = w.add_body({.name = "ball",
+                                    .position = {0, 0, -6.0},
+                                    .velocity = {0.3, 0.0, 0.5},
+                                    .mass = 2'000.0,
+                                    .inertia = Vec3(800, 800, 800).asDiagonal()});
+    return ball;
+}
+
+void add_sea(World& w, BodyId ball) {
+    SeaDef sea{.depth = 60.0};
+    sea.waves.push_back({.kind = WaveKind::regular, .height = 2.0, .period = 8.0});
+    sea.current = {{0.0, 1.0, 0.4}};
+    sea.bodies.push_back(
+        {.body = ball, .drag_area = {3.0, 3.0, 3.0}, .volume = 4.0, .added_mass = {0.5, 0.5, 0.5}});
+    w.add(sea);
+}
+
+/// A force that swings and a damper, on the same body, by a system that is no water.
+Acting& add_pull(World& w, BodyId ball, const char* name) {
+    return act(w, name, [ball](Acting&, Prestep& now, Loads& loads) {
+        loads.add_force(ball, {900.0 * std::cos(now.time), 400.0, 0.0}, {0, 0, 0});
+        loads.add_mass(ball, Mat3(Mat3::Identity() * 150.0));
+        loads.add_damping(ball, Mat3(Mat3::Identity() * 40.0));
+    });
+}
+
+/// Of the energies of bodies, what neither water nor gravity explains.
+double left_by_water(const Energy& from, const Energy& to) {
+    return (to.kinetic + to.gravity - to.water) - (from.kinetic + from.gravity - from.water);
+}
+
+TEST(WaterEnergy, IsAllThatABodyInTheSeaGainsAndLoses) {
+    World w;
+    const BodyId ball = add_ball(w);
+    add_sea(w, ball);
+    go(w, 1);
+    const Energy start = w.energy();
+    double worst = 0.0, most = 0.0;
+    for (int i = 0; i < 1'200; ++i) {
+        go(w, 1);
+        worst = std::max(worst, std::abs(left_by_water(start, w.energy())));
+        most = std::max(most, std::abs(w.energy().water - start.water));
+    }
+    const Energy e = w.energy();
+    std::printf("water did %.4g J, at most %.4g J; %.2g J not explained\n", e.water - start.water,
+                most, worst);
+    EXPECT_GT(most, 1e4);
+    // 1,200 sums of some 1e5 J, each rounded to 1e-16 of itself.
+    EXPECT_LT(worst, 1e-10 * most);
+    // The same by the accounts that do not ask whose loads they are.
+    EXPECT_NEAR(
+        e.water - start.water,
+        (e.system - start.system) - (e.dissipated - start.dissipated) - (e.added - start.added),
+        1e-10 * most);
+}
+
+/// Systems before and behind the sea load the same body; their work is that of a world in which
+/// they alone are named: kinetic + gravity − water is what they did.
+TEST(WaterEnergy, LeavesOutWhatOtherSystemsDo) {
+    for (const int order : {0, 1, 2}) {  // others before the sea, behind it, both
+        World w;
+        const BodyId ball = add_ball(w);
+        if (order != 1) add_pull(w, ball, "tug");
+        add_sea(w, ball);
+        if (order != 0) add_pull(w, ball, "line");
+        go(w, 1);
+        const Energy start = w.energy();
+        const int pulls = order == 2 ? 2 : 1;
+        double theirs = 0.0, most = 0.0;
+        for (int i = 0; i < 600; ++i) {
+            const Vec3 before = w.velocity(ball).linear;
+            const double t = w.time(), h = w.settings().step;
+            go(w, 1);
+            const Vec3 after = w.velocity(ball).linear, mean = 0.5 * (before + after);
+            // Impulse of a pull by its own definition; θ of the damper as the world has it.
+            const double late = w.loads().front().late;
+            const Vec3 impulse = h * Vec3(900.0 * std::cos(t), 400.0, 0.0) -
+                                 150.0 * (after - before) -
+                                 h * 40.0 * (late * after + (1.0 - late) * before);
+            theirs += pulls * impulse.dot(mean);
+            most = std::max(most, std::abs(theirs));
+        }
+        std::printf("order %d: others did %.4g J, water %.4g J, %.2g J not explained\n", order,
+                    theirs, w.energy().water - start.water,
+                    left_by_water(start, w.energy()) - theirs);
+        EXPECT_GT(most, 100.0);
+        EXPECT_NEAR(left_by_water(start, w.energy()), theirs, 1e-8 * most);
+    }
+}
+
+TEST(WaterEnergy, IsSavedCopiedAndTakenBack) {
+    World w;
+    const BodyId ball = add_ball(w);
+    add_sea(w, ball);
+    go(w, 100);
+    const std::vector<std::byte> saved = w.save();
+    const double water = w.energy().water;
+    ASSERT_NE(water, 0.0);
+    World other = w.twin();
+    EXPECT_EQ(other.energy().water, water);
+    go(w, 50);
+    const double later = w.energy().water;
+    EXPECT_NE(later, water);
+    w.restore(saved);
+    EXPECT_EQ(w.energy().water, water);
+    go(w, 50);
+    EXPECT_EQ(w.energy().water, later);
+    go(other, 50);
+    EXPECT_EQ(other.energy().water, later);
+    // A step that fails leaves it.
+    act(w, "broken", [ball](Acting&, Prestep&, Loads& loads) {
+        loads.add_force(ball, Vec3::Constant(std::numeric_limits<double>::quiet_NaN()),
+                        Vec3::Zero());
+    });
+    EXPECT_EQ(w.step(), Status::bad_load);
+    EXPECT_EQ(w.energy().water, later);
+}
+
+/// Nothing that is no water counts as such.
+TEST(WaterEnergy, IsNothingWithoutASea) {
+    World w({.gravity = Vec3::Zero()});
+    const BodyId ball = add_ball(w);
+    add_pull(w, ball, "tug");
+    go(w, 60);
+    EXPECT_NE(w.energy().system, 0.0);
+    EXPECT_EQ(w.energy().water, 0.0);
+}
+
+}  // namespace
+}  // namespace hawser::test
