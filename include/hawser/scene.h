@@ -112,6 +112,9 @@ struct Scene {
     double duration = 10.0;  ///< [s].
     World world;
     std::vector<Cable> cables;
+    /// Where each shape comes from, by the index of its id: file and JSON pointer, as a SceneError
+    /// has them, "tow.json: /shapes/3"; of the capsules of a cable the cable's.
+    std::vector<std::string> shape_places;
     std::vector<SignalInput> signal_inputs;
     std::vector<Operation> timeline;         ///< By time. A Session does it.
     std::vector<std::string> plot_tensions;  ///< Cables whose tension is worth a curve.

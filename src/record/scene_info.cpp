@@ -15,7 +15,8 @@ SceneInfo info_of(const scene::Scene& scene) {
                    .hash = scene.hash,
                    .cables = {},
                    .plot_cables = {},
-                   .plot_bodies = {}};
+                   .plot_bodies = {},
+                   .shape_places = scene.shape_places};
     for (const scene::Cable& cable : scene.cables)
         info.cables.push_back({cable.name, cable.line_type, cable.nodes, cable.stretch, cable.EA,
                                cable.breaking_load, cable.length, cable.diameter, cable.laid_from,

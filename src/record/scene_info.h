@@ -35,6 +35,8 @@ struct SceneInfo {
     std::vector<CableInfo> cables;
     std::vector<std::int32_t> plot_cables;  ///< Cables whose tension deserves a curve.
     std::vector<BodyId> plot_bodies;        ///< Bodies whose motion deserves a curve.
+    /// Of each shape of the start, file and JSON pointer (scene::Scene::shape_places).
+    std::vector<std::string> shape_places;
 };
 
 /// Of a scene that was read; it may be moved afterwards.

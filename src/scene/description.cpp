@@ -52,6 +52,14 @@ void Description::add_shape(ShapeDef def, int place) {
     shape_at_.push_back(static_cast<std::size_t>(place));
 }
 
+std::vector<std::string> Description::shape_places() const {
+    std::vector<std::string> out;
+    out.reserve(shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        out.push_back(shape_place(i).file + ": " + shape_place(i).path);
+    return out;
+}
+
 std::optional<ShapeDef> Description::remove_segment(BodyId a, BodyId b) {
     std::optional<ShapeDef> out;
     for (std::size_t i = shapes.size(); i-- > 0;) {

@@ -16,6 +16,7 @@
 #include <hawser/stopper.h>
 
 #include "scene/document.h"
+#include "scene/frame.h"
 
 #include <cstdint>
 #include <optional>
@@ -27,21 +28,6 @@
 #include <vector>
 
 namespace hawser::scene {
-
-/// Where a template's own coordinates lie in the world, and how that place moves.
-struct Frame {
-    Vec3 position{0.0, 0.0, 0.0};
-    Quat orientation = Quat::Identity();
-    Vec3 velocity{0.0, 0.0, 0.0};
-    Vec3 angular_velocity{0.0, 0.0, 0.0};
-
-    [[nodiscard]] Vec3 point(const Vec3& local) const { return position + orientation * local; }
-    [[nodiscard]] Vec3 direction(const Vec3& local) const { return orientation * local; }
-    /// Velocity of the frame at a world point.
-    [[nodiscard]] Vec3 velocity_at(const Vec3& world) const {
-        return velocity + angular_velocity.cross(world - position);
-    }
-};
 
 /// A winch before there is a world: its wire is a cable by name.
 struct Winch {
@@ -162,6 +148,8 @@ class Description {
         return places_[static_cast<std::size_t>(levers[i].place)];
     }
     [[nodiscard]] const Place& shape_place(std::size_t i) const { return places_[shape_at_[i]]; }
+    /// Of all shapes, "FILE: /shapes/3".
+    [[nodiscard]] std::vector<std::string> shape_places() const;
 
     void add_shape(ShapeDef def, int place);
     /// The capsule between two ends goes, if there is one. @return it.

@@ -24,11 +24,7 @@ struct Started {
     report::start::Findings found;
 
     explicit Started(scene::Scene loaded) : scene(std::move(loaded)) {
-        info.name = scene.name;
-        info.text = scene.text;
-        for (const scene::Cable& c : scene.cables)
-            info.cables.push_back({c.name, c.line_type, c.nodes, c.stretch, c.EA, c.breaking_load,
-                                   c.length, c.diameter});
+        info = record::info_of(scene);
         found = report::start::check_start(info, scene.world);
     }
 

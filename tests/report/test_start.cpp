@@ -4,6 +4,7 @@
 
 #include "report/start/start_forces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -27,6 +28,30 @@ TEST(Start, OverlapsAreErrorsFromHalfTheNarrowerBody) {
     EXPECT_NEAR(shallow.value, 0.4, 1e-9);
     EXPECT_EQ(shallow.about, (Names{"low", "high"}));
     EXPECT_TRUE(only(apart(0.4), FindingKind::overlap).error);
+}
+
+/// A wire through a solid is refused with the places of both in the file.
+TEST(Start, AWireInsideASolidIsToldWithItsPlace) {
+    const Started s = start_of(R"("settings": {"gravity": [0, 0, 0]},
+        "line_types": {"rope": {"mass_per_length": 10, "EA": 1e6, "diameter": 0.05}},
+        "bodies": [{"name": "block", "kind": "fixed", "position": [5, 0, 0],
+                    "shapes": [{"kind": "box", "half_size": [0.1, 0.1, 0.1], "position": [0, 0, 9]},
+                               {"kind": "box", "half_size": [1, 1, 1]}]}],
+        "cables": [{"name": "short", "line_type": "rope", "elements": 2, "contact": {},
+                    "from": {"body": "world", "point": [0, 0, 5]},
+                    "to": {"body": "world", "point": [10, 0, 5]}},
+                   {"name": "through", "line_type": "rope", "elements": 10, "contact": {},
+                    "from": {"body": "world", "point": [0, 0, 0]},
+                    "to": {"body": "world", "point": [10, 0, 0]}}])");
+    const std::vector<Finding> found = s.of(FindingKind::overlap);
+    ASSERT_EQ(found.size(), 4U) << s.text();
+    for (const Finding& f : found) {
+        // Two elements lie within the box, and two come to its faces.
+        EXPECT_EQ(f.error, f.value > 1.0) << f.text;
+        EXPECT_NE(f.text.find("start.json: /cables/1"), std::string::npos) << f.text;
+        EXPECT_NE(f.text.find("start.json: /bodies/0/shapes/1"), std::string::npos) << f.text;
+    }
+    EXPECT_EQ(std::ranges::count(found, true, &Finding::error), 2);
 }
 
 TEST(Start, WhatLiesOnSoftGroundIsNoOverlap) {

@@ -15,7 +15,7 @@ Findings check_start(const record::SceneInfo& scene, const World& world, std::si
     check_dry_lines(scene, world, out);
     check_posts(scene, world, out);
     check_tensions(scene, world, out);
-    check_overlaps(world, out);
+    check_overlaps(scene, world, out);
     check_ranges(world, out);
     check_motor_friction(world, out);
     check_steps(scene, world, out);

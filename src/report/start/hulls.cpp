@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <string_view>
 #include <vector>
@@ -128,11 +127,7 @@ void check_hydrostatics(const World& world, const Floats& floats, const Afloat& 
 }
 
 /// What a rod displaces by itself [m³].
-double volume_of(const WaterRod& rod) {
-    const double d = rod.water.diameter, given = rod.water.volume;
-    const double area = std::isnan(given) ? 0.25 * std::numbers::pi * d * d : given;
-    return area * (rod.to - rod.from).norm();
-}
+double volume_of(const WaterRod& rod) { return rod.water.area() * (rod.to - rod.from).norm(); }
 
 /// Water that a hull and rods of one body both displace, once a body.
 void check_rods(const World& world, const SeaDef& sea, Findings& out) {

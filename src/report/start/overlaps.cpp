@@ -71,8 +71,10 @@ void add_reach(const World& world, const ShapeDef& def, const Vec3& n, Reach& re
 
 class Overlaps {
   public:
-    explicit Overlaps(const World& world)
-        : world_(world), pull_(static_cast<std::size_t>(world.body_count()), 0.0) {
+    Overlaps(const record::SceneInfo& scene, const World& world)
+        : world_(world),
+          places_(scene.shape_places),
+          pull_(static_cast<std::size_t>(world.body_count()), 0.0) {
         for (const InteractionId id : world.interactions()) {
             const double tension = start_tension(world, id);
             for (std::size_t b = 0; b < 2 && tension > 0.0; ++b) {
@@ -174,13 +176,23 @@ class Overlaps {
         return !def.name.empty() ? def.name : record::body_label(world_, def.body);
     }
 
+    /// " (FILE: /cables/0 and FILE: /shapes/3)" of two shapes; "" where no file has them.
+    [[nodiscard]] std::string places(const ShapeId (&shape)[2]) const {
+        std::string out;
+        for (const ShapeId id : shape) {
+            const auto i = static_cast<std::size_t>(id.index);
+            if (i < places_.size()) out += (out.empty() ? " (" : " and ") + places_[i];
+        }
+        return out.empty() ? out : out + ")";
+    }
+
     void report(const Pair& pair, Findings& out) const {
         const bool deep = pair.depth > 0.5 * pair.width;
         const std::string a = label(pair.shape[0]), b = label(pair.shape[1]);
         out.add(
             deep, FindingKind::overlap, {a, b}, pair.depth,
-            fmt::format("{} and {} start {} inside each other{}: move one of them",
-                        record::name_in_quotes(a), record::name_in_quotes(b),
+            fmt::format("{} and {}{} start {} inside each other{}: move one of them",
+                        record::name_in_quotes(a), record::name_in_quotes(b), places(pair.shape),
                         record::with_unit(pair.depth, "m"),
                         deep ? fmt::format(", deeper than half of {}, from where contact pushes "
                                            "to the wrong side",
@@ -189,6 +201,7 @@ class Overlaps {
     }
 
     const World& world_;
+    const std::vector<std::string>& places_;     ///< By shape.
     std::vector<double> pull_;                   ///< Largest tension at each body [N].
     std::vector<std::vector<ShapeId>> of_body_;  ///< Shapes of each body, without segments.
     std::map<std::pair<Owner, Owner>, Pair> pairs_;
@@ -196,8 +209,8 @@ class Overlaps {
 
 }  // namespace
 
-void check_overlaps(const World& world, Findings& out) {
-    if (!world.shapes().empty()) Overlaps(world).run(out);
+void check_overlaps(const record::SceneInfo& scene, const World& world, Findings& out) {
+    if (!world.shapes().empty()) Overlaps(scene, world).run(out);
 }
 
 }  // namespace hawser::report::start

@@ -26,7 +26,7 @@ void check_hulls(const World& world, Findings& out);
 /// Lines that start beyond their breaking load (lines.cpp).
 void check_tensions(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Shapes inside each other (overlaps.cpp).
-void check_overlaps(const World& world, Findings& out);
+void check_overlaps(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Joints that start open or tearing (joints.cpp). Rows are those of the world.
 void check_gaps(const World& world, const JointRows& rows, Findings& out);
 /// Joints, motors and prescribed motions that repeat or contradict each other (repetitions.cpp).
