@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <hawser/scene.h>
 
-#include <hawser/recording.h>
+#include <hawser/repeater.h>
 #include "commands.h"
 #include "failure.h"
 #include "progress.h"

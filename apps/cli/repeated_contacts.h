@@ -3,7 +3,7 @@
 /// @file repeated_contacts.h
 /// Contact forces of a recording, from repeating it: recordings do not hold them.
 
-#include <hawser/recording.h>
+#include <hawser/repeater.h>
 #include <hawser/scene.h>
 
 #include "export/export.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settle_world.h"
 
+#include "record/commands.h"
+
 #include <hawser/sea.h>
 #include <hawser/system.h>
 #include <hawser/winch.h>
@@ -66,7 +68,7 @@ void still_sea(World& world) {
 /// A drum that pays out would not come to rest, and wire that it takes in is in no state file.
 void brake_winches(World& world) {
     for (const SystemSignal& s : world.system_signals()) {
-        if (!s.input || s.name != "mode") continue;
+        if (!s.input || record::signal_words(world, s).empty()) continue;
         world.set_system_signal(s.system + ".mode", static_cast<double>(WinchMode::brake));
         world.set_system_signal(s.system + ".brake", 1.0);
     }

@@ -38,6 +38,9 @@
 #include <hawser/id.h>
 #include <hawser/math.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace hawser {
 
 /// What water does to lines and rods of one sort.
@@ -48,6 +51,11 @@ struct LineWater {
     double cd_tangential = 0.0;  ///< C_dt, on the circumference [1].
     double ca_normal = 1.0;      ///< C_a across, of the volume [1].
     double ca_tangential = 0.0;  ///< C_a along, of the volume [1].
+
+    /// Displaced per length [m²], that of the diameter where none is given.
+    [[nodiscard]] double area() const noexcept {
+        return std::isnan(volume) ? 0.25 * std::numbers::pi * diameter * diameter : volume;
+    }
 };
 
 /// Most segments of a rod.

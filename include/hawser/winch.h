@@ -38,6 +38,7 @@
 #include <hawser/interactions.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace hawser {
@@ -54,6 +55,10 @@ enum class WinchMode : std::uint8_t {
     free,     ///< Neither motor nor brake act.
     release,  ///< Emergency: after `release_delay` nothing holds but `release_load`.
 };
+
+/// Words of the modes, in the order of WinchMode, as scene files and reports have them: "speed",
+/// "tension", "render", "brake", "free", "release".
+[[nodiscard]] std::span<const char* const> winch_modes() noexcept;
 
 /// What a winch does.
 enum class WinchState : std::uint8_t {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The score of a recording: its motion repeated, its notes read.
 #include <hawser/hawser.h>
+#include <hawser/repeater.h>
 
 #include "exercise/curves.h"
 #include "exercise/notes.h"

@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/command.h"
 
+#include "live/message_fields.h"
 #include "record/names.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <new>
-#include <set>
-#include <stdexcept>
 
 namespace hawser::live {
 namespace {
-
-using Json = nlohmann::json;
-
-/// A message that is refused; what() says why.
-struct Refused : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 struct Word {
     CommandKind kind;
@@ -44,58 +34,6 @@ constexpr Word kWords[] = {
     {CommandKind::fault, "fault", " name active "},
     {CommandKind::end, "end", " "},
 };
-constexpr double kMostWhole = 9007199254740992.0;  // 2^53: whole numbers that a double can hold
-constexpr double kMostPlace = 1e7;                 // [m], as World::set_pose() has it
-
-std::string in_quotes(std::string_view text) {
-    constexpr std::size_t kShown = 60;
-    std::string out = "\"" + std::string(text.substr(0, kShown));
-    return out + (text.size() > kShown ? "…\"" : "\"");
-}
-
-double number(const Json& from, const char* key, double least, double most) {
-    const auto at = from.find(key);
-    if (at == from.end()) throw Refused(std::string(key) + " is missing");
-    if (!at->is_number()) throw Refused(std::string(key) + " is to be a number");
-    const double value = at->get<double>();
-    if (!(value >= least && value <= most))
-        throw Refused(std::string(key) + " is to be from " + Json(least).dump() + " to " +
-                      Json(most).dump());
-    return value;
-}
-
-double number_or(const Json& from, const char* key, double least, double most, double otherwise) {
-    return from.contains(key) ? number(from, key, least, most) : otherwise;
-}
-
-double whole(const Json& from, const char* key, double least, double most) {
-    const double value = number(from, key, least, most);
-    if (value != std::floor(value)) throw Refused(std::string(key) + " is to be a whole number");
-    return value;
-}
-
-bool switched(const Json& from, const char* key) {
-    const auto at = from.find(key);
-    if (at == from.end()) throw Refused(std::string(key) + " is missing");
-    if (!at->is_boolean()) throw Refused(std::string(key) + " is to be true or false");
-    return at->get<bool>();
-}
-
-std::array<double, 3> vector(const Json& from, const char* key) {
-    const auto at = from.find(key);
-    if (at == from.end() || !at->is_array() || at->size() != 3)
-        throw Refused(std::string(key) + " is to be three numbers");
-    std::array<double, 3> out{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Json& entry = (*at)[k];
-        if (!entry.is_number()) throw Refused(std::string(key) + " is to be three numbers");
-        out[k] = entry.get<double>();
-        if (!(std::abs(out[k]) <= kMostPlace))
-            throw Refused(std::string(key) + " is farther away than 10,000 km");
-    }
-    return out;
-}
-
 void take_name(const Json& value, const char* key, std::size_t most, Command& out) {
     if (!value.is_string()) throw Refused(std::string(key) + " is to be a name");
     const auto& text = value.get_ref<const std::string&>();
@@ -245,27 +183,6 @@ const Word& word_of(const std::string& type) {
     for (const Word& word : kWords) names.emplace_back(word.name);
     throw Refused("there is no message of the type " + in_quotes(type) + "; nearest: \"" +
                   record::nearest_name(type, names) + "\"");
-}
-
-/// The reader would take the last one of two keys of the same name without a word.
-Json parsed(std::string_view text) {
-    std::vector<std::set<std::string>> open;  // keys of the objects around
-    std::string twice;
-    Json out = Json::parse(
-        text,
-        [&](int, Json::parse_event_t event, Json& value) {
-            if (event == Json::parse_event_t::object_start) open.emplace_back();
-            if (event == Json::parse_event_t::object_end) open.pop_back();
-            if (event == Json::parse_event_t::key) {
-                const auto& key = value.get_ref<const std::string&>();
-                if (!open.back().insert(key).second && twice.empty()) twice = key;
-            }
-            return true;
-        },
-        false);
-    if (!out.is_discarded() && !twice.empty())
-        throw Refused("the key " + in_quotes(twice) + " is given twice");
-    return out;
 }
 
 void read_message(std::string_view text, Request& out) {

@@ -17,8 +17,7 @@ namespace hawser::marine {
 
 /// With the volume that it has by default.
 [[nodiscard]] inline LineWater with_volume(LineWater water) noexcept {
-    if (std::isnan(water.volume))
-        water.volume = 0.25 * std::numbers::pi * water.diameter * water.diameter;
+    water.volume = water.area();
     return water;
 }
 

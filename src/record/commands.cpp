@@ -32,8 +32,8 @@ std::vector<std::string> signal_words(const World& world, const SystemSignal& si
         });
     };
     if (!has("speed") || !has("tension") || !has("brake") || !has("clutch")) return {};
-    static_assert(static_cast<int>(WinchMode::release) == 5);
-    return {"speed", "tension", "render", "brake", "free", "release"};
+    const auto modes = winch_modes();
+    return {modes.begin(), modes.end()};
 }
 
 std::string signal_text(const World& world, std::string_view name, double value, bool& words) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <hawser/hawser.h>
-#include <hawser/recording.h>
+#include <hawser/repeater.h>
 
 #include "record/bytes.h"
 #include "record/change_fields.h"

@@ -78,8 +78,7 @@ ShapePtr water_rod_shape() {
     return object(
         "water_rod", "a rod in the water",
         "A straight slender member of a rigid body, by Morison's formula: a leg, a brace, a spar, "
-        "a "
-        "boom, a pipe.",
+        "a boom, a pipe.",
         {{"body", body_ref(), true, "", "", "Which."},
          {"from", vector3("a point"), true, "", "m",
           "One end, from the centre of mass, in the body's frame."},

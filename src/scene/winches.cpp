@@ -75,8 +75,6 @@ constexpr GypsyNumber kGypsyNumbers[] = {
     {"locker", &GypsyDef::locker, "m", "no limit", "Chain that the locker holds.", 0.0, 1e6},
     {"wrap", &GypsyDef::wrap, "rad", "pi", "Angle of the wheel that chain lies on.", 0.0, 7.0}};
 
-constexpr const char* kModes[] = {"speed", "tension", "render", "brake", "free", "release"};
-
 /// The cable in this scope.
 const Cable& cable_of(const Description& out, const Scope& scope, const Json& json,
                       const Place& place) {
@@ -180,8 +178,8 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
         refuse(place, "a winch needs \"wire_diameter\": its cable's line type has no diameter");
     read_wheel(def, cable, json, place);
     const std::string mode = text_or(json, "mode", "brake");
-    def.mode = static_cast<WinchMode>(std::find(std::begin(kModes), std::end(kModes), mode) -
-                                      std::begin(kModes));
+    const auto modes = winch_modes();
+    def.mode = static_cast<WinchMode>(std::find(modes.begin(), modes.end(), mode) - modes.begin());
     // The element at the end lies on the drum from the start, so that outputs find it there.
     const InteractionId element = def.end == 0 ? cable.stretch.front() : cable.stretch.back();
     InteractionDef& d = out.interactions[static_cast<std::size_t>(element.index)];
@@ -226,7 +224,6 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
 
 std::span<const WinchNumber> winch_numbers() noexcept { return kNumbers; }
 std::span<const GypsyNumber> gypsy_numbers() noexcept { return kGypsyNumbers; }
-std::span<const char* const> winch_modes() noexcept { return kModes; }
 
 void expand_winches(Description& out, const Scope& scope) {
     const auto list = scope.content->find("winches");

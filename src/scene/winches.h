@@ -32,7 +32,4 @@ struct GypsyNumber {
 [[nodiscard]] std::span<const GypsyNumber> gypsy_numbers() noexcept;
 inline constexpr int kLeastPockets = 3, kMostPockets = 100;
 
-/// Words of WinchMode, in its order.
-[[nodiscard]] std::span<const char* const> winch_modes() noexcept;
-
 }  // namespace hawser::scene

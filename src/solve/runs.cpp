@@ -4,7 +4,7 @@
 #include "access/view.h"
 #include "base/index.h"
 #include "context/newton_data.h"
-#include "solve/capstans.h"
+#include "solve/capstan_run.h"
 #include "solve/impulse_range.h"
 
 #include <algorithm>
@@ -16,8 +16,6 @@ namespace {
 using assembly::Capstan;
 using assembly::CapstanEntry;
 using assembly::View;
-
-constexpr double kRounding = 2e-15;  ///< Of the impulses of which a place has the difference.
 
 /// Places [first, last) of System::capstans; their entries begin at `entry`, two each.
 struct Run {
@@ -121,133 +119,6 @@ void read_run(const Model& model, Newton& newton, const View& v, const Run& run)
         newton.run_parts[i].was =
             ends_later ? entry[2 * i].was_active != 0 : entry[2 * n - 1].was_active != 0;
     }
-}
-
-/// w of a place as a function of the impulses before and behind.
-void give_way(RunPlace& p) noexcept {
-    if (p.side == 0) {
-        const double scale = 1.0 / (1.0 + p.sigma * p.mass);
-        p.w0 = scale * (p.hold + p.sigma * p.mass * p.free);
-        p.w1 = scale * p.sigma * p.before;
-        p.w2 = scale * p.sigma * p.behind;
-        return;
-    }
-    const double bound = p.side > 0 ? p.high : p.low, side = p.side;
-    p.w0 = p.free + bound / p.mass;
-    p.w1 = (p.before - side * p.share[0]) / p.mass;
-    p.w2 = (p.behind - side * p.share[1]) / p.mass;
-}
-
-/// λ of all parts by the statuses there are.
-void solve_run(std::size_t n, RunPlace* place, RunPart* part) noexcept {
-    for (std::size_t k = 0; k < n; ++k) give_way(place[k]);
-    double above = 0.0, above_right = 0.0;  // of the part before: upper/diagonal, right/diagonal
-    for (std::size_t i = 0; i <= n; ++i) {
-        RunPart& p = part[i];
-        double lower = 0.0;
-        p.diagonal = p.softness;
-        p.upper = 0.0;
-        p.right = p.asked;
-        if (i > 0) {
-            const RunPlace& a = place[i - 1];
-            lower = a.behind * a.w1;
-            p.diagonal += a.behind * a.w2;
-            p.right -= a.behind * a.w0;
-        }
-        if (i < n) {
-            const RunPlace& b = place[i];
-            p.diagonal += b.before * b.w1;
-            p.upper = b.before * b.w2;
-            p.right -= b.before * b.w0;
-        }
-        if (!p.pulls) {
-            p.diagonal = 1.0;
-            lower = p.upper = p.right = 0.0;
-        }
-        const double pivot = p.diagonal - lower * above;
-        above = p.upper / pivot;
-        above_right = (p.right - lower * above_right) / pivot;
-        p.upper = above;
-        p.right = above_right;
-    }
-    part[n].lambda = part[n].right;
-    for (std::size_t i = n; i-- > 0;)
-        part[i].lambda = part[i].right - part[i].upper * part[i + 1].lambda;
-}
-
-/// w of all places. Where one slides, its own equation has w as a small difference of large forces
-/// over a small mass; that of the part before it has not.
-void find_speeds(std::size_t n, RunPlace* place, const RunPart* part) noexcept {
-    for (std::size_t k = 0; k < n; ++k) {
-        RunPlace& p = place[k];
-        const RunPart& before = part[k];
-        p.speed = p.w0 + p.w1 * before.lambda + p.w2 * part[k + 1].lambda;
-        if (p.side == 0 || !before.pulls) continue;
-        const double last = k > 0 ? place[k - 1].behind * place[k - 1].speed : 0.0;
-        p.speed = (before.asked - before.softness * before.lambda - last) / p.before;
-    }
-}
-
-/// Switch what the solution contradicts, at most so many. @return how many.
-int switch_run(std::size_t n, RunPlace* place, RunPart* part, int most) noexcept {
-    int switched = 0;
-    for (std::size_t i = 0; i <= n && switched < most; ++i) {
-        RunPart& p = part[i];
-        if (!p.one_sided) continue;
-        double left = p.asked;
-        if (i > 0) left -= place[i - 1].behind * place[i - 1].speed;
-        if (i < n) left -= place[i].before * place[i].speed;
-        const bool pulls = p.pulls ? p.lambda <= 0.0 : left < 0.0;
-        switched += pulls != p.pulls ? 1 : 0;
-        p.pulls = pulls;
-    }
-    std::int32_t before = 0;  // side of the place before, as it was
-    for (std::size_t k = 0; k < n && switched < most; ++k) {
-        RunPlace& p = place[k];
-        const std::int32_t was = p.side, behind = k + 1 < n ? place[k + 1].side : 0;
-        const double w = p.speed;
-        const double load =
-            p.share[0] * std::fabs(part[k].lambda) + p.share[1] * std::fabs(part[k + 1].lambda);
-        std::int32_t side = 0;
-        if (p.side == 0) {
-            const double force =
-                p.mass * (w - p.free) - p.before * part[k].lambda - p.behind * part[k + 1].lambda;
-            // Behind what has slid, places are left at their bounds.
-            constexpr double beyond = 1.0 + kCapstanAtBound;
-            if (force > beyond * (p.high + load)) side = 1;
-            if (force < beyond * (p.low - load)) side = -1;
-        } else {
-            // It slides on while its spring would ask for more.
-            const double bound = p.side > 0 ? p.high + load : p.low - load;
-            const double noise =
-                kRounding * (std::fabs(part[k].lambda) + std::fabs(part[k + 1].lambda)) / p.mass;
-            const bool goes_on = p.side * (p.hold - w - p.sigma * bound) > -noise;
-            // Places that slide towards each other hold where they meet: from there on, not all.
-            if (goes_on || (before == p.side && behind == p.side)) side = p.side;
-        }
-        before = was;
-        switched += side != was ? 1 : 0;
-        p.side = side;
-    }
-    return switched;
-}
-
-/// @return whether the statuses are others than those of the solution that was refused. After so
-/// many passes they need not agree with each other, but are closer to it than those were.
-bool find_statuses(std::size_t n, RunPlace* place, RunPart* part) noexcept {
-    const int together = 20 + 4 * static_cast<int>(n), most = 2 * together;
-    for (int pass = 0; pass < most; ++pass) {
-        solve_run(n, place, part);
-        find_speeds(n, place, part);
-        if (!std::isfinite(part[0].lambda)) return false;
-        const int all = static_cast<int>(4 * n);
-        if (switch_run(n, place, part, pass < together ? all : 1) == 0) break;
-    }
-    for (std::size_t k = 0; k < n; ++k)
-        if (place[k].side != place[k].was) return true;
-    for (std::size_t i = 0; i <= n; ++i)
-        if (part[i].pulls != part[i].was) return true;
-    return false;
 }
 
 void adopt(Model& model, const Newton& newton, const Run& run) noexcept {

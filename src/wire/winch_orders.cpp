@@ -8,6 +8,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
+
+namespace hawser {
+
+std::span<const char* const> winch_modes() noexcept {
+    static constexpr const char* kModes[] = {"speed", "tension", "render",
+                                             "brake", "free",    "release"};
+    static_assert(static_cast<int>(WinchMode::release) + 1 == std::size(kModes));
+    return kModes;
+}
+
+}  // namespace hawser
 
 namespace hawser::wire {
 /// Nothing more is hauled in.

@@ -49,8 +49,7 @@ constexpr OutputComponent kTension[] = {
 constexpr OutputComponent kDrum[] = {
     {"paid_out", "m",
      "Line paid out since the start, by the winch's account where the cable has a winch; of "
-     "another "
-     "drum since it was at 0. Negative: hauled in."},
+     "another drum since it was at 0. Negative: hauled in."},
     {"length", "m", "Line between the drum and the next node, without tension."}};
 constexpr OutputComponent kDistance[] = {{"value", "m", "From point to point."}};
 constexpr OutputComponent kStatistic[] = {

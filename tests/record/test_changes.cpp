@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What is done to a world between steps is in its recording, and is done again from it.
-#include <hawser/recording.h>
+#include <hawser/repeater.h>
 #include "record/changes.h"
 #include "record/recording_listener.h"
 #include "record/recording_writer.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What systems do is in a recording as data: a replay needs none of their code.
 #include <hawser/hawser.h>
-#include <hawser/recording.h>
+#include <hawser/repeater.h>
 
 #include "record/recording_listener.h"
 #include "record/recording_writer.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A crane that takes and lets go of its load in a session: recorded, repeated, saved.
 #include <hawser/hawser.h>
-#include <hawser/recording.h>
+#include <hawser/repeater.h>
 #include <hawser/session.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Sessions against worlds that are stepped by hand, and against what their recordings repeat.
 #include <hawser/hawser.h>
+#include <hawser/repeater.h>
 #include <hawser/session.h>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 /// A recording's run once more by its changes alone, as `hawser replay` does it.
 
 #include <hawser/hawser.h>
-#include <hawser/recording.h>
+#include <hawser/repeater.h>
 #include <hawser/scene.h>
 
 #include <gtest/gtest.h>

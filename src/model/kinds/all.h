@@ -8,6 +8,7 @@
 #include "model/kinds/drives.h"
 #include "model/kinds/friction.h"
 #include "model/kinds/gear.h"
+#include "model/kinds/hydrostatic.h"
 #include "model/kinds/joints.h"
 #include "model/kinds/lines.h"
 #include "model/kinds/routes.h"
