@@ -6,6 +6,7 @@
 #include <hawser/def.h>
 
 #include <pthread.h>
+#include <algorithm>
 #include <csignal>
 #include <ctime>
 #include <string>
@@ -53,8 +54,10 @@ class SignalsBlocked {
 
 }  // namespace
 
-Pool::Pool(int threads) {
-    workers_.reserve(static_cast<std::size_t>(threads > 1 ? threads - 1 : 0));
+Pool::Pool(int threads)
+    : threads_(std::max(threads, 1)),
+      parts_(std::make_unique<Part[]>(static_cast<std::size_t>(threads_))) {
+    workers_.reserve(static_cast<std::size_t>(threads_ - 1));
     const SignalsBlocked blocked;
     try {
         for (int t = 1; t < threads; ++t)
@@ -100,23 +103,32 @@ double Pool::cpu_seconds(int thread) noexcept {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-bool Pool::drain(int thread) noexcept {
-    bool worked = false;
-    std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
+/// @return how many tasks of a part this thread has done.
+int Pool::drain(Part& part, int thread) noexcept {
+    int worked = 0;
+    std::uint64_t ticket = part.ticket.load(std::memory_order_acquire);
     for (;;) {
         const std::uint64_t index = ticket & kClosed;
         const Task task = task_.load(std::memory_order_acquire);
         void* const context = context_.load(std::memory_order_acquire);
-        const std::int32_t count = count_.load(std::memory_order_acquire);
-        if (index == kClosed || static_cast<std::int64_t>(index) >= count) return worked;
-        if (!ticket_.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel,
-                                           std::memory_order_acquire))
+        const std::int32_t end = part.end.load(std::memory_order_acquire);
+        if (index == kClosed || static_cast<std::int64_t>(index) >= end) return worked;
+        if (!part.ticket.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel,
+                                               std::memory_order_acquire))
             continue;
         task(context, static_cast<int>(index), thread);
-        done_.fetch_add(1, std::memory_order_release);
-        worked = true;
-        ticket = ticket_.load(std::memory_order_acquire);
+        ++worked;
+        ticket = part.ticket.load(std::memory_order_acquire);
     }
+}
+
+/// The thread's own part first. A batch is not done before this is counted, so that all that it
+/// counts is of one batch.
+void Pool::drain(int thread) noexcept {
+    int worked = 0;
+    for (int p = 0; p < threads_; ++p)
+        worked += drain(parts_[static_cast<std::size_t>((thread + p) % threads_)], thread);
+    if (worked > 0) done_.fetch_add(worked, std::memory_order_release);
 }
 
 void Pool::run(int count, Task task, void* context) noexcept {
@@ -167,13 +179,21 @@ void Pool::deal(int count, Task task, void* context) noexcept {
         for (int i = 0; i < count; ++i) task(context, i, 0);
         return;
     }
-    const std::uint64_t batch = (ticket_.load(std::memory_order_relaxed) | kClosed) + 1;
-    ticket_.store(batch | kClosed, std::memory_order_release);
+    const std::uint64_t batch = opened_.load(std::memory_order_relaxed) + kClosed + 1;
+    const auto parts = static_cast<std::size_t>(threads_);
+    const auto begin_of = [&](std::size_t p) {
+        return static_cast<std::size_t>(count) * p / parts;
+    };
+    for (std::size_t p = 0; p < parts; ++p)
+        parts_[p].ticket.store(batch | kClosed, std::memory_order_release);
     task_.store(task, std::memory_order_release);
     context_.store(context, std::memory_order_release);
-    count_.store(count, std::memory_order_release);
     done_.store(0, std::memory_order_release);
-    ticket_.store(batch, std::memory_order_release);
+    for (std::size_t p = 0; p < parts; ++p) {
+        parts_[p].end.store(static_cast<std::int32_t>(begin_of(p + 1)), std::memory_order_release);
+        parts_[p].ticket.store(batch | begin_of(p), std::memory_order_release);
+    }
+    opened_.store(batch, std::memory_order_release);
     drain(0);
     for (int spins = 0; done_.load(std::memory_order_acquire) != count; ++spins) {
         if (spins < 2'000)
@@ -185,12 +205,15 @@ void Pool::deal(int count, Task task, void* context) noexcept {
 
 void Pool::work(const std::stop_token& stop, int thread) noexcept {
     int idle = 0;
+    std::uint64_t seen = 0;
     for (;;) {
         // Read before the stop flag: a stop requested after the look at the flag changes this
         // number, so that the wait below returns at once instead of sleeping for ever.
         const std::uint32_t awake = awake_.load(std::memory_order_acquire);
         if (stop.stop_requested()) return;
-        if (drain(thread)) {
+        if (const std::uint64_t batch = opened_.load(std::memory_order_acquire); batch != seen) {
+            drain(thread);
+            seen = batch;
             idle = 0;
             continue;
         }

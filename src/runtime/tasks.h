@@ -5,14 +5,23 @@
 ///
 /// Inside a step the workers spin (a fork and join costs about a microsecond); between steps
 /// they sleep on a futex, which costs tens of microseconds to leave and so happens once a
-/// step. Tasks are dealt out by an atomic ticket: which thread runs which task varies, what
-/// a task computes does not. A worker that is still waking up delays nobody: a batch is done
-/// when its tasks are done, whoever did them.
+/// step. Which thread runs which task varies, what a task computes does not. A worker that is
+/// still waking up delays nobody: a batch is done when its tasks are done, whoever did them.
+///
+/// Each thread begins with a contiguous part of the tasks, by an atomic ticket of its own, and
+/// helps the next ones when that is done:
+///
+///     thread 0   0 1 2 3 |               then 4, 5, … where thread 1 has not come to them
+///     thread 1           | 4 5 6 7       then 0, 1, …
+///
+/// Loops over the same items, in this step and the next, so find them in the cache of the core
+/// that wrote them: between cores a cache line takes a tenth of a microsecond.
 
 #include "base/executor.h"
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -53,32 +62,38 @@ class Pool final : public base::Executor {
     void run(int count, Task task, void* context) noexcept override;
     void announce(const base::TaskOrder& order) noexcept override;
     void begin_node(int node, int thread) noexcept override;
-    [[nodiscard]] int threads() const noexcept override {
-        return static_cast<int>(workers_.size()) + 1;
-    }
+    [[nodiscard]] int threads() const noexcept override { return threads_; }
 
   private:
     void deal(int count, Task task, void* context) noexcept;
     void deal_recorded(int count, Task task, void* context) noexcept;
     void work(const std::stop_token& stop, int thread) noexcept;
     void end_workers() noexcept;
-    bool drain(int thread) noexcept;
+    void drain(int thread) noexcept;
 
-    /// Ticket = batch number (high half) and next task (low half). While the fields below it
-    /// change, the low half is kClosed: a worker that read an old ticket together with new
+    /// Ticket = batch number (high half) and next task (low half). While the fields that go with
+    /// it change, the low half is kClosed: a worker that read an old ticket together with new
     /// fields then fails its compare-and-swap.
     static constexpr std::uint64_t kClosed = 0xffffffffU;
 
     // One cache line each, so that spinning on one does not slow the other.
-    alignas(64) std::atomic<std::uint32_t> awake_{0};  ///< Odd while a step runs.
-    alignas(64) std::atomic<std::uint64_t> ticket_{kClosed};
-    alignas(64) std::atomic<std::int32_t> done_{0};  ///< Tasks of this batch that are done.
+    /// The tasks that a thread begins with.
+    struct alignas(64) Part {
+        std::atomic<std::uint64_t> ticket{kClosed};
+        std::atomic<std::int32_t> end{0};
+    };
+    int drain(Part& part, int thread) noexcept;
+
+    alignas(64) std::atomic<std::uint32_t> awake_{0};   ///< Odd while a step runs.
+    alignas(64) std::atomic<std::uint64_t> opened_{0};  ///< The batch that workers look for.
+    alignas(64) std::atomic<std::int32_t> done_{0};     ///< Tasks of this batch that are done.
     alignas(64) std::atomic<Task> task_{nullptr};
     std::atomic<void*> context_{nullptr};
-    std::atomic<std::int32_t> count_{0};
     std::atomic<bool> stopping_{false}, shielded_{false};
     static_assert(std::atomic<bool>::is_always_lock_free);  // signal handlers
     Trace* trace_ = nullptr;
+    const int threads_;  ///< With the caller. Workers read it while others start and end.
+    const std::unique_ptr<Part[]> parts_;  ///< One a thread.
     std::vector<std::jthread> workers_;
 };
 

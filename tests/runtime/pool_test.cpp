@@ -75,6 +75,26 @@ TEST(Pool, WaitsForTheSlowestTask) {
     }
 }
 
+/// So that loops over the same items find them in the cache of the core that wrote them.
+TEST(Pool, EachThreadBeginsWithItsOwnPart) {
+    constexpr int kThreads = 3, kTasks = 10;
+    Pool pool(kThreads);
+    pool.resume();
+    for (int round = 0; round < 20; ++round) {
+        std::atomic<int> begun{0};
+        int first[kThreads] = {-1, -1, -1};
+        auto task = [&](int i, int thread) noexcept {
+            int& mine = first[thread];
+            if (mine >= 0) return;
+            mine = i;
+            ++begun;
+            while (begun.load() < kThreads) std::this_thread::yield();
+        };
+        pool.for_each(kTasks, task);
+        for (int t = 0; t < kThreads; ++t) EXPECT_EQ(first[t], kTasks * t / kThreads);
+    }
+}
+
 TEST(Pool, ScratchOfAThreadIsItsOwn) {
     Pool pool(8);
     pool.resume();
