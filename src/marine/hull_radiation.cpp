@@ -2,6 +2,7 @@
 /// What coefficients and strips do to a hull (hawser/water_hull.h, hawser/hydro.h).
 #include <hawser/world.h>
 
+#include "base/index.h"
 #include "marine/sea_system.h"
 
 #include <algorithm>
@@ -67,8 +68,8 @@ void HullWater::add_at_reference(const Vec6& f) noexcept {
     const Vec3 arm = frame_ * def_->coefficients->reference;
     const Vec3 turn = frame_ * f.tail<3>() + arm.cross(push);
     for (int k = 0; k < 3; ++k) {
-        force[static_cast<std::size_t>(k)] += push[k];
-        force[static_cast<std::size_t>(3 + k)] += turn[k];
+        force[at(k)] += push[k];
+        force[at(3 + k)] += turn[k];
     }
 }
 
@@ -114,8 +115,8 @@ void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept 
     const Vec3 twist =
         frame_ * (same.tail<3>() - turn.cross(p.tail<3>()) - past.cross(p.head<3>()));
     for (int k = 0; k < 3; ++k) {
-        force[static_cast<std::size_t>(k)] += push[k];
-        force[static_cast<std::size_t>(3 + k)] += twist[k];
+        force[at(k)] += push[k];
+        force[at(3 + k)] += twist[k];
     }
 }
 
@@ -130,8 +131,8 @@ void HullWater::add_linear(const Sea&, const SeaMoment& now) noexcept {
     const Vec6 back = -(statics_ * x);
     const Vec3 push = level * back.head<3>(), turn = level * back.tail<3>();
     for (int k = 0; k < 3; ++k) {
-        force[static_cast<std::size_t>(k)] += push[k];
-        force[static_cast<std::size_t>(3 + k)] += turn[k];
+        force[at(k)] += push[k];
+        force[at(3 + k)] += turn[k];
     }
     force[2] += weight_;
     Matrix6 k = statics_;
@@ -155,8 +156,7 @@ void HullWater::flow_past(const WaterField& field, int chunk) noexcept {
                 pose_.position +
                 axes_ * def_->strips[static_cast<std::size_t>(std::min(first + i, end - 1))].at;
         field.water(place, count, water);
-        for (int i = 0; i < count; ++i)
-            flows_[static_cast<std::size_t>(first + i)] = water[i].velocity;
+        for (int i = 0; i < count; ++i) flows_[at(first + i)] = water[i].velocity;
     }
 }
 

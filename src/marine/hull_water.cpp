@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <hawser/world.h>
 
+#include "base/index.h"
 #include "marine/hull_kernels.h"
 #include "marine/sea_system.h"
 #include "marine/spectra.h"
@@ -83,7 +84,7 @@ void HullWater::press(const WaterField& field, int chunk) noexcept {
         double surface[kWavePoints], rise[kWavePoints] = {};
         HullCorner* const corner = &corners_[static_cast<std::size_t>(first)];
         for (int i = 0; i < count; ++i) {
-            corner[i].x = axes_ * def_->mesh.vertices[static_cast<std::size_t>(first + i)];
+            corner[i].x = axes_ * def_->mesh.vertices[at(first + i)];
             place[i] = pose_.position + corner[i].x;
         }
         field.press(place, count, waves, surface, def_->wave_pressure ? rise : nullptr);
@@ -120,7 +121,7 @@ void HullWater::sum(int chunk) noexcept {
            .yy = s[kPlaneYY],
            .xy = s[kPlaneXY]};
     for (int i = 0; i < cuts; ++i) {
-        const auto& t = triangles[static_cast<std::size_t>(first + cut[i])];
+        const auto& t = triangles[at(first + cut[i])];
         out.add_triangle(corners_[static_cast<std::size_t>(t[0])],
                          corners_[static_cast<std::size_t>(t[1])],
                          corners_[static_cast<std::size_t>(t[2])]);
@@ -153,8 +154,8 @@ void HullWater::finish(const WaterField& field, double air) noexcept {
 void HullWater::add_pressure(const Sea& sea, const HullSums& all) noexcept {
     const double weight = sea.density() * sea.gravity();
     for (int k = 0; k < 3; ++k) {
-        force[static_cast<std::size_t>(k)] = all.force[k];
-        force[static_cast<std::size_t>(3 + k)] = all.torque[k];
+        force[at(k)] = all.force[k];
+        force[at(3 + k)] = all.torque[k];
     }
     double plane[6];
     plane_stiffness(all, plane);

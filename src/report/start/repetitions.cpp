@@ -88,7 +88,8 @@ class Search {
         for (const std::int32_t j : group.joints) {
             const Joint& one = joint(static_cast<std::size_t>(j));
             for (std::int32_t k = 0; k < one.rows; ++k) {
-                const auto r = static_cast<std::size_t>(one.row_begin + k);
+                const std::size_t r =
+                    static_cast<std::size_t>(one.row_begin) + static_cast<std::size_t>(k);
                 double& most = is_angle(r) ? angle : length;
                 most = std::max(most, std::abs(rows_.violations()[r]));
                 apart |= is_apart(r, rows_.violations()[r]);
