@@ -39,15 +39,18 @@ void LoadStore::works(const model::Bodies& bodies, double h, const double* v, co
             seen[i] = late_[e] * after[i] + (1.0 - late_[e]) * before[i];
             sum.work += h * f[i] * mean[i];
         }
-        sum.work -= 0.25 * h * h * product(k, n, gain, mean);
-        sum.damped += h * product(d, n, seen, mean);
+        const double sprung = 0.25 * h * h * product(k, n, gain, mean);
+        const double damped = h * product(d, n, seen, mean);
+        sum.work -= sprung;
+        sum.damped += damped;
         sum.added += 0.5 * product(a, n, after, after);
         const double* wf = water_of(e);
         if (wf == nullptr) continue;
         const double *wa = wf + n, *wd = wa + size, *wk = wd + size;
         for (int i = 0; i < n; ++i) sum.water += h * wf[i] * mean[i];
-        sum.water -= 0.25 * h * h * product(wk, n, gain, mean) + h * product(wd, n, seen, mean) +
-                     product(wa, n, gain, mean);
+        const bool alone = wf == f;  // then its terms are those above
+        sum.water -= (alone ? sprung : 0.25 * h * h * product(wk, n, gain, mean)) +
+                     (alone ? damped : h * product(wd, n, seen, mean)) + product(wa, n, gain, mean);
     }
 }
 

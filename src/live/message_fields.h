@@ -23,20 +23,20 @@ struct Refused : std::runtime_error {
 /// 2^53: whole numbers that a double can hold.
 inline constexpr double kMostWhole = 9007199254740992.0;
 
-/// The text in quotes, cut after 60 bytes.
+/// Quote a text, cut after 60 bytes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-// Each @throws Refused where the key is missing or its value out of range.
+// Read a field: each @throws Refused where the key is missing or its value out of range.
 [[nodiscard]] double number(const Json& from, const char* key, double least, double most);
 [[nodiscard]] double number_or(const Json& from, const char* key, double least, double most,
                                double otherwise);
 [[nodiscard]] double whole(const Json& from, const char* key, double least, double most);
 [[nodiscard]] bool switched(const Json& from, const char* key);
-/// Of a place [m] within 10,000 km.
+/// Read the coordinates of a place [m], each within 10,000 km.
 [[nodiscard]] std::array<double, 3> vector(const Json& from, const char* key);
 
-/// A message's JSON; discarded where it is none. Of two keys of one name the reader would take the
-/// last without a word: @throws Refused.
+/// Parse a message as JSON; discarded where it is none. Of two keys of one name the reader would
+/// take the last without a word: @throws Refused.
 [[nodiscard]] Json parsed(std::string_view text);
 
 }  // namespace hawser::live

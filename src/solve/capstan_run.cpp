@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kRounding = 2e-15;  ///< Of the impulses of which a place has the difference.
 
-/// w of a place as a function of the impulses before and behind.
+/// Write the speed w of a place as a linear function of the impulses before and behind it.
 void give_way(RunPlace& p) noexcept {
     if (p.side == 0) {
         const double scale = 1.0 / (1.0 + p.sigma * p.mass);
@@ -25,7 +25,7 @@ void give_way(RunPlace& p) noexcept {
     p.w2 = (p.behind - side * p.share[1]) / p.mass;
 }
 
-/// λ of all parts by the statuses there are.
+/// Solve the tridiagonal system for the impulses λ of all parts, by the statuses there are.
 void solve_run(std::size_t n, RunPlace* place, RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) give_way(place[k]);
     double above = 0.0, above_right = 0.0;  // of the part before: upper/diagonal, right/diagonal
@@ -62,8 +62,8 @@ void solve_run(std::size_t n, RunPlace* place, RunPart* part) noexcept {
         part[i].lambda = part[i].right - part[i].upper * part[i + 1].lambda;
 }
 
-/// w of all places. Where one slides, its own equation has w as a small difference of large forces
-/// over a small mass; that of the part before it has not.
+/// Compute the speeds w of all places from the impulses. Where one slides, its own equation has w
+/// as a small difference of large forces over a small mass; that of the part before it has not.
 void find_speeds(std::size_t n, RunPlace* place, const RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) {
         RunPlace& p = place[k];
@@ -75,7 +75,9 @@ void find_speeds(std::size_t n, RunPlace* place, const RunPart* part) noexcept {
     }
 }
 
-/// Switch what the solution contradicts, at most so many. @return how many.
+/// Change the statuses that the solution contradicts: parts between pulling and slack, places
+/// between holding and sliding, to either side. @param most  Statuses to change at most.
+/// @return how many have been changed.
 int switch_run(std::size_t n, RunPlace* place, RunPart* part, int most) noexcept {
     int switched = 0;
     for (std::size_t i = 0; i <= n && switched < most; ++i) {

@@ -17,8 +17,10 @@
 
 namespace hawser::stepper {
 
-/// @return whether the statuses are others than those of the solution that was refused. After so
-/// many passes they need not agree with each other, but are closer to it than those were.
+/// Find which places slide and which parts pull: solve the run and change the statuses that the
+/// solution contradicts, in turns. At the bound of turns they need not agree with each other, but
+/// are closer to it than those of the solution that was refused.
+/// @return whether they are others than those.
 /// @param n  Places; of the parts there is one more.
 bool find_statuses(std::size_t n, RunPlace* place, RunPart* part) noexcept;
 
