@@ -62,6 +62,15 @@ struct Kernels {
     /// them; and what they hold more or less. Added up.
     void (*line_gains)(const View&, const std::int32_t* ids, std::int32_t count,
                        LineGain*) noexcept;
+    /// Energies of as many of `count` bodies from the first on as are rigid and stand in a row,
+    /// eight at a time. @param after  Packed velocities after the step. @param half  Half the step,
+    /// or 0. @return how many they are: a multiple of eight.
+    std::int32_t (*rigid_energies)(const View&, const std::int32_t* bodies, std::int32_t count,
+                                   const double* after, double half, BodyEnergies*) noexcept;
+    /// The row of [begin, end) with the largest violation by its share, |g| share, if it is above
+    /// *most, which then is that; else −1.
+    std::int32_t (*widest_row)(const double* g, const double* share, std::int32_t begin,
+                               std::int32_t end, double* most) noexcept;
     /// Move bodies by h v₊ and store v₊.
     void (*integrate)(const View&, std::int32_t begin, std::int32_t end) noexcept;
 };

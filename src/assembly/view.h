@@ -269,6 +269,14 @@ struct LineGain {
     double unbooked = 0.0;  ///< Lost beyond what row_losses() counts.
 };
 
+/// Energies of bodies, added up [J], and which of them turns fastest.
+struct BodyEnergies {
+    double before = 0.0, after = 0.0;   ///< Kinetic, at the present pose, of two velocities.
+    double half_way = 0.0, pose = 0.0;  ///< Of gravity, half a step back and at the pose.
+    double turn = 0.0;                  ///< Largest square of an angular velocity [rad²/s²].
+    std::int32_t turn_body = -1;
+};
+
 /// How far a solution is from the equations at the step's end, see step/completion.h.
 struct Turning {
     double change = 0.0;  ///< Largest change of a right-hand side [m/s or rad/s].

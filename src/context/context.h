@@ -68,8 +68,10 @@ struct Model {
 struct State {
     double time = 0.0;
     std::int64_t step = 0;
-    bool started = false;    ///< The staggered start has been made.
-    int refine_unasked = 0;  ///< So many steps to come refine before they measure, see solve.cpp.
+    bool started = false;  ///< The staggered start has been made.
+    /// So many steps to come refine before they measure; more than eight: the last one was measured
+    /// first and asked for it (solve.cpp).
+    int refine_unasked = 0;
     Ledger ledger;
     LoadStore loads;
     JudgeData judge;

@@ -23,10 +23,10 @@ constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint beyond is not
 
 /// Writes into the record of a compact joint (model/arms.h) whether it is completed, as the sign of
 /// its swing number's constant, where kernels read it.
-void mark_record(model::Interactions& in, std::int32_t id) noexcept {
-    if (in.arms[at(id)] == 0) return;
-    double& swing = in.jacobian[at(in.jac_begin[at(id)] + model::kArmsSwing)];
-    swing = in.completed[at(id)] ? -std::fabs(swing) : std::fabs(swing);
+void mark_record(model::Interactions& in, const JointPlace& joint, bool completed) noexcept {
+    if (joint.record < 0) return;
+    double& swing = in.jacobian[at(joint.record)];
+    swing = completed ? -std::fabs(swing) : std::fabs(swing);
 }
 
 /// Spins that belong to completed joints.
@@ -44,18 +44,11 @@ void find_turning(Model& model) noexcept {
 
 }  // namespace
 
-double swing_number(const Model& model, std::int32_t id, const double* lambdas) noexcept {
-    const model::Interactions& in = model.interactions;
-    const double* lambda = lambdas + in.row_begin[at(id)];
-    double square = 0.0;
-    for (int r = 0; r < std::min<int>(in.rows[at(id)], 3); ++r) square += lambda[r] * lambda[r];
-    return model.def.step * std::sqrt(square) * in.swing[at(id)];
-}
-
 void find_joints(Model& model, JointWork& joints) {
     Completion& c = model.completion;
     const model::Interactions& in = model.interactions;
     c.joints.clear();
+    c.places.clear();
     c.rigid.clear();
     c.looped.clear();
     joints.edges.clear();
@@ -65,6 +58,9 @@ void find_joints(Model& model, JointWork& joints) {
         model.interactions.completed[at(id)] = 0;
         if (model.system.rests(id) || !model::may_complete(in, id, model.def.step)) continue;
         c.joints.push_back(id);
+        c.places.push_back({in.row_begin[at(id)],
+                            in.arms[at(id)] != 0 ? in.jac_begin[at(id)] + model::kArmsSwing : -1,
+                            std::min<std::int32_t>(in.rows[at(id)], 3)});
         if (in.epsilon[at(in.row_begin[at(id)])] > 0.0) continue;  // what gives is determined
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
         c.rigid.push_back(id);
@@ -96,14 +92,17 @@ void choose_completed(Model& model, const State& state, runtime::Pool& pool) noe
         for (std::int32_t k = a; k < b; ++k) {
             const std::int32_t id = c.joints[at(k)];
             const std::uint8_t left = in.coarse[at(id)];
+            constexpr double kMost = kResolvedSwing * kResolvedSwing;
             const bool fast =
-                c.refused[at(k)] || !(swing_number(model, id, in.lambda.data()) <= kResolvedSwing);
+                c.refused[at(k)] || !(squared_swing(model, k, in.lambda.data()) <= kMost);
             c.coarse_next[at(k)] = fast ? kCoarse : static_cast<std::uint8_t>(left - (left > 0));
             const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
-            const bool rigid = in.epsilon[at(in.row_begin[at(id)])] == 0.0;
-            in.completed[at(id)] =
-                !chosen ? 0 : (rigid ? assembly::kRigid : assembly::kStiffDamper);
-            mark_record(in, id);
+            std::uint8_t completed = 0;
+            if (chosen)
+                completed = in.epsilon[at(c.places[at(k)].row)] == 0.0 ? assembly::kRigid
+                                                                       : assembly::kStiffDamper;
+            in.completed[at(id)] = completed;
+            mark_record(in, c.places[at(k)], chosen);
         }
     });
     find_turning(model);

@@ -4,15 +4,32 @@
 /// Which joints hold at the end of a step, and their equations: see completion.h for what is made
 /// of them.
 
+#include "base/index.h"
+#include "context/completion_data.h"
 #include "context/context.h"
+
+#include <cstdint>
 
 namespace hawser::stepper {
 
 /// Swing number up to which joints are completed.
 inline constexpr double kResolvedSwing = 1.5;
-/// s of a joint under its impulse, h² f max(r/I). @param lambdas  By row.
-[[nodiscard]] double swing_number(const Model& model, std::int32_t id,
-                                  const double* lambdas) noexcept;
+/// |p|² of a joint's impulse [N² s²]. @param lambdas  By row.
+[[nodiscard]] inline double squared_impulse(const JointPlace& joint,
+                                            const double* lambdas) noexcept {
+    const double* p = lambdas + joint.row;
+    if (joint.rows == 3) return p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+    double square = 0.0;
+    for (int r = 0; r < joint.rows; ++r) square += p[r] * p[r];
+    return square;
+}
+/// s² of a joint under its impulse, s = h |p| max(r/I). @param k  Its place among the joints.
+[[nodiscard]] inline double squared_swing(const Model& model, std::int32_t k,
+                                          const double* lambdas) noexcept {
+    const Completion& c = model.completion;
+    const double rate = model.def.step * model.interactions.swing[at(c.joints[at(k)])];
+    return rate * rate * squared_impulse(c.places[at(k)], lambdas);
+}
 
 /// Find the joints of a system that has just been analysed. @throws std::bad_alloc.
 void find_joints(Model& model, JointWork& joints);

@@ -187,9 +187,12 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     if (!ctx.work.solve.rhs_ready) start_solve(ctx.model, ctx.work, ctx.pool, v);
     if (const Status status = factor(ctx, true); status != Status::ok) return status;
     // To measure a solution and refine it then takes a pass over all rows and bodies more than to
-    // refine at once; where the residual asked for it lately, it is not asked again for a while.
-    constexpr int kAWhile = 8;
-    const bool measured_first = ctx.state.refine_unasked == 0 || ctx.model.completion.any;
+    // refine at once; where the residuals of two steps running asked for it, it is not asked again
+    // for a while. A correction that was not needed takes three such passes.
+    constexpr int kAWhile = 8, kAskedOnce = kAWhile + 1;
+    const bool asked_once = ctx.state.refine_unasked >= kAskedOnce;
+    const bool measured_first =
+        ctx.state.refine_unasked == 0 || asked_once || ctx.model.completion.any;
     const int refinements = measured_first ? 0 : ctx.model.def.refinements;
     if (!measured_first) --ctx.state.refine_unasked;
     Norms n;
@@ -201,9 +204,11 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     }
     ctx.work.stats.refinements = refinements;
     if (ctx.model.completion.any) return report(ctx.model, ctx.work, n);  // its rounds refine, too
-    if (measured_first && ctx.model.def.refinements > 0 &&
-        wants_refinement(ctx.model, ctx.work.stats, n))
-        ctx.state.refine_unasked = kAWhile;
+    if (measured_first) {
+        const bool asks =
+            ctx.model.def.refinements > 0 && wants_refinement(ctx.model, ctx.work.stats, n);
+        ctx.state.refine_unasked = !asks ? 0 : asked_once ? kAWhile : kAskedOnce;
+    }
     return finish_solve(ctx.model, ctx.work, ctx.pool, v, n,
                         most_refinements(ctx.model) - refinements);
 }

@@ -87,15 +87,16 @@ bool has_outgrown(Model& model, std::int32_t k) noexcept {
     const std::int32_t id = c.joints[at(k)];
     // The force of what repeats others is not known before the filter.
     if (in.repeats[at(id)]) return false;
-    const double now = swing_number(model, id, in.lambda.data());
     if (in.completed[at(id)]) {
-        if (now <= kTooFast) return false;
+        if (squared_swing(model, k, in.lambda.data()) <= kTooFast * kTooFast) return false;
         c.refused[at(k)] = 1;
         return true;
     }
     constexpr double kGrown = 1.5;
-    return !(now <= kResolvedSwing ||
-             now <= kGrown * swing_number(model, id, c.lambda_with.data()));
+    const JointPlace& joint = c.places[at(k)];
+    return !(squared_impulse(joint, in.lambda.data()) <=
+                 kGrown * kGrown * squared_impulse(joint, c.lambda_with.data()) ||
+             squared_swing(model, k, in.lambda.data()) <= kResolvedSwing * kResolvedSwing);
 }
 
 /// @return whether there are such joints.
@@ -115,9 +116,11 @@ bool outgrown(StepContext& ctx) noexcept {
 Status solve_with_new_forces(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.model.interactions;
     Completion& c = ctx.model.completion;
-    for (const std::int32_t id : c.joints) {
-        const bool larger = swing_number(ctx.model, id, in.lambda.data()) >
-                            swing_number(ctx.model, id, c.lambda_with.data());
+    for (std::size_t k = 0; k < c.joints.size(); ++k) {
+        const std::int32_t id = c.joints[k];
+        const bool larger =
+            in.swing[at(id)] > 0.0 && squared_impulse(c.places[k], in.lambda.data()) >
+                                          squared_impulse(c.places[k], c.lambda_with.data());
         const auto row = in.row_begin[at(id)];
         if (larger) std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &c.lambda_with[at(row)]);
     }

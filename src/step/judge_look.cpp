@@ -6,6 +6,7 @@
 #include "access/rows.h"
 #include "access/sweeps.h"
 #include "access/view.h"
+#include "assembly/kernels.h"
 #include "base/index.h"
 #include "context/judge_data.h"
 #include "solve/wire_plan.h"
@@ -19,37 +20,54 @@ namespace {
 using assembly::View;
 
 void look_at_body(const Model& model, std::int32_t body, const double* after, double half,
-                  JudgePart& p) noexcept {
+                  assembly::BodyEnergies& e) noexcept {
     const model::Bodies& b = model.bodies;
     const auto i = at(body);
     const int dof = b.dof(body);
     const double* v = &b.v[at(b.dof_begin[i])];
-    const double before = kinetic_energy_of(b, body, b.v.data());
-    p.kinetic += before;
-    p.at_pose += 0.5 * (before + kinetic_energy_of(b, body, after));
+    e.before += kinetic_energy_of(b, body, b.v.data());
+    e.after += kinetic_energy_of(b, body, after);
     if (dof == 1) return;
     if (b.weight[i])
         for (int k = 0; k < 3; ++k) {
             const double weight = b.mass[i] * model.def.gravity[k];
-            p.potential -= weight * (b.x[3 * i + at(k)] - half * v[k]);
-            p.at_pose -= weight * b.x[3 * i + at(k)];
+            e.half_way -= weight * (b.x[3 * i + at(k)] - half * v[k]);
+            e.pose -= weight * b.x[3 * i + at(k)];
         }
     if (dof < 6) return;
     const double turn = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
-    if (!(turn <= p.turn)) {
-        p.turn = turn;
-        p.turn_body = body;
+    if (!(turn <= e.turn)) {
+        e.turn = turn;
+        e.turn_body = body;
     }
+}
+
+/// Bodies [begin, end) of those that move.
+void look_at_bodies(const Model& model, const View& v, std::int32_t begin, std::int32_t end,
+                    const double* after, double half, JudgePart& p) noexcept {
+    const std::vector<std::int32_t>& moving = model.bodies.moving;
+    assembly::BodyEnergies e;
+    for (std::int32_t i = begin; i < end;) {
+        if (v.dof[moving[at(i)]] == 6) {
+            const std::int32_t done =
+                assembly::kernels().rigid_energies(v, moving.data() + i, end - i, after, half, &e);
+            i += done;
+            if (done > 0) continue;
+        }
+        look_at_body(model, moving[at(i++)], after, half, e);
+    }
+    p.kinetic += e.before;
+    p.potential += e.half_way;
+    p.at_pose += 0.5 * (e.before + e.after) + e.pose;
+    p.turn = e.turn;
+    p.turn_body = e.turn_body;
 }
 
 void look_at_rows(const State& state, const View& v, std::int32_t begin, std::int32_t end,
                   JudgePart& p) noexcept {
-    for (std::int32_t r = begin; r < end; ++r) {
-        const double open = std::fabs(v.g[r]) * state.judge.allowed[at(r)];
-        if (open <= p.open) continue;
-        p.open = open;
-        p.open_row = r;
-    }
+    const std::int32_t row =
+        assembly::kernels().widest_row(v.g, state.judge.allowed.data(), begin, end, &p.open);
+    if (row >= 0) p.open_row = row;
 }
 
 /// Outside of its range a row has a violation, inside none.
@@ -185,8 +203,7 @@ JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcep
     const std::int32_t most = std::max({bodies, rows, elastic, lines});
     over(pool, most, [&](std::int32_t a, std::int32_t b) {
         JudgePart p;
-        for (std::int32_t i = a; i < std::min(b, bodies); ++i)
-            look_at_body(model, model.bodies.moving[at(i)], after, half, p);
+        look_at_bodies(model, v, a, std::min(b, bodies), after, half, p);
         look_at_rows(state, v, a, std::min(b, rows), p);
         for (std::int32_t i = a; i < std::min(b, elastic); ++i)
             look_at_elastic(model, v, data.elastic[at(i)], data.line[at(i)] != 0, half, p);

@@ -147,8 +147,9 @@ void add_solution(const View& view, std::int32_t begin, std::int32_t end) noexce
 
 extern const assembly::Kernels kAssemblyKernels;
 const assembly::Kernels kAssemblyKernels = {
-    evaluate,      complete_rows,      complete_spins, adopt_completed, adopt_spins, body_terms,
-    gather_blocks, gather_lane_blocks, first_rhs,      first_body_rhs,  body_rhs,    add_solution,
-    row_update,    body_norms,         row_norms,      row_losses,      line_gains,  integrate};
+    evaluate,   complete_rows, complete_spins,     adopt_completed, adopt_spins,
+    body_terms, gather_blocks, gather_lane_blocks, first_rhs,       first_body_rhs,
+    body_rhs,   add_solution,  row_update,         body_norms,      row_norms,
+    row_losses, line_gains,    rigid_energies,     widest_row,      integrate};
 
 }  // namespace hawser::HAWSER_ISA

@@ -53,6 +53,29 @@ bool any_faded(const View& view, std::int32_t first, std::int32_t rows) {
     return any(faded);
 }
 
+int any_bits(const std::uint8_t* some, std::int32_t count) {
+    int bits = 0;
+    for (std::int32_t i = 0; i < count; ++i) bits |= some[i];
+    return bits;
+}
+
+/// Are all of them joints that act both ways, none completed, without drives and differences of
+/// directions: such rows need no marks.
+bool all_plain(const View& view, std::int32_t begin, std::int32_t end, std::int32_t first,
+               std::int32_t rows) {
+    const std::int32_t n = end - begin;
+    constexpr int kMarked = kPullsOnly | kRange | kByInput | kCarried | kFriction;
+    if ((any_bits(view.flags + begin, n) & kMarked) || any_bits(view.parted + begin, n) ||
+        any_bits(view.completed + begin, n) ||
+        (any_bits(view.row_flags + first, rows) & (kVelocityRow | kTurns)))
+        return false;
+    int marked = 0;
+    for (std::int32_t id = begin; id < end; ++id)
+        marked |=
+            static_cast<int>(view.active[id] == 0.0) | static_cast<int>(view.rest_length[id] > 0.0);
+    return marked == 0;
+}
+
 /// @param faded  Rows may have no recall. @return Interactions left to the caller.
 int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t first, bool faded,
          Marks& marks, std::int32_t* left) {
@@ -89,44 +112,66 @@ inline V8 within(const V8& a, const V8& most) {
     return select_greater(-most, below, -most, below);
 }
 
-}  // namespace
-
-double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::int32_t* left,
-                  int* left_count) noexcept {
-    Marks marks;
-    const std::int32_t first = view.row_begin[begin];
-    const std::int32_t rows = view.row_begin[end - 1] + view.rows[end - 1] - first;
-    *left_count = mark(view, begin, end, first, any_faded(view, first, rows), marks, left);
-    marks.set(rows, 0.0, 0.0, 0.0, 0.0, 0.0);
-    V8 taken{};
+/// Of `rows` rows from one on. @param marks  Of kPlain rows: none; else those of lines that were
+/// slack become 1 in `pulls`. @return whether there are such lines.
+template <bool kPlain>
+HAWSER_INLINE bool add_losses(const View& view, std::int32_t first, std::int32_t rows, Marks* marks,
+                              V8& taken) {
     const V8 none{}, half = none + 0.5 * view.h, per_h4 = none + 4.0 / view.h;
     bool was_slack = false;
     for (int i = 0; i < rows; i += kLanes) {
         const int n = rows - i < kLanes ? rows - i : kLanes;
         auto of = [&](const double* array) { return load_first(array + first + i, n); };
         const V8 g = of(view.g), c = of(view.c), epsilon = of(view.epsilon);
-        const V8 lambda = of(view.lambda), pulls = load(marks.pulls + i);
+        const V8 lambda = of(view.lambda);
         V8 before = (c * (1.0 / of(view.upsilon)) + per_h4 * g) * (1.0 / of(view.recall));
-        // The c of a completed row is not that of its speed before.
-        const V8 completed = load(marks.completed + i);
-        if (any(completed)) before = select_greater(completed, none, of(view.rate), before);
         const V8 after = c - of(view.sigma) * lambda - of(view.residual);
-        const V8 most = load(marks.most + i);
-        const V8 old = within(g - half * before, most), now = within(g + half * after, most);
-        // A line that was slack at the last half step has another c (when_slack()).
-        const V8 size = select_greater(g, none, g, -g);
-        const V8 slack = select_greater(old, 1e-9 * size, none, pulls);
-        const V8 used = load(marks.counts + i) * (none + 1.0 - slack);
-        was_slack |= any(slack);
-        store(marks.pulls + i, slack);
-        const V8 old_held = select_greater(pulls, none, positive_part(old), old);
-        const V8 now_held = select_greater(pulls, none, positive_part(now), now);
-        const V8 stiffness = select_greater(epsilon, load(marks.rigid + i), 0.5 / epsilon, none);
-        const V8 loss = stiffness * (old_held * old_held - now_held * now_held) -
-                        0.5 * (lambda * (before + after));
+        V8 old, now, rigid = none + kElastic, used{};
+        if constexpr (kPlain) {
+            old = g - half * before;
+            now = g + half * after;
+            used = first_lanes(none + 1.0, n);
+        } else {
+            // The c of a completed row is not that of its speed before.
+            const V8 completed = load(marks->completed + i);
+            if (any(completed)) before = select_greater(completed, none, of(view.rate), before);
+            const V8 most = load(marks->most + i), pulls = load(marks->pulls + i);
+            old = within(g - half * before, most);
+            now = within(g + half * after, most);
+            // A line that was slack at the last half step has another c (when_slack()).
+            const V8 size = select_greater(g, none, g, -g);
+            const V8 slack = select_greater(old, 1e-9 * size, none, pulls);
+            used = load(marks->counts + i) * (none + 1.0 - slack);
+            was_slack |= any(slack);
+            store(marks->pulls + i, slack);
+            old = select_greater(pulls, none, positive_part(old), old);
+            now = select_greater(pulls, none, positive_part(now), now);
+            rigid = load(marks->rigid + i);
+        }
+        const V8 stiffness = select_greater(epsilon, rigid, 0.5 / epsilon, none);
+        const V8 loss = stiffness * (old * old - now * now) - 0.5 * (lambda * (before + after));
         taken += select_greater(used, none, loss, none);
     }
-    if (was_slack) {
+    return was_slack;
+}
+
+}  // namespace
+
+double row_losses(const View& view, std::int32_t begin, std::int32_t end, std::int32_t* left,
+                  int* left_count) noexcept {
+    const std::int32_t first = view.row_begin[begin];
+    const std::int32_t rows = view.row_begin[end - 1] + view.rows[end - 1] - first;
+    const bool faded = any_faded(view, first, rows);
+    V8 taken{};
+    *left_count = 0;
+    if (!faded && all_plain(view, begin, end, first, rows)) {
+        (void)add_losses<true>(view, first, rows, nullptr, taken);
+        return sum(taken);
+    }
+    Marks marks;
+    *left_count = mark(view, begin, end, first, faded, marks, left);
+    marks.set(rows, 0.0, 0.0, 0.0, 0.0, 0.0);
+    if (add_losses<false>(view, first, rows, &marks, taken)) {
         for (std::int32_t id = begin; id < end; ++id) {
             const std::int32_t row = view.row_begin[id] - first;
             if (view.rows[id] > 0 && marks.counts[row] != 0.0 && marks.pulls[row] != 0.0)

@@ -33,6 +33,9 @@ void add_solution(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 /// a − M̃ v₊ + Gᵀλ of a body, into its `dof` entries of out.
 void momentum_residual(const assembly::View&, std::int32_t, double*) noexcept;
 void body_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norms*) noexcept;
+std::int32_t rigid_energies(const assembly::View&, const std::int32_t*, std::int32_t, const double*,
+                            double, assembly::BodyEnergies*) noexcept;
+std::int32_t widest_row(const double*, const double*, std::int32_t, std::int32_t, double*) noexcept;
 void integrate(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 
 void gather_blocks(const assembly::View&, const assembly::Op*, std::int64_t, std::int64_t,
