@@ -53,22 +53,6 @@ void System::evaluate(const model::Bodies& bodies, model::Interactions& interact
         }
 }
 
-bool System::renew(const model::Bodies& bodies, model::Interactions& in, const WorldDef& def) {
-    if (!sides.empty()) return false;
-    // As lay_out_rows() leaves them.
-    for (int i = 0; i < in.count(); ++i) {
-        if (in.arms[at(i)] == 0) continue;
-        in.arms[at(i)] = model::kCompactJacobian;
-        double& swing = in.jacobian[at(in.jac_begin[at(i)] + model::kArmsSwing)];
-        swing = std::fabs(swing);
-    }
-    evaluate(bodies, in, def);
-    share_damping(bodies, in, def.step);
-    kept_before_.swap(kept_);
-    choose_forms(bodies, in, def);
-    return kept_ == kept_before_;
-}
-
 void System::share_damping(const model::Bodies& bodies, model::Interactions& in, double h) const {
     for (int i = 0; i < in.count(); ++i)
         for (int r = 0; r < in.rows[at(i)]; ++r) {

@@ -209,8 +209,8 @@ std::size_t System::bytes() const noexcept {
            bytes(body_offset_) + bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) +
            bytes(v_new_) + bytes(momentum_) + bytes(spin_momentum_) + bytes(spin_next_) +
            bytes(c_next_) + bytes(rate_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
-           bytes(solution_) + bytes(rests_) + bytes(dof_) + bytes(kept_) + bytes(kept_before_) +
-           bytes(links_) + bytes(among_lumps_) + bytes(pair_mass_) + bytes(node_of_body) +
+           bytes(solution_) + bytes(rests_) + bytes(dof_) + bytes(kept_) + bytes(links_) +
+           bytes(among_lumps_) + bytes(pair_mass_) + bytes(node_of_body) +
            bytes(node_of_interaction) + bytes(body_before_) + bytes(interaction_before_) +
            bytes(old_of_new_) + bytes(cursor_) + bytes(side_mobility_) + bytes(member_begin_) +
            bytes(members_) + island_finder_.bytes() + bytes(islands.label) + edge_dealer_.bytes() +

@@ -69,11 +69,6 @@ class System {
     /// @throws std::bad_alloc.
     void analyse(const model::Bodies& bodies, model::Interactions& interactions,
                  const WorldDef& def, int threads, const factor::AnalysisState* state = nullptr);
-    /// What analyse() takes of the poses at hand alone, where it would find the same bodies,
-    /// interactions and sleepers as the last time: floors, forms, shares of damping. @return false:
-    /// analyse() has to be called, forms are others or there are sides. @throws std::bad_alloc.
-    [[nodiscard]] bool renew(const model::Bodies& bodies, model::Interactions& interactions,
-                             const WorldDef& def);
     /// Follow to contacts.touching() where links stay: the list of contributions alone.
     /// @throws std::bad_alloc; analyse() then.
     void follow_touching(const model::Bodies& bodies, const model::Interactions& interactions);
@@ -259,7 +254,6 @@ class System {
     std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.
     base::Array<GeoPlace> geo_place_;
     base::Array<std::uint8_t> dof_, kept_, rests_;
-    base::Array<std::uint8_t> kept_before_;  ///< Scratch of renew().
     base::Array<std::uint8_t> links_;        ///< View::links.
     base::Array<std::uint8_t> among_lumps_;  ///< View::among_lumps.
     base::Array<double> pair_mass_;          ///< View::pair_mass; empty: there is none.

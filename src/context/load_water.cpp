@@ -11,6 +11,11 @@
 
 namespace hawser::stepper {
 
+bool LoadStore::needs_shared(std::size_t entry) const noexcept {
+    return sources_[entry] != kNobody && (last_water_[entry] != 0) != water_now_ &&
+           shared_of_[entry] < 0;
+}
+
 bool LoadStore::make_shared(std::size_t entry) noexcept {
     try {
         shared_.emplace_back();
@@ -18,7 +23,6 @@ bool LoadStore::make_shared(std::size_t entry) noexcept {
         out_of_memory_ = true;
         return false;
     }
-    shared_.back().entry = static_cast<std::int32_t>(entry);
     shared_of_[entry] = static_cast<std::int32_t>(shared_.size() - 1);
     return true;
 }

@@ -145,7 +145,7 @@ BodyLoad LoadStore::of(BodyId id) noexcept {
     }
     const auto e = at(entry_of_[at(body)]);
     if (used_[e] != system_) {
-        if (sources_[e] != kNobody && (last_water_[e] != 0) != water_now_ && shared_of_[e] < 0) {
+        if (needs_shared(e)) {
             if (parallel_) unreserved_.store(true, std::memory_order_relaxed);
             if (parallel_ || !make_shared(e)) return nowhere;
         }
@@ -160,9 +160,7 @@ void LoadStore::reserve(std::span<const BodyId> bodies) noexcept {
         if (!there(id) || freedom_[at(id.index)] == 0) continue;
         const std::int32_t e = entry_of_[at(id.index)];
         if (e < 0 && !add_entry(id.index, freedom_[at(id.index)])) return;
-        if (e >= 0 && sources_[at(e)] != kNobody && (last_water_[at(e)] != 0) != water_now_ &&
-            shared_of_[at(e)] < 0 && !make_shared(at(e)))
-            return;
+        if (e >= 0 && needs_shared(at(e)) && !make_shared(at(e))) return;
     }
 }
 

@@ -147,13 +147,18 @@ class LoadStore {
     /// Where water and another system load the same body: what of f, A, D, K is the water's. Room
     /// for an entry's is made once.
     struct Shared {
-        std::int32_t entry = -1;
         double water[69] = {};   ///< The water's so far.
         double before[69] = {};  ///< All there was when the water that acts now began.
     };
-    bool make_shared(std::size_t entry) noexcept;   // load_water.cpp
-    void note_source(std::size_t entry) noexcept;   // load_water.cpp
-    void finish_water(std::size_t entry) noexcept;  // load_water.cpp
+    // Of an entry, all in load_water.cpp.
+    /// Is the next load of the system that acts the first one that tells water from others?
+    [[nodiscard]] bool needs_shared(std::size_t entry) const noexcept;
+    /// Room for both parts. @return false: there is no memory.
+    bool make_shared(std::size_t entry) noexcept;
+    /// The system that acts begins to load it: what of the sum is the water's is set apart.
+    void note_source(std::size_t entry) noexcept;
+    /// All systems have acted: so is what water added last.
+    void finish_water(std::size_t entry) noexcept;
     /// f, A, D, K of the water's loads of an entry; null: none.
     [[nodiscard]] const double* water_of(std::size_t entry) const noexcept;
     [[nodiscard]] bool there(BodyId id) const noexcept {

@@ -53,24 +53,28 @@ void stable_part(Matrix6& m) noexcept {
 
 }  // namespace
 
-void HullWater::add_matrix(const Matrix6& m, std::array<double, 21>& to) const noexcept {
+void HullWater::add_matrix(const Mat3& axes, const Matrix6& m,
+                           std::array<double, 21>& to) noexcept {
     Matrix6 turn = Matrix6::Zero();
-    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = frame_;
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = axes;
     const Matrix6 w = turn * m * turn.transpose();
     for (int i = 0; i < 6; ++i)
         for (int j = 0; j <= i; ++j)
             to[static_cast<std::size_t>(triangle(i, j))] += 0.5 * (w(i, j) + w(j, i));
 }
 
+void HullWater::add_force(const Vec3& push, const Vec3& moment) noexcept {
+    for (int k = 0; k < 3; ++k) {
+        force[at(k)] += push[k];
+        force[at(3 + k)] += moment[k];
+    }
+}
+
 /// A force and moment at the reference.
 void HullWater::add_at_reference(const Vec6& f) noexcept {
     const Vec3 push = frame_ * f.head<3>();
     const Vec3 arm = frame_ * def_->coefficients->reference;
-    const Vec3 turn = frame_ * f.tail<3>() + arm.cross(push);
-    for (int k = 0; k < 3; ++k) {
-        force[at(k)] += push[k];
-        force[at(3 + k)] += turn[k];
-    }
+    add_force(push, frame_ * f.tail<3>() + arm.cross(push));
 }
 
 void HullWater::remember(const Sea& sea, const SeaMoment& now) noexcept {
@@ -95,8 +99,8 @@ void HullWater::remember(const Sea& sea, const SeaMoment& now) noexcept {
 
 void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept {
     if (!def_->coefficients) return;
-    add_matrix(added_, mass);
-    add_matrix(constant_, damping);
+    add_matrix(frame_, added_, mass);
+    add_matrix(frame_, constant_, damping);
     if (memory_.any()) add_at_reference(remembered_);
     if (waves_.any()) add_at_reference(pushed_);
     if (!def_->coriolis) return;
@@ -111,13 +115,8 @@ void HullWater::add_coefficients(const Sea& sea, const SeaMoment& now) noexcept 
     v << past, turn;
     swept.head<3>() = turn.cross(past);
     const Vec6 p = added_ * v, same = added_ * swept;
-    const Vec3 push = frame_ * (same.head<3>() - turn.cross(p.head<3>()));
-    const Vec3 twist =
-        frame_ * (same.tail<3>() - turn.cross(p.tail<3>()) - past.cross(p.head<3>()));
-    for (int k = 0; k < 3; ++k) {
-        force[at(k)] += push[k];
-        force[at(3 + k)] += twist[k];
-    }
+    add_force(frame_ * (same.head<3>() - turn.cross(p.head<3>())),
+              frame_ * (same.tail<3>() - turn.cross(p.tail<3>()) - past.cross(p.head<3>())));
 }
 
 /// Small motions about rest: weight of the displaced water less C (x − x₀).
@@ -129,20 +128,11 @@ void HullWater::add_linear(const Sea&, const SeaMoment& now) noexcept {
     x[3] = 0.5 * (tilt(2, 1) - tilt(1, 2));
     x[4] = 0.5 * (tilt(0, 2) - tilt(2, 0));
     const Vec6 back = -(statics_ * x);
-    const Vec3 push = level * back.head<3>(), turn = level * back.tail<3>();
-    for (int k = 0; k < 3; ++k) {
-        force[at(k)] += push[k];
-        force[at(3 + k)] += turn[k];
-    }
+    add_force(level * back.head<3>(), level * back.tail<3>());
     force[2] += weight_;
     Matrix6 k = statics_;
     stable_part(k);
-    Matrix6 turned = Matrix6::Zero();
-    turned.topLeftCorner<3, 3>() = turned.bottomRightCorner<3, 3>() = level;
-    const Matrix6 w = turned * k * turned.transpose();
-    for (int i = 0; i < 6; ++i)
-        for (int j = 0; j <= i; ++j)
-            stiffness[static_cast<std::size_t>(triangle(i, j))] += 0.5 * (w(i, j) + w(j, i));
+    add_matrix(level, k, stiffness);
 }
 
 void HullWater::flow_past(const WaterField& field, int chunk) noexcept {

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 /// States of a memory by Kung's method: the matrix H of blocks K((i + j) δ) is O·S, observability
-/// times controllability, by its singular values; e^{Aδ} takes O to itself one block on. Of A the
-/// poles are kept, B in their basis, and C is fitted anew, by least squares over all of K.
+/// times controllability, by its singular values; e^{Aδ} takes O to itself one block on. H is
+/// symmetric, as K is: σ = |λ| and u = sign(λ) v of its eigenvalues. Of A the poles are kept, B in
+/// their basis, and C is fitted anew, by least squares over all of K.
 #include <hawser/def.h>
 
 #include "marine/radiation.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 namespace hawser::marine {
 namespace {
@@ -94,14 +96,25 @@ void realise(const Scaled& k, double end, int order, std::vector<MemoryModel::Bl
         for (Eigen::Index i = std::max<Eigen::Index>(0, d - q + 1); i <= std::min(d, q - 1); ++i)
             h.block(i * n, (d - i) * n, n, n) = sample;
     }
-    const Eigen::BDCSVD<MatrixXd> svd(h, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(h);
+    const Eigen::VectorXd& lambda = spectrum.eigenvalues();
+    std::vector<Eigen::Index> largest(static_cast<std::size_t>(lambda.size()));
+    std::iota(largest.begin(), largest.end(), Eigen::Index{0});
+    std::sort(largest.begin(), largest.end(), [&](Eigen::Index i, Eigen::Index j) {
+        return std::abs(lambda(i)) > std::abs(lambda(j));
+    });
     Eigen::Index r = 0;
-    while (r < order && r < svd.singularValues().size() &&
-           svd.singularValues()(r) > 1e-9 * svd.singularValues()(0))
+    while (r < order && r < lambda.size() &&
+           std::abs(lambda(largest[static_cast<std::size_t>(r)])) >
+               1e-9 * std::abs(lambda(largest[0])))
         ++r;
-    const Eigen::VectorXd root = svd.singularValues().head(r).cwiseSqrt();
-    const MatrixXd o = svd.matrixU().leftCols(r) * root.asDiagonal();
-    const MatrixXd s = root.asDiagonal() * svd.matrixV().leftCols(r).transpose();
+    MatrixXd o(h.rows(), r), s(r, h.cols());
+    for (Eigen::Index i = 0; i < r; ++i) {
+        const Eigen::Index at = largest[static_cast<std::size_t>(i)];
+        const double root = std::sqrt(std::abs(lambda(at)));
+        o.col(i) = root * spectrum.eigenvectors().col(at);
+        s.row(i) = std::copysign(root, lambda(at)) * spectrum.eigenvectors().col(at).transpose();
+    }
     const MatrixXd step =
         o.topRows(n * (q - 1)).colPivHouseholderQr().solve(o.bottomRows(n * (q - 1)));
     const Eigen::EigenSolver<MatrixXd> eigen(step);
@@ -124,33 +137,40 @@ void realise(const Scaled& k, double end, int order, std::vector<MemoryModel::Bl
     b = basis.colPivHouseholderQr().solve(s.leftCols(n));
 }
 
-/// Largest lack of passivity of C (iω − A)⁻¹ B over frequencies, entries scaled.
+/// Largest lack of passivity of C (iω − A)⁻¹ B over frequencies, entries scaled. The Hermitian part
+/// P + iQ has the eigenvalues of the symmetric (P, −Q; Q, P), each twice.
 double lack_of(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b, const MatrixXd& c,
                double top) {
     using std::complex;
+    const Eigen::Index n = c.rows();
     double lack = 0.0;
+    MatrixXd real(b.rows(), b.cols()), imaginary(b.rows(), b.cols()), both(2 * n, 2 * n);
     for (int p = 0; p <= 600; ++p) {
         const complex<double> s(0.0, top * p / 600.0);
-        Eigen::MatrixXcd x(b.rows(), b.cols());
         Eigen::Index k = 0;
         for (const MemoryModel::Block& block : blocks) {
             const complex<double> d = s - block.decay;
             if (block.turn == 0.0) {
-                x.row(k) = b.row(k) / d;
+                real.row(k) = (1.0 / d).real() * b.row(k);
+                imaginary.row(k) = (1.0 / d).imag() * b.row(k);
                 k += 1;
                 continue;
             }
             // (d, −ω; ω, d)⁻¹.
             const complex<double> det = d * d + block.turn * block.turn;
-            x.row(k) = (d * b.row(k) + block.turn * b.row(k + 1)) / det;
-            x.row(k + 1) = (d * b.row(k + 1) - block.turn * b.row(k)) / det;
+            const complex<double> same = d / det, other = block.turn / det;
+            real.row(k) = same.real() * b.row(k) + other.real() * b.row(k + 1);
+            imaginary.row(k) = same.imag() * b.row(k) + other.imag() * b.row(k + 1);
+            real.row(k + 1) = same.real() * b.row(k + 1) - other.real() * b.row(k);
+            imaginary.row(k + 1) = same.imag() * b.row(k + 1) - other.imag() * b.row(k);
             k += 2;
         }
-        const Eigen::MatrixXcd y = c * x;
-        const Eigen::MatrixXcd hermitian = 0.5 * (y + y.adjoint());
-        lack = std::max(lack, -Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(
-                                   hermitian, Eigen::EigenvaluesOnly)
-                                   .eigenvalues()(0));
+        const MatrixXd y = c * real, z = c * imaginary;
+        both.topLeftCorner(n, n) = both.bottomRightCorner(n, n) = 0.5 * (y + y.transpose());
+        both.bottomLeftCorner(n, n) = 0.5 * (z - z.transpose());
+        both.topRightCorner(n, n) = both.bottomLeftCorner(n, n).transpose();
+        const Eigen::SelfAdjointEigenSolver<MatrixXd> hermitian(both, Eigen::EigenvaluesOnly);
+        lack = std::max(lack, -hermitian.eigenvalues()(0));
     }
     return lack;
 }

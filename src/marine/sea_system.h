@@ -126,7 +126,9 @@ class HullWater {
     void add_motion(const Sea& sea, const SeaMoment& now, double wet, double air) noexcept;
     void add_coefficients(const Sea& sea, const SeaMoment& now) noexcept;
     void add_strips(const Sea& sea, double wet) noexcept;
-    void add_matrix(const Matrix6& in_frame, std::array<double, 21>& to) const noexcept;
+    static void add_matrix(const Mat3& axes, const Matrix6& m, std::array<double, 21>& to) noexcept;
+    /// @param moment  About the centre of mass.
+    void add_force(const Vec3& push, const Vec3& moment) noexcept;
     void add_at_reference(const Vec6& f) noexcept;
 
     const WaterHull* def_;

@@ -76,14 +76,14 @@ class Pool final : public base::Executor {
     /// fields then fails its compare-and-swap.
     static constexpr std::uint64_t kClosed = 0xffffffffU;
 
-    // One cache line each, so that spinning on one does not slow the other.
-    /// The tasks that a thread begins with.
+    /// The tasks that a thread begins with, in a cache line of their own.
     struct alignas(64) Part {
         std::atomic<std::uint64_t> ticket{kClosed};
         std::atomic<std::int32_t> end{0};
     };
     int drain(Part& part, int thread) noexcept;
 
+    // One cache line each, so that spinning on one does not slow the other.
     alignas(64) std::atomic<std::uint32_t> awake_{0};   ///< Odd while a step runs.
     alignas(64) std::atomic<std::uint64_t> opened_{0};  ///< The batch that workers look for.
     alignas(64) std::atomic<std::int32_t> done_{0};     ///< Tasks of this batch that are done.

@@ -57,14 +57,6 @@ void analyse_system(Model& model, Work& work, runtime::Pool& pool,
     count_analysis(model, work.stats);
 }
 
-bool renew_analysis(Model& model, State& state, Work& work) {
-    begin_analysis(model, state);
-    if (!model.system.renew(model.bodies, model.interactions, model.def)) return false;
-    find_joints(model, work.joints);
-    reserve_closing(model, work.joints);
-    return true;
-}
-
 void count_analysis(Model& model, StepStats& stats) noexcept {
     StepStats& s = stats;
     s.islands = model.system.islands.count;

@@ -14,10 +14,6 @@ void begin_analysis(Model& model, State& state);
 /// world, to go on from. @throws std::bad_alloc, LimitError.
 void analyse_system(Model& model, Work& work, runtime::Pool& pool,
                     const factor::AnalysisState* state);
-/// What an analysis takes of the poses at hand, where bodies, interactions and who sleeps are those
-/// of the last one and nothing is cut: floors, shares of damping, joints. @return false: some rows
-/// want another form, so that the system has to be analysed. @throws std::bad_alloc.
-[[nodiscard]] bool renew_analysis(Model& model, State& state, Work& work);
 /// The statistics of an analysis.
 void count_analysis(Model& model, StepStats& stats) noexcept;
 /// Memory beyond what the model and its system ever held is one growth.

@@ -14,15 +14,14 @@ namespace {
 
 using assembly::Contacts;
 
-/// Where shapes alone came or went: what the poses at hand change of the system, and the blocks of
-/// contacts; the order where links went. @return false: it has to be analysed.
+/// Where shapes alone came or went: the blocks of contacts, and the order where links went. Forms
+/// and shares of damping stay those of the last analysis. @return false: it has to be analysed.
 bool follow_shapes(StepContext& ctx, Contacts::Blocks changed) {
     if (ctx.state.changed != Changed::shapes || ctx.state.mend != Mend::nothing) return false;
     // With the first shapes that may touch, updates of fronts are kept.
     if (changed != Contacts::Blocks::same &&
         ctx.model.system.contacts.blocks.empty() == ctx.model.system.symbolic.updates_kept)
         return false;
-    if (!renew_analysis(ctx.model, ctx.state, ctx.work)) return false;
     if (changed == Contacts::Blocks::own)
         ctx.model.system.follow_touching(ctx.model.bodies, ctx.model.interactions);
     if (changed == Contacts::Blocks::links) relink(ctx);

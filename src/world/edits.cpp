@@ -150,45 +150,28 @@ bool World::alive(InputId id) const noexcept { return impl_->input_places.names(
 
 void World::set_change_listener(ChangeListener* listener) noexcept { impl_->listener = listener; }
 
-const Removed& World::remove_body(BodyId id) {
-    const world::Using use(impl_->use, "remove_body");
-    (void)impl_->place(id);
-    impl_->refuse_held(id);
-    impl_->reserve_removal();
-    impl_->remove(id);
-    if (impl_->listener != nullptr) impl_->listener->removed(id);
-    return impl_->sorted_removal();
+namespace {
+
+/// Remove one thing with what hangs on it. @param call  Name of the function of World.
+template <class Impl, class Id>
+const Removed& remove_one(Impl& impl, Id id, const char* call) {
+    const world::Using use(impl.use, call);
+    (void)impl.place(id);
+    impl.refuse_held(id);
+    impl.reserve_removal();
+    impl.remove(id);
+    if (impl.listener != nullptr) impl.listener->removed(id);
+    return impl.sorted_removal();
 }
 
+}  // namespace
+
+const Removed& World::remove_body(BodyId id) { return remove_one(*impl_, id, "remove_body"); }
 const Removed& World::remove_interaction(InteractionId id) {
-    const world::Using use(impl_->use, "remove_interaction");
-    (void)impl_->place(id);
-    impl_->refuse_held(id);
-    impl_->reserve_removal();
-    impl_->remove(id);
-    if (impl_->listener != nullptr) impl_->listener->removed(id);
-    return impl_->sorted_removal();
+    return remove_one(*impl_, id, "remove_interaction");
 }
-
-const Removed& World::remove_shape(ShapeId id) {
-    const world::Using use(impl_->use, "remove_shape");
-    (void)impl_->place(id);
-    impl_->refuse_held(id);
-    impl_->reserve_removal();
-    impl_->remove(id);
-    if (impl_->listener != nullptr) impl_->listener->removed(id);
-    return impl_->sorted_removal();
-}
-
-const Removed& World::remove_input(InputId id) {
-    const world::Using use(impl_->use, "remove_input");
-    (void)impl_->place(id);
-    impl_->refuse_held(id);
-    impl_->reserve_removal();
-    impl_->remove(id);
-    if (impl_->listener != nullptr) impl_->listener->removed(id);
-    return impl_->sorted_removal();
-}
+const Removed& World::remove_shape(ShapeId id) { return remove_one(*impl_, id, "remove_shape"); }
+const Removed& World::remove_input(InputId id) { return remove_one(*impl_, id, "remove_input"); }
 
 /// Room for all that there is: a hull may take anything with it.
 void World::Impl::reserve_removal() {
