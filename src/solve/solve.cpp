@@ -188,7 +188,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     if (const Status status = factor(ctx, true); status != Status::ok) return status;
     // To measure a solution and refine it then takes a pass over all rows and bodies more than to
     // refine at once; where the residuals of two steps running asked for it, it is not asked again
-    // for a while. A correction that was not needed takes three such passes.
+    // for a while. A correction that was not needed takes more than such a pass.
     constexpr int kAWhile = 8, kAskedOnce = kAWhile + 1;
     const bool asked_once = ctx.state.refine_unasked >= kAskedOnce;
     const bool measured_first =

@@ -27,6 +27,11 @@ struct Sums {
     std::int32_t turn_body;
 };
 
+/// Is any lane not below the limit? What is no number counts, as it does one at a time.
+bool any_not_below(const V8& some, double limit) {
+    return any(select_greater(V8{} + limit, some, V8{}, one(some)));
+}
+
 /// Masses of eight bodies where gravity acts, 0 elsewhere.
 V8 heavy_masses(const View& view, std::int32_t body, const V8& mass) {
     std::uint64_t weight;
@@ -62,7 +67,7 @@ void add_eight(const View& view, std::int32_t body, const double* after, double 
     s.half_way -= heavy * (fall - half * (g[0] * v[0] + g[1] * v[1] + g[2] * v[2]));
 
     const V8 turn = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
-    if (!any(positive_part(turn - (V8{} + s.turn)))) return;
+    if (!any_not_below(turn, s.turn)) return;
     for (int l = 0; l < kLanes; ++l) {
         if (lane(turn, l) <= s.turn) continue;
         s.turn = lane(turn, l);
@@ -106,7 +111,7 @@ std::int32_t widest_row(const double* g, const double* share, std::int32_t begin
     for (; row + kLanes <= end; row += kLanes) {
         const V8 some = load(g + row) * load(share + row);
         const V8 open = select_greater(some, -some, some, -some);
-        if (!any(positive_part(open - (V8{} + *most)))) continue;
+        if (!any_not_below(open, *most)) continue;
         for (int l = 0; l < kLanes; ++l) take(row + l);
     }
     for (; row < end; ++row) take(row);
