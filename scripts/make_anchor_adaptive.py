@@ -4,16 +4,18 @@
 resolution follows tension, curvature and contact (standard library only).
 
 Tow and work wires lie on winches with layers, which make nodes as wire runs out; ahts1/tow_speed
-and the like still say how fast their drums turn. All long lines have elements of at least 5 m, and
-nodes come and go on moorings, chains, tow and work wires. Spare lines on deck are laid anew with
-elements of 5 m. Everything else is anchor_contact and its settled state.
+and the like still say how fast their drums turn. They run over the stern rollers by guides, since a
+polygon of 5 m over a roller of 1.75 m is no wire on a roller. All long lines have elements of at
+least 5 m, and nodes come and go on moorings, chains, tow and work wires. Spare lines on deck are
+laid anew with elements of 5 m. Everything else is anchor_contact and its settled state.
 
     scripts/make_anchor_adaptive.py                  write the scene
     scripts/make_anchor_adaptive.py --start FOLDER   write the same without resolutions to FOLDER,
                                                      with a start, for `hawser settle` to finish
     scripts/make_anchor_adaptive.py --start FOLDER --element 2.5
                                                      the same with all lines in elements of 2.5 m,
-                                                     for comparing
+                                                     for comparing; --no-guides with wires that touch
+                                                     the rollers instead
 """
 
 import argparse
@@ -31,6 +33,9 @@ DRUM_R, CORE_R, STORED = 1.2, 0.94, 600.0  # radius at which a drum's rad/s is m
 DECK_ELEMENT, DECK_COUNT, DECK_ROW = 5.0, 25, 0.9
 DECK_X = (-34.0, -10.0)
 G, DECK_Z, DECK_K = 9.81, 1.2, 1e7
+ROLLER_R, ROLLER_MU = 1.788, 0.2  # to the middle of a wire [m]; as of wires on rollers in contact
+CLEAR = 0.29  # straight wire from a guide to the next node at least, in elements
+GUIDED = 20  # nodes behind a guide that share what a polygon is shorter than the wire on its roller
 
 
 def rotated(q, p):
@@ -70,6 +75,87 @@ def resampled(cable, state, elements):
     cable["shape"] = [[round(x, 4) for x in p] for p in shape]
     for i, p in enumerate(shape):
         state[f"{name}/{i + 1}"] = {"p": p}
+
+
+class Ship:
+    """Where an anchor handler is in a state, and about the axis of its stern roller."""
+
+    def __init__(self, scene, state, name, y):
+        self.hull = state[f"{name}/hull"]
+        self.axes = [rotated(self.hull["q"], e) for e in ([1, 0, 0], [0, 1, 0], [0, 0, 1])]
+        aside = rotated(self.hull["q"], [0, y, 0])
+        self.centre = [a + b for a, b in zip(state[f"{name}/roller"]["p"], aside)]
+        self.instance = next(i for i in scene["instances"] if i["name"] == name)
+
+    def local(self, p, origin):
+        return [sum((p[k] - origin[k]) * axis[k] for k in range(3)) for axis in self.axes]
+
+    def defined(self, p):
+        """The same place on the ship where the scene defines it to be."""
+        x, y, z = self.local(p, self.hull["p"])
+        yaw = math.radians(self.instance.get("euler_deg", [0, 0, 0])[2])
+        c, s = math.cos(yaw), math.sin(yaw)
+        return [a + b for a, b in zip(self.instance["position"],
+                                      [c * x - s * y, s * x + c * y, z])]
+
+
+def straight(p):
+    """Of a wire from a roller to a point about its axis; 0 within it."""
+    return math.sqrt(max(0.0, p[0]**2 + p[2]**2 - ROLLER_R**2))
+
+
+def over_roller(a, b):
+    """Length of wire from a over the roller to b, points about its axis, in its plane."""
+    ra, rb = math.hypot(a[0], a[2]), math.hypot(b[0], b[2])
+    between_them = math.acos((a[0] * b[0] + a[2] * b[2]) / (ra * rb))
+    lies = between_them - math.acos(ROLLER_R / ra) - math.acos(ROLLER_R / rb)
+    return straight(a) + straight(b) + ROLLER_R * max(lies, 0.0)
+
+
+def passing(nodes, ship):
+    """Places about the roller's axis, and the first node abaft it."""
+    about = [ship.local(p, ship.centre) for p in nodes]
+    return about, next(i for i, p in enumerate(about) if p[0] < 0.0)
+
+
+def clear_of_roller(cable, state, ship, count):
+    """A number of elements near `count` with which no node lies at the roller."""
+    nodes = [placed(state, cable["from"])]
+    nodes += [state[f"{cable['name']}/{i}"]["p"] for i in range(1, cable["elements"])]
+    nodes.append(placed(state, cable["to"]))
+    least = CLEAR * cable["length"] / count
+    for change in (0, -1, 1, -2, 2, -3, 3, -4, 4):
+        shape = between(nodes, count + change)
+        about, behind = passing([nodes[0]] + shape, ship)
+        if min(straight(about[behind - 1]), straight(about[behind])) > least:
+            return count + change
+    raise SystemExit(f"{cable['name']}: a node lies at the roller with {count} elements or so")
+
+
+def guide(cable, state, ship, name, friction):
+    """A guide on the roller, and the wire laid round it, as long as it was: nodes behind move up."""
+    wire = cable["name"]
+    nodes = [placed(state, cable["from"])]
+    nodes += [list(state[f"{wire}/{i}"]["p"]) for i in range(1, cable["elements"])]
+    about, behind = passing(nodes, ship)
+    a, b = about[behind - 1], about[behind]
+    more = over_roller(a, b) - math.hypot(a[0] - b[0], a[2] - b[2])
+    top = [c + 0.9 * ROLLER_R * z for c, z in zip(ship.centre, ship.axes[2])]
+    for i in range(behind, min(behind + GUIDED, len(nodes))):
+        to = nodes[i - 1] if i > behind else top
+        way = [q - p for p, q in zip(nodes[i], to)]
+        share = more * (1 - (i - behind) / GUIDED) / math.hypot(*way)
+        state[f"{wire}/{i}"]["p"] = [p + share * w for p, w in zip(nodes[i], way)]
+    for i in range(1, len(nodes)):
+        p = state[f"{wire}/{i}"]["p"]
+        where = ship.defined(p) if i < behind + 6 else p
+        cable["shape"][i - 1] = [round(x, 4) for x in where]
+    # What passes a guide is as long as its way there, whatever is asked of an element.
+    cable["length"] = round(cable["length"] - more, 4)
+    state[f"{wire}_roller/slide"] = {"p": [0, 0, 0]}
+    return {"name": f"{wire}_roller", "cable": wire, "on": f"{name}/roller",
+            "point": [0, cable["from"]["point"][1], 0], "axis": [0, 1, 0], "radius": -ROLLER_R,
+            "friction": friction}
 
 
 def zigzag(x, y, z, side):
@@ -158,16 +244,26 @@ def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("--start", type=pathlib.Path)
     options.add_argument("--element", type=float)
+    options.add_argument("--no-guides", action="store_true")
     given = options.parse_args()
     scene = json.loads((ROOT / "anchor_contact.json").read_text())
     state = json.loads((ROOT / "anchor_contact.settled.json").read_text())["bodies"]
     deck_lines(scene["templates"]["handler"], scene["line_types"], state)
     scene["templates"]["handler"] = handler(scene["templates"]["handler"])
-    winches = []
+    winches, guides = [], []
     for cable in scene["cables"]:
         count = elements_of(cable, given.element)
+        guided = cable["name"][:3] in ("tow", "wor") and not given.no_guides
+        if guided:
+            name = f"ahts{cable['name'][-1]}"
+            state[f"{name}/roller"]["q"] = state[f"{name}/hull"]["q"]
+            ship = Ship(scene, state, name, cable["from"]["point"][1])
+            count = clear_of_roller(cable, state, ship, count)
         if count != cable["elements"]:
             resampled(cable, state, count)
+        if guided:
+            # A start settles without friction there, in which any tension within e^±μθ may rest.
+            guides.append(guide(cable, state, ship, name, 0 if given.start else ROLLER_MU))
         cable["consistent_mass"] = True
         if not given.start:
             cable["resolution"] = resolution(cable["name"])
@@ -182,6 +278,8 @@ def main():
             instance["parameters"] |= {f"{line}_winch": f"{line}{number}_winch"
                                        for line in ("tow", "work")}
     scene["winches"] = winches
+    if guides:
+        scene["guides"] = guides
     scene["name"] = NAME
     scene["description"] = (
         "The site of anchor_contact with winches for tow and work wires, and lines whose nodes come "

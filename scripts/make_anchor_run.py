@@ -10,6 +10,9 @@ roller. docs/anchor_run.md explains the numbers.
 
     scripts/make_anchor_run.py                write scenes/anchor_run.json
     scripts/make_anchor_run.py --fine         the same in elements of 2.5 m without resolutions
+    scripts/make_anchor_run.py --fine --element chain1=1.25 --to DIR
+                                              with elements of that length in that line, into another
+                                              folder: what anchor_run_fine itself is off by
     scripts/make_anchor_run.py --start DIR    the same without timeline and resolutions into another
                                               folder, with a start, for `hawser settle` to finish
 """
@@ -226,11 +229,11 @@ def changed_bodies(scene):
             w["flange_radius"] = FLANGE
 
 
-def made(start, fine):
-    """The scene and where its bodies are."""
-    scene = json.loads((ROOT / "anchor_adaptive.json").read_text())
-    source = ROOT / (f"{NAME}.settled.json" if not start else "anchor_adaptive.settled.json")
-    state = json.loads((ROOT / "anchor_adaptive.settled.json").read_text())["bodies"]
+def made(start, fine, elements=()):
+    """The scene and where its bodies are. Its site is that of anchor_adaptive when this scene was
+    frozen: wires touch the rollers, as yet without guides."""
+    scene = json.loads((ROOT / "parts" / "anchor_run.site.json").read_text())
+    state = json.loads((ROOT / "parts" / "anchor_run.site.settled.json").read_text())["bodies"]
     work = next(c for c in scene["cables"] if c["name"] == "work1")
     resampled(work, state, round(work["length"] / WORK_ELEMENT))
     drum = next(w for w in scene["winches"] if w["cable"] == "work1")
@@ -244,7 +247,7 @@ def made(start, fine):
     for body in [b for b in state if b.startswith("ahts1/spare_wire/")]:
         del state[body]
     if not start:
-        state = json.loads(source.read_text())["bodies"]
+        state = json.loads((ROOT / f"{NAME}.settled.json").read_text())["bodies"]
         scene["timeline"] = timeline()
     if start or fine:
         for c in scene["cables"]:
@@ -253,6 +256,10 @@ def made(start, fine):
         for c in scene["cables"]:
             if c["name"] not in ("pendant", "work1"):
                 resampled(c, state, max(2, round(c["length"] / 2.5)))
+        for name, length in elements:
+            c = next(c for c in scene["cables"] if c["name"] == name)
+            if round(c["length"] / length) != c["elements"]:
+                resampled(c, state, round(c["length"] / length))
         for w in scene["winches"]:
             cable = next(c for c in scene["cables"] if c["name"] == w["cable"])
             w["element"] = cable["length"] / cable["elements"]
@@ -263,8 +270,13 @@ def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("--fine", action="store_true")
     options.add_argument("--start", type=pathlib.Path)
+    options.add_argument("--element", action="append", default=[], metavar="LINE=LENGTH",
+                         type=lambda text: (text.split("=")[0], float(text.split("=")[1])))
+    options.add_argument("--to", type=pathlib.Path)
     given = options.parse_args()
-    scene, state = made(given.start is not None, given.fine)
+    if given.element and not (given.fine and given.to):
+        options.error("--element goes with --fine and --to: scenes/ keeps the frozen ones")
+    scene, state = made(given.start is not None, given.fine, given.element)
     name = f"{NAME}_fine" if given.fine else NAME
     scene |= {
         "name": name,
@@ -277,8 +289,8 @@ def main():
                      "component": c, "group": body}
                     for body in ("anchor1", "ahts1/hull") for c in ("x", "y", "z", "pitch", "yaw")],
         "state": {"file": f"{name}.settled.json"}}
-    folder = given.start or ROOT
-    if given.start:
+    folder = given.start or given.to or ROOT
+    if folder != ROOT:
         shutil.copytree(ROOT / "parts", folder / "parts", dirs_exist_ok=True)
     if given.start or given.fine:
         (folder / f"{name}.settled.json").write_text(dump(

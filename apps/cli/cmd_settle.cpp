@@ -24,10 +24,10 @@ constexpr const char* kSettleFooter = R"(Examples:
 
 Integrates the scene with strong added damping until nothing moves, and writes the place of
 every body as a state file, which a scene names under "state". Its sea has mean current and wind,
-but no waves and gusts; winches hold by their brakes. Exit codes: 0 settled, 1 wrong
-option, scene or file, 2 a step failed or nothing settled within --max-time (the state reached is
-written all the same), 130 interrupted (the state reached is
-written, too).)";
+but no waves and gusts; winches hold, those that a motor drives by their motors at no speed,
+others by their brakes. Exit codes: 0 settled, 1 wrong option, scene or file, 2 a step failed or
+nothing settled within --max-time (the state reached is written all the same), 130 interrupted (the
+state reached is written, too).)";
 
 struct SettleOptions {
     SceneOptions scene;
@@ -155,7 +155,7 @@ class Settler {
                 where = "the node " + record::body_label(world, id) + " came";
         return where +
                ": a state file holds the bodies of the scene alone; leave out resolutions "
-               "of its wires, or let brakes of its winches hold more";
+               "of its wires, or let its winches hold more";
     }
 
     scene::Scene& scene_;

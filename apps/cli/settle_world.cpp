@@ -7,6 +7,7 @@
 #include <hawser/system.h>
 #include <hawser/winch.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -65,12 +66,18 @@ void still_sea(World& world) {
     world.set_system_signal("sea.level", in.level);
 }
 
-/// A drum that pays out would not come to rest, and wire that it takes in is in no state file.
-void brake_winches(World& world) {
+/// A drum that pays out would not come to rest, and wire that it takes in is in no state file. What
+/// a motor holds in the scene may be more than its brake can, or it may have none.
+void hold_winches(World& world) {
     for (const SystemSignal& s : world.system_signals()) {
         if (!s.input || record::signal_words(world, s).empty()) continue;
-        world.set_system_signal(s.system + ".mode", static_cast<double>(WinchMode::brake));
-        world.set_system_signal(s.system + ".brake", 1.0);
+        const std::string mode = s.system + ".mode";
+        const auto now = static_cast<WinchMode>(std::lround(world.system_signal(mode)));
+        const bool motor =
+            now == WinchMode::speed || now == WinchMode::tension || now == WinchMode::render;
+        world.set_system_signal(mode,
+                                static_cast<double>(motor ? WinchMode::speed : WinchMode::brake));
+        world.set_system_signal(s.system + (motor ? ".speed" : ".brake"), motor ? 0.0 : 1.0);
     }
 }
 
@@ -121,7 +128,7 @@ World still_world(const World& from) {
     for (const BodyId id : world.bodies())
         if (moves(world, id)) world.set_velocity(id, {});
     still_sea(world);
-    brake_winches(world);
+    hold_winches(world);
     return world;
 }
 

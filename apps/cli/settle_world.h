@@ -11,8 +11,8 @@ namespace hawser::cli {
 [[nodiscard]] bool moves(const World& world, BodyId body);
 
 /// The scene as it stands, at rest, with all its systems: the sea without waves and gusts and at
-/// the level of now, with its mean current and wind; winches hold by their brakes, whatever the
-/// scene has them do. @throws DefError where a system has no copy.
+/// the level of now, with its mean current and wind; winches hold by what holds them in the scene,
+/// motors at no speed or brakes. @throws DefError where a system has no copy.
 [[nodiscard]] World still_world(const World& from);
 
 /// Such a world with drag on every body that would stop it alone within `stop_time` [s]. Drag is

@@ -59,7 +59,8 @@ struct Model {
     Regroup regroup;
     Wires wires;
     Completion completion;
-    double contact_floor = 0.0;   ///< Impulse of a contact that does not count [N s].
+    double contact_floor = 0.0;   ///< Impulse of a contact or line that does not count [N s].
+    double scalar_floor = 0.0;    ///< The same of rows on scalar bodies, slides next to no mass.
     double residual_floor = 0.0;  ///< Denominator floor of the momentum residual.
 };
 

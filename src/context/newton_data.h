@@ -40,6 +40,7 @@ struct Newton {
     std::vector<double> v, lambda;         ///< v₊, λ where an iteration began.
     std::vector<double> contact;           ///< u and λ there, six a contact, then six a resistance.
     std::vector<BoundedRow> row, row_end;  ///< Where an iteration begins, and ends.
+    std::vector<std::uint8_t> on_scalar;   ///< 1 a bounded row one of whose bodies is scalar.
     double bound_time = 0.0;               ///< That bounds of forces act for, see bounds.h [s].
     std::vector<std::int32_t> loaded;  ///< Friction whose bound moves with a load, see bounds.h.
     nonsmooth::Anderson follow;        ///< Acceleration of the impulses of `loaded`.

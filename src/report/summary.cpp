@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <utility>
 
 namespace hawser::report {
@@ -54,9 +55,10 @@ SummaryCollector::SummaryCollector(const record::SceneInfo& scene, const World& 
     summary_.budget_ms = kMilliseconds * world.settings().budget;
     summary_.budget_mflop = 1e-6 * world.settings().budget_work;
     summary_.load_start = record::load_average();
-    for (const record::CableInfo& cable : scene.cables)
+    for (const record::CableInfo& cable : scene.cables) {
         summary_.cables.push_back({cable.name, HUGE_VAL, 0.0, -HUGE_VAL, cable.breaking_load});
-    tension_sum_.assign(scene.cables.size(), 0.0);
+        tensions_.push_back({world.find_wire(cable.name)});
+    }
     for (const BodyId body : bodies_) {
         summary_.bodies.push_back({.name = record::body_label(world, body)});
         first_pose_.push_back(world.pose(body));
@@ -135,12 +137,17 @@ void SummaryCollector::watch_contacts(const World& world) {
 void SummaryCollector::watch_cables(const World& world) {
     for (std::size_t c = 0; c < scene_.cables.size(); ++c) {
         CableFigures& figures = summary_.cables[c];
-        for (const InteractionId element : scene_.cables[c].elements) {
-            if (!world.alive(element)) continue;  // it went with a node
+        Tensions& all = tensions_[c];
+        // Elements of a wire come and go with its nodes; links of a chain are no wire's.
+        std::span<const InteractionId> elements = scene_.cables[c].elements;
+        if (world.alive(all.wire)) elements = world.elements(all.wire);
+        for (const InteractionId element : elements) {
+            if (!world.alive(element)) continue;
             const double tension = record::element_tension(world, element);
             figures.min = std::min(figures.min, tension);
             figures.max = std::max(figures.max, tension);
-            tension_sum_[c] += tension;
+            all.sum += tension;
+            ++all.count;
         }
     }
 }
@@ -213,10 +220,8 @@ Summary SummaryCollector::result(const World& world) const {
     // Potential energy has no natural zero: what was exchanged during the run is the measure.
     out.energy_scale = std::max(kinetic_max_, potential_high_ - potential_low_);
     for (std::size_t c = 0; c < out.cables.size(); ++c) {
-        const auto count =
-            static_cast<double>(scene_.cables[c].elements.size()) * static_cast<double>(out.steps);
-        if (count > 0.0)
-            out.cables[c].mean = tension_sum_[c] / count;
+        if (tensions_[c].count > 0)
+            out.cables[c].mean = tensions_[c].sum / static_cast<double>(tensions_[c].count);
         else
             out.cables[c].min = out.cables[c].max = 0.0;
     }

@@ -156,7 +156,13 @@ class SummaryCollector : public Observer {
     WireWatch wires_;
     std::vector<Pose> first_pose_;
     std::vector<BodyId> bodies_;
-    std::vector<double> tension_sum_;
+    /// Of a cable: what its mean is taken of.
+    struct Tensions {
+        WireId wire{};  ///< None of a chain of links.
+        double sum = 0.0;
+        std::int64_t count = 0;
+    };
+    std::vector<Tensions> tensions_;
     Samples step_, solver_, solver_cpu_, step_cpu_, factorisations_, momentum_, constraint_,
         contacts_, asleep_;
     Samples map_, work_, cut_, step_drift_, interactions_, equations_;

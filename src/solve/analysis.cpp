@@ -79,14 +79,20 @@ void finish_preparation(StepContext& ctx) {
     ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());
     ctx.work.before.carriers.resize(16 * ctx.model.bodies.driven.size());
     reserve_undo(ctx.model, ctx.work.undo);
-    double mass = 0.0, least = 1e300;
-    for (std::int32_t b : ctx.model.bodies.moving) {
-        mass += ctx.model.bodies.mass[at(b)];
-        least = std::min(least, ctx.model.bodies.mass[at(b)]);
+    // Slides next to no mass are no measure of what contacts and lines of lumps have.
+    constexpr double kNone = 1e300;
+    double mass = 0.0, least = kNone, least_of_all = kNone;
+    for (const std::int32_t b : ctx.model.bodies.moving) {
+        const double m = ctx.model.bodies.mass[at(b)];
+        mass += m;
+        least_of_all = std::min(least_of_all, m);
+        if (ctx.model.bodies.dof(b) > 1) least = std::min(least, m);
     }
+    if (least == kNone) least = least_of_all;
     // A millionth of the impulse of one gravity over a step: far below any real load.
     ctx.model.residual_floor = 1e-6 * ctx.model.def.step * 9.81 * std::sqrt(mass) + 1e-300;
     ctx.model.contact_floor = 1e-6 * ctx.model.def.step * 9.81 * least;
+    ctx.model.scalar_floor = 1e-6 * ctx.model.def.step * 9.81 * least_of_all;
     count_model(ctx.model, ctx.work.stats);
     ctx.state.changed = Changed::nothing;
 }

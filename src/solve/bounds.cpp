@@ -96,6 +96,13 @@ void reserve_bounds(const Model& model, Newton& newton) {
     newton.row.resize(model.system.bounded.size());
     newton.row_end.resize(model.system.bounded.size());
     const model::Interactions& in = model.interactions;
+    newton.on_scalar.clear();
+    for (const std::int32_t id : model.system.bounded) {
+        const std::int32_t* body = &in.body[kMaxInteractionBodies * at(id)];
+        newton.on_scalar.push_back(std::any_of(body, body + in.bodies[at(id)], [&](std::int32_t b) {
+            return model.bodies.kind[at(b)] == BodyKind::scalar;
+        }));
+    }
     newton.loaded.clear();
     for (const std::int32_t id : model.system.bounded)
         if ((in.flags[at(id)] & model::kFriction) && in.load_begin[at(id)] >= 0 &&
@@ -200,7 +207,9 @@ std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t 
         if (wish.asks() && is_rounding(model, id, wish, p.lambda, range)) continue;
         if (wish.asks()) {
             // Lines that lie about are slack and taut by rounding: that decides nothing.
-            if (std::fabs(wish.projected - p.lambda) <= floor) continue;
+            const double least =
+                work.newton.on_scalar[i] != 0 ? std::min(floor, model.scalar_floor) : floor;
+            if (std::fabs(wish.projected - p.lambda) <= least) continue;
             if (asking++ >= most) continue;
         }
         if (most == 0) continue;

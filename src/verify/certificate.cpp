@@ -81,7 +81,9 @@ void Verifier::follow(const World& world) {
     unsure_.resize(bodies);
     slept_.resize(bodies);
     moving_.clear();
-    double least = 1e300, mass = 0.0;
+    // Of bodies that are not scalar, of all, and of a world that has none.
+    constexpr double kNone = 1e300;
+    double least = kNone, least_of_all = kNone, mass = 0.0;
     for (const BodyId id : bodies_) {
         // What comes had no torque before, and its velocity stays as it is until then.
         if (!std::binary_search(before.begin(), before.end(), id)) {
@@ -91,7 +93,8 @@ void Verifier::follow(const World& world) {
         }
         const BodyDef& def = world.body_def(id);
         if (def.kind == BodyKind::fixed || def.kind == BodyKind::kinematic) continue;
-        least = std::min(least, def.mass);
+        least_of_all = std::min(least_of_all, def.mass);
+        if (def.kind != BodyKind::scalar) least = std::min(least, def.mass);
         mass += def.mass;
         moving_.push_back(id);
         if (def.kind == BodyKind::rigid) mobility_[slot(id.index)] = def.inertia.inverse();
@@ -100,7 +103,8 @@ void Verifier::follow(const World& world) {
     for (const InteractionId id : interactions_)
         for (const FrictionLoad& load : world.interaction_def(id).load)
             loads_ = loads_ || load.interaction.valid();
-    floor_ = 1e-6 * step_ * 9.81 * least;
+    floor_ = 1e-6 * step_ * 9.81 * (least < kNone ? least : least_of_all);
+    scalar_floor_ = 1e-6 * step_ * 9.81 * least_of_all;
     momentum_floor_ = 1e-6 * step_ * 9.81 * std::sqrt(mass);
     last_.resize(slot(world.interaction_count()));
     intact_.resize(last_.size());

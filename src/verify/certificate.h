@@ -118,6 +118,7 @@ class Verifier : public Observer {
     int seen_ = 0;                        ///< Steps whose momentum was computed.
     std::int32_t left_out_ = 0;           ///< Most moving bodies without, of all steps.
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
+    double scalar_floor_ = 0.0;  ///< That of rows on scalar bodies.
     StateVerifier states_;
     SeaVerifier sea_;
     /// Of the row that is farthest beyond its bound.

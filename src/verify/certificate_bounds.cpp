@@ -23,9 +23,14 @@ double Verifier::bound_excess(const World& world) {
         const double force = world.force(id)[0];
         const double bound = std::clamp(force, range.low, range.high);
         // Where there are contacts, less than the floor switches no row.
-        const double beyond = step_ * std::abs(force - bound) - floor_;
+        const InteractionDef& def = world.interaction_def(id);
+        const bool scalar = std::any_of(def.body.begin(), def.body.end(), [&](BodyId b) {
+            return b.valid() && world.body_def(b).kind == BodyKind::scalar;
+        });
+        const double floor = scalar ? std::min(floor_, scalar_floor_) : floor_;
+        const double beyond = step_ * std::abs(force - bound) - floor;
         if (beyond <= 0.0) continue;
-        const double share = beyond / std::max(step_ * std::abs(bound), floor_);
+        const double share = beyond / std::max(step_ * std::abs(bound), floor);
         if (share <= excess) continue;
         excess = share;
         worst_bound_ = {.row = id, .force = force, .bound = bound};

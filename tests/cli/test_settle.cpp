@@ -111,7 +111,7 @@ TEST(Settle, ADrumThatPaysOutIsSaid) {
     EXPECT_EQ(settled.code, 2);
     EXPECT_NE(settled.err.find("the node slip_wire node 36 came"), std::string::npos)
         << settled.err;
-    EXPECT_NE(settled.err.find("let brakes of its winches hold more"), std::string::npos);
+    EXPECT_NE(settled.err.find("let its winches hold more"), std::string::npos);
 }
 
 }  // namespace

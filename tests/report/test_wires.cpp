@@ -131,6 +131,31 @@ TEST(ReportedWires, FollowNodesThatComeAndGo) {
     EXPECT_EQ(json["wires"]["rope"]["tension_along"]["mean"].size(), 5U);
 }
 
+/// Each line weighs as much as hangs below it: 2.5 elements in the mean, however many there are.
+TEST(ReportedWires, MeansAreOfTheElementsThereAre) {
+    HangingWire h;
+    const auto elements = h.w.elements(h.wire);
+    record::CableInfo& rope = h.info.cables.emplace_back();
+    rope.name = "rope";
+    rope.elements.assign(elements.begin(), elements.end());
+    report::SummaryCollector collector(h.info, h.w);
+    for (int i = 0; i < 120; ++i) {
+        if (i == 2) {
+            ASSERT_TRUE(h.w.remove_node(h.w.nodes(h.wire)[1], 3.2));
+            ASSERT_TRUE(h.w.remove_node(h.w.nodes(h.wire)[2], 3.2));
+        }
+        ASSERT_EQ(h.w.step(), Status::ok);
+        collector.after_step(h.w, h.w.take_events());
+    }
+    ASSERT_EQ(h.w.elements(h.wire).size(), 3U);
+    const report::Summary s = collector.result(h.w);
+    const report::CableFigures& f = s.cables.at(0);
+    EXPECT_LE(f.min, f.mean);
+    EXPECT_LE(f.mean, f.max);
+    // By its material 25 m of it hang below a place in the mean, by its three elements 23 m.
+    EXPECT_NEAR(f.mean, 24.0 * 4.0 * 9.81, 0.1 * 24.0 * 4.0 * 9.81);
+}
+
 TEST(ReportedWires, AreNoneWhereThereIsNone) {
     World w;
     (void)w.add_body({.kind = BodyKind::fixed});
