@@ -33,6 +33,7 @@ DRUM_R, CORE_R, STORED = 1.2, 0.94, 600.0  # radius at which a drum's rad/s is m
 DECK_ELEMENT, DECK_COUNT, DECK_ROW = 5.0, 25, 0.9
 DECK_X = (-34.0, -10.0)
 G, DECK_Z, DECK_K = 9.81, 1.2, 1e7
+ROLLER = (-40.0, -0.2)  # x and z of the stern roller, on the hull
 ROLLER_R, ROLLER_MU = 1.788, 0.2  # to the middle of a wire [m]; as of wires on rollers in contact
 CLEAR = 0.29  # straight wire from a guide to the next node at least, in elements
 GUIDED = 20  # nodes behind a guide that share what a polygon is shorter than the wire on its roller
@@ -83,8 +84,8 @@ class Ship:
     def __init__(self, scene, state, name, y):
         self.hull = state[f"{name}/hull"]
         self.axes = [rotated(self.hull["q"], e) for e in ([1, 0, 0], [0, 1, 0], [0, 0, 1])]
-        aside = rotated(self.hull["q"], [0, y, 0])
-        self.centre = [a + b for a, b in zip(state[f"{name}/roller"]["p"], aside)]
+        centre = rotated(self.hull["q"], [ROLLER[0], y, ROLLER[1]])
+        self.centre = [a + b for a, b in zip(self.hull["p"], centre)]
         self.instance = next(i for i in scene["instances"] if i["name"] == name)
 
     def local(self, p, origin):
@@ -153,8 +154,9 @@ def guide(cable, state, ship, name, friction):
     # What passes a guide is as long as its way there, whatever is asked of an element.
     cable["length"] = round(cable["length"] - more, 4)
     state[f"{wire}_roller/slide"] = {"p": [0, 0, 0]}
-    return {"name": f"{wire}_roller", "cable": wire, "on": f"{name}/roller",
-            "point": [0, cable["from"]["point"][1], 0], "axis": [0, 1, 0], "radius": -ROLLER_R,
+    # On the hull: two wires hold a roller, which does not turn with either.
+    return {"name": f"{wire}_roller", "cable": wire, "on": f"{name}/hull",
+            "point": [ROLLER[0], cable["from"]["point"][1], ROLLER[1]], "axis": [0, 1, 0], "radius": -ROLLER_R,
             "friction": friction}
 
 
@@ -256,7 +258,6 @@ def main():
         guided = cable["name"][:3] in ("tow", "wor") and not given.no_guides
         if guided:
             name = f"ahts{cable['name'][-1]}"
-            state[f"{name}/roller"]["q"] = state[f"{name}/hull"]["q"]
             ship = Ship(scene, state, name, cable["from"]["point"][1])
             count = clear_of_roller(cable, state, ship, count)
         if count != cable["elements"]:

@@ -275,6 +275,9 @@ class World {
     bool move_along(InteractionId before, InteractionId behind, double along, double fed);
     /// Where a piece of a line leaves its first two bodies, of a wheel its tangent point [m].
     [[nodiscard]] std::array<Vec3, 2> ends(InteractionId id) const;
+    /// By how much more it lies on the wheel at each of them than when it was defined, whole turns
+    /// included [rad]; 0 without a wheel.
+    [[nodiscard]] std::array<double, 2> wrapped(InteractionId id) const;
     const Removed& remove_wire(WireId id);  ///< With what add_wire() made; as remove_body().
     [[nodiscard]] std::span<const WireId> wires() const noexcept;  ///< As bodies().
     [[nodiscard]] bool alive(WireId id) const noexcept;

@@ -151,6 +151,8 @@ struct Work {
     WireWork wires;
     LimitWork limits;
     std::vector<std::uint8_t> edits_stay;  ///< By contact of the last step.
+    /// Of spans on wheels, before bodies moved (Interactions::wheel_angles()).
+    std::vector<std::array<double, 2>> wheel_angles;
 };
 
 struct StepContext {

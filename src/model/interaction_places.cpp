@@ -53,7 +53,7 @@ void Interactions::make_room(InteractionKind kind) {
     base::make_room(p.ids, 1);
     generic::with_kind(kind, [&]<class K>() { base::make_room(p.data, sizeof(typename K::Data)); });
     for (std::vector<std::int32_t>* a :
-         {&pool_index, &geo, &load_begin, &working, &motors, &frictions, &winches})
+         {&pool_index, &geo, &load_begin, &working, &motors, &frictions, &winches, &spans})
         base::make_room(*a, 1);
     base::make_room(saturated, 1);
     base::make_room(loads, kMaxFrictionLoads);
@@ -188,6 +188,8 @@ void Interactions::enlist(int id, const Bodies& bodies_in) {
     const int flag = flags[at(id)];
     if (kind_info(def[at(id)].kind).is(kWoundUp) && (flag & kFromLength))
         base::insert_sorted(winches, id);
+    if (wheel_at(def[at(id)], 0) != 0.0 || wheel_at(def[at(id)], 1) != 0.0)
+        base::insert_sorted(spans, id);
     if (flag & kMotor) {
         const auto before = std::lower_bound(motors.begin(), motors.end(), id) - motors.begin();
         saturated.insert(saturated.begin() + before, 0);
@@ -206,7 +208,7 @@ void Interactions::remove(int id) noexcept {
         const auto place = std::lower_bound(motors.begin(), motors.end(), id) - motors.begin();
         saturated.erase(saturated.begin() + place);
     }
-    for (std::vector<std::int32_t>* list : {&winches, &motors, &frictions, &working})
+    for (std::vector<std::int32_t>* list : {&winches, &motors, &frictions, &working, &spans})
         base::erase_sorted(*list, id);
     for (Load& load : loads)
         if (load.rows > 0 && load.row_begin == row_begin[i]) load.rows = 0;

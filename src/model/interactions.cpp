@@ -161,6 +161,37 @@ LineShape Interactions::line_shape(int id, const Bodies& b) const noexcept {
     return out;
 }
 
+std::array<double, 2> Interactions::wheel_angles(int id, const Bodies& b) const noexcept {
+    std::array<double, 2> out{};
+    evaluated(id, b, [&]<class K>(const auto&, const auto& data, const auto& refs) {
+        if constexpr (requires { data.end[1].radius; }) {
+            const generic::kinds::SpanShape shape = generic::kinds::span_shape(data.end, refs);
+            out = {shape.angle[0], shape.angle[1]};
+        }
+    });
+    return out;
+}
+
+std::array<double, 2> Interactions::wrapped(int id, const Bodies& b) const noexcept {
+    std::array<double, 2> out = wheel_angles(id, b);
+    const auto more = generic::kinds::WholeTurns::of(anchor[at(id)]);
+    for (std::size_t k = 0; k < 2; ++k) out[k] += generic::kinds::kWholeTurn * more.turns[k];
+    return out;
+}
+
+void Interactions::follow_turns(int id, const std::array<double, 2>& before,
+                                const Bodies& b) noexcept {
+    const std::array<double, 2> now = wheel_angles(id, b);
+    auto turns = generic::kinds::WholeTurns::of(anchor[at(id)]);
+    bool any = false;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double passed = std::round((before[k] - now[k]) / generic::kinds::kWholeTurn);
+        turns.turns[k] += passed;
+        any = any || passed != 0.0;
+    }
+    if (any) set_anchor(id, turns.packed());
+}
+
 void Interactions::add_impulse(int id, int slot, const Bodies& b, const double* impulse,
                                double* out) const noexcept {
     evaluated(id, b, [&]<class K>(const auto& now) {

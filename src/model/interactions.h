@@ -118,9 +118,10 @@ struct Interactions {
     /// 1; or 0: its rows ask for nothing, and the first has the impulse `held`: slack, inside its
     /// range or parted (0), or a motor or friction at a bound.
     base::Array<double> active;
-    base::Array<double> held;              ///< [N s or N m s]; follows λ, not part of the state.
-    base::Array<double> low, high;         ///< Bounds of the force, loads apart [N or N m].
-    base::Array<double> anchor;            ///< Of friction, see kinds/friction.h [m or rad].
+    base::Array<double> held;       ///< [N s or N m s]; follows λ, not part of the state.
+    base::Array<double> low, high;  ///< Bounds of the force, loads apart [N or N m].
+    /// Of friction, see kinds/friction.h [m or rad]; of spans, whole turns (kinds/routes.h).
+    base::Array<double> anchor;
     std::vector<std::int32_t> load_begin;  ///< First of kMaxFrictionLoads in `loads`, or −1.
     std::vector<Load> loads;
     base::Array<std::uint8_t> parted;  ///< 1 once a line has parted.
@@ -144,6 +145,7 @@ struct Interactions {
     std::vector<std::int32_t> motors;     ///< Those with a force range, ascending.
     std::vector<std::int32_t> frictions;  ///< Those with friction, ascending.
     std::vector<std::int32_t> winches;    ///< Winch stretches whose compliance follows the length.
+    std::vector<std::int32_t> spans;      ///< Those that lie on a wheel, ascending.
     std::vector<std::uint8_t> saturated;  ///< 1 a motor: its force is at an end of its range.
 
     // By row.
@@ -227,6 +229,16 @@ struct Interactions {
                                      const double* v = nullptr) const noexcept;
     /// Of an element, or of a part of a line that runs over places (KindTrait kPulls).
     [[nodiscard]] LineShape line_shape(int id, const Bodies& bodies_in) const noexcept;
+    /// Angle past its mark by which a span lies on the wheel at each end, but for whole turns
+    /// [rad].
+    [[nodiscard]] std::array<double, 2> wheel_angles(int id,
+                                                     const Bodies& bodies_in) const noexcept;
+    /// The same with them.
+    [[nodiscard]] std::array<double, 2> wrapped(int id, const Bodies& bodies_in) const noexcept;
+    /// Count the turns that those angles have made. @param before  wheel_angles() before bodies
+    /// moved or were replaced, by less than half a turn.
+    void follow_turns(int id, const std::array<double, 2>& before,
+                      const Bodies& bodies_in) noexcept;
     /// That of the hinge, way or scalar body that it holds, limits, drives or rubs; zeros of a kind
     /// that has none.
     [[nodiscard]] Coordinate coordinate(int id, const Bodies& bodies_in) const noexcept;

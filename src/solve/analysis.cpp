@@ -78,6 +78,7 @@ void finish_preparation(StepContext& ctx) {
     ctx.work.before.lambda.resize(ctx.model.interactions.lambda.size());
     ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());
     ctx.work.before.carriers.resize(16 * ctx.model.bodies.driven.size());
+    ctx.work.wheel_angles.resize(ctx.model.interactions.spans.size());
     reserve_undo(ctx.model, ctx.work.undo);
     // Slides next to no mass are no measure of what contacts and lines of lumps have.
     constexpr double kNone = 1e300;

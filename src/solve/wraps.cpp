@@ -40,7 +40,21 @@ double wrap_angle(const Model& model, std::int32_t friction) noexcept {
     // Across the axis alone.
     const double across = u.dot(v) - u.dot(axis) * v.dot(axis);
     const double about = std::atan2(turn.dot(axis), across) * (wheel > 0.0 ? 1.0 : -1.0);
-    return std::max(0.0, defined + std::remainder(about - defined, kTurn));
+    // What it was, and by how much each part lies on the wheel farther than then.
+    const double lies = defined + in.wrapped(before, bodies)[1] + in.wrapped(behind, bodies)[0];
+    return std::max(0.0, lies + std::remainder(about - lies, kTurn));
+}
+
+void note_wheels(const Model& model, Work& work) noexcept {
+    const model::Interactions& in = model.interactions;
+    for (std::size_t i = 0; i < in.spans.size(); ++i)
+        work.wheel_angles[i] = in.wheel_angles(in.spans[i], model.bodies);
+}
+
+void follow_wheels(Model& model, const Work& work) noexcept {
+    model::Interactions& in = model.interactions;
+    for (std::size_t i = 0; i < in.spans.size(); ++i)
+        in.follow_turns(in.spans[i], work.wheel_angles[i], model.bodies);
 }
 
 void follow_wraps(Model& model) noexcept {

@@ -13,8 +13,8 @@
 /// tanh((μδ − ln η)/2) (capstans.h). It is taken from the poses with which the step begins, so that
 /// within a step the bound is linear in the tensions.
 ///
-/// Limits: angles are told apart within half a turn of that of the definition. At an eye the angle
-/// is at most half a turn.
+/// Whole turns are those that the parts have made on their wheel since (kinds/routes.h).
+/// Limit: at an eye the angle is at most half a turn.
 
 #include "context/context.h"
 
@@ -22,6 +22,11 @@ namespace hawser::stepper {
 
 /// Angle at the place of friction that follows it (kFollowsAngle) [rad].
 [[nodiscard]] double wrap_angle(const Model& model, std::int32_t friction) noexcept;
+
+/// Remember how spans lie on their wheels, and count the whole turns that they have made when
+/// bodies have moved.
+void note_wheels(const Model& model, Work& work) noexcept;
+void follow_wheels(Model& model, const Work& work) noexcept;
 
 /// Factors of all such friction at the poses there are. Before bounds are asked for.
 void follow_wraps(Model& model) noexcept;

@@ -11,6 +11,7 @@
 #include "solve/joints.h"
 #include "solve/losses.h"
 #include "solve/wire_plan.h"
+#include "solve/wraps.h"
 #include "split/split.h"
 #include "step/closing.h"
 #include "step/contact.h"
@@ -65,6 +66,7 @@ void integrate(StepContext& ctx) noexcept {
     count_contact_work(ctx);
     if (ctx.model.collider.count() > 0) remember_contacts(ctx.model, ctx.state, ctx.pool);
     ctx.state.ledger.drag += ctx.state.loads.count();
+    note_wheels(ctx.model, ctx.work);
     over(ctx.pool, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().integrate(v, a, b); });
     move_carriers(ctx.model);
@@ -87,6 +89,7 @@ void integrate(StepContext& ctx) noexcept {
     close_joints(ctx);
     finish_completion(ctx.model);
     move_anchors(ctx.model);
+    follow_wheels(ctx.model, ctx.work);
     report_saturation(ctx);
     follow_winches(ctx.model, ctx.state);
     // Above this the solution no longer satisfies its own equations to engineering accuracy.

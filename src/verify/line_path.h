@@ -16,7 +16,8 @@ struct LineEnds {
 [[nodiscard]] LineEnds line_ends(const Attached& on);
 
 /// Angle by which a line turns between two parts that follow each other, whole turns included
-/// [rad]. @param defined  What it was once, which it is within half a turn of.
+/// [rad]. @param defined  What it was when the parts were defined; whole turns that it has made
+/// since are taken from the world.
 [[nodiscard]] double turn_between(const World& world, InteractionId before, InteractionId behind,
                                   double defined, std::span<const Pose> pose);
 

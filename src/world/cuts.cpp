@@ -279,8 +279,9 @@ void World::copy_from(const World& other) {
         impl_->input_values[i] = other.impl_->input_values[i];
         if (impl_->inputs[i].interaction.valid()) impl_->apply_input(i, impl_->input_values[i]);
     }
-    for (const std::int32_t id : to.model.interactions.frictions)
-        to.model.interactions.set_anchor(id, to.model.interactions.anchor[at(id)]);
+    for (const auto* list : {&to.model.interactions.frictions, &to.model.interactions.spans})
+        for (const std::int32_t id : *list)
+            to.model.interactions.set_anchor(id, to.model.interactions.anchor[at(id)]);
     for (const std::int32_t id : to.model.interactions.winches)
         to.model.interactions.follow_length(id, to.model.bodies, to.model.def.step);
     // Images and copies differ with the coupling.

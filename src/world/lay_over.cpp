@@ -251,4 +251,9 @@ std::array<Vec3, 2> World::ends(InteractionId id) const {
     return {s.at[0], s.at[1]};
 }
 
+std::array<double, 2> World::wrapped(InteractionId id) const {
+    if (!kind_info(interaction_def(id).kind).is(kRouted)) return {};
+    return impl_->ctx.model.interactions.wrapped(id.index, impl_->ctx.model.bodies);
+}
+
 }  // namespace hawser

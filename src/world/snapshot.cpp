@@ -226,9 +226,10 @@ void World::take_saved(std::span<const std::byte> bytes) {
     m.take_user_forces();
     for (std::size_t i = 0; i < m.inputs.size(); ++i)
         if (m.inputs[i].interaction.valid()) m.apply_input(i, m.input_values[i]);
-    for (const std::int32_t id : m.ctx.model.interactions.frictions)
-        m.ctx.model.interactions.set_anchor(
-            id, m.ctx.model.interactions.anchor[static_cast<std::size_t>(id)]);
+    for (const auto* list : {&m.ctx.model.interactions.frictions, &m.ctx.model.interactions.spans})
+        for (const std::int32_t id : *list)
+            m.ctx.model.interactions.set_anchor(
+                id, m.ctx.model.interactions.anchor[static_cast<std::size_t>(id)]);
     for (const std::int32_t id : m.ctx.model.interactions.winches)
         m.ctx.model.interactions.follow_length(id, m.ctx.model.bodies, m.ctx.model.def.step);
     m.systems.restore(bytes.data() + sizeof header + size);

@@ -89,7 +89,10 @@ void check_bodies(const stepper::StepContext& ctx, const SavedState& s) {
 void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(s.model.interactions.lambda, "an impulse", kHuge);
     numbers(s.model.interactions.force, "a force", kHuge);
-    numbers(s.model.interactions.anchor, "an anchor of friction", kFar);
+    numbers(s.model.interactions.anchor, "an anchor of friction, or turns of a line", kFar);
+    for (const std::int32_t id : ctx.model.interactions.spans)
+        if (const double turns = s.model.interactions.anchor[at(id)]; turns != std::round(turns))
+            refuse_state("turns of a line on its wheel are no whole number");
     numbers(s.model.wires.credit, "what a wire lost lately", kHuge);
     for (std::size_t k = 0; k < s.model.wires.credit.size(); ++k)
         if (s.model.wires.credit[k] < 0.0 || s.model.wires.alert[k] < 0 ||

@@ -29,14 +29,18 @@
 /// frame; its z axis is the wheel's. A wheel with R > 0 is passed turning about +z, seen along the
 /// route, one with R < 0 about −z.
 ///
-/// Limits: φ stays within half a turn of the mark (whole turns of the line round the wheel are part
-/// of l_j); the part of a span along an axis counts in its length but not in the tangent, so that
-/// axes are square to the span, nearly. Of two wheels each is left in its own plane: they need not
-/// be parallel (base/wheel_tangent.h). The far end keeps out of the circle: seen along the axis, a
-/// tangent at more than asin 0.999 to the line between the centres there is none, and the span
-/// leaves where it would at that angle, of two wheels both in the first one's plane. Source:
-/// Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless frictional
-/// contacts" (2011).
+/// A line that goes on round its wheel, or a wheel that turns under its line, makes φ more than
+/// half a turn: poses tell φ but for whole turns, which are counted from step to step and are part
+/// of the state, as the anchor of friction is (Interactions::follow_turns()). Turns that the line
+/// has from the start are part of l_j.
+///
+/// Limits: φ changes by less than half a turn in a step; the part of a span along an axis counts in
+/// its length but not in the tangent, so that axes are square to the span, nearly. Of two wheels
+/// each is left in its own plane: they need not be parallel (base/wheel_tangent.h). The far end
+/// keeps out of the circle: seen along the axis, a tangent at more than asin 0.999 to the line
+/// between the centres there is none, and the span leaves where it would at that angle, of two
+/// wheels both in the first one's plane. Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid,
+/// multiresolution wires with massless frictional contacts" (2011).
 
 #include "base/wheel_tangent.h"
 #include "model/kinds/friction.h"
@@ -51,12 +55,26 @@ struct SpanEnd {
     double wound;     ///< Angle of it that the line lies on beyond its mark [rad].
 };
 
+/// Whole turns that φ of each end is more than what poses tell, in one number: a span has one place
+/// in the state for both.
+struct WholeTurns {
+    static constexpr double kBase = 65536.0;  // far more than any line has
+    double turns[2];
+    static WholeTurns of(double packed) {
+        const double second = __builtin_floor(packed / kBase + 0.5);
+        return {{packed - kBase * second, second}};
+    }
+    [[nodiscard]] double packed() const { return turns[0] + kBase * turns[1]; }
+};
+
+inline constexpr double kWholeTurn = 6.283185307179586;  ///< [rad].
+
 /// A span as it lies.
 struct SpanShape {
     V3 at[2];         ///< Where it leaves its ends, world frame.
     V3 along;         ///< Unit vector from end 0 to end 1.
     double length;    ///< Of the straight part [m].
-    double angle[2];  ///< φ of each end [rad].
+    double angle[2];  ///< φ of each end, within half a turn [rad].
 };
 
 inline constexpr double kSteepest = 0.999;  ///< Sine of the angle of a tangent to the centres.
@@ -130,9 +148,10 @@ inline SpanShape span_shape(const SpanEnd (&e)[2], const BodyRef* b) {
 template <class D>
 inline double span_path(const D& d, const SpanShape& s) {
     double path = s.length;
+    const WholeTurns more = WholeTurns::of(d.anchor);
     for (int k = 0; k < 2; ++k) {
         const double r = d.end[k].radius;
-        path += (r < 0.0 ? -r : r) * (s.angle[k] + d.end[k].wound);
+        path += (r < 0.0 ? -r : r) * (s.angle[k] + d.end[k].wound + kWholeTurn * more.turns[k]);
     }
     return path;
 }
@@ -168,6 +187,7 @@ inline constexpr ParamInfo kSpanParams[] = {
 struct SpanData {
     SpanEnd end[2];
     double length, slide[2];
+    double anchor;  ///< WholeTurns.
 #ifdef HAWSER_KIND_SETUP
     static SpanData of(const InteractionDef& d) {
         SpanData o{};
@@ -261,6 +281,7 @@ struct EndSpan {
     struct Data {
         SpanEnd end[2];
         double length, radius, zero;
+        double anchor;  ///< WholeTurns.
     };
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { span_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<3, 1>& out) {
@@ -339,8 +360,7 @@ inline constexpr ParamInfo kLineFrictionParams[] = {
     {"efficiency", "1", 1.0, 1e-6, 1.0,
      "Of the place as a sheave: lesser tension over greater, beside what friction takes."},
     {"angle", "rad", 0.0, 0.0, 1e3,
-     "By which the line turned at the place when this was defined, whole turns included: within "
-     "half a turn of it the angle of now is told apart from others."}};
+     "By which the line turned at the place when this was defined, whole turns included."}};
 
 /// Friction of a line at a place that it runs over. Its loads, the parts before and behind, have
 /// the factor tanh((μδ − ln η)/2), δ the angle by which the line turns there in the step that
