@@ -144,15 +144,13 @@ class World {
     /// step that was refused as diverged the state that it came to.
     [[nodiscard]] Verdict verdict() const noexcept;
     /// The next step leaves out just this, and WorldDef's budgets are ignored in it: repeats what
-    /// StepStats::degradation reported. Nothing (the default) takes it back. Iterations below 0
-    /// count as 0.
+    /// StepStats::degradation reported. Nothing (the default) takes it back. Iterations: at least 0.
     void degrade_next_step(const Degradation& degradation) noexcept;
     [[nodiscard]] int coarsening() const noexcept;  ///< Degradation::wires of the step to come.
     /// FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
     /// instruction set in use. Equal for any number of threads and after save/restore.
     [[nodiscard]] std::uint64_t state_hash() const noexcept;
-    /// The same without the states of systems: equal in a world that repeats what systems did
-    /// without having them, as a replay does.
+    /// The same without the states of systems: equal in a replay, which repeats what they did.
     [[nodiscard]] std::uint64_t motion_hash() const noexcept;
     /// Events since the last call, oldest first; keeps the newest 16,384 of slack and of taut each,
     /// and 4,096 of any other kind.
@@ -275,8 +273,7 @@ class World {
     bool move_along(InteractionId before, InteractionId behind, double along, double fed);
     /// Where a piece of a line leaves its first two bodies, of a wheel its tangent point [m].
     [[nodiscard]] std::array<Vec3, 2> ends(InteractionId id) const;
-    /// By how much more it lies on the wheel at each of them than when it was defined, whole turns
-    /// included [rad]; 0 without a wheel.
+    /// By how much it lies farther round the wheel at each than when defined, turns included [rad].
     [[nodiscard]] std::array<double, 2> wrapped(InteractionId id) const;
     const Removed& remove_wire(WireId id);  ///< With what add_wire() made; as remove_body().
     [[nodiscard]] std::span<const WireId> wires() const noexcept;  ///< As bodies().
@@ -308,8 +305,7 @@ class World {
     /// Group of a body from the next step on (BodyDef::group).
     void set_group(BodyId id, const std::string& group);
     /// Groups of all bodies by hand, from partition() for cuts of the present state: "part 0",
-    /// "part 1", … Groups that follow the state end. @param parts  1 to 4096; 1 takes all groups
-    /// away.
+    /// "part 1", … Groups that follow the state end. @param parts  1, which ends groups, to 4096.
     void set_groups(int parts);
     /// From the next step on the world makes groups itself, of all bodies that have none by hand,
     /// and follows the state with them: WorldDef::parts and regroup_every. @param parts  0 to 4096;
@@ -326,8 +322,7 @@ class World {
     /// Interactions that are cut, ascending. Analyses if need be.
     [[nodiscard]] std::vector<CutView> cuts() const;
     /// A world of the same definitions in the same state, for measuring one step against another.
-    /// @param coupling  Of all interactions; none: as here. @throws DefError as the set-up
-    ///                  functions do.
+    /// @param coupling  Of all interactions; none: as here. @throws DefError as set-up functions.
     [[nodiscard]] World twin(std::optional<Coupling> coupling = std::nullopt) const;
     /// Take the state of such a world. @throws DefError where definitions differ.
     void copy_state(const World& other);
@@ -352,6 +347,8 @@ class World {
     /// that are near without touching included. Empty before the first step and after restore().
     [[nodiscard]] std::vector<ContactView> contacts() const;
     void contacts(std::vector<ContactView>& out) const;  ///< In the caller's memory instead.
+    /// Shapes that pressed on one then, one for each contact; also known after restore().
+    void pressing(ShapeId id, std::vector<ShapeId>& out) const;
     /// 1 at places of bodies between which a segment touched something then, or was near it
     /// (contact_margin); also known after restore(). What `out` held goes. @throws std::bad_alloc.
     void touching(std::vector<std::uint8_t>& out) const;

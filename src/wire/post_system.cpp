@@ -124,14 +124,11 @@ void PostSystem::take(NodeEdits& nodes) {
     if (std::find(on_.begin(), on_.end(), 0) == on_.end()) return;
     const std::int32_t steady = std::min(steady_ + 1, kSteady);
     steady_ = 0;
-    world.contacts(contacts_);
-    for (const ContactView& contact : contacts_) {
-        if (contact.shape[0] != def_.shape && contact.shape[1] != def_.shape) continue;
-        const ShapeId other = contact.shape[contact.shape[0] == def_.shape ? 1 : 0];
+    world.pressing(def_.shape, pressing_);
+    for (const ShapeId other : pressing_) {
         Touch touch;
         // Earlier takings of this step have removed shapes.
-        if (!world.alive(other) || !(contact.force.norm() > 0.0) || !find(world, other, touch))
-            continue;
+        if (!world.alive(other) || !find(world, other, touch)) continue;
         const double gap = std::abs(touch.radius) - place_.radius - world.shape_def(other).radius;
         // Across the end of the post it lies on that, not beside the post.
         if (touch.across_end || gap > kTouches || touch.strain > kStrain) continue;

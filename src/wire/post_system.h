@@ -89,7 +89,7 @@ class PostSystem final : public System, public PassedPost {
     // Outputs.
     double held_ = 0.0, angle_ = 0.0, slide_ = 0.0, along_ = 0.0, tension_[2] = {};
 
-    std::vector<ContactView> contacts_;  ///< Memory.
+    std::vector<ShapeId> pressing_;  ///< Memory.
 };
 
 /// Adds a post. @param carrier  That bears wires which lie on it, and on which the body of the

@@ -91,6 +91,21 @@ std::vector<ContactView> World::contacts() const {
     return out;
 }
 
+void World::pressing(ShapeId id, std::vector<ShapeId>& out) const {
+    const collide::Collider& collider = impl_->ctx.model.collider;
+    const auto& memory = impl_->ctx.model.system.contacts.memory;
+    const auto shape = static_cast<std::int32_t>(impl_->place(id));
+    out.clear();
+    for (std::size_t i = 0; i < collider.kept().size() && i < memory.size(); ++i) {
+        const std::int32_t* pair = collider.kept()[i].shape;
+        const double* lambda = memory[i].lambda;
+        if ((pair[0] != shape && pair[1] != shape) ||
+            (lambda[0] == 0.0 && lambda[1] == 0.0 && lambda[2] == 0.0))
+            continue;
+        out.push_back(collider.places.id<ShapeId>(pair[pair[0] == shape ? 1 : 0]));
+    }
+}
+
 void World::touching(std::vector<std::uint8_t>& out) const {
     const collide::Collider& collider = impl_->ctx.model.collider;
     out.assign(at(body_count()), 0);

@@ -285,6 +285,15 @@ TEST(PostRandom, WiresOverPinsCloseTogetherKeepTheirBits) { run_all(true); }
 
 /// Along pins that let them, with the seeds above. One that ends early where it does not without
 /// sliding winds a loose end round a pin by more than half a turn (docs/wires.md, limits).
+/// A post takes what pressed on it in the last step, which a restored world knows, too: the step
+/// after the restore is the one in which it takes.
+TEST(PostRandom, AStepAfterARestoreTakesWhatPressed) {
+    Tally tally;
+    constexpr std::uint32_t kSeed = 214;
+    run(Wiring(kSeed, true), kSeed, tally);
+    EXPECT_EQ(tally.restores, 1);
+}
+
 TEST(PostRandom, WiresThatSlideAlongPinsKeepTheirBits) {
     const std::uint32_t seeds = std::getenv("HAWSER_LONG") != nullptr ? 200 : 10;
     Tally tally;
