@@ -131,7 +131,8 @@ TEST(ReportedWires, FollowNodesThatComeAndGo) {
     EXPECT_EQ(json["wires"]["rope"]["tension_along"]["mean"].size(), 5U);
 }
 
-/// Each line weighs as much as hangs below it: 2.5 elements in the mean, however many there are.
+/// An element bears the weight of the wire below it: half of the wire's in the mean over elements,
+/// however many there are.
 TEST(ReportedWires, MeansAreOfTheElementsThereAre) {
     HangingWire h;
     const auto elements = h.w.elements(h.wire);

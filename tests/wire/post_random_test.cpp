@@ -283,10 +283,8 @@ TEST(PostRandom, WiresWithDrumsPinsAndCutsKeepTheirBits) { run_all(false); }
 
 TEST(PostRandom, WiresOverPinsCloseTogetherKeepTheirBits) { run_all(true); }
 
-/// Along pins that let them, with the seeds above. One that ends early where it does not without
-/// sliding winds a loose end round a pin by more than half a turn (docs/wires.md, limits).
-/// A post takes what pressed on it in the last step, which a restored world knows, too: the step
-/// after the restore is the one in which it takes.
+/// A post takes the wire that pressed on it in the last step. Here the step after a restore is the
+/// one in which it does: the snapshot must tell of the contact.
 TEST(PostRandom, AStepAfterARestoreTakesWhatPressed) {
     Tally tally;
     constexpr std::uint32_t kSeed = 214;
@@ -294,6 +292,7 @@ TEST(PostRandom, AStepAfterARestoreTakesWhatPressed) {
     EXPECT_EQ(tally.restores, 1);
 }
 
+/// Wires slide along pins that let them, with the seeds above.
 TEST(PostRandom, WiresThatSlideAlongPinsKeepTheirBits) {
     const std::uint32_t seeds = std::getenv("HAWSER_LONG") != nullptr ? 200 : 10;
     Tally tally;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines that go on round their wheel, and wheels that turn under their line, by more than half a
-/// turn: what lies there goes on being counted, in copies and restored worlds, too.
+/// Wires that wind on to a post, and rollers that turn under a wire, by more than half a turn: the
+/// wire's length counts the arc on the wheel with its whole turns, in copies and restored worlds
+/// too.
 #include <hawser/guide.h>
 #include <hawser/hawser.h>
 
