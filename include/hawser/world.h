@@ -144,7 +144,7 @@ class World {
     /// step that was refused as diverged the state that it came to.
     [[nodiscard]] Verdict verdict() const noexcept;
     /// The next step leaves out just this, and WorldDef's budgets are ignored in it: repeats what
-    /// StepStats::degradation reported. Nothing (the default) takes it back. Iterations: at least 0.
+    /// StepStats::degradation reported. Nothing (the default) takes it back. Iterations below 0: 0.
     void degrade_next_step(const Degradation& degradation) noexcept;
     [[nodiscard]] int coarsening() const noexcept;  ///< Degradation::wires of the step to come.
     /// FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
