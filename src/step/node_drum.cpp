@@ -35,8 +35,7 @@ bool release_drum_node(StepContext& ctx, const NodePlace& place, double bend) no
     double half = 0.5 * mass_of_element(ctx, f);
     const std::int32_t b = end_of(ctx, f, far);
     // A free end would be left without any mass of its own.
-    constexpr double kLeast = 1e-3;
-    if (is_lump(ctx, b) && !(bodies.mass[at(b)] > (1.0 + kLeast) * half)) {
+    if (is_lump(ctx, b) && !has_more_than(bodies.mass[at(b)], half)) {
         const std::int32_t beyond = at_first ? place.after[0] : place.before[0];
         if (beyond < 0 || !is_wound(ctx, beyond)) return false;
         half = std::min(half, bodies.mass[at(b)]) - kKeptMass * half;

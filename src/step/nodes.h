@@ -80,6 +80,11 @@ void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, dou
 [[nodiscard]] bool release_node(StepContext& ctx, const NodePlace& place, double bend) noexcept;
 /// Of half an element: what a lump between two elements that drums or guides load keeps for itself.
 inline constexpr double kKeptMass = 1e-2;
+/// Whether a lump that gives away half an element has mass beyond it: rounding is none.
+/// @param has, half  [kg].
+[[nodiscard]] constexpr bool has_more_than(double has, double half) noexcept {
+    return has > (1.0 + 1e-3) * half;
+}
 /// As release_node(), where the element of the place that stays lies on a drum.
 [[nodiscard]] bool release_drum_node(StepContext& ctx, const NodePlace& place,
                                      double bend) noexcept;

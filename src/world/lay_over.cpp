@@ -41,7 +41,7 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
 double given_to_guide(const World& world, const world::Wire& wire, InteractionId element,
                       std::size_t end, double half) {
     const double has = world.body_def(world.interaction_def(element).body[end]).mass;
-    if (has > half) return half;
+    if (stepper::has_more_than(has, half)) return half;
     const auto at = std::find(wire.elements.begin(), wire.elements.end(), element);
     if (end == 0 ? at == wire.elements.begin() : at + 1 == wire.elements.end()) return 0.0;
     const InteractionId next = end == 0 ? *(at - 1) : *(at + 1);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <random>
@@ -218,8 +219,11 @@ void sequence(unsigned seed, std::vector<int>& done) {
 TEST(WireCutRandom, SequencesAreRepeatedInAllBits) {
     std::vector<int> done(64, 0);
     const unsigned first = first_seed();
-    for (unsigned seed = first; seed < first + worlds_to_try() && !HasFatalFailure(); ++seed)
+    for (unsigned seed = first; seed < first + worlds_to_try() && !HasFatalFailure(); ++seed) {
         sequence(seed, done);
+        if (seed % 50 == 0)
+            std::printf("seed %u of %u\n", seed, first + worlds_to_try() - 1), std::fflush(stdout);
+    }
     for (const char* what : {"cu", "sp", "ge", "at", "de", "in", "re"})
         EXPECT_GT(done[static_cast<std::size_t>(what[0] + what[1]) % done.size()], 2) << what;
 }

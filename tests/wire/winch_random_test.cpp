@@ -251,8 +251,11 @@ TEST(WinchRandom, OperationsKeepMaterialAndBits) {
     constexpr long kEach = 200;
     const char* first = std::getenv("HAWSER_SEED");
     for (auto seed = static_cast<std::uint32_t>(first != nullptr ? std::atol(first) : 1);
-         tally.operations < operations() && !HasFatalFailure(); ++seed)
+         tally.operations < operations() && !HasFatalFailure(); ++seed) {
         sequence(seed, kEach, tally);
+        if (seed % 50 == 0)
+            std::printf("seed %u: %ld operations\n", seed, tally.operations), std::fflush(stdout);
+    }
     std::printf("%ld operations, %ld restores, %ld worlds ended early; material to %.1e\n",
                 tally.operations, tally.restores, tally.failed, tally.worst);
     for (const auto& [what, count] : tally.done) std::printf("  %-8s %d\n", what.c_str(), count);
