@@ -22,7 +22,7 @@ void put3(base::Array<double>& to, std::size_t begin, const Vec3& v) noexcept {
 void Bodies::make_room() {
     places.make_room();
     base::make_room(kind, 1);
-    for (base::Array<std::int32_t>* a : {&dof_begin, &quiet}) base::make_room(*a, 1);
+    for (base::Array<std::int32_t>* a : {&dof_begin, &quiet, &first_holder}) base::make_room(*a, 1);
     for (std::vector<std::int32_t>* a : {&moving, &rigid, &driven}) base::make_room(*a, 1);
     for (base::Array<std::uint8_t>* a : {&weight, &asleep, &room}) base::make_room(*a, 1);
     for (base::Array<double>* a : {&x, &q, &r, &v, &v_start, &v_fixed, &spin_free, &spin_change,
@@ -58,6 +58,7 @@ int Bodies::append(const BodyDef& def) {
     weight.resize(n);
     asleep.resize(n);
     quiet.resize(n);
+    first_holder.push_back(-1);
     write(id, def);
     enlist(id);
     return id;
@@ -152,6 +153,7 @@ void Bodies::truncate(int kept) {
     weight.resize(n);
     asleep.resize(n);
     quiet.resize(n);
+    first_holder.resize(n);
 }
 
 void Bodies::drift(int body, const double* velocity, const double* omega, double t) noexcept {
@@ -183,7 +185,7 @@ std::size_t Bodies::bytes() const noexcept {
            bytes(rigid) + bytes(driven) + bytes(x) + bytes(q) + bytes(r) + bytes(v) +
            bytes(v_start) + bytes(v_fixed) + bytes(spin_free) + bytes(spin_change) + bytes(mass) +
            bytes(inertia) + bytes(inv_inertia) + bytes(principal) + bytes(force) + bytes(damping) +
-           bytes(drag_after) + bytes(drag_before) + bytes(weight);
+           bytes(drag_after) + bytes(drag_before) + bytes(weight) + bytes(first_holder);
 }
 
 }  // namespace hawser::model

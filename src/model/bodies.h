@@ -66,6 +66,9 @@ struct Bodies {
     /// the step (damping.h).
     base::Array<double> drag_after, drag_before;
     base::Array<std::uint8_t> weight;  ///< 1: gravity acts.
+    /// First interaction that holds it and its slot there, kMaxInteractionBodies id + slot; −1:
+    /// none does. Kept by Interactions, see for_each_holder().
+    base::Array<std::int32_t> first_holder;
 
     base::Array<std::uint8_t> asleep;  ///< 1: asleep, see step/sleep.h. Part of the state.
     base::Array<std::int32_t> quiet;   ///< Steps for which it has been at rest. Part of the state.

@@ -57,7 +57,7 @@ void Interactions::make_room(InteractionKind kind) {
         base::make_room(*a, 1);
     base::make_room(saturated, 1);
     base::make_room(loads, kMaxFrictionLoads);
-    for (base::Array<std::int32_t>* a : {&body, &row_begin, &jac_begin})
+    for (base::Array<std::int32_t>* a : {&body, &next_holder, &row_begin, &jac_begin})
         base::make_room(*a, kMaxInteractionBodies);
     for (base::Array<std::uint8_t>* a :
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
@@ -68,7 +68,7 @@ void Interactions::make_room(InteractionKind kind) {
     base::make_room(kinds, 1);
 }
 
-int Interactions::add(InteractionDef filled, const Bodies& bodies_in, double h) {
+int Interactions::add(InteractionDef filled, Bodies& bodies_in, double h) {
     const InteractionKind kind = filled.kind;
     const int place = places.find_vacant([&](std::int32_t p) { return def[at(p)].kind == kind; });
     if (place < 0) return append(std::move(filled), bodies_in, h);
@@ -77,7 +77,7 @@ int Interactions::add(InteractionDef filled, const Bodies& bodies_in, double h) 
     return place;
 }
 
-int Interactions::append(InteractionDef filled, const Bodies& bodies_in, double h) {
+int Interactions::append(InteractionDef filled, Bodies& bodies_in, double h) {
     const int id = places.append();
     grow(filled.kind);
     write(id, std::move(filled), bodies_in, h);
@@ -88,7 +88,6 @@ void Interactions::append_empty(InteractionKind kind) {
     const auto i = at(places.append());
     grow(kind);
     def[i].kind = kind;
-    std::fill_n(&body[kMaxInteractionBodies * i], kMaxInteractionBodies, -1);
 }
 
 void Interactions::set_loads(int id, const std::array<FrictionLoad, kMaxFrictionLoads>& loads_in) {
@@ -117,7 +116,8 @@ void Interactions::grow(InteractionKind of) {
     row_begin.push_back(row_count);
     jac_begin.push_back(0);
     row_count += kind_info(of).rows;
-    body.resize(kMaxInteractionBodies * n);
+    body.resize(kMaxInteractionBodies * n, -1);
+    next_holder.resize(kMaxInteractionBodies * n, -1);
     for (base::Array<std::uint8_t>* a :
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
         a->resize(n);
@@ -126,13 +126,16 @@ void Interactions::grow(InteractionKind of) {
     row_flags.resize(at(row_count));
 }
 
-void Interactions::write(int id, InteractionDef filled, const Bodies& bodies_in, double h) {
+void Interactions::write(int id, InteractionDef filled, Bodies& bodies_in, double h) {
     const auto i = at(id);
     const KindInfo& info = kind_info(filled.kind);
     def[i] = std::move(filled);
     const InteractionDef& d = def[i];
-    for (std::size_t b = 0; b < kMaxInteractionBodies; ++b)
-        body[kMaxInteractionBodies * i + b] = b < at(info.bodies) ? d.body[b].index : -1;
+    for (std::size_t b = 0; b < kMaxInteractionBodies; ++b) {
+        const std::size_t place = kMaxInteractionBodies * i + b;
+        body[place] = b < at(info.bodies) ? d.body[b].index : -1;
+        link(place, bodies_in);
+    }
     bodies[i] = static_cast<std::uint8_t>(info.bodies);
     rows[i] = static_cast<std::uint8_t>(info.rows);
     active[i] = 1.0;
@@ -202,7 +205,20 @@ void Interactions::enlist(int id, const Bodies& bodies_in) {
     if (flag & (kMotor | kFriction | kCarried)) base::insert_sorted(working, id);
 }
 
-void Interactions::remove(int id) noexcept {
+void Interactions::link(std::size_t place, Bodies& bodies_in) noexcept {
+    if (body[place] < 0) return;
+    std::int32_t& first = bodies_in.first_holder[at(body[place])];
+    next_holder[place] = std::exchange(first, static_cast<std::int32_t>(place));
+}
+
+void Interactions::unlink(std::size_t place, Bodies& bodies_in) noexcept {
+    if (body[place] < 0) return;
+    std::int32_t* at_it = &bodies_in.first_holder[at(body[place])];
+    while (at(*at_it) != place) at_it = &next_holder[at(*at_it)];
+    *at_it = std::exchange(next_holder[place], -1);
+}
+
+void Interactions::remove(int id, Bodies& bodies_in) noexcept {
     const auto i = at(id);
     if (flags[i] & kMotor) {
         const auto place = std::lower_bound(motors.begin(), motors.end(), id) - motors.begin();
@@ -225,6 +241,8 @@ void Interactions::remove(int id) noexcept {
     const InteractionKind kind = def[i].kind;
     def[i] = {};
     def[i].kind = kind;
+    for (std::size_t b = 0; b < kMaxInteractionBodies; ++b)
+        unlink(kMaxInteractionBodies * i + b, bodies_in);
     std::fill_n(&body[kMaxInteractionBodies * i], kMaxInteractionBodies, -1);
     for (base::Array<std::uint8_t>* a :
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
@@ -253,9 +271,11 @@ void Interactions::write_loads(int id) {
     }
 }
 
-void Interactions::truncate(int kept) {
+void Interactions::truncate(int kept, Bodies& bodies_in) {
     const auto n = at(kept);
     if (kept >= count()) return;
+    for (std::size_t place = body.size(); place-- > kMaxInteractionBodies * n;)
+        unlink(place, bodies_in);
     places.truncate(kept);
     row_count = row_begin[n];
     for (Pool& p : pool) {
@@ -268,6 +288,7 @@ void Interactions::truncate(int kept) {
     kinds.resize(n);
     pool_index.resize(n);
     body.resize(kMaxInteractionBodies * n);
+    next_holder.resize(kMaxInteractionBodies * n);
     for (base::Array<std::uint8_t>* a :
          {&bodies, &rows, &flags, &parted, &coarse, &repeats, &completed, &arms})
         a->resize(n);

@@ -245,13 +245,13 @@ std::size_t Interactions::bytes() const noexcept {
     using base::bytes;
     std::size_t total =
         places.bytes() + bytes(def) + bytes(kinds) + bytes(pool_index) + bytes(body) +
-        bytes(bodies) + bytes(rows) + bytes(flags) + bytes(row_begin) + bytes(jac_begin) +
-        bytes(arms) + bytes(geo) + bytes(active) + bytes(held) + bytes(low) + bytes(high) +
-        bytes(anchor) + bytes(load_begin) + bytes(loads) + bytes(parted) + bytes(coarse) +
-        bytes(repeats) + bytes(completed) + bytes(swing) + bytes(lightness) + bytes(pair_mass) +
-        bytes(alert) + bytes(rest_length) + bytes(breaking) + bytes(defined) + bytes(epsilon) +
-        bytes(tau) + bytes(mobility) + bytes(upsilon) + bytes(recall) + bytes(sigma) +
-        bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
+        bytes(next_holder) + bytes(bodies) + bytes(rows) + bytes(flags) + bytes(row_begin) +
+        bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) + bytes(held) + bytes(low) +
+        bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) + bytes(parted) +
+        bytes(coarse) + bytes(repeats) + bytes(completed) + bytes(swing) + bytes(lightness) +
+        bytes(pair_mass) + bytes(alert) + bytes(rest_length) + bytes(breaking) + bytes(defined) +
+        bytes(epsilon) + bytes(tau) + bytes(mobility) + bytes(upsilon) + bytes(recall) +
+        bytes(sigma) + bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
         bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;

@@ -109,6 +109,9 @@ struct Interactions {
     // By interaction.
     base::Array<InteractionKind> kinds;  ///< That of `def`, or of what was there; stays.
     base::Array<std::int32_t> body;      ///< kMaxInteractionBodies an id; −1 behind the last.
+    /// By place in `body`: the next place that has the same body, −1: none. Bodies::first_holder
+    /// has the first one.
+    base::Array<std::int32_t> next_holder;
     base::Array<std::uint8_t> bodies, rows, flags;
     base::Array<std::int32_t> row_begin;
     base::Array<std::int32_t> jac_begin;  ///< Set by the analysis.
@@ -184,17 +187,17 @@ struct Interactions {
     }
     /// Add one, at the first empty place of its kind, else behind all others; `filled` is checked
     /// and complete. Row constants depend on h. @return its place.
-    int add(InteractionDef filled, const Bodies& bodies_in, double h);
+    int add(InteractionDef filled, Bodies& bodies_in, double h);
     /// Add one behind all others.
-    int append(InteractionDef filled, const Bodies& bodies_in, double h);
+    int append(InteractionDef filled, Bodies& bodies_in, double h);
     /// A place for one of a kind behind all others, with nothing there; for the caller to vacate.
     void append_empty(InteractionKind kind);
     /// What presses on friction, of interactions that there are.
     void set_loads(int id, const std::array<FrictionLoad, kMaxFrictionLoads>& loads_in);
     /// What is left at its place has no bodies and no rows. Friction that it loads is free of it.
-    void remove(int id) noexcept;
+    void remove(int id, Bodies& bodies_in) noexcept;
     /// Take away those from `kept` on, none of which drives, rubs or winds up a line.
-    void truncate(int kept);
+    void truncate(int kept, Bodies& bodies_in);
     /// Υ and recall of a row, after its compliance or mobility changed; its Σ has to follow.
     void share_damping(std::size_t row, bool wire, double h) noexcept;
     /// Σ by ε and Υ alone (hawser/row_constants.h), without the floors that an analysis adds.
@@ -219,7 +222,15 @@ struct Interactions {
     void set_anchor(int id, double coordinate) noexcept;
     /// Another body in a slot; what depends on the kinds of its bodies must stay true. The system
     /// has to be analysed anew.
-    void rewire(int id, std::size_t slot, BodyId to, const Bodies& bodies_in) noexcept;
+    void rewire(int id, std::size_t slot, BodyId to, Bodies& bodies_in) noexcept;
+    /// f(id, slot) for all that hold a body, in no order. One that has it twice comes twice. f may
+    /// rewire to the body that is there.
+    template <class F>
+    void for_each_holder(int body_in, const Bodies& bodies_in, F&& f) const {
+        for (std::int32_t p = bodies_in.first_holder[static_cast<std::size_t>(body_in)]; p >= 0;
+             p = next_holder[static_cast<std::size_t>(p)])
+            f(p / kSlots, static_cast<std::size_t>(p % kSlots));
+    }
     /// Mass of a wire element [kg], see pair_mass; nothing of a kind that has none.
     void set_mass(int id, double mass) noexcept;
     /// Compliance and length of a wire element at its present rest length, which a drum pays out.
@@ -250,9 +261,13 @@ struct Interactions {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    static constexpr auto kSlots = static_cast<std::int32_t>(kMaxInteractionBodies);
     void grow(InteractionKind kind);
+    /// Enter what is in a place of `body` with those that hold it; take it away.
+    void link(std::size_t place, Bodies& bodies_in) noexcept;
+    void unlink(std::size_t place, Bodies& bodies_in) noexcept;
     /// Everything of one whose place there is.
-    void write(int id, InteractionDef filled, const Bodies& bodies_in, double h);
+    void write(int id, InteractionDef filled, Bodies& bodies_in, double h);
     void write_rows(int id, const Bodies& bodies_in, double h);
     void enlist(int id, const Bodies& bodies_in);
     void write_data(int id) noexcept;

@@ -35,13 +35,18 @@ double wheel_at(const InteractionDef& d, std::size_t slot) noexcept {
     return (slot == 0) == (d.params[4] > 0.0) ? d.params[6] : 0.0;
 }
 
-void Interactions::rewire(int id, std::size_t slot, BodyId to, const Bodies& bodies_in) noexcept {
+void Interactions::rewire(int id, std::size_t slot, BodyId to, Bodies& bodies_in) noexcept {
     InteractionDef& d = def[at(id)];
     const bool on_wheel = wheel_at(d, 0) != 0.0 || wheel_at(d, 1) != 0.0;
     const std::array<double, 2> before =
         on_wheel ? wheel_angles(id, bodies_in) : std::array<double, 2>{};
     d.body[slot] = to;
-    body[kMaxInteractionBodies * at(id) + slot] = to.index;
+    const std::size_t place = kMaxInteractionBodies * at(id) + slot;
+    if (body[place] != to.index) {
+        unlink(place, bodies_in);
+        body[place] = to.index;
+        link(place, bodies_in);
+    }
     if (!bodies_in.turns(to.index)) d.point[slot].setZero();
     write_data(id);
     if (on_wheel) follow_turns(id, before, bodies_in);

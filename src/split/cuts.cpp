@@ -167,7 +167,7 @@ void drop_cuts(Model& model) {
             std::min(model.system.node_of_body.size(), at(cuts.bodies)));
         model.system.node_of_interaction.resize(
             std::min(model.system.node_of_interaction.size(), at(cuts.interactions)));
-        model.interactions.truncate(cuts.interactions);
+        model.interactions.truncate(cuts.interactions, model.bodies);
         model.bodies.truncate(cuts.bodies);
     }
     cuts.bodies = cuts.interactions = -1;

@@ -180,7 +180,7 @@ void remove_interaction(StepContext& ctx, std::int32_t id) noexcept {
     ctx.state.ledger.drive -= energy_of_interaction(ctx, id) - piece_energy(ctx, id);
     disturb_bodies(ctx, id);
     std::erase(ctx.state.edits.interactions, id);
-    ctx.model.interactions.remove(id);
+    ctx.model.interactions.remove(id, ctx.model.bodies);
 }
 
 void remove_shape(StepContext& ctx, std::int32_t shape) noexcept {

@@ -44,18 +44,16 @@ bool is_lump(const StepContext& ctx, std::int32_t body) noexcept {
 NodeLinks links_of(const StepContext& ctx, std::int32_t body) noexcept {
     NodeLinks out;
     const model::Interactions& in = ctx.model.interactions;
-    for (std::int32_t id = 0; id < in.count(); ++id) {
-        const std::int32_t* held = &in.body[kSlots * at(id)];
-        const std::size_t count = in.bodies[at(id)];
-        const auto slot = static_cast<std::size_t>(std::find(held, held + count, body) - held);
-        if (slot == count || in.parted[at(id)] != 0 || is_bend(ctx, id)) continue;
-        const bool element = kind_info(in.kinds[at(id)]).is(kWireElement) && slot < 2;
-        std::int32_t& side = slot == 0 ? out.after : out.before;
-        if (element && side < 0)
-            side = id;
-        else
+    in.for_each_holder(body, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
+        if (in.parted[at(id)] != 0 || is_bend(ctx, id)) return;
+        if (!kind_info(in.kinds[at(id)]).is(kWireElement) || slot > 1) {
             out.plain = false;
-    }
+            return;
+        }
+        std::int32_t& side = slot == 0 ? out.after : out.before;
+        if (side >= 0) out.plain = false;
+        if (side < 0 || id < side) side = id;
+    });
     return out;
 }
 
@@ -257,15 +255,12 @@ void follow_masses(StepContext& ctx, const NodePlace& place) noexcept {
     for (const std::int32_t id : {place.first, place.second})
         for (std::size_t slot = 0; slot < 2; ++slot, ++next)
             if (id >= 0) lumps[next] = end_of(ctx, id, slot);
-    for (std::int32_t id = 0; id < in.count(); ++id) {
-        if (!kind_info(in.kinds[at(id)]).is(kAlongLine) || in.gone(id)) continue;
-        const std::int32_t* held = &in.body[kSlots * at(id)];
-        for (const std::int32_t lump : lumps)
-            if (lump >= 0 && (held[0] == lump || held[1] == lump)) {
-                in.rewire(id, 0, in.def[at(id)].body[0], ctx.model.bodies);
-                break;
-            }
-    }
+    for (const std::int32_t lump : lumps)
+        if (lump >= 0)
+            in.for_each_holder(lump, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
+                if (slot < 2 && kind_info(in.kinds[at(id)]).is(kAlongLine))
+                    in.rewire(id, 0, in.def[at(id)].body[0], ctx.model.bodies);
+            });
 }
 
 }  // namespace hawser::stepper

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace hawser::stepper {
 namespace {
@@ -17,10 +18,26 @@ namespace {
 std::int32_t bend_at(const StepContext& ctx, std::int32_t middle, std::int32_t other,
                      std::size_t side) noexcept {
     const model::Interactions& in = ctx.model.interactions;
-    for (const std::int32_t id : in.pool[static_cast<std::size_t>(InteractionKind::Bend)].ids)
-        if (!in.gone(id) && end_of(ctx, id, 1) == middle && end_of(ctx, id, side) == other)
-            return id;
-    return -1;
+    std::int32_t out = -1;
+    in.for_each_holder(middle, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
+        if (slot == 1 && in.kinds[at(id)] == InteractionKind::Bend &&
+            end_of(ctx, id, side) == other && (out < 0 || id < out))
+            out = id;
+    });
+    return out;
+}
+
+/// The bend with the lowest place above `after` that some of these bodies have, −1: none.
+std::int32_t next_bend(const StepContext& ctx, std::span<const std::int32_t> bodies,
+                       std::int32_t after) noexcept {
+    const model::Interactions& in = ctx.model.interactions;
+    std::int32_t out = -1;
+    for (const std::int32_t body : bodies)
+        in.for_each_holder(body, ctx.model.bodies, [&](std::int32_t id, std::size_t) {
+            if (id > after && in.kinds[at(id)] == InteractionKind::Bend && (out < 0 || id < out))
+                out = id;
+        });
+    return out;
 }
 
 /// Elements about a place, none of them twice, and the bodies at their ends.
@@ -56,15 +73,9 @@ double energy_about(const StepContext& ctx, const NodePlace& place) noexcept {
     for (std::size_t k = 0; k < all.lumps; ++k) sum += energy_of_body(ctx, all.lump[k]);
     for (std::size_t k = 0; k < all.elements; ++k)
         sum += energy_of_interaction(ctx, all.element[k]) - piece_energy(ctx, all.element[k]);
-    const auto here = [&](std::int32_t body) {
-        const auto end = all.lump.begin() + static_cast<std::ptrdiff_t>(all.lumps);
-        return std::find(all.lump.begin(), end, body) != end;
-    };
-    const model::Interactions& in = ctx.model.interactions;
-    for (const std::int32_t id : in.pool[static_cast<std::size_t>(InteractionKind::Bend)].ids)
-        if (!in.gone(id) &&
-            (here(end_of(ctx, id, 0)) || here(end_of(ctx, id, 1)) || here(end_of(ctx, id, 2))))
-            sum += energy_of_interaction(ctx, id);
+    const std::span<const std::int32_t> lumps(all.lump.data(), all.lumps);
+    for (std::int32_t id = -1; (id = next_bend(ctx, lumps, id)) >= 0;)
+        sum += energy_of_interaction(ctx, id);
     return sum;
 }
 

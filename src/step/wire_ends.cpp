@@ -114,7 +114,7 @@ void turn_round(StepContext& ctx, std::int32_t id) noexcept {
 
 void move_end(StepContext& ctx, std::int32_t id, std::size_t slot, std::int32_t to) noexcept {
     model::Interactions& in = ctx.model.interactions;
-    const model::Bodies& b = ctx.model.bodies;
+    model::Bodies& b = ctx.model.bodies;
     in.rewire(id, slot, b.id(to), b);
     const int before = in.flags[at(id)];
     int flags = before & ~model::kCarried;
@@ -127,21 +127,22 @@ void move_end(StepContext& ctx, std::int32_t id, std::size_t slot, std::int32_t 
 
 void follow_lump(StepContext& ctx, std::int32_t lump) noexcept {
     model::Interactions& in = ctx.model.interactions;
-    for (std::int32_t id = 0; id < in.count(); ++id)
-        for (std::size_t slot = 0; slot < in.bodies[at(id)]; ++slot)
-            if (end_of(ctx, id, slot) == lump && !in.gone(id) &&
-                kind_info(in.kinds[at(id)]).is(kAlongLine))
-                in.rewire(id, slot, in.def[at(id)].body[slot], ctx.model.bodies);
+    in.for_each_holder(lump, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
+        if (kind_info(in.kinds[at(id)]).is(kAlongLine))
+            in.rewire(id, slot, in.def[at(id)].body[slot], ctx.model.bodies);
+    });
     disturb(ctx.model, lump);
 }
 
 std::int32_t bend_about(const StepContext& ctx, std::int32_t middle, std::int32_t end) noexcept {
     const model::Interactions& in = ctx.model.interactions;
-    for (const std::int32_t id : in.pool[static_cast<std::size_t>(InteractionKind::Bend)].ids)
-        if (!in.gone(id) && end_of(ctx, id, 1) == middle &&
-            (end_of(ctx, id, 0) == end || end_of(ctx, id, 2) == end))
-            return id;
-    return -1;
+    std::int32_t out = -1;
+    in.for_each_holder(middle, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
+        if (slot == 1 && in.kinds[at(id)] == InteractionKind::Bend &&
+            (end_of(ctx, id, 0) == end || end_of(ctx, id, 2) == end) && (out < 0 || id < out))
+            out = id;
+    });
+    return out;
 }
 
 std::vector<std::int32_t> chain_from(const StepContext& ctx, std::int32_t element,

@@ -101,7 +101,7 @@ void World::Impl::take_back(const Mark& before, const world::Wire& made) noexcep
         ctx.model.bodies.places.step_back(id.index);
     }
     ctx.model.collider.truncate(before.shapes);
-    ctx.model.interactions.truncate(before.interactions);
+    ctx.model.interactions.truncate(before.interactions, ctx.model.bodies);
     ctx.model.bodies.truncate(before.bodies);
     shape_defs.resize(at(before.shapes));
     body_defs.resize(at(before.bodies));

@@ -38,6 +38,26 @@ class Changing {
         const assembly::View v = stepper::view(*ctx_);
         expect_plain_ops(ctx_->model.system, bodies(), v);
     }
+    /// What holds a body is found from it as by looking through all interactions.
+    void expect_holders() {
+        using Holder = std::pair<std::int32_t, std::size_t>;
+        constexpr auto kSlots = static_cast<std::size_t>(kMaxInteractionBodies);
+        std::vector<std::vector<Holder>> wanted(static_cast<std::size_t>(bodies().count()));
+        for (std::int32_t i = 0; i < interactions().count(); ++i)
+            for (std::size_t slot = 0; slot < kSlots; ++slot)
+                if (const std::int32_t b =
+                        interactions().body[kSlots * static_cast<std::size_t>(i) + slot];
+                    b >= 0)
+                    wanted[static_cast<std::size_t>(b)].emplace_back(i, slot);
+        for (std::int32_t b = 0; b < bodies().count(); ++b) {
+            std::vector<Holder> found;
+            interactions().for_each_holder(b, bodies(), [&](std::int32_t id, std::size_t slot) {
+                found.emplace_back(id, slot);
+            });
+            std::sort(found.begin(), found.end());
+            ASSERT_EQ(found, wanted[static_cast<std::size_t>(b)]) << b;
+        }
+    }
     /// One change at random. @return only links changed: relink() is enough.
     bool change() {
         switch (random_.integer(0, 5)) {
@@ -106,8 +126,9 @@ class Changing {
         for (std::int32_t i = 0; i < interactions().count(); ++i)
             if (!interactions().gone(i)) there.push_back(i);
         if (there.empty()) return;
-        interactions().remove(there[static_cast<std::size_t>(
-            random_.integer(0, static_cast<int>(there.size()) - 1))]);
+        interactions().remove(
+            there[static_cast<std::size_t>(random_.integer(0, static_cast<int>(there.size()) - 1))],
+            bodies());
     }
     void add_lump() {
         const std::int32_t to = some_moving();
@@ -124,7 +145,7 @@ class Changing {
                 if (interactions().body[static_cast<std::size_t>(kMaxInteractionBodies) *
                                             static_cast<std::size_t>(i) +
                                         static_cast<std::size_t>(b)] == body) {
-                    interactions().remove(i);
+                    interactions().remove(i, bodies());
                     break;
                 }
         drop_contacts_of(body);
@@ -192,6 +213,7 @@ TEST_P(OpList, IsThatOfThePlainWay) {
         else
             model.analyse();
         model.expect_plain();
+        model.expect_holders();
         if (HasFatalFailure()) return;
         carried += model.ctx().model.system.carried();
         steps += std::ssize(model.ctx().model.system.symbolic.batch_steps);
