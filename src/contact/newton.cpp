@@ -16,7 +16,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace hawser::stepper {
 namespace {
@@ -35,8 +37,32 @@ struct Way {
     double share = 1.0, merit = 0.0;
 };
 
-/// Choose how far to go from the iterate kept, whose merit was `before`.
-Way search(Model& model, const Newton& newton, double before) noexcept {
+/// Iterates may go round between two sets of laws, from neither of which the merit falls on the way
+/// to the other. Told by a merit that is that of two iterations ago; left by going another share of
+/// the way, a different one each time.
+class Cycle {
+  public:
+    /// @param merit  Of the last iterate. @return the share to go, 0: as searched for.
+    double leave(double merit) noexcept {
+        constexpr double kSame = 1e-3;
+        constexpr double kShares[] = {0.125, 0.75, 0.3, 0.05};
+        const bool round = std::abs(merit - before_last_) <= kSame * merit;
+        before_last_ = std::exchange(last_, merit);
+        return round ? kShares[left_++ % std::size(kShares)] : 0.0;
+    }
+
+  private:
+    double last_ = -1.0, before_last_ = -1.0;
+    std::size_t left_ = 0;
+};
+
+/// Choose how far to go from the iterate kept, whose merit was `before`. @param given  If above 0.
+Way search(Model& model, const Newton& newton, double before, double given) noexcept {
+    if (given > 0.0) {
+        const double merit_there = merit(model, newton, given);
+        shorten(model, newton, given);
+        return {given, merit_there};
+    }
     double now = merit(model, newton, 1.0), best = now, best_t = 1.0, t = 1.0;
     for (int k = 0; k < kHalvings && !(now <= before * (1.0 - 1e-4 * t)); ++k) {
         t *= 0.5;
@@ -99,6 +125,7 @@ Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
     const bool hasty = course.hasty;
     for (Cone& c : ctx.model.system.contacts.cones) c.coupling = coupling;
     bool again = false, slow = false;
+    Cycle cycle;
     int switches = 0;  // iterations that ended with some
     ctx.work.newton.follow.restart();
     double before = 0.0;
@@ -119,7 +146,8 @@ Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
             continue_with_factor(ctx);
         }
         take_bounds(ctx.model, ctx.work.newton);
-        const Way way = it > 0 ? search(ctx.model, ctx.work.newton, before) : Way{};
+        const double given = it > kPatience ? cycle.leave(before) : 0.0;
+        const Way way = it > 0 ? search(ctx.model, ctx.work.newton, before, given) : Way{};
         ctx.work.newton.shortened = way.share < 1.0;
         if (!std::isfinite(way.merit)) return Status::not_finite;
         slow = it > kPatience && way.merit > kSlowMerit * before;
@@ -232,6 +260,22 @@ bool rows_ask(StepContext& ctx) noexcept {
            asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) > 0;
 }
 
+/// Where the line search shortened the last iteration, the iterate obeys the laws of contact before
+/// it obeys the equations, and once refined it breaks them: iterated again from the refined one.
+Status certify(StepContext& ctx) noexcept {
+    constexpr int kMost = 8;
+    const double tolerance = ctx.model.def.contact_tolerance;
+    for (int round = 0; round < kMost; ++round) {
+        if (ctx.work.stats.natural_map <= tolerance || ctx.work.stats.cut) break;
+        Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance, {.begun = true});
+        if (status == Status::ok) status = refine(ctx);
+        if (status == Status::ok) status = follow_loads(ctx);
+        if (status != Status::ok) return status;
+        state_certificate(ctx.model, ctx.work, ctx.pool);
+    }
+    return Status::ok;
+}
+
 /// An iterate that a line search ended early, on the way to the solution, may have met the
 /// tolerance where no row asked yet: iterated again from the solution itself.
 Status settle_rows(StepContext& ctx) noexcept {
@@ -246,6 +290,7 @@ Status settle_rows(StepContext& ctx) noexcept {
         if (status == Status::ok) status = follow_loads(ctx);
         if (status != Status::ok) return status;
         state_certificate(ctx.model, ctx.work, ctx.pool);
+        if (status = certify(ctx); status != Status::ok) return status;
     }
     ctx.work.stats.flips_left += asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);
     return Status::ok;
@@ -293,8 +338,10 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
         const std::int32_t asking = asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);
         ctx.work.newton.switch_late = hasty && asking > 0;
         ctx.work.stats.flips_left += asking;
+        return Status::ok;
     }
-    return early ? status : settle_rows(ctx);
+    if (refines) status = certify(ctx);
+    return status == Status::ok ? settle_rows(ctx) : status;
 }
 
 Status settle_newton(StepContext& ctx) noexcept {
@@ -305,14 +352,7 @@ Status settle_newton(StepContext& ctx) noexcept {
         status = refine(ctx);
     if (status != Status::ok) return status;
     state_certificate(ctx.model, ctx.work, ctx.pool);
-    if (ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance || ctx.work.stats.cut)
-        return Status::ok;
-    status =
-        iterate(ctx, nonsmooth::Coupling::exact, ctx.model.def.contact_tolerance, {.begun = true});
-    if (status == Status::ok) status = refine(ctx);
-    if (status == Status::ok) status = follow_loads(ctx);
-    if (status == Status::ok) state_certificate(ctx.model, ctx.work, ctx.pool);
-    return status;
+    return certify(ctx);
 }
 
 }  // namespace hawser::stepper
