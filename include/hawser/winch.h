@@ -69,7 +69,8 @@ enum class WinchState : std::uint8_t {
     waiting,     ///< An emergency release is on its way.
     released,    ///< It has taken effect.
     last_wraps,  ///< The motor does not pay out more: dead wraps are left.
-    full,        ///< The motor does not haul more: the drum is full, or the wire's end hauled in.
+    full,        ///< The motor does not haul more: the drum is full, or the wire's end hauled in,
+                 ///< which jams at the fairlead whatever the mode.
     empty,       ///< No wire is on the drum; the fastening holds the end.
     parted,      ///< The wire has parted from it.
     jumping,     ///< Its chain is between two pockets of the gypsy.

@@ -40,6 +40,7 @@ void WinchSystem::order_motor(Orders& out) noexcept {
     pull_limit_ = haul / radius_;
     out.low = -haul;
     out.high = pay;
+    bool pulls = true;
     switch (mode()) {
         case WinchMode::speed:
             out.speed = speed_ / radius_;
@@ -60,10 +61,16 @@ void WinchSystem::order_motor(Orders& out) noexcept {
             }
             break;
         default:
+            pulls = false;
             out.low = out.high = 0.0;
     }
-    if (full()) out.speed = std::max(out.speed, 0.0);
+    if (full()) {
+        out.speed = std::max(out.speed, 0.0);
+        if (pulls) out.high = pay;  // mode render pulls, else
+    }
     if (clutch_ < 0.5 || parted_ != 0) out.low = out.high = out.speed = 0.0;
+    // What is left jams at the fairlead, whatever the motor does: no further in, but out.
+    if (jams_ && parted_ == 0) out.high = kUnbounded;
 }
 
 WinchSystem::Orders WinchSystem::orders() noexcept {
@@ -85,8 +92,8 @@ WinchSystem::Orders WinchSystem::orders() noexcept {
                        : speed < -kStands ? WinchState::hauling
                                           : WinchState::standing;
     const bool asks_out = m == WinchMode::speed && speed_ > 0.0;
-    const bool asks_in =
-        (m == WinchMode::speed && speed_ < 0.0) || (m == WinchMode::tension && speed <= kStands);
+    const bool asks_in = (m == WinchMode::speed && speed_ < 0.0) ||
+                         ((m == WinchMode::tension || m == WinchMode::render) && speed <= kStands);
     if (asks_out && wraps_ <= def_.dead_wraps) state = WinchState::last_wraps;
     if (asks_in && full()) state = WinchState::full;
     if (slipping_ != 0) state = WinchState::slipping;

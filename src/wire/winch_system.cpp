@@ -137,8 +137,9 @@ void WinchSystem::look(const Prestep& now) noexcept {
     const InteractionDef& line = now.world.interaction_def(ids_.line);
     const double length = line.get("length");
     const double rest = length + radius_ * (angle_ - line.get("drum_zero"));
-    hauled_in_ = rest < kLeastShare * length + 2.0 * now.step * radius_ * std::abs(leaving_) ||
-                 (feeds() && at_drum_ <= 0.0);
+    jams_ = rest < kLeastShare * length || (feeds() && at_drum_ <= 0.0);
+    hauled_in_ =
+        jams_ || rest < kLeastShare * length + 2.0 * now.step * radius_ * std::abs(leaving_);
 }
 
 /// A brake at its bound, against whose torque the drum turned.

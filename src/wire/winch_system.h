@@ -135,7 +135,8 @@ class WinchSystem final : public System {
     // Of the step that begins.
     double turned_ = 0.0, omega_ = 0.0, leaving_ = 0.0;  ///< Of wire, drum and wire.
     bool crowded_ = false;    ///< A node could not be put for the first time.
-    bool hauled_in_ = false;  ///< The element at the drum has next to no length left.
+    bool hauled_in_ = false;  ///< The element at the drum has next to no length left, or will soon.
+    bool jams_ = false;       ///< It has.
 };
 
 }  // namespace hawser::wire

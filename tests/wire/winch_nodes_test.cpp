@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -133,6 +134,34 @@ TEST(WinchNodes, AWireOfOneElementRunsOut) {
     EXPECT_GE(h.w.shapes().size(), 3U) << "its contacts are known though it had no lumps";
     h.run(11.0, -1.0);
     EXPECT_LE(h.w.elements(h.wire).size(), 2U);
+}
+
+/// In mode render the motor went on pulling, so that metres less than none were left at the drum,
+/// and a drum that ran free went on by itself.
+TEST(WinchNodes, AFreeEndIsHauledInUpToTheFairleadInAnyMode) {
+    for (const WinchMode mode :
+         {WinchMode::speed, WinchMode::tension, WinchMode::render, WinchMode::free}) {
+        Hoist d(6);
+        (void)d.w.cut(d.wire, 6.0);
+        d.w.set_system_signal("winch.tension", 5e4);
+        d.run(2.0, -1.5);
+        d.w.set_system_signal("winch.mode", static_cast<double>(mode));
+        double least = 1.0;
+        for (int i = 0; i < 20 * 60; ++i) {
+            ASSERT_EQ(d.w.step(), Status::ok) << to_string(d.w.bad_load(), d.w);
+            least = std::min(least, d.get("at_drum"));
+        }
+        // The step that uses it up ends a little beyond.
+        EXPECT_GT(least, -1.5 / 60.0) << static_cast<int>(mode);
+        EXPECT_LT(least, 0.1) << static_cast<int>(mode);
+        EXPECT_NE(d.w.verdict().grade, Grade::wrong) << static_cast<int>(mode);
+        if (mode != WinchMode::free) {
+            EXPECT_EQ(d.get("state"), static_cast<double>(WinchState::full));
+        }
+        d.w.set_system_signal("winch.mode", static_cast<double>(WinchMode::speed));
+        d.run(3.0, 0.5);
+        EXPECT_GT(d.get("at_drum"), 0.8) << static_cast<int>(mode);
+    }
 }
 
 TEST(WinchNodes, AreRefusedWhereTheyCannotBe) {
