@@ -107,6 +107,10 @@ struct World::Impl final : private world::InputDoor {
     /// Makes a short element that a cut leaves at an end one with the next, where its node can go.
     void join_short_end(World& world, InteractionId end, std::size_t side) noexcept;
     void check_cut_at_node(const std::string& where, stepper::NodePlace& place) const;
+    [[nodiscard]] bool carried(const world::Wire& wire, std::size_t element) const noexcept;
+    [[nodiscard]] std::pair<InteractionId, double> beside_carried(const world::Wire& wire,
+                                                                  std::size_t node,
+                                                                  double s) const noexcept;
     void turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept;
     void drop_folded(std::int32_t bend) noexcept;
     [[nodiscard]] world::Wire& wire_on_guide(InteractionId before, InteractionId behind,

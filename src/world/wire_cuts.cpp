@@ -160,6 +160,37 @@ void World::Impl::join_short_end(World& world, InteractionId end, std::size_t si
     }
 }
 
+/// Whether a drum or guide has the mass of an element of a wire.
+bool World::Impl::carried(const world::Wire& wire, std::size_t element) const noexcept {
+    return systems.carried_mass(wire.elements[element]) != 0.0;
+}
+
+/// Lumps next to an element that is carried() have no mass to share: a wire that is to be cut at
+/// such a node is cut a quarter into the nearest element beyond. @param node  Its number. @param s
+/// [m]. @return the element, and where in it.
+std::pair<InteractionId, double> World::Impl::beside_carried(const world::Wire& wire,
+                                                             std::size_t node,
+                                                             double s) const noexcept {
+    constexpr double kBeyond = 0.25;
+    const model::Interactions& in = ctx.model.interactions;
+    std::size_t first = node, last = node;  // of those that are carried; behind them
+    while (first > 0 && carried(wire, first - 1)) --first;
+    while (last < wire.elements.size() && carried(wire, last)) ++last;
+    double begin = 0.0, end = 0.0;
+    for (std::size_t k = 0; k < last; ++k) {
+        const InteractionId element = wire.elements[k];
+        const bool there = in.places.names(element);
+        const double length = there ? in.rest_length[at(element.index)] : 0.0;
+        if (k < first) begin += length;
+        end += length;
+    }
+    const bool before = first > 0 && (last == wire.elements.size() || s - begin < end - s);
+    if (before) return {wire.elements[first - 1], 1.0 - kBeyond};
+    // Where all is carried the node stays what it is, and what refuses it says why.
+    if (last == wire.elements.size()) return {wire.elements[std::min(node, last - 1)], 0.0};
+    return {wire.elements[last], kBeyond};
+}
+
 WireId World::cut(WireId id, double s) {
     const world::Using use(impl_->use, "cut");
     const world::Wire& wire = impl_->wire(id);
@@ -189,11 +220,10 @@ WireId World::cut(WireId id, double s) {
                       "it is one element without mass of its own, in which no node can be "
                       "put; give it more elements, or detach() an end");
     if (k == 0 || (share > 0.5 && k + 1 < wire.elements.size())) ++k;
-    // The lump next to a drum has no mass to share where the winch has that of the element there.
-    constexpr double kBeyond = 0.25;
-    for (const std::size_t side : {0U, 1U})
-        if (impl_->systems.carried_mass(wire.elements[k - side]) != 0.0)
-            return cut(wire.elements[k - 1 + side], side == 0 ? 1.0 - kBeyond : kBeyond);
+    if (impl_->carried(wire, k - 1) || impl_->carried(wire, k)) {
+        const auto [beside, at_share] = impl_->beside_carried(wire, k, s);
+        return cut(beside, at_share);
+    }
     if (!alive(wire.elements[k - 1]) || !alive(wire.elements[k]))
         world::refuse(where, "s = " + world::number(s) + " m is at a gap in it");
     return cut(wire.elements[k], 0.0);

@@ -240,6 +240,31 @@ std::string plan_refused(const Vec3& last, const Vec3& wheel, double radius) {
 
 /// The sign is advised only where the other one lies on it: round a corner. Where both ends are on
 /// one side of the wheel the wire would turn back by more than π whichever way it goes.
+/// What a guide has of a wire lies between lumps that have no mass to share: such a cut was
+/// refused, as that of an element which is not whole.
+TEST(Guides, ACutAtOneGoesIntoTheElementBeyond) {
+    for (const std::size_t part : {0U, 1U}) {
+        OverRoller d;
+        d.run(5.0, 0.2);
+        const auto elements = d.w.elements(d.wire);
+        double s = 0.0;
+        std::size_t k = 0;
+        for (; elements[k] != (part == 0 ? d.roller.before : d.roller.behind); ++k)
+            s += d.w.interaction_def(elements[k]).get("length");
+        const double whole = d.w.length(d.wire);
+        const WireId second = d.w.cut(d.wire, s + (part == 0 ? 0.1 : 1.0));
+        // It lies on the roller, or hangs from it.
+        const auto has = [&](WireId wire) {
+            const auto of = d.w.elements(wire);
+            return std::find(of.begin(), of.end(), d.roller.before) != of.end();
+        };
+        EXPECT_EQ(has(second), part == 0);
+        EXPECT_EQ(has(d.wire), part == 1);
+        EXPECT_NEAR(d.w.length(d.wire) + d.w.length(second), whole, 1e-3 * whole);
+        for (int i = 0; i < 60; ++i) ASSERT_EQ(d.w.step(), Status::ok) << i;
+    }
+}
+
 TEST(Guides, AdviseTheOtherSignOnlyWhereItHelps) {
     const Vec3 down(0, 0, -1);
     int lies = 0;
