@@ -12,6 +12,9 @@ namespace {
 /// (docs/collision.md, item "Wires"): what a velocity of the lump makes of it is above
 /// the tolerance of this verification.
 constexpr double kLeastShareOfLump = 2e-9;
+/// Of the body in one at the lump, where rounding is all that a share computed anew differs from 0
+/// by: with none the body does not feel the force's moment either.
+constexpr double kLeastShareOfBody = 1e-11;
 
 const Pose& pose_of(std::span<const Pose> pose, BodyId body) {
     return pose[static_cast<std::size_t>(body.index)];
@@ -60,6 +63,8 @@ ContactSide contact_side(const World& world, ShapeId shape, const Vec3& on_axis,
     // Beyond the point where a body holds the segment the lump keeps its least share.
     if (held == 0) s = std::max(s, kLeastShareOfLump);
     if (held == 1) s = std::min(s, 1.0 - kLeastShareOfLump);
+    if (held == 0 && 1.0 - s < kLeastShareOfBody) s = 1.0;
+    if (held == 1 && s < kLeastShareOfBody) s = 0.0;
     side.share[0] = 1.0 - s;
     side.share[1] = s;
     side.length = along.norm();

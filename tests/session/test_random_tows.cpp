@@ -38,18 +38,18 @@ void write_box(const std::filesystem::path& file, double length, double beam) {
 }
 
 /// Where scenes and hulls of a test are.
-class Folder {
+class TowFolder {
   public:
-    Folder() {
+    TowFolder() {
         std::filesystem::create_directories(path_ / "parts");
         std::filesystem::copy_file("scenes/parts/lines.json", path_ / "parts/lines.json",
                                    std::filesystem::copy_options::overwrite_existing);
         write_box(path_ / "tug.obj", 60.0, 14.0);
         write_box(path_ / "barge.obj", 90.0, 25.0);
     }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
+    ~TowFolder() { std::filesystem::remove_all(path_); }
+    TowFolder(const TowFolder&) = delete;
+    TowFolder& operator=(const TowFolder&) = delete;
     [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
 
   private:
@@ -151,7 +151,7 @@ Json random_tow(std::uint32_t seed) {
 }
 
 TEST(RandomTows, InASeaAreVerifiedAndRepeated) {
-    const Folder folder;
+    const TowFolder folder;
     const int seeds = std::getenv("HAWSER_LONG") != nullptr ? 200 : 4;
     const char* given = std::getenv("HAWSER_SEED");
     int refused = 0, cut = 0;

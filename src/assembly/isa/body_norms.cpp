@@ -39,11 +39,13 @@ double drag_work(const View& view, std::int32_t body, const double* v, const dou
     return view.h * work;
 }
 
-/// pᵀ M⁻¹ p for an impulse p on a body.
+/// pᵀ M⁻¹ p for an impulse p on a body. Of a scalar body M has what systems add: the slide of a
+/// guide weighs a millionth of a lump but for the wire that it moves, whose weight would be the
+/// scale of everything.
 double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
-    const double inverse = 1.0 / view.mass[body];
     const int dof = view.dof[body];
-    if (dof == 1) return inverse * p[0] * p[0];
+    if (dof == 1) return p[0] * p[0] / view.body_block[assembly::block_place(view.dof_begin[body])];
+    const double inverse = 1.0 / view.mass[body];
     double norm = inverse * dot(load3(p), load3(p));
     if (dof == 6) {
         const V3 w = tmul(load9(view.r + 9 * body), load3(p + 3));
