@@ -46,7 +46,8 @@ class Cycle {
     double leave(double merit) noexcept {
         constexpr double kSame = 1e-3;
         constexpr double kShares[] = {0.125, 0.75, 0.3, 0.05};
-        const bool round = std::abs(merit - before_last_) <= kSame * merit;
+        // Less than: where contacts are solved and rows alone still switch, all is as searched for.
+        const bool round = std::abs(merit - before_last_) < kSame * merit;
         before_last_ = std::exchange(last_, merit);
         return round ? kShares[left_++ % std::size(kShares)] : 0.0;
     }
@@ -268,10 +269,12 @@ Status certify(StepContext& ctx) noexcept {
     for (int round = 0; round < kMost; ++round) {
         if (ctx.work.stats.natural_map <= tolerance || ctx.work.stats.cut) break;
         Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance, {.begun = true});
+        const bool met = ctx.work.stats.natural_map <= tolerance;
         if (status == Status::ok) status = refine(ctx);
         if (status == Status::ok) status = follow_loads(ctx);
         if (status != Status::ok) return status;
         state_certificate(ctx.model, ctx.work, ctx.pool);
+        if (!met) break;  // another round would take as long, and find no more
     }
     return Status::ok;
 }

@@ -7,6 +7,9 @@
 #include "context/context.h"
 #include "step/node_place.h"
 
+#include <cstdint>
+#include <span>
+
 namespace hawser::stepper {
 
 /// What a body has to do with wires.
@@ -15,6 +18,12 @@ struct NodeLinks {
     bool plain = true;                     ///< No other interaction but bends acts on it.
 };
 [[nodiscard]] NodeLinks links_of(const StepContext& ctx, std::int32_t body) noexcept;
+/// The bend in the middle of which a body is, with another one at a given side; −1: none.
+[[nodiscard]] std::int32_t bend_at(const StepContext& ctx, std::int32_t middle, std::int32_t other,
+                                   std::size_t side) noexcept;
+/// The bend with the lowest place above `after` that some of these bodies have, −1: none.
+[[nodiscard]] std::int32_t next_bend(const StepContext& ctx, std::span<const std::int32_t> bodies,
+                                     std::int32_t after) noexcept;
 
 [[nodiscard]] std::int32_t end_of(const StepContext& ctx, std::int32_t id,
                                   std::size_t slot) noexcept;

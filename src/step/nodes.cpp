@@ -14,32 +14,6 @@
 namespace hawser::stepper {
 namespace {
 
-/// The bend in the middle of which a body is, with another one at a given side.
-std::int32_t bend_at(const StepContext& ctx, std::int32_t middle, std::int32_t other,
-                     std::size_t side) noexcept {
-    const model::Interactions& in = ctx.model.interactions;
-    std::int32_t out = -1;
-    in.for_each_holder(middle, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
-        if (slot == 1 && in.kinds[at(id)] == InteractionKind::Bend &&
-            end_of(ctx, id, side) == other && (out < 0 || id < out))
-            out = id;
-    });
-    return out;
-}
-
-/// The bend with the lowest place above `after` that some of these bodies have, −1: none.
-std::int32_t next_bend(const StepContext& ctx, std::span<const std::int32_t> bodies,
-                       std::int32_t after) noexcept {
-    const model::Interactions& in = ctx.model.interactions;
-    std::int32_t out = -1;
-    for (const std::int32_t body : bodies)
-        in.for_each_holder(body, ctx.model.bodies, [&](std::int32_t id, std::size_t) {
-            if (id > after && in.kinds[at(id)] == InteractionKind::Bend && (out < 0 || id < out))
-                out = id;
-        });
-    return out;
-}
-
 /// Elements about a place, none of them twice, and the bodies at their ends.
 struct About {
     std::array<std::int32_t, 2 * kNodeReach + 2> element{};

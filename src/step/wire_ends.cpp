@@ -8,7 +8,9 @@
 #include "step/edits.h"
 #include "step/node_pieces.h"
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 namespace hawser::stepper {
@@ -67,15 +69,10 @@ double splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b, std
     double sum = energy_of_body(ctx, a) + (b >= 0 ? energy_of_body(ctx, b) : 0.0);
     for (const std::int32_t id : {ea, eb == ea ? -1 : eb})
         if (id >= 0) sum += energy_of_interaction(ctx, id) - piece_energy(ctx, id);
-    const model::Interactions& in = ctx.model.interactions;
-    for (const std::int32_t id : in.pool[static_cast<std::size_t>(InteractionKind::Bend)].ids) {
-        if (in.gone(id)) continue;
-        for (std::size_t slot = 0; slot < 3; ++slot)
-            if (end_of(ctx, id, slot) == a || (b >= 0 && end_of(ctx, id, slot) == b)) {
-                sum += energy_of_interaction(ctx, id);
-                break;
-            }
-    }
+    const std::array<std::int32_t, 2> both{a, b};
+    const std::span<const std::int32_t> bodies(both.data(), b >= 0 ? 2 : 1);
+    for (std::int32_t id = -1; (id = next_bend(ctx, bodies, id)) >= 0;)
+        sum += energy_of_interaction(ctx, id);
     return sum;
 }
 
@@ -135,14 +132,8 @@ void follow_lump(StepContext& ctx, std::int32_t lump) noexcept {
 }
 
 std::int32_t bend_about(const StepContext& ctx, std::int32_t middle, std::int32_t end) noexcept {
-    const model::Interactions& in = ctx.model.interactions;
-    std::int32_t out = -1;
-    in.for_each_holder(middle, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
-        if (slot == 1 && in.kinds[at(id)] == InteractionKind::Bend &&
-            (end_of(ctx, id, 0) == end || end_of(ctx, id, 2) == end) && (out < 0 || id < out))
-            out = id;
-    });
-    return out;
+    const std::int32_t first = bend_at(ctx, middle, end, 0), last = bend_at(ctx, middle, end, 2);
+    return first < 0 || last < 0 ? std::max(first, last) : std::min(first, last);
 }
 
 std::vector<std::int32_t> chain_from(const StepContext& ctx, std::int32_t element,

@@ -238,8 +238,6 @@ std::string plan_refused(const Vec3& last, const Vec3& wheel, double radius) {
     return {};
 }
 
-/// The sign is advised only where the other one lies on it: round a corner. Where both ends are on
-/// one side of the wheel the wire would turn back by more than π whichever way it goes.
 /// What a guide has of a wire lies between lumps that have no mass to share: such a cut was
 /// refused, as that of an element which is not whole.
 TEST(Guides, ACutAtOneGoesIntoTheElementBeyond) {
@@ -265,6 +263,8 @@ TEST(Guides, ACutAtOneGoesIntoTheElementBeyond) {
     }
 }
 
+/// The sign is advised only where the other one lies on it: round a corner. Where both ends are on
+/// one side of the wheel the wire would turn back by more than π whichever way it goes.
 TEST(Guides, AdviseTheOtherSignOnlyWhereItHelps) {
     const Vec3 down(0, 0, -1);
     int lies = 0;
