@@ -2,7 +2,7 @@
 // Small systems whose stability under a split is known (docs/methods.md, 10).
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace hawser::bench::split {
 

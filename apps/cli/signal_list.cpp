@@ -4,6 +4,7 @@
 #include "record/scene_info.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include "draw/drawing.h"
 #include "linear/trial.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>

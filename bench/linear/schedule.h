@@ -8,7 +8,7 @@
 
 #include <hawser/schedule.h>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>

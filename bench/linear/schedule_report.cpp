@@ -2,6 +2,7 @@
 #include "linear/schedule.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 namespace hawser::bench {
 

@@ -14,6 +14,7 @@
 #include "partition/measure.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

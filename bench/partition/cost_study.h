@@ -3,7 +3,7 @@
 /// @file cost_study.h
 /// How well costs known before a factorisation predict what it takes.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 

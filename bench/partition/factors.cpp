@@ -10,6 +10,7 @@
 #include <hawser/factor.h>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>

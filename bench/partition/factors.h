@@ -5,7 +5,7 @@
 
 #include "partition/cases.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <vector>
 

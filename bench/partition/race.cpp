@@ -8,6 +8,7 @@
 #include "partition/measure.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 namespace hawser::bench {
 

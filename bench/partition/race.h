@@ -6,7 +6,7 @@
 #include "graph/partition.h"
 #include "partition/cases.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <vector>

@@ -9,6 +9,7 @@
 #include <hawser/scene.h>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <cstddef>

@@ -14,6 +14,7 @@
 #include "verify/coupling.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

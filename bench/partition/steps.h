@@ -4,7 +4,7 @@
 /// What a partition is worth in time: factorisations with its separators last, and whole steps
 /// with its cuts coupled by compliance, under our parts and those of METIS by turns.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace hawser::bench {
 

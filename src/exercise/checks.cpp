@@ -5,6 +5,8 @@
 #include "exercise/names.h"
 #include "exercise/reader.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <string>
 

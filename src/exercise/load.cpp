@@ -6,6 +6,8 @@
 #include "exercise/reader.h"
 #include "scene/schema.h"
 
+#include <nlohmann/json.hpp>
+
 #include <fstream>
 #include <utility>
 

@@ -3,6 +3,8 @@
 
 #include "exercise/format.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <set>
 #include <utility>

@@ -3,6 +3,8 @@
 
 #include "live/scene_text.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 

@@ -2,6 +2,7 @@
 #include "live/lesson.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdlib>

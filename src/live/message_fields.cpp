@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/message_fields.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <set>
 #include <vector>

@@ -4,7 +4,7 @@
 /// Fields of a client's message: numbers within a range, vectors, switches. Whatever a field is not
 /// meant to be is refused in words.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <stdexcept>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/outbox.h"
 
+#include <nlohmann/json.hpp>
+
 #include <utility>
 
 namespace hawser::live {

@@ -5,6 +5,8 @@
 #include "record/names.h"
 #include "record/scene_info.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -6,7 +6,7 @@
 #include "live/command.h"
 #include "live/frame_plan.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace hawser::live {
 

@@ -5,6 +5,8 @@
 #include "live/told.h"
 #include "record/commands.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace hawser::live {

@@ -4,6 +4,8 @@
 #include "base/index.h"
 #include "live/scene_text.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -12,7 +12,7 @@
 #include "live/protocol.h"
 
 #include <hawser/recording.h>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <string>

@@ -3,6 +3,8 @@
 
 #include <hawser/sea.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace hawser::live {

@@ -4,6 +4,8 @@
 #include "live/protocol.h"
 #include "record/scene_info.h"
 
+#include <nlohmann/json.hpp>
+
 #include <map>
 
 namespace hawser::live {

@@ -7,7 +7,7 @@
 
 #include "live/frame_plan.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <string>

@@ -2,10 +2,9 @@
 /// Coefficients of floating bodies: what is wrong with them, and K(t).
 #include <hawser/hydro.h>
 
+#include "base/dense.h"
 #include "marine/checks.h"
 #include "marine/radiation.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@ double lowest_scaled(const Matrix6& m, const Matrix6& size) {
                                            std::max(std::abs(size(j, j)), 1e-12 * largest));
             s(i, j) /= scale;
         }
-    return Eigen::SelfAdjointEigenSolver<Matrix6>(s, Eigen::EigenvaluesOnly).eigenvalues()(0);
+    return base::symmetric_eigenvalues(s)(0);
 }
 
 std::string sizes_fault(const WaveCoefficients& c) {

@@ -5,10 +5,8 @@
 /// their basis, and C is fitted anew, by least squares over all of K.
 #include <hawser/def.h>
 
+#include "base/dense.h"
 #include "marine/radiation.h"
-
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -96,8 +94,8 @@ void realise(const Scaled& k, double end, int order, std::vector<MemoryModel::Bl
         for (Eigen::Index i = std::max<Eigen::Index>(0, d - q + 1); i <= std::min(d, q - 1); ++i)
             h.block(i * n, (d - i) * n, n, n) = sample;
     }
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(h);
-    const Eigen::VectorXd& lambda = spectrum.eigenvalues();
+    const auto spectrum = base::symmetric_eigen(h);
+    const Eigen::VectorXd& lambda = spectrum.values;
     std::vector<Eigen::Index> largest(static_cast<std::size_t>(lambda.size()));
     std::iota(largest.begin(), largest.end(), Eigen::Index{0});
     std::sort(largest.begin(), largest.end(), [&](Eigen::Index i, Eigen::Index j) {
@@ -112,29 +110,28 @@ void realise(const Scaled& k, double end, int order, std::vector<MemoryModel::Bl
     for (Eigen::Index i = 0; i < r; ++i) {
         const Eigen::Index at = largest[static_cast<std::size_t>(i)];
         const double root = std::sqrt(std::abs(lambda(at)));
-        o.col(i) = root * spectrum.eigenvectors().col(at);
-        s.row(i) = std::copysign(root, lambda(at)) * spectrum.eigenvectors().col(at).transpose();
+        o.col(i) = root * spectrum.vectors.col(at);
+        s.row(i) = std::copysign(root, lambda(at)) * spectrum.vectors.col(at).transpose();
     }
-    const MatrixXd step =
-        o.topRows(n * (q - 1)).colPivHouseholderQr().solve(o.bottomRows(n * (q - 1)));
-    const Eigen::EigenSolver<MatrixXd> eigen(step);
+    const MatrixXd step = base::least_squares(o.topRows(n * (q - 1)), o.bottomRows(n * (q - 1)));
+    const base::GeneralEigen eigen = base::general_eigen(step);
     MatrixXd basis(r, r);
     for (Eigen::Index i = 0; i < r; ++i) {
-        const std::complex<double> at = eigen.eigenvalues()(i);
+        const std::complex<double> at = eigen.values(i);
         // What grows, decays as fast.
         double size = std::clamp(std::abs(at), 1e-12, 1e12);
         if (size > 1.0) size = 1.0 / size;
         const double decay = std::min(std::log(size) / delta, -1e-3 / end);
-        basis.col(i) = eigen.eigenvectors().col(i).real();
+        basis.col(i) = eigen.vectors.col(i).real();
         if (at.imag() == 0.0 || i + 1 == r) {
             blocks.push_back({decay, 0.0});
             continue;
         }
-        basis.col(i + 1) = eigen.eigenvectors().col(i).imag();
+        basis.col(i + 1) = eigen.vectors.col(i).imag();
         blocks.push_back({decay, std::arg(at) / delta});
         ++i;
     }
-    b = basis.colPivHouseholderQr().solve(s.leftCols(n));
+    b = base::least_squares(basis, s.leftCols(n));
 }
 
 /// Largest lack of passivity of C (iω − A)⁻¹ B over frequencies, entries scaled. The Hermitian part
@@ -169,8 +166,7 @@ double lack_of(const std::vector<MemoryModel::Block>& blocks, const MatrixXd& b,
         both.topLeftCorner(n, n) = both.bottomRightCorner(n, n) = 0.5 * (y + y.transpose());
         both.bottomLeftCorner(n, n) = 0.5 * (z - z.transpose());
         both.topRightCorner(n, n) = both.bottomLeftCorner(n, n).transpose();
-        const Eigen::SelfAdjointEigenSolver<MatrixXd> hermitian(both, Eigen::EigenvaluesOnly);
-        lack = std::max(lack, -hermitian.eigenvalues()(0));
+        lack = std::max(lack, -base::symmetric_eigenvalues(both)(0));
     }
     return lack;
 }
@@ -192,7 +188,7 @@ MemoryModel memory_model(const WaveCoefficients& coefficients, int order, double
         left.middleRows(i * n, n) = run(out.blocks, b, t).transpose();
         right.middleRows(i * n, n) = k(t).transpose();
     }
-    const MatrixXd c = left.colPivHouseholderQr().solve(right).transpose();
+    const MatrixXd c = base::least_squares(left, right).transpose();
     const double all = k(0.0).norm();
     for (int i = 0; i < kSamples; ++i)
         out.fit_error = std::max(

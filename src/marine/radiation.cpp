@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "marine/radiation.h"
 
-#include <Eigen/Eigenvalues>
+#include "base/dense.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,12 +27,11 @@ Matrix6 without_negative(const Matrix6& m) {
     for (int i = 0; i < 6; ++i) scale[i] = std::sqrt(std::max(s(i, i), 1e-12 * largest));
     const Matrix6 scaled =
         scale.cwiseInverse().asDiagonal() * s * scale.cwiseInverse().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(scaled);
-    if (eigen.eigenvalues()(0) >= 0.0) return s;
+    const auto eigen = base::symmetric_eigen(scaled);
+    if (eigen.values(0) >= 0.0) return s;
     // Above rounding, so that sums and turns of it have no negative pivot, either.
-    const Vec6 kept = eigen.eigenvalues().cwiseMax(1e-12);
-    const Matrix6 back =
-        eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
+    const Vec6 kept = eigen.values.cwiseMax(1e-12);
+    const Matrix6 back = eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose();
     return symmetric(scale.asDiagonal() * back * scale.asDiagonal());
 }
 
@@ -110,8 +109,7 @@ double deficit(const Matrix6& damping, const Vec6& scale) {
     Matrix6 m = symmetric(damping);
     for (int i = 0; i < 6; ++i)
         for (int j = 0; j < 6; ++j) m(i, j) /= scale[i] * scale[j];
-    return std::max(
-        0.0, -Eigen::SelfAdjointEigenSolver<Matrix6>(m, Eigen::EigenvaluesOnly).eigenvalues()(0));
+    return std::max(0.0, -base::symmetric_eigenvalues(m)(0));
 }
 
 Matrix6 scaled_damping(double amount, const Matrix6& first) {

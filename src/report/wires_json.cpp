@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/wires_json.h"
 
+#include <nlohmann/json.hpp>
+
 namespace hawser::report {
 
 using Json = nlohmann::ordered_json;

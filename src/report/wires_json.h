@@ -5,7 +5,7 @@
 
 #include "report/wires.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/description.h"
 
-#include <Eigen/Eigenvalues>
+#include "base/dense.h"
 
 #include <array>
 #include <cmath>
@@ -56,8 +56,7 @@ void set_inertia_matrix(BodyDef& def, const Json& value, const Place& place) {
         refuse(place, "an inertia must be symmetric");
     }
     // Eigenvalues relative to the largest: a moment 1e-12 of another is round-off, not a body.
-    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(def.inertia, Eigen::EigenvaluesOnly);
-    if (!(eigen.eigenvalues().minCoeff() > 1e-12 * size)) {
+    if (!(base::symmetric_eigenvalues(def.inertia).minCoeff() > 1e-12 * size)) {
         refuse(place,
                "an inertia must be positive definite; all three principal moments must be "
                "greater than zero");

@@ -7,6 +7,8 @@
 #include "scene/format.h"
 #include "scene/mistakes.h"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <map>
 #include <string>

@@ -2,6 +2,7 @@
 #include "scene/shape.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,8 @@
 
 #include "scene/mistakes.h"
 
+#include <nlohmann/json.hpp>
+
 #include <fstream>
 #include <set>
 #include <vector>

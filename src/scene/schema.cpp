@@ -3,6 +3,8 @@
 
 #include "scene/format.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace hawser::scene {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/shape.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace hawser::scene {

@@ -30,12 +30,12 @@
 
 #include "step/nodes.h"
 
+#include "base/dense.h"
 #include "base/index.h"
 #include "step/node_chain.h"
 #include "step/node_pieces.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +50,8 @@ using Packed = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kWide, 
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kWide, kWide>;
 using Shares = Eigen::Matrix<double, kKept, Eigen::Dynamic, Eigen::ColMajor, kKept, kWide>;
 using Across = Eigen::Matrix<double, Eigen::Dynamic, kKept, Eigen::ColMajor, kWide, kKept>;
-using Kept = Eigen::Matrix<double, kKept, 1>;
-using KeptSquare = Eigen::Matrix<double, kKept, kKept>;
+using Kept = base::Vec6;
+using KeptSquare = base::Mat6;
 
 Mat3 cross_matrix(const Vec3& r) {
     Mat3 m;
@@ -80,7 +80,8 @@ class Patch {
         const KeptSquare seen = shares_ * across_;
         // Rows of different units: each over its own size.
         scale_ = seen.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-        eigen_.compute(scale_.asDiagonal() * seen * scale_.asDiagonal());
+        const KeptSquare scaled = scale_.asDiagonal() * seen * scale_.asDiagonal();
+        eigen_ = base::symmetric_eigen(scaled);
     }
     [[nodiscard]] int size() const noexcept { return size_; }
     [[nodiscard]] const Vec3& origin() const noexcept { return origin_; }
@@ -145,11 +146,11 @@ class Patch {
         }
     }
     [[nodiscard]] Packed least_change(const Kept& r) const {
-        Kept y = eigen_.eigenvectors().transpose() * scale_.cwiseProduct(r);
+        Kept y = eigen_.vectors.transpose() * scale_.cwiseProduct(r);
         constexpr double kNothing = 1e-12;  // of the turn about a line of lumps
         for (int i = 0; i < kKept; ++i)
-            y[i] = eigen_.eigenvalues()[i] > kNothing ? y[i] / eigen_.eigenvalues()[i] : 0.0;
-        return across_ * scale_.cwiseProduct(eigen_.eigenvectors() * y);
+            y[i] = eigen_.values[i] > kNothing ? y[i] / eigen_.values[i] : 0.0;
+        return across_ * scale_.cwiseProduct(eigen_.vectors * y);
     }
 
     const NodeChain& chain_;
@@ -163,7 +164,7 @@ class Patch {
     Across across_;
     Kept scale_;
     Eigen::LLT<Square> solver_;
-    Eigen::SelfAdjointEigenSolver<KeptSquare> eigen_;
+    base::SymmetricEigen<kKept> eigen_;
 };
 
 /// Lumps that move go so that the first moment of mass stays.

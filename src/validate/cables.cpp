@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cables of lumps: a catenary, frequencies, momentum.
+#include "base/dense.h"
 #include "validate/cases.h"
 #include "validate/tools.h"
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -52,10 +52,9 @@ LineModes line_modes(const World& world, const scene::Cable& cable,
     const Eigen::VectorXd root = m.weight.cwiseSqrt();
     for (Eigen::Index a = 0; a < n; ++a) diagonal[a] /= m.weight[a];
     for (Eigen::Index a = 0; a + 1 < n; ++a) beside[a] /= root[a] * root[a + 1];
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(diagonal, beside);
-    m.omega = solver.eigenvalues().cwiseSqrt();
-    m.shape = solver.eigenvectors();
+    const auto eigen = base::tridiagonal_eigen(diagonal, beside);
+    m.omega = eigen.values.cwiseSqrt();
+    m.shape = eigen.vectors;
     for (Eigen::Index j = 0; j < n; ++j) {
         for (Eigen::Index a = 0; a < n; ++a) m.shape(a, j) /= root[a];
         m.shape.col(j) /= m.shape.col(j).cwiseAbs().maxCoeff();

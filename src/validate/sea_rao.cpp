@@ -3,12 +3,12 @@
 // and mean drift (.9). Its mass, centre of mass and outer roll damping are those of the run's .frc.
 #include <hawser/hydro_files.h>
 
+#include "base/dense.h"
 #include "validate/data.h"
 #include "validate/sea.h"
 #include "validate/tools.h"
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -125,8 +125,8 @@ class SemiSubmersible {
                 force(i, k) = weight * springs_[std::size_t(i)][std::size_t(k)];
             }
         }
-        const Eigen::MatrixXd x = left.colPivHouseholderQr().solve(right);
-        const Eigen::MatrixXd f = left.colPivHouseholderQr().solve(force);
+        const Eigen::MatrixXd x = base::least_squares(left, right);
+        const Eigen::MatrixXd f = base::least_squares(left, force);
         SemiMotion out{};
         // Phases are those of the wave where the body is on the mean; Re ξ e^{−iωt}.
         const double wave = wave_number(omega_, 5000.0) *

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Momentum of the bodies over a step.
+#include "base/dense.h"
 #include "verify/certificate.h"
 #include "verify/load_impulses.h"
 #include "verify/step_velocity.h"
@@ -29,7 +30,7 @@ Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
         const Vec3 l = inertia * u;
         const Mat3 slope = inertia + 0.5 * h * (cross_matrix(u) * inertia - cross_matrix(l)) +
                            0.25 * h * h * (u.dot(l) * Mat3::Identity() + 2.0 * u * l.transpose());
-        const Vec3 change = slope.partialPivLu().solve(target - spun(inertia, u, h));
+        const Vec3 change = base::solve_lu(slope, target - spun(inertia, u, h));
         u += change;
         if (change.norm() <= 1e-16 * u.norm()) break;
     }

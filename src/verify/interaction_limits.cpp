@@ -2,9 +2,8 @@
 /// Geometric stiffness and damping beside the rows, and bounds of the rows' forces.
 #include "verify/interaction_forces.h"
 
+#include "base/dense.h"
 #include "verify/line_path.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +30,8 @@ bool is_joint(InteractionKind kind) {
 Mat3 arm_stiffness(const Vec3& force, const Vec3& arm) {
     const Mat3 outer = force * arm.transpose();
     const Mat3 k = force.dot(arm) * Mat3::Identity() - 0.5 * (outer + outer.transpose());
-    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(k);
-    return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
-           eigen.eigenvectors().transpose();
+    const auto eigen = base::symmetric_eigen(k);
+    return eigen.vectors * eigen.values.cwiseMax(0.0).asDiagonal() * eigen.vectors.transpose();
 }
 
 // |r|/I, I the mean moment of inertia about the axes across the arm.

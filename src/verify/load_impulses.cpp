@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verify/load_impulses.h"
 
+#include "base/dense.h"
 #include "verify/step_velocity.h"
-
-#include <Eigen/Cholesky>
 
 #include <cmath>
 #include <span>
@@ -12,7 +11,7 @@ namespace hawser::verify {
 
 namespace {
 
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+using Matrix = base::MatUpTo6;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 
 Matrix full(std::span<const double> triangle, int n) {
@@ -58,7 +57,7 @@ std::vector<LoadImpulse> load_impulses(const World& world, const std::vector<Pos
         const Matrix whole = mass_of(world.body_def(load.body), pose[b], n) + a;
         const Matrix fast = h * d + 0.25 * h * h * k;
         const double late =
-            d.isZero(0.0) ? 0.5 : late_share_of_load(whole.llt().solve(fast).trace());
+            d.isZero(0.0) ? 0.5 : late_share_of_load(base::solve_cholesky(whole, fast).trace());
         const Vector v = motion(before[b], n),
                      u = motion(step_velocity(world, load.body, pose[b]), n);
         Vector p = -(a + 0.25 * h * h * k) * (u - v) - h * (d * (late * u + (1.0 - late) * v));

@@ -2,6 +2,7 @@
 /// What coefficients do to hulls, anew: K(t) by Gauss points, sums over velocities that are kept
 /// here, states by a series for e^{Ah}, waves by each component. Where verifying begins, what the
 /// library remembers is taken as it is; damping added for passivity is taken, too.
+#include "base/dense.h"
 #include "verify/sea_loads.h"
 #include "verify/sea_tools.h"
 
@@ -208,7 +209,7 @@ void SeaVerifier::add_coefficients(const WaterHull& def, Past& past, const Pose&
     Vec3 flow = Vec3::Zero();
     flow = sea_->current(air_, std::min(pose.position.z(), level_));
     // At the centre of mass, along axes of the world.
-    V6 v = turn * motions_at(c.reference).inverse() * past.ahead;
+    V6 v = turn * base::inverse(motions_at(c.reference)) * past.ahead;
     v.head<3>() -= flow;
     const Vec3 spin = v.tail<3>();
     const V6 p = mass * v;

@@ -3,10 +3,9 @@
 
 #include <hawser/settings.h>
 
+#include "base/dense.h"
 #include "base/index.h"
 #include "model/line_ends.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <array>
 #include <cmath>
@@ -52,8 +51,7 @@ void check_inertia(const Where& where, const Mat3& inertia) {
     const double scale = inertia.cwiseAbs().maxCoeff();
     if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > 1e-9 * scale)
         refuse(where, "inertia is not symmetric");
-    const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia, Eigen::EigenvaluesOnly);
-    const Vec3& e = solver.eigenvalues();
+    const Vec3 e = base::symmetric_eigenvalues(inertia);
     if (!(e[0] > 1e-12 * e[2]) || !(e[0] > 0.0))
         refuse(where, "inertia is not positive definite (smallest principal moment " +
                           std::to_string(e[0]) +

@@ -7,6 +7,7 @@
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <string>

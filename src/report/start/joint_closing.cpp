@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/start/joint_rows.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 

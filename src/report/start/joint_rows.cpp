@@ -3,7 +3,7 @@
 
 #include <hawser/row_constants.h>
 
-#include <Eigen/Dense>
+#include "base/dense.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,8 @@ double mobility(const World& world, const InteractionDef& def, const RowsView& v
         const Vec3 push(jac[0], jac[1], jac[2]), turn(jac[3], jac[4], jac[5]);
         if (body.kind == BodyKind::rigid) {
             const Vec3 local = world.pose(def.body[b]).orientation.conjugate() * turn;
-            sum += push.squaredNorm() / body.mass + local.dot(body.inertia.ldlt().solve(local));
+            sum +=
+                push.squaredNorm() / body.mass + local.dot(base::solve_ldlt(body.inertia, local));
         } else if (body.kind == BodyKind::lump) {
             sum += push.squaredNorm() / body.mass;
         } else if (body.kind == BodyKind::scalar) {
@@ -241,11 +242,12 @@ Eigen::MatrixXd JointRows::repetitions(std::span<const std::int32_t> rows) const
             g(static_cast<Eigen::Index>(i), column[index(node)] + c) =
                 block[c] / (c < 3 ? 1.0 : length_[index(node)]) / scale_[index(rows[i])];
     });
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(g * g.transpose());
+    const Eigen::MatrixXd gram = g * g.transpose();
+    const auto eigen = base::symmetric_eigen(gram);
     constexpr double kSame = 1e-10;  // Squares of singular values: rows alike to 1e-5.
     Eigen::Index count = 0;
-    while (count < eigen.eigenvalues().size() && eigen.eigenvalues()[count] < kSame) ++count;
-    return eigen.eigenvectors().leftCols(count);
+    while (count < eigen.values.size() && eigen.values[count] < kSame) ++count;
+    return eigen.vectors.leftCols(count);
 }
 
 }  // namespace hawser::report::start

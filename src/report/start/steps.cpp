@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/dense.h"
 #include "record/units.h"
 #include "report/start/parts.h"
 #include "report/start/start_forces.h"
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +28,7 @@ double swing(const World& world, BodyId id, const Vec3& arm) {
     Mat3 cross;
     cross << 0.0, -arm.z(), arm.y(), arm.z(), 0.0, -arm.x(), -arm.y(), arm.x(), 0.0;
     const Mat3 turning = cross.transpose() * def.inertia.inverse() * cross;
-    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(turning, Eigen::EigenvaluesOnly);
-    return eigen.eigenvalues()[2] / arm.norm();
+    return base::symmetric_eigenvalues(turning)[2] / arm.norm();
 }
 
 /// Cables that end at each body.
