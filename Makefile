@@ -9,26 +9,29 @@ DEMO   := out/demo
 VIEW_PORT ?= 8080
 CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 
-.PHONY: help demo view page test test-page test-long test-bare test-view-bare test-export test-sanitized build bench format format-check layers tidy check clean packages
+.PHONY: help demo view page test test-full test-long test-page test-bare test-view-bare test-export build bench format format-check layers tidy check check-full mutants clean packages
 .NOTPARALLEL:
 
 help:
-	@echo "make demo      install what is missing, build, simulate the anchor lines of a rig, plot"
-	@echo "make view      install what is missing (node too), build the page, open a scene with its levers in a browser"
-	@echo "make test      install what is missing, build, run all tests"
-	@echo "make test-page drive the page of 'hawser view' in a browser (Debian's chromium), make its pictures"
-	@echo "make test-long 100,000 random pairs of shapes of each two kinds, a million forged files, 50,000 random edits, hashes, memory that ends anywhere, 500 random wires with pins, all of anchor_run, 100,000 operations on wires under sanitizers: an hour"
-	@echo "make test-sanitized all fast tests under address and undefined-behaviour sanitizers, also those that the gate leaves out: half an hour"
-	@echo "make test-bare demo and test in a bare Debian 12 that debootstrap makes: root, network, minutes"
-	@echo "make test-view-bare make view in a bare Debian 12, and its program in one without node: root, network, minutes"
-	@echo "make test-export 60 s of anchor_contact as glTF and VTK, judged by Khronos' validator and VTK"
-	@echo "make bench     build with the foreign engines installed, run the comparisons"
-	@echo "make build     build everything   (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
-	@echo "make format    format all C++ files; format-check only looks"
-	@echo "make layers    check include rules, licence lines, file lengths"
-	@echo "make tidy      clang-tidy on the files changed since origin/main, or lately"
-	@echo "make check     everything that continuous integration does (.ci/run)"
-	@echo "make clean     remove build/ and out/"
+	@echo "make demo       install missing packages, build, simulate the anchor lines of a rig, plot"
+	@echo "make view       install missing packages (node too), build the page, open a scene in a browser"
+	@echo "make test       install missing packages, build, run the quick tests (minutes)"
+	@echo "                SINCE=COMMIT: only those that the changes since COMMIT can reach"
+	@echo "make test-full  quick tests with larger random suites and fresh seeds, and the full tests"
+	@echo "make test-long  all tests: hours"
+	@echo "make test-page  drive the page of 'hawser view' in a browser (Debian's chromium), make its pictures"
+	@echo "make test-bare  demo and test in a bare Debian 12 that debootstrap makes: root, network, minutes"
+	@echo "make test-view-bare  make view in a bare Debian 12, and its program in one without node"
+	@echo "make test-export  export 60 s of anchor_contact to glTF and VTK, check with other readers"
+	@echo "make bench      build with the foreign engines installed, run the comparisons"
+	@echo "make build      build the program and the tests (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
+	@echo "make format     format all C++ files; format-check only reports"
+	@echo "make layers     check include rules, licence lines, file lengths"
+	@echo "make tidy       clang-tidy on the files that the change touches"
+	@echo "make check      continuous integration (.ci/run)"
+	@echo "make check-full all suites, all sanitizers, benchmark libraries; resumes after an interruption"
+	@echo "make mutants    insert 60 faults one at a time, report the share that quick tests catch"
+	@echo "make clean      remove build/ and out/"
 
 packages:
 	@scripts/install_packages.sh build
@@ -37,7 +40,7 @@ build/$(PRESET)/build.ninja:
 	@cmake --preset $(PRESET)
 
 build: packages build/$(PRESET)/build.ninja
-	@cmake --build build/$(PRESET) -j $(JOBS)
+	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_program hawser_quick_tests
 
 demo: packages build/$(PRESET)/build.ninja
 	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_program
@@ -75,34 +78,24 @@ test-page: packages page
 	@cd apps/view/page && node --test test/*_test.mjs
 	@node apps/view/page/test/browser.mjs $(BIN)/hawser
 
-test: build
-	@ctest --test-dir build/$(PRESET) --output-on-failure --no-tests=error -j $(JOBS)
+test: packages build/$(PRESET)/build.ninja
+	@scripts/run_tests.py --preset $(PRESET) --jobs $(JOBS) $(if $(SINCE),--since $(SINCE))
 
-# What takes minutes and is not part of test.
-test-long: build
-	@HAWSER_LONG=1 $(BIN)/hawser_test_slow --gtest_filter='NarrowPairs.*'
-	@HAWSER_LONG=1 $(BIN)/hawser_test_world --gtest_filter='Degenerate*:*RandomEdits*'
-	@HAWSER_LONG=1 $(BIN)/hawser_test_machine --gtest_filter='MemoryEnds*'
-	@HAWSER_LONG=1 $(BIN)/hawser_test_files --gtest_filter='Forged*'
-	@HAWSER_LONG=1 $(BIN)/hawser_test_wire --gtest_filter='PostRandom*'
-	@HAWSER_LONG=1 HAWSER_BIN_DIR=$(BIN) $(BIN)/hawser_test_session --gtest_filter='AnchorRun*'
+test-full: packages build/$(PRESET)/build.ninja
+	@scripts/run_tests.py --preset $(PRESET) --jobs $(JOBS) --tier full
+
+# The wire suites run once more under the address sanitizer.
+test-long: packages build/$(PRESET)/build.ninja
+	@scripts/run_tests.py --preset $(PRESET) --jobs $(JOBS) --tier long
 	@cmake --preset asan-ubsan >/dev/null
-	@cmake --build --preset asan-ubsan -j $(JOBS) --target hawser_test_wire hawser_test_record
-	@HAWSER_OPERATIONS=100000 build/asan-ubsan/bin/hawser_test_wire --gtest_filter='WinchRandom*'
-	@HAWSER_OPERATIONS=100000 build/asan-ubsan/bin/hawser_test_record \
-	    --gtest_filter='WireCutRandom*'
+	@HAWSER_OPERATIONS=100000 scripts/run_tests.py --preset asan-ubsan --jobs $(JOBS) --folders wire record
+	@cmake --build build/$(PRESET) -j $(JOBS) --target hawser_bench
 	@$(BIN)/hawser-bench hashes --steps 1000
 	@$(BIN)/hawser-bench hashes scenes/anchor_lines.json scenes/mooring.json --steps 600 \
 	    --threads 1 2 3 4 8
 	@$(BIN)/hawser-bench hashes scenes/payout.json scenes/tow_payout.json --steps 24000 \
 	    --restores 40
 	@$(BIN)/hawser-bench hashes --steps 200 --nonsmooth pivoting split pgs convex
-
-test-sanitized: packages
-	@cmake --preset asan-ubsan >/dev/null
-	@cmake --build build/asan-ubsan -j $(JOBS)
-	@ASAN_OPTIONS=detect_stack_use_after_return=0 ctest --test-dir build/asan-ubsan \
-	    --output-on-failure --no-tests=error -j $(JOBS) -L '^(fast|threads)$$'
 
 # Not part of check: it fetches a system.
 test-bare:
@@ -148,6 +141,12 @@ tidy: packages
 
 check:
 	@.ci/run
+
+check-full:
+	@scripts/check_full.sh
+
+mutants: packages
+	@scripts/mutants.py
 
 clean:
 	rm -rf build out

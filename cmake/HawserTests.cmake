@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 #
-# One test executable per folder tests/<name>: hawser_test_<name>; its tests are called
-# <name>.Suite.case (`ctest -R '^factor\.'`). Files directly in tests/ make hawser_test. Shared
-# helpers are headers (and sources) in tests/support.
-# Tests run in the source folder: "scenes/x.json" opens. The environment names HAWSER_BIN_DIR,
-# the folder of the programs.
+# One test executable per folder tests/<name>: hawser_test_<name>. Shared helpers are in
+# tests/support.
+#
+# Tiers: quick, full and long; each includes the smaller ones. A test is quick unless its name ends
+# in _full or _long (tests/support/tier.h). ctest starts a process for each of two shards of an
+# executable, not for each test:
+#   <name>.quick.1, <name>.quick.2   label quick
+#   <name>.full.1, <name>.full.2     label full, if the folder has such tests
+#   <name>.long                      label long, likewise
+# Tests run in the source folder, so "scenes/x.json" opens. The environment variable HAWSER_BIN_DIR
+# names the folder of the programs.
 
 find_package(GTest REQUIRED)
 find_package(rapidcheck QUIET)
@@ -12,50 +18,34 @@ find_package(fmt QUIET)
 find_package(nlohmann_json QUIET)
 find_package(PNG QUIET)
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
-include(GoogleTest)
 
-# Labels. `slow`: takes long. `program`: belongs to the programs. `fast` and `threads`: the rest,
-# without and with several threads in the code under test. The preset asan-ubsan builds and runs
-# both but for tests that take long to compile or to run: those of `assembly` and of steps, whose
-# kernels run in the tests of `world`, `wire` and `machine` as well, of the sea, of cranes, and of
-# the rooms that record, verify, report, draw, export and exercise; `make test-sanitized` runs them,
-# too. tsan runs those labelled `threads`. The targets hawser_fast_tests and hawser_thread_tests
-# build them.
-set(HAWSER_SLOW_TESTS slow validate)
-set(HAWSER_PROGRAM_TESTS bench cli)
-set(HAWSER_THREAD_TESTS runtime threads)
-set(HAWSER_UNSANITIZED_TESTS assembly crane draw exercise export headers marine record repair report
-                             stepper systems verify)
 # Tests that need more than the library.
 set(HAWSER_REPORT_TESTS cli draw exercise export files live marine record report session verify)
 set(HAWSER_SCENE_TESTS bench cli draw exercise export files live record report scene scenes session
                        slow stepper threads validate verify world)
-# Tests that take seconds, each with its folder: they start first, so that all processors end
-# together on a machine that has not run them before.
-set(HAWSER_LONG_TESTS validate:Validate.wires validate:Validate.robust_wires
-    validate:Validate.winches machine:MemoryEnds.* record:WireCutRandom.* slow:AnchorLinesMinute.*
-    factor:InstructionSets.* bench:Hashes.* files:Forged* wire:CatenaryRandom.*
-    wire:WireResolution.* stepper:Forms.* stepper:JointDamping.* scene:Mistakes.*
-    world:WireNodes.* threads:Threads.*)
-# Suites whose tests share what the first of them takes seconds to make: each is one test.
-set(HAWSER_JOINED_SUITES cli:Figures)
-add_custom_target(hawser_fast_tests)
+# Tests that start the program: it is built with them.
+set(HAWSER_PROGRAM_TESTS cli scene validate)
+# Tests whose own code computes enough to need optimisation.
+set(HAWSER_OPTIMISED_TESTS assembly bench collide factor marine nonsmooth)
+# Tests that run several threads: the thread sanitizer runs these.
+set(HAWSER_THREAD_TESTS runtime threads)
+# Folders whose quick tests take longest: they start first, so that all processors end together.
+set(HAWSER_FIRST_TESTS validate wire world stepper machine scene cli)
+add_custom_target(hawser_quick_tests)
 add_custom_target(hawser_thread_tests)
 
 hawser_sources(support_sources tests/support)
-if(support_sources)
-    add_library(hawser_test_support STATIC ${support_sources})
-    hawser_use(hawser_test_support)
-    hawser_unity(hawser_test_support 16)
-    target_compile_options(hawser_test_support PRIVATE $<$<CONFIG:Release>:-O1 -g0>)
-    target_include_directories(hawser_test_support PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    target_link_libraries(hawser_test_support PUBLIC GTest::gtest)
-endif()
+add_library(hawser_test_support STATIC ${support_sources})
+hawser_use(hawser_test_support)
+hawser_unity(hawser_test_support 16)
+target_compile_options(hawser_test_support PRIVATE $<$<CONFIG:Release>:-O1>)
+target_include_directories(hawser_test_support PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+target_link_libraries(hawser_test_support PUBLIC GTest::gtest)
 
-# Options of sources of tests; what they test keeps its own optimisation.
-function(hawser_test_settings target)
+# Options of sources of tests. Only tests that compute dense references themselves are optimised.
+function(hawser_test_settings target level)
     target_compile_options(${target} PRIVATE
-        $<$<CONFIG:Release>:-O1 -g0> $<$<CONFIG:Sanitize>:-O0>)
+        $<$<CONFIG:Release>:${level}> $<$<CONFIG:Sanitize>:-O0>)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     foreach(library IN ITEMS rapidcheck fmt::fmt PNG::PNG nlohmann_json::nlohmann_json)
         if(TARGET ${library})
@@ -70,7 +60,7 @@ if(HAWSER_UNITY AND NOT HAWSER_SANITIZE STREQUAL "thread")
     file(CONFIGURE OUTPUT test_headers.cpp CONTENT "")
     add_library(hawser_test_headers OBJECT "${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp")
     hawser_use(hawser_test_headers)
-    hawser_test_settings(hawser_test_headers)
+    hawser_test_settings(hawser_test_headers -O0)
     target_compile_options(hawser_test_headers PRIVATE -fPIE)  # as executables have it
     hawser_precompile(hawser_test_headers <Eigen/Dense> <gtest/gtest.h> <hawser/hawser.h>
         <algorithm> <cmath> <filesystem> <fstream> <map> <set> <string>
@@ -99,68 +89,62 @@ function(hawser_add_test_executable target folder)
         endforeach()
     endif()
     hawser_unity(${target} 6)
-    hawser_test_settings(${target})
-    if(TARGET hawser_test_support)
-        target_link_libraries(${target} PRIVATE hawser_test_support)
+    if(folder IN_LIST HAWSER_OPTIMISED_TESTS)
+        hawser_test_settings(${target} -O1)
+    else()
+        hawser_test_settings(${target} -O0)
+        if(TARGET hawser_test_headers)
+            target_precompile_headers(${target} REUSE_FROM hawser_test_headers)
+        endif()
     endif()
-    target_link_libraries(${target} PRIVATE GTest::gtest_main)
-    if(TARGET hawser_test_headers)
-        target_precompile_headers(${target} REUSE_FROM hawser_test_headers)
+    target_link_libraries(${target} PRIVATE hawser_test_support)
+
+    add_dependencies(hawser_quick_tests ${target})
+    if(folder IN_LIST HAWSER_PROGRAM_TESTS AND TARGET hawser_program)
+        add_dependencies(${target} hawser_program)
+    endif()
+    if(folder IN_LIST HAWSER_THREAD_TESTS)
+        add_dependencies(hawser_thread_tests ${target})
     endif()
 
-    if(folder IN_LIST HAWSER_SLOW_TESTS)
-        set(label slow)
-    elseif(folder IN_LIST HAWSER_PROGRAM_TESTS)
-        set(label program)
-    else()
-        set(label fast)
-        if(NOT folder IN_LIST HAWSER_UNSANITIZED_TESTS)
-            add_dependencies(hawser_fast_tests ${target})
-        endif()
-        if(folder IN_LIST HAWSER_THREAD_TESTS)
-            set(label threads)
-            add_dependencies(hawser_thread_tests ${target})
-        endif()
-    endif()
-    set(properties LABELS ${label} TIMEOUT 600
-        ENVIRONMENT "HAWSER_BIN_DIR=${PROJECT_BINARY_DIR}/bin")
-    # PRE_TEST: a test that fails to start must fail in ctest, not break the build.
-    set(discovery TEST_PREFIX ${folder}. DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-        WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
-    set(others "")
-    foreach(suite IN LISTS HAWSER_JOINED_SUITES)
-        if(suite MATCHES "^${folder}:(.*)$")
-            set(name "${folder}.${CMAKE_MATCH_1}")
-            add_test(NAME ${name} COMMAND ${target} --gtest_filter=${CMAKE_MATCH_1}.*
-                WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
-            set_tests_properties(${name} PROPERTIES ${properties} COST 10)
-            list(APPEND others "${CMAKE_MATCH_1}.*")
-        endif()
+    set(tests "")
+    foreach(source IN LISTS ARGN)
+        file(STRINGS "${source}" names REGEX "_(full|long)[)\"]")
+        list(APPEND tests ${names})
     endforeach()
-    set(long ${HAWSER_LONG_TESTS})
-    list(FILTER long INCLUDE REGEX "^${folder}:")
-    list(TRANSFORM long REPLACE "^${folder}:" "")
-    list(JOIN long ":" long)
-    if(long)
-        gtest_discover_tests(${target} ${discovery} TEST_FILTER "${long}"
-            TEST_LIST ${target}_LONG_TESTS PROPERTIES ${properties} COST 10)
-        list(APPEND others "${long}")
+    hawser_add_shards(${target} ${folder} quick 2 "-*_full:*_long:*_full/*:*_long/*")
+    if(tests MATCHES "_full[)\"]")
+        hawser_add_shards(${target} ${folder} full 2 "*_full:*_full/*")
     endif()
-    if(others)
-        list(JOIN others ":" others)
-        list(APPEND discovery TEST_FILTER "-${others}")
+    if(tests MATCHES "_long[)\"]")
+        hawser_add_shards(${target} ${folder} long 1 "*_long:*_long/*")
     endif()
-    gtest_discover_tests(${target} ${discovery} PROPERTIES ${properties})
 endfunction()
 
-file(GLOB top_tests CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/*.cpp")
-if(top_tests)
-    hawser_add_test_executable(hawser_test top ${top_tests})
-endif()
+# hawser_add_shards(TARGET FOLDER TIER COUNT FILTER): add the tests <folder>.<tier>.<number>.
+function(hawser_add_shards target folder tier count filter)
+    list(FIND HAWSER_FIRST_TESTS ${folder} cost)
+    if(cost LESS 0)
+        set(cost 1)
+    else()
+        math(EXPR cost "100 - ${cost}")
+    endif()
+    foreach(shard RANGE 1 ${count})
+        set(name ${folder}.${tier}.${shard})
+        if(count EQUAL 1)
+            set(name ${folder}.${tier})
+        endif()
+        math(EXPR index "${shard} - 1")
+        add_test(NAME ${name} COMMAND ${target} --gtest_brief=1 "--gtest_filter=${filter}"
+            WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+        set_tests_properties(${name} PROPERTIES LABELS ${tier} COST ${cost} TIMEOUT 7200
+            ENVIRONMENT "HAWSER_BIN_DIR=${PROJECT_BINARY_DIR}/bin;GTEST_TOTAL_SHARDS=${count};GTEST_SHARD_INDEX=${index}")
+    endforeach()
+endfunction()
 
 file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES TRUE RELATIVE "${PROJECT_SOURCE_DIR}/tests"
      "${PROJECT_SOURCE_DIR}/tests/*")
-list(REMOVE_ITEM folders support consumer)
+list(REMOVE_ITEM folders support consumer scripts)
 foreach(folder IN LISTS folders)
     if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/tests/${folder}")
         hawser_sources(sources tests/${folder})
@@ -170,17 +154,13 @@ foreach(folder IN LISTS folders)
     endif()
 endforeach()
 
-# Lanes once more with the instructions that every machine has: vectors there end where they are not
-# asked to.
+# Kernels for lanes once more with the instructions that every machine has: vectors have other
+# lengths there.
 if(TARGET hawser_test_stepper AND NOT HAWSER_SANITIZE STREQUAL "thread")
-    set(lanes *Link*:*Forms*)
-    if(HAWSER_SANITIZE)
-        string(APPEND lanes :-JointDamping.*)  # half of the time, of the same code
-    endif()
-    add_test(NAME stepper.lanes_sse2
-        COMMAND hawser_test_stepper --gtest_filter=${lanes} --gtest_brief=1
+    add_test(NAME stepper.sse2
+        COMMAND hawser_test_stepper --gtest_filter=*Link*:*Forms*:-*_full:*_long --gtest_brief=1
         WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
-    set_tests_properties(stepper.lanes_sse2 PROPERTIES LABELS fast TIMEOUT 600 COST 10
+    set_tests_properties(stepper.sse2 PROPERTIES LABELS quick TIMEOUT 600 COST 90
         ENVIRONMENT "HAWSER_ISA=sse2")
 endif()
 
@@ -199,19 +179,19 @@ if(NOT HAWSER_SANITIZE)
                 COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/check_isa_symbols.py"
                         ${isa} $<FILTER:$<TARGET_OBJECTS:hawser_isa_${isa}>,EXCLUDE,[.][gp]ch$>
                 COMMAND_EXPAND_LISTS)
-            set_tests_properties(isa_symbols.${isa} PROPERTIES LABELS build)
+            set_tests_properties(isa_symbols.${isa} PROPERTIES LABELS quick)
         endif()
     endforeach()
 
     add_test(NAME scripts
         COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/scripts/test_scripts.py")
-    set_tests_properties(scripts PROPERTIES LABELS build)
+    set_tests_properties(scripts PROPERTIES LABELS quick)
 
     if(HAWSER_CCACHE AND HAWSER_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         add_test(NAME compiler_cache
             COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/tests/scripts/test_cache.py"
                     ${CMAKE_CXX_COMPILER_LAUNCHER} ${CMAKE_CXX_COMPILER})
-        set_tests_properties(compiler_cache PROPERTIES LABELS build)
+        set_tests_properties(compiler_cache PROPERTIES LABELS quick)
     endif()
 
     add_test(NAME consumer
@@ -222,7 +202,7 @@ if(NOT HAWSER_SANITIZE)
             -DSCENES_DIR=${PROJECT_SOURCE_DIR}/scenes
             -DCXX_COMPILER=${CMAKE_CXX_COMPILER}
             -P "${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake")
-    set_tests_properties(consumer PROPERTIES LABELS build TIMEOUT 600 COST 10)
+    set_tests_properties(consumer PROPERTIES LABELS full TIMEOUT 600 COST 10)
 
     add_test(NAME example_matrix_market
         COMMAND ${CMAKE_COMMAND}
@@ -230,5 +210,5 @@ if(NOT HAWSER_SANITIZE)
             -DEXAMPLE_SOURCE_DIR=${PROJECT_SOURCE_DIR}/examples/matrix_market
             -DCXX_COMPILER=${CMAKE_CXX_COMPILER}
             -P "${PROJECT_SOURCE_DIR}/examples/matrix_market/test.cmake")
-    set_tests_properties(example_matrix_market PROPERTIES LABELS build TIMEOUT 600 COST 10)
+    set_tests_properties(example_matrix_market PROPERTIES LABELS full TIMEOUT 600 COST 10)
 endif()

@@ -4,12 +4,12 @@
 
 usage: tidy.py [--build DIR] [--base REF] [--all] [--budget SECONDS] [FILE...]
 
-Changed means: since the merge base with origin/main, or in the last commits where there is no
-such branch or HEAD is that base, and in the work tree; the latest change is checked first. A
-changed header is checked through the source files that carry its name or include it directly.
+Changed means: since the base commit of scripts/affected.py, and in the work tree; the latest change
+is checked first. A changed header is checked through the sources that carry its name or include it
+directly.
 Kernels (src/*/isa) are left out: they use vector extensions of g++ that clang does not know.
-Files left when the budget is spent are named; they are not an error, so that one large change
-cannot break the time limit of continuous integration.
+Files left when the budget is spent are listed and are no error: one large change must not exceed
+the time limit of continuous integration.
 """
 import argparse
 import concurrent.futures
@@ -20,27 +20,11 @@ import subprocess
 import sys
 import time
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from affected import base_commit, git  # noqa: E402
+
 TOOL = "clang-tidy-19"
-RECENT = 10  # commits, where there is no branch to compare with
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-
-
-def git(*arguments: str) -> list[str]:
-    """Lines that git prints; none if it fails."""
-    done = subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True)
-    return done.stdout.split("\n")[:-1] if done.returncode == 0 else []
-
-
-def base_commit(given: str | None) -> str | None:
-    """Where the changes begin; None: nowhere, every file counts as changed."""
-    if given:
-        return given
-    head = git("rev-parse", "HEAD")
-    base = git("merge-base", "HEAD", "origin/main")
-    if base and base != head:
-        return base[0]
-    recent = git("rev-list", "--first-parent", f"--max-count={RECENT + 1}", "HEAD")
-    return recent[-1] if len(recent) > 1 else None
 
 
 def changed_files(base: str | None) -> list[str]:

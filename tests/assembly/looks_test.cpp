@@ -2,6 +2,7 @@
 /// What the judges look at, eight at a time, against Eigen and one at a time.
 #include "assembly/kernels.h"
 #include "base/index.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
@@ -102,7 +103,8 @@ struct Rig {
 };
 
 TEST(RigidEnergies, AreThoseOfEachBody) {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (const std::uint32_t seed : seeds(1, 20, 100, 1000)) {
+        SCOPED_TRACE(seed);
         const Rig rig(seed);
         constexpr double kHalf = 0.05;
         int taken = 0;
@@ -156,9 +158,10 @@ TEST(RigidEnergies, LeaveTheOthers) {
 /// Against one row at a time, over ranges that begin and end anywhere; a violation that is no
 /// number is not passed over.
 TEST(WidestRow, IsTheFirstOfTheLargest) {
-    std::mt19937_64 random(7);
+    std::mt19937_64 random(first_seed(7));
     std::uniform_real_distribution<double> any(-1.0, 1.0);
-    for (int trial = 0; trial < 200; ++trial) {
+    const int trials = by_tier(200, 1000, 10'000);
+    for (int trial = 0; trial < trials; ++trial) {
         const int begin = static_cast<int>(random() % 10), end = static_cast<int>(random() % 60);
         std::vector<double> g(at(64)), share(at(64));
         for (double& x : g) x = any(random);

@@ -5,6 +5,7 @@
 #include "factor/ordering.h"
 #include "graph/hypergraph.h"
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +13,9 @@ namespace hawser::test {
 namespace {
 
 TEST(PatternParts, NoBlockJoinsTwoParts) {
-    for (std::uint64_t round = 1; round <= 100; ++round) {
-        SCOPED_TRACE(round);
-        Random random(round);
+    for (const std::uint32_t seed : seeds(1, 100, 500, 5000)) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
         const int bodies = random.integer(1, 80), rows = random.integer(0, 120);
         std::vector<std::int8_t> size, sign;
         std::vector<std::int32_t> from, to;

@@ -3,9 +3,11 @@
 
 #include "base/index.h"
 #include "support/recipe.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 namespace hawser::test {
@@ -53,8 +55,9 @@ void check(const stepper::StepContext& ctx) {
 }
 
 TEST(Strips, HoldEverythingOnce) {
-    for (std::uint64_t seed = 1; seed < 6; ++seed)
+    for (const std::uint32_t seed : seeds(1, 5, 20, 200))
         for (const int size : {1, 40, 400}) {
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", size " + std::to_string(size));
             const auto ctx = mixed(seed, size).context();
             check(*ctx);
         }

@@ -62,7 +62,7 @@ class BarsProgram : public testing::Test {
     std::string program_;
 };
 
-TEST_F(BarsProgram, PartitionJudgesThePapersGraphs) {
+TEST_F(BarsProgram, PartitionJudgesThePapersGraphs_full) {
     const Figures out = run("partition --quick");
     const std::map<std::string, bool> both{{"paper lumped", true}, {"paper rigid", true}};
     EXPECT_EQ(bar(out, "imbalance"), both);
@@ -98,7 +98,7 @@ TEST_F(BarsProgram, PartitionJudgesThePapersGraphs) {
     }
 }
 
-TEST_F(BarsProgram, CouplingTellsWhatItMeasuredAndNothingElse) {
+TEST_F(BarsProgram, CouplingTellsWhatItMeasuredAndNothingElse_full) {
     const Figures out = run("coupling scenes/heavy_hook.json --quick");
     const std::map<std::string, bool> boundary{{"two bodies", true}},
         hook{{"scenes/heavy_hook.json", true}};
@@ -130,7 +130,7 @@ TEST_F(BarsProgram, CouplingTellsWhatItMeasuredAndNothingElse) {
 }
 
 /// A budget of 0.1 ms: less than the load takes in full, on any machine.
-TEST_F(BarsProgram, DeadlineJudgesAShortRun) {
+TEST_F(BarsProgram, DeadlineJudgesAShortRun_full) {
     const Figures out =
         run("deadline scenes/heavy_hook.json --control '' --stacks 10 --steps 100 --budget 0.1");
     EXPECT_EQ(out.at("verdicts").size(), 9U);

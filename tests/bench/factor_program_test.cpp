@@ -40,7 +40,7 @@ class FactorProgram : public testing::Test {
     std::string program_;
 };
 
-TEST_F(FactorProgram, EverySolverSolvesAMatrixFromAFile) {
+TEST_F(FactorProgram, EverySolverSolvesAMatrixFromAFile_full) {
     const auto stem = std::filesystem::temp_directory_path() /
                       ("hawser_factor_program_" + std::to_string(::getpid()));
     const std::string matrix = stem.string() + ".mtx", json = stem.string() + ".json";
@@ -64,7 +64,7 @@ TEST_F(FactorProgram, EverySolverSolvesAMatrixFromAFile) {
 }
 
 /// The parts add up to what is printed above them, and the marked ones to the line below.
-TEST_F(FactorProgram, SharesAddUp) {
+TEST_F(FactorProgram, SharesAddUp_full) {
     const std::string out = (std::filesystem::temp_directory_path() /
                              ("hawser_factor_shares_" + std::to_string(::getpid())))
                                 .string();

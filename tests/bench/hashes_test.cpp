@@ -34,7 +34,7 @@ const std::set<std::string> kJoints = {
     "anchor_lines", "anchor_sea", "joint_friction", "joint_limits", "motor_limits", "payout",
     "slider_crank", "tackle",     "winch_modes",    "wire_part",    "wire_bollard"};
 
-TEST(Hashes, DoNotDependOnThreadsOrRestoring) {
+TEST(Hashes, DoNotDependOnThreadsOrRestoring_full) {
     const auto files = nonsmooth_scenes("scenes");
     EXPECT_GE(files.size(), 24U);
     for (const std::string& file : files) {

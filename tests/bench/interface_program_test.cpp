@@ -15,7 +15,7 @@
 namespace hawser::bench {
 namespace {
 
-TEST(InterfaceProgram, TellsWhatReadingCosts) {
+TEST(InterfaceProgram, TellsWhatReadingCosts_full) {
     namespace fs = std::filesystem;
     const char* folder = std::getenv("HAWSER_BIN_DIR");
     const std::string program = std::string(folder == nullptr ? "." : folder) + "/hawser-bench";

@@ -68,7 +68,7 @@ class PeersProgram : public testing::Test {
     json results_;
 };
 
-TEST_F(PeersProgram, OurStepHoldsEverySceneWithoutSubsteps) {
+TEST_F(PeersProgram, OurStepHoldsEverySceneWithoutSubsteps_full) {
     for (const json& r : results_) {
         EXPECT_TRUE(r["holds"].get<bool>()) << r["scene"] << ": " << r["why_not"];
         EXPECT_EQ(r["substeps"], 1);
@@ -90,7 +90,7 @@ TEST_F(PeersProgram, OurStepHoldsEverySceneWithoutSubsteps) {
     EXPECT_LE(mooring["tension_error"].get<double>(), 1e-3);
 }
 
-TEST_F(PeersProgram, OurStepKeepsWhatIsAskedOfContacts) {
+TEST_F(PeersProgram, OurStepKeepsWhatIsAskedOfContacts_full) {
     int checked = 0;
     for (const char* scene : {"mooring_seabed", "box_stack", "box_stack_1e6"}) {
         for (const json& d : of(scene)["demands"]) {
@@ -106,7 +106,7 @@ TEST_F(PeersProgram, OurStepKeepsWhatIsAskedOfContacts) {
     EXPECT_LE(of("mooring_seabed")["sink_m"].get<double>(), 1e-3);
 }
 
-TEST(PeersWithContacts, LieOnTheFloorAndTellTheirPoints) {
+TEST(PeersWithContacts, LieOnTheFloorAndTellTheirPoints_full) {
     const auto out = own_path("hawser_peers_contacts.json");
     const char* folder = std::getenv("HAWSER_BIN_DIR");
     const std::string program = std::string(folder == nullptr ? "." : folder) + "/hawser-bench";
@@ -134,7 +134,7 @@ TEST(PeersWithContacts, LieOnTheFloorAndTellTheirPoints) {
     }
 }
 
-TEST(PeersReference, IsWrittenWithBothRuns) {
+TEST(PeersReference, IsWrittenWithBothRuns_full) {
     const auto to = own_path("hawser_peers_reference");
     std::filesystem::create_directories(to);
     const char* folder = std::getenv("HAWSER_BIN_DIR");

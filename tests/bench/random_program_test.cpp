@@ -47,7 +47,7 @@ class RandomProgram : public testing::Test {
     std::string program_, stem_;
 };
 
-TEST_F(RandomProgram, CountsWhatItMade) {
+TEST_F(RandomProgram, CountsWhatItMade_full) {
     const int code = run("--count 200 --seed 3 --json " + stem_ + ".json");
     ASSERT_TRUE(code == 0 || code == 1);
     const auto out = nlohmann::json::parse(text(".json"));
@@ -65,7 +65,7 @@ TEST_F(RandomProgram, CountsWhatItMade) {
     EXPECT_EQ(code, met ? 0 : 1);
 }
 
-TEST_F(RandomProgram, SaysWhyCasesDidNotEndOk) {
+TEST_F(RandomProgram, SaysWhyCasesDidNotEndOk_full) {
     (void)run("--count 200 --seed 3 --json " + stem_ + ".json --list " + stem_ + ".csv");
     const auto out = nlohmann::json::parse(text(".json"));
     const auto& all = out.at("categories").at("all");
@@ -97,7 +97,7 @@ TEST_F(RandomProgram, SaysWhyCasesDidNotEndOk) {
     EXPECT_EQ(run("--count 1 --list /nowhere/at/all.csv"), 1);
 }
 
-TEST_F(RandomProgram, OneCaseComesOutTheSameAndIsAScene) {
+TEST_F(RandomProgram, OneCaseComesOutTheSameAndIsAScene_full) {
     (void)run("--seed 9 --only 4");
     const std::string once = text(".txt");
     (void)run("--seed 9 --only 4");

@@ -15,7 +15,7 @@
 namespace hawser::bench {
 namespace {
 
-TEST(WiresProgram, OursSlipWhereEulerSays) {
+TEST(WiresProgram, OursSlipWhereEulerSays_full) {
     namespace fs = std::filesystem;
     const char* folder = std::getenv("HAWSER_BIN_DIR");
     const std::string program = std::string(folder == nullptr ? "." : folder) + "/hawser-bench";
@@ -64,7 +64,7 @@ TEST(WiresProgram, OursSlipWhereEulerSays) {
     EXPECT_EQ(segments, 3);
 }
 
-TEST(WiresProgram, RefusesEnginesThatThereAreNot) {
+TEST(WiresProgram, RefusesEnginesThatThereAreNot_full) {
     namespace fs = std::filesystem;
     const char* folder = std::getenv("HAWSER_BIN_DIR");
     const std::string program = std::string(folder == nullptr ? "." : folder) + "/hawser-bench";

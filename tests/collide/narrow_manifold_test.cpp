@@ -4,6 +4,7 @@
 #include "support/collide/place.h"
 #include "support/collide/random_pairs.h"
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -102,7 +103,8 @@ TEST(NarrowManifold, HoldsWhatRestsOnAPlaneOrABox) {
 }
 
 TEST(NarrowManifold, NamesSurviveNoise) {
-    test::Random random(3);
+    test::Random random(test::first_seed(3));
+    const int cases = test::by_tier(200, 1000, 10'000);
     for (const Resting& r : resting())
         for (const Geometry& ground : {shape(plane), slab()}) {
             SCOPED_TRACE(r.name);
@@ -110,7 +112,7 @@ TEST(NarrowManifold, NamesSurviveNoise) {
             const Vec3 at(0.0, 0.0, r.height - 1e-4);
             const auto first =
                 names(collide_two(r.shape, place(at, r.attitude), ground, place(base)));
-            for (int i = 0; i < 200; ++i) {
+            for (int i = 0; i < cases; ++i) {
                 const Quat q = turn(1e-9 * random.unit(), random.vector(1)) * r.attitude;
                 const Manifold m =
                     collide_two(r.shape, place(at + random.vector(1e-9), q), ground, place(base));
@@ -120,7 +122,8 @@ TEST(NarrowManifold, NamesSurviveNoise) {
 }
 
 TEST(NarrowManifold, StacksOfEqualShapesKeepTheirNames) {
-    test::Random random(4);
+    test::Random random(test::first_seed(4));
+    const int cases = test::by_tier(300, 1500, 15'000);
     struct Stack {
         Geometry g;
         double height;
@@ -135,7 +138,7 @@ TEST(NarrowManifold, StacksOfEqualShapesKeepTheirNames) {
         const Vec3 at = s.shift + Vec3(0, 0, s.height - 1e-5);
         const auto first = names(collide_two(s.g, place({0, 0, 0}), s.g, place(at)));
         EXPECT_EQ(first.size(), static_cast<std::size_t>(s.points));
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < cases; ++i) {
             const Quat q = turn(1e-9 * random.unit(), random.vector(1));
             const Manifold m = collide_two(s.g, place(random.vector(1e-9)), s.g,
                                            place(at + random.vector(1e-9), q));
@@ -214,11 +217,12 @@ TEST(NarrowManifold, NothingBeyondTheMargin) {
 }
 
 TEST(NarrowManifold, TheOtherWayRoundIsTheMirrorImage) {
-    test::Random random(8);
+    test::Random random(test::first_seed(8));
+    const int cases = test::by_tier(200, 1000, 10'000);
     const ShapeKind kinds[] = {sphere, capsule, box, cylinder, plane};
     for (const ShapeKind a : kinds)
         for (const ShapeKind b : kinds)
-            for (int i = 0; i < 200; ++i) {
+            for (int i = 0; i < cases; ++i) {
                 const Placement pa = place({0, 0, 0}, random.rotation());
                 const Placement pb = place(random.vector(0.8), random.rotation());
                 const Manifold m = collide_two(shape(a), pa, shape(b), pb, 0.1);

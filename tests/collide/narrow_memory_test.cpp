@@ -3,6 +3,7 @@
 /// is told to; operator new ends in it.
 #include "collide/collide_function.h"
 #include "support/collide/random_pairs.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -35,11 +36,12 @@ TEST(NarrowMemory, NoPairAllocates) {
     auto pairs = test::exact_pairs();
     const auto more = test::vertex_pairs();
     pairs.insert(pairs.end(), more.begin(), more.end());
-    test::Random random(1);
+    test::Random random(test::first_seed(1));
+    const int cases = test::by_tier(50, 250, 2500);
     for (const auto& [a, b] : pairs) {
         const collide::Collide function = collide::collide_function(a, b);
         int touching = 0;
-        for (int i = 0; i < 50; ++i) {
+        for (int i = 0; i < cases; ++i) {
             const test::RandomShape s = test::random_shape(random, a);
             const test::RandomShape t = test::random_shape(random, b);
             const collide::Placement ps = test::random_placement(random, 0.7);

@@ -6,6 +6,7 @@
 #include "support/collide/random_pairs.h"
 #include "support/random.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 #include <hawser/def.h>
@@ -119,10 +120,11 @@ double least_of(const Manifold& m) {
 }
 
 TEST(NarrowSurface, SlidingOverFlatGroundMeetsNoEdge) {
-    test::Random random(1);
+    test::Random random(test::first_seed(1));
+    const int cases = test::by_tier(test::kSanitized ? 40 : 150, test::kSanitized ? 40 : 800, 8000);
     for (const Surface& ground : surfaces(flat))
         for (const Mover& mover : movers())
-            for (int i = 0; i < (test::kSanitized ? 40 : 400); ++i) {
+            for (int i = 0; i < cases; ++i) {
                 const double gap = random.uniform(-0.03, 0.015);
                 // Also exactly over edges and nodes.
                 Vec3 x(random.uniform(-3, 3), random.uniform(-3, 3), mover.height + gap);
@@ -158,7 +160,8 @@ TEST(NarrowSurface, PointsHoldTheShape) {
 }
 
 TEST(NarrowSurface, NamesSurviveNoise) {
-    test::Random random(5);
+    test::Random random(test::first_seed(5));
+    const int cases = test::by_tier(20, 100, 1000);
     for (const Surface& ground : surfaces(flat))
         for (const Mover& mover : movers())
             for (const Vec3& at : {Vec3(0.13, -0.21, 0), Vec3(0, 0, 0), Vec3(0.5, 0.25, 0)}) {
@@ -171,7 +174,7 @@ TEST(NarrowSurface, NamesSurviveNoise) {
                 };
                 const Vec3 x = at + Vec3(0, 0, mover.height - 1e-4);
                 const auto first = names(x, mover.attitude);
-                for (int i = 0; i < 50; ++i)
+                for (int i = 0; i < cases; ++i)
                     EXPECT_EQ(names(x + random.vector(1e-9),
                                     turn(1e-9 * random.unit(), random.vector(1)) * mover.attitude),
                               first)
@@ -182,11 +185,12 @@ TEST(NarrowSurface, NamesSurviveNoise) {
 
 TEST(NarrowSurface, SlopesAndMovedFrames) {
     // A plane of slope 0.3 in a turned and shifted frame: gaps as over that plane.
-    test::Random random(2);
+    test::Random random(test::first_seed(2));
+    const int cases = test::by_tier(300, 1500, 15'000);
     const auto slope = [](double x, double y) { return 0.3 * x - 0.2 * y; };
     const Vec3 up = Vec3(-0.3, 0.2, 1.0).normalized();
     for (const Surface& ground : surfaces(slope))
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < cases; ++i) {
             const Quat q = random.rotation();
             const Vec3 shift = random.vector(100.0);
             Geometry ball;
@@ -261,7 +265,8 @@ TEST(NarrowSurface, GroundPushesUpFromAnyDepthAndAMeshToEitherSide) {
 
 TEST(NarrowSurface, RoughGroundGivesTheDistance) {
     // Apart from the ground, the smallest gap is that of the nearest triangle, by the reference.
-    test::Random random(9);
+    test::Random random(test::first_seed(9));
+    const int cases = test::by_tier(test::kSanitized ? 5 : 15, test::kSanitized ? 5 : 60, 600);
     const auto rough = [](double x, double y) {
         return 0.4 * std::sin(2.1 * x) * std::cos(1.7 * y);
     };
@@ -269,7 +274,7 @@ TEST(NarrowSurface, RoughGroundGivesTheDistance) {
     int seen = 0;
     for (const Surface& ground : surfaces(rough))
         for (const ShapeKind kind : {sphere, capsule, box, cylinder, hull})
-            for (int i = 0; i < (test::kSanitized ? 5 : 60); ++i) {
+            for (int i = 0; i < cases; ++i) {
                 const test::RandomShape shape = test::random_shape(random, kind);
                 const Vec3 at(random.uniform(-2, 2), random.uniform(-2, 2),
                               random.uniform(0.5, 2.5));
@@ -299,7 +304,7 @@ TEST(NarrowSurface, RoughGroundGivesTheDistance) {
                     << test::kind_name(kind) << " on " << test::kind_name(ground.geometry.kind)
                     << " " << i;
             }
-    EXPECT_GT(seen, test::kSanitized ? 5 : 100);
+    EXPECT_GT(seen, cases);
 }
 
 TEST(NarrowSurface, BadDataIsRefused) {
@@ -352,8 +357,9 @@ TEST(NarrowSurface, HullsHaveTheFacesOfTheirPoints) {
     EXPECT_EQ(cube->faces.size(), 6U);
     EXPECT_EQ(cube->vertices.size() + cube->faces.size(), cube->edges.size() + 2);
     // Points of a sphere: all on the hull, none outside it.
-    test::Random random(6);
-    for (int round = 0; round < 20; ++round) {
+    test::Random random(test::first_seed(6));
+    const int rounds = test::by_tier(20, 100, 1000);
+    for (int round = 0; round < rounds; ++round) {
         def.vertices.clear();
         for (int i = 0; i < 100; ++i) def.vertices.push_back(random.vector(1).normalized());
         const auto ball = collide::make_shape_data(def);

@@ -4,6 +4,7 @@
 #include "collide/site.h"
 #include "collide/touch.h"
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -30,8 +31,8 @@ std::vector<Vec3> row(int count, const Vec3& from, const Vec3& step) {
 }
 
 /// Wires strewn over a plane and over each other, with balls between.
-void strew(Site& site, int wires, int nodes) {
-    Random random(7);
+void strew(Site& site, int wires, int nodes, std::uint32_t seed = 7) {
+    Random random(seed);
     site.shape(ShapeKind::plane, site.body(BodyKind::fixed, Vec3::Zero()));
     for (int w = 0; w < wires; ++w) {
         const Vec3 from(random.uniform(0, 20), random.uniform(0, 20), random.uniform(0.02, 0.1));
@@ -69,21 +70,24 @@ std::uint64_t hash(const std::vector<Contact>& contacts) {
 }
 
 TEST(Collider, ThreadsChangeNoBit) {
-    std::vector<std::uint64_t> first;
-    for (const int threads : {1, 2, 4}) {
-        Site site(threads);
-        strew(site, 40, 20);
-        for (std::size_t step = 0; step < 30; ++step) {
-            ASSERT_TRUE(site.collide());
-            EXPECT_TRUE(in_order(site.set.contacts));
-            EXPECT_GT(site.set.contacts.size(), 100U);
-            const std::uint64_t now = hash(site.set.contacts);
-            if (threads == 1)
-                first.push_back(now);
-            else
-                ASSERT_EQ(now, first[step]) << threads << " threads, step " << step;
-            site.collider.keep();
-            drift(site, site.h);
+    for (const std::uint32_t seed : seeds(7, 1, 4, 40)) {
+        SCOPED_TRACE(seed);
+        std::vector<std::uint64_t> first;
+        for (const int threads : {1, 2, 4}) {
+            Site site(threads);
+            strew(site, 40, 20, seed);
+            for (std::size_t step = 0; step < 30; ++step) {
+                ASSERT_TRUE(site.collide());
+                EXPECT_TRUE(in_order(site.set.contacts));
+                EXPECT_GT(site.set.contacts.size(), 100U);
+                const std::uint64_t now = hash(site.set.contacts);
+                if (threads == 1)
+                    first.push_back(now);
+                else
+                    ASSERT_EQ(now, first[step]) << threads << " threads, step " << step;
+                site.collider.keep();
+                drift(site, site.h);
+            }
         }
     }
 }
@@ -107,9 +111,9 @@ TEST(Collider, TheOrderOfTheLastStepChangesNoBit) {
     EXPECT_GT(cold.set.contacts.size(), 100U);
 }
 
-TEST(Collider, FindsWhatAllPairsGive) {
+void expect_all_pairs(std::uint32_t seed) {
     Site site;
-    strew(site, 20, 10);
+    strew(site, 20, 10, seed);
     ASSERT_TRUE(site.collide());
     collide::Filter filter;
     filter.build(site.collider.shapes(), site.bodies.count(), site.interactions);
@@ -135,6 +139,13 @@ TEST(Collider, FindsWhatAllPairsGive) {
         if (!collide::is_duplicate(all, i, shapes)) expected.push_back(all[i]);
     EXPECT_LT(expected.size(), all.size());
     EXPECT_EQ(hash(site.set.contacts), hash(expected));
+}
+
+TEST(Collider, FindsWhatAllPairsGive) {
+    for (const std::uint32_t seed : seeds(7, 2, 10, 100)) {
+        SCOPED_TRACE(seed);
+        expect_all_pairs(seed);
+    }
 }
 
 TEST(Collider, AWarmStepDoesNotGrow) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The solver through its public header.
 #include "factor/matrices.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -42,14 +43,14 @@ BlockPattern pattern_of(const BlockMatrix& m, Random& random) {
     return p;
 }
 
-BlockMatrix draw_matrix(Random& random, int seed) {
+BlockMatrix draw_matrix(Random& random, std::uint32_t seed) {
     return seed % 2 == 0 ? wires(random, 8, 40) : random_quasi_definite(random, 40, 0.08);
 }
 
 TEST(BlockFactor, SolvesWithAnyNumberOfThreads) {
-    for (int seed = 1; seed <= 20; ++seed) {
+    for (const std::uint32_t seed : seeds(1, 8, 40, 400)) {
         SCOPED_TRACE(seed);
-        Random random(static_cast<std::uint64_t>(seed));
+        Random random(seed);
         BlockMatrix m = draw_matrix(random, seed);
         const BlockPattern p = pattern_of(m, random);
         const Vector b = random_matrix(random, m.scalars(), 1);
@@ -75,9 +76,10 @@ TEST(BlockFactor, SolvesWithAnyNumberOfThreads) {
 
 TEST(BlockFactor, RefactorsInPart) {
     std::int64_t part = 0, whole = 0;
-    for (int seed = 1; seed <= 20; ++seed) {
+    const auto all = seeds(1, 8, 40, 400);
+    for (const std::uint32_t seed : all) {
         SCOPED_TRACE(seed);
-        Random random(static_cast<std::uint64_t>(seed));
+        Random random(seed);
         BlockMatrix m = draw_matrix(random, seed);
         const BlockPattern p = pattern_of(m, random);
         BlockFactor f({.partial = true}), full;
@@ -106,32 +108,36 @@ TEST(BlockFactor, RefactorsInPart) {
             EXPECT_EQ(std::memcmp(x.data(), y.data(), x.size() * sizeof(double)), 0);
         }
     }
+    if (all.size() == 1) return;
     EXPECT_GT(part, 0);
     EXPECT_LT(2 * part, whole);
 }
 
 TEST(BlockFactor, FollowsAPattern) {
-    Random random(3);
-    BlockMatrix m = random_quasi_definite(random, 60, 0.05);
-    BlockPattern p = pattern_of(m, random);
-    BlockFactor f;
-    f.analyse(p);
-    EXPECT_TRUE(f.info().planned);
-    for (int step = 0; step < 20; ++step) {
-        // An edge goes; the values of its block count no more.
-        const std::size_t e =
-            static_cast<std::size_t>(random.integer(0, static_cast<int>(p.edges.size()) - 1));
-        m.block(p.edges[e].row, p.edges[e].column).setZero();
-        m.block(p.edges[e].column, p.edges[e].row).setZero();
-        p.edges.erase(p.edges.begin() + static_cast<std::ptrdiff_t>(e));
-        f.update(p);
-        EXPECT_TRUE(f.info().planned || f.info().columns < f.info().nodes);
-        const std::vector<double> k = values_of(m, p, f);
-        ASSERT_EQ(f.factor(k), Status::ok);
-        const Vector b = random_matrix(random, m.scalars(), 1);
-        std::vector<double> x(b.data(), b.data() + b.size());
-        ASSERT_EQ(f.solve(x), Status::ok);
-        EXPECT_LE(backward_error(m, Eigen::Map<Vector>(x.data(), b.size()), b), 1e-12);
+    for (const std::uint32_t seed : seeds(3, 1, 5, 50)) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        BlockMatrix m = random_quasi_definite(random, 60, 0.05);
+        BlockPattern p = pattern_of(m, random);
+        BlockFactor f;
+        f.analyse(p);
+        EXPECT_TRUE(f.info().planned);
+        for (int step = 0; step < 20; ++step) {
+            // An edge goes; the values of its block count no more.
+            const std::size_t e =
+                static_cast<std::size_t>(random.integer(0, static_cast<int>(p.edges.size()) - 1));
+            m.block(p.edges[e].row, p.edges[e].column).setZero();
+            m.block(p.edges[e].column, p.edges[e].row).setZero();
+            p.edges.erase(p.edges.begin() + static_cast<std::ptrdiff_t>(e));
+            f.update(p);
+            EXPECT_TRUE(f.info().planned || f.info().columns < f.info().nodes);
+            const std::vector<double> k = values_of(m, p, f);
+            ASSERT_EQ(f.factor(k), Status::ok);
+            const Vector b = random_matrix(random, m.scalars(), 1);
+            std::vector<double> x(b.data(), b.data() + b.size());
+            ASSERT_EQ(f.solve(x), Status::ok);
+            EXPECT_LE(backward_error(m, Eigen::Map<Vector>(x.data(), b.size()), b), 1e-12);
+        }
     }
 }
 
@@ -171,9 +177,9 @@ TEST(BlockFactor, RejectsMalformedPatterns) {
 
 /// An order that is given is kept up to a postorder of its tree, so its fill is too.
 TEST(BlockFactor, EliminatesInAGivenOrder) {
-    for (int seed = 1; seed <= 20; ++seed) {
+    for (const std::uint32_t seed : seeds(1, 8, 40, 400)) {
         SCOPED_TRACE(seed);
-        Random random(static_cast<std::uint64_t>(seed));
+        Random random(seed);
         BlockMatrix m = draw_matrix(random, seed);
         const BlockPattern p = pattern_of(m, random);
         std::vector<std::int32_t> order = minimum_degree_order(p);

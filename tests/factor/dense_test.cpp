@@ -4,6 +4,7 @@
 /// 1 + ‖G‖²/(λ_A λ_Σ) (Gill, Saunders, Shinnerl 1996). Each class states its bound.
 #include "factor/matrices.h"
 #include "runtime/tasks.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -168,7 +169,8 @@ TEST(DenseReference, RigidRowsInTheSolversOwnOrder) {
 }
 
 TEST(DenseReference, SixtyLinkChainInRandomOrder) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (const std::uint32_t seed : seeds(1, 5, 20, 200)) {
+        SCOPED_TRACE(seed);
         Random random(seed);
         const BlockMatrix m = chain(random, 60, 1e-4, true);
         expect_solved(m, 1e-12, seed);
@@ -198,7 +200,7 @@ TEST(DenseReference, HubWithHundredsOfNeighbours) {
 }
 
 TEST(DenseReference, RandomQuasiDefinite) {
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    for (const std::uint32_t seed : seeds(1, 30, 120, 1200)) {
         Random random(seed);
         const BlockMatrix m =
             random_quasi_definite(random, random.integer(1, 40), random.uniform(0.02, 0.5));
@@ -213,13 +215,14 @@ TEST(DenseReference, RandomQuasiDefinite) {
 }
 
 TEST(DenseReference, AnyOrderGivesTheSameSolution) {
-    Random random(8);
+    Random random(first_seed(8));
+    const int trials = by_tier(30, 150, 1500);
     const BlockMatrix m = random_quasi_definite(random, 25, 0.15);
     const Vector b = random_vector(random, m.scalars()), want = reference(m, b);
     base::SerialExecutor serial;
     std::vector<std::int32_t> order(25);
     std::iota(order.begin(), order.end(), 0);
-    for (int trial = 0; trial < 30; ++trial) {
+    for (int trial = 0; trial < trials; ++trial) {
         random.shuffle(order);
         const Solved s = solve(m, factor::analyse(m.pattern, order), b, serial);
         EXPECT_EQ(s.wrong, 0);

@@ -5,6 +5,7 @@
 #include "factor/matrices.h"
 #include "factor/minimum_degree.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -70,46 +71,49 @@ Solved solve_with(const factor::Kernels& kernels, const BlockMatrix& m, const fa
 
 /// Rows of bits: each word by itself.
 TEST(InstructionSets, UniteRowsOfBits) {
-    Random random(3);
-    for (int words = 8; words <= factor::MinimumDegree::kMost / 64; words += 8)
-        for (const Set& set : sets()) {
-            if (!set.available) continue;
-            constexpr std::size_t kRows = 6;
-            const auto n = static_cast<std::size_t>(words);
-            auto draw = [&](std::size_t size, double full) {
-                base::Array<std::uint64_t> row(size);
-                for (std::uint64_t& word : row)
-                    for (int i = 0; i < 64; ++i)
-                        word |= static_cast<std::uint64_t>(random.chance(full)) << i;
-                return row;
-            };
-            for (const double full : {0.0, 0.01, 0.5, 1.0}) {
-                base::Array<std::uint64_t> rows = draw(kRows * n, full);
-                const auto with = draw(n, full), among = draw(n, std::max(full, 0.9));
-                base::Array<std::uint64_t> expected = rows;
-                const std::int32_t nodes[] = {4, 0, 2};
-                std::int32_t sizes[3], sums[3] = {};
-                std::uint64_t folds[3], words_of[3] = {};
-                for (int k = 0; k < 3; ++k)
-                    for (std::size_t w = 0; w < n; ++w) {
-                        std::uint64_t& word = expected[static_cast<std::size_t>(nodes[k]) * n + w];
-                        word = (word | with[w]) & among[w];
-                        sums[k] += std::popcount(word);
-                        words_of[k] ^= word;
+    Random random(first_seed(3));
+    const int rounds = by_tier(1, 4, 40);
+    for (int round = 0; round < rounds; ++round)
+        for (int words = 8; words <= factor::MinimumDegree::kMost / 64; words += 8)
+            for (const Set& set : sets()) {
+                if (!set.available) continue;
+                constexpr std::size_t kRows = 6;
+                const auto n = static_cast<std::size_t>(words);
+                auto draw = [&](std::size_t size, double full) {
+                    base::Array<std::uint64_t> row(size);
+                    for (std::uint64_t& word : row)
+                        for (int i = 0; i < 64; ++i)
+                            word |= static_cast<std::uint64_t>(random.chance(full)) << i;
+                    return row;
+                };
+                for (const double full : {0.0, 0.01, 0.5, 1.0}) {
+                    base::Array<std::uint64_t> rows = draw(kRows * n, full);
+                    const auto with = draw(n, full), among = draw(n, std::max(full, 0.9));
+                    base::Array<std::uint64_t> expected = rows;
+                    const std::int32_t nodes[] = {4, 0, 2};
+                    std::int32_t sizes[3], sums[3] = {};
+                    std::uint64_t folds[3], words_of[3] = {};
+                    for (int k = 0; k < 3; ++k)
+                        for (std::size_t w = 0; w < n; ++w) {
+                            std::uint64_t& word =
+                                expected[static_cast<std::size_t>(nodes[k]) * n + w];
+                            word = (word | with[w]) & among[w];
+                            sums[k] += std::popcount(word);
+                            words_of[k] ^= word;
+                        }
+                    set.kernels->unite_rows(rows.data(), words, nodes, 3, with.data(), among.data(),
+                                            sizes, folds);
+                    EXPECT_EQ(rows, expected) << set.name << " " << words;
+                    for (int k = 0; k < 3; ++k) {
+                        EXPECT_EQ(sizes[k], sums[k]) << set.name << " " << words;
+                        EXPECT_EQ(folds[k], words_of[k]) << set.name << " " << words;
                     }
-                set.kernels->unite_rows(rows.data(), words, nodes, 3, with.data(), among.data(),
-                                        sizes, folds);
-                EXPECT_EQ(rows, expected) << set.name << " " << words;
-                for (int k = 0; k < 3; ++k) {
-                    EXPECT_EQ(sizes[k], sums[k]) << set.name << " " << words;
-                    EXPECT_EQ(folds[k], words_of[k]) << set.name << " " << words;
                 }
             }
-        }
 }
 
 TEST(InstructionSets, AgreeWithTheReferenceAndEachOther) {
-    for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    for (const std::uint32_t seed : seeds(1, 10, 50, 500)) {
         Random random(seed);
         const BlockMatrix m =
             random_quasi_definite(random, random.integer(1, 45), random.uniform(0.02, 0.6));
@@ -128,49 +132,52 @@ TEST(InstructionSets, AgreeWithTheReferenceAndEachOther) {
 
 /// Every width of pivots and of updates, so that no vector remainder is missed.
 TEST(InstructionSets, EveryFrontShape) {
-    for (int p = 1; p <= 20; ++p)
-        for (int q = 0; q <= 18; q += 1 + q / 6) {
-            Random random(static_cast<std::uint64_t>(100 * p + q + 1));
-            std::vector<std::int8_t> size, sign;
-            std::vector<std::pair<int, int>> edges;
-            const int nodes = p + q;  // one scalar each, all coupled: any split into fronts
-            for (int i = 0; i < nodes; ++i) {
-                size.push_back(1);
-                sign.push_back(random.chance(0.5) ? 1 : -1);
-                for (int j = 0; j < i; ++j)
-                    if (i < p || j >= p || (i + j) % 3 != 0) edges.emplace_back(i, j);
-            }
-            BlockMatrix m = make_blocks(size, sign, edges);
-            for (int i = 0; i < nodes; ++i)
-                m.dense(i, i) = 40.0 * sign[static_cast<std::size_t>(i)];
-            for (const auto& [i, j] : edges) m.dense(i, j) = m.dense(j, i) = random.uniform(-1, 1);
-            std::vector<std::int32_t> order(static_cast<std::size_t>(nodes));
-            for (int i = 0; i < nodes; ++i) order[static_cast<std::size_t>(i)] = i;
-            const factor::Symbolic s = factor::analyse(m.pattern, order);
-            const Vector b = random_matrix(random, m.scalars(), 1);
-            factor::Unsymmetric all;
-            all.reserve(s);
-            all.find(s, order);
-            for (const bool symmetric : {true, false}) {
-                if (!symmetric)
-                    for (const auto& [i, j] : edges) m.dense(i, j) = random.uniform(-1, 1);
-                const Vector want = reference(m, b);
-                for (const Set& set : sets()) {
-                    if (!set.available) continue;
-                    const Solved got =
-                        solve_with(*set.kernels, m, s, b, symmetric ? nullptr : &all);
-                    EXPECT_EQ(got.wrong, 0) << set.name << " p " << p << " q " << q;
-                    // Diagonally dominant: a few units in the last place.
-                    EXPECT_LE((got.x - want).norm(), 1e-13 * want.norm())
-                        << set.name << " p " << p << " q " << q;
+    for (const std::uint32_t seed : seeds(1, 1, 3, 30))
+        for (int p = 1; p <= 20; ++p)
+            for (int q = 0; q <= 18; q += 1 + q / 6) {
+                SCOPED_TRACE(seed);
+                Random random(seed + static_cast<std::uint64_t>(100 * p + q));
+                std::vector<std::int8_t> size, sign;
+                std::vector<std::pair<int, int>> edges;
+                const int nodes = p + q;  // one scalar each, all coupled: any split into fronts
+                for (int i = 0; i < nodes; ++i) {
+                    size.push_back(1);
+                    sign.push_back(random.chance(0.5) ? 1 : -1);
+                    for (int j = 0; j < i; ++j)
+                        if (i < p || j >= p || (i + j) % 3 != 0) edges.emplace_back(i, j);
+                }
+                BlockMatrix m = make_blocks(size, sign, edges);
+                for (int i = 0; i < nodes; ++i)
+                    m.dense(i, i) = 40.0 * sign[static_cast<std::size_t>(i)];
+                for (const auto& [i, j] : edges)
+                    m.dense(i, j) = m.dense(j, i) = random.uniform(-1, 1);
+                std::vector<std::int32_t> order(static_cast<std::size_t>(nodes));
+                for (int i = 0; i < nodes; ++i) order[static_cast<std::size_t>(i)] = i;
+                const factor::Symbolic s = factor::analyse(m.pattern, order);
+                const Vector b = random_matrix(random, m.scalars(), 1);
+                factor::Unsymmetric all;
+                all.reserve(s);
+                all.find(s, order);
+                for (const bool symmetric : {true, false}) {
+                    if (!symmetric)
+                        for (const auto& [i, j] : edges) m.dense(i, j) = random.uniform(-1, 1);
+                    const Vector want = reference(m, b);
+                    for (const Set& set : sets()) {
+                        if (!set.available) continue;
+                        const Solved got =
+                            solve_with(*set.kernels, m, s, b, symmetric ? nullptr : &all);
+                        EXPECT_EQ(got.wrong, 0) << set.name << " p " << p << " q " << q;
+                        // Diagonally dominant: a few units in the last place.
+                        EXPECT_LE((got.x - want).norm(), 1e-13 * want.norm())
+                            << set.name << " p " << p << " q " << q;
+                    }
                 }
             }
-        }
 }
 
 /// Wires in every lane pattern: batches of one to eight chains, and more.
 TEST(InstructionSets, Batches) {
-    for (std::uint64_t seed = 1; seed <= (kSanitized ? 5 : 40); ++seed) {
+    for (const std::uint32_t seed : seeds(1, 3, kSanitized ? 5 : 40, 400)) {
         Random random(seed);
         const BlockMatrix m = wires(random, 9, 12);
         const factor::Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
@@ -186,8 +193,8 @@ TEST(InstructionSets, Batches) {
 
 /// Both families with unsymmetric blocks; every shape of front.
 TEST(InstructionSets, Unsymmetric) {
-    for (int seed = 1; seed <= (kSanitized ? 8 : 60); ++seed) {
-        Random random(static_cast<std::uint64_t>(seed));
+    for (const std::uint32_t seed : seeds(1, kSanitized ? 8 : 20, kSanitized ? 8 : 80, 800)) {
+        Random random(seed);
         BlockMatrix m = seed % 2 == 0 ? wires(random, 9, 12)
                                       : random_quasi_definite(random, random.integer(2, 45),
                                                               random.uniform(0.02, 0.6));

@@ -5,6 +5,7 @@
 #include "factor/partial.h"
 #include "runtime/tasks.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -74,10 +75,11 @@ TEST(Unsymmetric, PartialHasTheBitsOfAFullFactorisation) {
     runtime::Pool pool(3);
     pool.resume();
     double share = 0.0;
-    constexpr int kCases = kSanitized ? 10 : 50, kSteps = 5;
-    for (int seed = 1; seed <= kCases; ++seed) {
+    constexpr int kSteps = 5;
+    const auto all = seeds(1, kSanitized ? 10 : 18, kSanitized ? 10 : 60, 600);
+    for (const std::uint32_t seed : all) {
         SCOPED_TRACE(seed);
-        Random random(static_cast<std::uint64_t>(seed));
+        Random random(seed);
         base::Executor& executor = seed % 3 == 0 ? static_cast<base::Executor&>(pool) : serial;
         Sequence sequence(seed % 2 == 0 ? wires(random, 10, 40)
                                         : random_quasi_definite(random, random.integer(2, 80),
@@ -85,10 +87,11 @@ TEST(Unsymmetric, PartialHasTheBitsOfAFullFactorisation) {
                           executor);
         for (int step = 0; step < kSteps; ++step) {
             sequence.step(random);
-            share += sequence.share() / (kCases * kSteps);
+            share += sequence.share() / (static_cast<double>(all.size()) * kSteps);
         }
         if (HasFailure()) return;
     }
+    if (all.size() == 1) return;
     // A few contacts of many leave some of these small trees clean.
     EXPECT_LT(share, 0.95);
     EXPECT_GT(share, 0.01);
@@ -105,9 +108,10 @@ void break_pivot(BlockMatrix& m, int node) {
 TEST(Unsymmetric, NamesTheNodesOfWrongPivots) {
     base::SerialExecutor serial;
     int named = 0, in_chains = 0;
-    for (int seed = 1; seed <= (kSanitized ? 8 : 40); ++seed) {
+    const auto all = seeds(1, kSanitized ? 8 : 40, kSanitized ? 8 : 200, 2000);
+    for (const std::uint32_t seed : all) {
         SCOPED_TRACE(seed);
-        Random random(static_cast<std::uint64_t>(seed));
+        Random random(seed);
         const BlockMatrix good = seed % 2 == 0
                                      ? wires(random, 6, 30)
                                      : random_quasi_definite(random, random.integer(2, 40), 0.1);
@@ -138,8 +142,10 @@ TEST(Unsymmetric, NamesTheNodesOfWrongPivots) {
         EXPECT_EQ(numeric.factor(s, serial, &set), 0);
         EXPECT_TRUE(numeric.wrong_nodes().empty());
     }
-    EXPECT_GT(named, kSanitized ? 2 : 15);
-    EXPECT_GT(in_chains, kSanitized ? 0 : 3);
+    const int cases = static_cast<int>(all.size());
+    if (cases < 40) return;
+    EXPECT_GT(named, cases / 8);
+    EXPECT_GT(in_chains, cases / 50);
 }
 
 TEST(Unsymmetric, NotANumberIsAWrongPivot) {

@@ -4,6 +4,7 @@
 #include "factor/matrices.h"
 #include "factor/repair.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 extern "C" {
 #include <amd.h>
@@ -172,14 +173,15 @@ Order long_plan(const Pattern& p, const factor::Chains& chains) {
     return order;
 }
 
-constexpr int kTrials = kSanitized ? 40 : 400;
+int trials() { return by_tier(kSanitized ? 40 : 100, kSanitized ? 40 : 400, 4000); }
 
 /// One orderer for all: nothing of one pattern is left for the next.
 TEST(Ordering, IsThatOfTheLibrary) {
-    Random random(1);
+    Random random(first_seed(1));
     factor::Orderer orderer;
     int moved = 0;
-    for (int trial = 0; trial < kTrials; ++trial) {
+    const int most = trials();
+    for (int trial = 0; trial < most; ++trial) {
         const Pattern p = draw(random);
         Order order;
         orderer.order_by_amd(p, order);
@@ -190,15 +192,16 @@ TEST(Ordering, IsThatOfTheLibrary) {
         orderer.place_rows(p, order);
         ASSERT_EQ(order, expected) << trial;
     }
-    EXPECT_GT(moved, 10);
+    EXPECT_GT(moved, most / 10);
 }
 
 /// Rows of one, two and more vectors; nodes of many neighbours, which have twins.
 TEST(Ordering, HasTheLeastDegreeFirst) {
-    Random random(5);
+    Random random(first_seed(5));
     factor::Orderer orderer;
     Order order;
-    for (int trial = 0; trial < kTrials; ++trial) {
+    const int most = trials();
+    for (int trial = 0; trial < most; ++trial) {
         const Pattern p = draw(random);
         orderer.order(p, order);
         ASSERT_EQ(order, least_degree_first(p)) << trial;
@@ -229,10 +232,11 @@ TEST(Ordering, HasTheLeastDegreeFirst) {
 }
 
 TEST(Ordering, OfWhatChainsLeaveHasTheirBoundariesAsCliques) {
-    Random random(2);
+    Random random(first_seed(2));
     factor::Orderer orderer;
     int with_chains = 0;
-    for (int trial = 0; trial < kTrials; ++trial) {
+    const int most = trials();
+    for (int trial = 0; trial < most; ++trial) {
         const Pattern p = draw(random);
         Order order;
         factor::Chains chains;
@@ -241,7 +245,7 @@ TEST(Ordering, OfWhatChainsLeaveHasTheirBoundariesAsCliques) {
         ASSERT_EQ(order, long_plan(p, chains)) << trial;
         with_chains += chains.count() > 0 ? 1 : 0;
     }
-    EXPECT_GT(with_chains, kSanitized ? 5 : 50);
+    EXPECT_GT(with_chains, most / 8);
 }
 
 /// A postorder, children in the sequence that they had.
@@ -264,10 +268,11 @@ Order long_postorder(const factor::Columns& columns, const Order& order) {
 
 /// Columns by merging sets, one after another.
 TEST(Ordering, ColumnsAndPostorderAreThoseOfTheDefinition) {
-    Random random(3);
+    Random random(first_seed(3));
     factor::Columns columns;
     factor::TreeBuilder tree;
-    for (int trial = 0; trial < kTrials; ++trial) {
+    const int most = trials();
+    for (int trial = 0; trial < most; ++trial) {
         const Pattern p = draw(random);
         Order order = factor::order_nodes(p);
         if (random.chance(0.3)) random.shuffle(order);
@@ -307,11 +312,12 @@ TEST(Ordering, ColumnsAndPostorderAreThoseOfTheDefinition) {
 
 /// A used analysis remembers nothing of the pattern before.
 TEST(Ordering, PlansAgainAsIfForTheFirstTime) {
-    Random random(4);
+    Random random(first_seed(4));
     factor::Analysis used;
     used.plan(Pattern{});  // of a world in which nothing moves
     EXPECT_TRUE(used.symbolic().order.empty());
-    for (int trial = 0; trial < (kSanitized ? 20 : 200); ++trial) {
+    const int most = trials() / 2;
+    for (int trial = 0; trial < most; ++trial) {
         const Pattern p = draw(random);
         used.plan(p);
         ASSERT_TRUE(used.symbolic() == factor::analyse(p, factor::plan_elimination(p))) << trial;

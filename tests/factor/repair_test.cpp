@@ -6,6 +6,7 @@
 #include "factor/partial.h"
 #include "runtime/tasks.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -143,13 +144,13 @@ void check_sequence(const Pattern& first, Random& random, int steps, base::Execu
 }
 
 TEST(Repair, EqualsAnAnalysisOfTheNewPattern) {
-    constexpr int kCases = kSanitized ? 20 : 150;
+    const auto all = seeds(1, kSanitized ? 12 : 40, kSanitized ? 20 : 150, 1500);
     Totals totals;
     runtime::Pool pool(3);
     pool.resume();
-    for (int seed = 1; seed <= kCases; ++seed) {
+    for (const std::uint32_t seed : all) {
         SCOPED_TRACE(seed);
-        Random random(static_cast<std::uint64_t>(seed));
+        Random random(seed);
         const Pattern first = seed % 2 == 0 ? wires(random, 10, 30).pattern
                                             : random_quasi_definite(random, random.integer(0, 60),
                                                                     random.uniform(0.0, 0.1))
@@ -157,6 +158,7 @@ TEST(Repair, EqualsAnAnalysisOfTheNewPattern) {
         check_sequence(first, random, 12, seed % 4 < 2 ? nullptr : &pool, totals);
         if (HasFailure()) return;
     }
+    if (all.size() == 1) return;
     // All cases happen: chains that hold and chains that do not, columns that stay as they are.
     EXPECT_GT(totals.kept, totals.chains / 10);
     EXPECT_GT(totals.dissolved, 0);
@@ -164,8 +166,9 @@ TEST(Repair, EqualsAnAnalysisOfTheNewPattern) {
 }
 
 TEST(Repair, GoesOnAlikeFromItsState) {
-    for (int seed = 1; seed <= (kSanitized ? 6 : 30); ++seed) {
-        Random random(static_cast<std::uint64_t>(seed));
+    for (const std::uint32_t seed : seeds(1, kSanitized ? 4 : 10, kSanitized ? 6 : 30, 300)) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
         const Pattern first = wires(random, 10, 30).pattern;
         EditedGraph graph(first);
         Analysis one;
@@ -194,12 +197,16 @@ TEST(Repair, GoesOnAlikeFromItsState) {
 
 /// What is not refused is an order of elimination.
 TEST(Repair, RefusesAStateThatDoesNotFit) {
-    Random random(3);
-    const Pattern p = wires(random, 10, 30).pattern;
+    Random random(first_seed(3));
+    const int trials = by_tier(kSanitized ? 60 : 120, kSanitized ? 60 : 400, 4000);
+    Pattern p;
     Analysis planned, other;
-    planned.plan(p);
+    do {
+        p = wires(random, 10, 30).pattern;
+        planned.plan(p);
+    } while (planned.elimination().chains.count() == 0);
     int refused = 0;
-    for (int trial = 0; trial < (kSanitized ? 60 : 400); ++trial) {
+    for (int trial = 0; trial < trials; ++trial) {
         factor::AnalysisState state = planned.state();
         auto& chains = state.elimination.chains;
         auto& array = trial % 4 == 0   ? state.elimination.order
@@ -222,7 +229,7 @@ TEST(Repair, RefusesAStateThatDoesNotFit) {
         ++refused;
         EXPECT_TRUE(other.symbolic() == planned.symbolic());
     }
-    EXPECT_GT(refused, 20);
+    EXPECT_GT(refused, trials / 20);
     EXPECT_FALSE(other.resume(wires(random, 5, 20).pattern, planned.state()));
 }
 
@@ -262,7 +269,9 @@ TEST(Repair, StopsWhereNothingChanges) {
 /// update() makes a new order when the old one has become bad, and not before.
 TEST(Repair, ReplansWhenFlopsGrow) {
     int replans = 0;
-    for (std::uint64_t seed = 11; seed < 15; ++seed) {
+    const auto all = seeds(11, 4, 16, 160);
+    for (const std::uint32_t seed : all) {
+        SCOPED_TRACE(seed);
         Random random(seed);
         const Pattern first = random_quasi_definite(random, 120, 0.01).pattern;
         EditedGraph graph(first);
@@ -281,42 +290,47 @@ TEST(Repair, ReplansWhenFlopsGrow) {
             replans += r.replanned ? 1 : 0;
         }
     }
-    EXPECT_GT(replans, 0);
-    EXPECT_LT(replans, 4 * 150);
+    if (all.size() > 1) {
+        EXPECT_GT(replans, 0);
+    }
+    EXPECT_LT(replans, 150 * static_cast<int>(all.size()));
 }
 
 /// What a repair would do to so many nodes, a plan does in less time.
 TEST(Repair, PlansAtOnceWhereMuchChanges) {
-    Random random(5);
-    const Pattern first = wires(random, 20, 30).pattern;
-    const int most = static_cast<int>(factor::kEdited * first.nodes());
     int at_once = 0, repaired = 0;
-    for (int edges = 1; edges < 3 * most; edges += 5) {
-        EditedGraph graph(first);
-        for (int k = 0; k < edges; ++k) graph.add_edge(random);
-        std::vector<std::int32_t> old_of_new;
-        const Pattern next = graph.pattern(old_of_new);
-        int changed = 0;
-        for (int v = 0; v < next.nodes(); ++v) {
-            const auto now = next.neighbours(v), then = first.neighbours(v);
-            changed += std::equal(now.begin(), now.end(), then.begin(), then.end()) ? 0 : 1;
+    for (const std::uint32_t seed : seeds(5, 1, 4, 40)) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        const Pattern first = wires(random, 20, 30).pattern;
+        const int most = static_cast<int>(factor::kEdited * first.nodes());
+        for (int edges = 1; edges < 3 * most; edges += 5) {
+            EditedGraph graph(first);
+            for (int k = 0; k < edges; ++k) graph.add_edge(random);
+            std::vector<std::int32_t> old_of_new;
+            const Pattern next = graph.pattern(old_of_new);
+            int changed = 0;
+            for (int v = 0; v < next.nodes(); ++v) {
+                const auto now = next.neighbours(v), then = first.neighbours(v);
+                changed += std::equal(now.begin(), now.end(), then.begin(), then.end()) ? 0 : 1;
+            }
+            Analysis analysis, planned;
+            analysis.plan(first);
+            const factor::RepairReport r = analysis.update(next);
+            if (changed <= most) {
+                ++repaired;
+                continue;
+            }
+            ++at_once;
+            EXPECT_TRUE(r.replanned);
+            EXPECT_EQ(r.placed, 0);
+            planned.plan(next);
+            EXPECT_TRUE(analysis.symbolic() == planned.symbolic());
+            EXPECT_TRUE(analysis.state() == planned.state());
+            // And it can be repaired again.
+            analysis.repair(first);
+            EXPECT_TRUE(analysis.symbolic() == factor::analyse(first, analysis.elimination()));
         }
-        Analysis analysis, planned;
-        analysis.plan(first);
-        const factor::RepairReport r = analysis.update(next);
-        if (changed <= most) {
-            ++repaired;
-            continue;
-        }
-        ++at_once;
-        EXPECT_TRUE(r.replanned);
-        EXPECT_EQ(r.placed, 0);
-        planned.plan(next);
-        EXPECT_TRUE(analysis.symbolic() == planned.symbolic());
-        EXPECT_TRUE(analysis.state() == planned.state());
-        // And it can be repaired again.
-        analysis.repair(first);
-        EXPECT_TRUE(analysis.symbolic() == factor::analyse(first, analysis.elimination()));
     }
     EXPECT_GT(at_once, 0);
     EXPECT_GT(repaired, 0);

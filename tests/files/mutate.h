@@ -6,6 +6,7 @@
 
 #include "support/random.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,12 +19,10 @@
 
 namespace hawser::test {
 
-/// Inputs of a fuzzer: all of them in `make test-long`, else as many as fit into a quarter of a
-/// minute, under a sanitizer too.
-inline int inputs_of(int quick, int sanitized, int all) {
+/// Number of inputs of a fuzzer: HAWSER_FUZZ, or by tier. @param full  With and without sanitizer.
+inline int inputs_of(int quick, int full, int long_runs) {
     if (const char* count = std::getenv("HAWSER_FUZZ")) return std::max(1, std::atoi(count));
-    if (std::getenv("HAWSER_LONG") != nullptr) return all;
-    return kSanitized ? sanitized : quick;
+    return by_tier(kSanitized ? quick / 2 : quick, full, long_runs);
 }
 
 template <class T>

@@ -107,7 +107,7 @@ void tell(const char* what, const Tally& tally) {
 }
 
 /// So many sixteenths of the inputs: a world with groups takes ten times as long for each.
-int share(int sixteenths) { return inputs_of(4000, 10'000, 500'000) * sixteenths / 16; }
+int share(int sixteenths) { return inputs_of(1000, 10'000, 500'000) * sixteenths / 16; }
 
 TEST(ForgedSnapshots, OfContactsSleepAndFriction) {
     WorldDef def;
@@ -116,7 +116,7 @@ TEST(ForgedSnapshots, OfContactsSleepAndFriction) {
     yard.w.prepare();
     Tally tally;
     const auto good = snapshots_of(yard.w, {3, 20, 300});
-    attack(yard.w, good, share(6), 1, tally);
+    attack(yard.w, good, share(6), first_seed(1), tally);
     tell("contacts, sleep, friction", tally);
 }
 
@@ -155,7 +155,7 @@ TEST(ForgedSnapshots, OfAHeapThatIsLinked) {
         yard.box({0.1 * i, 0.05 * i, 0.5 + 0.99 * i}, 100.0, {0.5, 0.5, 0.5});
     Tally tally;
     const auto good = snapshots_of(yard.world, {2, 30});
-    attack(yard.world, good, share(5), 2, tally);
+    attack(yard.world, good, share(5), first_seed(2), tally);
     tell("a heap", tally);
 }
 
@@ -166,7 +166,7 @@ TEST(ForgedSnapshots, OfWiresLinksAndEveryJoint) {
     for (const Case& recipe : kSmallRecipes) {
         World world = recipe.make().make();
         const auto good = snapshots_of(world, {1, 10});
-        attack(world, good, share(4) / recipes, ++seed, tally);
+        attack(world, good, share(4) / recipes, first_seed(++seed), tally);
     }
     tell("wires, links, joints", tally);
 }
@@ -208,7 +208,7 @@ TEST(ForgedSnapshots, OfGroupsThatFollow) {
     cables.turn(world, 1);
     Tally tally;
     const auto good = snapshots_of(world, {5, 60});
-    attack(world, good, share(1), 40, tally);
+    attack(world, good, share(1), first_seed(40), tally);
     tell("groups", tally);
 }
 

@@ -8,6 +8,7 @@
 #include "graph/random_graph.h"
 #include "graph/split.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -80,14 +81,13 @@ Hostile hostile_graph(Random& random) {
     return h;
 }
 
-constexpr int kRounds = kSanitized ? 150 : 2000;
-
-/// check(graph, random) for one hostile graph after another, until one fails.
+/// Call check(graph, random) for each hostile graph until one fails.
 template <class Check>
 void for_hostile_graphs(Check&& check) {
-    for (int round = 0; round < kRounds; ++round) {
-        SCOPED_TRACE(round);
-        Random random(static_cast<std::uint64_t>(round) + 77);
+    for (const std::uint32_t seed :
+         seeds(77, kSanitized ? 50 : 500, kSanitized ? 150 : 2000, 40'000)) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
         Hostile h = hostile_graph(random);
         check(h, random);
         if (testing::Test::HasFatalFailure()) return;
@@ -143,9 +143,9 @@ TEST(PartitionFuzz, EditsKeepSeparatorsApart) {
 
 /// Partitions are made by one thread; several that make them side by side get the same.
 TEST(PartitionFuzz, SameResultOnAnyNumberOfThreads) {
-    for (int round = 0; round < kRounds / 20; ++round) {
-        SCOPED_TRACE(round);
-        Random random(static_cast<std::uint64_t>(round) + 77);
+    for (const std::uint32_t seed : seeds(77, kSanitized ? 4 : 30, kSanitized ? 8 : 100, 2000)) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
         const Hostile h = hostile_graph(random);
         std::vector<std::int32_t> first_parts, first_cuts;
         for (const std::size_t threads : {1U, 2U, 4U}) {

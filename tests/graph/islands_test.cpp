@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph/islands.h"
 #include "support/recipe.h"
+#include "support/tier.h"
 
 #include <hawser/inspect.h>
 
@@ -40,7 +41,7 @@ std::vector<int> flooded(const std::vector<std::uint8_t>& include,
 }
 
 TEST(Islands, AgreeWithFloodingAndAreNumberedByTheirFirstNode) {
-    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    for (const std::uint32_t seed : seeds(1, 200, 1000, 10'000)) {
         Random random(seed);
         const int nodes = random.integer(0, 30), count = random.integer(0, 30);
         std::vector<std::uint8_t> include;

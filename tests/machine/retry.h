@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file retry.h
-/// Runs the calls of a world without failures, which gives what is right, and with failing memory:
-/// all requests of every call one after another in one world, where what an attempt got stays for
-/// the next one, and every eleventh in a world of its own; with HAWSER_LONG (make test-long) each.
+/// Run the calls of a world without failures for reference, then with failing memory requests:
+///   - all requests of each call in turn, in one world that keeps the result of each attempt;
+///   - some requests in a world of their own: every 55th in the quick tier, every 11th in the full
+///     tier, each in the long tier.
 
 #include "machine/failing.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -157,7 +159,8 @@ inline void expect_same_bits(const char* name, const std::function<void(Retry&)>
     run(-1, 0);
     const std::vector<long>& seen = right.rights().requests;
     constexpr long kFew = 11;  // no multiple of the requests of one call
-    if (std::getenv("HAWSER_LONG") == nullptr) every *= kFew;
+    if (tier() != Tier::long_runs) every *= kFew;
+    if (tier() == Tier::quick) every *= 5;
     // A sanitizer sees the same code in a few of them.
     if (kSanitized) every *= 7;
     long number = 0;

@@ -2,6 +2,7 @@
 #include "nonsmooth/anderson.h"
 
 #include "support/dense_reference.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -28,10 +29,11 @@ int iterate_to(Anderson& a, Eigen::VectorXd& x, F&& f, double tolerance, int mos
 /// F(x) = A x + b with a spectral radius of 0.999: n + 1 evaluations find the fixed point, one more
 /// sees it.
 TEST(AndersonAcceleration, EndsAfterAsManyIterationsAsUnknowns) {
-    std::mt19937_64 random(7);
+    std::mt19937_64 random(test::first_seed(7));
+    const int trials = test::by_tier(20, 100, 1000);
     std::normal_distribution<double> normal;
     for (int n = 1; n <= Anderson::kDepth; ++n)
-        for (int trial = 0; trial < 20; ++trial) {
+        for (int trial = 0; trial < trials; ++trial) {
             Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
             Eigen::VectorXd b(n);
             for (int i = 0; i < n; ++i) {

@@ -3,6 +3,7 @@
 #include "nonsmooth/cone.h"
 #include "nonsmooth/associated.h"
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,8 @@
 namespace hawser::nonsmooth {
 namespace {
 
+using test::by_tier;
+using test::first_seed;
 using test::Random;
 
 Cone random_cone(Random& random) {
@@ -36,8 +39,9 @@ double norm_of(const double* a, const double* b) {
 }
 
 TEST(Project, GivesTheNearestPointOfTheCone) {
-    Random random(1);
-    for (int trial = 0; trial < 2000; ++trial) {
+    Random random(first_seed(1));
+    const int trials = by_tier(2000, 10'000, 100'000);
+    for (int trial = 0; trial < trials; ++trial) {
         const double mu = trial % 10 == 0 ? 0.0 : random.uniform(0.0, 2.0);
         double y[3], p[3], again[3];
         for (double& v : y) v = random.uniform(-3, 3);
@@ -76,8 +80,9 @@ void make_solution(Cone& c, Touch touch, Random& random) {
 }
 
 TEST(NaturalMap, VanishesExactlyWhereTheLawHolds) {
-    Random random(2);
-    for (int trial = 0; trial < 3000; ++trial) {
+    Random random(first_seed(2));
+    const int trials = by_tier(3000, 15'000, 150'000);
+    for (int trial = 0; trial < trials; ++trial) {
         Cone c = random_cone(random);
         make_solution(c, static_cast<Touch>(trial % 3), random);
         double e[3];
@@ -99,8 +104,9 @@ TEST(NaturalMap, VanishesExactlyWhereTheLawHolds) {
 }
 
 TEST(NaturalMap, DoesNotDependOnUnits) {
-    Random random(3);
-    for (int trial = 0; trial < 500; ++trial) {
+    Random random(first_seed(3));
+    const int trials = by_tier(500, 2500, 25'000);
+    for (int trial = 0; trial < trials; ++trial) {
         Cone c = random_cone(random), d = c;
         const double mass = 1e5, speed = 1e-2;  // λ scales with both, Σ and W with 1/mass
         d.sigma_n /= mass;
@@ -118,9 +124,10 @@ TEST(NaturalMap, DoesNotDependOnUnits) {
 /// The linear law touches the nonlinear one: P(y(u, λ)) − (p − S u) has the tangent that Newton's
 /// equation says. With W = 0, P depends on u alone, so −S is its derivative.
 TEST(Linearise, IsTheDerivativeByVelocity) {
-    Random random(4);
+    Random random(first_seed(4));
+    const int trials = by_tier(3000, 15'000, 150'000);
     int seen[3] = {};
-    for (int trial = 0; trial < 3000; ++trial) {
+    for (int trial = 0; trial < trials; ++trial) {
         Cone c = random_cone(random);
         c.coupling = Coupling::exact;
         c.mobility = 0.0;
@@ -148,12 +155,13 @@ TEST(Linearise, IsTheDerivativeByVelocity) {
                     << trial << " row " << i << " column " << j;
         }
     }
-    for (const int count : seen) EXPECT_GT(count, 100);
+    for (const int count : seen) EXPECT_GT(count, trials / 30);
 }
 
 TEST(Linearise, KeepsASolution) {
-    Random random(5);
-    for (int trial = 0; trial < 3000; ++trial) {
+    Random random(first_seed(5));
+    const int trials = by_tier(3000, 15'000, 150'000);
+    for (int trial = 0; trial < trials; ++trial) {
         Cone c = random_cone(random);
         const Touch wanted = static_cast<Touch>(trial % 3);
         make_solution(c, wanted, random);
@@ -176,9 +184,10 @@ TEST(Linearise, KeepsASolution) {
 }
 
 TEST(Associated, DerivativeIsSymmetricPositiveAndRight) {
-    Random random(6);
+    Random random(first_seed(6));
+    const int trials = by_tier(3000, 15'000, 150'000);
     int seen[3] = {};
-    for (int trial = 0; trial < 3000; ++trial) {
+    for (int trial = 0; trial < trials; ++trial) {
         Cone c = random_cone(random);
         Touch touch{}, other{};
         const Law law = linearise_associated(c, touch);
@@ -207,12 +216,13 @@ TEST(Associated, DerivativeIsSymmetricPositiveAndRight) {
                 ASSERT_NEAR((high[i] - low[i]) / (2 * step), -law.s[3 * i + j], 1e-4 / c.sigma_t);
         }
     }
-    for (const int count : seen) EXPECT_GT(count, 100);
+    for (const int count : seen) EXPECT_GT(count, trials / 30);
 }
 
 TEST(Associated, MinimisesItsFunction) {
-    Random random(7);
-    for (int trial = 0; trial < 500; ++trial) {
+    Random random(first_seed(7));
+    const int trials = by_tier(500, 2500, 25'000);
+    for (int trial = 0; trial < trials; ++trial) {
         const Cone c = random_cone(random);
         double lambda[3];
         associated_impulse(c, c.u, lambda);

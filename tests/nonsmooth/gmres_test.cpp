@@ -2,6 +2,7 @@
 #include "nonsmooth/gmres.h"
 
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -31,15 +32,18 @@ int solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double tolerance,
 }
 
 TEST(Gmres, SolvesUnsymmetricSystems) {
-    test::Random random(1);
-    for (const int n : {1, 2, 5, 12, 40}) {
-        Eigen::MatrixXd a = Eigen::MatrixXd::Identity(n, n) * 3.0;
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j) a(i, j) += random.uniform(-1, 1) / n;
-        Eigen::VectorXd b(n), x;
-        for (int i = 0; i < n; ++i) b[i] = random.uniform(-1, 1);
-        (void)solve(a, b, 1e-12, x);
-        EXPECT_LE((a * x - b).norm(), 1e-11 * b.norm());
+    for (const std::uint32_t seed : test::seeds(1, 5, 20, 200)) {
+        SCOPED_TRACE(seed);
+        test::Random random(seed);
+        for (const int n : {1, 2, 5, 12, 40}) {
+            Eigen::MatrixXd a = Eigen::MatrixXd::Identity(n, n) * 3.0;
+            for (int i = 0; i < n; ++i)
+                for (int j = 0; j < n; ++j) a(i, j) += random.uniform(-1, 1) / n;
+            Eigen::VectorXd b(n), x;
+            for (int i = 0; i < n; ++i) b[i] = random.uniform(-1, 1);
+            (void)solve(a, b, 1e-12, x);
+            EXPECT_LE((a * x - b).norm(), 1e-11 * b.norm());
+        }
     }
 }
 

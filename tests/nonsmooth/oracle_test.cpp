@@ -10,6 +10,7 @@
 #include "support/dense_reference.h"
 #include "support/random.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -24,6 +25,8 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using test::by_tier;
+using test::first_seed;
 using test::kSanitized;
 using test::Random;
 
@@ -146,9 +149,10 @@ int pivot_all(Problem& p, const std::vector<double>& limit, PivotProgress progre
 }
 
 TEST(Box, PivotingFindsTheSolutionThatTryingEverythingFinds) {
-    Random random(1);
+    Random random(first_seed(1));
+    const int trials = by_tier(12, kSanitized ? 12 : 60, 600);
     int together = 0, singly = 0;
-    for (int trial = 0; trial < (kSanitized ? 12 : 60); ++trial) {
+    for (int trial = 0; trial < trials; ++trial) {
         Problem p = random_problem(random, 1 + trial % 3);  // up to 9 rows: 19,683 sets
         std::vector<double> limit;
         for (std::size_t k = 0; k < p.cones.size(); ++k) limit.push_back(random.uniform(0.0, 0.5));
@@ -240,8 +244,8 @@ double newton(Problem& p, int iterations) {
 }
 
 TEST(Cone, NewtonAndSweepsFindTheSameImpulses) {
-    Random random(2);
-    const int trials = kSanitized ? 20 : 100;
+    Random random(first_seed(2));
+    const int trials = by_tier(kSanitized ? 10 : 30, kSanitized ? 20 : 100, 1000);
     int solved = 0;
     for (int trial = 0; trial < trials; ++trial) {
         Problem p = random_problem(random, 1 + trial % 4);
@@ -272,8 +276,9 @@ TEST(Cone, NewtonAndSweepsFindTheSameImpulses) {
 }
 
 TEST(Associated, NewtonFindsTheMinimum) {
-    Random random(3);
-    for (int trial = 0; trial < 100; ++trial) {
+    Random random(first_seed(3));
+    const int trials = by_tier(30, 100, 1000);
+    for (int trial = 0; trial < trials; ++trial) {
         Problem p = random_problem(random, 1 + trial % 4);
         for (int it = 0; it < 60; ++it) {
             std::vector<Law> laws;

@@ -3,6 +3,7 @@
 // against differences.
 #include "nonsmooth/resistance.h"
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,8 @@
 namespace hawser::nonsmooth {
 namespace {
 
+using test::by_tier;
+using test::first_seed;
 using test::Random;
 
 struct Pair {
@@ -62,8 +65,9 @@ void make_solution(Pair& p, int which, Random& random) {
 }
 
 TEST(Resistance, ResidualsVanishExactlyWhereTheLawHolds) {
-    Random random(1);
-    for (int trial = 0; trial < 4000; ++trial) {
+    Random random(first_seed(1));
+    const int trials = by_tier(4000, 20'000, 200'000);
+    for (int trial = 0; trial < trials; ++trial) {
         Pair p = random_pair(random);
         make_solution(p, trial % 4, random);
         double e[3];
@@ -123,9 +127,10 @@ void projected(const Pair& p, double out[3]) {
 /// Along every direction in (u_n, u) that the linear laws of the normal and of the resistance
 /// allow, λ − P is to change by what it is now, to first order: Newton's equation.
 TEST(Resistance, LinearLawSolvesNewtonsEquation) {
-    Random random(3);
+    Random random(first_seed(3));
+    const int trials = by_tier(4000, 20'000, 200'000);
     int seen[3][3] = {};
-    for (int trial = 0; trial < 4000; ++trial) {
+    for (int trial = 0; trial < trials; ++trial) {
         Pair p = random_pair(random);
         Touch spins{}, rolls{};
         const ResistanceLaw law = linearise(p.turn, p.cone, spins, rolls);
@@ -173,7 +178,7 @@ TEST(Resistance, LinearLawSolvesNewtonsEquation) {
     }
     for (const Touch s : {Touch::stick, Touch::slip})
         for (const Touch r : {Touch::stick, Touch::slip})
-            EXPECT_GT(seen[static_cast<int>(s)][static_cast<int>(r)], 20);
+            EXPECT_GT(seen[static_cast<int>(s)][static_cast<int>(r)], trials / 200);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "record/recording_writer.h"
 #include "record/small_scene.h"
 #include "support/editor.h"
+#include "support/tier.h"
 
 #include <optional>
 
@@ -31,16 +32,15 @@ int differences(const Recording& r, World& world) {
     return wrong;
 }
 
-}  // namespace
-
-TEST(Changes, RandomEditsAreRepeatedFromTheRecording) {
+/// Edit a world at random, record it and repeat it from the recording.
+void repeat_edits(std::uint32_t seed) {
     WorldDef def{.on_diverged = OnDiverged::warn};
     World world(def), again(def);
     record::SceneInfo info;
     info.name = "edits";
     const auto file = fresh_folder() / "r.hwr";
-    Editor editor(11, {&world});
-    const Editor same_start(11, {&again});
+    Editor editor(seed, {&world});
+    const Editor same_start(seed, {&again});
     int edits = 0;
     {
         record::RecordingWriter out(file, info, world,
@@ -84,6 +84,16 @@ TEST(Changes, RandomEditsAreRepeatedFromTheRecording) {
         ASSERT_TRUE(found) << d.name;
         // Single precision of some metres.
         EXPECT_LT((last.poses[*found].position - world.pose(id).position).norm(), 1e-5);
+    }
+}
+
+}  // namespace
+
+TEST(Changes, RandomEditsAreRepeatedFromTheRecording) {
+    for (const std::uint32_t seed : seeds(11, 1, 4, 40)) {
+        SCOPED_TRACE(seed);
+        repeat_edits(seed);
+        if (HasFatalFailure()) return;
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "record/changes.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -23,16 +24,11 @@ namespace {
 /// Of a world; the wires of one get more nodes with each, and its steps longer.
 constexpr int kOperations = kSanitized ? 60 : 200;
 
-/// Worlds; HAWSER_OPERATIONS says how many operations there are in all (make test-long).
+/// Number of worlds. HAWSER_OPERATIONS gives the number of operations of all worlds.
 unsigned worlds_to_try() {
-    const char* asked = std::getenv("HAWSER_OPERATIONS");
-    return asked == nullptr ? 5U : static_cast<unsigned>(std::atol(asked) / kOperations);
-}
-
-/// HAWSER_SEED repeats a world that a long run has told of, and what comes after it.
-unsigned first_seed() {
-    const char* asked = std::getenv("HAWSER_SEED");
-    return asked == nullptr ? 1U : static_cast<unsigned>(std::atol(asked));
+    if (const char* given = std::getenv("HAWSER_OPERATIONS"))
+        return static_cast<unsigned>(std::atol(given) / kOperations);
+    return static_cast<unsigned>(seed_count(2, 10, 100));
 }
 
 /// Two wires between a beam and two blocks, one of lumps alone, one of straight pieces with bends.
@@ -218,7 +214,7 @@ void sequence(unsigned seed, std::vector<int>& done) {
 
 TEST(WireCutRandom, SequencesAreRepeatedInAllBits) {
     std::vector<int> done(64, 0);
-    const unsigned first = first_seed();
+    const unsigned first = first_seed(1);
     for (unsigned seed = first; seed < first + worlds_to_try() && !HasFatalFailure(); ++seed) {
         sequence(seed, done);
         if (seed % 50 == 0)

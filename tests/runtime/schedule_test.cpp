@@ -5,6 +5,7 @@
 #include "runtime/tasks.h"
 #include "runtime/trace.h"
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -139,8 +140,9 @@ TEST(Schedule, AChainInPartsReachesItsLimit) {
 
 /// List scheduling is within a factor of the best (Graham 1966), and never beats the bounds.
 TEST(Schedule, RandomLoopsKeepTheBoundsOfLists) {
-    test::Random random(7);
-    for (int round = 0; round < 300; ++round) {
+    test::Random random(test::first_seed(7));
+    const int rounds = test::by_tier(300, 1500, 15'000);
+    for (int round = 0; round < rounds; ++round) {
         std::vector<double> task(static_cast<std::size_t>(random.integer(1, 60)));
         for (double& t : task) t = random.uniform(0.1, 3.0);
         const ProgramTimes p = one_loop(task);

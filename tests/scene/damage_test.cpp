@@ -3,10 +3,10 @@
 // scene; it never crashes and never throws anything else.
 #include "good_scenes.h"
 #include "support.h"
+#include "support/tier.h"
 
 #include <rapidcheck/gtest.h>
 
-#include <cstdlib>
 #include <random>
 
 namespace hawser::scene::test {
@@ -56,11 +56,9 @@ std::string damage(std::string text, std::mt19937& random) {
 }
 
 TEST(Damage, bytes_of_good_scenes) {
-    // The same damage every time; HAWSER_DAMAGE_ROUNDS=100000 for a long search.
-    std::mt19937 random(20240229);
+    std::mt19937 random(::hawser::test::first_seed(20240229));
     int refused = 0;
-    const char* asked = std::getenv("HAWSER_DAMAGE_ROUNDS");
-    const int rounds = asked != nullptr ? std::atoi(asked) : 300;
+    const int rounds = ::hawser::test::by_tier(300, 3000, 100'000);
     for (int round = 0; round < rounds; ++round) {
         const std::string good(kGoodScenes[static_cast<std::size_t>(round) % kGoodScenes.size()]);
         refused += fate_of(damage(good, random)) == Fate::refused ? 1 : 0;

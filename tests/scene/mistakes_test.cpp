@@ -4,6 +4,7 @@
 
 #include "support.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <algorithm>
 #include <iterator>
@@ -189,7 +190,9 @@ TEST(Mistakes, keys_given_twice_and_options_are_listed) {
 TEST(Mistakes, reading_goes_on_past_anything) {
     const Json replacements[] = {nullptr,        -1,       1e300, "text", Json::array(),
                                  Json::object(), {1, 2, 3}};
-    std::mt19937 random(7);
+    std::mt19937 random(::hawser::test::first_seed(7));
+    const int rounds = ::hawser::test::by_tier(::hawser::test::kSanitized ? 20 : 50,
+                                               ::hawser::test::kSanitized ? 60 : 200, 2500);
     int refused = 0, documents = 0;
     for (const std::string_view text : kGoodScenes) {
         const Json scene = Json::parse(text);
@@ -201,7 +204,7 @@ TEST(Mistakes, reading_goes_on_past_anything) {
             }
         }
         // A few at once: each leaves something out that others may name.
-        for (int round = 0; round < (hawser::test::kSanitized ? 60 : 200); ++round) {
+        for (int round = 0; round < rounds; ++round) {
             Json changed = scene;
             for (unsigned k = 0; k < 1 + random() % 4; ++k) {
                 const Json::json_pointer& at = places[random() % places.size()];

@@ -17,6 +17,7 @@ def load(name: str):
 layers = load("check_layers")
 symbols = load("check_isa_symbols")
 tidy = load("tidy")
+affected = load("affected")
 structure = layers.structure
 
 
@@ -149,6 +150,45 @@ class Tidy(unittest.TestCase):
                          ["src/factor/ordering.cpp", "src/factor/numeric.cpp"])
         self.assertEqual(tidy.sources_to_check(["src/base/isa.h"], ["src/base/isa.cpp"]),
                          ["src/base/isa.cpp"])
+
+
+class Affected(unittest.TestCase):
+    """Changed files -> folders -> tests."""
+
+    def test_folders_of_files(self):
+        self.assertEqual(affected.folders_of(["src/draw/svg.cpp", "apps/cli/main.cpp",
+                                              "tests/wire/pin_test.cpp", "README.md"]),
+                         {"draw", "apps", "tests/wire"})
+        self.assertEqual(affected.folders_of(["tests/support/yard.h"]), {"tests/support/yard.h"})
+        self.assertEqual(affected.folders_of(["include/hawser/crane.h"]), {"crane"})
+        self.assertEqual(affected.folders_of([]), set())
+
+    def test_base_and_build_affect_everything(self):
+        for files in (["src/base/isa.cpp"], ["src/model/bodies.h"], ["cmake/HawserIsa.cmake"],
+                      ["CMakeLists.txt"], [".ci/run"], None):
+            self.assertEqual(affected.folders_of(files), {affected.EVERYTHING}, files)
+        self.assertEqual(affected.tests_of({affected.EVERYTHING}), affected.test_folders())
+
+    def test_a_client_reaches_its_tests_and_the_program(self):
+        reached = affected.tests_of({"report"})
+        self.assertEqual(reached[0], "report")
+        self.assertIn("cli", reached)
+        for folder in ("factor", "world", "wire", "marine"):
+            self.assertNotIn(folder, reached)
+
+    def test_a_room_of_the_library_reaches_what_is_built_on_it(self):
+        reached = affected.tests_of({"factor"})
+        self.assertEqual(reached[0], "factor")
+        for folder in ("assembly", "world", "wire", "session", "cli"):
+            self.assertIn(folder, reached)
+
+    def test_support_reaches_the_tests_that_include_it(self):
+        reached = affected.tests_of({"tests/support/yard.h"})
+        self.assertIn("world", reached)
+        self.assertNotIn("factor", reached)
+
+    def test_changed_tests_reach_themselves(self):
+        self.assertEqual(affected.tests_of({"tests/wire"}), ["wire"])
 
 
 if __name__ == "__main__":

@@ -4,10 +4,11 @@
 
 #include <hawser/session.h>
 
+#include "support/tier.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace {
 
 constexpr const char* kRunScene = "scenes/anchor_run.json";
 
-/// Steps compared: lines are let go and shackled in the first, nodes go in all of them.
-int compared_steps() { return std::getenv("HAWSER_LONG") != nullptr ? 1000 : 60; }
+/// Steps compared: lines are let go and shackled in the first, nodes are removed in all of them.
+int compared_steps() { return test::by_tier(30, 60, 1000); }
 
 SessionDef run_on(int threads) {
     SessionDef def{.scene = kRunScene};
@@ -74,9 +75,8 @@ TEST(AnchorRun, HasTheSameBitsOnAnyNumberOfThreadsAndRestored) {
     EXPECT_EQ(run_hashes(again, steps), rest);
 }
 
-/// All ten minutes, phase by phase: HAWSER_LONG=1, as in `make test-long`, since it takes minutes.
-TEST(AnchorRun, TakesTheAnchorChangesToChainAndRunsItOut) {
-    if (std::getenv("HAWSER_LONG") == nullptr) GTEST_SKIP() << "HAWSER_LONG=1 runs it";
+/// Run all ten minutes, phase by phase.
+TEST(AnchorRun, TakesTheAnchorChangesToChainAndRunsItOut_long) {
     Session session(run_on(1));
     World& world = session.world();
     const auto run_to = [&](double time) {

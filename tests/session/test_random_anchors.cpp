@@ -7,6 +7,7 @@
 #include <hawser/session.h>
 
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -16,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -215,10 +215,8 @@ TEST(RandomAnchors, AreVerifiedOverGuides) {
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() /
         ("hawser_random_anchor_" + std::to_string(::getpid()) + ".json");
-    const std::uint32_t seeds = std::getenv("HAWSER_LONG") != nullptr ? 300 : 6;
-    const char* given = std::getenv("HAWSER_SEED");
-    const auto first = static_cast<std::uint32_t>(given != nullptr ? std::atoi(given) : 1);
-    const std::uint32_t last = given != nullptr ? first : first + seeds - 1;
+    const std::uint32_t first = first_seed(1);
+    const std::uint32_t last = first + static_cast<std::uint32_t>(seed_count(2, 20, 300)) - 1;
     int refused = 0, ended = 0, cut = 0;
     long steps = 0, edits = 0;
     for (std::uint32_t seed = first; seed <= last && !HasFailure(); ++seed) {

@@ -7,13 +7,13 @@
 
 #include "support/random.h"
 #include "support/repeat.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -99,10 +99,8 @@ std::uint64_t run_lift(const SessionDef& def, const std::string& save = "", std:
 
 TEST(RandomCranes, AreVerifiedRepeatedAndGoOn) {
     const LiftFolder folder;
-    const std::uint32_t seeds = std::getenv("HAWSER_LONG") != nullptr ? 200 : 6;
-    const char* given = std::getenv("HAWSER_SEED");
-    const auto first = static_cast<std::uint32_t>(given != nullptr ? std::atoi(given) : 1);
-    const std::uint32_t last = given != nullptr ? first : first + seeds - 1;
+    const std::uint32_t first = first_seed(1);
+    const std::uint32_t last = first + static_cast<std::uint32_t>(seed_count(2, 12, 200)) - 1;
     for (std::uint32_t seed = first; seed <= last; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const std::string scene = folder.file("lift.json"), state = folder.file("at.hws");

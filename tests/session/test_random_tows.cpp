@@ -7,6 +7,7 @@
 
 #include "support/random.h"
 #include "support/repeat.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -152,12 +152,10 @@ Json random_tow(std::uint32_t seed) {
 
 TEST(RandomTows, InASeaAreVerifiedAndRepeated) {
     const TowFolder folder;
-    const int seeds = std::getenv("HAWSER_LONG") != nullptr ? 200 : 4;
-    const char* given = std::getenv("HAWSER_SEED");
     int refused = 0, cut = 0;
     std::int64_t steps = 0;
-    const auto first = static_cast<std::uint32_t>(given != nullptr ? std::atoi(given) : 1);
-    const auto last = given != nullptr ? first : first + static_cast<std::uint32_t>(seeds) - 1;
+    const std::uint32_t first = first_seed(1);
+    const std::uint32_t last = first + static_cast<std::uint32_t>(seed_count(2, 12, 200)) - 1;
     for (std::uint32_t seed = first; seed <= last; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const std::string file = folder.file("tow.json"), record = folder.file("tow.hwr");

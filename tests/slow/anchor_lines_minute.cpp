@@ -31,7 +31,7 @@ void expect_physical_minute(scene::Scene& scene, test::AnchorLinesProbe& probe) 
         100.0 * probe.load_max, probe.momentum_residual_max, probe.drift_max, probe.turn_max);
 }
 
-TEST(AnchorLinesMinute, StaysPhysicalAndEveryInteractionCarriesForce) {
+TEST(AnchorLinesMinute, StaysPhysicalAndEveryInteractionCarriesForce_full) {
     scene::Scene scene = scene::load_file("scenes/anchor_lines.json");
     test::AnchorLinesProbe probe(scene);
     expect_physical_minute(scene, probe);
@@ -43,7 +43,7 @@ TEST(AnchorLinesMinute, StaysPhysicalAndEveryInteractionCarriesForce) {
     std::printf("    least loaded interaction: %.3g N or N m\n", probe.least_force());
 }
 
-TEST(AnchorLinesMinute, ARowOfSitesStaysPhysical) {
+TEST(AnchorLinesMinute, ARowOfSitesStaysPhysical_full) {
     scene::Options options;
     options.scale = 3;
     scene::Scene scene = scene::load_file("scenes/anchor_lines.json", options);
@@ -53,7 +53,7 @@ TEST(AnchorLinesMinute, ARowOfSitesStaysPhysical) {
 }
 
 // The exercise of scenes/anchor_lines.control.csv: winch, crane and thrust at work.
-TEST(AnchorLinesMinute, AnExerciseStaysPhysical) {
+TEST(AnchorLinesMinute, AnExerciseStaysPhysical_full) {
     scene::Scene scene = scene::load_file("scenes/anchor_lines.json");
     World& world = scene.world;
     test::AnchorLinesProbe probe(scene);

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// 100,000 random pairs of shapes of each two kinds against a slow reference in long double.
+// Compare 100,000 random pairs of each two kinds of shapes with a slow reference in long double.
 #include "support/collide/ground_pairs.h"
 #include "support/collide/random_pairs.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
 
 namespace hawser {
 namespace {
 
-TEST(NarrowPairs, AHundredThousandOfEachAgreeWithTheReference) {
-    if (std::getenv("HAWSER_LONG") == nullptr)
-        GTEST_SKIP()
-            << "takes five minutes of a core: make test-long; tests/collide has 2,000 each";
+TEST(NarrowPairs, AHundredThousandOfEachAgreeWithTheReference_long) {
     auto pairs = test::exact_pairs();
     const auto exact = pairs.size();
     const auto more = test::vertex_pairs();
@@ -33,9 +29,7 @@ TEST(NarrowPairs, AHundredThousandOfEachAgreeWithTheReference) {
     }
 }
 
-TEST(NarrowPairs, AHundredThousandOnGroundAgreeWithTheReference) {
-    if (std::getenv("HAWSER_LONG") == nullptr)
-        GTEST_SKIP() << "takes minutes of a core: make test-long; tests/collide has 300 each";
+TEST(NarrowPairs, AHundredThousandOnGroundAgreeWithTheReference_long) {
     for (const test::Ground ground : test::grounds())
         for (const ShapeKind kind : test::ground_kinds()) {
             const auto score = test::judge_ground(kind, ground, 100'000, 1000);

@@ -3,6 +3,7 @@
 #include "stepper/allocation_counter.h"
 #include "stepper/scenes.h"
 #include "support/recipe.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,10 @@ TEST(Allocation, NoneInAWarmStep) {
     expect_none(pendulum(), 1);
     expect_none(link_chain(20), 1);
     expect_none(wire(30), 1);
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) expect_none(mixed(seed, 10), 1);
+    for (const std::uint32_t seed : seeds(1, 3, 6, 60)) {
+        SCOPED_TRACE(seed);
+        expect_none(mixed(seed, 10), 1);
+    }
 }
 
 TEST(Allocation, NoneInAWarmStepOfTwoThreads) {

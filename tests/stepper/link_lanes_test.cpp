@@ -2,6 +2,7 @@
 /// Links that stand in a row go eight at a time, others one by one: the same motion.
 #include "support/random.h"
 #include "support/recipe.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,8 @@ INSTANTIATE_TEST_SUITE_P(Forms, LinkLanes,
 /// Where some of the links touch the ground the solution starts at 0, and contacts push.
 TEST_P(LinkLanes, MoveAsOneByOne) {
     const auto [form, touching] = GetParam();
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (const std::uint32_t seed : seeds(1, 2, 8, 60)) {
+        SCOPED_TRACE(seed);
         Recipe r = chains(seed, 3, 21);
         r.world.form = form;
         r.world.solution_tolerance = 1e-13;

@@ -4,6 +4,7 @@
 #include "context/load_matrix.h"
 
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -35,8 +36,9 @@ std::vector<double> across(const Vec3& t, double c, double beyond) {
 /// In the order of its rows the last pivot of such a matrix came out up to 1e-12 below 0, and the
 /// step ended with Status::bad_load where a wire in the sea had a free end.
 TEST(Semidefinite, TakesAPieceOfWireOfAnyDirection) {
-    Random random(1);
-    for (int i = 0; i < 100'000; ++i) {
+    Random random(first_seed(1));
+    const int cases = by_tier(10'000, 200'000, 2'000'000);
+    for (int i = 0; i < cases; ++i) {
         const Vec3 t = any_direction(random);
         const double c = std::pow(10.0, random.uniform(-6, 6));
         ASSERT_TRUE(stepper::semidefinite(across(t, c, 0.0).data(), 3))
@@ -55,8 +57,9 @@ TEST(Semidefinite, TakesWhatUnderflowsBesideNothing) {
 
 /// Sums of outer products of six rows, of any rank and with rows of very different units.
 TEST(Semidefinite, TakesSumsOfOuterProducts) {
-    Random random(2);
-    for (int i = 0; i < 20'000; ++i) {
+    Random random(first_seed(2));
+    const int cases = by_tier(5'000, 60'000, 600'000);
+    for (int i = 0; i < cases; ++i) {
         double unit[6], m[21] = {};
         for (double& u : unit) u = std::pow(10.0, random.uniform(-4, 4));
         const int rank = random.integer(1, 6);

@@ -2,6 +2,7 @@
 // Wires of random ends, lengths, weights, stiffnesses and seabeds: the forces on each node are
 // added up here, by nothing but where the nodes are.
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 #include <hawser/catenary.h>
@@ -14,7 +15,7 @@
 namespace hawser {
 namespace {
 
-constexpr int kWires = test::kSanitized ? 2'000 : 20'000;
+int wires() { return test::by_tier(1'000, test::kSanitized ? 2'000 : 40'000, 400'000); }
 
 class Draw {
   public:
@@ -132,9 +133,10 @@ void expect_in_balance(const CatenaryDef& def, const Catenary& c, int number) {
 }
 
 TEST(CatenaryRandom, every_node_is_in_balance) {
-    Draw draw(20260105);
+    Draw draw(test::first_seed(20260105));
+    const int most = wires();
     int touching = 0, slack = 0;
-    for (int i = 0; i < kWires; ++i) {
+    for (int i = 0; i < most; ++i) {
         const CatenaryDef def = random_wire(draw);
         const Catenary c = catenary(def);
         ASSERT_NE(c.status, CatenaryStatus::unbalanced)
@@ -145,14 +147,15 @@ TEST(CatenaryRandom, every_node_is_in_balance) {
         touching += c.touches() ? 1 : 0;
         slack += c.status == CatenaryStatus::slack ? 1 : 0;
     }
-    EXPECT_GT(touching, kWires / 4);
-    EXPECT_GT(slack, kWires / 10);
+    EXPECT_GT(touching, most / 4);
+    EXPECT_GT(slack, most / 10);
 }
 
 /// Numbers that no one means: what comes back is finite, and says what it is worth.
 TEST(CatenaryRandom, nothing_is_nan_whatever_it_is_asked_for) {
-    Draw draw(7);
-    for (int i = 0; i < kWires; ++i) {
+    Draw draw(test::first_seed(7));
+    const int most = wires();
+    for (int i = 0; i < most; ++i) {
         CatenaryDef def;
         def.from = somewhere(draw, draw.power(-6.0, 8.0));
         def.to = draw.one_in(5) ? def.from : somewhere(draw, draw.power(-6.0, 8.0));

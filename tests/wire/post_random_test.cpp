@@ -5,6 +5,7 @@
 #include <hawser/winch.h>
 
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -264,11 +264,11 @@ void run(const Wiring& x, std::uint32_t seed, Tally& tally) {
 }
 
 void run_all(bool near) {
-    const int seeds = std::getenv("HAWSER_LONG") != nullptr ? 500 : 20;
+    const std::uint32_t first = first_seed(1);
+    const std::uint32_t end = first + static_cast<std::uint32_t>(seed_count(6, 40, 500));
     Tally tally;
-    for (int seed = 1; seed <= seeds && !::testing::Test::HasFatalFailure(); ++seed)
-        run(Wiring(static_cast<std::uint32_t>(seed), near), static_cast<std::uint32_t>(seed),
-            tally);
+    for (std::uint32_t seed = first; seed < end && !::testing::Test::HasFatalFailure(); ++seed)
+        run(Wiring(seed, near), seed, tally);
     std::printf("%d wires: %.0f times on a pin, %d cut, %d restored; %d ended early, %d doubtful\n",
                 tally.worlds, tally.taken, tally.cuts, tally.restores, tally.ended, tally.doubtful);
     EXPECT_GT(tally.taken, 0.0);
@@ -314,9 +314,10 @@ TEST(PostRandom, ALumpBetweenTwoPostsKeepsMassOfItsOwn) {
 
 /// Wires slide along pins that let them, with the seeds above.
 TEST(PostRandom, WiresThatSlideAlongPinsKeepTheirBits) {
-    const std::uint32_t seeds = std::getenv("HAWSER_LONG") != nullptr ? 200 : 10;
+    const std::uint32_t first = first_seed(1);
+    const std::uint32_t end = first + static_cast<std::uint32_t>(seed_count(4, 20, 200));
     Tally tally;
-    for (std::uint32_t seed = 1; seed <= seeds && !HasFatalFailure(); ++seed)
+    for (std::uint32_t seed = first; seed < end && !HasFatalFailure(); ++seed)
         run(Wiring(seed, false, true), seed, tally);
     std::printf(
         "%d wires: %.0f times on a pin, slid %.0f m along; %d ended early, %d of which do "

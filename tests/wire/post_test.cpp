@@ -6,6 +6,7 @@
 
 #include "support/bits.h"
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -263,9 +264,10 @@ struct Thrown {
 };
 
 TEST(Posts, StopAWireAt50MetresASecond) {
-    test::Random random(21);
+    test::Random random(test::first_seed(21));
+    const int throws = test::by_tier(10, 100, 1000);
     int taken = 0, through = 0, doubtful = 0;
-    for (int k = 0; k < 100; ++k) {
+    for (int k = 0; k < throws; ++k) {
         // Within 60 degrees of the plane across the pin, from any side of that plane.
         const double up = std::sin(random.uniform(-1.0, 1.0) * 1.0471975512),
                      turn = random.uniform(-0.6, 0.6);
@@ -279,10 +281,10 @@ TEST(Posts, StopAWireAt50MetresASecond) {
         doubtful += d.w.verdict().grade != Grade::good ? 1 : 0;
         EXPECT_NE(d.w.verdict().grade, Grade::wrong) << k;
     }
-    std::printf("100 throws at 50 m/s: %d went through, %d came to lie on the pin, %d doubtful\n",
-                through, taken, doubtful);
+    std::printf("%d throws at 50 m/s: %d went through, %d came to lie on the pin, %d doubtful\n",
+                throws, through, taken, doubtful);
     EXPECT_EQ(through, 0);
-    EXPECT_LE(doubtful, 2);
+    EXPECT_LE(doubtful, std::max(2, throws / 50));
 }
 
 TEST(Posts, RefuseWhatCannotBe) {

@@ -4,6 +4,7 @@
 #include "wire/sideways.h"
 
 #include "support/random.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,9 @@ namespace {
 
 /// Root and bound of the law by itself, against bisection.
 TEST(Sideways, GoToTheBoundOfFriction) {
-    test::Random random(7);
-    for (int k = 0; k < 2000; ++k) {
+    test::Random random(test::first_seed(7));
+    const int cases = test::by_tier(2000, 10'000, 100'000);
+    for (int k = 0; k < cases; ++k) {
         const wire::Crossing c{{random.uniform(-5.0, 5.0), random.uniform(-5.0, 5.0)},
                                {random.uniform(0.1, 20.0), random.uniform(0.1, 20.0)}};
         const double bound = random.chance(0.2) ? 0.0 : random.uniform(0.0, 0.5);

@@ -5,6 +5,7 @@
 #include <hawser/hawser.h>
 
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +25,8 @@ namespace {
 constexpr double kRandomMass = 23.0, kRandomStored = 120.0, kRandomLoad = 4e3;
 
 long operations() {
-    const char* asked = std::getenv("HAWSER_OPERATIONS");
-    if (asked != nullptr) return std::atol(asked);
-    return kSanitized ? 300 : 2000;
+    if (const char* given = std::getenv("HAWSER_OPERATIONS")) return std::atol(given);
+    return kSanitized ? by_tier(300, 1000, 20'000) : by_tier(1000, 5000, 20'000);
 }
 
 /// Two winches, one at the first end of its wire, one at the last.
@@ -249,9 +249,8 @@ void sequence(std::uint32_t seed, long most, Tally& tally) {
 TEST(WinchRandom, OperationsKeepMaterialAndBits) {
     Tally tally;
     constexpr long kEach = 200;
-    const char* first = std::getenv("HAWSER_SEED");
-    for (auto seed = static_cast<std::uint32_t>(first != nullptr ? std::atol(first) : 1);
-         tally.operations < operations() && !HasFatalFailure(); ++seed) {
+    for (std::uint32_t seed = first_seed(1); tally.operations < operations() && !HasFatalFailure();
+         ++seed) {
         sequence(seed, kEach, tally);
         if (seed % 50 == 0)
             std::printf("seed %u: %ld operations\n", seed, tally.operations), std::fflush(stdout);

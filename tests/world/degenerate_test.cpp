@@ -2,12 +2,12 @@
 /// Input at the edge of sense: each step ends with a status, and the state stays finite.
 #include "support/degenerate/cases.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <ostream>
 
 namespace hawser::test {
@@ -34,7 +34,7 @@ void run_degenerate(const Degenerate& d, Nonsmooth method, int steps, Fate& fate
         fate.uncertified += map > def.contact_tolerance ? 1 : 0;
         fate.fastest = std::max(fate.fastest, fastest(y.world));
     }
-    if (std::getenv("HAWSER_LONG") != nullptr)
+    if (tier() == Tier::long_runs)
         std::printf("%-40s %d: failed %d, uncertified %d (%.1e), fastest %.3g m/s\n",
                     d.name.c_str(), static_cast<int>(method), fate.failed, fate.uncertified,
                     fate.worst_map, fate.fastest);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A step that fails returns a status and leaves the state of the last good step.
 #include "support/recipe.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,8 @@ namespace {
 constexpr double kHuge = 1e300;
 
 TEST(FailedStep, LeavesTheStateAlone) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (const std::uint32_t seed : seeds(1, 4, 20, 200)) {
+        SCOPED_TRACE(seed);
         const Recipe recipe = mixed(seed);
         World w = recipe.make(), twin = recipe.make();
         const BodyId last{w.body_count() - 2};
@@ -38,7 +40,8 @@ TEST(FailedStep, LeavesTheStateAlone) {
 }
 
 TEST(FailedStep, LeavesTheStateAloneWhenItIsTheFirst) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (const std::uint32_t seed : seeds(1, 4, 20, 200)) {
+        SCOPED_TRACE(seed);
         const Recipe recipe = mixed(seed);
         World w = recipe.make(), twin = recipe.make();
         w.prepare();

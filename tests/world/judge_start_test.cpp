@@ -4,6 +4,8 @@
 #include <hawser/hawser.h>
 #include <hawser/limits.h>
 
+#include "support/tier.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -68,9 +70,10 @@ World make(const Start& s) {
 }
 
 TEST(JudgeStart, ForcesThatStayMakeNoEnergy) {
-    std::mt19937 dice(20261127);
+    std::mt19937 dice(test::first_seed(20261127));
+    const int starts = test::by_tier(300, 1000, 10'000);
     double most = 0.0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < starts; ++i) {
         const Start s = random_start(dice);
         World w = make(s);
         // The first looks: later ones compare with more that was exchanged. Turns are not judged.

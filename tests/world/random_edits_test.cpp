@@ -5,13 +5,13 @@
 
 #include "support/editor.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 #include "support/yard.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,10 +19,8 @@
 namespace hawser::test {
 namespace {
 
-bool all_seeds() { return std::getenv("HAWSER_LONG") != nullptr; }
-
-/// So many steps, with five edits before each.
-int edited_steps() { return kSanitized && !all_seeds() ? 150 : 2000; }
+/// Steps of a world, each after five edits.
+int edited_steps() { return kSanitized ? by_tier(60, 150, 2000) : by_tier(400, 2000, 2000); }
 
 /// Worlds that differ in threads only.
 struct Fleet {
@@ -72,15 +70,12 @@ void restore_one(Fleet& fleet, Editor& editor, std::size_t which) {
     editor.replace(which, w);
 }
 
-class RandomEdits : public testing::TestWithParam<int> {};
-
-TEST_P(RandomEdits, GiveTheSameBits) {
+void edit_at_random(std::uint32_t seed) {
     constexpr int kEdits = 5, kRestores = 20;
-    const int steps = edited_steps(), seed = GetParam();
-    if (seed > 1 && !all_seeds()) GTEST_SKIP() << "HAWSER_LONG=1 runs all seeds";
+    const int steps = edited_steps();
     Fleet fleet({1, 2, 4, 8});
-    Editor editor(static_cast<std::uint64_t>(seed), fleet.all());
-    Random random(static_cast<std::uint64_t>(1000 + seed));
+    Editor editor(seed, fleet.all());
+    Random random(1000ULL + seed);
     std::vector<int> restores;
     for (int i = 0; i < kRestores; ++i) restores.push_back(random.integer(0, steps - 1));
     int failed = 0, contacts = 0, restored = 0;
@@ -93,12 +88,12 @@ TEST_P(RandomEdits, GiveTheSameBits) {
         asleep += fleet.worlds[0].stats().asleep;
         for (auto n = std::count(restores.begin(), restores.end(), step); n > 0; --n) {
             restore_one(fleet, editor, static_cast<std::size_t>(restored++) % fleet.worlds.size());
-            if (HasFatalFailure()) return;
+            if (testing::Test::HasFatalFailure()) return;
         }
-        if (HasFailure()) break;
+        if (testing::Test::HasFailure()) break;
     }
     std::printf(
-        "    seed %d: %d edits (%s) in %d steps, %d failed; %d restores; %d contacts and "
+        "    seed %u: %d edits (%s) in %d steps, %d failed; %d restores; %d contacts and "
         "%lld sleepers looked at; hash %016llx on %zu numbers of threads\n",
         seed, editor.edits(), editor.summary().c_str(), steps, failed, restored, contacts,
         static_cast<long long>(asleep),
@@ -111,7 +106,11 @@ TEST_P(RandomEdits, GiveTheSameBits) {
     EXPECT_EQ(not_finite(fleet.worlds[0]), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Seed, RandomEdits, testing::Range(1, 6));
+TEST(RandomEdits, GiveTheSameBits) {
+    const std::uint32_t first = first_seed(1);
+    const std::uint32_t end = first + static_cast<std::uint32_t>(seed_count(1, 2, 5));
+    for (std::uint32_t seed = first; seed < end && !HasFailure(); ++seed) edit_at_random(seed);
+}
 
 }  // namespace
 }  // namespace hawser::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Groups that the world makes itself and that follow its state.
+#include "support/tier.h"
 #include "world/three_cables.h"
 
 #include <map>
@@ -184,8 +185,9 @@ TEST(Regroup, GoesOnBitForBitFromASnapshotOfAnyStep) {
     // In a world that is new each time, and in one whose groups are those of another time.
     World again = t.recipe.make();
     run(again, 2 * kEvery + 7);
-    Random random(5);
-    for (int i = 1; i < kSteps; i += random.integer(1, 7)) {
+    Random random(first_seed(5));
+    const int longest_stride = by_tier(21, 7, 1);
+    for (int i = 1; i < kSteps; i += random.integer(1, longest_stride)) {
         SCOPED_TRACE(i);
         World fresh = t.recipe.make();
         for (World* w : {&fresh, &again}) {
@@ -202,7 +204,8 @@ TEST(Regroup, GoesOnBitForBitFromASnapshotOfAnyStep) {
     const auto& good = saved[kSteps - 1];
     again.restore(saved[1]);
     const std::uint64_t before = again.state_hash();
-    for (int trial = 0; trial < 100; ++trial) {
+    const int trials = by_tier(100, 500, 5000);
+    for (int trial = 0; trial < trials; ++trial) {
         auto bytes = good;
         const int where = random.integer(0, static_cast<int>(bytes.size()) - 1);
         bytes[static_cast<std::size_t>(where)] ^= static_cast<std::byte>(random.integer(1, 255));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Saved at 20 random steps of every scene and restored in another world of the same file, the
+/// Save every scene at random steps and restore it in another world of the same file: the
 /// continuation is the same bit for bit.
 #include "stepper/scenes.h"
 #include "support/random.h"
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <hawser/partition.h>
 
@@ -12,12 +13,14 @@
 namespace hawser {
 namespace {
 
-TEST(SceneRestore, ContinuesBitForBitAtTwentyRandomSteps) {
+TEST(SceneRestore, ContinuesBitForBitAtRandomSteps) {
+    const std::uint32_t seed = test::first_seed(17);
+    const int rounds = test::by_tier(2, test::kSanitized ? 2 : 20, 200);
     for (const auto& file : test::scene_files()) {
         scene::Scene one = scene::load_file(file), other = scene::load_file(file);
         World &a = one.world, &b = other.world;
-        test::Random random(17);
-        for (int round = 0; round < (test::kSanitized ? 2 : 20); ++round) {
+        test::Random random(seed);
+        for (int round = 0; round < rounds; ++round) {
             for (int i = random.integer(0, 4); i > 0; --i) ASSERT_EQ(a.step(), Status::ok) << file;
             b.restore(a.structure(), a.save());
             ASSERT_EQ(a.state_hash(), b.state_hash()) << file << " round " << round;

@@ -3,6 +3,7 @@
 #include <hawser/inspect.h>
 
 #include "support/small_recipes.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,9 @@ INSTANTIATE_TEST_SUITE_P(Recipes, EachRecipe, testing::ValuesIn(kSmallRecipes), 
 TEST_P(EachRecipe, ContinuesBitForBitAfterRestore) {
     const Recipe recipe = GetParam().make();
     World a = recipe.make();
-    Random random(7);
-    for (int round = 0; round < 20; ++round) {
+    Random random(first_seed(7));
+    const int rounds = by_tier(10, 30, 300);
+    for (int round = 0; round < rounds; ++round) {
         for (int i = random.integer(0, 6); i > 0; --i) ASSERT_EQ(a.step(), Status::ok);
         const auto bytes = a.save();
         World fresh = recipe.make();
@@ -58,8 +60,9 @@ TEST(Snapshot, RefusesDamageAndLeavesTheStateAlone) {
     const auto good = w.save();
     ASSERT_EQ(w.step(), Status::ok);
     const auto hash = w.state_hash();
-    Random random(3);
-    for (int trial = 0; trial < 200; ++trial) {
+    Random random(first_seed(3));
+    const int trials = by_tier(200, 1000, 10'000);
+    for (int trial = 0; trial < trials; ++trial) {
         auto bytes = good;
         const auto where =
             static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1));

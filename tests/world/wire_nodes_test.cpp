@@ -3,6 +3,7 @@
 #include <hawser/hawser.h>
 
 #include "support/sanitizer.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
@@ -148,29 +149,31 @@ void edit(Free& f, std::mt19937& dice, Sums& sum) {
 
 TEST(WireNodes, KeepMomentaAndMakeNoEnergy) {
     // The faster it spins, the less its steps keep of its angular momentum; edits do.
-    for (const double spin : {0.1, 0.5}) {
-        Free f(24, spin);
-        std::mt19937 dice(7);
-        for (int i = 0; i < 30; ++i) ASSERT_EQ(f.w.step(), Status::ok);
-        const Account before = account_of(f.w, f.wire);
-        Sums sum;
-        constexpr int kEdits = kSanitized ? 500 : 2000;
-        while (sum.in + sum.out < kEdits) {
-            edit(f, dice, sum);
-            ASSERT_EQ(f.w.step(), Status::ok) << sum.in << " in, " << sum.out << " out";
+    const int edits = by_tier(500, kSanitized ? 500 : 2000, 2000);
+    for (const std::uint32_t seed : seeds(7, 1, 2, 25))
+        for (const double spin : {0.1, 0.5}) {
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", spin " + std::to_string(spin));
+            Free f(24, spin);
+            std::mt19937 dice(seed);
+            for (int i = 0; i < 30; ++i) ASSERT_EQ(f.w.step(), Status::ok);
+            const Account before = account_of(f.w, f.wire);
+            Sums sum;
+            while (sum.in + sum.out < edits) {
+                edit(f, dice, sum);
+                ASSERT_EQ(f.w.step(), Status::ok) << sum.in << " in, " << sum.out << " out";
+            }
+            const Account after = account_of(f.w, f.wire);
+            EXPECT_GE(sum.out, 2 * edits / 5);
+            EXPECT_NEAR(after.mass, before.mass, 1e-12 * before.mass);
+            EXPECT_LE((after.linear - before.linear).norm(), 1e-12 * before.linear.norm());
+            EXPECT_LE(sum.angular.norm(), 1e-12 * before.angular.norm());
+            if (spin < 0.2) {
+                EXPECT_LE((after.angular - before.angular).norm(), 3e-4 * before.angular.norm());
+            }
+            EXPECT_LE(sum.created, 1e-9 * before.energy);
+            EXPECT_LE(sum.lost, 5e-3 * before.energy);
+            EXPECT_EQ(f.w.verdict().grade, Grade::good);
         }
-        const Account after = account_of(f.w, f.wire);
-        EXPECT_GE(sum.out, 2 * kEdits / 5);
-        EXPECT_NEAR(after.mass, before.mass, 1e-12 * before.mass);
-        EXPECT_LE((after.linear - before.linear).norm(), 1e-12 * before.linear.norm());
-        EXPECT_LE(sum.angular.norm(), 1e-12 * before.angular.norm());
-        if (spin < 0.2) {
-            EXPECT_LE((after.angular - before.angular).norm(), 3e-4 * before.angular.norm());
-        }
-        EXPECT_LE(sum.created, 1e-9 * before.energy);
-        EXPECT_LE(sum.lost, 5e-3 * before.energy);
-        EXPECT_EQ(f.w.verdict().grade, Grade::good);
-    }
 }
 
 TEST(WireNodes, StayWhereTheWireIsBent) {
@@ -183,23 +186,26 @@ TEST(WireNodes, StayWhereTheWireIsBent) {
 }
 
 TEST(WireNodes, ComeAndGoTheSameOnAnyNumberOfThreads) {
-    std::uint64_t hash = 0;
-    for (const int threads : {1, 2, 4}) {
-        Free f(24, 0.3, threads);
-        std::mt19937 dice(3);
-        Sums sum;
-        for (int i = 0; i < 200; ++i) {
-            edit(f, dice, sum);
-            ASSERT_EQ(f.w.step(), Status::ok);
+    for (const std::uint32_t seed : seeds(3, 1, 4, 40)) {
+        SCOPED_TRACE(seed);
+        std::uint64_t hash = 0;
+        for (const int threads : {1, 2, 4}) {
+            Free f(24, 0.3, threads);
+            std::mt19937 dice(seed);
+            Sums sum;
+            for (int i = 0; i < 200; ++i) {
+                edit(f, dice, sum);
+                ASSERT_EQ(f.w.step(), Status::ok);
+            }
+            if (threads == 1) hash = f.w.state_hash();
+            EXPECT_EQ(f.w.state_hash(), hash) << threads;
+            const auto saved = f.w.save();
+            for (int i = 0; i < 20; ++i) ASSERT_EQ(f.w.step(), Status::ok);
+            const std::uint64_t later = f.w.state_hash();
+            f.w.restore(saved);
+            for (int i = 0; i < 20; ++i) ASSERT_EQ(f.w.step(), Status::ok);
+            EXPECT_EQ(f.w.state_hash(), later);
         }
-        if (threads == 1) hash = f.w.state_hash();
-        EXPECT_EQ(f.w.state_hash(), hash) << threads;
-        const auto saved = f.w.save();
-        for (int i = 0; i < 20; ++i) ASSERT_EQ(f.w.step(), Status::ok);
-        const std::uint64_t later = f.w.state_hash();
-        f.w.restore(saved);
-        for (int i = 0; i < 20; ++i) ASSERT_EQ(f.w.step(), Status::ok);
-        EXPECT_EQ(f.w.state_hash(), later);
     }
 }
 

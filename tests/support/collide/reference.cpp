@@ -152,8 +152,16 @@ Vec nearest(const Body& a, const Body& b, Real& gap) {
     return v;
 }
 
+/// Bound of the distance of the body's points from its centre.
+Real reach(const Body& o) {
+    Real most = length({o.half[0], o.half[1], o.half[2]}) + o.radius + o.half_length;
+    for (const Vec& p : o.points) most = std::max(most, length(p - o.c));
+    return most;
+}
+
 struct Search {
     const Body &a, &b;
+    Real steepest;  ///< Bound of the slope of s [m/rad].
     Real best = -1e30L;
     Vec n;
     void propose(Vec m) {
@@ -180,7 +188,7 @@ struct Search {
             const Real left = scan[(i + kScan - 1) % kScan], right = scan[(i + 1) % kScan];
             if (scan[i] < left || scan[i] < right) continue;
             // A maximum cannot rise above the scan by more than the slope allows.
-            if (scan[i] + step * 3 < best) continue;
+            if (scan[i] + step * steepest < best) continue;
             Real low = (i - 1) * step, high = (i + 1) * step;
             // Sign of the slope: exact also at kinks, where golden section would stop early.
             for (int k = 0; k < 62; ++k) {
@@ -277,10 +285,14 @@ Answer signed_distance(const Body& a, const Body& b) {
     Real gap = 0;
     const Vec v = nearest(a, b, gap);
     const Real distance = length(v), rounding = a.rounding + b.rounding;
-    if (distance > 1e-12L)
+    // The distance lies between s along v and |v|. On very thin shapes that overlap the
+    // minimisation may end early: then they differ, and all normals are searched as well.
+    const bool apart = distance > 1e-12L;
+    if (apart && distance - cores(a, b, (1 / distance) * v) < 1e-7L)
         return {distance - rounding, (1 / distance) * v,
                 std::sqrt(gap) / distance + 1e-15L / distance};
-    Search search{a, b, -1e30L, {}};
+    Search search{a, b, length(b.c - a.c) + reach(a) + reach(b), -1e30L, {}};
+    if (apart) search.propose((1 / distance) * v);
     for (const Vec& n : a.faces) search.propose(n), search.propose(-1.0L * n);
     for (const Vec& n : b.faces) search.propose(n), search.propose(-1.0L * n);
     for (const Vec& e : a.edges)
