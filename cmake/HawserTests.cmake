@@ -20,11 +20,17 @@ find_package(PNG QUIET)
 find_package(Python3 COMPONENTS Interpreter REQUIRED)
 
 # Tests that need more than the library.
-set(HAWSER_REPORT_TESTS cli draw exercise export files live marine record report session verify)
-set(HAWSER_SCENE_TESTS bench cli draw exercise export files live record report scene scenes session
-                       slow stepper threads validate verify world)
-# Tests that start the program: it is built with them.
-set(HAWSER_PROGRAM_TESTS cli scene validate)
+set(HAWSER_REPORT_TESTS cli draw exercise export files golden live marine record report session
+                        verify)
+set(HAWSER_SCENE_TESTS bench cli draw exercise export files golden live record report scene scenes
+                       session slow stepper threads validate verify world)
+# Folders of which no test is quick: those of bench test the benchmarks, not the library.
+set(HAWSER_FULL_TESTS bench slow)
+# Tests that start the program: it is built with them. Those of scene skip a test without it.
+set(HAWSER_PROGRAM_TESTS cli golden validate)
+if(NOT HAWSER_SANITIZE)
+    list(APPEND HAWSER_PROGRAM_TESTS scene)
+endif()
 # Tests whose own code computes enough to need optimisation.
 set(HAWSER_OPTIMISED_TESTS assembly bench collide factor marine nonsmooth)
 # Tests that run several threads: the thread sanitizer runs these.
@@ -32,6 +38,13 @@ set(HAWSER_THREAD_TESTS runtime threads)
 # Folders whose quick tests take longest: they start first, so that all processors end together.
 set(HAWSER_FIRST_TESTS validate wire world stepper machine scene cli)
 add_custom_target(hawser_quick_tests)
+add_custom_target(hawser_full_tests)
+add_dependencies(hawser_full_tests hawser_quick_tests)
+foreach(program IN ITEMS hawser_program hawser_bench)
+    if(TARGET ${program})
+        add_dependencies(hawser_full_tests ${program})
+    endif()
+endforeach()
 add_custom_target(hawser_thread_tests)
 
 hawser_sources(support_sources tests/support)
@@ -99,7 +112,13 @@ function(hawser_add_test_executable target folder)
     endif()
     target_link_libraries(${target} PRIVATE hawser_test_support)
 
-    add_dependencies(hawser_quick_tests ${target})
+    if(folder IN_LIST HAWSER_FULL_TESTS)
+        add_dependencies(hawser_full_tests ${target})
+        hawser_add_shards(${target} ${folder} full 2 "-*_long")
+    else()
+        add_dependencies(hawser_quick_tests ${target})
+        hawser_add_shards(${target} ${folder} quick 2 "-*_full:*_long:*_full/*:*_long/*")
+    endif()
     if(folder IN_LIST HAWSER_PROGRAM_TESTS AND TARGET hawser_program)
         add_dependencies(${target} hawser_program)
     endif()
@@ -112,8 +131,7 @@ function(hawser_add_test_executable target folder)
         file(STRINGS "${source}" names REGEX "_(full|long)[)\"]")
         list(APPEND tests ${names})
     endforeach()
-    hawser_add_shards(${target} ${folder} quick 2 "-*_full:*_long:*_full/*:*_long/*")
-    if(tests MATCHES "_full[)\"]")
+    if(tests MATCHES "_full[)\"]" AND NOT folder IN_LIST HAWSER_FULL_TESTS)
         hawser_add_shards(${target} ${folder} full 2 "*_full:*_full/*")
     endif()
     if(tests MATCHES "_long[)\"]")

@@ -19,7 +19,8 @@ changed folder directly or through others.
          changed   changed folders; `everything` if all count
          tests     reached test folders, nearest first
          sanitized test folders for the sanitizers: those that use a changed folder directly, and
-                   always those of readers of foreign bytes and of base rooms
+                   always those of readers of foreign bytes and of base rooms; none that start
+                   the program
 """
 from __future__ import annotations
 
@@ -48,6 +49,10 @@ BASE_ROOMS = {"base", "model"}
 # Tests of readers and of base rooms: sanitizers run them after each change.
 ALWAYS_SANITIZED = {"files", "scene", "record", "live", "exercise", "model", "runtime", "factor",
                     "graph"}
+# Tests that start the program. The gate does not build an instrumented one; check-full does.
+PROGRAM_TESTS = {"cli", "validate", "golden"}
+# Folders of which no test is quick: see HAWSER_FULL_TESTS in cmake/HawserTests.cmake.
+FULL_ONLY = {"bench", "slow"}
 DATA = {"scenes", "exercises", "schema", "docs"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
 
@@ -257,7 +262,7 @@ def main() -> int:
     elif options.what == "tests":
         print(*tests_of(changed))
     elif options.what == "sanitized":
-        print(*sorted(ALWAYS_SANITIZED.union(tests_of(changed, 1))))
+        print(*sorted(ALWAYS_SANITIZED.union(tests_of(changed, 1)) - FULL_ONLY - PROGRAM_TESTS))
     else:
         subject = git("log", "-1", "--format=%h %ci %s", base) if base else []
         print(f"base commit: {subject[0] if subject else 'none'}")

@@ -31,8 +31,6 @@ import affected  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TIERS = ["quick", "full", "long"]
 SLOWEST = 10
-# Checks of the build itself, by the file that they check: not tests of a folder.
-BUILD_CHECKS = ["isa_symbols", "scripts", "compiler_cache", "consumer", "example_matrix_market"]
 
 
 class Clock:
@@ -50,8 +48,11 @@ class Clock:
         return f"{time.monotonic() - self.wall:.0f} s, processor {self.used() - self.processor:.0f} s"
 
 
-def targets(folders: list[str] | None) -> list[str]:
-    return ["hawser_quick_tests"] if folders is None else [f"hawser_test_{f}" for f in folders]
+def targets(folders: list[str] | None, tier: str) -> list[str]:
+    """Targets that the tests need. Tests of larger tiers start hawser-bench, too."""
+    if folders is None:
+        return ["hawser_quick_tests" if tier == "quick" else "hawser_full_tests"]
+    return [f"hawser_test_{f}" for f in folders]
 
 
 def slowest_suites(path: pathlib.Path) -> list[str]:
@@ -63,7 +64,7 @@ def slowest_suites(path: pathlib.Path) -> list[str]:
         name = f"{program.removeprefix('hawser_test_')}.{suite}"
         wall[name] += float(times[0])
         processor[name] += float(times[1])
-    order = sorted(processor, key=processor.__getitem__, reverse=True)[:int(os.environ.get("HAWSER_SLOWEST", SLOWEST))]
+    order = sorted(processor, key=processor.__getitem__, reverse=True)[:SLOWEST]
     return [f"  {wall[n]:7.1f} s wall {processor[n]:7.1f} s processor  {n}" for n in order]
 
 
@@ -82,7 +83,8 @@ def main() -> int:
         base = affected.base_commit(options.since)
         changed = affected.folders_of(affected.changed_files(base))
         everything = affected.EVERYTHING in changed
-        folders = affected.tests_of(changed)
+        folders = [f for f in affected.tests_of(changed)
+                   if options.tier != "quick" or f not in affected.FULL_ONLY]
         print(f"changed since {base[:8]}: {' '.join(sorted(changed)) or 'nothing'}")
         print(f"tests that this reaches: {' '.join(folders) or 'none'}", flush=True)
         if not folders and "scripts" not in changed:
@@ -99,7 +101,7 @@ def main() -> int:
         print(f"run first: cmake --preset {options.preset}", file=sys.stderr)
         return 2
     clock = Clock()
-    names = targets(folders)
+    names = targets(folders, options.tier)
     if names and subprocess.run(["cmake", "--build", build, "-j", str(options.jobs), "--target",
                                  *names], cwd=ROOT).returncode != 0:
         return 2

@@ -177,7 +177,7 @@ TEST(InstructionSets, EveryFrontShape) {
 
 /// Wires in every lane pattern: batches of one to eight chains, and more.
 TEST(InstructionSets, Batches) {
-    for (const std::uint32_t seed : seeds(1, 3, kSanitized ? 5 : 40, 400)) {
+    for (const std::uint32_t seed : seeds(1, 3, kSanitized ? 5 : 40, 200)) {
         Random random(seed);
         const BlockMatrix m = wires(random, 9, 12);
         const factor::Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));

@@ -132,9 +132,12 @@ TEST(Unsymmetric, NamesTheNodesOfWrongPivots) {
         const auto nodes = numeric.wrong_nodes();
         EXPECT_EQ(wrong > 0, !nodes.empty());
         EXPECT_LE(nodes.size(), static_cast<std::size_t>(std::max(wrong, 0)));
-        // What was eliminated before knows nothing of it.
+        // What was eliminated before knows nothing of it. It may mend the pivot itself, so that a
+        // later one comes out wrong.
         if (!nodes.empty()) {
-            EXPECT_EQ(nodes.front(), node);
+            EXPECT_GE(s.position[static_cast<std::size_t>(nodes.front())], s.position[v]);
+        }
+        if (!nodes.empty() && nodes.front() == node) {
             ++named;
             in_chains += s.fronts[static_cast<std::size_t>(s.node_front[v])].batch >= 0;
         }

@@ -166,7 +166,9 @@ TEST(LiveAttack, who_reads_nothing_is_dropped_and_others_are_not) {
         ++frames;
     }
     EXPECT_EQ(run.logged("dropped", 1), 1);
-    EXPECT_GT(frames, 30);
+    // The reader is served during the second until the drop; busy or instrumented machines make
+    // few.
+    EXPECT_GT(frames, 5);
     EXPECT_EQ(run.server->figures().dropped, 1);
     EXPECT_TRUE(run.goes_on());
 }

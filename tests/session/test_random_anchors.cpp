@@ -7,6 +7,7 @@
 #include <hawser/session.h>
 
 #include "support/random.h"
+#include "support/sanitizer.h"
 #include "support/tier.h"
 
 #include <gtest/gtest.h>
@@ -216,7 +217,8 @@ TEST(RandomAnchors, AreVerifiedOverGuides) {
         std::filesystem::temp_directory_path() /
         ("hawser_random_anchor_" + std::to_string(::getpid()) + ".json");
     const std::uint32_t first = first_seed(1);
-    const std::uint32_t last = first + static_cast<std::uint32_t>(seed_count(2, 20, 300)) - 1;
+    const std::uint32_t last =
+        first + static_cast<std::uint32_t>(seed_count(kSanitized ? 1 : 2, 20, 300)) - 1;
     int refused = 0, ended = 0, cut = 0;
     long steps = 0, edits = 0;
     for (std::uint32_t seed = first; seed <= last && !HasFailure(); ++seed) {

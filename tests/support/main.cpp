@@ -83,11 +83,39 @@ void configure_rapidcheck() {
     ::setenv("RC_PARAMS", text.c_str(), kOverwrite);
 }
 
+/// Folder for temporary files of this process and its children, removed at its end. Without it,
+/// the tests of two builds that run at the same time overwrite each other's files.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string name = std::filesystem::temp_directory_path() / "hawser_test_XXXXXX";
+        if (::mkdtemp(name.data()) == nullptr) {
+            std::perror(name.c_str());
+            std::exit(2);
+        }
+        path_ = name;
+        constexpr int kOverwrite = 1;
+        for (const char* variable : {"TMPDIR", "TEST_TMPDIR"})
+            ::setenv(variable, name.c_str(), kOverwrite);
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  private:
+    std::filesystem::path path_;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
     configure_rapidcheck();
     testing::InitGoogleTest(&argc, argv);
     testing::UnitTest::GetInstance()->listeners().Append(new Reporter(argv[0]));
+    // A death test starts this program again, in the folder that is there.
+    const TemporaryFolder folder;
     return RUN_ALL_TESTS();
 }

@@ -3,6 +3,7 @@
 // contacts, momentum of bodies, bounds of rows.
 #include <hawser/scene.h>
 
+#include "support/sanitizer.h"
 #include "verify/certificate.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@
 namespace hawser {
 namespace {
 
-constexpr int kVerifiedSteps = 120;
+constexpr int kVerifiedSteps = test::kSanitized ? 12 : 120;
 
 // A list: to find the names takes reading all scenes.
 const std::vector<std::string> kTouchingScenes = {"anchor_adaptive",

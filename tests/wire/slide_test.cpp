@@ -4,6 +4,7 @@
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
+#include "support/sanitizer.h"
 
 #include <algorithm>
 #include <array>
@@ -207,7 +208,7 @@ TEST(Slides, TakeEnergyAndMakeNone) {
         d.lower();
         const double length = d.w.length(d.wire);
         double before = d.w.energy().friction, most = 0.0;
-        for (int i = 0; i < 3600; ++i) {
+        for (int i = 0; i < (test::kSanitized ? 900 : 3600); ++i) {
             d.pull({1e5, 6e4 * std::sin(i / 120.0), -6e4});
             const double speed = d.get("slid");
             ASSERT_EQ(d.w.step(), Status::ok) << i;
@@ -218,7 +219,7 @@ TEST(Slides, TakeEnergyAndMakeNone) {
         }
         std::printf("mu %.2f: slid %.1f m, up to %.3f m/s, took %.0f J of friction\n", friction,
                     d.get("slid"), most, before);
-        EXPECT_GT(d.get("slid"), 0.4);
+        EXPECT_GT(d.get("slid"), test::kSanitized ? 0.0 : 0.4);
         EXPECT_EQ(d.w.verdict().grade, Grade::good) << friction;
         EXPECT_NEAR(d.w.length(d.wire), length, 1e-9 * length);
     }
