@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Everything that can be checked in one night: all suites of the full tier, all sanitizers over all
-# folders, the benchmark libraries. Two and a half hours on two cores.
+# folders, the benchmark libraries.
 #
 # usage: scripts/check_full.sh [--again]
 #

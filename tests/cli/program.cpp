@@ -51,12 +51,15 @@ Outcome run_program(const std::vector<std::string>& arguments, double interrupt_
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
-    std::ofstream(err).flush();
+    for (const std::string& file : {out, err}) std::ofstream(file).flush();
     const pid_t child = fork();
     if (child == 0) become(argv.data(), out.c_str(), err.c_str());
     if (interrupt_after >= 0.0) {
-        // A run prints its first line when it handles signals: instrumented programs start slowly.
-        for (int i = 0; i < 600 && std::filesystem::file_size(err) == 0; ++i)
+        // A program handles signals when it prints its first line: instrumented ones start slowly.
+        const auto silent = [&] {
+            return std::filesystem::file_size(out) + std::filesystem::file_size(err) == 0;
+        };
+        for (int i = 0; i < 600 && silent(); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         std::this_thread::sleep_for(std::chrono::duration<double>(interrupt_after));
         kill(child, SIGINT);

@@ -19,8 +19,7 @@ struct Outcome {
 /// The program under test. @throws std::runtime_error when HAWSER_BIN_DIR does not name it.
 [[nodiscard]] std::filesystem::path program_file();
 
-/// @param interrupt_after  Send SIGINT this many seconds after the first output to standard error;
-///                         negative = never.
+/// @param interrupt_after  Send SIGINT this many seconds after the first output; negative = never.
 /// @param environment      Environment entries "NAME=value" besides the present ones.
 [[nodiscard]] Outcome run_program(const std::vector<std::string>& arguments,
                                   double interrupt_after = -1.0,

@@ -267,8 +267,8 @@ TEST(Times, MustBeFiniteAndReachable) {
 TEST(Interrupted, RunRecordsItsLastStep) {
     const fs::path folder = test_folder();
     const Outcome run = run_program(
-        {"run", kSwing, "--duration", "1e6", "--realtime", "--record-every", "1000000", "--quiet",
-         "--record", folder / "r.hwr", "--csv", folder / "r.csv", "--summary", folder / "s.json"},
+        {"run", kSwing, "--duration", "1e6", "--realtime", "--record-every", "1000000", "--record",
+         folder / "r.hwr", "--csv", folder / "r.csv", "--summary", folder / "s.json"},
         1.0);
     EXPECT_EQ(run.code, 130) << run.err;
     const auto steps = json::parse(read_text(folder / "s.json"))["steps"].get<std::int64_t>();

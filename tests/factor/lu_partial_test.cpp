@@ -132,8 +132,8 @@ TEST(Unsymmetric, NamesTheNodesOfWrongPivots) {
         const auto nodes = numeric.wrong_nodes();
         EXPECT_EQ(wrong > 0, !nodes.empty());
         EXPECT_LE(nodes.size(), static_cast<std::size_t>(std::max(wrong, 0)));
-        // What was eliminated before knows nothing of it. It may mend the pivot itself, so that a
-        // later one comes out wrong.
+        // Nodes eliminated before it are right. The node may repair its own pivot; then a later
+        // one is wrong.
         if (!nodes.empty()) {
             EXPECT_GE(s.position[static_cast<std::size_t>(nodes.front())], s.position[v]);
         }

@@ -227,7 +227,7 @@ TEST(SeaKernels, MemoryOfAnyLengthAndBeginning) {
                         double got[6] = {};
                         by.memory->sums(k.data(), v.data(), count, newest, pairs.data(),
                                         static_cast<int>(n), got);
-                        // Of up to 400 · 6 products of numbers below 1.
+                        // Rounding of up to 400 · 6 products of numbers below 1.
                         for (int i = 0; i < 6; ++i)
                             EXPECT_NEAR(got[i], want[i], 1e-12) << by.name << count << newest;
                     }
