@@ -154,11 +154,12 @@ void Driver::step() {
         tell_state();
     }
     if (playing_.count_step()) tell_state();
-    if (lesson_) after_exercise_step();
+    after_exercise_step();
 }
 
-/// At its end an exercise stands still; who goes on does so without a score.
+/// Report an exercise's progress, if there is one, and pause at its end. Later steps have no score.
 void Driver::after_exercise_step() {
+    if (!lesson_) return;
     lesson_->tell(session_.world(), out_);
     if (lesson_->ended() && !over_) {
         playing_.pause();
