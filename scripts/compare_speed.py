@@ -40,7 +40,7 @@ def main() -> int:
     parser.add_argument("--runs", type=int, default=11)
     parser.add_argument("--duration", type=float, default=5.0)
     parser.add_argument("--limit", type=float, default=1.03)
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     programs = [str(pathlib.Path(p).resolve()) for p in (options.before, options.after)]
     slow = 0
     for scene in options.scenes:
