@@ -220,8 +220,10 @@ TEST(WireCutRandom, SequencesAreRepeatedInAllBits) {
         if (seed % 50 == 0)
             std::printf("seed %u of %u\n", seed, first + worlds_to_try() - 1), std::fflush(stdout);
     }
+    // The quick tier has too few operations for three of each kind.
+    const int least = by_tier(0, 2, 2);
     for (const char* what : {"cu", "sp", "ge", "at", "de", "in", "re"})
-        EXPECT_GT(done[static_cast<std::size_t>(what[0] + what[1]) % done.size()], 0) << what;
+        EXPECT_GT(done[static_cast<std::size_t>(what[0] + what[1]) % done.size()], least) << what;
 }
 
 }  // namespace
