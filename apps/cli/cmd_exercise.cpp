@@ -6,6 +6,7 @@
 #include "outputs.h"
 #include "progress.h"
 #include "record/control.h"
+#include "report/summary.h"
 #include "signals.h"
 
 #include <fmt/format.h>
@@ -35,7 +36,7 @@ struct ExerciseOptions {
     std::string file, control, record, report, summary, replay;
     std::int32_t stride = 1;
     int threads = 1;
-    bool quiet = false;
+    bool quiet = false, verify = false;
 };
 
 /// Levers and faults over time, each set by a role that may.
@@ -137,6 +138,20 @@ void check_files(const ExerciseOptions& options, const scene::Scene& scene) {
                            {"--summary", options.summary}});
 }
 
+/// Print why the step failed, or why --verify refuses it, and end the exercise as failed.
+int fail(exercise::Run& run, const Session& session) {
+    if (!session.objection().empty()) {
+        fmt::print(stderr, "hawser: --verify: the step to {:.6g} s is wrong: {}\n", session.time(),
+                   session.objection());
+        run.end("--verify refuses a step: " + session.objection(), true);
+        return kFailed;
+    }
+    const std::string why = failure(session.world());
+    fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", session.time(), why);
+    run.end("a step failed: " + why, true);
+    return kFailed;
+}
+
 /// @return how it ended, kOk where the exercise did.
 int drive(exercise::Run& run, Session& session, Controls& controls, Progress& progress) {
     constexpr double kSlack = 1e-6;  // Times are multiples of the step up to rounding.
@@ -149,11 +164,7 @@ int drive(exercise::Run& run, Session& session, Controls& controls, Progress& pr
             break;
         } else if (status != Status::ok) {
             progress.close();
-            const std::string why =
-                session.objection().empty() ? failure(session.world()) : session.objection();
-            fmt::print(stderr, "hawser: the step from {:.6g} s failed: {}\n", session.time(), why);
-            run.end("a step failed: " + why, true);
-            return kFailed;
+            return fail(run, session);
         }
         progress.at(session.world().step_count());
     }
@@ -171,13 +182,20 @@ int perform(const ExerciseOptions& options) {
     Controls controls(options.control, loaded.exercise);
     TemporaryFile temporary;
     const std::string recording = recording_for(options.record, options.report, temporary);
+    std::optional<verify::Verifier> verifier;
+    if (options.verify) {
+        loaded.scene.world.prepare();
+        verifier.emplace(loaded.scene.world);
+    }
     Session session(std::move(loaded.scene), {.record = recording, .every = options.stride});
+    if (verifier) session.observe(*verifier);
     exercise::Run run(loaded.exercise, session);
     const double h = session.world().settings().step;
     Progress progress(std::llround(loaded.exercise.duration / h), h, !options.quiet);
     const int end = drive(run, session, controls, progress);
     progress.close();
     (void)session.finish(end == kInterrupted);
+    if (verifier && !options.quiet) fmt::print("{}", report::to_text(verifier->result()));
     const int code = conclude(options, loaded.exercise, run.result(), run.curves(), recording);
     return end == kOk ? code : end;
 }
@@ -210,6 +228,12 @@ void add_exercise(CLI::App& app, Command& chosen) {
         ->add_option("--threads", options->threads, "Worker threads; results do not depend on it")
         ->check(CLI::Range(1, kMostThreads))
         ->capture_default_str();
+    command
+        ->add_flag(
+            "--verify", options->verify,
+            "Compute contacts, momentum and bounds of every step anew, by separate code, and "
+            "fail where they disagree")
+        ->excludes("--replay");
     command->add_flag("--quiet", options->quiet, "No progress and no score on the terminal");
     command->callback([&chosen, options] { chosen = [options] { return perform(*options); }; });
 }

@@ -34,6 +34,7 @@ void add_check(CLI::App& app, Command& chosen);
 void add_settle(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_plot(CLI::App& app, Command& chosen);
+void add_controls(CLI::App& app, Command& chosen);
 void add_exercise(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_inspect(CLI::App& app, Command& chosen);

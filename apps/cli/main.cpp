@@ -48,6 +48,7 @@ int run_main(int argc, char** argv) {
     add_replay(app, chosen);
     add_plot(app, chosen);
     add_exercise(app, chosen);
+    add_controls(app, chosen);
     add_export(app, chosen);
     add_inspect(app, chosen);
     add_figures(app, chosen);

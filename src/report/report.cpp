@@ -145,17 +145,7 @@ void quality(Out out, const Summary& s) {
     if (s.asleep_max > 0.0)
         fmt::format_to(out, "  asleep       {:.0f} bodies in the median step, at most {:.0f}\n",
                        s.asleep_median, s.asleep_max);
-    if (const verify::Verification& v = s.verified; v.steps > 0)
-        fmt::format_to(out,
-                       "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum "
-                       "of {} of {} bodies {:.2e}, bounds {:.2e}\n"
-                       "               of what is wrong: energy {:.2g} %, joints {:.2g} %, cable "
-                       "law {:.2g} %, turns {:.2g} %\n",
-                       v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies,
-                       v.momentum, v.bounds, 100.0 * v.states.created, 100.0 * v.states.open,
-                       100.0 * v.states.cable, 100.0 * v.states.turn);
-    if (s.verified.sea > 0.0)
-        fmt::format_to(out, "               loads of the sea differ by {:.2e}\n", s.verified.sea);
+    out = fmt::format_to(out, "{}", to_text(s.verified));
     if (s.stretch_error_max > 0.0)
         fmt::format_to(out, "  cable law    |l − l0 (1 + T/EA)| at most {:.2e} l0 ({:.4g} s)\n",
                        s.stretch_error_max, s.stretch_error_time);
@@ -224,6 +214,21 @@ void bodies(Out out, const Summary& s) {
 }
 
 }  // namespace
+
+std::string to_text(const verify::Verification& v) {
+    if (v.steps == 0) return "";
+    std::string text = fmt::format(
+        "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum "
+        "of {} of {} bodies {:.2e}, bounds {:.2e}\n"
+        "               of what is wrong: energy {:.2g} %, joints {:.2g} %, cable "
+        "law {:.2g} %, turns {:.2g} %\n",
+        v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies, v.momentum,
+        v.bounds, 100.0 * v.states.created, 100.0 * v.states.open, 100.0 * v.states.cable,
+        100.0 * v.states.turn);
+    if (v.sea > 0.0)
+        text += fmt::format("               loads of the sea differ by {:.2e}\n", v.sea);
+    return text;
+}
 
 std::string to_text(const Summary& s) {
     std::string text;

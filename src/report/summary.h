@@ -177,6 +177,9 @@ class SummaryCollector : public Observer {
 /// A page of text for the end of a run: what a user asks for first, the solver last.
 [[nodiscard]] std::string to_text(const Summary& summary);
 
+/// Lines about --verify; "" without a verified step.
+[[nodiscard]] std::string to_text(const verify::Verification& verified);
+
 /// First and worst of each kind of event that the world has had (event_figures.cpp).
 [[nodiscard]] std::vector<EventFigures> event_figures(const World& world);
 /// The lines of a report about them.

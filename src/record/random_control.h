@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file random_control.h
+/// Generates random input values over time as a control file (record/control.h).
+///
+/// Each input has a random sequence of its own, from the seed and its name: adding an input to a
+/// scene leaves the values of the others. The generator is std::mt19937_64, whose numbers the C++
+/// standard fixes, and the text depends on nothing else.
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace hawser::record {
+
+struct RandomInput {
+    std::string name;
+    double min = 0.0, max = 0.0;  ///< Range of its values, finite.
+    double start = 0.0;           ///< Value at time 0; clamped to the range.
+    double rest = 0.0;            ///< Value that it returns to in between; clamped to the range.
+    bool whole = false;           ///< Whole numbers and steps only, such as the mode of a winch.
+};
+
+struct RandomControlDef {
+    std::uint64_t seed = 1;
+    double duration = 0.0;  ///< Changes happen before this time [s].
+    double period = 5.0;    ///< Mean time from one change of an input to the next [s].
+    double interval = 0.1;  ///< Time between the lines of a ramp, and unit of all times [s].
+};
+
+/// Text of a control file: steps (60 %) and ramps (40 %) to a limit of the range (30 %), to `rest`
+/// (20 %) or to any value between. The first line of values has the start of all inputs.
+[[nodiscard]] std::string random_control(std::span<const RandomInput> inputs,
+                                         const RandomControlDef& def);
+
+}  // namespace hawser::record
