@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
 namespace hawser::cli {
 namespace {
+
+/// Nanometres, and no −0 of less.
+double without_sign(double length) { return std::round(1e9 * length) / 1e9 + 0.0; }
 
 void print_hull(const World& world, const SeaDef& sea, const WaterHull& hull) {
     const BodyDef& def = world.body_def(hull.body);
@@ -39,8 +43,8 @@ void print_hull(const World& world, const SeaDef& sea, const WaterHull& hull) {
         const Flotation f = float_hull(hull.mesh, def.mass, sea.density, angle);
         const Flotation t = float_hull(hull.mesh, def.mass, sea.density, angle, true);
         fmt::print("  {:>4}             {:>12.9f} {:>12.6f} {:>12.9f} {:>8.4f}\n", heel,
-                   -f.statics.buoyancy.y() + 0.0, f.draught, -t.statics.buoyancy.y() + 0.0,
-                   t.trim * 180.0 / std::numbers::pi);
+                   without_sign(-f.statics.buoyancy.y()), f.draught,
+                   without_sign(-t.statics.buoyancy.y()), t.trim * 180.0 / std::numbers::pi);
     }
 }
 

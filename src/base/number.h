@@ -11,7 +11,7 @@ namespace hawser {
 /// With six digits, such as "0.25", "1e+06".
 [[nodiscard]] inline std::string number(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
+    std::snprintf(text, sizeof text, "%.6g", value + 0.0);  // −0 is 0
     return text;
 }
 

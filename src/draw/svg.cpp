@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -13,7 +14,8 @@ namespace {
 // Hundredths of a point are finer than any screen; no digits behind whole numbers.
 std::string coordinate(double value) {
     if (!std::isfinite(value)) return "0";
-    std::string text = fmt::format("{:.2f}", value);
+    constexpr double kMost = 1e7;  // Beyond it nothing is seen, and readers have floats.
+    std::string text = fmt::format("{:.2f}", std::clamp(value, -kMost, kMost));
     while (text.back() == '0') text.pop_back();
     if (text.back() == '.') text.pop_back();
     return text == "-0" ? "0" : text;

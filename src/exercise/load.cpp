@@ -81,6 +81,8 @@ scene::Scene load_scene(const Merged& merged, const scene::Options& options,
 
 Loaded load(const Json& root, std::string text, const std::string& file, scene::Options options) {
     const Place place{file, ""};
+    if (!root.is_object() || !root.contains("exercise"))
+        scene::refuse_other_kind(root, file, "an exercise");
     scene::check_shape(root, *exercise_shape(), place);
     Loaded out{read_exercise(root, place), scene::Scene()};
     out.exercise.text = std::move(text);
@@ -106,7 +108,7 @@ Loaded load(const Json& root, std::string text, const std::string& file, scene::
 }  // namespace
 
 Loaded load_file(const std::filesystem::path& file, const scene::Options& options) {
-    const Json root = scene::read_json_file(file);
+    const Json root = scene::read_json_file(file, nullptr, "an exercise");
     return load(root, root.dump(), file.string(), options);
 }
 

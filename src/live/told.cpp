@@ -48,7 +48,10 @@ constexpr std::array<Saying, kEventKindCount> kSayings{{
     {"gives way at", "N"},
     {"load alarm, share of the rated load", ""},
     {"load alarm over, share of the rated load", ""},
+    {"opened above its rated load, at", "N"},
+    {"has nothing in reach, the nearest at", "m"},
 }};
+static_assert(kSayings.back().words != nullptr, "each kind of event has its words");
 
 bool frequent(EventKind kind) { return kind == EventKind::slack || kind == EventKind::taut; }
 
@@ -78,7 +81,7 @@ std::string event_words(const std::string& where, EventKind kind, double value) 
                                                     : fmt::format("{} {}", where, saying.words);
     if (unit == "-") return out;
     return out + " " +
-           (unit.empty() ? fmt::format("{:.4g}", value)
+           (unit.empty() ? fmt::format("{:.4g}", value + 0.0)
                          : record::with_unit(value, std::string(unit)));
 }
 
@@ -124,7 +127,7 @@ Failure failure_of(const World& world, Status status) {
         if (worst.interaction.valid() || worst.body.valid())
             out.element = record::place_label(world, worst.interaction, worst.body);
         out.reason = record::sentence(world, verdict.judge, worst, out.element);
-        out.remedy = remedy(verdict.judge);
+        out.remedy = record::remedy_for(world, verdict.judge);
     }
     return out;
 }

@@ -17,6 +17,10 @@
 
 namespace hawser::record {
 
+[[nodiscard]] inline std::string_view as_text(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 static_assert(std::endian::native == std::endian::little, "files are little-endian");
 
 /// Bytes that are not what they should be.

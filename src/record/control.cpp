@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/control.h"
 
+#include "base/file_kind.h"
 #include "record/files.h"
 #include "record/names.h"
 
@@ -35,9 +36,9 @@ std::vector<Field> split(std::string_view line) {
 
 class Parser {
   public:
-    Parser(const std::string& file, std::span<const std::string> inputs,
+    Parser(std::string_view text, const std::string& file, std::span<const std::string> inputs,
            std::span<const ControlRange> ranges)
-        : file_(file), inputs_(inputs), ranges_(ranges) {}
+        : text_(text), file_(file), inputs_(inputs), ranges_(ranges) {}
 
     void line(std::string_view line) {
         ++line_;
@@ -63,6 +64,10 @@ class Parser {
     }
 
     void header(const std::vector<Field>& fields) {
+        if (fields[0].text != "time") {
+            const std::string other = base::wrong_kind(text_, "a control file (CSV)", file_);
+            if (!other.empty()) throw ControlError(file_ + ": " + other);
+        }
         if (fields[0].text != "time")
             fail(fields[0].column,
                  fmt::format("the first column is \"{}\", expected \"time\"", fields[0].text));
@@ -125,6 +130,7 @@ class Parser {
         return value;
     }
 
+    std::string_view text_;
     const std::string& file_;
     std::span<const std::string> inputs_;
     std::span<const ControlRange> ranges_;
@@ -139,7 +145,7 @@ class Parser {
 std::vector<ControlChange> parse_control(std::string_view text, const std::string& file,
                                          std::span<const std::string> inputs,
                                          std::span<const ControlRange> ranges) {
-    Parser parser(file, inputs, ranges);
+    Parser parser(text, file, inputs, ranges);
     while (!text.empty()) {
         const std::size_t end = text.find('\n');
         parser.line(text.substr(0, end));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <hawser/recording.h>
+#include "base/file_kind.h"
 #include "record/files.h"
 #include "record/outlines.h"
 #include "record/recording_bytes.h"
@@ -60,7 +61,9 @@ Recording Recording::read(std::vector<std::byte> bytes, const std::string& name)
     ByteReader in(r.bytes_);
     if (r.bytes_.size() < sizeof kMagic + 4 ||
         std::memcmp(in.take(sizeof kMagic).data(), kMagic, sizeof kMagic) != 0)
-        throw RecordingError(name + ": not a Hawser recording");
+        throw RecordingError(
+            name + ": " +
+            base::wrong_kind_or(as_text(r.bytes_), "a recording", name, "not a Hawser recording"));
     const auto version = in.get<std::uint32_t>();
     if (version != kFormatVersion)
         throw RecordingError(fmt::format("{}: recording format {}, this program reads {}", name,

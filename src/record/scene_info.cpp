@@ -111,6 +111,16 @@ std::string place_label(const World& world, InteractionId interaction, BodyId bo
     return body.valid() ? body_label(world, body) : "-";
 }
 
+std::string origin(const World& world, std::string_view name) {
+    for (auto slash = name.rfind('/'); slash != name.npos && slash > 0;
+         slash = name.rfind('/', slash - 1))
+        if (const std::string_view maker = name.substr(0, slash);
+            world.find_system(maker) != nullptr ||
+            world.find_interaction(std::string(maker) + "/part1").valid())
+            return fmt::format(" (made by \"{}\")", maker);
+    return "";
+}
+
 std::string interaction_in_words(const World& world, InteractionId interaction) {
     if (!interaction.valid()) return "the whole world";
     if (!world.alive(interaction)) return interaction_label(world, interaction);
@@ -122,7 +132,8 @@ std::string interaction_in_words(const World& world, InteractionId interaction) 
     std::vector<std::string> bodies;
     for (std::size_t b = 0; b < static_cast<std::size_t>(kind.bodies); ++b)
         bodies.push_back(name_in_quotes(body_label(world, def.body[b])));
-    return words + (bodies.size() > 1 ? " between " : " of ") + names_in_words(bodies);
+    return words + (bodies.size() > 1 ? " between " : " of ") + names_in_words(bodies) +
+           origin(world, interaction_label(world, interaction));
 }
 
 }  // namespace hawser::record

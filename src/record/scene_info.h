@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hawser::record {
@@ -57,6 +58,9 @@ struct SceneInfo {
 [[nodiscard]] std::string interaction_label(const World& world, InteractionId interaction);
 /// Where an event or a finding is: an interaction, a body, or "-".
 [[nodiscard]] std::string place_label(const World& world, InteractionId interaction, BodyId body);
+/// " (made by "upper")" of a name that a winch, crane, guide, post or route of the scene made, such
+/// as "upper/slide1" of the route "upper"; "" of names that the author wrote.
+[[nodiscard]] std::string origin(const World& world, std::string_view name);
 /// What it is and between whom: `the hinge "foot" between "ship" and "boom"`.
 [[nodiscard]] std::string interaction_in_words(const World& world, InteractionId interaction);
 /// "a", "a and b", "a, b and c"; of more than eight the first eight and how many more.

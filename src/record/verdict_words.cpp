@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/verdict_words.h"
 
+#include "record/scene_info.h"
 #include "record/units.h"
 
 #include <hawser/interactions.h>
@@ -26,9 +27,17 @@ const char* opening_unit(const World& world, InteractionId id) {
 
 }  // namespace
 
+const char* remedy_for(const World& world, Judge judge) {
+    const WorldDef& settings = world.settings();
+    if (judge == Judge::certificate && settings.budget == 0.0 && settings.budget_work == 0.0)
+        return "take a smaller step (settings.step)";
+    return remedy(judge);
+}
+
 std::string sentence(const World& world, Judge judge, const Finding& f, const std::string& where) {
     const bool of_body = !f.interaction.valid() && f.body.valid();
     const std::string when = fmt::format("at {:.6g} s", f.time);
+    const std::string at = "'" + where + "'" + origin(world, where);
     switch (judge) {
         case Judge::energy:
             return fmt::format(
@@ -36,19 +45,27 @@ std::string sentence(const World& world, Judge judge, const Finding& f, const st
                 f.value < 0.0 ? "had vanished without reason" : "had come out of nothing", when);
         case Judge::violation:
             if (of_body)
-                return fmt::format("'{}' and what it touches lay {} in each other {}", where,
+                return fmt::format("{} and what it touches lay {} in each other {}", at,
                                    with_unit(f.value, "m"), when);
-            return fmt::format("joint '{}' stood open by {:.4g} {} {}", where, f.value,
+            if (f.value < 0.0)
+                return fmt::format("element {} had a length of {} {}", at, with_unit(f.value, "m"),
+                                   when);
+            return fmt::format("joint {} stood open by {:.4g} {} {}", at, f.value,
                                opening_unit(world, f.interaction), when);
         case Judge::cable:
+            if (f.value < 0.0)
+                return fmt::format(
+                    "element {} was stretched by {:.3g} % of its length, which it "
+                    "does not bear, {}",
+                    at, -100.0 * f.value, when);
             return fmt::format(
-                "the tension of element '{}' was off by what {:.4g} of its length makes {}", where,
+                "the tension of element {} was off by what {:.4g} of its length makes {}", at,
                 f.value, when);
         case Judge::certificate:
             return fmt::format("the step's equations were left unsolved by {:.2e}, relative, {}",
                                f.value, when);
         case Judge::speed:
-            return fmt::format("'{}' turned by {:.3g} rad in a step {}", where, f.value, when);
+            return fmt::format("{} turned by {:.3g} rad in a step {}", at, f.value, when);
     }
     return {};
 }

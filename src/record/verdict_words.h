@@ -15,4 +15,7 @@ namespace hawser::record {
 [[nodiscard]] std::string sentence(const World& world, Judge judge, const Finding& finding,
                                    const std::string& where);
 
+/// remedy(judge), with the budget of a step only where the world has one.
+[[nodiscard]] const char* remedy_for(const World& world, Judge judge);
+
 }  // namespace hawser::record

@@ -176,7 +176,7 @@ std::string told(const EventFigures& e, const ListedEvent& event) {
     std::string value;
     if (e.kind != EventKind::slack)
         value = *e.unit != '\0' ? ", " + record::with_unit(event.value, e.unit)
-                                : fmt::format(", {:.4g}", event.value);
+                                : fmt::format(", {:.4g}", event.value + 0.0);
     return fmt::format("{:.4g} s, {}{}", event.time, event.where, value);
 }
 
@@ -184,7 +184,8 @@ std::string place_in_words(const World& world, const Event& event) {
     if (const std::string input = record::input_label(world, event); !input.empty())
         return "the input " + record::name_in_quotes(input);
     if (!event.interaction.valid() && event.body.valid())
-        return record::name_in_quotes(record::body_label(world, event.body));
+        return record::name_in_quotes(record::body_label(world, event.body)) +
+               record::origin(world, record::body_label(world, event.body));
     return record::interaction_in_words(world, event.interaction);
 }
 

@@ -31,7 +31,7 @@ VerdictText in_words(const World& world, const Verdict& verdict) {
     const Finding& f = verdict.of(verdict.judge);
     out.said = fmt::format(
         "{}; {}", record::sentence(world, verdict.judge, f, out.where[place_of(verdict.judge)]),
-        remedy(verdict.judge));
+        record::remedy_for(world, verdict.judge));
     return out;
 }
 

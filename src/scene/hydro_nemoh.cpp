@@ -3,6 +3,8 @@
 /// a zone a motion that radiates, or a direction; lines of ω and pairs A B, or |F| and its angle.
 #include "scene/hydro_read.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -52,8 +54,9 @@ void check_zone(const Path& file, const Zone& zone, std::size_t columns,
                                    std::to_string(columns) + " belong here");
         if (std::abs(row.value[0] - frequency[i]) > 1e-5 * frequency[i])
             refuse_hydro(file, "line " + std::to_string(row.line) + ": the frequency " +
-                                   std::to_string(row.value[0]) + " rad/s is not that of line " +
-                                   std::to_string(i + 1) + " of the radiation's first zone");
+                                   fmt::format("{:.6g}", row.value[0]) +
+                                   " rad/s is not that of line " + std::to_string(i + 1) +
+                                   " of the radiation's first zone");
     }
 }
 

@@ -9,6 +9,8 @@
 /// by periods: a negative one stands for ω = 0, 0 for ω = ∞. Phases are those of e^{+iωt}.
 #include "scene/hydro_read.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -24,7 +26,7 @@ std::string line_text(const NumberLine& row) { return "line " + std::to_string(r
 int motion_of(const Path& file, const NumberLine& row, std::size_t column, int body) {
     const double value = std::abs(row.value[column]);
     if (!(value >= 1.0 && value <= 6000.0) || value != std::floor(value))
-        refuse_hydro(file, line_text(row) + "mode " + std::to_string(row.value[column]) +
+        refuse_hydro(file, line_text(row) + "mode " + fmt::format("{:.6g}", row.value[column]) +
                                " is none of 1, 2, …");
     const int mode = static_cast<int>(value) - 1;
     return mode / 6 == body ? mode % 6 : -1;
@@ -111,7 +113,7 @@ class Wamit {
                 if (given[w * 36 + pair] != given[pair] || given[w * 36 + pair] > 1)
                     refuse_hydro(file_, "the coefficient of modes " + std::to_string(pair / 6 + 1) +
                                             " and " + std::to_string(pair % 6 + 1) + " at " +
-                                            std::to_string(kTurn / frequency_.values()[w]) +
+                                            fmt::format("{:.6g}", kTurn / frequency_.values()[w]) +
                                             " s is missing or given twice");
     }
 
@@ -119,7 +121,7 @@ class Wamit {
         const double period = row.value[0];
         const std::size_t w = period > 0.0 ? frequency_.find(kTurn / period) : frequency_.size();
         if (w == frequency_.size())
-            refuse_hydro(file, line_text(row) + "the period " + std::to_string(period) +
+            refuse_hydro(file, line_text(row) + "the period " + fmt::format("{:.6g}", period) +
                                    " s is not in " + file_.filename().string());
         return w;
     }
@@ -136,7 +138,7 @@ class Wamit {
         }
         for (const double h : found.values())
             if (heading_.find(h) == heading_.size())
-                refuse_hydro(file, "the direction " + std::to_string(h / kDegree) +
+                refuse_hydro(file, "the direction " + fmt::format("{:.6g}", h / kDegree) +
                                        " degrees is not in the .3 file");
     }
 
@@ -144,12 +146,13 @@ class Wamit {
         for (std::size_t i = 0; i < given.size(); ++i)
             if (given[i] != 1)
                 refuse_hydro(
-                    file,
-                    "mode " + std::to_string(i % 6 + 1) + " at " +
-                        std::to_string(kTurn / out_.frequency[i / 6 % out_.frequency.size()]) +
-                        " s, " +
-                        std::to_string(out_.heading[i / 6 / out_.frequency.size()] / kDegree) +
-                        " degrees is missing or given twice");
+                    file, "mode " + std::to_string(i % 6 + 1) + " at " +
+                              fmt::format("{:.6g}",
+                                          kTurn / out_.frequency[i / 6 % out_.frequency.size()]) +
+                              " s, " +
+                              fmt::format("{:.6g}",
+                                          out_.heading[i / 6 / out_.frequency.size()] / kDegree) +
+                              " degrees is missing or given twice");
     }
 
     template <class Scale>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/read_json.h"
 
+#include "base/file_kind.h"
 #include "scene/mistakes.h"
 
 #include <nlohmann/json.hpp>
@@ -12,11 +13,17 @@
 namespace hawser::scene {
 namespace {
 
+void refuse_text_of_other_kind(std::string_view text, const std::string& file,
+                               const char* expected) {
+    const std::string other = base::wrong_kind(text, expected, file);
+    if (!other.empty()) refuse({file, ""}, other);
+}
+
 /// First pass over the text: everything that the parser alone would let through.
 class LimitChecker : public nlohmann::json_sax<Json> {
   public:
-    LimitChecker(std::string file, Mistakes* mistakes)
-        : place_{std::move(file), ""}, mistakes_(mistakes) {}
+    LimitChecker(std::string file, Mistakes* mistakes, std::string_view text, const char* expected)
+        : place_{std::move(file), ""}, mistakes_(mistakes), text_(text), expected_(expected) {}
 
     bool null() override { return next(); }
     bool boolean(bool) override { return next(); }
@@ -42,6 +49,7 @@ class LimitChecker : public nlohmann::json_sax<Json> {
     }
 
     bool parse_error(std::size_t, const std::string&, const Json::exception& error) override {
+        refuse_text_of_other_kind(text_, place_.file, expected_);
         std::string message = error.what();
         // "[json.exception.parse_error.101] parse error at line 3, column 7: …"
         if (const auto end = message.find("] "); end != std::string::npos) {
@@ -89,25 +97,33 @@ class LimitChecker : public nlohmann::json_sax<Json> {
 
     Place place_;
     Mistakes* mistakes_;
+    std::string_view text_;
+    const char* expected_;
     std::vector<Level> levels_;
 };
 
 }  // namespace
 
-Json parse_json(std::string_view text, const std::string& file, Mistakes* mistakes) {
+Json parse_json(std::string_view text, const std::string& file, Mistakes* mistakes,
+                const char* expected) {
     if (text.size() > kMaxFileBytes) {
         refuse({file, ""}, "larger than 64 MiB");
     }
     // The parser takes a NUL byte for the end and would not see what follows.
     if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
+        refuse_text_of_other_kind(text, file, expected);
         refuse({file, ""}, "a NUL byte at offset " + std::to_string(nul));
     }
-    LimitChecker checker(file, mistakes);
+    LimitChecker checker(file, mistakes, text, expected);
     Json::sax_parse(text.begin(), text.end(), &checker);
     return Json::parse(text.begin(), text.end());
 }
 
-Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes) {
+void refuse_other_kind(const Json& root, const std::string& file, const char* expected) {
+    if (root.is_object() || root.is_array()) refuse_text_of_other_kind(root.dump(), file, expected);
+}
+
+Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes, const char* expected) {
     const Place place{file.string(), ""};
     std::error_code failure;
     // Before it is opened: a pipe that nobody writes would be waited for.
@@ -127,7 +143,7 @@ Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes) {
     if (!stream) {
         refuse(place, "cannot be read");
     }
-    return parse_json(text, place.file, mistakes);
+    return parse_json(text, place.file, mistakes, expected);
 }
 
 std::filesystem::path resolve_inside(const std::filesystem::path& root,

@@ -23,12 +23,17 @@ inline constexpr int kMaxNesting = 64;
 
 /// Parse a document. Refuses what JSON does not allow (comments, NaN, Infinity, damaged
 /// UTF-8), keys given twice in one object, numbers beyond the range of double, deep nesting.
-/// @throws SceneError with line and column.
+/// A file of another kind is named as such, with the remedy (base/file_kind.h).
+/// @param expected  With its article. @throws SceneError with line and column.
 [[nodiscard]] Json parse_json(std::string_view text, const std::string& file,
-                              Mistakes* mistakes = nullptr);
+                              Mistakes* mistakes = nullptr, const char* expected = "a scene");
 
 /// Read and parse a file. @throws SceneError when it cannot be read or is too large.
-[[nodiscard]] Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes = nullptr);
+[[nodiscard]] Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes = nullptr,
+                                  const char* expected = "a scene");
+
+/// @throws SceneError where the document is one of another kind, such as an exercise.
+void refuse_other_kind(const Json& root, const std::string& file, const char* expected);
 
 /// Resolve a file name found at `place`, relative to `base`, and refuse it when it leaves the
 /// folder `root` (links followed) or does not exist.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wire/chain.h"
 
+#include "base/number.h"
+
 #include <hawser/def.h>
 
 #include <algorithm>
@@ -53,8 +55,8 @@ std::vector<double> coordinates(const CatenaryDef& def, double total) {
     }
     for (std::size_t i = 1; i < out.size(); ++i)
         if (!(out[i] > out[i - 1]))
-            refuse_wire("its nodes must ascend between 0 and its length of " +
-                        std::to_string(total) + " m");
+            refuse_wire("its nodes must ascend between 0 and its length of " + number(total) +
+                        " m");
     return out;
 }
 

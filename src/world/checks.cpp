@@ -42,7 +42,7 @@ void range(const Where& where, const char* field, double value, double low, doub
 void unit_quaternion(const Where& where, const char* field, const Quat& q) {
     const double n = q.norm();
     if (!std::isfinite(n) || n < 0.5 || n > 2.0)
-        refuse(where, std::string(field) + " is not a unit quaternion (norm " + std::to_string(n) +
+        refuse(where, std::string(field) + " is not a unit quaternion (norm " + number(n) +
                           "); give [w, x, y, z] of length 1");
 }
 
@@ -54,7 +54,7 @@ void check_inertia(const Where& where, const Mat3& inertia) {
     const Vec3 e = base::symmetric_eigenvalues(inertia);
     if (!(e[0] > 1e-12 * e[2]) || !(e[0] > 0.0))
         refuse(where, "inertia is not positive definite (smallest principal moment " +
-                          std::to_string(e[0]) +
+                          number(e[0]) +
                           " kg m²); a rigid body needs three positive "
                           "moments, a point mass is a lump");
     if (e[0] + e[1] < e[2] * (1.0 - 1e-6))
@@ -69,7 +69,7 @@ void refuse(const Where& where, const std::string& what) {
 
 std::string number(double value) {
     std::array<char, 32> text{};
-    (void)std::snprintf(text.data(), text.size(), "%.9g", value);
+    (void)std::snprintf(text.data(), text.size(), "%.9g", value + 0.0);  // −0 is 0
     return text.data();
 }
 
@@ -132,7 +132,7 @@ void check(const BodyDef& def) {
     if (!moves) return;
     finite(where, "mass", def.mass, kMaxMass);
     if (!(def.mass > 0.0))
-        refuse(where, "mass = " + std::to_string(def.mass) +
+        refuse(where, "mass = " + number(def.mass) +
                           " kg; a moving body needs a positive mass (a body that does not move "
                           "is 'fixed' or 'kinematic')");
     if (def.mass < 1e-12) refuse(where, "mass is below 1e-12 kg");
@@ -232,9 +232,8 @@ void check_params(const InteractionDef& def) {
             refuse(where, std::string("parameter '") + p.name + "' [" + p.unit + "] of a " +
                               info.name + " must be given");
         if (!(value >= p.min && value <= p.max))
-            refuse(where, std::string("parameter '") + p.name + "' = " + std::to_string(value) +
-                              " " + p.unit + " is outside " + std::to_string(p.min) + " … " +
-                              std::to_string(p.max));
+            refuse(where, std::string("parameter '") + p.name + "' = " + number(value) + " " +
+                              p.unit + " is outside " + number(p.min) + " … " + number(p.max));
     }
     for (const char* low : {"min", "force_min"}) {
         const std::string high = std::string(low) == "min" ? "max" : "force_max";

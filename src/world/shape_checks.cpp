@@ -19,13 +19,13 @@ constexpr std::size_t kMostHull = 4096;          ///< Vertices of a hull.
 
 void within(const Where& where, const char* field, double value, double low, double high) {
     if (!(value >= low && value <= high))
-        reject(where, std::string(field) + " = " + std::to_string(value) + " is outside " +
-                          std::to_string(low) + " … " + std::to_string(high));
+        reject(where, std::string(field) + " = " + number(value) + " is outside " + number(low) +
+                          " … " + number(high));
 }
 
 void length(const Where& where, const char* field, double value) {
     if (!(value > 0.0 && value <= kLongest))
-        reject(where, std::string(field) + " = " + std::to_string(value) +
+        reject(where, std::string(field) + " = " + number(value) +
                           " m; it must be above 0 and at most 1e6 m");
 }
 
