@@ -35,6 +35,9 @@ constexpr double kMostRunSteps = 0x1p53;
 
 RunSession::RunSession(const RunOptions& options)
     : options_(options), session_(open()), info_(record::info_of(session_.scene())) {
+    for (const std::string& difference : session_.differences())
+        if (!options_.quiet)
+            fmt::print(stderr, "{}: differs in {}\n", options_.restore, difference);
     choose_times();
     open_outputs();
     add_observers();
@@ -131,6 +134,9 @@ void RunSession::add_observers() {
     if (options_.verify) {
         verifier_->begin_at(world);
         session_.observe(*verifier_);
+    } else if (!options_.realtime && options_.scene.budget_ms == 0.0) {
+        sampled_ = std::make_unique<verify::SampledVerifier>(world, world.step_count() + steps_);
+        session_.observe(*sampled_);
     }
 }
 
@@ -218,8 +224,8 @@ int RunSession::finish(bool interrupted, double wall_seconds) {
         std::fflush(stdout);
     }
     if (!session_.objection().empty()) {
-        fmt::print(stderr, "hawser: --verify: the step to {:.6g} s is wrong: {}\n", world.time(),
-                   session_.objection());
+        fmt::print(stderr, "hawser: {}the step to {:.6g} s is wrong: {}\n",
+                   verifier_ ? "--verify: " : "", world.time(), session_.objection());
         return kFailed;
     }
     if (wrong) {

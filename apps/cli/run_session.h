@@ -11,6 +11,7 @@
 #include "trace_output.h"
 #include "verify/certificate.h"
 #include "verify/coupling.h"
+#include "verify/sampled.h"
 
 #include <memory>
 #include <optional>
@@ -53,8 +54,9 @@ class RunSession {
     int finish(bool interrupted, double wall_seconds);
 
     const RunOptions& options_;
-    std::vector<std::string> warnings_;           ///< Of the start.
-    std::unique_ptr<verify::Verifier> verifier_;  ///< Made at the start of the scene.
+    std::vector<std::string> warnings_;                 ///< Of the start.
+    std::unique_ptr<verify::Verifier> verifier_;        ///< Made at the start of the scene.
+    std::unique_ptr<verify::SampledVerifier> sampled_;  ///< Without --verify.
     Session session_;
     record::SceneInfo info_;
     double end_time_ = 0.0;

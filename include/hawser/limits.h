@@ -14,17 +14,21 @@ struct Limit {
 namespace limit {
 /// Mechanical energy that came from nothing, over what was exchanged.
 inline constexpr Limit kCreated{0.009, 0.2};
+/// The same with lines by their lengths, whatever they exert, in the mean of kMean.
+inline constexpr Limit kHeld{0.05, 0.2};
 /// Created energy with all that rows and drag took added to it, which may hide some: over what was
 /// exchanged.
 inline constexpr Limit kHidden{1.0, 2.0};
 /// Energy that went without reason, over what was exchanged.
-inline constexpr Limit kLost{0.3, 1.0};
+inline constexpr Limit kLost{0.1, 0.3};
 /// What a joint softer than nothing, but no softer than this, may give is a gap [m/N].
 inline constexpr double kMeantRigid = 1e-10;
 inline constexpr Limit kOpen{0.005, 0.05};  ///< [m], and over the size of the smaller body.
 /// How deep bodies lie in each other, over the thickness of the thinner shape.
 inline constexpr Limit kDeep{0.5, 1.0};
 inline constexpr Limit kCable{0.03, 0.15};       ///< |l − l₀(1 + T/EA)|/l₀.
+/// What no material bears, by its tension or its length: strain, and over that of the breaking load.
+inline constexpr double kMostStrain = 0.5, kMostBreaking = 8.0;
 inline constexpr Limit kCertificate{1e-3, 0.1};  ///< Relative, for kSustained.
 inline constexpr Limit kTurn{0.5, 20.0};         ///< Of a body or an element in a step [rad].
 inline constexpr double kMemory = 10.0;          ///< Of what was exchanged [s].

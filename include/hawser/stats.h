@@ -154,13 +154,12 @@ struct Energy {
     double elastic = 0.0;  ///< Σ g²/(2ε) over rows with compliance > 1e-11, hydrostatics included.
     double applied = 0.0;  ///< Work done since the start by applied forces and torques.
     /// Work done since the start by motors (negative where they brake), by lengths and targets
-    /// that inputs change, by winches, and by bodies with a prescribed velocity; less what friction
-    /// in joints took.
+    /// that inputs change, by winches, and by bodies with a prescribed velocity.
     double driven = 0.0;
     double dissipated =
         0.0;  ///< Energy taken since the start by body damping (drag), and by damping of systems.
-    /// Energy taken since the start by contacts: by tangential impulses, and by normal ones
-    /// (impact, damping). What their springs hold at the moment is part of it.
+    /// Energy taken since the start by contacts: by tangential impulses, those of friction in joints
+    /// and slides included, and by normal ones (impact, damping). What their springs hold at the moment is part of it.
     double friction = 0.0, contact = 0.0;
     /// Energy taken since the start by rows: by their damping, where lines come taut or part, where
     /// limits are met, and by corrections of rigid rows.
@@ -175,6 +174,10 @@ struct Energy {
     /// A part of `system`, `dissipated` and the change of `added`. 0 where a recording is repeated,
     /// whose loads have no names.
     double water = 0.0;
+    /// Energy that edits of the world brought in since the start, negative where they took it away:
+    /// bodies and interactions that come and go, masses that change, nodes of wires that come and go
+    /// at drums, guides and posts or by refinement, cuts and joins.
+    double edited = 0.0;
     [[nodiscard]] double mechanical() const noexcept { return kinetic + added + gravity + elastic; }
 };
 

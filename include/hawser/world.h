@@ -365,6 +365,11 @@ class World {
     /// world: other pieces, step or parameters (any mass, length, stiffness, …; names, form and
     /// threads may differ). The state is then unchanged.
     void restore(std::span<const std::byte> bytes);
+    /// The same from a world that differs in parameters alone: masses, lengths, stiffnesses and
+    /// other numbers may differ, pieces and step may not. Poses, velocities and what rows remember
+    /// are those of the bytes; parameters, and forces of bodies, are those of this world. Energy
+    /// is counted anew from there.
+    void restore_variant(std::span<const std::byte> bytes);
     /// What it is made of, and with a state of it, into a world of the same set-up: structure.h.
     [[nodiscard]] Structure structure() const;
     void restore(const Structure& made_of, std::span<const std::byte> bytes);  ///< All or nothing.
@@ -387,7 +392,8 @@ class World {
     [[nodiscard]] TraceView trace(std::int64_t steps = 1'000'000) const;
 
   private:
-    void take_saved(std::span<const std::byte> bytes);
+    void take_saved(std::span<const std::byte> bytes, bool variant = false);
+    void restore_saved(std::span<const std::byte> bytes, bool variant);
     void copy_from(const World& other);
     void write_saved(std::vector<std::byte>& out, bool systems) const;
     void regroup_all(int parts);

@@ -31,7 +31,17 @@ template <class T>
 using ByAccount = std::array<T, kAccounts>;
 
 /// Works since the start [J].
-enum WorkBy : std::uint8_t { kForces, kDrives, kDrag, kFriction, kContacts, kRows, kWorks };
+enum WorkBy : std::uint8_t {
+    kForces,
+    kDrives,
+    kDrag,
+    kFriction,
+    kContacts,
+    kRows,
+    kGiven,     ///< By edits, see Edited.
+    kStrained,  ///< By nodes of wires that come and go: no work, and created where it lasts.
+    kWorks
+};
 using Works = std::array<double, kWorks>;
 
 /// Part of the state of a world.
@@ -51,6 +61,8 @@ struct JudgeState {
     double unsolved = 0.0;              ///< For so long [s].
     std::array<double, 2> risen{};      ///< Created energy at the last two looks [J].
     std::array<double, 2> stretched{};  ///< Off the cable law at the last two looks, newest first.
+    /// Elements beyond their strength, and wound in beyond their length, at the last two steps.
+    std::array<double, 2> overlong{}, wound{};
     std::array<double, 5> beyond{}, deep{};  ///< See JudgePart, at the last looks, newest first.
     double open_start = 0.0;                 ///< What still excuses joints that started open.
     std::int64_t step = 0;                   ///< Of the last look.

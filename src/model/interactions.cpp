@@ -101,12 +101,15 @@ void Interactions::refresh(int id, const Bodies& bodies_in, double h) noexcept {
     if (kind_info(d.kind).is(kWireElement)) follow_length(id, bodies_in, h);
 }
 
+double Interactions::wound_length(int id, const Bodies& bodies_in) const noexcept {
+    const InteractionDef& d = def[at(id)];
+    return d.params[0] + d.params[4] * (bodies_in.x[3 * at(d.body[2].index)] - d.params[5]);
+}
+
 void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noexcept {
     const InteractionDef& d = def[at(id)];
     const double whole = d.params[0];
-    double length = whole;
-    if (kind_info(d.kind).is(kWoundUp))
-        length += d.params[4] * (bodies_in.x[3 * at(d.body[2].index)] - d.params[5]);
+    double length = kind_info(d.kind).is(kWoundUp) ? wound_length(id, bodies_in) : whole;
     // A drum may wind in more than the element holds; its law then keeps the stiffness of the rest.
     constexpr double kShortest = 0.01;
     length = std::max(length, kShortest * whole);

@@ -160,6 +160,9 @@ void quality(Out out, const Summary& s) {
                    record::with_unit(s.energy_end.dissipated - s.energy_start.dissipated, "J"),
                    record::with_unit(s.energy_end.damped - s.energy_start.damped, "J"),
                    record::with_unit(drift, "J"));
+    if (s.energy_end.edited != s.energy_start.edited)
+        fmt::format_to(out, "; edits of wires brought {}",
+                       record::with_unit(s.energy_end.edited - s.energy_start.edited, "J"));
     if (s.energy_end.added != 0.0 || s.energy_end.system != 0.0)
         fmt::format_to(out, "; systems did {}, their added mass holds {}",
                        record::with_unit(s.energy_end.system - s.energy_start.system, "J"),
@@ -220,11 +223,11 @@ std::string to_text(const verify::Verification& v) {
     std::string text = fmt::format(
         "  verified     {} steps: natural map {:.2e} (differs by {:.2e}), momentum "
         "of {} of {} bodies {:.2e}, bounds {:.2e}\n"
-        "               of what is wrong: energy {:.2g} %, joints {:.2g} %, cable "
+        "               of what is wrong: energy {:.2g} %, lost {:.2g} %, joints {:.2g} %, cable "
         "law {:.2g} %, turns {:.2g} %\n",
         v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies, v.momentum,
-        v.bounds, 100.0 * v.states.created, 100.0 * v.states.open, 100.0 * v.states.cable,
-        100.0 * v.states.turn);
+        v.bounds, 100.0 * v.states.created, 100.0 * v.states.lost, 100.0 * v.states.open,
+        100.0 * v.states.cable, 100.0 * v.states.turn);
     if (v.sea > 0.0)
         text += fmt::format("               loads of the sea differ by {:.2e}\n", v.sea);
     return text;

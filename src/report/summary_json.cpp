@@ -109,6 +109,7 @@ Json energy_balance(const Summary& s) {
             {"end", energy(s.energy_end)},
             {"applied", s.energy_end.applied - s.energy_start.applied},
             {"driven", s.energy_end.driven - s.energy_start.driven},
+            {"edited", s.energy_end.edited - s.energy_start.edited},
             {"dissipated", s.energy_end.dissipated - s.energy_start.dissipated},
             {"friction", s.energy_end.friction - s.energy_start.friction},
             {"contact", s.energy_end.contact - s.energy_start.contact},

@@ -4,6 +4,7 @@
 #include "solve/drives.h"
 
 #include "access/push_event.h"
+#include "access/rows.h"
 #include "access/view.h"
 #include "base/index.h"
 
@@ -57,6 +58,14 @@ double work_of_carriers(const Model& model, const assembly::View& v, std::int32_
     return work;
 }
 
+/// The same of friction, whose rows all take it.
+double friction_of_carriers(const Model& model, const assembly::View& v, std::int32_t id) noexcept {
+    const model::RowState s = model.interactions.row_state(id, model.bodies);
+    double work = 0.0;
+    for (int r = 0; r < v.rows[id]; ++r) work -= v.lambda[v.row_begin[id] + r] * s.carried[r];
+    return work;
+}
+
 /// f(id, whether it is friction, whether it is driven) of what may do work from outside. Friction
 /// counts with what its spring holds.
 template <class F>
@@ -71,15 +80,23 @@ void each_drive(const Model& model, const assembly::View& v, F&& f) noexcept {
 
 }  // namespace
 
-double drive_work(Model& model) noexcept {
+DriveWork drive_work(Model& model) noexcept {
     const assembly::View v = row_view(model);
-    double work = 0.0;
+    DriveWork out;
     each_drive(model, v, [&](std::int32_t id, bool friction, bool driven) {
-        if (friction || driven) work += impulse_times(v, id, {0.5, 0.5}, !friction);
-        if (!friction && (v.flags[id] & model::kCarried))
-            work += work_of_carriers(model, v, id, driven);
+        const bool carried = (v.flags[id] & model::kCarried) != 0;
+        const double work = friction || driven ? impulse_times(v, id, {0.5, 0.5}, !friction) : 0.0;
+        if (!friction) {
+            out.driven += work;
+            if (carried) out.driven += work_of_carriers(model, v, id, driven);
+            return;
+        }
+        // What a carrier puts in drives; the rest of what the bodies gain is taken.
+        const double put_in = carried ? friction_of_carriers(model, v, id) : 0.0;
+        out.driven += put_in;
+        out.friction += put_in - work;
     });
-    return work;
+    return out;
 }
 
 double drive_gain(Model& model) noexcept {
@@ -98,6 +115,28 @@ double spring_gain(Model& model, std::span<const std::int32_t> springs) noexcept
         if (v.active[id] != 0.0 && !model.system.rests(id))
             gain += impulse_times(v, id, {-1.0, 1.0}, false);
     return gain;
+}
+
+double spring_way(Model& model, std::span<const std::int32_t> springs) noexcept {
+    const assembly::View v = row_view(model);
+    double sum = 0.0;
+    for (const std::int32_t id : springs) {
+        if (v.active[id] == 0.0 || model.system.rests(id)) continue;
+        const bool carried = (v.flags[id] & model::kCarried) != 0;
+        const model::RowState s =
+            carried ? model.interactions.row_state(id, model.bodies) : model::RowState{};
+        double room[model::kArmRoom];
+        const double* jac = packed_rows(v, id, room);
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const std::int32_t row = v.row_begin[id] + r;
+            const double speed =
+                along_row(v, id, jac, v.v, v.dof_begin, carried ? s.carried[r] : 0.0);
+            if ((v.row_flags[row] & model::kRowVelocity) == 0 &&
+                model::holds_energy(v.epsilon[row], v.rest_length[id]))
+                sum += v.h * v.h * speed * speed / v.epsilon[row];
+        }
+    }
+    return sum;
 }
 
 void move_carriers(Model& model) noexcept {
@@ -122,9 +161,13 @@ void follow_winches(Model& model, State& state) noexcept {
         const double before = in.epsilon[row];
         in.follow_length(id, model.bodies, h);
         // With the energy g²/2ε at the new compliance; at the old one it was ε_new/ε_old of it.
-        if (in.epsilon[row] != before)
-            state.ledger.drive +=
-                in.elastic(id, model.bodies, h) * (1.0 - in.epsilon[row] / before);
+        if (in.epsilon[row] == before) continue;
+        const double more = in.elastic(id, model.bodies, h) * (1.0 - in.epsilon[row] / before);
+        // A slide of a guide or post drives nothing.
+        if (kind_info(in.kinds[at(id)]).is(kAtGuide))
+            state.ledger.damped -= more;
+        else
+            state.ledger.drive += more;
     }
 }
 

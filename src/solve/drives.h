@@ -10,9 +10,13 @@
 
 namespace hawser::stepper {
 
-/// Work done in the step by motors, by rigid rows that an input drives and by bodies with a
-/// prescribed velocity [J], see Energy::driven. Before the velocities are overwritten.
-[[nodiscard]] double drive_work(Model& model) noexcept;
+/// In a step [J], see Energy.
+struct DriveWork {
+    double driven = 0.0;    ///< By motors, rigid rows that an input drives, prescribed velocities.
+    double friction = 0.0;  ///< Taken by friction in joints, slides and drums.
+};
+/// Compute them before the velocities are overwritten.
+[[nodiscard]] DriveWork drive_work(Model& model) noexcept;
 
 /// Impulses of the same over the step, times by how much the velocities at them change in it [J].
 /// Before the velocities are overwritten.
@@ -20,6 +24,9 @@ namespace hawser::stepper {
 
 /// The same of springs and lines. @param springs  Interactions.
 [[nodiscard]] double spring_gain(Model& model, std::span<const std::int32_t> springs) noexcept;
+
+/// Σ h² ġ²/ε of springs, bodies with a prescribed velocity included [J].
+[[nodiscard]] double spring_way(Model& model, std::span<const std::int32_t> springs) noexcept;
 
 /// Bodies with a prescribed velocity: exactly, a turn by h|ω| about ω.
 void move_carriers(Model& model) noexcept;

@@ -150,11 +150,11 @@ double piece_energy(const StepContext& ctx, std::int32_t id) noexcept {
 }
 
 void settle_body(StepContext& ctx, std::int32_t body) noexcept {
-    ctx.state.ledger.drive += energy_of_body(ctx, body);
+    ctx.state.ledger.edited.given += energy_of_body(ctx, body);
 }
 
 void settle_interaction(StepContext& ctx, std::int32_t id) noexcept {
-    ctx.state.ledger.drive += energy_of_interaction(ctx, id) - piece_energy(ctx, id);
+    ctx.state.ledger.edited.given += energy_of_interaction(ctx, id) - piece_energy(ctx, id);
     if (ctx.state.started) ctx.state.edits.interactions.push_back(id);
     disturb_bodies(ctx, id);
 }
@@ -171,13 +171,13 @@ void settle_shape(StepContext& ctx, std::int32_t shape) noexcept {
 }
 
 void remove_body(StepContext& ctx, std::int32_t body) noexcept {
-    ctx.state.ledger.drive -= energy_of_body(ctx, body);
+    ctx.state.ledger.edited.given -= energy_of_body(ctx, body);
     if (ctx.model.bodies.asleep[at(body)] != 0) --ctx.work.stats.asleep;
     ctx.model.bodies.remove(body);
 }
 
 void remove_interaction(StepContext& ctx, std::int32_t id) noexcept {
-    ctx.state.ledger.drive -= energy_of_interaction(ctx, id) - piece_energy(ctx, id);
+    ctx.state.ledger.edited.given -= energy_of_interaction(ctx, id) - piece_energy(ctx, id);
     disturb_bodies(ctx, id);
     std::erase(ctx.state.edits.interactions, id);
     ctx.model.interactions.remove(id, ctx.model.bodies);

@@ -10,7 +10,7 @@
 ///   that have no shape any more (assembly/contacts.h).
 /// - *Sleep.* Only the islands that an edit touches wake: those of the bodies of an interaction
 ///   that comes or goes, of what lay on a shape that goes, of what is near one that comes.
-/// - *Energy* that comes with a thing, or goes with it, counts as driven (hawser::Energy), by what
+/// - *Energy* that comes with a thing, or goes with it, counts as edited (hawser::Energy), by what
 ///   the thing holds half-way between two poses, where the ledger has its energies. So the judge
 ///   goes on without a break.
 /// - *Wires* that an edit divides or joins keep what they remember, element by element
@@ -19,6 +19,8 @@
 /// The next step, or whatever needs the system before it, analyses: the order of elimination is
 /// repaired (factor/repair.h). Where shapes alone came or went, the collider and the contacts
 /// follow and the system stays, unless other bodies may touch by that (prepare.h).
+
+#include "context/ledger.h"
 
 #include <cstdint>
 
@@ -41,6 +43,10 @@ void begin_shape_edit(StepContext& ctx) noexcept;
 /// By how much an element that moves as a straight piece has less kinetic energy than the lumps at
 /// its ends [J]. Where it parts, these go on by themselves.
 [[nodiscard]] double piece_energy(const StepContext& ctx, std::int32_t id) noexcept;
+/// Of an element of a wire: what it holds, and what its mass takes off its lumps' motion.
+[[nodiscard]] inline Edited energy_of_element(const StepContext& ctx, std::int32_t id) noexcept {
+    return {-piece_energy(ctx, id), energy_of_interaction(ctx, id)};
+}
 
 /// What was added, after it was written into the model.
 void settle_body(StepContext& ctx, std::int32_t body) noexcept;

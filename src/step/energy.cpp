@@ -100,6 +100,7 @@ Energy energy(StepContext& ctx) noexcept {
     e.water = ctx.state.loads.water;
     e.applied = ctx.state.ledger.work;
     e.driven = ctx.state.ledger.drive;
+    e.edited = ctx.state.ledger.edited.sum();
     e.dissipated = ctx.state.ledger.drag;
     e.friction = ctx.state.ledger.friction;
     e.contact = ctx.state.ledger.contact;

@@ -29,7 +29,7 @@ void break_lines(StepContext& ctx, const View& v) noexcept {
         const double tension = -v.force_of_row[v.row_begin[id]];
         if (v.parted[id] || tension <= ctx.model.system.breaking_load[i]) continue;
         ctx.state.ledger.damped += held_by_line(ctx.model, original(ctx.model, id));
-        ctx.state.ledger.drive += piece_energy(ctx, original(ctx.model, id));
+        ctx.state.ledger.edited.given += piece_energy(ctx, original(ctx.model, id));
         part_all(ctx.model, original(ctx.model, id));
         begin_recoil(ctx.model, original(ctx.model, id), true);
         push_event(ctx, EventKind::line_break, original(ctx.model, id), tension);
@@ -60,7 +60,9 @@ void report_switches(StepContext& ctx, const View& v) noexcept {
 void integrate(StepContext& ctx) noexcept {
     const View v = view(ctx);
     finish_cuts(ctx);
-    ctx.state.ledger.drive += drive_work(ctx.model);
+    const DriveWork drives = drive_work(ctx.model);
+    ctx.state.ledger.drive += drives.driven;
+    ctx.state.ledger.friction += drives.friction;
     ctx.state.ledger.damped += row_losses(ctx.model, ctx.work.solve, ctx.pool);
     settle_wires(ctx);
     count_contact_work(ctx);

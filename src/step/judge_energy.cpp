@@ -13,9 +13,9 @@ namespace {
 /// What nothing accounts for [J].
 ByAccount<double> unexplained(const JudgePart& p, const Works& w, double given) noexcept {
     const double left = p.kinetic + p.potential + p.elastic - w[kForces] - w[kDrives] + w[kDrag] +
-                        w[kFriction] + w[kContacts] + w[kRows];
+                        w[kFriction] + w[kContacts] + w[kRows] - w[kGiven] - w[kStrained];
     const double moving = p.kinetic + p.potential + p.elastic;
-    const double between = left - w[kDrag] - w[kRows];
+    const double between = left - w[kDrag] - w[kRows] + w[kStrained];
     return {left, left + given, between - p.elastic + p.by_length, between - moving + p.at_pose,
             between - p.elastic + p.by_force};
 }
@@ -85,7 +85,7 @@ Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
     ByAccount<double> early{};
     for (std::size_t i = 0; i < w.size(); ++i)
         for (std::size_t k = 0; k < early.size(); ++k)
-            if (k < kBetween || (i != kDrag && i != kRows))
+            if (k < kBetween || (i != kDrag && i != kRows && i != kStrained))
                 early[k] += 0.5 * std::fabs(w[i] - state.work[i]);
     Unexplained out;
     for (std::size_t i = 0; i < now.size(); ++i) {

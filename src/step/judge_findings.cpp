@@ -60,7 +60,9 @@ Works works(const State& state) noexcept {
             state.ledger.drag,
             state.ledger.friction,
             state.ledger.contact,
-            state.ledger.damped};
+            state.ledger.damped,
+            state.ledger.edited.given,
+            state.ledger.edited.strained};
 }
 
 Finding energy_finding(const Model& model, const State& state, const JudgePart& p,
@@ -81,15 +83,27 @@ Finding energy_finding(const Model& model, const State& state, const JudgePart& 
     memory.risen = {created, memory.risen[0]};
     const double lasting =
         std::min({mean[kBetween].rise, mean[kByForce].rise, mean[kAtPoses].rise});
+    // What lines hold by their lengths is the state, whatever they exert; it has to last. Of a rise
+    // that has lasted for kLasts the mean has this share.
+    constexpr double kLasts = 0.3;
+    const double lasted = std::min(mean[kBetween].rise, mean[kAtPoses].rise),
+                 by_length = lasted / (1.0 - std::exp(-kLasts / limit::kMean));
     const double hidden = std::max(now[kUnexplained].rise, now[kWithGiven].rise);
     const double lost = now[kUnexplained].fall;
     Finding out;
-    const double gained = std::max(share(stays, exchanged) / limit::kCreated.doubtful,
-                                   share(hidden, counted) / limit::kHidden.doubtful);
+    const double by_created = share(stays, exchanged) / limit::kCreated.doubtful,
+                 by_held = share(by_length, exchanged) / limit::kHeld.doubtful,
+                 by_hidden = share(hidden, counted) / limit::kHidden.doubtful,
+                 gained = std::max({by_created, by_held, by_hidden});
     const double fell = share(lost, counted) / limit::kLost.doubtful;
-    out.value = gained >= fell ? std::max(created, now[kUnexplained].rise) : -lost;
+    // What is told is of the account that is nearest to its limit.
+    out.value = gained < fell         ? -lost
+                : by_hidden == gained ? hidden
+                : by_held == gained   ? by_length
+                                      : created;
     out.doubtful = std::max(gained, fell);
     out.wrong = std::max({share(lasting, exchanged) / limit::kCreated.wrong,
+                          share(lasted, exchanged) / limit::kHeld.wrong,
                           share(std::max(mean[kUnexplained].rise, mean[kWithGiven].rise), counted) /
                               limit::kHidden.wrong,
                           share(mean[kUnexplained].fall, counted) / limit::kLost.wrong});

@@ -41,15 +41,14 @@ About about(const StepContext& ctx, const NodePlace& place) noexcept {
 }
 
 /// Kinetic, gravity and elastic energy of all that is about a place [J].
-double energy_about(const StepContext& ctx, const NodePlace& place) noexcept {
+Edited energy_about(const StepContext& ctx, const NodePlace& place) noexcept {
     const About all = about(ctx, place);
-    double sum = 0.0;
-    for (std::size_t k = 0; k < all.lumps; ++k) sum += energy_of_body(ctx, all.lump[k]);
-    for (std::size_t k = 0; k < all.elements; ++k)
-        sum += energy_of_interaction(ctx, all.element[k]) - piece_energy(ctx, all.element[k]);
+    Edited sum;
+    for (std::size_t k = 0; k < all.lumps; ++k) sum.given += energy_of_body(ctx, all.lump[k]);
+    for (std::size_t k = 0; k < all.elements; ++k) sum += energy_of_element(ctx, all.element[k]);
     const std::span<const std::int32_t> lumps(all.lump.data(), all.lumps);
     for (std::int32_t id = -1; (id = next_bend(ctx, lumps, id)) >= 0;)
-        sum += energy_of_interaction(ctx, id);
+        sum.strained += energy_of_interaction(ctx, id);
     return sum;
 }
 
@@ -112,11 +111,11 @@ NodeDef node_on(const StepContext& ctx, std::int32_t element, double share, doub
 }
 
 NodeLedger begin_node_edit(const StepContext& ctx, const NodePlace& place) noexcept {
-    return {energy_about(ctx, place), ctx.state.ledger.drive};
+    return {energy_about(ctx, place), ctx.state.ledger.edited};
 }
 
 void end_node_edit(StepContext& ctx, const NodePlace& place, const NodeLedger& was) noexcept {
-    ctx.state.ledger.drive = was.drive + energy_about(ctx, place) - was.local;
+    ctx.state.ledger.edited = was.edited + energy_about(ctx, place) - was.local;
     const About all = about(ctx, place);
     for (std::size_t k = 0; k < all.lumps; ++k) disturb(ctx.model, all.lump[k]);
 }

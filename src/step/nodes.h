@@ -54,7 +54,7 @@ struct NodeDef {
 
 /// What the energies were before an edit [J].
 struct NodeLedger {
-    double local = 0.0, drive = 0.0;
+    Edited local, edited;
 };
 
 /// What is about an element (`first`) or, where that is −1, about a lump (`node`).
@@ -89,7 +89,7 @@ inline constexpr double kKeptMass = 1e-2;
 [[nodiscard]] bool release_drum_node(StepContext& ctx, const NodePlace& place,
                                      double bend) noexcept;
 
-/// What the edit changed is driven. @param place  As it is now.
+/// What the edit changed is edited (Energy::edited). @param place  As it is now.
 void end_node_edit(StepContext& ctx, const NodePlace& place, const NodeLedger& was) noexcept;
 
 }  // namespace hawser::stepper

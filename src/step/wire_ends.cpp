@@ -64,15 +64,15 @@ void split_lump(StepContext& ctx, std::int32_t from, std::int32_t to,
     b.mass[at(from)] -= share.mass;
 }
 
-double splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
+Edited splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
                      std::int32_t eb) noexcept {
-    double sum = energy_of_body(ctx, a) + (b >= 0 ? energy_of_body(ctx, b) : 0.0);
+    Edited sum{energy_of_body(ctx, a) + (b >= 0 ? energy_of_body(ctx, b) : 0.0), 0.0};
     for (const std::int32_t id : {ea, eb == ea ? -1 : eb})
-        if (id >= 0) sum += energy_of_interaction(ctx, id) - piece_energy(ctx, id);
+        if (id >= 0) sum += energy_of_element(ctx, id);
     const std::array<std::int32_t, 2> both{a, b};
     const std::span<const std::int32_t> bodies(both.data(), b >= 0 ? 2 : 1);
     for (std::int32_t id = -1; (id = next_bend(ctx, bodies, id)) >= 0;)
-        sum += energy_of_interaction(ctx, id);
+        sum.strained += energy_of_interaction(ctx, id);
     return sum;
 }
 

@@ -43,7 +43,7 @@ void split_lump(StepContext& ctx, std::int32_t from, std::int32_t to,
                 const LumpShare& share) noexcept;
 
 /// What is at the ends of two elements that are to be spliced [J].
-[[nodiscard]] double splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b,
+[[nodiscard]] Edited splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b,
                                    std::int32_t ea, std::int32_t eb) noexcept;
 /// The lump a takes in b, at the end of the element eb, which ends at a then. The caller removes b
 /// and puts bends right. Energies are for the caller to book.

@@ -54,11 +54,19 @@ struct Verification {
     std::int32_t covered_bodies = 0;
 };
 
+/// How closely, and what.
+struct Checks {
+    /// To rounding, and steps that a step itself reports as not solved are wrong; else to 1e-5, and
+    /// these are left to the world's own monitors.
+    bool strict = true;
+    bool sea = true;  ///< Loads of the sea.
+};
+
 class Verifier : public Observer {
   public:
     /// What is added and removed from now on, it follows. A step in which systems do that is not
     /// judged. @throws DefError where groups of bodies may be split: coupling is not exact.
-    explicit Verifier(const World& world);
+    explicit Verifier(const World& world, Checks checks = {});
     /// Another state has been restored: judges go on from there. What the water has of wires is
     /// that of the start, at which it was made.
     void begin_at(const World& world);
@@ -98,8 +106,8 @@ class Verifier : public Observer {
 
     std::vector<Pose> pose_;
     std::vector<Twist> twist_, earlier_;  ///< Before this step, and before the last one …
-    std::vector<Twist> left_;             ///< … and as the last step left them; NaN: it came since.
-    std::vector<int> alert_;              ///< Of wires, before the step, by interaction.
+    std::vector<Twist> left_;  ///< … and as the last step left them; NaN: it came since.
+    std::vector<int> alert_;   ///< Of wires, before the step, by interaction.
     std::vector<BodyId> bodies_, moving_;
     std::vector<InteractionId> interactions_;
     std::vector<std::vector<double>> last_;  ///< Forces of each interaction's rows before the step.
@@ -117,8 +125,10 @@ class Verifier : public Observer {
     std::int64_t impacts_ = 0;            ///< Until the last step.
     int seen_ = 0;                        ///< Steps whose momentum was computed.
     std::int32_t left_out_ = 0;           ///< Most moving bodies without, of all steps.
+    double unsolved_ = 0.0;               ///< Natural map above the tolerance for so long [s].
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
     double scalar_floor_ = 0.0;  ///< That of rows on scalar bodies.
+    Checks checks_;
     StateVerifier states_;
     SeaVerifier sea_;
     /// Of the row that is farthest beyond its bound.

@@ -65,13 +65,18 @@ double StateVerifier::kinetic(const World& world) const {
     return sum;
 }
 
-double StateVerifier::potential(const World& world) const {
+double StateVerifier::gravity(const World& world) const {
     double sum = 0.0;
     for (const BodyId id : moving_) {
         const BodyDef& def = world.body_def(id);
         if (def.gravity && def.kind != BodyKind::scalar)
             sum -= def.mass * world.settings().gravity.dot(world.pose(id).position);
     }
+    return sum;
+}
+
+double StateVerifier::elastic(const World& world) const {
+    double sum = 0.0;
     for (const InteractionId id : interactions_)
         if (role_[place_of(id.index)] == Role::spring) sum += energy_of_spring(world, id);
     return sum;
@@ -155,6 +160,73 @@ void StateVerifier::add_sources(const World& world) {
         }
 }
 
+void StateVerifier::add_others(const World& world) {
+    other_before_ = other_;
+    other_torque_before_ = other_torque_;
+    for (const BodyId id : moving_) {
+        const std::size_t b = place_of(id.index);
+        const BodyDef& def = world.body_def(id);
+        const Twist v = world.velocity(id);
+        const Quat& turned = pose_[b].orientation;
+        const auto along_axes = [&](const Vec3& c, const Vec3& a, const Vec3& z) -> Vec3 {
+            return turned * Vec3(-c.cwiseProduct(turned.conjugate() * Vec3(0.5 * (a + z))));
+        };
+        other_[b] = along_axes(def.linear_damping, twist_[b].linear, v.linear);
+        other_torque_[b] = along_axes(def.angular_damping, twist_[b].angular, v.angular);
+    }
+    for (const InteractionId id : interactions_) {
+        if (role_[place_of(id.index)] != Role::spring) continue;
+        const InteractionDef& def = world.interaction_def(id);
+        const Wrenches w = row_wrenches(world, id, pose_, world.force(id));
+        for (int k = 0; k < kind_info(def.kind).bodies; ++k) {
+            other_[place_of(def.body[place_of(k)].index)] += w.on[place_of(k)].force;
+            other_torque_[place_of(def.body[place_of(k)].index)] += w.on[place_of(k)].torque;
+        }
+    }
+}
+
+/// Kinetic and gravity energy that no force took.
+std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
+    const double h = world.settings().step, forgotten = std::min(1.0, h / limit::kMemory);
+    add_others(world);
+    if (steps_ > 0)
+        for (const BodyId id : moving_) {
+            const std::size_t b = place_of(id.index);
+            const Way way = way_between(pose_before_[b], arrived_[b]);
+            other_work_ += 0.5 * (other_[b] + other_before_[b]).dot(way.moved);
+            if (world.body_def(id).kind == BodyKind::rigid)
+                other_work_ += 0.5 * (other_torque_[b] + other_torque_before_[b]).dot(way.turned);
+        }
+    const double energy = 0.5 * (kinetic_ + kinetic_now) + gravity_;
+    double left = energy - work_ - other_work_;
+    // An impact takes what no force of the step does.
+    if (world.stats().impacts != impacts_ && steps_ > 0) {
+        other_work_ += left - mean_moving_;
+        left = mean_moving_;
+    }
+    moved_ +=
+        (steps_ > 0 ? 0.5 * (std::abs(energy - moving_energy_) + std::abs(kinetic_now - kinetic_))
+                    : 0.0) -
+        forgotten * moved_;
+    moving_energy_ = energy;
+    const double share = 1.0 - std::exp(-h / limit::kMean);
+    mean_moving_ = steps_ == 0 ? left : mean_moving_ + share * (left - mean_moving_);
+    most_ = steps_ == 0 || excused_ > 1.0
+                ? mean_moving_
+                : std::max(mean_moving_, most_ + forgotten * (mean_moving_ - most_));
+    // Of the motion that there is; a part of what was exchanged, whose work has errors of its own.
+    constexpr double kOfExchanged = 0.25;
+    peak_ = std::max(kinetic_now, (1.0 - forgotten) * peak_);
+    const double fall = most_ - mean_moving_, scale = std::max(peak_, kOfExchanged * moved_);
+    if (fall <= limit::kNothing * (kinetic_now + std::abs(gravity_))) return {};
+    result_.lost = std::max(result_.lost, fall / scale / limit::kLost.wrong);
+    if (fall <= limit::kLost.wrong * scale) return {};
+    return fmt::format(
+        "{} of mechanical energy vanished that no force took, of {} in "
+        "motion",
+        record::with_unit(fall, "J"), record::with_unit(scale, "J"));
+}
+
 std::string StateVerifier::check_energy(const World& world) {
     const double now = kinetic(world), energy = 0.5 * (kinetic_ + now) + potential_;
     const double h = world.settings().step;
@@ -177,11 +249,12 @@ std::string StateVerifier::check_energy(const World& world) {
     least_ = steps_ == 0 || excused_ > 1.0 ? mean_
                                            : std::min(mean_, least_ + forgotten * (mean_ - least_));
     energy_ = energy;
+    std::string lost = check_loss(world, now);
     kinetic_ = now;
     const double rise = mean_ - least_, scale = now + exchanged_;
-    if (rise <= limit::kNothing * (now + std::abs(potential_))) return {};
-    result_.created = std::max(result_.created, rise / scale / limit::kCreated.wrong);
-    if (rise <= limit::kCreated.wrong * scale) return {};
+    if (rise <= limit::kNothing * (now + std::abs(potential_))) return lost;
+    result_.created = std::max(result_.created, rise / scale / limit::kHeld.wrong);
+    if (rise <= limit::kHeld.wrong * scale) return lost;
     return fmt::format("{} of mechanical energy came out of nothing, where {} were exchanged",
                        record::with_unit(rise, "J"), record::with_unit(scale, "J"));
 }

@@ -53,7 +53,8 @@ void StateVerifier::follow(const World& world) {
     const std::size_t bodies = number(world.body_count());
     for (std::vector<Pose>* v : {&pose_, &pose_before_, &arrived_}) v->resize(bodies);
     twist_.resize(bodies);
-    for (std::vector<Vec3>* v : {&force_, &torque_, &force_before_, &torque_before_})
+    for (std::vector<Vec3>* v : {&force_, &torque_, &force_before_, &torque_before_, &other_,
+                                 &other_torque_, &other_before_, &other_torque_before_})
         v->resize(bodies, Vec3::Zero());
 }
 
@@ -97,13 +98,18 @@ void StateVerifier::before_step(const World& world) {
         pose_[number(id.index)] = world.pose(id);
         twist_[number(id.index)] = world.velocity(id);
     }
-    potential_ = potential(world);
+    gravity_ = gravity(world);
+    potential_ = gravity_ + elastic(world);
     const double kinetic_now = kinetic(world);
     if (steps_ > 0) {
         const double given = (kinetic_now - kinetic_) + (potential_ - potential_after_);
         work_ += given;
         energy_ += given;
+        const double moving = (kinetic_now - kinetic_) + (gravity_ - gravity_after_);
+        other_work_ += moving - given;
+        moving_energy_ += moving;
     }
+    impacts_ = world.stats().impacts;
     kinetic_ = kinetic_now;
 }
 
@@ -119,7 +125,8 @@ void StateVerifier::excuse_joints(const World& world, const std::vector<Interact
 
 void StateVerifier::begin_anew(const World& world) {
     follow(world);
-    for (std::vector<Vec3>* v : {&force_, &torque_}) std::fill(v->begin(), v->end(), Vec3::Zero());
+    for (std::vector<Vec3>* v : {&force_, &torque_, &other_, &other_torque_})
+        std::fill(v->begin(), v->end(), Vec3::Zero());
     off_before_ = {};
     steps_ = 0;
 }
@@ -148,8 +155,9 @@ std::string StateVerifier::check_joints(const World& world) {
     worst = std::max(0.0, worst - excused_ * limit::kOpen.doubtful / limit::kOpen.wrong);
     result_.open = std::max(result_.open, worst);
     if (worst <= 1.0) return {};
-    return fmt::format("joint '{}' stands open by {} and {:.3g} rad (step of {:.4g} s)",
+    return fmt::format("joint '{}'{} stands open by {} and {:.3g} rad (step of {:.4g} s)",
                        record::interaction_label(world, where),
+                       record::origin(world, record::interaction_label(world, where)),
                        record::with_unit(gap_of_worst.apart, "m"), gap_of_worst.turned,
                        world.settings().step);
 }
@@ -200,8 +208,9 @@ std::string StateVerifier::check_turns(const World& world) {
         const double turn = world.settings().step * world.velocity(id).angular.norm();
         result_.turn = std::max(result_.turn, turn / limit::kTurn.wrong);
         if (!(turn <= limit::kTurn.wrong))
-            return fmt::format("body '{}' turned by {:.3g} rad in the step",
-                               record::body_label(world, id), turn);
+            return fmt::format("body '{}'{} turned by {:.3g} rad in the step",
+                               record::body_label(world, id),
+                               record::origin(world, record::body_label(world, id)), turn);
     }
     return {};
 }
@@ -217,7 +226,8 @@ std::string StateVerifier::after_step(const World& world) {
     other = lasting_.after_step(world, now_);
     if (wrong.empty()) wrong = std::move(other);
     arrived_ = now_;
-    potential_after_ = potential(world);
+    gravity_after_ = gravity(world);
+    potential_after_ = gravity_after_ + elastic(world);
     ++steps_;
     return wrong;
 }

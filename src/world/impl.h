@@ -75,9 +75,9 @@ struct World::Impl final : private world::InputDoor {
     struct Mark {
         std::int32_t bodies, interactions, shapes;  ///< Places.
         std::size_t noted;                          ///< Of stepper::Edits.
-        double drive;
+        stepper::Edited edited;                     ///< Of the ledger.
         stepper::Changed changed;
-        bool edited, stale;
+        bool any_edit, stale;
         BodyId end[2];          ///< Bodies that are touched …
         std::int32_t quiet[2];  ///< … and for how long they had been at rest.
     };
@@ -196,6 +196,7 @@ struct World::Impl final : private world::InputDoor {
     /// reading one what acts on bodies is what the user applied.
     void leave_user_forces() noexcept;
     void add_up_forces() noexcept;
+    void put_user_forces() noexcept;  ///< As the definitions have them.
     void take_user_forces() noexcept;
 
     /// Inputs with forces in the frame of their body, in the order added, and the six forces of

@@ -209,6 +209,13 @@ void World::Impl::add_up_forces() noexcept {
     for (const ForceInput& input : force_inputs) add_up_force(BodyId{input.body}, input.component);
 }
 
+void World::Impl::put_user_forces() noexcept {
+    for (const BodyId id : body_ids)
+        for (int c = 0; c < 6; ++c)
+            ctx.model.bodies.force[6 * at(id.index) + at(c)] = user_force(at(id.index), c);
+    add_up_forces();
+}
+
 void World::Impl::take_user_forces() noexcept {
     for (const BodyId id : body_ids) {
         const double* force = &ctx.model.bodies.force[6 * at(id.index)];

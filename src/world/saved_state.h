@@ -15,7 +15,7 @@ namespace hawser::world {
 
 /// Identifies the world's layout and says how much follows.
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '5'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '6'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.
@@ -77,6 +77,7 @@ void visit_values(Context& ctx, F&& f) {
     f(ctx.state.ledger.work);
     f(ctx.state.ledger.drag);
     f(ctx.state.ledger.drive);
+    f(ctx.state.ledger.edited);
     f(ctx.state.ledger.friction);
     f(ctx.state.ledger.contact);
     f(ctx.state.ledger.damped);

@@ -218,6 +218,8 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(j.mean, "a figure of the judge", 1e300);
     numbers(j.work, "a figure of the judge", 1e300);
     numbers(j.stretched, "a figure of the judge", 1e300);
+    numbers(j.overlong, "a figure of the judge", 1e300);
+    numbers(j.wound, "a figure of the judge", 1e300);
     numbers(j.beyond, "a figure of the judge", 1e300);
     numbers(j.deep, "a figure of the judge", 1e300);
     for (const auto& tides : {j.now_tide, j.mean_tide})
@@ -227,9 +229,10 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     if (j.step < 0 || j.step > s.state.step || j.begun < 0 || j.begun > s.state.step + 1)
         refuse_state("the judge looked at no step");
     const double energies[] = {
-        s.state.ledger.work,     s.state.ledger.drag,    s.state.ledger.drive,
-        s.state.ledger.friction, s.state.ledger.contact, s.state.ledger.damped,
-        s.state.loads.work,      s.state.loads.water,    s.state.loads.added};
+        s.state.ledger.work,         s.state.ledger.drag,           s.state.ledger.drive,
+        s.state.ledger.friction,     s.state.ledger.contact,        s.state.ledger.damped,
+        s.state.loads.work,          s.state.loads.water,           s.state.loads.added,
+        s.state.ledger.edited.given, s.state.ledger.edited.strained};
     numbers(energies, "an energy", 1e300);
     const auto& r = s.model.regroup;
     if (r.made < 0 || r.made > s.state.step || r.seen < -1 || r.seen > s.state.step ||

@@ -25,7 +25,7 @@ void World::set_mass(BodyId lump, double mass) {
         world::refuse(where, "mass = " + world::number(mass) + " kg; give a positive one");
     stepper::StepContext& c = impl_->ctx;
     stepper::begin_edit(c);
-    c.state.ledger.drive -= stepper::energy_of_body(c, lump.index);
+    c.state.ledger.edited.given -= stepper::energy_of_body(c, lump.index);
     const double scale = mass / def.mass;
     def.mass = c.model.bodies.mass[b] = mass;
     for (int k = 0; k < 3; ++k) {
@@ -33,7 +33,7 @@ void World::set_mass(BodyId lump, double mass) {
         def.force[k] *= scale;
         impl_->add_up_force(lump, k);
     }
-    c.state.ledger.drive += stepper::energy_of_body(c, lump.index);
+    c.state.ledger.edited.given += stepper::energy_of_body(c, lump.index);
     // Elements know how heavy the lighter of their ends is.
     model::Interactions& in = c.model.interactions;
     for (const InteractionId id : impl_->interaction_ids)

@@ -265,13 +265,13 @@ WireId World::cut(InteractionId element, double share) {
     // Names are claimed last, and given back where a node does not fit.
     std::optional<SecondPiece> second;
     const Impl::Mark before = m.mark(def.body[0], def.body[1]);
-    const double drive = c.state.ledger.drive;
+    const stepper::Edited edited = c.state.ledger.edited;
     BodyId node = def.body[0];
     bool claimed = false;
     try {
         const Impl::Untold untold(m);
         made.lumps.push_back(add_body(end_body(*this, def)));
-        c.state.ledger.drive = drive;
+        c.state.ledger.edited = edited;
         if (const world::Wire* wire = m.wire_with(element); wire != nullptr) {
             second.emplace(*wire, next_name(m.wires.names, wire->name), body_count());
             vacant = m.claim_wire(second->wire.name);

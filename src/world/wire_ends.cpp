@@ -243,8 +243,8 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     world::Wire made;
     make_room_for_end(made);
     const Mark before = mark(held, next);
-    const double drive = ctx.state.ledger.drive;
-    const double had = stepper::splice_energy(ctx, next.index, -1, e, e);
+    const stepper::Edited edited = ctx.state.ledger.edited;
+    const stepper::Edited had = stepper::splice_energy(ctx, next.index, -1, e, e);
     const Untold untold(*this);
     const BodyDef was = body_defs[at(next.index)];
     try {
@@ -263,7 +263,7 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     } catch (...) {
         take_back(before, made);
         put_back_mass(*this, world, next, was);
-        ctx.state.ledger.drive = drive;
+        ctx.state.ledger.edited = edited;
         throw;
     }
     // From here on nothing throws.
@@ -287,8 +287,8 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     }
     if (own.valid()) move_segment(own, side, lump);
     for (const BodyId id : {held, next, lump}) stepper::disturb(ctx.model, id.index);
-    ctx.state.ledger.drive = drive + stepper::splice_energy(ctx, next.index, -1, now, now) - had +
-                             stepper::energy_of_body(ctx, lump.index);
+    ctx.state.ledger.edited = edited + stepper::splice_energy(ctx, next.index, -1, now, now) - had;
+    ctx.state.ledger.edited.given += stepper::energy_of_body(ctx, lump.index);
     stepper::push_event(ctx, EventKind::detach, now, tension);
     if (wire != nullptr) end_at_lump(*wire, side, made, element, in.id(now));
 }

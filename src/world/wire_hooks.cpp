@@ -32,7 +32,7 @@ void World::release(InteractionId hook) {
     m.know_wire_of(hook);
     const double tension = stepper::tension_of(m.ctx, hook.index);
     stepper::begin_recoil(m.ctx.model, hook.index, false);
-    m.ctx.state.ledger.drive -= stepper::energy_of_interaction(m.ctx, hook.index);
+    m.ctx.state.ledger.edited.given -= stepper::energy_of_interaction(m.ctx, hook.index);
     stepper::begin_edit(m.ctx);
     for (std::size_t b = 0; b < 2; ++b)
         stepper::disturb(m.ctx.model, stepper::end_of(m.ctx, hook.index, b));

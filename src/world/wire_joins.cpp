@@ -143,7 +143,7 @@ void World::Impl::add_gear_mass(BodyId lump, double mass) noexcept {
     ctx.model.bodies.mass[at(lump.index)] += mass;
     follow_definition(lump);
     stepper::follow_lump(ctx, lump.index);
-    ctx.state.ledger.drive += stepper::energy_of_body(ctx, lump.index) - had;
+    ctx.state.ledger.edited.given += stepper::energy_of_body(ctx, lump.index) - had;
 }
 
 /// From a lump to a body, the one first that the wire of the lump begins with.

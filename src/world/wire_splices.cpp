@@ -110,8 +110,8 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
                                   stepper::bend_about(ctx, far_b.index, b.index)};
     const std::int32_t beside = near[0] >= 0 ? near[0] : near[1];
     InteractionId bend;
-    const double drive = ctx.state.ledger.drive;
-    const double had = stepper::splice_energy(ctx, a.index, b.index, ea, eb);
+    const stepper::Edited edited = ctx.state.ledger.edited;
+    const stepper::Edited had = stepper::splice_energy(ctx, a.index, b.index, ea, eb);
     if (beside >= 0) {
         const double length = 0.5 * (in.rest_length[at(ea)] + in.rest_length[at(eb)]);
         const Untold untold(*this);
@@ -135,7 +135,7 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
     follow_definition(a);
     stepper::follow_lump(ctx, a.index);
     if (bend.valid()) stepper::set_bend(ctx, bend.index, ea, eb);
-    ctx.state.ledger.drive = drive + stepper::splice_energy(ctx, a.index, -1, ea, eb) - had;
+    ctx.state.ledger.edited = edited + stepper::splice_energy(ctx, a.index, -1, ea, eb) - had;
     stepper::push_event(ctx, EventKind::join, ea, apart);
     if (wire_b != nullptr && !chain.empty()) {
         std::reverse(wire_b->nodes.begin(), wire_b->nodes.end());

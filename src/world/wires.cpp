@@ -75,7 +75,7 @@ World::Impl::Mark World::Impl::mark(BodyId from, BodyId to) const noexcept {
             stepper::interaction_count(ctx.model),
             ctx.model.collider.count(),
             ctx.state.edits.interactions.size(),
-            ctx.state.ledger.drive,
+            ctx.state.ledger.edited,
             ctx.model.cuts.bodies >= 0 ? stepper::Changed::all : ctx.state.changed,
             ctx.state.edits.any,
             ctx.model.regroup.stale,
@@ -108,9 +108,9 @@ void World::Impl::take_back(const Mark& before, const world::Wire& made) noexcep
     ctx.model.regroup.by_hand.resize(at(before.bodies));
     ctx.model.cuts.group.resize(at(before.bodies));
     ctx.state.edits.interactions.resize(before.noted);
-    ctx.state.ledger.drive = before.drive;
+    ctx.state.ledger.edited = before.edited;
     ctx.state.changed = before.changed;
-    ctx.state.edits.any = before.edited;
+    ctx.state.edits.any = before.any_edit;
     ctx.model.regroup.stale = before.stale;
     for (std::size_t k = 0; k < 2; ++k)
         if (before.end[k].valid())
@@ -268,7 +268,7 @@ void World::part(InteractionId id) {
     const double tension =
         std::max(0.0, -c.model.interactions.force[at(c.model.interactions.row_begin[i])]);
     c.state.ledger.damped += stepper::energy_of_interaction(c, id.index);
-    c.state.ledger.drive += stepper::piece_energy(c, id.index);
+    c.state.ledger.edited.given += stepper::piece_energy(c, id.index);
     for (std::size_t b = 0; b < c.model.interactions.bodies[i]; ++b)
         stepper::disturb(c.model, c.model.interactions.body[kMaxInteractionBodies * i + b]);
     stepper::part_all(c.model, id.index);

@@ -47,7 +47,7 @@ TEST(Winch, BrakeSlipsAtItsTorqueAndHeatIsItsWork) {
     d.run(0.05, 0.1);
     EXPECT_EQ(d.state(), WinchState::standing);
     double work = 0.0, peak = 0.0;
-    const double energy = d.w.energy().driven;
+    const double energy = d.w.energy().friction;
     for (int i = 0; i < 1200; ++i) {
         const double angle = d.w.pose(d.ids.drum).position.x();
         d.step(0.5);
@@ -61,7 +61,7 @@ TEST(Winch, BrakeSlipsAtItsTorqueAndHeatIsItsWork) {
     EXPECT_NEAR(d.get("slip"), 2.505 - 1.0e6 / d.get("radius") / 7.5e6, 2e-2);
     EXPECT_EQ(d.count(EventKind::brake_slip), 1);
     EXPECT_EQ(d.state(), WinchState::slipping);
-    EXPECT_NE(d.w.energy().driven, energy);
+    EXPECT_NE(d.w.energy().friction, energy);
 }
 
 TEST(Winch, BandHoldsLessAsWireRunsIn) {

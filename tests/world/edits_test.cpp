@@ -136,7 +136,7 @@ TEST(Edits, TheEnergyBalanceClosesOverEdits) {
     }
     const auto sum = [&] {
         const Energy e = w.energy();
-        return e.mechanical() - e.applied - e.driven + e.dissipated + e.damped;
+        return e.mechanical() - e.applied - e.driven - e.edited + e.dissipated + e.damped;
     };
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
     const double start = sum();

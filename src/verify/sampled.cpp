@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/sampled.h"
+
+#include <algorithm>
+
+namespace hawser::verify {
+
+namespace {
+
+constexpr std::int64_t kEverySteps = 600;
+constexpr std::int64_t kAfterEvents = 300;  // Least distance of windows that events open.
+constexpr int kWindow = 3;                  // The first one only tells how spins change.
+
+/// What changes a world or breaks in it; lines go slack and taut all the time.
+bool opens_window(const Event& event) {
+    switch (event.kind) {
+        case EventKind::slack:
+        case EventKind::taut:
+        case EventKind::input_clamped:
+        case EventKind::layer:
+        case EventKind::alarm:
+        case EventKind::alarm_end:
+        case EventKind::range:
+        case EventKind::fast:
+            return false;
+        default:
+            return true;
+    }
+}
+
+}  // namespace
+
+SampledVerifier::SampledVerifier(const World& world, std::int64_t last) : last_(last) {
+    if (world.settings().coupling != Coupling::exact ||
+        world.settings().on_diverged != OnDiverged::stop)
+        return;
+    verifier_.emplace(world, Checks{.strict = false, .sea = false});
+    begun_ = world.step_count() - kEverySteps;
+}
+
+void SampledVerifier::before_step(const World& world) {
+    if (!verifier_) return;
+    if (left_ == 0) {
+        const std::int64_t since = world.step_count() - begun_;
+        const bool ends = world.step_count() == last_ - kWindow;
+        if (since < kEverySteps && !ends && !(happened_ && since >= kAfterEvents)) return;
+        verifier_->begin_at(world);
+        begun_ = world.step_count();
+        left_ = kWindow;
+        happened_ = false;
+    }
+    verifier_->before_step(world);
+}
+
+void SampledVerifier::after_step(const World& world, std::span<const Event> events) {
+    happened_ = happened_ || std::any_of(events.begin(), events.end(), opens_window);
+    if (left_ == 0) return;
+    --left_;
+    ++steps_;
+    objection_ = verifier_->after_step(world);
+}
+
+}  // namespace hawser::verify

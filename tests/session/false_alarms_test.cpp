@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Scenes that are right and that coarse monitors would doubt: all end good, and each step is
+/// verified.
+#include <hawser/session.h>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace hawser::test {
+
+namespace {
+
+constexpr const char* kNoGravity = R"("gravity": [0, 0, 0], )";
+
+/// Runs to the end of the scene.
+void expect_good(const std::string& text) {
+    Session session({.scene_text = text, .verify = true});
+    const double end = session.scene().duration;
+    while (session.time() < end - 1e-9) {
+        ASSERT_EQ(session.step(), Status::ok) << session.time() << " s: " << session.objection();
+        ASSERT_EQ(session.objection(), "") << session.time() << " s";
+    }
+    const Verdict v = session.world().verdict();
+    EXPECT_EQ(v.grade, Grade::good) << to_string(v.judge) << " at " << v.of(v.judge).time;
+}
+
+/// A block that a spring drags along by a body of prescribed velocity.
+std::string dragged_block(double stiffness, double friction, double speed, double step) {
+    return fmt::format(
+        R"({{"version": 1, "name": "dragged", "settings": {{"step": {}, "duration": 20}},
+        "material_pairs": [{{"between": ["default", "default"], "friction": {},
+                             "stiffness": 1e6}}],
+        "bodies": [{{"name": "floor", "kind": "fixed", "shapes": [{{"kind": "plane"}}]}},
+          {{"name": "carriage", "kind": "kinematic", "position": [2, 0, 0.25],
+            "velocity": [{}, 0, 0]}},
+          {{"name": "block", "position": [0, 0, 0.2498], "mass": 100, "box": [0.5, 0.5, 0.25],
+            "shapes": [{{"kind": "box", "half_size": [0.5, 0.5, 0.25]}}]}}],
+        "interactions": [{{"name": "spring", "kind": "distance", "bodies": ["carriage", "block"],
+            "points": [[0, 0, 0], [0.5, 0, 0]], "length": 1.5, "compliance": {}}}]}})",
+        step, friction, speed, 1.0 / stiffness);
+}
+
+/// The same without friction and without damping: it swings for ever.
+std::string drawn_block(double stiffness, double speed, double step) {
+    return fmt::format(
+        R"({{"version": 1, "name": "drawn", "settings": {{{}"step": {}, "duration": 20}},
+        "bodies": [{{"name": "carriage", "kind": "kinematic", "position": [2, 0, 0],
+                     "velocity": [{}, 0, 0]}},
+          {{"name": "block", "position": [0, 0, 0], "mass": 100, "box": [0.5, 0.5, 0.25]}}],
+        "interactions": [{{"name": "spring", "kind": "distance", "bodies": ["carriage", "block"],
+            "length": 2, "compliance": {}, "damping_time": 0}}]}})",
+        kNoGravity, step, speed, 1.0 / stiffness);
+}
+
+std::string atwood(double left, double right, double EA, double duration) {
+    return fmt::format(
+        R"({{"version": 1, "name": "atwood", "settings": {{"step": 0.05, "duration": {}}},
+        "bodies": [{{"name": "beam", "kind": "fixed", "position": [0, 0, 30]}},
+          {{"name": "left", "position": [-0.3, 0, 20], "mass": {}, "box": [0.3, 0.3, 0.3]}},
+          {{"name": "right", "position": [0.3, 0, 20], "mass": {}, "box": [0.3, 0.3, 0.3]}}],
+        "routes": [{{"name": "upper", "EA": {}, "first": {{"body": "left", "point": [0, 0, 0.3]}},
+          "places": [{{"body": "beam", "point": [0, 0, 0], "axis": [0, 1, 0], "radius": 0.3,
+                       "inertia": 0.5}}],
+          "last": {{"body": "right", "point": [0, 0, 0.3]}}}}]}})",
+        duration, left, right, EA);
+}
+
+/// A barge pulled to and fro round a bollard: the tension before it goes round a hysteresis loop.
+std::string bollard(double friction, int turns, double step) {
+    std::string timeline;
+    for (int i = 0; i < 3; ++i)
+        timeline += fmt::format(R"({}{{"at": {}, "set": {{"pull": {}}}}})", i == 0 ? "" : ", ",
+                                5 + 5 * i, i % 2 == 0 ? 3e4 : -3e4);
+    const auto body = [](const char* name, int side) {
+        return fmt::format(
+            R"({{"name": "{}", "position": [{}, -0.35, 0], "mass": 20000,
+            "inertia": [1e4, 1e4, 1e4], "gravity": false, "half_size": [1, 1, 1],
+            "force": [{}, 0, 0], "linear_damping": [2000, 5000, 5000],
+            "angular_damping": [1e5, 1e5, 1e5]}})",
+            name, 40 * side, 4e4 * side);
+    };
+    return fmt::format(
+        R"({{"version": 1, "name": "bollard", "settings": {{"step": {}, "duration": 20}},
+        "line_types": {{"wire": {{"mass_per_length": 10, "EA": 5e7, "diameter": 0.05}}}},
+        "bodies": [{{"name": "quay", "kind": "fixed", "position": [0, 0, 0]}}, {}, {}],
+        "cables": [{{"name": "line", "line_type": "wire",
+          "from": {{"body": "left", "point": [1, 0, 0]}},
+          "to": {{"body": "right", "point": [-1, 0, 0]}}, "elements": 23,
+          "consistent_mass": true}}],
+        "guides": [{{"name": "bollard", "cable": "line", "on": "quay", "point": [0, 0, 0],
+          "axis": [0, 0, 1], "radius": 0.35, "friction": {}, "turns": {}}}],
+        "inputs": [{{"name": "pull", "body": "right", "component": "force_x", "min": -1e5,
+                     "max": 1e5}}],
+        "timeline": [{}]}})",
+        step, body("left", -1), body("right", 1), friction, turns, timeline);
+}
+
+/// Two legs and a tow line that meet in one lump.
+std::string bridle(double step) {
+    const auto ship = [](const char* name, double x, double mass, double force) {
+        return fmt::format(
+            R"({{"name": "{}", "position": [{}, 0, 0], "mass": {},
+            "inertia": [{}, {}, {}], "gravity": false, "half_size": [12, 4, 2],
+            "force": [{}, 0, 0], "linear_damping": [5e4, 2e5, 2e5],
+            "angular_damping": [1e7, 1e7, 1e8]}})",
+            name, x, mass, 8.0 * mass, 60.0 * mass, 60.0 * mass, force);
+    };
+    const auto line = [](const char* name, const char* from, const char* to, int elements) {
+        return fmt::format(R"({{"name": "{}", "line_type": "wire", "from": {}, "to": {},
+            "elements": {}, "consistent_mass": true}})",
+                           name, from, to, elements);
+    };
+    return fmt::format(
+        R"({{"version": 1, "name": "bridle", "settings": {{"step": {}, "duration": 20}},
+        "line_types": {{"wire": {{"mass_per_length": 10, "EA": 8e7, "diameter": 0.05}}}},
+        "bodies": [{}, {}, {{"name": "plate", "kind": "lump", "position": [30, 0, -0.1],
+                             "mass": 150}}],
+        "cables": [{}, {}, {}]}})",
+        step, ship("barge", 0.0, 2e6, 0.0), ship("tug", 110.0, 5e5, 2e5),
+        line("port", R"({"body": "barge", "point": [12, 4, 0]})", R"({"body": "plate"})", 6),
+        line("starboard", R"({"body": "barge", "point": [12, -4, 0]})", R"({"body": "plate"})", 6),
+        line("tow", R"({"body": "plate"})", R"({"body": "tug", "point": [-12, 0, 0]})", 12));
+}
+
+}  // namespace
+
+TEST(FalseAlarms, ASpringFromAKinematicBody) {
+    for (const double step : {1.0 / 60.0, 0.04}) {
+        expect_good(dragged_block(2000.0, 0.3, 0.5, step));
+        expect_good(dragged_block(200.0, 0.5, 0.1, step));
+        expect_good(drawn_block(500.0, 1.0, step));
+    }
+    expect_good(drawn_block(5e4, 2.0, 1.0 / 60.0));
+}
+
+TEST(FalseAlarms, AtwoodsMachineAtATwentieth) {
+    expect_good(atwood(100.0, 110.0, 1e6, 4.0));
+    expect_good(atwood(1000.0, 1500.0, 1e7, 2.0));
+    expect_good(atwood(20.0, 30.0, 1e7, 2.0));
+}
+
+TEST(FalseAlarms, HysteresisRoundBollards) {
+    expect_good(bollard(0.2, 1, 1.0 / 60.0));
+    expect_good(bollard(0.25, 1, 0.05));
+    expect_good(bollard(0.3, 2, 1.0 / 60.0));
+}
+
+TEST(FalseAlarms, ABridleWhoseLinesMeetInOneNode) {
+    for (const double step : {1.0 / 60.0, 0.05}) expect_good(bridle(step));
+}
+
+}  // namespace hawser::test

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Lines that no material is: overstretched, or wound in beyond their end; and the accounts of
+/// energy that show what edits and friction do.
+#include "support/recipe.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace hawser::test {
+namespace {
+
+/// A lump of 100 kg that leaves an element of 1 m at a speed; it bears 1 % of strain.
+World shot(double speed, double bears) {
+    Recipe r;
+    r.world.gravity = Vec3::Zero();
+    r.world.on_diverged = OnDiverged::stop;
+    const BodyId g = r.ground(), b = r.lump({1.0, 0, 0}, 100.0);
+    r.bodies.back().velocity = {speed, 0, 0};
+    InteractionDef d = between(InteractionKind::Stretch, {g, b});
+    r.add(d.set("length", 1.0).set("EA", 1e7).set("breaking_load", bears));
+    return r.make();
+}
+
+Status run_steps(World& w, int steps) {
+    Status status = Status::ok;
+    for (int i = 0; i < steps && status == Status::ok; ++i) status = w.step();
+    return status;
+}
+
+TEST(JudgeBearing, AnElementFarBeyondItsStrengthFailsAlthoughItPartsInThatStep) {
+    // 200 m/s at 1/60 s: 3.3 m in the first step, strain above 1 by length or tension.
+    World w = shot(200.0, 1e5);
+    EXPECT_EQ(run_steps(w, 5), Status::diverged);
+    const Verdict v = w.verdict();
+    EXPECT_EQ(v.grade, Grade::wrong);
+    EXPECT_EQ(v.judge, Judge::cable);
+    EXPECT_LT(v.of(Judge::cable).value, -0.5);
+    EXPECT_TRUE(v.of(Judge::cable).interaction.valid());
+}
+
+TEST(JudgeBearing, ALineThatPartsUnderABlowIsGood) {
+    // 2 m/s: T = v √(EA m/l) = 63 kN at most without parting, 12 times what it bears.
+    World w = shot(2.0, 5e3);
+    EXPECT_EQ(run_steps(w, 60), Status::ok);
+    EXPECT_EQ(w.stats().event_count[static_cast<std::size_t>(EventKind::line_break)], 1);
+    EXPECT_EQ(w.verdict().grade, Grade::good) << to_string(w.verdict().judge);
+}
+
+TEST(JudgeBearing, ADrumThatWindsInMoreThanThereIsFails) {
+    Recipe r;
+    r.world.on_diverged = OnDiverged::stop;
+    const BodyId g = r.ground(), drum = r.scalar(0.0, 30.0);
+    r.bodies.back().gravity = false;
+    const BodyId load = r.lump({0, 0, -2.0}, 500.0);
+    InteractionDef line = between(InteractionKind::WinchStretch, {g, load, drum});
+    line.name = "line";
+    r.add(line.set("length", 2.0).set("EA", 1e6).set("radius", 0.4));
+    InteractionDef motor = between(InteractionKind::ScalarMotor, {drum});
+    r.add(motor.set("speed", -2.0));
+    World w = r.make();
+    Status status = Status::ok;
+    while (status == Status::ok && w.time() < 5.0) status = w.step();
+    EXPECT_EQ(status, Status::diverged);
+    // 2 m at 0.8 m/s.
+    EXPECT_NEAR(w.time(), 2.5, 0.2);
+    EXPECT_EQ(w.verdict().grade, Grade::wrong);
+}
+
+TEST(EnergyAccounts, FrictionOfJointsIsNotDriven) {
+    // A block slides to rest on a slide with friction: v²/2µg without any motor.
+    Recipe r;
+    r.world.gravity = Vec3::Zero();
+    const BodyId g = r.ground(), b = r.rigid({0, 0, 0}, Quat::Identity(), 10.0, {1, 1, 1});
+    r.bodies.back().velocity = {3.0, 0, 0};
+    InteractionDef slide = r.at(InteractionKind::Prismatic, {g, b}, {0, 0, 0});
+    slide.frame[0] = slide.frame[1] = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3::UnitX());
+    r.add(slide);
+    InteractionDef friction = r.at(InteractionKind::SlideFriction, {g, b}, {0, 0, 0});
+    friction.frame[0] = friction.frame[1] = slide.frame[0];
+    r.add(friction.set("force", 20.0));
+    World w = r.make();
+    ASSERT_EQ(run_steps(w, 240), Status::ok);
+    const Energy e = w.energy();
+    EXPECT_EQ(e.driven, 0.0);
+    EXPECT_EQ(e.edited, 0.0);
+    // All of ½ m v², with half a step's way at the start.
+    EXPECT_NEAR(e.friction, 45.0, 0.02 * 45.0);
+    EXPECT_LT(e.kinetic, 1e-6);
+}
+
+TEST(EnergyAccounts, EditsAreNotDriven) {
+    // A swinging row of lumps loses one: what goes with it is edited.
+    Recipe r;
+    const BodyId g = r.ground(), a = r.lump({1, 0, 0}, 5.0), b = r.lump({2, 0, 0}, 5.0);
+    InteractionDef d = between(InteractionKind::Stretch, {g, a});
+    r.add(d.set("length", 1.0).set("EA", 1e5));
+    d = between(InteractionKind::Stretch, {a, b});
+    r.add(d.set("length", 1.0).set("EA", 1e5));
+    World w = r.make();
+    ASSERT_EQ(run_steps(w, 60), Status::ok);
+    const double before = w.energy().mechanical();
+    (void)w.remove_body(b);
+    const Energy e = w.energy();
+    EXPECT_EQ(e.driven, 0.0);
+    EXPECT_NEAR(e.edited, e.mechanical() - before, 1e-9 * std::abs(before));
+    EXPECT_NE(e.edited, 0.0);
+}
+
+TEST(JudgeStart, ASpringThatMovesAtTheStartMakesNoEnergy) {
+    // (ωh)² = 0.14: half a step before the start the spring holds ½ k (v h/2)², 3.5 % of ½ m v².
+    for (const bool carried : {false, true}) {
+        Recipe r;
+        r.world.gravity = Vec3::Zero();
+        const BodyId b = r.rigid({0, 0, 0}, Quat::Identity(), 100.0, {1, 1, 1});
+        r.bodies.back().velocity = carried ? Vec3(0, 0, 0) : Vec3(2, 0, 0);
+        BodyDef carriage;
+        carriage.kind = BodyKind::kinematic;
+        carriage.position = {2, 0, 0};
+        carriage.velocity = carried ? Vec3(2, 0, 0) : Vec3(0, 0, 0);
+        r.bodies.push_back(carriage);
+        InteractionDef d = between(InteractionKind::Distance,
+                                   {BodyId{static_cast<std::int32_t>(r.bodies.size()) - 1}, b});
+        d.compliance[0] = 1.0 / 5e4;
+        d.damping_time[0] = 0.0;
+        r.add(d.set("length", 2.0));
+        World w = r.make();
+        ASSERT_EQ(run_steps(w, 600), Status::ok);
+        EXPECT_EQ(w.verdict().grade, Grade::good) << carried << w.verdict().of(Judge::energy).value;
+    }
+}
+
+}  // namespace
+}  // namespace hawser::test
