@@ -69,6 +69,8 @@ class Session {
     [[nodiscard]] const scene::Scene& scene() const noexcept;
     [[nodiscard]] const World& world() const noexcept;
     [[nodiscard]] double time() const noexcept;  ///< [s]
+    /// Numbers of the scene that differ from the scene of SessionDef::restore, with their paths.
+    [[nodiscard]] std::span<const std::string> differences() const noexcept;
     /// Events of the last step that was taken.
     [[nodiscard]] std::span<const Event> events() const noexcept;
     /// What the scene's timeline had done before the step that was taken last.

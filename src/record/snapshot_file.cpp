@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/snapshot_file.h"
 
+#include "base/file_kind.h"
 #include "record/bytes.h"
 #include "record/field_bytes.h"
 #include "record/files.h"
+#include "record/scene_difference.h"
 
 #include <fmt/format.h>
 
@@ -16,13 +18,31 @@ namespace hawser::record {
 namespace {
 
 constexpr char kSnapshotMagic[8] = {'H', 'A', 'W', 'S', 'E', 'R', 'S', 'T'};
-/// 2: with a structure before the state.
-constexpr std::uint32_t kVersion = 1, kWithStructure = 3;
+/// 5: with a structure before the state. Both hold the scene.
+constexpr std::uint32_t kVersion = 4, kWithStructure = 5;
 
 std::uint32_t checksum_of(std::span<const std::byte> file) {
     std::uint32_t sum = 0;
     std::memcpy(&sum, file.last(sizeof sum).data(), sizeof sum);
     return sum;
+}
+
+/// A text that is no JSON is that of a world without a scene.
+SceneDifferences differences(const std::string& before, const std::string& now) {
+    if (before.empty() || now.empty() || before == now) return {{}, "a world that no scene file made"};
+    return compare_scenes(before, now);
+}
+
+/// Numbers may change what a scene is made of, such as the elements of a cable.
+void restore_other(World& world, std::span<const std::byte> state,
+                   const std::vector<std::string>& numbers) {
+    try {
+        world.restore_variant(state);
+    } catch (const DefError& e) {
+        throw BadBytes(fmt::format(
+            "{}; the scenes differ in {}{}", e.what(), numbers.front(),
+            numbers.size() == 1 ? "" : fmt::format(" and {} more numbers", numbers.size() - 1)));
+    }
 }
 
 }  // namespace
@@ -34,6 +54,7 @@ void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, co
     out.put(with_structure ? kWithStructure : kVersion);
     out.put(scene.hash);
     out.put_text(scene.name);
+    out.put_text(scene.text);
     out.put(world.time());
     out.put(world.state_hash());
     if (with_structure) {
@@ -46,7 +67,8 @@ void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, co
         throw SnapshotError(fmt::format("{}: cannot write the snapshot: {}", file.string(), fault));
 }
 
-void restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene, World& world) {
+std::vector<std::string> restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene,
+                                          World& world) {
     std::vector<std::byte> bytes;
     if (const std::string fault = read_file(file, bytes); !fault.empty())
         throw SnapshotError(fmt::format("{}: the snapshot: {}", file.string(), fault));
@@ -54,23 +76,33 @@ void restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene,
         ByteReader in(bytes);
         if (std::memcmp(in.take(sizeof kSnapshotMagic).data(), kSnapshotMagic,
                         sizeof kSnapshotMagic) != 0)
-            throw BadBytes("not a Hawser snapshot");
+            throw BadBytes(base::wrong_kind_or(as_text(bytes), "a saved state", file.string(),
+                                               "not a Hawser snapshot"));
         const auto version = in.get<std::uint32_t>();
         if (version != kVersion && version != kWithStructure)
             throw BadBytes(fmt::format("snapshot format {}, this program reads {} and {}", version,
                                        kVersion, kWithStructure));
         const auto hash = in.get<std::uint64_t>();
-        const std::string name = in.get_text();
+        const std::string name = in.get_text(), text = in.get_text();
         const double time = in.get<double>();
         const auto state_hash = in.get<std::uint64_t>();
         if (in.left() < 4 || checksum_of(bytes) != crc32(std::span(bytes).first(bytes.size() - 4)))
             throw BadBytes("the checksum does not match");
-        if (hash != scene.hash)
-            throw BadBytes(fmt::format(
-                "saved at {:.6g} s from the scene \"{}\" with hash {:016x}; this is \"{}\" with "
-                "hash {:016x}: restore it with the same scene file and the same --step, --form, "
-                "--scale and --set",
-                time, name, hash, scene.name, scene.hash));
+        if (hash != scene.hash) {
+            SceneDifferences found = differences(text, scene.text);
+            if (found.structure.empty() && version == kWithStructure)
+                found.structure = "the run had added or removed parts until then";
+            if (!found.structure.empty())
+                throw BadBytes(fmt::format(
+                    "saved at {:.6g} s from the scene \"{}\" with hash {:016x}; this is \"{}\" "
+                    "with hash {:016x}, and more differs than numbers: {}; restore it with the "
+                    "same scene file and the same --step, --form and --scale",
+                    time, name, hash, scene.name, scene.hash, found.structure));
+            if (!found.numbers.empty()) {
+                restore_other(world, in.take(in.left() - 4), found.numbers);
+                return found.numbers;
+            }
+        }
         Structure made_of;
         GetFields get{in};
         if (version == kWithStructure) get(made_of);
@@ -92,6 +124,7 @@ void restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene,
     } catch (const DefError& e) {
         throw SnapshotError(fmt::format("{}: {}", file.string(), e.what()));
     }
+    return {};
 }
 
 }  // namespace hawser::record

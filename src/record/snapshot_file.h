@@ -22,8 +22,12 @@ struct SnapshotError : std::runtime_error {
 void save_snapshot(const std::filesystem::path& file, const SceneInfo& scene, const World& world,
                    bool with_structure = false);
 
-/// Continue from a saved state. @throws SnapshotError when the file is damaged or was saved
-/// from another scene; the world is then unchanged.
-void restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene, World& world);
+/// Continue from a saved state. The scene may differ in numbers from the one that was saved, but
+/// for the step and where the run had changed what the world is made of (World::restore_variant).
+/// @return the numbers that differ, "/bodies/3/mass: 100 -> 120". @throws SnapshotError when the
+/// file is damaged or was saved from a scene of another structure, with the first difference; the
+/// world is then unchanged.
+std::vector<std::string> restore_snapshot(const std::filesystem::path& file, const SceneInfo& scene,
+                                          World& world);
 
 }  // namespace hawser::record

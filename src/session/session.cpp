@@ -42,8 +42,9 @@ struct Session::Impl {
     std::size_t next_control = 0;  ///< The first one that is not in force yet.
     session::Timeline timeline;
     std::uint64_t identity = 0;  ///< Of the scene at its start …
-    Structure made_of;           ///< … and where it begins with a saved state, what it is made of …
-    std::vector<std::byte> start;  ///< … and its state.
+    Structure made_of;  ///< … and where it begins with a saved state, what it is made of …
+    std::vector<std::byte> start;          ///< … and its state.
+    std::vector<std::string> differences;  ///< Of the scene from that of the saved state.
     /// A control file's columns are the inputs by place, and behind them these signals.
     std::vector<std::string> signals;
     std::size_t places = 0;
@@ -150,7 +151,6 @@ struct Session::Impl {
 };
 
 namespace {
-
 /// Of the calling thread so far [s].
 double thread_cpu_seconds() noexcept {
     timespec t{};
@@ -204,8 +204,7 @@ std::vector<record::ControlRange> signal_ranges(const scene::Scene& scene, std::
 
 void check_every(std::int32_t every) {
     if (every < 1 || every > 1'000'000)
-        throw DefError(
-            fmt::format("a session writes every 1 to 1,000,000 steps, not every {}", every));
+        throw DefError(fmt::format("a session writes every 1 to 10⁶ steps, not every {}", every));
 }
 
 }  // namespace
@@ -225,7 +224,7 @@ Session::Session(scene::Scene scene, const SessionDef& def)
     if (!def.restore.empty()) {
         impl_->made_of = world.structure();
         impl_->start = world.save();
-        record::restore_snapshot(def.restore, impl_->info, world);
+        impl_->differences = record::restore_snapshot(def.restore, impl_->info, world);
     }
     if (!def.state.empty()) world.restore(def.state);
     impl_->timeline.skip(impl_->scene.timeline, world);
@@ -259,6 +258,7 @@ std::span<const scene::Operation> Session::operations() const noexcept {
     return impl_->timeline.done(impl_->scene.timeline);
 }
 const std::string& Session::objection() const noexcept { return impl_->objection; }
+std::span<const std::string> Session::differences() const noexcept { return impl_->differences; }
 void Session::cancel() noexcept { impl_->world().cancel(); }
 
 void Session::set_input(std::string_view name, double value) {
