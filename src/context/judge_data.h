@@ -61,6 +61,9 @@ struct JudgeState {
     double unsolved = 0.0;              ///< For so long [s].
     std::array<double, 2> risen{};      ///< Created energy at the last two looks [J].
     std::array<double, 2> stretched{};  ///< Off the cable law at the last two looks, newest first.
+    /// Least rise by the lengths of lines, in this span of time and in the two before [J].
+    std::array<double, 3> held_rise{};
+    double held_time = 0.0;  ///< Of this span [s].
     /// Elements beyond their strength, and wound in beyond their length, at the last two steps.
     std::array<double, 2> overlong{}, wound{};
     std::array<double, 5> beyond{}, deep{};  ///< See JudgePart, at the last looks, newest first.

@@ -52,6 +52,19 @@ double lasting(double now, std::array<double, N>& before) noexcept {
     return least;
 }
 
+/// The least rise of this span of time and the two whole ones before: of 0.3 s at least.
+double held_rise(double now, double time, JudgeState& memory) noexcept {
+    constexpr double kSpan = 0.15;
+    std::array<double, 3>& least = memory.held_rise;
+    memory.held_time += time;
+    if (memory.held_time >= kSpan) {
+        least = {now, least[0], least[1]};
+        memory.held_time = 0.0;
+    }
+    least[0] = std::min(least[0], now);
+    return *std::min_element(least.begin(), least.end());
+}
+
 }  // namespace
 
 Works works(const State& state) noexcept {
@@ -83,11 +96,9 @@ Finding energy_finding(const Model& model, const State& state, const JudgePart& 
     memory.risen = {created, memory.risen[0]};
     const double lasting =
         std::min({mean[kBetween].rise, mean[kByForce].rise, mean[kAtPoses].rise});
-    // What lines hold by their lengths is the state, whatever they exert; it has to last. Of a rise
-    // that has lasted for kLasts the mean has this share.
-    constexpr double kLasts = 0.3;
-    const double lasted = std::min(mean[kBetween].rise, mean[kAtPoses].rise),
-                 by_length = lasted / (1.0 - std::exp(-kLasts / limit::kMean));
+    // What lines hold by their lengths is the state, whatever they exert; it has to last.
+    const double by_length =
+        held_rise(std::min(now[kBetween].rise, now[kAtPoses].rise), time, memory);
     const double hidden = std::max(now[kUnexplained].rise, now[kWithGiven].rise);
     const double lost = now[kUnexplained].fall;
     Finding out;
@@ -103,7 +114,7 @@ Finding energy_finding(const Model& model, const State& state, const JudgePart& 
                                       : created;
     out.doubtful = std::max(gained, fell);
     out.wrong = std::max({share(lasting, exchanged) / limit::kCreated.wrong,
-                          share(lasted, exchanged) / limit::kHeld.wrong,
+                          share(by_length, exchanged) / limit::kHeld.wrong,
                           share(std::max(mean[kUnexplained].rise, mean[kWithGiven].rise), counted) /
                               limit::kHidden.wrong,
                           share(mean[kUnexplained].fall, counted) / limit::kLost.wrong});

@@ -199,23 +199,30 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
         }
     const double energy = 0.5 * (kinetic_ + kinetic_now) + gravity_;
     double left = energy - work_ - other_work_;
-    // An impact takes what no force of the step does.
-    if (world.stats().impacts != impacts_ && steps_ > 0) {
+    // An impact takes what no force of the step does: half of it is seen in this step, half in the
+    // next one.
+    const bool impact = world.stats().impacts != impacts_;
+    if ((impact || impact_before_) && steps_ > 0) {
         other_work_ += left - mean_moving_;
         left = mean_moving_;
     }
+    impact_before_ = impact;
     moved_ +=
         (steps_ > 0 ? 0.5 * (std::abs(energy - moving_energy_) + std::abs(kinetic_now - kinetic_))
                     : 0.0) -
         forgotten * moved_;
     moving_energy_ = energy;
     const double share = 1.0 - std::exp(-h / limit::kMean);
-    mean_moving_ = steps_ == 0 ? left : mean_moving_ + share * (left - mean_moving_);
-    most_ = steps_ == 0 || excused_ > 1.0
-                ? mean_moving_
-                : std::max(mean_moving_, most_ + forgotten * (mean_moving_ - most_));
+    // Joints that the scene opened, or an edit, take energy until they have closed.
+    constexpr double kClosed = 0.01;
+    if (steps_ == 0 || excused_ > kClosed) {
+        mean_moving_ = most_ = left;
+    } else {
+        mean_moving_ += share * (left - mean_moving_);
+        most_ = std::max(mean_moving_, most_ + forgotten * (mean_moving_ - most_));
+    }
     // Of the motion that there is; a part of what was exchanged, whose work has errors of its own.
-    constexpr double kOfExchanged = 0.25;
+    constexpr double kOfExchanged = 0.5;
     peak_ = std::max(kinetic_now, (1.0 - forgotten) * peak_);
     const double fall = most_ - mean_moving_, scale = std::max(peak_, kOfExchanged * moved_);
     if (fall <= limit::kNothing * (kinetic_now + std::abs(gravity_))) return {};

@@ -88,6 +88,7 @@ class StateVerifier {
     double peak_ = 0.0;                         ///< Largest kinetic energy of the last seconds [J].
     double mean_moving_ = 0.0, most_ = 0.0;     ///< Of these less all work [J].
     std::int64_t impacts_ = 0;
+    bool impact_before_ = false;              ///< In the step before.
     double potential_ = 0.0, kinetic_ = 0.0;  ///< Where the step began; before.
     double potential_after_ = 0.0;            ///< Where the last one ended.
     double energy_ = 0.0, swing_ = 0.0;       ///< Before [J].

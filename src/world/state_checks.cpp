@@ -213,11 +213,12 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     const stepper::JudgeState& j = s.state.judge.state;
     numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_length, j.by_force, j.posed, j.held,
                        j.given, j.exchanged, j.counted, j.age, j.closed, j.closed_elastic,
-                       j.unsolved, j.open_start},
+                       j.unsolved, j.open_start, j.held_time},
             "a figure of the judge", 1e300);
     numbers(j.mean, "a figure of the judge", 1e300);
     numbers(j.work, "a figure of the judge", 1e300);
     numbers(j.stretched, "a figure of the judge", 1e300);
+    numbers(j.held_rise, "a figure of the judge", 1e300);
     numbers(j.overlong, "a figure of the judge", 1e300);
     numbers(j.wound, "a figure of the judge", 1e300);
     numbers(j.beyond, "a figure of the judge", 1e300);

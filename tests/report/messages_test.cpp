@@ -46,7 +46,7 @@ TEST(MessageNumbers, AreRounded) {
             {.name = "a", .kind = BodyKind::rigid, .mass = -1941747569999999945292799541248.0});
         ADD_FAILURE();
     } catch (const DefError& error) {
-        EXPECT_NE(std::string(error.what()).find("-1.94174757e+30 kg"), std::string::npos)
+        EXPECT_NE(std::string(error.what()).find("-1.94174757e+30 "), std::string::npos)
             << error.what();
     }
 }
