@@ -38,6 +38,7 @@ HAWSER_ROWS void add_product_of(const double* s, int n, double factor, const dou
 }
 
 constexpr double kMost = 1e300, kRounding = 1e-14, kAside = 2e-7;  // kAside ≥ √kRounding
+constexpr double kUnderflow = 1e-290;  // ≫ smallest normal number/kRounding
 
 HAWSER_ROWS bool semidefinite_of(const double* m, int n) noexcept {
     if (std::all_of(m, m + entries_of(n), [](double x) { return x == 0.0; })) return true;
@@ -68,19 +69,18 @@ HAWSER_ROWS bool semidefinite_of(const double* m, int n) noexcept {
 /// of the rows a small pivot d leaves 1e-16/d in the next ones: of E − t tᵀ, with which water takes
 /// a straight piece of wire along, the last one is 0, and of a wire that runs nearly in a plane of
 /// two axes comes out below 0 by 1e-12.
+///
+/// Squares below the smallest normal number lose digits. For t = (1, 1e-160, 0) the diagonal entry
+/// 1e-320 has four digits, and the entry beside it has all of them. The diagonal is therefore
+/// raised by `floor`, which is too small to change a sum with any mass.
 bool semidefinite_by_pivots(const double* m, int n) noexcept {
-    double a[6][6], scale[6];
-    for (int i = 0; i < n; ++i) {
-        const double own = m[triangle(i, i)];
-        scale[i] = own > 0.0 ? 1.0 / std::sqrt(own) : 0.0;
-    }
+    double a[6][6], scale[6], largest = 1.0;
+    for (int i = 0; i < n; ++i) largest = std::max(largest, m[triangle(i, i)]);
+    const double floor = kUnderflow * largest;
+    for (int i = 0; i < n; ++i) scale[i] = 1.0 / std::sqrt(m[triangle(i, i)] + floor);
     for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j) {
-            const double entry = m[triangle(i, j)];
-            // What squares to 0 stands beside a 0 of the diagonal by underflow.
-            if ((scale[i] == 0.0 || scale[j] == 0.0) && !(entry * entry == 0.0)) return false;
-            a[i][j] = a[j][i] = i == j && entry > 0.0 ? 1.0 : entry * scale[i] * scale[j];
-        }
+        for (int j = 0; j <= i; ++j)
+            a[i][j] = a[j][i] = i == j ? 1.0 : m[triangle(i, j)] * scale[i] * scale[j];
     for (int k = 0; k < n; ++k) {
         int most = k;
         for (int i = k + 1; i < n; ++i)

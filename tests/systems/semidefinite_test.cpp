@@ -55,6 +55,26 @@ TEST(Semidefinite, TakesWhatUnderflowsBesideNothing) {
     EXPECT_FALSE(stepper::semidefinite(n, 3));
 }
 
+/// Chain along x in still water has a transverse component that decays by rounding, to any size.
+/// Its squares are numbers with few digits: a load was refused in the second step.
+TEST(Semidefinite, TakesComponentsWhoseSquaresUnderflow) {
+    Random random(first_seed(3));
+    const int cases = by_tier(10'000, 200'000, 2'000'000);
+    for (int i = 0; i < cases; ++i) {
+        Vec3 t;
+        for (int k = 0; k < 3; ++k)
+            t[k] = (random.chance(0.5) ? 1.0 : -1.0) * std::pow(10.0, random.uniform(-170, 0));
+        t[random.integer(0, 2)] = 1.0;
+        const double c = std::pow(10.0, random.uniform(-6, 6));
+        ASSERT_TRUE(stepper::semidefinite(across(t, c, 0.0).data(), 3))
+            << i << ' ' << t.transpose();
+        // A share of a lump that is only just wet makes all entries as small.
+        const double small = std::pow(10.0, random.uniform(-323, -290));
+        ASSERT_TRUE(stepper::semidefinite(across(t, small, 0.0).data(), 3)) << i;
+        ASSERT_FALSE(stepper::semidefinite(across(Vec3(1.0, 1.0, t.x()), c, 1e-9).data(), 3)) << i;
+    }
+}
+
 /// Sums of outer products of six rows, of any rank and with rows of very different units.
 TEST(Semidefinite, TakesSumsOfOuterProducts) {
     Random random(first_seed(2));
