@@ -26,6 +26,10 @@ struct CatenarySection {
     double weight = 0.0;  ///< Per unstretched length in what surrounds it [N/m]; negative: floats.
     double EA = 0.0;      ///< Axial stiffness [N]. Required.
     int elements = 1;     ///< Equal ones; unless CatenaryDef::nodes says where nodes are.
+    double EI = 0.0;      ///< Bending stiffness [N m²]; 0: none.
+    /// Of CatenaryDef::water alone: weight of the water that it displaces, per unstretched length
+    /// [N/m], and the diameter over which it comes out of the water [m].
+    double buoyancy = 0.0, diameter = 0.0;
 };
 
 /// A level, rigid bottom. An end may lie under it by up to half of the element there: nodes that
@@ -48,6 +52,9 @@ struct CatenaryDef {
     std::vector<double> nodes{};
     Vec3 down{0.0, 0.0, -1.0};           ///< Direction of gravity, any length but 0.
     std::optional<FlatSeabed> seabed{};  ///< None: nothing is in its way.
+    /// Height of still water, against `down` from the origin [m]. Sections then have their weight
+    /// in air, and half elements their buoyancy as far as they are wet, as in a sea (sea.h).
+    std::optional<double> water{};
     /// Force that may be left at a node, as a part of the heaviest node's weight. What the last
     /// digits of positions let an element pull is allowed beside it.
     double tolerance = 1e-6;
@@ -87,6 +94,11 @@ struct Catenary {
 /// falls by friction times weight, to no less than 0; a wire with both ends on the seabed has the
 /// same tension everywhere. A wire too long to lie straight lies in an arc. Sections that float are
 /// laid out as long as they stay clear of the seabed. Takes some hundred sums over all nodes.
+///
+/// With bending stiffness, with buoyancy that floats, and with sections that float over a seabed,
+/// the shape is the minimum of the potential energy, found by Newton's method from the shape above
+/// (wire/rest.h). Slack shapes stay as they are without bending. If the minimum is not found to the
+/// tolerance, the shape without bending is returned.
 /// @throws DefError  for lengths, stiffnesses or numbers that no wire has.
 [[nodiscard]] Catenary catenary(const CatenaryDef& def);
 

@@ -206,7 +206,7 @@ CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_
     read_groups(c, cable);
     read_ends(c, out, scope, to_scope, cable, place);
     read_elements(c, out, cable, place);
-    place_nodes(c, out, scope, cable, place);
+    place_nodes(c, out, scope, cable, still_sea(document), place);
     check_lengths(c, place);
     check_links(c, cable, place);
     read_weak(c, cable, place);

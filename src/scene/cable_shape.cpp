@@ -32,15 +32,25 @@ constexpr double kFreeEnd = 1e-3;
 class AtRest {
   public:
     AtRest(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
-           const Place& place)
+           const std::optional<StillSea>& sea, const Place& place)
         : c_(c), place_(place) {
         const Vec3& gravity = out.settings.gravity;
         if (gravity.isZero(0.0)) {
             refuse(place / "shape", "a cable at rest needs gravity");
         }
         def_.down = gravity;
-        for (const LayoutSection& s : c.sections)
-            weight_.push_back(s.line.mass_per_length * s.submerged_factor * gravity.norm());
+        const bool wet = sea && in_water(c);
+        if (wet) def_.water = sea->level;
+        for (const LayoutSection& s : c.sections) {
+            CatenarySection part;
+            part.weight = s.line.mass_per_length * s.submerged_factor * gravity.norm();
+            if (wet) {
+                part.buoyancy = sea->density * s.water.area() * gravity.norm();
+                part.diameter = s.water.diameter;
+                part.EI = s.line.EI;
+            }
+            parts_.push_back(part);
+        }
         // It is laid out from an end that is held.
         turned_ = c.from.kind == CableEnd::Kind::free;
         if (turned_ && c.to.kind == CableEnd::Kind::free) {
@@ -68,7 +78,7 @@ class AtRest {
         double low = std::max(d.norm(), 0.5 * high);
         for (int i = 0; i < 50 && high - low > 1e-7 * high; ++i) {
             const double middle = 0.5 * (low + high);
-            (solve(middle, false).status == CatenaryStatus::slack ? high : low) = middle;
+            (solve(middle, false, false).status == CatenaryStatus::slack ? high : low) = middle;
         }
         return low;
     }
@@ -104,15 +114,19 @@ class AtRest {
   private:
     [[nodiscard]] double height(const Vec3& p) const { return -p.dot(def_.down.normalized()); }
 
-    [[nodiscard]] Catenary solve(double length, bool free) const {
+    [[nodiscard]] Catenary solve(double length, bool free, bool bends = true) const {
         CatenaryDef def = def_;
         def.free = free;
         for (std::size_t i = 0; i < c_.sections.size(); ++i) {
             const CableSection& line = c_.sections[i].line;
             const double here = c_.sections.size() == 1 ? length : line.length;
-            const double rigid = std::max(std::abs(weight_[i]), 1.0) * here / kLinkStrain;
-            def.sections.push_back(
-                {here, weight_[i], c_.links ? rigid : line.EA, static_cast<int>(line.elements)});
+            CatenarySection part = parts_[i];
+            const double rigid = std::max(std::abs(part.weight), 1.0) * here / kLinkStrain;
+            part.length = here;
+            part.EA = c_.links ? rigid : line.EA;
+            part.elements = static_cast<int>(line.elements);
+            if (!bends) part.EI = 0.0;
+            def.sections.push_back(part);
         }
         if (turned_) std::reverse(def.sections.begin(), def.sections.end());
         try {
@@ -145,7 +159,7 @@ class AtRest {
     CableLayout& c_;
     Place place_;
     CatenaryDef def_;
-    std::vector<double> weight_;  ///< Of the sections, a length [N/m].
+    std::vector<CatenarySection> parts_;  ///< Of the sections, without their length.
     bool turned_ = false;
 };
 
@@ -235,7 +249,7 @@ const Json* listed_points(const Json& cable) {
 }
 
 void place_nodes(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
-                 const Place& place) {
+                 const std::optional<StillSea>& sea, const Place& place) {
     const auto shape = cable.find("shape");
     const std::string kind =
         shape != cable.end() && shape->is_string() ? shape->get<std::string>() : "straight";
@@ -258,8 +272,10 @@ void place_nodes(CableLayout& c, const Description& out, const Scope& scope, con
     if (cable.contains("path") != (kind == "path")) {
         refuse(place / "path", "the shape \"path\" goes with the key \"path\"");
     }
-    if (kind == "hanging" || kind == "laid" || (kind == "catenary" && seabed)) {
-        AtRest rest(c, out, scope, cable, place);
+    // In the sea a part may be wet, which the chain of rigid elements has no weights for.
+    const bool at_rest = kind == "hanging" || kind == "laid";
+    if (at_rest || (kind == "catenary" && (seabed || (sea && in_water(c))))) {
+        AtRest rest(c, out, scope, cable, sea, place);
         if (kind == "laid" && !given) {
             c.length = rest.laid_length();
         }

@@ -1,7 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/cable_layout.h"
+#include "scene/cable_shape.h"
+
+#include <hawser/sea.h>
+
+#include <algorithm>
 
 namespace hawser::scene {
+
+std::optional<StillSea> still_sea(const Document& document) {
+    const auto sea = document.root.find("sea");
+    if (sea == document.root.end() || !sea->is_object()) return {};
+    StillSea out;
+    out.density = number_or(*sea, "density", out.density);
+    const auto list = sea->find("level");
+    if (list == sea->end() || !list->is_array() || list->empty()) return out;
+    // The tide at the time 0, as Sea::tide().
+    std::vector<SeaLevel> tide;
+    for (const Json& l : *list) {
+        if (!l.is_object()) return out;  // refused where the sea is read
+        tide.push_back({l["time"].get<double>(), l["level"].get<double>()});
+    }
+    out.level = tide.front().level;
+    for (std::size_t i = 1; i < tide.size() && tide[i - 1].time < 0.0; ++i) {
+        const SeaLevel &a = tide[i - 1], &b = tide[i];
+        const double share = std::clamp(-a.time / (b.time - a.time), 0.0, 1.0);
+        out.level = a.level + share * (b.level - a.level);
+    }
+    return out;
+}
+
+bool in_water(const CableLayout& c) noexcept {
+    return !c.links && std::any_of(c.sections.begin(), c.sections.end(), [](const auto& s) {
+        return s.water.diameter > 0.0;
+    });
+}
 
 void read_water(Description& out, const CableLayout& c, const Document& document,
                 const Place& place) {

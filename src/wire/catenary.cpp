@@ -4,7 +4,9 @@
 #include "wire/chain.h"
 #include "wire/hang.h"
 #include "wire/lie.h"
+#include "wire/rest.h"
 #include "wire/touch.h"
+#include "wire/wet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +24,7 @@ struct Frame {
     Vec3 along, side, up;
     double x = 0.0, z = 0.0;  ///< Of the last end from the first [m].
     double bottom = 0.0;      ///< From the first end [m].
+    double water = 0.0;       ///< Still water, from the first end [m].
 
     Frame(const CatenaryDef& def, double length) : up(-def.down.normalized()) {
         const Vec3 d = def.to - def.from;
@@ -38,6 +41,7 @@ struct Frame {
         }
         side = up.cross(along);
         if (def.seabed) bottom = def.seabed->height - def.from.dot(up);
+        if (def.water) water = *def.water - def.from.dot(up);
     }
 };
 
@@ -113,14 +117,17 @@ double residual(const CatenaryDef& def, const Chain& chain, const Frame& f, cons
                 const std::vector<Vec3>& nodes) {
     const std::size_t n = chain.elements();
     double most = 0.0;
+    const std::vector<Vec3> bent = bending_forces(chain, nodes);
     for (std::size_t i = 1; i < n + (def.free ? 1 : 0); ++i) {
-        Vec3 force = -pull(chain, nodes, i - 1);
+        Vec3 force = bent[i] - pull(chain, nodes, i - 1);
         if (i < n) force += pull(chain, nodes, i);
         const double weight = i < n ? chain.weight[i] : chain.half_last;
         double up = force.dot(f.up);
         Vec3 level = force - up * f.up;
         up -= weight;
-        if (i >= shape.laid_first && i <= shape.laid_last) {
+        const double above = (nodes[i] - def.from).dot(f.up) - f.bottom;
+        const bool lies = def.seabed && above <= 1e-12 * chain.total_length();
+        if (lies || (i >= shape.laid_first && i <= shape.laid_last)) {
             const double carried = std::max(0.0, -up), held = def.seabed->friction * carried;
             up = std::max(0.0, up);
             level *= std::max(0.0, 1.0 - held / std::max(level.norm(), 1e-300));
@@ -140,6 +147,33 @@ double allowed(const CatenaryDef& def, const Chain& chain, const Catenary& shape
     if (!(weight > 0.0)) weight = shape.largest();
     return def.tolerance * weight + 16.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
 }
+
+/// Weights of nodes by the shares of halves that are wet in the shape that they give.
+/// @return whether the iteration ended: a wire that floats may come and go.
+bool soak(const CatenaryDef& def, Chain& chain, const Frame& f, Solved& solved) {
+    constexpr int kIterations = 60;
+    for (int k = 0; k < kIterations; ++k) {
+        double heaviest = 0.0;
+        for (std::size_t e = 0; e < chain.elements(); ++e)
+            heaviest = std::max({heaviest, std::abs(chain.heavy[e]), chain.buoyancy[e]});
+        const double change = weigh_nodes(chain, wet_halves(chain, solved.shape, f.water));
+        if (change <= 1e-12 * heaviest) return true;
+        solved = solve(def, chain, f);
+    }
+    return false;
+}
+
+/// A straight line between the ends: where a search of the wet part begins.
+Plane straight(const CatenaryDef& def, const Chain& chain, const Frame& f) {
+    Plane out;
+    for (const double l : chain.length)
+        out.chord.push_back(def.free ? Vec3(0.0, 0.0, -l)
+                                     : Vec3(l / chain.total_length() * Vec3(f.x, 0.0, f.z)));
+    return out;
+}
+
+/// True if the shape leaves its plane, or elements without tension keep a place of their own.
+bool stays_slack(const CatenaryDef& def, const Plane& shape) { return !def.free && shape.slack; }
 
 }  // namespace
 }  // namespace wire
@@ -165,13 +199,34 @@ double Catenary::largest() const noexcept {
 }
 
 Catenary catenary(const CatenaryDef& def) {
-    const wire::Chain chain = wire::make_chain(def);
+    wire::Chain chain = wire::make_chain(def);
     const wire::Frame frame(def, chain.total_length());
+    if (def.water)
+        (void)wire::weigh_nodes(
+            chain, wire::wet_halves(chain, wire::straight(def, chain, frame), frame.water));
     wire::Solved solved = wire::solve(def, chain, frame);
+    const bool even = !def.water || wire::soak(def, chain, frame, solved);
     const std::size_t n = chain.elements();
     Catenary out;
     out.s = chain.s;
     wire::place(def, chain, frame, solved.shape, out);
+    if (!solved.below && !wire::stays_slack(def, solved.shape) &&
+        (!even || (solved.dips && def.water) || wire::bends(chain))) {
+        wire::Surroundings around{def.free, {}, {}, 0.0};
+        if (def.water) around.water = frame.water;
+        if (def.seabed) around.bottom = frame.bottom;
+        if (def.seabed && !solved.dips) around.friction = def.seabed->friction;
+        wire::Chain wet = chain;
+        const double tolerance = 0.3 * wire::allowed(def, chain, out);
+        if (auto rest = wire::rest_near(wet, solved.shape, around, tolerance)) {
+            chain = std::move(wet);
+            solved.shape = std::move(*rest);
+            solved.dips = false;
+            wire::place(def, chain, frame, solved.shape, out);
+        } else {
+            std::fill(chain.bend.begin(), chain.bend.end(), 0.0);  // as without bending
+        }
+    }
     out.pull_from = wire::pull(chain, out.nodes, 0);
     out.pull_to = -wire::pull(chain, out.nodes, n - 1);
     out.weight_from = chain.half_first;

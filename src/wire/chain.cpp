@@ -24,6 +24,11 @@ void check_sections(const CatenaryDef& def) {
             refuse_wire("EA of a section must be positive, in N");
         if (!std::isfinite(part.weight)) refuse_wire("the weight of a section must be a number");
         if (part.elements < 1) refuse_wire("a section needs at least one element");
+        if (!(part.EI >= 0.0) || !std::isfinite(part.EI))
+            refuse_wire("EI of a section must be 0 or more, in N m^2");
+        if (!(part.buoyancy >= 0.0 && part.diameter >= 0.0) ||
+            !std::isfinite(part.buoyancy + part.diameter))
+            refuse_wire("the buoyancy and the diameter of a section must be 0 or more");
     }
 }
 
@@ -31,6 +36,8 @@ void check_rest(const CatenaryDef& def) {
     if (!def.from.allFinite() || !def.to.allFinite()) refuse_wire("its ends must be points");
     if (!def.down.allFinite() || !(def.down.norm() > 0.0)) refuse_wire("down must be a direction");
     if (!(def.tolerance > 0.0)) refuse_wire("its tolerance must be positive");
+    if (def.water && !std::isfinite(*def.water))
+        refuse_wire("the height of its water must be a number");
     if (!def.seabed) return;
     if (!std::isfinite(def.seabed->height))
         refuse_wire("the height of its seabed must be a number");
@@ -77,9 +84,13 @@ Chain make_chain(const CatenaryDef& def) {
     out.length.resize(n);
     out.compliance.assign(n, 0.0);
     out.weight.assign(n + 1, 0.0);
+    out.buoyancy.assign(n, 0.0);
+    out.diameter.assign(n, 0.0);
+    out.bend.assign(n + 1, 0.0);
     std::size_t part = 0;
-    double end = def.sections[0].length;  // of the section
-    std::vector<double> heavy(n, 0.0);    // weight of the elements
+    double end = def.sections[0].length;         // of the section
+    std::vector<double> heavy(n, 0.0);           // weight of the elements
+    std::vector<double> flexible(n, 0.0);        // length over EI
     for (std::size_t e = 0; e < n; ++e) {
         out.length[e] = out.s[e + 1] - out.s[e];
         for (double at = out.s[e]; at < out.s[e + 1];) {
@@ -88,19 +99,48 @@ Chain make_chain(const CatenaryDef& def) {
             const double next = last ? out.s[e + 1] : std::min(end, out.s[e + 1]);
             out.compliance[e] += (next - at) / def.sections[part].EA;
             heavy[e] += (next - at) * def.sections[part].weight;
+            if (def.water) {
+                out.buoyancy[e] += (next - at) * def.sections[part].buoyancy;
+                out.diameter[e] = std::max(out.diameter[e], def.sections[part].diameter);
+            }
+            flexible[e] += (next - at) / def.sections[part].EI;  // infinite without EI
             at = next;
         }
     }
     out.half_first = 0.5 * heavy.front();
     out.half_last = 0.5 * heavy.back();
-    for (std::size_t i = 1; i < n; ++i) out.weight[i] = 0.5 * (heavy[i - 1] + heavy[i]);
+    for (std::size_t i = 1; i < n; ++i) {
+        out.weight[i] = 0.5 * (heavy[i - 1] + heavy[i]);
+        out.bend[i] = 2.0 / (flexible[i - 1] + flexible[i]);
+    }
+    out.heavy = std::move(heavy);
     return out;
+}
+
+double weigh_nodes(Chain& chain, const WetHalves& wet) {
+    const std::size_t n = chain.elements();
+    double change = 0.0;
+    const auto first = [&](std::size_t e) {
+        return 0.5 * (chain.heavy[e] - wet.first[e] * chain.buoyancy[e]);
+    };
+    const auto last = [&](std::size_t e) {
+        return 0.5 * (chain.heavy[e] - wet.last[e] * chain.buoyancy[e]);
+    };
+    const auto put = [&](double& weight, double value) {
+        change = std::max(change, std::abs(value - weight));
+        weight = value;
+    };
+    for (std::size_t i = 1; i < n; ++i) put(chain.weight[i], last(i - 1) + first(i));
+    put(chain.half_first, first(0));
+    put(chain.half_last, last(n - 1));
+    return change;
 }
 
 Chain reversed(const Chain& chain) {
     Chain out = chain;
     for (double& s : out.s) s = chain.s.back() - s;
-    for (auto* list : {&out.s, &out.length, &out.compliance, &out.weight})
+    for (auto* list : {&out.s, &out.length, &out.compliance, &out.weight, &out.heavy,
+                       &out.buoyancy, &out.diameter, &out.bend})
         std::reverse(list->begin(), list->end());
     std::swap(out.half_first, out.half_last);
     return out;

@@ -20,6 +20,10 @@ struct Chain {
     std::vector<double> weight;      ///< Of the nodes [N]; 0 at both ends.
     double half_first = 0.0;         ///< Weight of the half element at the first end [N].
     double half_last = 0.0;          ///< And at the last [N].
+    std::vector<double> heavy;       ///< Weight of the elements in air [N].
+    std::vector<double> buoyancy;    ///< Of the elements, wholly in the water [N].
+    std::vector<double> diameter;    ///< Of the elements where they cut the surface [m].
+    std::vector<double> bend;        ///< EI/l of the nodes [N m]; 0: none, and at both ends.
 
     [[nodiscard]] std::size_t elements() const noexcept { return length.size(); }
     [[nodiscard]] double total_length() const noexcept { return s.back(); }
@@ -28,6 +32,13 @@ struct Chain {
 
 /// Make the chain of a definition. @throws DefError.
 [[nodiscard]] Chain make_chain(const CatenaryDef& def);
+/// Shares of the elements' halves that are in the water, at the first and the last node of each.
+struct WetHalves {
+    std::vector<double> first, last;
+};
+/// Sum the weights of halves at the nodes, less the buoyancy of their wet shares. @return the
+/// largest change of a weight [N].
+double weigh_nodes(Chain& chain, const WetHalves& wet);
 /// The same chain counted from its last end.
 [[nodiscard]] Chain reversed(const Chain& chain);
 

@@ -134,6 +134,37 @@ TEST(CableShapes, links_keep_their_length) {
         EXPECT_NEAR(d.body(d.cables[0].nodes[i]).half_size.x(), 2.25, 1e-6);
 }
 
+/// A wire in the sea started with its weight in air. Under water it lies where the same wire lies
+/// in air with its weight in water; above the water where it does without a sea.
+TEST(CableShapes, in_the_sea_lines_have_their_weight_in_water) {
+    const auto scene = [](const std::string& type, const std::string& sea, const std::string& shape,
+                          double z) {
+        return flat(R"({"version": 1, "name": "t", "line_types": {"wire": {"mass_per_length": 20,
+          "EA": 1e8, "diameter": 0.1, )" +
+                    type + R"(}}, )" + sea + R"("cables": [{"name": "c", "line_type": "wire",
+          "elements": 20, "length": 100, "shape": ")" +
+                    shape + R"(", "from": {"at": [0, 0, )" + std::to_string(z) +
+                    R"(]}, "to": {"at": [80, 0, )" + std::to_string(z - 30.0) + "]}}]}");
+    };
+    // 0.007854 m2 of 1,030 kg/m3, less 20 kg/m.
+    const double factor = 1.0 - 1030.0 * 0.25 * 3.14159265358979 * 0.01 / 20.0;
+    const std::string wet = R"("cd_normal": 1.2)", dry = R"("ca_normal": 1)",
+                      light = R"("submerged_factor": )" + std::to_string(factor);
+    const std::string sea = R"("sea": {"depth": 500, "density": 1030, "level":
+        [{"time": -100, "level": 0}, {"time": 100, "level": 4}]}, )";  // 2 m at the start
+    for (const char* shape : {"hanging", "catenary"}) {
+        const auto under = nodes(scene(wet, sea, shape, 1.9)),
+                   over = nodes(scene(wet, sea, shape, 90.0));
+        const auto in_water = nodes(scene(light, "", "hanging", 1.9)),
+                   in_air = nodes(scene(dry, "", "hanging", 90.0));
+        for (std::size_t i = 0; i < under.size(); ++i) {
+            // std::to_string keeps six digits of the factor; the nodes hardly move by them.
+            EXPECT_LT((under[i] - in_water[i]).norm(), 1e-6) << shape << i;
+            EXPECT_LT((over[i] - in_air[i]).norm(), 1e-9) << shape << i;
+        }
+    }
+}
+
 TEST(CableShapes, refusals_say_why) {
     const std::string ends = R"("from": {"at": [0, 0, 0]}, "to": {"at": [80, 0, 0]}, )";
     expect_refused(with_wire(ends + R"("shape": "laid")"), "/cables/0/shape", "needs \"seabed\"");
