@@ -58,6 +58,18 @@ void close_hull(HullMesh& mesh, double top);
 /// A box as a mesh; each side of nx × ny × nz pieces. @param half  Half sizes [m].
 [[nodiscard]] HullMesh box_hull(const Vec3& half, int nx = 1, int ny = 1, int nz = 1);
 
+/// A block of a hull's volume: what lies inside the mesh on the vertical line through the middle of
+/// a cell of an even grid, between two levels of the grid.
+struct HullCell {
+    Vec3 at{0.0, 0.0, 0.0};               ///< Its middle, in the body's frame [m].
+    Vec3 size{0.0, 0.0, 0.0};             ///< Along the body's axes [m].
+    std::array<std::int32_t, 3> index{};  ///< Of the grid's cell.
+    [[nodiscard]] double volume() const noexcept { return size.prod(); }
+};
+/// Cut a hull into some 200 cells of about equal edges; at least one. A mesh without volume has one
+/// of the size of its box.
+[[nodiscard]] std::vector<HullCell> hull_cells(const HullMesh& mesh);
+
 /// A mesh under the still surface z = 0.
 struct HullStatics {
     double volume = 0.0;                      ///< [m³].

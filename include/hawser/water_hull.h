@@ -4,6 +4,24 @@
 /// Hulls in the sea (sea.h): what presses, what is radiated and scattered, drag, drift.
 ///
 /// Formulas of pressure: hull.h; of radiation and waves by coefficients: hydro.h.
+///
+/// **Added mass and damping by constants** meet the mean motion of the water over the wet volume of
+/// the hull. The hull is cut into cells (hull_cells()) of volume V and wet share w, the share of
+/// their height below the surface. u, a are the water's velocity and acceleration at their middles,
+/// r the place of a middle from that of the wet volume:
+/// ```
+///     ū = Σ wV u/Σ wV        ω_k = Σ wV (r × u)_k/Σ wV (r² − r_k²)
+///     F = A (ā − v̇) + B (ū − v)        M = A (α − ω̇_body) + B (ω − ω_body)
+/// ```
+/// with α from a as ω from u. In waves much longer than the hull this is the water at one point. In
+/// short waves crests and troughs along the hull cancel, as they do for the pressure.
+///
+/// **Drag areas** hold at the design draught: along each axis of the body they are multiplied with
+/// the wet projected area over that at the design draught, upright in still water. The projected
+/// area along x is Σ over rows of cells along x of the largest wet height in the row times the
+/// width; along y likewise; along z the ground area of columns with a wet cell (a cell counts
+/// from a wet share of 0.1 in full). Wind areas are multiplied with the dry projected area over
+/// that at the design draught.
 
 #include <hawser/def.h>
 #include <hawser/hull.h>
@@ -41,7 +59,7 @@ enum class ExcitationKind : std::uint8_t {
 struct HullStrip {
     Vec3 at{0.0, 0.0, 0.0};    ///< From the centre of mass, in the body's frame [m].
     Vec3 axis{0.0, 1.0, 0.0};  ///< n, of length 1.
-    double drag_area = 0.0;    ///< C_d A, when all of it is wet [m²].
+    double drag_area = 0.0;    ///< C_d A at the hull's design draught [m²].
 };
 
 /// Weight of displaced water and stiffness of a hull whose motions are small, instead of a mesh's.
@@ -57,14 +75,20 @@ struct WaterHull {
     HullMesh mesh{};  ///< In the body's frame, from its centre of mass [m]. Required, closed.
     /// False: pressure ρg(η − z), hydrostatic below the surface; true: Airy's (Froude-Krylov).
     bool wave_pressure = true;
-    /// A along and about the body's axes at the centre of mass [kg, kg m²], as it is afloat:
-    /// A (a − v̇) with the waves' acceleration there.
+    /// A along and about the body's axes at the centre of mass [kg, kg m²], as it is afloat, past
+    /// the mean motion of the water.
     std::array<double, 6> added_mass{};
-    std::array<double, 6> damping{};  ///< Linear, of the water's velocity there [N s/m, N m s].
-    /// C_d A when all of it is wet, or dry, at the centre of mass; the share of the volume counts
-    /// [m²]. Wind is that of 10 m, or of the centre of mass where that is higher.
+    std::array<double, 6> damping{};  ///< Linear, likewise [N s/m, N m s].
+    /// C_d A of the wet hull and of what is above the water at the design draught; forces act at
+    /// the centre of mass [m²]. Wind is that of 10 m, or of the centre of mass where that is
+    /// higher.
     Vec3 drag_area{0.0, 0.0, 0.0};
     Vec3 wind_area{0.0, 0.0, 0.0};
+    /// From the surface to the lowest point of the mesh, upright [m]. Default: the draught at which
+    /// the hull carries the mass of its body and of what joints hold to it, shared among their
+    /// hulls by volume. If they do not float, or have no mass, the draught of the start; if that is
+    /// not between 0 and the height of the mesh, the height.
+    double design_draught = kDefault;
     std::vector<HullStrip> strips{};
     /// Of hydro.h; null: none. Shared and never changed.
     std::shared_ptr<const WaveCoefficients> coefficients{};

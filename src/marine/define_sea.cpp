@@ -5,6 +5,7 @@
 
 #include "marine/bodies.h"
 #include "marine/checks.h"
+#include "marine/design_draught.h"
 #include "marine/sea_system.h"
 
 #include <limits>
@@ -53,6 +54,8 @@ void check_water_hull(const World& world, const WaterHull& h, const std::string&
     marine::check_coefficients(world, h, at);
     check_areas(at + "/drag_area", h.drag_area);
     check_areas(at + "/wind_area", h.wind_area);
+    if (!std::isnan(h.design_draught))
+        check_range(at + "/design_draught", h.design_draught, 0.0, 1e4, true, "m");
 }
 
 void check_water_rod(const World& world, const WaterRod& r, const std::string& at) {
@@ -112,8 +115,10 @@ System* define(World& world, const SeaDef& def) {
         start.heading.push_back(marine::heading_of(world.pose(hull.body).orientation));
         start.weight.push_back(world.body_def(hull.body).mass * gravity);
     }
+    SeaDef own = def;
+    marine::set_design_draughts(world, own, Sea(def, gravity).tide(world.time()));
     return &world.add_system(std::make_unique<marine::SeaSystem>(
-        def, gravity, marine::line_table(world, def), std::move(start)));
+        own, gravity, marine::line_table(world, def), std::move(start)));
 }
 
 const SeaDef* find_sea(const World& world) noexcept {

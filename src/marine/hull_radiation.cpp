@@ -150,7 +150,7 @@ void HullWater::flow_past(const WaterField& field, int chunk) noexcept {
     }
 }
 
-void HullWater::add_strips(const Sea& sea, double wet) noexcept {
+void HullWater::add_strips(const Sea& sea) noexcept {
     for (std::size_t k = 0; k < flows_.size(); ++k) {
         const HullStrip& strip = def_->strips[k];
         const Vec3 arm = axes_ * strip.at, n = axes_ * strip.axis;
@@ -158,7 +158,8 @@ void HullWater::add_strips(const Sea& sea, double wet) noexcept {
         s << n, arm.cross(n);
         v << twist_.linear, twist_.angular;
         const double past = n.dot(flows_[k]) - s.dot(v);
-        const double c = 0.5 * sea.density() * strip.drag_area * wet * std::abs(past);
+        const double share = strip.axis.cwiseProduct(strip.axis).dot(flow_.wet_share);
+        const double c = 0.5 * sea.density() * strip.drag_area * share * std::abs(past);
         const double push = c * past + 2.0 * c * s.dot(v);
         for (int i = 0; i < 6; ++i) {
             force[static_cast<std::size_t>(i)] += push * s[i];

@@ -44,6 +44,7 @@ HullWater::HullWater(const WaterHull& def, const Sea& sea, double step, double h
       corners_(def.mesh.vertices.size()),
       parts_(static_cast<std::size_t>(chunks_of(def.mesh.triangles.size()))),
       flows_(def.strips.size(), Vec3::Zero()),
+      flow_(def),
       weight_(def.linear.weight),
       memory_(def, step),
       waves_(def, sea, step, heading) {
@@ -64,6 +65,7 @@ HullWater::HullWater(const WaterHull& def, const Sea& sea, double step, double h
 
 int HullWater::corner_chunks() const noexcept { return chunks_of(corners_.size()); }
 int HullWater::strip_chunks() const noexcept { return chunks_of(flows_.size()); }
+int HullWater::cell_chunks() const noexcept { return chunks_of(flow_.count()); }
 int HullWater::triangle_chunks() const noexcept { return static_cast<int>(parts_.size()); }
 
 void HullWater::begin(const World& world, bool convective) noexcept {
@@ -143,9 +145,12 @@ void HullWater::finish(const WaterField& field, double air) noexcept {
         add_linear(sea, now);
     else if (wet > 0.0)
         add_pressure(sea, all);
+    WaterPoint centre = sea.water(now, pose_.position);
+    if (convective_) centre.acceleration += sea.convection(now, pose_.position);
+    flow_.finish(axes_, centre);
     if (wet > 0.0) {
         add_coefficients(sea, now);
-        add_strips(sea, wet);
+        add_strips(sea);
     }
     add_motion(sea, now, wet, air);
     any_ = wet > 0.0 || (def_->wind_area.array() != 0.0).any();
@@ -173,13 +178,17 @@ void HullWater::add_pressure(const Sea& sea, const HullSums& all) noexcept {
     stiffness[static_cast<std::size_t>(triangle(4, 4))] += stable;
 }
 
-/// Added mass and linear damping by the velocity of the water at the centre of mass, and drag.
+void HullWater::flow_over(const WaterField& field, int chunk) noexcept {
+    const auto first = static_cast<std::size_t>(chunk * kChunk);
+    flow_.sample(field, convective_, def_->excitation == ExcitationKind::full, pose_, axes_, first,
+                 std::min(first + kChunk, flow_.count()));
+}
+
+/// Added mass and linear damping past the mean motion of the water, and drag.
 void HullWater::add_motion(const Sea& sea, const SeaMoment& now, double wet, double air) noexcept {
-    Vec3 push = Vec3::Zero();
+    Vec3 push = Vec3::Zero(), moment = Vec3::Zero();
     Sym3 drag;
     if (wet > 0.0) {
-        WaterPoint water = sea.water(now, pose_.position);
-        if (convective_) water.acceleration += sea.convection(now, pose_.position);
         const auto& m = def_->added_mass;
         const auto& d = def_->damping;
         add_axes(axes_, m.data(), 0, mass);
@@ -189,16 +198,18 @@ void HullWater::add_motion(const Sea& sea, const SeaMoment& now, double wet, dou
         for (int k = 0; k < 3; ++k) {
             const auto i = static_cast<std::size_t>(k);
             const auto axis = axes_.col(k);
-            push += (m[i] * axis.dot(water.acceleration) + d[i] * axis.dot(water.velocity)) * axis;
+            push += (m[i] * axis.dot(flow_.acceleration) + d[i] * axis.dot(flow_.velocity)) * axis;
+            moment +=
+                (m[3 + i] * axis.dot(flow_.turn_rate) + d[3 + i] * axis.dot(flow_.turn)) * axis;
         }
-        add_body_drag(axes_, def_->drag_area, 0.5 * sea.density() * wet, water.velocity,
-                      twist_.linear, push, drag);
+        add_body_drag(axes_, def_->drag_area.cwiseProduct(flow_.wet_share), 0.5 * sea.density(),
+                      flow_.velocity, twist_.linear, push, drag);
     }
     if (wet < 1.0)
-        add_body_drag(axes_, def_->wind_area, 0.5 * air * (1.0 - wet),
+        add_body_drag(axes_, def_->wind_area.cwiseProduct(flow_.dry_share), 0.5 * air,
                       sea.wind(now, std::max(pose_.position.z(), now.level + 10.0)), twist_.linear,
                       push, drag);
-    for (int k = 0; k < 3; ++k) force[static_cast<std::size_t>(k)] += push[k];
+    add_force(push, moment);
     for (int i = 0, n = 0; i < 3; ++i)
         for (int j = 0; j <= i; ++j, ++n)
             damping[static_cast<std::size_t>(triangle(i, j))] += drag.m[n];

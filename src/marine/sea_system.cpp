@@ -86,6 +86,7 @@ void SeaSystem::list_work(int hull) {
     list(points_, Piece::memory, def_.hulls[slot(hull)].coefficients ? 1 : 0);
     list(points_, Piece::corners, of.corner_chunks());
     list(points_, Piece::strips, of.strip_chunks());
+    list(points_, Piece::cells, of.cell_chunks());
     list(sums_, Piece::triangles, of.triangle_chunks());
 }
 
@@ -168,6 +169,7 @@ void SeaSystem::do_work(const Work& w) noexcept {
     HullWater& hull = hulls_[slot(w.hull)];
     if (w.piece == Piece::corners) return hull.press(field_, w.chunk);
     if (w.piece == Piece::strips) return hull.flow_past(field_, w.chunk);
+    if (w.piece == Piece::cells) return hull.flow_over(field_, w.chunk);
     hull.remember(sea_, moment_);
 }
 

@@ -16,6 +16,7 @@
 
 #include "marine/drag.h"
 #include "marine/field.h"
+#include "marine/hull_flow.h"
 #include "marine/hull_sums.h"
 #include "marine/radiation.h"
 #include "marine/rods.h"
@@ -104,6 +105,9 @@ class HullWater {
     [[nodiscard]] int strip_chunks() const noexcept;
     [[nodiscard]] int triangle_chunks() const noexcept;
     void press(const WaterField& field, int chunk) noexcept;
+    [[nodiscard]] int cell_chunks() const noexcept;
+    /// Sample the water at the hull's cells.
+    void flow_over(const WaterField& field, int chunk) noexcept;
     /// Take the water's velocity at the hull's strips.
     void flow_past(const WaterField& field, int chunk) noexcept;
     /// Triangles, once all corners are pressed.
@@ -125,7 +129,7 @@ class HullWater {
     void add_linear(const Sea& sea, const SeaMoment& now) noexcept;
     void add_motion(const Sea& sea, const SeaMoment& now, double wet, double air) noexcept;
     void add_coefficients(const Sea& sea, const SeaMoment& now) noexcept;
-    void add_strips(const Sea& sea, double wet) noexcept;
+    void add_strips(const Sea& sea) noexcept;
     static void add_matrix(const Mat3& axes, const Matrix6& m, std::array<double, 21>& to) noexcept;
     /// @param moment  About the centre of mass.
     void add_force(const Vec3& push, const Vec3& moment) noexcept;
@@ -142,6 +146,7 @@ class HullWater {
     std::vector<HullCorner> corners_;  ///< About the centre of mass, in world axes.
     std::vector<HullSums> parts_;
     std::vector<Vec3> flows_;  ///< Of the water at strips.
+    HullFlow flow_;
     bool any_ = false, lost_ = false, convective_ = false;
     // By coefficients; matrices at the centre of mass, along the body's axes.
     Matrix6 added_ = Matrix6::Zero(), constant_ = Matrix6::Zero(), statics_ = Matrix6::Zero();
@@ -184,7 +189,7 @@ class SeaSystem final : public System {
 
   private:
     /// Pieces of work on hulls and rods, in their order.
-    enum class Piece : std::uint8_t { corners, strips, memory, triangles, segments };
+    enum class Piece : std::uint8_t { corners, strips, cells, memory, triangles, segments };
     struct Work {
         Piece piece;
         int hull, chunk;  ///< Of segments: `hull` is the rod.

@@ -83,7 +83,8 @@ void SeaVerifier::add_hull(const WaterHull& def, const Pose& pose, const Twist& 
     const double wet = def.linear.on ? 1.0 : std::clamp(volume / whole, 0.0, 1.0);
     out.wet = wet > 0.0 || !def.wind_area.isZero(0.0);
     if (def.linear.on) out.force.setZero();  // add_statics() has what presses it
-    add_strips(def, pose, twist, wet, out);
+    const Flow flow = flow_over(def, pose);
+    if (wet > 0.0) add_strips(def, pose, twist, flow.wet_share, out);
     if (wet > 0.0 && !def.linear.on) {
         if (plane > 1e-9 * std::pow(volume, 2.0 / 3.0))
             out.stiffness.block<3, 3>(2, 2) += weight * second;
@@ -92,15 +93,13 @@ void SeaVerifier::add_hull(const WaterHull& def, const Pose& pose, const Twist& 
         out.stiffness(2, 2) = std::max(out.stiffness(2, 2), weight * volume / deepest);
         for (int k = 3; k < 5; ++k) out.stiffness(k, k) += weight * std::max(lever, 0.0);
     }
-    add_motion(def, pose, velocity, wet, out);
+    add_motion(def, pose, velocity, wet, flow, out);
 }
 
 void SeaVerifier::add_motion(const WaterHull& def, const Pose& pose, const Vec3& velocity,
-                             double wet, Load& out) {
+                             double wet, const Flow& flow, Load& out) {
     const Mat3 axes = pose.orientation.toRotationMatrix();
     if (wet > 0.0) {
-        Water at = water(pose.position);
-        if (def_->convective) at.rate += convection(pose.position);
         Mat3 a[2], d[2];
         for (int k = 0; k < 2; ++k) {
             const double* m = def.added_mass.data() + 3 * k;
@@ -110,11 +109,13 @@ void SeaVerifier::add_motion(const WaterHull& def, const Pose& pose, const Vec3&
             out.mass.block<3, 3>(3 * k, 3 * k) += a[k];
             out.damping.block<3, 3>(3 * k, 3 * k) += d[k];
         }
-        out.force.head<3>() += a[0] * at.rate + d[0] * at.flow;
-        add_drag(axes, def.drag_area, 0.5 * def_->density * wet, at.flow, velocity, out);
+        out.force.head<3>() += a[0] * flow.rate + d[0] * flow.velocity;
+        out.force.tail<3>() += a[1] * flow.turn_rate + d[1] * flow.turn;
+        add_drag(axes, def.drag_area.cwiseProduct(flow.wet_share), 0.5 * def_->density,
+                 flow.velocity, velocity, out);
     }
     if (wet < 1.0)
-        add_drag(axes, def.wind_area, 0.5 * def_->wind.density * (1.0 - wet),
+        add_drag(axes, def.wind_area.cwiseProduct(flow.dry_share), 0.5 * def_->wind.density,
                  wind(std::max(pose.position.z(), level_ + 10.0)), velocity, out);
 }
 

@@ -50,8 +50,15 @@ class SeaVerifier {
     void add_body(const WaterBody& def, const Pose& pose, const Vec3& velocity);
     void add_rod(const WaterRod& def, const Pose& pose, const Twist& twist);  // sea_rods.cpp
     void add_hull(const WaterHull& def, const Pose& pose, const Twist& twist);
+    /// Means of the water over wet cells, and areas over those at the design draught
+    /// (sea_flow.cpp).
+    struct Flow {
+        Vec3 velocity{0, 0, 0}, rate{0, 0, 0}, turn{0, 0, 0}, turn_rate{0, 0, 0};
+        Vec3 wet_share{1, 1, 1}, dry_share{1, 1, 1};
+    };
+    [[nodiscard]] Flow flow_over(const WaterHull& def, const Pose& pose) const;
     void add_motion(const WaterHull& def, const Pose& pose, const Vec3& velocity, double wet,
-                    Load& out);
+                    const Flow& flow, Load& out);
     [[nodiscard]] Vec3 convection(const Vec3& x) const;
     // sea_radiation.cpp
     struct Past {
@@ -72,8 +79,8 @@ class SeaVerifier {
     [[nodiscard]] Vec6 waves_on(const WaterHull& def, const Past& past) const;
     [[nodiscard]] Mat3 frame_of(const WaterHull& def, Past& past, const Pose& pose) const;
     void add_statics(const WaterHull& def, const Pose& pose, const Mat3& level, Load& out) const;
-    void add_strips(const WaterHull& def, const Pose& pose, const Twist& twist, double wet,
-                    Load& out) const;
+    void add_strips(const WaterHull& def, const Pose& pose, const Twist& twist,
+                    const Vec3& wet_share, Load& out) const;
     static void add_drag(const Mat3& axes, const Vec3& areas, double half_density, const Vec3& flow,
                          const Vec3& velocity, Load& out);
 

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Draughts at which drag and wind areas of hulls hold (hawser/water_hull.h).
+#include "marine/design_draught.h"
+
+#include <hawser/hull.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace hawser::marine {
+namespace {
+
+std::size_t slot_of(BodyId id) { return static_cast<std::size_t>(id.index); }
+
+/// Bodies that joints hold together.
+class HeldTogether {
+  public:
+    explicit HeldTogether(const World& world) : of_(static_cast<std::size_t>(world.body_count())) {
+        std::iota(of_.begin(), of_.end(), std::size_t{0});
+        for (const InteractionId id : world.interactions()) {
+            const InteractionDef& def = world.interaction_def(id);
+            const KindInfo& kind = kind_info(def.kind);
+            if (!kind.is(kHoldsBodies)) continue;
+            for (std::size_t b = 1; b < static_cast<std::size_t>(kind.bodies); ++b)
+                of_[group(def.body[b])] = group(def.body[0]);
+        }
+    }
+    [[nodiscard]] std::size_t group(BodyId id) const {
+        std::size_t at = slot_of(id);
+        while (of_[at] != at) at = of_[at];
+        return at;
+    }
+
+  private:
+    std::vector<std::size_t> of_;
+};
+
+double mesh_volume(const HullMesh& mesh) {
+    double sum = 0.0;
+    for (const auto& t : mesh.triangles) {
+        const auto at = [&](std::size_t k) {
+            return mesh.vertices[static_cast<std::size_t>(t[k])];
+        };
+        sum += at(0).dot(at(1).cross(at(2))) / 6.0;
+    }
+    return sum;
+}
+
+}  // namespace
+
+void set_design_draughts(const World& world, SeaDef& def, double level) {
+    const auto needs = [](const WaterHull& h) {
+        return std::isnan(h.design_draught) && !h.mesh.triangles.empty();
+    };
+    if (std::none_of(def.hulls.begin(), def.hulls.end(), needs)) return;
+    const HeldTogether held(world);
+    for (WaterHull& hull : def.hulls) {
+        if (!needs(hull)) continue;
+        const std::size_t group = held.group(hull.body);
+        double mass = 0.0, volume = 0.0;
+        bool free = true;
+        for (const BodyId id : world.bodies()) {
+            if (held.group(id) != group) continue;
+            const BodyDef& body = world.body_def(id);
+            if (body.kind == BodyKind::scalar) continue;
+            free = free && body.kind != BodyKind::fixed && body.kind != BodyKind::kinematic;
+            mass += body.mass;
+        }
+        for (const WaterHull& other : def.hulls)
+            if (!other.mesh.triangles.empty() && held.group(other.body) == group)
+                volume += mesh_volume(other.mesh);
+        double low = hull.mesh.vertices.front().z(), high = low;
+        double lowest = HUGE_VAL;
+        const Pose pose = world.pose(hull.body);
+        for (const Vec3& v : hull.mesh.vertices) {
+            low = std::min(low, v.z());
+            high = std::max(high, v.z());
+            lowest = std::min(lowest, (pose.position + pose.orientation * v).z());
+        }
+        double draught = level - lowest;
+        if (free && mass > 0.0) {
+            const double share = mesh_volume(hull.mesh) / volume;
+            const Flotation at = float_hull(hull.mesh, share * mass, def.density, 0.0, false);
+            if (at.floats) draught = at.draught;
+        }
+        const double height = high - low;
+        hull.design_draught = draught > 0.0 && draught < height ? draught : height;
+    }
+}
+
+}  // namespace hawser::marine
