@@ -41,6 +41,7 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,24 @@ struct WaveCoefficients {
 /// finite; A(∞) and B not positive semi-definite, with the frequency; A(0) and A(∞) swapped, told
 /// by what the damping makes of A(ω) (T. F. Ogilvie, 1964).
 [[nodiscard]] std::string coefficients_fault(const WaveCoefficients& c);
+
+/// Treatment of damping that is not positive semi-definite.
+enum class NegativeDamping : std::uint8_t {
+    refuse,    ///< coefficients_fault() names it.
+    truncate,  ///< B from the first such frequency on falls as ω⁻³ from that of the one before.
+    fit        ///< B of each such frequency becomes the nearest positive semi-definite matrix.
+};
+/// Repair damping beyond the noise that coefficients_fault() accepts; others stay as they are.
+/// @throws DefError where `truncate` has no frequency before.
+[[nodiscard]] WaveCoefficients repaired_damping(const WaveCoefficients& c, NegativeDamping how);
+
+/// End of a memory: the largest |K_ij(t)|/√(K_ii(0) K_jj(0)) for t from 0.8 T to T, and the
+/// shortest T for which it is at most `limit`; NaN: none up to 20 T.
+struct MemoryEnd {
+    double ratio = 0.0;
+    double enough = 0.0;  ///< [s]
+};
+[[nodiscard]] MemoryEnd memory_end(const WaveCoefficients& c, double memory, double limit = 0.01);
 
 /// A(∞) = A(ω) + (1/ω) ∫ K(t) sin ωt dt, the mean over frequencies (Ogilvie). A(ω) and B(ω) are
 /// needed.

@@ -27,6 +27,7 @@ struct HydroUnits {
     double gravity = 9.81;    ///< [m/s²].
     double length = 0.0;      ///< WAMIT's ULEN [m]; 0: of the `.gdf` beside it, or 1 m.
     int body = 0;             ///< Which of several, from 0.
+    NegativeDamping negative_damping = NegativeDamping::refuse;  ///< Treatment before checks.
 };
 
 /// @throws DefError with file, line or variable, what is wrong, and the remedy. The result is free

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Coefficients of floating bodies: what is wrong with them, and K(t).
+#include <hawser/def.h>
 #include <hawser/hydro.h>
 
 #include "base/dense.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace hawser {
@@ -29,6 +31,25 @@ double lowest_scaled(const Matrix6& m, const Matrix6& size) {
             s(i, j) /= scale;
         }
     return base::symmetric_eigenvalues(s)(0);
+}
+
+/// Programs give damping to three digits, and noise at frequencies at which their equations are
+/// near singular: 5 % of the largest of each motion.
+constexpr double kNoise = -0.05;
+
+/// The nearest matrix without negative eigenvalues, scaled as lowest_scaled().
+Matrix6 without_negative_of(const Matrix6& m, const Matrix6& size) {
+    double largest = 0.0;
+    for (int i = 0; i < 6; ++i) largest = std::max(largest, std::abs(size(i, i)));
+    marine::Vec6 scale;
+    for (int i = 0; i < 6; ++i)
+        scale[i] = std::sqrt(std::max(std::abs(size(i, i)), 1e-12 * largest));
+    const Matrix6 s = scale.cwiseInverse().asDiagonal() * (0.5 * (m + m.transpose())) *
+                      scale.cwiseInverse().asDiagonal();
+    const auto eigen = base::symmetric_eigen(s);
+    const marine::Vec6 kept = eigen.values.cwiseMax(0.0);
+    return scale.asDiagonal() * (eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose()) *
+           scale.asDiagonal();
 }
 
 std::string sizes_fault(const WaveCoefficients& c) {
@@ -123,20 +144,80 @@ std::string coefficients_fault(const WaveCoefficients& c) {
     if (std::string fault = sizes_fault(c); !fault.empty()) return fault;
     if (std::string fault = finite_fault(c); !fault.empty()) return fault;
     const Matrix6 size = largest_diagonal(c.damping);
-    // Programs give damping to three digits, and noise at frequencies at which their equations are
-    // near singular: 5 % of the largest of each motion.
     for (std::size_t i = 0; i < c.damping.size(); ++i)
-        if (const double low = lowest_scaled(c.damping[i], size); low < -0.05)
+        if (const double low = lowest_scaled(c.damping[i], size); low < kNoise)
             return "damping at " + number(c.frequency[i]) +
                    " rad/s is not positive semi-definite: scaled to ones, its lowest eigenvalue "
                    "is " +
-                   number(low);
+                   number(low) +
+                   (i > 0
+                        ? "; give \"negative_damping\": \"truncate\" (damping from there on falls "
+                          "as w^-3 from that of " +
+                              number(c.frequency[i - 1]) + " rad/s) or \"fit\""
+                        : "; give \"negative_damping\": \"fit\"") +
+                   " (the nearest positive semi-definite matrices)";
     if (c.has_infinite)
         if (const double low = lowest_scaled(c.infinite, c.infinite); low < -1e-3)
             return "A(inf) is not positive semi-definite: scaled to ones, its lowest eigenvalue "
                    "is " +
                    number(low);
     return swapped_fault(c);
+}
+
+WaveCoefficients repaired_damping(const WaveCoefficients& c, NegativeDamping how) {
+    WaveCoefficients out = c;
+    if (how == NegativeDamping::refuse) return out;
+    const Matrix6 size = largest_diagonal(c.damping);
+    for (std::size_t i = 0; i < c.damping.size() && i < c.frequency.size(); ++i) {
+        if (!c.damping[i].allFinite() || !(lowest_scaled(c.damping[i], size) < kNoise)) continue;
+        if (how == NegativeDamping::fit) {
+            out.damping[i] = without_negative_of(c.damping[i], size);
+            continue;
+        }
+        if (i == 0)
+            throw DefError(
+                "damping at " + number(c.frequency[i]) +
+                " rad/s, the first frequency, is not positive semi-definite: there is "
+                "none before from which it could be truncated; give \"negative_damping\": "
+                "\"fit\"");
+        for (std::size_t k = i; k < c.damping.size(); ++k) {
+            const double ratio = c.frequency[i - 1] / c.frequency[k];
+            out.damping[k] = ratio * ratio * ratio * c.damping[i - 1];
+        }
+        break;
+    }
+    return out;
+}
+
+MemoryEnd memory_end(const WaveCoefficients& c, double memory, double limit) {
+    MemoryEnd out;
+    out.enough = memory;
+    if (c.damping.empty() || !(memory > 0.0)) return out;
+    const marine::DampingNodes nodes = marine::damping_nodes(c);
+    const marine::Vec6 scale = marine::memory_scale(marine::retardation_of(nodes, 0.0));
+    // Cosines within 0.8 % of their extremes.
+    const double step = std::min(0.04 * 2.0 * std::numbers::pi / c.frequency.back(), 0.02 * memory);
+    const auto largest = [&](double t) {
+        const Matrix6 k = marine::retardation_of(nodes, t);
+        double most = 0.0;
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < 6; ++j)
+                most = std::max(most, std::abs(k(i, j)) / (scale[i] * scale[j]));
+        return most;
+    };
+    for (double t = 0.8 * memory; t <= memory * (1.0 + 1e-12); t += step)
+        out.ratio = std::max(out.ratio, largest(t));
+    if (out.ratio <= limit) return out;
+    out.enough = std::numeric_limits<double>::quiet_NaN();
+    double last = 0.8 * memory;  // after which all of K is within the limit, so far
+    for (double t = last; t <= 20.0 * memory; t += step) {
+        if (largest(t) > 0.98 * limit) last = t + step;
+        if (t > last / 0.8) {
+            out.enough = last / 0.8;
+            break;
+        }
+    }
+    return out;
 }
 
 Matrix6 retardation(const WaveCoefficients& c, double t) {

@@ -28,7 +28,7 @@ ShapePtr strip_shape() {
          {"to", vector3("a point"), true, "", "m", "End of it."},
          {"axis", vector3("a direction"), false, "[0, 1, 0]", "", "Along which they resist."},
          {"drag_area", number("an area", 0.0, 1e9), true, "", "m^2",
-          "Drag coefficient times area of all of them, when all is wet."},
+          "Drag coefficient times area of all of them, at the hull's design draught."},
          {"count", integer("a number", 1, 1000), false, "10", "", "Of strips."}});
 }
 
@@ -142,13 +142,22 @@ ShapePtr water_hull_shape() {
          {"damping", list("six numbers", number6, 6, 6), false, "0", "N s/m, N m s",
           "Linear, along and about the same axes."},
          {"drag_area", area_of_axes(), false, "0", "m^2",
-          "Drag coefficient times area along its axes, when all of it is wet."},
+          "Drag coefficient times area along its axes, at the design draught; scaled by the wet "
+          "projected area over that at the design draught."},
          {"wind_area", area_of_axes(), false, "0", "m^2",
-          "The same in the wind, when all of it is dry."},
+          "The same in the wind, of what is above the water at the design draught."},
+         {"design_draught", positive("a draught", 1e4), false, "as it floats", "m",
+          "From the surface to the lowest point, upright, at which areas hold. Default: where the "
+          "hull carries the mass of its body and of what joints hold to it; where that does not "
+          "float, the draught of the start."},
          {"strips", list_of("a list of rows", strip_shape()), false, "none", "",
           "Rows of strips that resist drifting and turning."},
          {"coefficients", coefficients_shape(), false, "none", "",
           "Added mass, damping and forces of waves by frequency: a file or numbers."},
+         {"negative_damping", word("a treatment", {"refuse", "truncate", "fit"}), false, "refuse",
+          "",
+          "Of damping that is not positive semi-definite by more than 5 % of its largest: truncate "
+          "it from there on, or take the nearest matrices that are."},
          {"reference", vector3("a point"), false, "[0, 0, 0]", "m",
           "What coefficients are about, from the centre of mass, in the body's frame."},
          {"radiation", word("a kind", {"convolution", "state_space", "constant", "none"}), false,

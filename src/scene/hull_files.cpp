@@ -45,6 +45,8 @@ void read_coefficient_file(Document& document, Json& hull, const std::filesystem
     if (!named && !given->is_string()) return;
     const Json& name = named ? (*given)["file"] : *given;
     HydroUnits units;
+    if (const auto how = hull.find("negative_damping"); how != hull.end() && how->is_string())
+        units.negative_damping = negative_damping_of(how->get<std::string>());
     if (named) {
         units.density = number_or(*given, "density", units.density);
         units.gravity = number_or(*given, "gravity", units.gravity);

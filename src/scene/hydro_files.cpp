@@ -33,6 +33,7 @@ WaveCoefficients read_coefficients(const std::string& file, const HydroUnits& un
         scene::refuse_hydro(path,
                             "its name ends with none of .1 (WAMIT), .tec (NEMOH), .nc (Capytaine), "
                             ".h5 (BEMIO)");
+    out = repaired_damping(out, units.negative_damping);
     if (const std::string fault = coefficients_fault(out); !fault.empty())
         scene::refuse_hydro(path, fault);
     return out;

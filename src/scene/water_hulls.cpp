@@ -184,6 +184,12 @@ Json drift_json(const WaveCoefficients& c) {
 
 }  // namespace
 
+NegativeDamping negative_damping_of(const std::string& word) noexcept {
+    return word == "truncate" ? NegativeDamping::truncate
+           : word == "fit"    ? NegativeDamping::fit
+                              : NegativeDamping::refuse;
+}
+
 bool hull_left_out(const Json& json) {
     for (const char* key : {"mesh", "coefficients"})
         if (const auto at = json.find(key);
@@ -204,10 +210,16 @@ WaterHull hull_of(const Json& json, const Place& place) {
     hull.wave_pressure = json.value("wave_pressure", !json.contains("linear"));
     six_of(json, "added_mass", hull.added_mass);
     six_of(json, "damping", hull.damping);
+    hull.design_draught = number_or(json, "design_draught", hull.design_draught);
     read_strips(json, place, hull);
     if (json.contains("coefficients")) {
         WaveCoefficients c = coefficients_of(json["coefficients"], place / "coefficients");
         c.reference = vector_or(json, "reference", Vec3::Zero());
+        try {
+            c = repaired_damping(c, negative_damping_of(json.value("negative_damping", "refuse")));
+        } catch (const DefError& error) {
+            refuse(place / "negative_damping", error.what());
+        }
         if (const std::string fault = coefficients_fault(c); !fault.empty())
             refuse(place / "coefficients", fault);
         hull.coefficients = std::make_shared<const WaveCoefficients>(std::move(c));

@@ -13,6 +13,8 @@ namespace hawser::scene {
 [[nodiscard]] WaterHull hull_of(const Json& json, const Place& place);
 /// A file of it was refused, and what it should have become is not there.
 [[nodiscard]] bool hull_left_out(const Json& json);
+/// Treatment of damping by its word.
+[[nodiscard]] NegativeDamping negative_damping_of(const std::string& word) noexcept;
 /// Coefficients as a scene has them.
 [[nodiscard]] Json coefficients_json(const WaveCoefficients& c);
 
