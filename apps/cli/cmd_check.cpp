@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/exercise.h>
+
 #include "commands.h"
 #include "report/start/cable_starts.h"
 #include "report/start/check.h"
+#include "report/start/parts.h"
 #include "scene_options.h"
 #include "signal_list.h"
 
@@ -26,7 +29,8 @@ constexpr const char* kCheckFooter = R"(Examples:
 Reads each scene completely and lists every mistake in it: file, place in the document, what was
 expected. Then looks at its start: joints that contradict or repeat each other, shapes inside each
 other, gaps, lines beyond their breaking load, masses and inertias that fit no body, motors against
-what holds, wires and joints that the step does not resolve. Contradictions and bodies that lie more
+what holds, wires and joints that the step does not resolve, numbers of the sea that do not fit each
+other. An exercise is read with its scene. Contradictions and bodies that lie more
 than half in each other are errors, all else warnings. Of a single scene, and with --cables, it says with
 what tension each cable starts. Exit codes: 0 all scenes are good, with
 warnings or without, 1 at least one is not.)";
@@ -53,14 +57,30 @@ struct Checked {
     [[nodiscard]] bool good() const { return scene && start.errors() == 0; }
 };
 
+/// Read an exercise: its scene, and points that cannot be reached.
+void read_exercise(const SceneOptions& options, Checked& out) {
+    try {
+        exercise::Loaded loaded = exercise::load_file(options.file, options.options());
+        report::start::check_points(loaded.exercise, out.start);
+        out.scene = std::move(loaded.scene);
+    } catch (const scene::SceneError& error) {
+        out.mistakes.push_back(error);
+    }
+}
+
 Checked examine(const CheckOptions& options, const std::string& file) {
     SceneOptions one = options.scene;
     one.file = file;
     Checked out;
-    out.scene = one.load(out.mistakes);
+    if (exercise::is_exercise(file))
+        read_exercise(one, out);
+    else
+        out.scene = one.load(out.mistakes);
     if (!out.scene) return out;
     const record::SceneInfo info = record::info_of(*out.scene);
-    out.start = report::start::check_start(info, out.scene->world);
+    report::start::Findings found = report::start::check_start(info, out.scene->world);
+    for (report::start::Finding& f : found.list) out.start.list.push_back(std::move(f));
+    out.start.sort();
     if (options.says_cables()) out.cables = report::start::cable_starts(info, out.scene->world);
     return out;
 }

@@ -13,6 +13,8 @@ Findings check_start(const record::SceneInfo& scene, const World& world, std::si
     check_cable_density(scene, world, out);
     check_hulls(world, out);
     check_dry_lines(scene, world, out);
+    check_sea_scene(scene, world, out);
+    check_document(scene, out);
     check_posts(scene, world, out);
     check_tensions(scene, world, out);
     check_overlaps(scene, world, out);

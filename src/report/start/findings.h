@@ -25,11 +25,17 @@ enum class FindingKind : std::uint8_t {
     /// A hull that does not carry its mass, or rods that displace beside it. value: mass of the
     /// body over that of the water.
     displacement,
-    dry,         ///< A cable that the sea does not act on. value: its length [m].
-    post,        ///< A post that never takes a cable beside it. value: how far it is [m].
-    unexamined,  ///< Too large to be looked at. value: rows or bodies.
+    dry,          ///< A cable that the sea does not act on, or without drag. value: its length [m].
+    depth,        ///< A seabed that is not at the sea's depth. value: difference [m].
+    short_waves,  ///< A hull in waves too short for constants. value: wavelength over length.
+    memory,       ///< A radiation memory that is cut too early. value: K(T)/K(0).
+    stiffness,    ///< EA that does not fit a diameter. value: EA/d² [N/m²].
+    brake,        ///< A winch that starts braked without a brake.
+    points,       ///< An exercise that cannot be passed. value: points needed less possible.
+    post,         ///< A post that never takes a cable beside it. value: how far it is [m].
+    unexamined,   ///< Too large to be looked at. value: rows or bodies.
 };
-inline constexpr int kFindingKindCount = 16;
+inline constexpr int kFindingKindCount = 22;
 [[nodiscard]] const char* to_string(FindingKind kind) noexcept;
 
 struct Finding {

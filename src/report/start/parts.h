@@ -10,6 +10,10 @@
 #include <string>
 #include <vector>
 
+namespace hawser::exercise {
+struct Exercise;
+}
+
 namespace hawser::report::start {
 
 /// Masses, sizes and inertias (bodies.cpp); turns in a step.
@@ -18,6 +22,13 @@ void check_bodies(const World& world, Findings& out);
 void check_cable_density(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Cables that are in air although their line type is made for water (dry_lines.cpp).
 void check_dry_lines(const record::SceneInfo& scene, const World& world, Findings& out);
+/// Sea depth and seabeds that differ, wires without drag, hulls in short waves, memories that are
+/// cut too early (sea_scene.cpp).
+void check_sea_scene(const record::SceneInfo& scene, const World& world, Findings& out);
+/// Line types and winches of the document whose numbers do not fit (document.cpp).
+void check_document(const record::SceneInfo& scene, Findings& out);
+/// Points that an exercise needs and its goals do not give (points.cpp).
+void check_points(const exercise::Exercise& exercise, Findings& out);
 /// Posts beside cables that they never take (posts.cpp).
 void check_posts(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Hulls that displace more or less than they carry: what joints hold to their bodies, and what

@@ -122,10 +122,20 @@ double pull_at_ends(const World& world, const record::CableInfo& cable, const Ca
     return pull;
 }
 
+/// True if the sea acts on the cable.
+bool in_the_sea(const World& world, const std::string& cable) {
+    const SeaDef* sea = find_sea(world);
+    const WireId wire = world.find_wire(cable);
+    return sea != nullptr && wire.valid() &&
+           std::any_of(sea->lines.begin(), sea->lines.end(),
+                       [&](const WaterLine& line) { return line.wire == wire; });
+}
+
 void check_wire(const World& world, const record::CableInfo& cable, const StartForces& forces,
                 double at_ends, Findings& out) {
     const double h = world.settings().step;
     double worst = 0.0, tension = 0.0;
+    const bool wet = in_the_sea(world, cable.name);
     for (std::size_t i = 0; i < cable.elements.size() && i + 1 < cable.nodes.size(); ++i) {
         const InteractionDef& def = world.interaction_def(cable.elements[i]);
         double mass = 0.0;
@@ -140,8 +150,10 @@ void check_wire(const World& world, const record::CableInfo& cable, const StartF
         if (lumps == 0) continue;
         mass /= lumps;
         const double length = def.get("length");
-        const double pull = std::max(
-            {start_tension(world, cable.elements[i]), forces.push(cable.elements[i]), at_ends});
+        // A step from rest knows no buoyancy: in the sea the start is at rest, or slack.
+        const double at_start = start_tension(world, cable.elements[i]);
+        const double step = wet && at_start > 0.0 ? 0.0 : forces.push(cable.elements[i]);
+        const double pull = std::max({at_start, step, at_ends});
         const double ratio = h * std::sqrt(pull / (mass * length));  // ρ = m/l
         if (ratio <= worst) continue;
         worst = ratio;
