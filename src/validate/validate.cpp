@@ -4,6 +4,7 @@
 #include "record/files.h"
 #include "validate/cases.h"
 #include "validate/data.h"
+#include "validate/firstday.h"
 #include "validate/robust.h"
 #include "validate/sea.h"
 #include "validate/wires.h"
@@ -65,7 +66,7 @@ constexpr Case kCases[] = {
 const Case* find(const std::string& wanted) {
     for (const std::span<const Case> cases :
          {std::span<const Case>(kCases), robust_cases(), wire_cases(), sea_cases(),
-          long_sea_cases(), data_cases()})
+          firstday_cases(), long_sea_cases(), data_cases()})
         for (const Case& c : cases)
             if (wanted == c.id || wanted == c.name) return &c;
     return nullptr;
@@ -105,6 +106,10 @@ int run_cases(const std::vector<std::string>& cases, const std::string& json_fil
         for (const Case& c : wire_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         fmt::print("sea: water against closed forms, not among those that run unasked\n");
         for (const Case& c : sea_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
+        fmt::print(
+            "firstday: what the first scenes of a user meet, not among those that run unasked\n");
+        for (const Case& c : firstday_cases())
+            fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         fmt::print("minutes long, by name alone\n");
         for (const Case& c : long_sea_cases())
             fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
@@ -124,6 +129,10 @@ int run_cases(const std::vector<std::string>& cases, const std::string& json_fil
         }
         if (name == "sea") {
             for (const Case& c : sea_cases()) chosen.push_back(&c);
+            continue;
+        }
+        if (name == "firstday") {
+            for (const Case& c : firstday_cases()) chosen.push_back(&c);
             continue;
         }
         chosen.push_back(find(name));

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file firstday.h
+/// Cases of `hawser validate firstday`: first scenes of a user, at steps of 1/60 and 1/240 s.
+
+#include "validate/robust.h"
+
+#include <span>
+
+namespace hawser::validate {
+
+/// Those that "firstday" stands for; at most two minutes together.
+[[nodiscard]] std::span<const Case> firstday_cases();
+
+// firstday_lines.cpp
+void case_first_chains(Report& report);
+void case_first_lines(Report& report);
+// firstday_hulls.cpp
+void case_first_waves(Report& report);
+void case_first_drag(Report& report);
+void case_first_memory(Report& report);
+// firstday_checks.cpp
+void case_first_warnings(Report& report);
+
+}  // namespace hawser::validate
