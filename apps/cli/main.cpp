@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <hawser/hawser.h>
+#include <hawser/hydro_files.h>
 
 #include <cstdio>
 #include <exception>
@@ -81,6 +82,7 @@ int run_main(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     using namespace hawser::cli;
+    if (const auto code = hawser::serve_coefficients_reader(argc, argv)) return *code;
     open_streams();
     int code = kUsageError;
     try {

@@ -12,6 +12,11 @@
 namespace hawser {
 
 WaveCoefficients read_coefficients(const std::string& file, const HydroUnits& units) {
+    return read_coefficients(file, units, ReaderLimits::of_environment());
+}
+
+WaveCoefficients read_coefficients(const std::string& file, const HydroUnits& units,
+                                   const ReaderLimits& limits) {
     const scene::Path path(file);
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(path, error);
@@ -19,20 +24,13 @@ WaveCoefficients read_coefficients(const std::string& file, const HydroUnits& un
     if (size > scene::kLargestHydroFile)
         scene::refuse_hydro(path, std::to_string(size) + " bytes; up to " +
                                       std::to_string(scene::kLargestHydroFile) + " are read");
-    const std::string ending = path.extension().string();
-    WaveCoefficients out;
-    if (ending == ".1")
-        out = scene::read_wamit(path, units);
-    else if (ending == ".tec")
-        out = scene::read_nemoh_tec(path, units);
-    else if (ending == ".nc")
-        out = scene::read_capytaine(path, units);
-    else if (ending == ".h5")
-        out = scene::read_bemio(path, units);
-    else
+    if (!(units.body >= 0 && units.body <= 999))
         scene::refuse_hydro(path,
-                            "its name ends with none of .1 (WAMIT), .tec (NEMOH), .nc (Capytaine), "
-                            ".h5 (BEMIO)");
+                            "body number " + std::to_string(units.body) + " is outside 0 to 999");
+    const std::string ending = path.extension().string();
+    const bool apart = (ending == ".nc" || ending == ".h5") && !limits.in_process;
+    WaveCoefficients out =
+        apart ? scene::read_apart(path, units, limits) : scene::read_here(path, units);
     out = repaired_damping(out, units.negative_damping);
     if (const std::string fault = coefficients_fault(out); !fault.empty())
         scene::refuse_hydro(path, fault);
@@ -45,6 +43,17 @@ namespace hawser::scene {
 
 void refuse_hydro(const Path& file, const std::string& what) {
     throw DefError("coefficients '" + file.string() + "': " + what);
+}
+
+WaveCoefficients read_here(const Path& file, const HydroUnits& units) {
+    const std::string ending = file.extension().string();
+    if (ending == ".1") return read_wamit(file, units);
+    if (ending == ".tec") return read_nemoh_tec(file, units);
+    if (ending == ".nc") return read_capytaine(file, units);
+    if (ending == ".h5") return read_bemio(file, units);
+    refuse_hydro(file,
+                 "its name ends with none of .1 (WAMIT), .tec (NEMOH), .nc (Capytaine), "
+                 ".h5 (BEMIO)");
 }
 
 std::string text_of(const Path& file) {
@@ -74,6 +83,9 @@ std::vector<NumberLine> number_lines(const Path& file, std::size_t most) {
     std::istringstream lines(text_of(file));
     std::vector<NumberLine> out;
     std::string row;
+    // A line costs as much memory as some eight numbers.
+    constexpr std::size_t kLine = 8;
+    std::size_t total = 0;
     for (std::size_t line = 1; std::getline(lines, row); ++line) {
         std::istringstream words(row);
         NumberLine numbers{line, {}};
@@ -94,7 +106,13 @@ std::vector<NumberLine> number_lines(const Path& file, std::size_t most) {
                                        std::to_string(most) + " numbers");
             numbers.value.push_back(value);
         }
-        if (!heading && !numbers.value.empty()) out.push_back(std::move(numbers));
+        if (heading || numbers.value.empty()) continue;
+        total += numbers.value.size() + kLine;
+        if (total > kMostHydroNumbers)
+            refuse_hydro(file, "line " + std::to_string(line) + ": more numbers than are read (" +
+                                   std::to_string(kMostHydroNumbers) +
+                                   ", a line counts as 8 more)");
+        out.push_back(std::move(numbers));
     }
     return out;
 }

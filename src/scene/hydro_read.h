@@ -16,6 +16,8 @@ using Path = std::filesystem::path;
 
 /// Largest file that is read [bytes].
 inline constexpr std::uintmax_t kLargestHydroFile = 256u << 20u;
+/// Most numbers that number_lines() reads of a text file.
+inline constexpr std::size_t kMostHydroNumbers = 20'000'000;
 
 [[noreturn]] void refuse_hydro(const Path& file, const std::string& what);
 
@@ -48,5 +50,10 @@ class Axis {
 [[nodiscard]] WaveCoefficients read_nemoh_tec(const Path& file, const HydroUnits& units);
 [[nodiscard]] WaveCoefficients read_capytaine(const Path& file, const HydroUnits& units);
 [[nodiscard]] WaveCoefficients read_bemio(const Path& file, const HydroUnits& units);
+/// Read a file of any format in this process.
+[[nodiscard]] WaveCoefficients read_here(const Path& file, const HydroUnits& units);
+/// Read a file in a reader program.
+[[nodiscard]] WaveCoefficients read_apart(const Path& file, const HydroUnits& units,
+                                          const ReaderLimits& limits);
 
 }  // namespace hawser::scene

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file hydro_spawn.h
+/// Starts a program, collects what it writes to a descriptor, and ends it at a time limit.
+
+#include <string>
+#include <vector>
+
+namespace hawser::scene {
+
+/// Descriptor that the started program writes to.
+inline constexpr int kReaderDescriptor = 3;
+
+enum class SpawnEnd {
+    exited,       ///< `code` is its exit code.
+    killed,       ///< `code` is the signal.
+    too_long,     ///< Killed at the time limit.
+    too_large,    ///< Killed since it wrote more than `most` bytes.
+    not_started,  ///< `code` is errno.
+};
+struct SpawnResult {
+    SpawnEnd end = SpawnEnd::not_started;
+    int code = 0;
+    std::vector<char> output{};
+};
+
+/// Start `program` by posix_spawn: memory and locks of this process stay out of it. Its standard
+/// streams are /dev/null. Returns after it has ended.
+/// @param seconds  Wall time after which it is killed [s].
+/// @param most     Bytes of output.
+[[nodiscard]] SpawnResult spawn_reader(const std::string& program,
+                                       const std::vector<std::string>& arguments, double seconds,
+                                       std::size_t most);
+
+}  // namespace hawser::scene
