@@ -29,6 +29,7 @@
 #include <hawser/interactions.h>
 #include <hawser/math.h>
 #include <hawser/shapes.h>
+#include <hawser/state_visitor.h>
 #include <hawser/stats.h>
 #include <hawser/wire.h>
 
@@ -114,7 +115,7 @@ class Loads {
 
   private:
     template <class M>
-    static void add(const BodyLoad& load, const M& from, double* BodyLoad::* to) noexcept {
+    static void add(const BodyLoad& load, const M& from, double* BodyLoad::*to) noexcept {
         const int n = load.freedom < from.rows() ? load.freedom : static_cast<int>(from.rows());
         for (int i = 0; i < n; ++i)
             for (int j = 0; j <= i; ++j) (load.*to)[triangle(i, j)] += from(i, j);
@@ -127,25 +128,6 @@ struct LoadView {
     BodyId body{};
     std::span<const double> force, mass, damping, stiffness;  ///< As in BodyLoad.
     double late = 0.5;  ///< θ: share of D that the velocity after the step sees.
-};
-
-/// Visits the numbers that make up a system's state.
-class StateVisitor {
-  public:
-    virtual ~StateVisitor() = default;
-    void visit(double& value) { bytes(&value, sizeof value); }
-    void visit(std::int64_t& value) { bytes(&value, sizeof value); }
-    void visit(std::int32_t& value) { bytes(&value, sizeof value); }
-    void visit(std::span<double> values) { bytes(values.data(), values.size_bytes()); }
-    void visit(std::span<std::int64_t> values) { bytes(values.data(), values.size_bytes()); }
-    void visit(std::span<std::int32_t> values) { bytes(values.data(), values.size_bytes()); }
-    /// True around a step, whose failure is to take back what prestep() did: only what that may
-    /// change need be visited, the same before and after. A long memory of which a step writes one
-    /// line visits that line.
-    [[nodiscard]] virtual bool around_step() const noexcept { return false; }
-
-  protected:
-    virtual void bytes(void* data, std::size_t size) = 0;
 };
 
 /// A number of a system that others set or read by name.
@@ -330,6 +312,15 @@ class System {
     /// All numbers that later steps depend on, in a fixed order and number: they are saved,
     /// restored, hashed, copied to twins, and taken back where a step fails.
     virtual void visit_state(StateVisitor& visitor) { static_cast<void>(visitor); }
+    /// Check a state that visit_state() has read from a snapshot, before anything acts on it: a
+    /// right checksum does not make sense of the numbers. Check indices, flags, enums, counts of
+    /// loops, and ids, which have to be alive where they are used. The world checks by itself that
+    /// numbers are finite and up to 1e300, and inputs among the signals within their ranges.
+    /// @param world  Has its bodies and interactions, but not yet their restored poses.
+    virtual void check_state(const World& world, StateRules& rules) const {
+        static_cast<void>(world);
+        static_cast<void>(rules);
+    }
     /// Numbers with names for others. Asked for once, when it is added.
     virtual void signals(SignalTable& table) { static_cast<void>(table); }
     /// What must not be removed while it acts: World::remove_body() and its like refuse it,

@@ -53,6 +53,21 @@ void CraneSystem::visit_state(StateVisitor& v) {
     v.visit(held_);
 }
 
+void CraneSystem::check_state(const World& world, StateRules& rules) const {
+    static_cast<void>(world);
+    for (std::size_t i = 0; i < orders_.size(); ++i) {
+        const Order& o = orders_[i];
+        const double most =
+            2.0 * parts_.drives[i].most;  // a ramp of no time overshoots by rounding
+        rules.range(o.ramped, -most, most, "the speed of a motion is out of range");
+        rules.flag(o.braked, "whether a brake is set is no flag");
+    }
+    rules.require(clock_ >= 0.0, "the clock of the alarm is below 0");
+    rules.require(step_ >= 0 && step_ <= 2, "there is no such alarm");
+    rules.require(held_ >= 0 && static_cast<std::size_t>(held_) <= task_.loads.size(),
+                  "there is no such load");
+}
+
 void CraneSystem::signals(SignalTable& table) {
     for (std::size_t i = 0; i < kMotions; ++i) {
         const Drive& d = parts_.drives[i];

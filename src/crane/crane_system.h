@@ -70,6 +70,7 @@ class CraneSystem final : public System {
     [[nodiscard]] std::string_view name() const noexcept override { return task_.name; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
     void visit_state(StateVisitor& visitor) override;
+    void check_state(const World& world, StateRules& rules) const override;
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
     [[nodiscard]] std::unique_ptr<System> clone() const override {

@@ -25,6 +25,15 @@ void HookSystem::visit_state(StateVisitor& v) {
     for (std::int32_t* x : {&held_, &state_, &told_}) v.visit(*x);
 }
 
+void HookSystem::check_state(const World& world, StateRules& rules) const {
+    static_cast<void>(world);
+    rules.require(held_ >= 0 && static_cast<std::size_t>(held_) <= def_.loads.size(),
+                  "there is no such load");
+    rules.require(state_ >= 0 && state_ <= static_cast<std::int32_t>(HookState::opened),
+                  "there is no such state of the hook");
+    rules.flag(told_, "whether a miss was reported is no flag");
+}
+
 void HookSystem::signals(SignalTable& table) {
     table.input("take", "1", take_, 0.0, static_cast<double>(def_.loads.size()));
     table.output("held", "1", shown_);

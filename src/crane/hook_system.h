@@ -22,6 +22,7 @@ class HookSystem final : public System {
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
     void visit_state(StateVisitor& visitor) override;
+    void check_state(const World& world, StateRules& rules) const override;
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override { table.hold(def_.body); }
     [[nodiscard]] std::unique_ptr<System> clone() const override {

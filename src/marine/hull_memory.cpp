@@ -120,6 +120,19 @@ void HullMemorySums::visit_state(StateVisitor& v) {
     go_on_behind();
 }
 
+void HullMemorySums::check_state(StateRules& rules) const {
+    if (!follows()) return;
+    constexpr double kMostSpeed = 1e15;  // as velocities of bodies [m/s, rad/s]
+    rules.require(newest_ >= 0 && newest_ < std::max<std::int64_t>(count_, 1),
+                  "there is no such sample of a hull's memory");
+    rules.require(begun_ == 0 || begun_ == 1, "whether a hull's memory has begun is no flag");
+    rules.require(last_.cwiseAbs().maxCoeff() <= kMostSpeed, "the speed of a hull is out of range");
+    for (int i = 0; i < 6; ++i)
+        for (std::int64_t m = 0; m < count_; ++m)
+            rules.range(past_[place(i, m)], -kMostSpeed, kMostSpeed,
+                        "the memory of a hull is out of range");
+}
+
 void HullMemorySums::tell(HullMemory& out) const {
     out.kind = kind_;
     out.step = step_;

@@ -174,6 +174,11 @@ void HullWater::visit_state(StateVisitor& v) {
     waves_.visit_state(v);
 }
 
+void HullWater::check_state(StateRules& rules) const {
+    memory_.check_state(rules);
+    waves_.check_state(rules);
+}
+
 void HullWater::tell(HullMemory& out) const {
     memory_.tell(out);
     waves_.tell(out);

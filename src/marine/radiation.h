@@ -88,6 +88,7 @@ class HullMemorySums {
     /// ½ h K(0) and what passivity needs.
     [[nodiscard]] const Matrix6& damping() const noexcept { return damping_; }
     void visit_state(StateVisitor& v);
+    void check_state(StateRules& rules) const;
     void tell(HullMemory& out) const;
     [[nodiscard]] bool any() const noexcept { return kind_ != RadiationKind::none; }
     /// push() is to be called: there is a memory, or ahead() is asked for.

@@ -101,6 +101,11 @@ void SeaSystem::visit_state(StateVisitor& v) {
     for (HullWater& hull : hulls_) hull.visit_state(v);
 }
 
+void SeaSystem::check_state(const World& world, StateRules& rules) const {
+    static_cast<void>(world);
+    for (const HullWater& hull : hulls_) hull.check_state(rules);
+}
+
 HullMemory SeaSystem::memory(std::size_t hull) const {
     HullMemory out;
     if (hull >= hulls_.size())

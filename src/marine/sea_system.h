@@ -119,6 +119,7 @@ class HullWater {
     /// A wave has a direction that the coefficients lack.
     [[nodiscard]] bool lost() const noexcept { return lost_; }
     void visit_state(StateVisitor& v);
+    void check_state(StateRules& rules) const;
     void tell(HullMemory& out) const;
 
     std::array<double, 6> force{};
@@ -174,6 +175,7 @@ class SeaSystem final : public System {
     [[nodiscard]] std::string_view name() const noexcept override { return "sea"; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
     void visit_state(StateVisitor& visitor) override;
+    void check_state(const World& world, StateRules& rules) const override;
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
     [[nodiscard]] bool is_water() const noexcept override { return true; }

@@ -30,6 +30,7 @@ class WaveForce {
     /// Heading of the body without its oscillation in the waves [rad].
     [[nodiscard]] double heading() const noexcept { return slow(2); }
     void visit_state(StateVisitor& v);
+    void check_state(StateRules& rules) const;
     void tell(HullMemory& out) const;
 
   private:

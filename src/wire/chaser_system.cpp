@@ -42,6 +42,23 @@ void ChaserSystem::visit_state(StateVisitor& v) {
     guide_->visit_state(v);
 }
 
+void ChaserSystem::check_state(const World& world, StateRules& rules) const {
+    rules.require(state_ >= 0 && state_ <= static_cast<std::int32_t>(ChaserState::on),
+                  "there is no such state of the chaser");
+    rules.require(due_ >= 0 && due_ <= static_cast<std::int32_t>(Due::let_go),
+                  "the chaser has nothing such to report");
+    rules.require(reached_ >= 0 && reached_ <= 2, "there is no such end of the wire");
+    rules.require(wait_ >= 0 && wait_ <= kTryAgain, "the wait of the chaser is out of range");
+    rules.range(arrived_, 0.0, 2.0, "there is no such end of the wire");
+    if (!is(ChaserState::on)) return;
+    // A wire that was taken away is let go before the next step.
+    const Guide& ids = guide_->ids();
+    if (world.alive(ids.slide) && world.alive(ids.before) && world.alive(ids.behind) &&
+        world.alive(ids.friction))
+        guide_->check_place(world, rules);
+    guide_->check_state(world, rules);
+}
+
 void ChaserSystem::signals(SignalTable& table) {
     table.input("close", "1", close_, 0.0, 1.0);
     table.output("state", "1", shown_);

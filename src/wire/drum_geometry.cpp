@@ -12,16 +12,20 @@ namespace {
 /// Of a quotient that is a whole number but for rounding.
 constexpr double kRounding = 1e-9;
 
+/// A quotient as a whole number up to the most layers or wraps; NaN is 0.
+int whole_part(double quotient) noexcept {
+    const double whole = std::floor(quotient + kRounding);
+    return whole >= 0.0 ? static_cast<int>(std::min(whole, 1.0 * DrumGeometry::kMostLayers)) : 0;
+}
+
 }  // namespace
 
-int DrumGeometry::wraps_a_layer() const noexcept {
-    return static_cast<int>(std::floor(width / wire_diameter + kRounding));
-}
+int DrumGeometry::wraps_a_layer() const noexcept { return whole_part(width / wire_diameter); }
 
 int DrumGeometry::layers() const noexcept {
     const double above = flange_radius - core_radius - wire_diameter;  // of the first layer
     if (above < -kRounding) return 0;
-    return 1 + static_cast<int>(std::floor(above / layer_pitch + kRounding));
+    return std::min(1 + whole_part(above / layer_pitch), kMostLayers);
 }
 
 double DrumGeometry::radius(int layer) const noexcept {
@@ -35,13 +39,15 @@ double DrumGeometry::length_of(int layers) const noexcept {
 
 DrumGeometry::Place DrumGeometry::place(double length) const noexcept {
     Place out{.radius = radius(1)};
-    const double l = std::max(length, 0.0), n = wraps_a_layer();
+    const double n = wraps_a_layer();
+    // A length that no drum holds, and NaN, end in the last layer or at the first.
+    const double l = length > 0.0 ? std::min(length, length_of(kMostLayers)) : 0.0;
     // The larger root of S(K) = l, and then the whole number that rounding may have missed.
     const double a = 0.5 * layer_pitch, b = radius(1) - a, c = l / (kTurn * n);
     const double root = 2.0 * c / (b + std::sqrt(b * b + 4.0 * a * c));
-    out.layer = std::max(1, static_cast<int>(std::ceil(root)));
+    out.layer = root > 1.0 ? static_cast<int>(std::min(std::ceil(root), 1.0 * kMostLayers)) : 1;
     while (out.layer > 1 && length_of(out.layer - 1) >= l) --out.layer;
-    while (length_of(out.layer) < l) ++out.layer;
+    while (out.layer < kMostLayers && length_of(out.layer) < l) ++out.layer;
     out.radius = radius(out.layer);
     const double here = (l - length_of(out.layer - 1)) / (kTurn * out.radius);
     out.wraps = (out.layer - 1) * n + here;
@@ -72,7 +78,7 @@ double DrumGeometry::angle(double length) const noexcept { return kTurn * place(
 
 double DrumGeometry::length(double angle) const noexcept {
     const double wraps = std::max(angle, 0.0) / kTurn, n = wraps_a_layer();
-    const double full = std::floor(wraps / n);
+    const double full = std::min(std::floor(wraps / n), kMostLayers - 1.0);
     const int layers = static_cast<int>(full);
     return length_of(layers) + kTurn * radius(layers + 1) * (wraps - n * full);
 }

@@ -35,6 +35,9 @@ struct DrumGeometry {
     double layer_pitch = 0.0;    ///< p [m].
     double flange_radius = 0.0;  ///< Wire does not stand above it [m].
 
+    /// Most layers, and most wraps of a layer, that are counted.
+    static constexpr int kMostLayers = 100'000;
+
     /// Turns side by side in a layer, n.
     [[nodiscard]] int wraps_a_layer() const noexcept;
     /// Layers that fit below the flange.
@@ -53,7 +56,8 @@ struct DrumGeometry {
         double wraps = 0.0;   ///< On the drum, in all.
         double across = 0.0;  ///< Level wind: along the axis from the middle, −w/2 to w/2 [m].
     };
-    /// @param length  [m]; below 0 as 0, beyond the capacity on further layers.
+    /// @param length  [m]; below 0 and NaN as 0, beyond the capacity on further layers, up to
+    /// kMostLayers.
     [[nodiscard]] Place place(double length) const noexcept;
     /// Radius at which the wire leaves the drum with a length on it [m].
     [[nodiscard]] double leaving_radius(double length) const noexcept;

@@ -46,7 +46,44 @@ void GuideSystem::visit_place(StateVisitor& v) {
     for (InteractionId* id : {&ids_.before, &ids_.behind, &ids_.friction}) visit(*id);
     visit(stop_);
     v.visit(std::span<double>(def_.point.data(), 3));
-    for (double* x : {&def_.radius, &def_.element_length, &def_.mass_per_length}) v.visit(*x);
+    for (double* x : {&def_.radius, &def_.element_length, &def_.mass_per_length})
+        v.visit_or_nan(*x);
+}
+
+void GuideSystem::check_state(const World& world, StateRules& rules) const {
+    static_cast<void>(world);
+    constexpr double kMostWire = 1e7, kMostAngle = 1e6;  // [m], [rad]
+    rules.range(material_[0], -kMostWire, kMostWire, "the wire before the guide is out of range");
+    rules.range(material_[1], -kMostWire, kMostWire, "the wire behind the guide is out of range");
+    rules.range(slide_, -1e15, 1e15, "the slide of the guide is out of range");
+    rules.range(angle_, -kMostAngle, kMostAngle, "the angle at the guide is out of range");
+    rules.range(bound_, 0.0, kUnbounded, "the friction of the guide is out of range");
+    rules.require(parted_ >= 0 && parted_ <= kRanOff, "there is no such condition of the guide");
+    rules.require(stopped_ >= -1 && stopped_ <= 1, "there is no such side of the guide");
+}
+
+void GuideSystem::check_place(const World& world, StateRules& rules) const {
+    if (ran_off()) return;  // nothing of it is used
+    const auto lies = [&](std::size_t side) {
+        if (!world.alive(element(side))) return false;
+        const InteractionDef& d = world.interaction_def(element(side));
+        return kind_info(d.kind).is(kAtGuide) && d.body[kPlace[side]] == def_.body &&
+               d.body[2] == ids_.slide;
+    };
+    rules.require(world.alive(ids_.slide) && def_.slide == ids_.slide &&
+                      world.body_def(ids_.slide).kind == BodyKind::scalar,
+                  "the guide has no slide");
+    rules.require(lies(0) && lies(1), "an element does not run over the guide");
+    rules.require(world.alive(ids_.friction) && world.alive(stop_) &&
+                      world.find_interaction(def_.name + "/friction") == ids_.friction &&
+                      world.find_input(def_.name + "/friction/force") == stop_,
+                  "the guide has no friction");
+    rules.require(world.alive(def_.wire), "the guide has no wire");
+    rules.require(def_.point.allFinite() && def_.point.norm() <= 1e7,
+                  "the place of the guide is out of range");
+    rules.range(std::abs(def_.radius), 0.0, 1e6, "the radius of the guide is out of range");
+    rules.range(def_.element_length, 0.0, 1e7, "the element of the guide is out of range");
+    rules.range(def_.mass_per_length, 0.0, 1e9, "the mass of the wire is out of range");
 }
 
 void GuideSystem::signals(SignalTable& table) {

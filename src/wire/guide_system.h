@@ -37,6 +37,8 @@ class GuideSystem final : public System {
                 const std::array<double, 2>& material);
     /// What is not the same for all times where a post has it: what lies on it, and how.
     void visit_place(StateVisitor& visitor);
+    /// Check the numbers of visit_place().
+    void check_place(const World& world, StateRules& rules) const;
     /// The wire runs through from the start [m/s].
     void begin_at(double speed) noexcept { speed_ = speed; }
 
@@ -71,6 +73,7 @@ class GuideSystem final : public System {
     void prestep(Prestep& now, Loads& loads) noexcept override;
     void before_step(NodeEdits& nodes) noexcept override;
     void visit_state(StateVisitor& visitor) override;
+    void check_state(const World& world, StateRules& rules) const override;
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
     [[nodiscard]] double carried_mass(InteractionId element) const noexcept override;

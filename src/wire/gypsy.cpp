@@ -71,6 +71,14 @@ void GypsyChain::visit_state(StateVisitor& v) {
     for (std::int32_t* x : {&jumping_, &caught_}) v.visit(*x);
 }
 
+void GypsyChain::check_state(StateRules& rules) const {
+    constexpr double kMostPockets = 1e9;
+    rules.range(seat_, -kMostPockets, kMostPockets, "the pocket of the chain is out of range");
+    rules.require(seat_ == std::round(seat_), "the pocket of the chain is no whole number");
+    rules.flag(jumping_, "whether the chain jumps is no flag");
+    rules.flag(caught_, "whether the chain was caught is no flag");
+}
+
 void GypsyChain::signals(SignalTable& table) {
     table.output("jumps", "1", count_);
     table.output("jumped", "m", jumped_);

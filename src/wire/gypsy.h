@@ -63,6 +63,7 @@ class GypsyChain {
     [[nodiscard]] GripOrder order(double h) const noexcept;
     [[nodiscard]] bool jumps() const noexcept { return jumping_ != 0; }
     void visit_state(StateVisitor& v);
+    void check_state(StateRules& rules) const;
     void signals(SignalTable& table);
     void feel_tail(double tail) noexcept { tail_ = tail; }
     [[nodiscard]] double tail() const noexcept { return tail_; }

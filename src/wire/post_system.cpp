@@ -80,6 +80,17 @@ void PostSystem::visit_state(StateVisitor& v) {
     }
 }
 
+void PostSystem::check_state(const World& world, StateRules& rules) const {
+    for (const std::int32_t on : on_) rules.flag(on, "whether a wire lies on the post is no flag");
+    rules.require(wait_ >= 0 && wait_ <= kWait, "the wait of the post is out of range");
+    rules.require(steady_ >= 0 && steady_ <= kSteady, "the looks of the post are out of range");
+    for (std::size_t k = 0; k < on_.size(); ++k) {
+        if (on_[k] != 1) continue;
+        guides_[k]->check_place(world, rules);
+        guides_[k]->check_state(world, rules);
+    }
+}
+
 void PostSystem::signals(SignalTable& table) {
     table.output("held", "1", held_);
     table.output("taken", "1", taken_);

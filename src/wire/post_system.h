@@ -45,6 +45,7 @@ class PostSystem final : public System, public PassedPost {
     void prestep(Prestep& now, Loads& loads) noexcept override;
     void before_step(NodeEdits& nodes) noexcept override;
     void visit_state(StateVisitor& visitor) override;
+    void check_state(const World& world, StateRules& rules) const override;
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
     [[nodiscard]] double carried_mass(InteractionId element) const noexcept override;

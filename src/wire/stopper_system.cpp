@@ -49,6 +49,27 @@ void StopperSystem::visit_state(StateVisitor& v) {
     v.visit(std::span<double>(place_));
 }
 
+void StopperSystem::check_state(const World& world, StateRules& rules) const {
+    const auto known = [](std::int32_t state) {
+        return state >= 0 && state <= static_cast<std::int32_t>(StopperState::tripped);
+    };
+    rules.require(known(state_) && known(after_), "there is no such state of the stopper");
+    rules.flag(told_, "whether an event is due is no flag");
+    rules.require(idle_steps_ >= 0 && idle_steps_ < 2'000'000'000,
+                  "the steps of idle nodes are out of range");
+    const auto lump = [&](BodyId id) {
+        return !id.valid() || !world.alive(id) || world.body_def(id).kind == BodyKind::lump;
+    };
+    rules.require(lump(node_) && lump(put_), "the stopper holds no node of a wire");
+    for (const BodyId id : idle_) rules.require(lump(id), "an idle node is none of a wire");
+    const Vec3 place(place_[0], place_[1], place_[2]);
+    rules.require(place.allFinite() && place.norm() <= 1e7, "the place is out of range");
+    if (!world.alive(joint_)) return;  // others took it away
+    const InteractionDef& d = world.interaction_def(joint_);
+    rules.require(d.name == joint_name_ && d.body[0] == def_.body && d.body[1] == node_,
+                  "the stopper's joint is another one");
+}
+
 void StopperSystem::signals(SignalTable& table) {
     table.input("close", "1", close_, 0.0, 1.0);
     table.output("state", "1", shown_);

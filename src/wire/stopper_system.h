@@ -37,6 +37,7 @@ class StopperSystem final : public System {
     void prestep(Prestep& now, Loads& loads) noexcept override;
     void before_step(NodeEdits& nodes) noexcept override;
     void visit_state(StateVisitor& visitor) override;
+    void check_state(const World& world, StateRules& rules) const override;
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override { table.hold(def_.body); }
     [[nodiscard]] std::unique_ptr<System> clone() const override {

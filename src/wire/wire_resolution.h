@@ -39,6 +39,7 @@ class WireResolution final : public System {
     void before_step(NodeEdits& nodes) noexcept override;
     void prestep(Prestep& now, Loads& loads) noexcept override;
     void visit_state(StateVisitor& visitor) override;
+    void check_state(const World& world, StateRules& rules) const override;
     void signals(SignalTable& table) override;
     [[nodiscard]] bool coarsens() const noexcept override { return nodes_ > 3.0; }
     [[nodiscard]] std::unique_ptr<System> clone() const override {

@@ -89,6 +89,25 @@ void analyse_as_saved(stepper::StepContext& ctx, const factor::AnalysisState& or
     ctx.model.interactions.active = active;
 }
 
+/// States of systems, which go back to the old ones unless they are kept.
+class SystemsAsSaved {
+  public:
+    SystemsAsSaved(world::Systems& systems, std::size_t bytes) : systems_(systems), before_(bytes) {
+        systems_.save(before_.data());
+    }
+    ~SystemsAsSaved() {
+        if (!kept_) systems_.restore(before_.data());
+    }
+    SystemsAsSaved(const SystemsAsSaved&) = delete;
+    SystemsAsSaved& operator=(const SystemsAsSaved&) = delete;
+    void keep() noexcept { kept_ = true; }
+
+  private:
+    world::Systems& systems_;
+    std::vector<std::byte> before_;
+    bool kept_ = false;
+};
+
 /// The arrays, which have been checked. @throws DefError for an order of elimination that is none
 /// of this system; the state is then neither the old nor the new one.
 void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const Header& header,
@@ -218,6 +237,9 @@ void World::take_saved(std::span<const std::byte> bytes, bool variant) {
         throw damaged();
     state.read(bytes.subspan(sizeof header, size));
     world::check_state(m.ctx, m.inputs, state);
+    SystemsAsSaved of_systems(m.systems, systems);
+    m.systems.restore(bytes.data() + sizeof header + size);
+    m.systems.check_states(*this);
     take_state(m.ctx, m.input_values, header, bytes.data() + sizeof header, regrouped);
     m.ctx.state.time = static_cast<double>(m.ctx.state.step) * m.ctx.model.def.step;
     m.ctx.work.stats.step = m.ctx.state.step;
@@ -238,7 +260,7 @@ void World::take_saved(std::span<const std::byte> bytes, bool variant) {
                 id, m.ctx.model.interactions.anchor[static_cast<std::size_t>(id)]);
     for (const std::int32_t id : m.ctx.model.interactions.winches)
         m.ctx.model.interactions.follow_length(id, m.ctx.model.bodies, m.ctx.model.def.step);
-    m.systems.restore(bytes.data() + sizeof header + size);
+    of_systems.keep();
 }
 
 }  // namespace hawser

@@ -31,6 +31,20 @@ class Visitor final : public StateVisitor {
     F f_;
 };
 
+/// Finds a number of a state that no system can go on from.
+class NumberCheck final : public StateVisitor {
+  public:
+    [[nodiscard]] bool good() const noexcept { return good_; }
+
+  private:
+    void bytes(void*, std::size_t) override {}
+    void numbers(std::span<double> values) override {
+        constexpr double kMostNumber = 1e300;
+        for (const double x : values) good_ = good_ && std::abs(x) <= kMostNumber;
+    }
+    bool good_ = true;
+};
+
 /// f(data, bytes) of the arrays of a system's state.
 template <class F>
 void visit(System& system, bool around_step, F&& f) {
@@ -279,6 +293,26 @@ void Systems::restore(const std::byte* from) {
             if (n > 0) std::memcpy(to, from, n);
             from += n;
         });
+}
+
+void Systems::check_states(const World& world) const {
+    const auto refuse = [](std::string_view system, const std::string& what) {
+        throw DefError("snapshot: not a state that a world can have: system '" +
+                       std::string(system) + "': " + what);
+    };
+    for (const auto& s : list_) {
+        NumberCheck numbers;
+        s->visit_state(numbers);
+        if (!numbers.good()) refuse(s->name(), "a number is not finite, or beyond 1e300");
+    }
+    for (const SystemSignal& s : signals_)
+        if (s.input && !(*s.value >= s.min && *s.value <= s.max))
+            refuse(s.system, "input '" + s.name + "' is outside its range");
+    for (const auto& s : list_) {
+        StateRules rules;
+        s->check_state(world, rules);
+        if (*rules.fault() != '\0') refuse(s->name(), rules.fault());
+    }
 }
 
 std::uint64_t Systems::hash(std::uint64_t h) const {

@@ -128,6 +128,8 @@ class Systems final : public stepper::Actors {
     [[nodiscard]] std::size_t state_bytes() const;
     void save(std::byte* to) const;
     void restore(const std::byte* from);
+    /// Check the states that restore() has read. @throws DefError that names system and quantity.
+    void check_states(const World& world) const;
     /// Continues a hash with all states.
     [[nodiscard]] std::uint64_t hash(std::uint64_t h) const;
 

@@ -19,6 +19,28 @@ constexpr DrumGeometry kDrum{.core_radius = 0.6,
                              .layer_pitch = 0.076,
                              .flange_radius = 1.4};
 
+/// Lengths that no drum holds end in a layer that is counted, at once: a state from bytes may have
+/// any.
+TEST(DrumGeometry, AnyLengthEndsInALayer) {
+    const double none = std::nan(""), inf = HUGE_VAL;
+    for (const double length :
+         {1e308, inf, 1e12, 1e7, 0.0, -0.0, -1.0, -1e308, -inf, none, 5e-324}) {
+        const DrumGeometry::Place at = kDrum.place(length);
+        EXPECT_GE(at.layer, 1) << length;
+        EXPECT_LE(at.layer, DrumGeometry::kMostLayers) << length;
+        EXPECT_TRUE(std::isfinite(at.radius) && at.radius >= kDrum.radius(1)) << length;
+        EXPECT_TRUE(std::isfinite(at.wraps) && std::isfinite(at.across)) << length;
+        (void)kDrum.inertia(length, 25.0);
+        (void)kDrum.leaving_radius(length);
+        (void)kDrum.length(length);
+    }
+    DrumGeometry huge = kDrum;
+    huge.width = 1e30;
+    huge.flange_radius = 1e30;
+    EXPECT_EQ(huge.wraps_a_layer(), DrumGeometry::kMostLayers);
+    EXPECT_EQ(huge.layers(), DrumGeometry::kMostLayers);
+}
+
 TEST(DrumGeometry, CountsLayersAsASumWrapByWrap) {
     // One wrap after another, until the wire ends.
     const double length = 1500.0;

@@ -71,6 +71,11 @@ class Pid final : public System {
         for (double* x : {&target_, &measured_, &smooth_, &integral_, &output_}) v.visit(*x);
         v.visit(started_);
     }
+    void check_state(const World&, StateRules& rules) const override {
+        rules.require(started_ == 0 || started_ == 1, "whether it has started is no flag");
+        rules.require(started_ == 0 || (output_ >= def_.low && output_ <= def_.high),
+                      "the output is out of range");
+    }
     void signals(SignalTable& table) override {
         table.input("target", "N", target_, -1e30, 1e30);
         table.output("measured", "N", measured_);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file watch.h
+/// Times hostile inputs and ends the process with a report if one of them loops without end.
+#include <hawser/scene.h>
+#include <hawser/world.h>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <string>
+
+#include <unistd.h>
+
+namespace hawser::test {
+
+inline constexpr double kLongest = 1.0;  ///< Of an input, with a few steps [s].
+
+/// The input that is running, for the report of an endless loop.
+inline char running[200] = "";
+
+/// Ends the process with a report if an input runs on. gtest cannot end a loop.
+class Watch {
+  public:
+    Watch() {
+        std::signal(SIGALRM, [](int) {
+            [[maybe_unused]] const auto n = write(STDERR_FILENO, running, sizeof running);
+            _exit(3);
+        });
+    }
+    ~Watch() { alarm(0); }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+    void begin(const std::string& what) {
+        constexpr unsigned kEndless = 60;  // [s], far above kLongest on a busy machine
+        std::snprintf(running, sizeof running, "%s", what.c_str());
+        start_ = std::chrono::steady_clock::now();
+        alarm(kEndless);
+    }
+    /// Processor time would leave out what waits; wall time counts other programs: both are short.
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_;
+};
+
+/// A scene after 20 steps.
+inline scene::Scene after_some_steps(const std::string& name) {
+    scene::Scene scene = scene::load_file("scenes/" + name + ".json");
+    scene.world.prepare();
+    for (int i = 0; i < 20; ++i) EXPECT_EQ(scene.world.step(), Status::ok) << name;
+    return scene;
+}
+
+}  // namespace hawser::test
