@@ -170,7 +170,7 @@ class World {
     [[nodiscard]] const InputDef& input_def(InputId id) const;
     [[nodiscard]] InputId find_input(std::string_view name) const noexcept;
     [[nodiscard]] double input(InputId id) const;  ///< Value last set, or that of the definition.
-    /// Clamped to the range, with an event; @throws DefError when not finite.
+    /// Clamped to the range, with an event. @throws DefError outside that of what is driven.
     void set_input(InputId id, double value);
     /// Replace the applied force [N] and torque [N m], world frame. Forces of inputs and loads of
     /// systems are accounts of their own: all three add up. @throws DefError when not finite or

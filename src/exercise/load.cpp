@@ -40,7 +40,7 @@ Merged merge(const Json& exercise, const Place& place) {
     const std::filesystem::path file =
         scene::resolve_inside(root, folder, exercise["scene"].get<std::string>(), place / "scene");
     out.file = file.string();
-    out.root = scene::read_json_file(file);
+    out.root = scene::read_json_file(file, {});
     if (!out.root.is_object()) scene::refuse({out.file, ""}, "expected a scene, an object");
     const Json none = Json::array();
     out.inputs = append(out.root, "inputs", exercise.value("inputs", none));
@@ -108,17 +108,17 @@ Loaded load(const Json& root, std::string text, const std::string& file, scene::
 }  // namespace
 
 Loaded load_file(const std::filesystem::path& file, const scene::Options& options) {
-    const Json root = scene::read_json_file(file, nullptr, "an exercise");
+    const Json root = scene::read_json_file(file, {}, nullptr, "an exercise");
     return load(root, root.dump(), file.string(), options);
 }
 
 Loaded load_text(std::string_view text, const std::string& name, const scene::Options& options) {
-    return load(scene::parse_json(text, name), std::string(text), name, options);
+    return load(scene::parse_json(text, name, {}), std::string(text), name, options);
 }
 
 bool is_exercise(const std::filesystem::path& file) noexcept {
     try {
-        const Json root = scene::read_json_file(file);
+        const Json root = scene::read_json_file(file, {});
         return root.is_object() && root.contains("exercise");
     } catch (const std::exception&) {
         return false;

@@ -167,7 +167,7 @@ Exercise read_exercise(const Json& root, const Place& place) {
 }
 
 Exercise parse_exercise(const std::string& text, const std::string& name) {
-    const Json root = scene::parse_json(text, name);
+    const Json root = scene::parse_json(text, name, {});
     scene::check_shape(root, *exercise_shape(), {name, ""});
     Exercise out = read_exercise(root, {name, ""});
     out.text = text;

@@ -5,6 +5,7 @@
 #include "exercise/levers.h"
 #include "exercise/notes.h"
 #include "exercise/scorer.h"
+#include "record/input_range.h"
 #include "record/names.h"
 
 #include <fmt/format.h>
@@ -179,6 +180,7 @@ void Run::set_input(std::string_view role, std::string_view input, double value)
     }
     if (!std::isfinite(value))
         throw DefError(fmt::format("the input \"{}\": the value is not finite", input));
+    record::check_input_range(impl_->session.scene(), input, value);
     impl_->ask(input, value);
     impl_->notes.asked(role, input, value);
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hawser::live {
 namespace {
@@ -34,6 +35,10 @@ constexpr Word kWords[] = {
     {CommandKind::fault, "fault", " name active "},
     {CommandKind::end, "end", " "},
 };
+
+constexpr std::uint64_t kMostId = std::uint64_t{1} << 53U;
+constexpr auto kLargestId = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+
 void take_name(const Json& value, const char* key, std::size_t most, Command& out) {
     if (!value.is_string()) throw Refused(std::string(key) + " is to be a name");
     const auto& text = value.get_ref<const std::string&>();
@@ -190,7 +195,16 @@ void read_message(std::string_view text, Request& out) {
     const Json from = parsed(text);
     if (from.is_discarded()) throw Refused("this is not JSON");
     if (!from.is_object()) throw Refused("a message is a JSON object");
-    if (from.contains("id")) out.id = static_cast<std::int64_t>(whole(from, "id", 0.0, kMostWhole));
+    if (from.contains("id")) {
+        // The answer repeats an id that is too large, if it is a whole number all the same.
+        const Json& id = from["id"];
+        if (id.is_number_unsigned() && id.get<std::uint64_t>() <= kLargestId)
+            out.id = static_cast<std::int64_t>(id.get<std::uint64_t>());
+        // As a double, 2^53 + 1 would be 2^53.
+        if (id.is_number_unsigned() && id.get<std::uint64_t>() > kMostId)
+            throw Refused("id is to be from 0 to 9007199254740992");
+        out.id = static_cast<std::int64_t>(whole(from, "id", 0.0, kMostWhole));
+    }
     const auto type = from.find("type");
     if (type == from.end() || !type->is_string()) throw Refused("a message has a type");
     if (*type == "hello") return read_hello(from, out);

@@ -74,6 +74,9 @@ class Driver {
     void part(const Command& command);
     void save(const std::string& name);
     void restore(const Command& command);
+    /// @throws DefError while saving and restoring would take more than a fifth of the time.
+    void afford_states(const char* what) const;
+    void count_states(double begun);
     Lesson& lesson();
     void after_exercise_step();
     void step();
@@ -96,6 +99,8 @@ class Driver {
     Drags drags_;
     Playing playing_;
     std::vector<Point> points_;
+    double states_took_ = 0.0;  ///< Saving or restoring, last [s].
+    double states_free_ = 0.0;  ///< Time of clock_now() from which another one may come [s].
     std::optional<Failure> failure_;
     bool told_ = false, changed_ = true;
     bool over_ = false;  ///< The exercise had ended when it was last looked at.

@@ -4,6 +4,7 @@
 #include "live/pick.h"
 
 #include "record/commands.h"
+#include "record/input_range.h"
 #include "record/names.h"
 
 #include <fmt/format.h>
@@ -16,8 +17,10 @@
 namespace hawser::live {
 namespace {
 
-constexpr std::size_t kMostPoints = 17;  // restore points, that of the start included
-constexpr int kMostCommands = 512;       // of one gap between steps
+constexpr std::size_t kMostPoints = 17;   // restore points, that of the start included
+constexpr int kMostCommands = 512;        // of one gap between steps
+constexpr double kRestoresShare = 0.2;    // most of the time that saving and restoring takes
+constexpr double kRestoresAllowed = 0.1;  // [s] of it that is never refused
 
 }  // namespace
 
@@ -107,6 +110,7 @@ Lesson& Driver::lesson() {
 }
 
 void Driver::set_input(const Command& command) {
+    record::check_input_range(session_.scene(), command.name.view(), command.value);
     if (lesson_) return lesson_->set_input(command);
     session_.set_input(command.name.view(), command.value);
 }
@@ -137,7 +141,24 @@ void Driver::part(const Command& command) {
     out_.command(session_.time(), command, text);
 }
 
+void Driver::afford_states(const char* what) const {
+    const double wait = states_free_ - clock_now();
+    if (wait <= 0.0) return;
+    throw DefError(fmt::format(
+        "{}: saving and restoring this scene takes {:.2g} s, and would stop the run; try again in "
+        "{:.1f} s",
+        what, states_took_, wait + 0.05));
+}
+
+void Driver::count_states(double begun) {
+    states_took_ = clock_now() - begun;
+    const double from = std::max(states_free_, begun - kRestoresAllowed / kRestoresShare);
+    states_free_ = from + states_took_ / kRestoresShare;
+}
+
 void Driver::save(const std::string& name) {
+    afford_states("save");
+    const double begun = clock_now();
     drags_.lift(session_.world());
     const World& world = session_.world();
     Point point{name, world.time(), 0, world.structure(), world.save()};
@@ -150,6 +171,7 @@ void Driver::save(const std::string& name) {
     if (lesson_) point.mark = lesson_->mark();
     if (same != points_.end()) points_.erase(same);
     points_.push_back(std::move(point));
+    count_states(begun);
 }
 
 void Driver::restore(const Command& command) {
@@ -162,6 +184,8 @@ void Driver::restore(const Command& command) {
                                    command.name.view(),
                                    record::nearest_name(command.name.view(), names)));
     }
+    afford_states("restore");
+    const double begun = clock_now();
     drags_.end_all(session_.world());
     session_.restore(at->made_of, at->state);
     if (lesson_) {
@@ -170,6 +194,7 @@ void Driver::restore(const Command& command) {
     }
     failure_.reset();
     playing_.begin_clock();
+    count_states(begun);
     out_.command(session_.time(), command,
                  fmt::format("went back to \"{}\" at {:.6g} s", at->name, at->time));
 }

@@ -13,9 +13,20 @@ namespace {
 constexpr double kMostPlace = 1e7;  // [m], as World::set_pose() has it
 }  // namespace
 
+std::string_view shortened(std::string_view text, std::size_t most) {
+    if (text.size() <= most) return text;
+    // Bytes 10xxxxxx go on with a character: the cut is before the first byte of one.
+    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0u) == 0x80u) --most;
+    return text.substr(0, most);
+}
+
+std::string json_string(std::string_view text) {
+    return Json(std::string(text)).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t kShown = 60;
-    std::string out = "\"" + std::string(text.substr(0, kShown));
+    std::string out = "\"" + std::string(shortened(text, kShown));
     return out + (text.size() > kShown ? "…\"" : "\"");
 }
 

@@ -23,6 +23,10 @@ struct Refused : std::runtime_error {
 /// 2^53: whole numbers that a double can hold.
 inline constexpr double kMostWhole = 9007199254740992.0;
 
+/// The first bytes of a text, cut between two characters of UTF-8.
+[[nodiscard]] std::string_view shortened(std::string_view text, std::size_t most);
+/// A JSON string of valid UTF-8: what is none is replaced.
+[[nodiscard]] std::string json_string(std::string_view text);
 /// Quote a text, cut after 60 bytes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 

@@ -19,8 +19,8 @@ namespace {
 
 using namespace net;
 
-constexpr int kMostConnections = 96;  // beside those of clients
-constexpr double kGoodbye = 0.5;      // [s] for the last words
+constexpr std::size_t kMostConnections = 96;  // beside those of clients
+constexpr double kGoodbye = 0.5;              // [s] for the last words
 
 std::string machine_name() {
     std::array<char, 256> name{};
@@ -109,10 +109,8 @@ struct Server::Impl final : Floor {
         acceptor.async_accept([this](Error error, Tcp::socket socket) {
             if (error == asio::error::operation_aborted) return;
             if (!error) {
-                if (connections_ < kMostConnections)
-                    std::make_shared<Connection>(*this, std::move(socket))->begin();
-                else
-                    refuse("a connection: too many are open");
+                if (connections_.size() >= kMostConnections) make_room_for_connections();
+                std::make_shared<Connection>(*this, std::move(socket))->begin();
             }
             accept();
         });

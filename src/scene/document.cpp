@@ -59,7 +59,8 @@ class Includer {
             return;  // Reached twice by different routes: its entries are there already.
         }
         document_.files.push_back(file);
-        Json content = read_json_file(file, document_.mistakes, "a part of a scene");
+        Json content =
+            read_json_file(file, outermost_keys(), document_.mistakes, "a part of a scene");
         check_document(content, *format().part, {file.string(), ""}, document_.mistakes);
         if (!content.is_object()) {
             return lose_what_files_hold();
@@ -107,7 +108,7 @@ class Includer {
 void add_operations(Document& document, const std::string& file) {
     document.operations = {file, ""};
     document.files.emplace_back(file);
-    Json list = read_json_file(file, document.mistakes, "a list of operations");
+    Json list = read_json_file(file, outermost_keys(), document.mistakes, "a list of operations");
     if (!list.is_array()) refuse_other_kind(list, file, "a list of operations");
     check_document(list, *format().operations, document.operations, document.mistakes);
     if (!list.is_array()) return;
@@ -166,7 +167,7 @@ void read_state(Document& document, const std::filesystem::path& file) {
                                        (*state)["file"].get<std::string>(), place / "file");
     document.files.push_back(stored);
     document.state_file = stored;
-    Json content = read_json_file(stored, document.mistakes, "a settled state");
+    Json content = read_json_file(stored, outermost_keys(), document.mistakes, "a settled state");
     const Place stored_place{stored.string(), ""};
     check_document(content, *format().state, stored_place, document.mistakes);
     if (!content.is_object() || !content.contains("bodies")) {

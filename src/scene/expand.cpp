@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/checks.h"
+#include "scene/counts.h"
 #include "scene/deck.h"
 #include "scene/description.h"
 
@@ -276,6 +277,14 @@ class Expander {
 void expand(Description& out, const Document& document) {
     out.mistakes = document.mistakes;
     read_settings(out, document.root);
+    // Nothing else is made of a document that asks for too much.
+    if (!attempt(out.mistakes, [&] {
+            check_counts(document, out.settings.max_bodies, out.settings.max_interactions);
+        })) {
+        for (const Lost what : {Lost::body, Lost::interaction, Lost::cable})
+            out.mistakes->lose_any(what);
+        return;
+    }
     expand_materials(out, document);
     Expander(out, document).run();
     const bool complete = out.mistakes == nullptr || !out.mistakes->incomplete();

@@ -263,4 +263,14 @@ const Format& format() {
     return instance;
 }
 
+const std::set<std::string>& outermost_keys() {
+    static const std::set<std::string> keys = [] {
+        std::set<std::string> out;
+        for (const ShapePtr& shape : {format().scene, format().part, format().state})
+            for (const Field& field : shape->fields) out.insert(field.name);
+        return out;
+    }();
+    return keys;
+}
+
 }  // namespace hawser::scene

@@ -8,6 +8,9 @@
 
 #include "scene/shape.h"
 
+#include <set>
+#include <string>
+
 namespace hawser::scene {
 
 inline constexpr int kFormatVersion = 1;
@@ -48,6 +51,8 @@ struct Format {
 };
 
 [[nodiscard]] const Format& format();
+/// Keys of the outermost object of a scene, a part and a state.
+[[nodiscard]] const std::set<std::string>& outermost_keys();
 
 /// How a scene is simulated. See format_settings.cpp.
 [[nodiscard]] ShapePtr settings_shape();

@@ -18,12 +18,20 @@ void refuse_text_of_other_kind(std::string_view text, const std::string& file,
     const std::string other = base::wrong_kind(text, expected, file);
     if (!other.empty()) refuse({file, ""}, other);
 }
+constexpr std::size_t kMostEntries = 2'000'000;  ///< Of an array; the largest that has a use.
+constexpr std::size_t kMostValues = 10'000'000;  ///< Of a file.
+constexpr std::size_t kMostUnknown = 10'000;     ///< Values of a key that no file has.
 
 /// First pass over the text: everything that the parser alone would let through.
 class LimitChecker : public nlohmann::json_sax<Json> {
   public:
-    LimitChecker(std::string file, Mistakes* mistakes, std::string_view text, const char* expected)
-        : place_{std::move(file), ""}, mistakes_(mistakes), text_(text), expected_(expected) {}
+    LimitChecker(std::string file, const std::set<std::string>& keys, Mistakes* mistakes,
+                 std::string_view text, const char* expected)
+        : place_{std::move(file), ""},
+          mistakes_(mistakes),
+          text_(text),
+          expected_(expected),
+          keys_(keys) {}
 
     bool null() override { return next(); }
     bool boolean(bool) override { return next(); }
@@ -40,6 +48,7 @@ class LimitChecker : public nlohmann::json_sax<Json> {
     bool key(string_t& name) override {
         Level& level = levels_.back();
         level.key = name;
+        if (levels_.size() == 1) unknown_ = keys_.empty() || keys_.contains(name) ? 0 : 1;
         if (!level.keys.insert(name).second) {
             (void)attempt(mistakes_, [&] {
                 refuse(here(), "the key " + in_quotes(name) + " is given twice in this object");
@@ -66,10 +75,20 @@ class LimitChecker : public nlohmann::json_sax<Json> {
         std::set<std::string> keys;
     };
 
+    /// Counts before anything is kept: a value of the document takes some 20 bytes.
     bool next() {
-        if (!levels_.empty()) {
-            ++levels_.back().index;
-        }
+        if (levels_.empty()) return true;
+        Level& level = levels_.back();
+        if (!level.object && level.index >= kMostEntries)
+            refuse(here(), "an array of more than " + std::to_string(kMostEntries) + " entries");
+        if (++values_ > kMostValues)
+            refuse(here(), "the file has more than " + std::to_string(kMostValues) + " values");
+        if (unknown_ > 0 && ++unknown_ > kMostUnknown)
+            refuse({place_.file, "/" + levels_.front().key},
+                   "there is no key " + in_quotes(levels_.front().key) +
+                       ", and it holds more than " + std::to_string(kMostUnknown) +
+                       " values; leave it out");
+        ++level.index;
         return true;
     }
     bool open(bool object) {
@@ -100,12 +119,15 @@ class LimitChecker : public nlohmann::json_sax<Json> {
     std::string_view text_;
     const char* expected_;
     std::vector<Level> levels_;
+    const std::set<std::string>& keys_;
+    std::size_t values_ = 0;
+    std::size_t unknown_ = 0;  ///< 0: within a known key; else one more than the values counted.
 };
 
 }  // namespace
 
-Json parse_json(std::string_view text, const std::string& file, Mistakes* mistakes,
-                const char* expected) {
+Json parse_json(std::string_view text, const std::string& file, const std::set<std::string>& keys,
+                Mistakes* mistakes, const char* expected) {
     if (text.size() > kMaxFileBytes) {
         refuse({file, ""}, "larger than 64 MiB");
     }
@@ -114,7 +136,7 @@ Json parse_json(std::string_view text, const std::string& file, Mistakes* mistak
         refuse_text_of_other_kind(text, file, expected);
         refuse({file, ""}, "a NUL byte at offset " + std::to_string(nul));
     }
-    LimitChecker checker(file, mistakes, text, expected);
+    LimitChecker checker(file, keys, mistakes, text, expected);
     Json::sax_parse(text.begin(), text.end(), &checker);
     return Json::parse(text.begin(), text.end());
 }
@@ -123,7 +145,8 @@ void refuse_other_kind(const Json& root, const std::string& file, const char* ex
     if (root.is_object() || root.is_array()) refuse_text_of_other_kind(root.dump(), file, expected);
 }
 
-Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes, const char* expected) {
+Json read_json_file(const std::filesystem::path& file, const std::set<std::string>& keys,
+                    Mistakes* mistakes, const char* expected) {
     const Place place{file.string(), ""};
     std::error_code failure;
     // Before it is opened: a pipe that nobody writes would be waited for.
@@ -143,7 +166,7 @@ Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes, const
     if (!stream) {
         refuse(place, "cannot be read");
     }
-    return parse_json(text, place.file, mistakes, expected);
+    return parse_json(text, place.file, keys, mistakes, expected);
 }
 
 std::filesystem::path resolve_inside(const std::filesystem::path& root,

@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -23,13 +24,17 @@ inline constexpr int kMaxNesting = 64;
 
 /// Parse a document. Refuses what JSON does not allow (comments, NaN, Infinity, damaged
 /// UTF-8), keys given twice in one object, numbers beyond the range of double, deep nesting.
-/// A file of another kind is named as such, with the remedy (base/file_kind.h).
+/// Refuses too many values while it reads, before a document is kept. A file of another kind is
+/// named as such, with the remedy (base/file_kind.h).
+/// @param keys  Of the outermost object: of others few values are read.
 /// @param expected  With its article. @throws SceneError with line and column.
 [[nodiscard]] Json parse_json(std::string_view text, const std::string& file,
-                              Mistakes* mistakes = nullptr, const char* expected = "a scene");
+                              const std::set<std::string>& keys, Mistakes* mistakes = nullptr,
+                              const char* expected = "a scene");
 
 /// Read and parse a file. @throws SceneError when it cannot be read or is too large.
-[[nodiscard]] Json read_json_file(const std::filesystem::path& file, Mistakes* mistakes = nullptr,
+[[nodiscard]] Json read_json_file(const std::filesystem::path& file,
+                                  const std::set<std::string>& keys, Mistakes* mistakes = nullptr,
                                   const char* expected = "a scene");
 
 /// @throws SceneError where the document is one of another kind, such as an exercise.

@@ -4,6 +4,7 @@
 
 #include "scene/deck.h"
 #include "scene/description.h"
+#include "scene/format.h"
 #include "scene/timeline.h"
 
 #include <algorithm>
@@ -364,20 +365,22 @@ Scene make_or_throw(Json root, const std::filesystem::path& file, const Options&
 }  // namespace
 
 Scene load_file(const std::filesystem::path& file, const Options& options) {
-    Scene scene = make_or_throw(read_json_file(file), file, options);
+    Scene scene = make_or_throw(read_json_file(file, outermost_keys()), file, options);
     scene.files.push_back(file);
     return scene;
 }
 
 Scene load_text(std::string_view text, const std::string& name_for_messages,
                 const Options& options) {
-    return make_or_throw(parse_json(text, name_for_messages), name_for_messages, options);
+    return make_or_throw(parse_json(text, name_for_messages, outermost_keys()), name_for_messages,
+                         options);
 }
 
 std::optional<Scene> load_file(const std::filesystem::path& file, const Options& options,
                                std::vector<SceneError>& mistakes) {
-    std::optional<Scene> scene = try_scene(
-        [&](Mistakes* list) { return read_json_file(file, list); }, file, options, mistakes);
+    std::optional<Scene> scene =
+        try_scene([&](Mistakes* list) { return read_json_file(file, outermost_keys(), list); },
+                  file, options, mistakes);
     if (scene) {
         scene->files.push_back(file);
     }
@@ -386,8 +389,9 @@ std::optional<Scene> load_file(const std::filesystem::path& file, const Options&
 
 std::optional<Scene> load_text(std::string_view text, const std::string& name_for_messages,
                                const Options& options, std::vector<SceneError>& mistakes) {
-    return try_scene([&](Mistakes* list) { return parse_json(text, name_for_messages, list); },
-                     name_for_messages, options, mistakes);
+    return try_scene(
+        [&](Mistakes* list) { return parse_json(text, name_for_messages, outermost_keys(), list); },
+        name_for_messages, options, mistakes);
 }
 
 }  // namespace hawser::scene

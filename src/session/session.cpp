@@ -10,6 +10,7 @@
 #include "record/recording_writer.h"
 #include "record/scene_info.h"
 #include "record/snapshot_file.h"
+#include "session/control_ranges.h"
 #include "session/run_notes.h"
 #include "session/timeline.h"
 #include "verify/certificate.h"
@@ -191,17 +192,6 @@ std::vector<std::string> signal_names(const scene::Scene& scene) {
     return names;
 }
 
-/// What a control file may set them to; inputs of the world are clamped as the run goes on.
-std::vector<record::ControlRange> signal_ranges(const scene::Scene& scene, std::size_t places) {
-    const World& world = scene.world;
-    std::vector<record::ControlRange> ranges(places);
-    for (const scene::SignalInput& input : scene.signal_inputs)
-        ranges.push_back({input.min, input.max});
-    for (const SystemSignal& s : world.system_signals())
-        if (s.input) ranges.push_back({s.min, s.max});
-    return ranges;
-}
-
 void check_every(std::int32_t every) {
     if (every < 1 || every > 1'000'000)
         throw DefError(fmt::format("a session writes every 1 to 10⁶ steps, not every {}", every));
@@ -233,8 +223,8 @@ Session::Session(scene::Scene scene, const SessionDef& def)
         impl_->places = names.size();
         impl_->signals = signal_names(impl_->scene);
         names.insert(names.end(), impl_->signals.begin(), impl_->signals.end());
-        impl_->control =
-            record::read_control(def.control, names, signal_ranges(impl_->scene, impl_->places));
+        impl_->control = record::read_control(def.control, names,
+                                              session::control_ranges(impl_->scene, impl_->places));
         impl_->go_on_with_controls();
     }
     if (!def.record.empty()) record(def.record, def.every);

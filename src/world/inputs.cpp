@@ -44,6 +44,21 @@ void limit_to_param(InputDef& def, const KindInfo& kind, const world::Where& whe
     }
 }
 
+constexpr double kMostInputForce = 1e30;  ///< [N, N m]
+
+/// Values that the physics of an input can follow. InputDef::min and max may be narrower.
+struct Followed {
+    double min = -kMostInputForce, max = kMostInputForce;
+    const char* unit = "";
+};
+
+Followed followed(const World& world, const InputDef& def) {
+    if (!def.interaction.valid()) return {.unit = def.component < 3 ? "N" : "N m"};
+    for (const ParamInfo& p : kind_info(world.interaction_def(def.interaction).kind).params)
+        if (def.param == p.name) return {p.min, p.max, p.unit};
+    return {};
+}
+
 /// Of two inputs of a parameter a restored world could not tell which was set last.
 void refuse_second(const InputDef& other, const InputDef& def, const world::Where& where) {
     if (other.interaction == def.interaction && other.param == def.param)
@@ -74,6 +89,10 @@ InputId World::add_input(const InputDef& def) {
         const std::size_t b = impl_->place(def.body);
         if (def.component < 0 || def.component > 5)
             throw DefError(where.text() + ": component must be 0 to 5");
+        if (def.min > kMostInputForce || def.max < -kMostInputForce)
+            throw DefError(where.text() + ": the range lies outside -1e30 to 1e30 N or N m");
+        allowed.min = std::max(def.min, -kMostInputForce);
+        allowed.max = std::min(def.max, kMostInputForce);
         if (def.local && m.ctx.model.bodies.kind[b] != BodyKind::rigid)
             throw DefError(where.text() + ": local: its body does not turn; leave it false");
     }
@@ -131,9 +150,14 @@ void World::set_input(InputId id, double value) {
     const world::Using use(impl_->use, "set_input");
     const std::size_t i = impl_->place(id);
     const InputDef& def = impl_->inputs[i];
-    if (!std::isfinite(value))
-        throw DefError(world::label("input", def.name) + ": value = " + world::number(value) +
-                       " is not a finite number; give one within its range");
+    const Followed range = followed(*this, def);
+    if (!(value >= range.min && value <= range.max))
+        throw DefError(
+            world::label("input", def.name) + ": value = " + world::number(value) + " " +
+            range.unit +
+            (std::isfinite(value) ? " is outside its range" : " is not a finite number") +
+            "; give one from " + world::number(std::max(range.min, def.min)) + " to " +
+            world::number(std::min(range.max, def.max)) + " " + range.unit);
     const double clamped = std::min(std::max(value, def.min), def.max);
     stepper::StepContext& c = impl_->ctx;
     if (clamped != value) {

@@ -65,8 +65,9 @@ void World::set_system_signal(std::string_view name, double value) {
     if (!s.input)
         throw DefError("signal '" + std::string(name) + "' is an output, which is only read");
     if (!std::isfinite(value))
-        throw DefError("signal '" + std::string(name) + "': value = " + world::number(value) +
-                       " is not a finite number; give one within its range");
+        throw DefError("signal '" + std::string(name) + "': value = " + world::number(value) + " " +
+                       s.unit + " is not a finite number; give one from " + world::number(s.min) +
+                       " to " + world::number(s.max) + " " + s.unit);
     *s.value = std::clamp(value, s.min, s.max);
     if (*s.value == value) return;
     // It has no id of an input; those below 0 stand for signals (record/event_input.h).

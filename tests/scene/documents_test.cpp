@@ -34,7 +34,7 @@ TEST(Documents, examples_fit_the_format) {
     ASSERT_EQ(all.size(), 17U);
     for (const std::string& text : all) {
         SCOPED_TRACE(text);
-        const Json value = parse_json(text, "docs/scenes.md");
+        const Json value = parse_json(text, "docs/scenes.md", outermost_keys());
         Json scene{{"version", 1}, {"name", "example"}};
         if (value.contains("kind")) {
             scene["interactions"] = Json::array({value});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/description.h"
+#include "scene/format.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@
 namespace hawser::scene::test {
 
 inline Document document_of(std::string_view text, const Options& options = {}) {
-    return make_document(parse_json(text, "test.json"), "test.json", options);
+    return make_document(parse_json(text, "test.json", outermost_keys()), "test.json", options);
 }
 
 /// The flat lists of a scene, without a world.

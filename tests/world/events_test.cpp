@@ -136,6 +136,24 @@ TEST(Inputs, AreClampedWithAnEvent) {
     EXPECT_FALSE(w.find_input("pull").valid());
 }
 
+/// A value that the physics cannot follow is an error by name, value, range and unit.
+TEST(Inputs, RefuseWhatPhysicsCannotFollow) {
+    World w = pendulum().make();
+    const InputId in = w.add_input({.name = "push", .body = BodyId{1}, .component = 2});
+    for (const double value : {1e308, -1e308, 1.1e30, HUGE_VAL, std::nan("")}) {
+        try {
+            w.set_input(in, value);
+            ADD_FAILURE() << value;
+        } catch (const DefError& error) {
+            const std::string text = error.what();
+            for (const char* part : {"push", "value = ", " N", "-1e+30", "1e+30"})
+                EXPECT_NE(text.find(part), std::string::npos) << text;
+        }
+    }
+    EXPECT_TRUE(w.take_events().empty());
+    EXPECT_EQ(w.input(in), 0.0);
+}
+
 /// An input may never set what add_interaction() refuses.
 TEST(Inputs, KeepToTheRangeOfTheParameter) {
     World w = pendulum().make();
@@ -144,8 +162,8 @@ TEST(Inputs, KeepToTheRangeOfTheParameter) {
     def.interaction = InteractionId{0};
     def.param = "length";
     const InputId in = w.add_input(def);
-    w.set_input(in, -5.0);
-    EXPECT_GT(w.input(in), 0.0) << "a rod of negative length";
+    EXPECT_THROW(w.set_input(in, -5.0), DefError) << "a rod of negative length";
+    EXPECT_GT(w.input(in), 0.0);
     EXPECT_GT(w.interaction_def(InteractionId{0}).get("length"), 0.0);
     def.name = "nowhere";
     def.min = -20;

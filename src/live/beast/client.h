@@ -3,7 +3,8 @@
 /// @file client.h
 /// A client of the socket /live: its rights, what it is sent, and the rules it has to keep.
 
-#include "live/beast/floor.h"
+#include "live/beast/announced.h"
+#include "live/message_fields.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,10 +23,13 @@ inline constexpr double kStrangersGoodbye = 0.5;
 /// A client at the socket /live.
 class Client : public std::enable_shared_from_this<Client> {
   public:
-    Client(Floor& floor, beast::tcp_stream stream, std::uint32_t number, std::string from)
+    /// @param address  Of the client, without its port. @param from  With it, for the log.
+    Client(Floor& floor, beast::tcp_stream stream, std::uint32_t number, std::string address,
+           std::string from)
         : floor_(floor),
-          socket_(std::move(stream)),
+          socket_(AnnouncedStream(std::move(stream))),
           number_(number),
+          address_(std::move(address)),
           from_(std::move(from)),
           born_(clock_now()),
           allowance_since_(born_) {}
@@ -38,7 +42,13 @@ class Client : public std::enable_shared_from_this<Client> {
         limits.idle_timeout = websocket::stream_base::none();
         limits.keep_alive_pings = false;
         socket_.set_option(limits);
-        socket_.read_message_max(0);  // got() counts: Beast's own limit says nothing of it in time
+        // Beast's own limit reports only once the other side has hung up.
+        socket_.read_message_max(0);
+        socket_.next_layer().most = kMostMessage;
+        socket_.next_layer().announced = [this] {
+            // Not within a read of Beast's.
+            asio::post(socket_.get_executor(), [self = shared_from_this()] { self->too_big(); });
+        };
         socket_.auto_fragment(false);
         // Beast answers a goodbye and waits for the other side to hang up: look() ends that.
         socket_.control_callback([this](websocket::frame_type kind, beast::string_view) {
@@ -54,6 +64,7 @@ class Client : public std::enable_shared_from_this<Client> {
 
     [[nodiscard]] bool known() const { return role_ != nullptr; }
     [[nodiscard]] const Role* role() const { return role_; }
+    [[nodiscard]] const std::string& address() const { return address_; }
 
     void send(Text text) {
         if (!known() || closing_) return;
@@ -71,7 +82,7 @@ class Client : public std::enable_shared_from_this<Client> {
     void close(websocket::close_code code, const std::string& reason) {
         if (closing_) return;
         closing_ = true;
-        close_reason_ = {code, reason.substr(0, 120)};
+        close_reason_ = {code, std::string(shortened(reason, 120))};
         closing_since_ = clock_now();
         frame_.reset();
         pump();
@@ -110,15 +121,14 @@ class Client : public std::enable_shared_from_this<Client> {
     void got(Error error) {
         if (gone_) return;
         if (error) return drop();
-        if (buffer_.size() > kMostMessage) {
-            floor_.refuse(from_ + ": a message of more than 16 kB; closed");
-            return close(websocket::close_code::too_big, "a message has at most 16 kB");
+        if (buffer_.size() > kMostMessage) too_big();  // of several frames
+        if (closing_) {                                // what still comes is read past
+            buffer_.consume(buffer_.size());
+            return read();
         }
         if (!socket_.is_message_done()) return read();
         const auto bytes = buffer_.data();
-        if (closing_) {
-            // It is on its way out.
-        } else if (!within_rate()) {
+        if (!within_rate()) {
             fault("more than 200 messages a second");
         } else if (!socket_.got_text()) {
             fault("a message that is no text");
@@ -127,6 +137,12 @@ class Client : public std::enable_shared_from_this<Client> {
         }
         buffer_.consume(buffer_.size());
         read();
+    }
+
+    void too_big() {
+        if (gone_ || closing_) return;
+        floor_.refuse(from_ + ": a message of more than 16 kB; closed");
+        close(websocket::close_code::too_big, "a message has at most 16 kB");
     }
 
     /// A bucket that holds the messages of a second.
@@ -153,7 +169,7 @@ class Client : public std::enable_shared_from_this<Client> {
             return error("too many commands are waiting; try again", request.id, request.kind);
         for (Command& command : request.commands) {
             command.client = number_;
-            (void)command.role.assign(role_->name.substr(0, command.role.kMost));
+            (void)command.role.assign(shortened(role_->name, command.role.kMost));
             (void)floor_.hub_.commands.push(std::move(command));
         }
     }
@@ -203,17 +219,7 @@ class Client : public std::enable_shared_from_this<Client> {
         std::string out = "{\"type\":\"error\"";
         if (id != kNoId) out += ",\"id\":" + std::to_string(id);
         if (of != CommandKind::none) out += std::string(",\"of\":\"") + to_string(of) + "\"";
-        return out + ",\"reason\":" + json_text(reason) + "}";
-    }
-
-    /// A JSON string of valid UTF-8.
-    static std::string json_text(const std::string& text) {
-        std::string out = "\"";
-        for (const char c : text) {
-            if (c == '"' || c == '\\') out += '\\';
-            if (static_cast<unsigned char>(c) >= 0x20) out += c;
-        }
-        return out + "\"";
+        return out + ",\"reason\":" + json_string(reason) + "}";
     }
 
     void push(Text text) {
@@ -277,10 +283,10 @@ class Client : public std::enable_shared_from_this<Client> {
 
     static constexpr double kVersionOfHello = 1.0;
     Floor& floor_;
-    websocket::stream<beast::tcp_stream> socket_;
+    websocket::stream<AnnouncedStream> socket_;
     beast::flat_static_buffer<kMostMessage + 1024> buffer_;
     std::uint32_t number_;
-    std::string from_;
+    std::string address_, from_;
     const Role* role_ = nullptr;
     std::deque<Text> texts_;
     std::size_t waiting_bytes_ = 0;

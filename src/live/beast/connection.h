@@ -5,6 +5,11 @@
 
 #include "live/beast/client.h"
 
+#include <list>
+#include <map>
+#include <optional>
+#include <string>
+
 namespace hawser::live::net {
 
 inline constexpr std::size_t kMostHeader = 8 * 1024;  ///< Of a request [bytes].
@@ -15,14 +20,17 @@ inline constexpr int kSendBuffer = 128 * 1024;        ///< Of the kernel, of a c
 class Connection : public std::enable_shared_from_this<Connection> {
   public:
     Connection(Floor& floor, Tcp::socket socket) : floor_(floor), stream_(std::move(socket)) {
-        ++floor_.connections_;
         Error error;
         const auto end = stream_.socket().remote_endpoint(error);
-        if (!error) from_ = end.address().to_string() + ":" + std::to_string(end.port());
+        if (!error) address_ = end.address().to_string();
+        if (!error) from_ = address_ + ":" + std::to_string(end.port());
+        at_ = floor_.connections_.insert(floor_.connections_.end(), {address_, [this] { drop(); }});
         stream_.socket().set_option(Tcp::no_delay(true), error);
         stream_.socket().set_option(asio::socket_base::send_buffer_size(kSendBuffer), error);
     }
-    ~Connection() { --floor_.connections_; }
+    ~Connection() { leave(); }
+    Connection(const Connection&) = delete;
+    Connection& operator=(const Connection&) = delete;
 
     void begin() {
         parser_.header_limit(kMostHeader);
@@ -35,7 +43,20 @@ class Connection : public std::enable_shared_from_this<Connection> {
     }
 
   private:
+    /// Close it for others: what is under way ends with an error.
+    void drop() {
+        leave();
+        Error ignored;
+        stream_.socket().close(ignored);
+    }
+    void leave() {
+        if (!at_) return;
+        floor_.connections_.erase(*at_);
+        at_.reset();
+    }
+
     void got(Error error) {
+        if (error == asio::error::operation_aborted) return;
         if (error == beast::error::timeout)
             return floor_.refuse(from_ + ": no complete request in time");
         if (error == http::error::end_of_stream || error == asio::error::eof ||
@@ -78,21 +99,28 @@ class Connection : public std::enable_shared_from_this<Connection> {
         }
         make_room_for_strangers();
         const std::uint32_t number = floor_.next_number();
-        auto client = std::make_shared<Client>(floor_, std::move(stream_), number, from_);
+        auto client = std::make_shared<Client>(floor_, std::move(stream_), number, address_, from_);
         floor_.clients_.emplace(number, client);
         client->begin(request);
     }
 
-    /// Sockets that have not said hello take no place of a client, but memory: the oldest goes.
+    /// Sockets that have not said hello take no place of a client, but memory: the oldest of the
+    /// address that has most goes.
     void make_room_for_strangers() {
-        std::shared_ptr<Client> oldest;  // numbers rise
-        int strangers = 0;
+        int strangers = 0, most = 0;
+        std::map<std::string, int> by_address;
         for (const auto& [number, client] : floor_.clients_) {
             if (client->known()) continue;
-            if (!oldest) oldest = client;
             ++strangers;
+            most = std::max(most, ++by_address[client->address()]);
         }
         if (strangers < kMostStrangers) return;
+        std::shared_ptr<Client> oldest;  // numbers rise
+        for (const auto& [number, client] : floor_.clients_) {
+            if (client->known() || by_address[client->address()] < most) continue;
+            oldest = client;
+            break;
+        }
         floor_.refuse(from_ + ": too many sockets without a hello; the oldest is closed");
         oldest->drop();
     }
@@ -142,7 +170,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     beast::tcp_stream stream_;
     beast::flat_static_buffer<kMostHeader + 1024> buffer_;
     http::request_parser<http::empty_body> parser_;
-    std::string from_, host_;
+    std::string address_, from_, host_;
+    std::optional<std::list<OpenConnection>::iterator> at_;  ///< In Floor::connections_.
 };
 
 }  // namespace hawser::live::net

@@ -15,7 +15,10 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
+#include <algorithm>
 #include <atomic>
+#include <functional>
+#include <list>
 #include <map>
 #include <memory>
 #include <string>
@@ -38,6 +41,12 @@ using Frame = std::shared_ptr<const Bytes>;
 
 class Client;
 
+/// A connection that is neither answered nor a client yet.
+struct OpenConnection {
+    std::string address{};         ///< Without port.
+    std::function<void()> drop{};  ///< Closes it and takes it off the list.
+};
+
 /// What connections need of the server.
 class Floor {
   public:
@@ -48,7 +57,7 @@ class Floor {
     const ServerOptions options_;
     HostNames names_;
     std::map<std::uint32_t, std::shared_ptr<Client>> clients_;
-    int connections_ = 0;
+    std::list<OpenConnection> connections_;  ///< By age.
     Text scene_, state_, timeline_, exercise_, faults_;
     Frame newest_;
     std::atomic<std::int64_t> sent_{0}, left_out_{0}, refused_{0}, dropped_{0};
@@ -78,6 +87,20 @@ class Floor {
     [[nodiscard]] bool has_place(const Role& role) const {
         const int kept = role.control ? 1 : 0;
         return hub_.clients.load(std::memory_order_relaxed) < options_.clients + kept;
+    }
+    /// Close the oldest connection of the address that has most, so that no crowd of connections
+    /// keeps others out.
+    void make_room_for_connections() {
+        std::map<std::string, int> by_address;
+        int most = 0;
+        for (const OpenConnection& one : connections_)
+            most = std::max(most, ++by_address[one.address]);
+        for (const OpenConnection& one : connections_) {
+            if (by_address[one.address] < most) continue;
+            refuse("a connection of " + one.address + ": too many are open; its oldest is closed");
+            const std::function<void()> drop = one.drop;
+            return drop();
+        }
     }
     virtual void left(std::uint32_t number) = 0;
     virtual std::uint32_t next_number() = 0;
