@@ -55,11 +55,11 @@ TEST(LiveCrowd, every_message_has_an_answer) {
     {
         LiveClient client(run.port(), run.roles[0].token);
         meet(client);
-        client.say(std::string("\xEF\xBB\xBF") + R"({"type": "pause", "id": 5})");
+        client.say(std::string("\xEF\xBB\xBF") + R"({"type": "resume", "id": 5})");
         EXPECT_EQ(client.answer_to(5)["type"], "ok") << "a byte order mark";
         client.say(std::string("\xEF\xBB\xBF"));
         EXPECT_EQ(client.wait_for("error")["type"], "error");
-        client.say(std::string(R"({"type": "pause", "id": 9007199254740993})"));
+        client.say(std::string(R"({"type": "resume", "id": 9007199254740993})"));
         const auto large = client.wait_for("error");
         EXPECT_EQ(large["id"], 9007199254740993);
         EXPECT_NE(large["reason"].get<std::string>().find("id is to be from 0"), std::string::npos);
@@ -68,7 +68,7 @@ TEST(LiveCrowd, every_message_has_an_answer) {
          {"1e300", "18446744073709551615", "-1", "-1e308", "1.5", "\"a\"", "1e-320"}) {
         LiveClient client(run.port(), run.roles[0].token);
         meet(client);
-        client.say(std::string(R"({"type": "pause", "id": )") + id + "}");
+        client.say(std::string(R"({"type": "resume", "id": )") + id + "}");
         EXPECT_EQ(client.wait_for("error")["type"], "error") << id;
     }
     EXPECT_TRUE(run.goes_on());
