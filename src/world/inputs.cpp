@@ -59,6 +59,23 @@ Followed followed(const World& world, const InputDef& def) {
     return {};
 }
 
+/// Refuse a range that `value` would leave empty, as add_interaction() does.
+void check_pair(const World& world, const InputDef& def, double value) {
+    if (!def.interaction.valid()) return;
+    constexpr std::pair<const char*, const char*> kPairs[] = {{"min", "max"},
+                                                              {"force_min", "force_max"}};
+    const InteractionDef& d = world.interaction_def(def.interaction);
+    for (const auto& [low, high] : kPairs) {
+        if (def.param != low && def.param != high) continue;
+        const char* const other = def.param == low ? high : low;
+        const double there = d.get(other);
+        if (def.param == low ? value <= there : value >= there) continue;
+        throw DefError(world::label("input", def.name) + ": value = " + world::number(value) +
+                       ": " + low + " would be above " + high + ", as " + other + " is " +
+                       world::number(there) + "; set that first");
+    }
+}
+
 /// Of two inputs of a parameter a restored world could not tell which was set last.
 void refuse_second(const InputDef& other, const InputDef& def, const world::Where& where) {
     if (other.interaction == def.interaction && other.param == def.param)
@@ -159,6 +176,7 @@ void World::set_input(InputId id, double value) {
             "; give one from " + world::number(std::max(range.min, def.min)) + " to " +
             world::number(std::min(range.max, def.max)) + " " + range.unit);
     const double clamped = std::min(std::max(value, def.min), def.max);
+    check_pair(*this, def, clamped);
     stepper::StepContext& c = impl_->ctx;
     if (clamped != value) {
         c.state.events.push({c.state.time, EventKind::input_clamped, def.interaction, value, id});

@@ -30,6 +30,7 @@ double value_for(Random& random, double min, double max) {
 struct Sets {
     int taken = 0, refused = 0, steps = 0, failed = 0;
     double longest = 0.0;
+    std::string last;  ///< What was set in this round, for the report.
 };
 
 void set_one(World& world, Random& random, Sets& out) {
@@ -55,6 +56,9 @@ void set_one(World& world, Random& random, Sets& out) {
             world.set_system_signal(name, value);
         }
         ++out.taken;
+        char text[40];
+        std::snprintf(text, sizeof text, " = %.17g; ", value);
+        out.last += name + text;
         EXPECT_TRUE(std::isfinite(value)) << name;
     } catch (const DefError& error) {
         ++out.refused;
@@ -70,13 +74,14 @@ void set_inputs_of(const std::string& name, int rounds) {
     Sets out;
     for (int i = 0; i < rounds; ++i) {
         watch.begin(name + ", round " + std::to_string(i));
+        out.last.clear();
         for (int n = random.integer(1, 3); n > 0; --n) set_one(scene->world, random, out);
         const int steps = random.chance(0.1) ? 100 : 6;
         for (int k = 0; k < steps; ++k, ++out.steps) {
             if (scene->world.step() != Status::ok) ++out.failed;
             const double took = watch.seconds();
             out.longest = std::max(out.longest, took);
-            ASSERT_LT(took, kLongest) << running;
+            ASSERT_LT(took, kLongest) << running << ", step " << k << ": " << out.last;
             watch.begin(running);
         }
         if (random.chance(0.5)) continue;  // values add up

@@ -154,6 +154,26 @@ TEST(Inputs, RefuseWhatPhysicsCannotFollow) {
     EXPECT_EQ(w.input(in), 0.0);
 }
 
+/// A motor whose smallest force is above its largest one is none that add_interaction() accepts.
+TEST(Inputs, RefuseAnEmptyRangeOfForces) {
+    Recipe r;
+    const BodyId a = r.add({.name = "a", .kind = BodyKind::fixed});
+    const BodyId b = r.add({.name = "drum", .kind = BodyKind::scalar, .mass = 10.0});
+    static_cast<void>(a);
+    InteractionDef motor = between(InteractionKind::ScalarMotor, {b});
+    const InteractionId id = r.add(motor.set("force_min", -5.0).set("force_max", 5.0));
+    World w = r.make();
+    const InputId low = w.add_input({.name = "low", .interaction = id, .param = "force_min"});
+    const InputId high = w.add_input({.name = "high", .interaction = id, .param = "force_max"});
+    EXPECT_THROW(w.set_input(high, -6.0), DefError);
+    EXPECT_THROW(w.set_input(low, 6.0), DefError);
+    EXPECT_EQ(w.interaction_def(id).get("force_max"), 5.0);
+    w.set_input(low, -9.0);
+    w.set_input(high, -6.0);
+    EXPECT_EQ(w.interaction_def(id).get("force_max"), -6.0);
+    EXPECT_EQ(w.step(), Status::ok);
+}
+
 /// An input may never set what add_interaction() refuses.
 TEST(Inputs, KeepToTheRangeOfTheParameter) {
     World w = pendulum().make();
