@@ -116,8 +116,11 @@ class Parser {
         const auto i = static_cast<std::size_t>(input);
         if (!ranges_.empty() && !(value >= ranges_[i].min && value <= ranges_[i].max))
             fail(field.column,
-                 fmt::format("{} is not within the range of the input \"{}\", {:.6g} to {:.6g}",
-                             field.text, inputs_[i], ranges_[i].min, ranges_[i].max));
+                 fmt::format("{} is not within the range of the input \"{}\", {:.6g} to {:.6g}{}",
+                             field.text, inputs_[i], ranges_[i].min, ranges_[i].max,
+                             ranges_[i].unit.empty() || ranges_[i].unit == "1"
+                                 ? ""
+                                 : " " + ranges_[i].unit));
         return value;
     }
 

@@ -25,6 +25,7 @@ struct ControlError : std::runtime_error {
 /// What an input takes.
 struct ControlRange {
     double min = -1e300, max = 1e300;
+    std::string unit{};  ///< For messages.
 };
 
 struct ControlChange {

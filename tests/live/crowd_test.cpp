@@ -149,7 +149,10 @@ TEST(LiveCrowd, values_that_no_input_has_are_refused) {
             if (answer["type"] == "ok") continue;
             const auto reason = answer["reason"].get<std::string>();
             EXPECT_NE(reason.find(input["name"].get<std::string>()), std::string::npos) << reason;
-            EXPECT_NE(reason.find("is outside its range"), std::string::npos) << reason;
+            const bool range = reason.find("is outside its range") != std::string::npos;
+            // Of a motor, whose other limit was set before.
+            const bool empty = reason.find("would be above") != std::string::npos;
+            EXPECT_TRUE(range || empty) << reason;
         }
     }
     EXPECT_TRUE(run.goes_on());
