@@ -4,6 +4,7 @@
 /// world steps on in bounded time.
 #include "files/forge_state.h"
 #include "files/watch.h"
+#include "scene/good_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +22,9 @@ struct Outcome {
 
 /// @param share  Of the inputs that change systems alone; the others change any part.
 void attack_systems(const std::string& name, int inputs, double share, std::uint64_t seed,
-                    Outcome& out) {
+                    Outcome& out, std::string_view text = {}) {
     Random random(seed);
-    std::optional<scene::Scene> scene(after_some_steps(name));
+    std::optional<scene::Scene> scene(after_some_steps(name, text));
     const std::vector<std::byte> good = scene->world.save();
     scene->world.restore(good);
     const auto hash = scene->world.state_hash();
@@ -61,7 +62,7 @@ void attack_systems(const std::string& name, int inputs, double share, std::uint
         try {
             world.restore(good);
         } catch (const DefError&) {  // a step has added or removed nodes
-            scene.emplace(after_some_steps(name));
+            scene.emplace(after_some_steps(name, text));
             scene->world.restore(good);
         }
         ASSERT_EQ(scene->world.state_hash(), hash) << running;
@@ -77,9 +78,9 @@ constexpr const char* kSystemScenes[] = {
 
 int of_scene(int quick, int full, int long_runs) { return inputs_of(quick, full, long_runs); }
 
-void attack_scene(const std::string& name, int inputs) {
+void attack_scene(const std::string& name, int inputs, std::string_view text = {}) {
     Outcome out;
-    attack_systems(name, inputs, 0.7, first_seed(61), out);
+    attack_systems(name, inputs, 0.7, first_seed(61), out, text);
     std::printf("%s: %d refused, %d taken, %d of their steps failed, longest %.3f s\n",
                 name.c_str(), out.refused, out.taken, out.failed, out.longest);
     EXPECT_GT(out.refused, 0);
@@ -90,6 +91,11 @@ TEST_P(ForgedSystems, AreRefusedOrTaken) { attack_scene(GetParam(), of_scene(40,
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ForgedSystems, testing::ValuesIn(kSystemScenes),
                          [](const auto& scene_name) { return std::string(scene_name.param); });
+
+/// Hooks, stoppers, pins, chasers and cranes.
+TEST(ForgedSystemsOfAScene, Gear) {
+    attack_scene("gear", of_scene(40, 350, 7000), scene::test::kCranes);
+}
 
 /// Stoppers, pins, resolution, posts, two winches.
 TEST(ForgedSystemsOfAScene, AnchorRun_full) { attack_scene("anchor_run", of_scene(20, 60, 1200)); }

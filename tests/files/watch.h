@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 #include <unistd.h>
 
@@ -48,9 +49,10 @@ class Watch {
     std::chrono::steady_clock::time_point start_;
 };
 
-/// A scene after 20 steps.
-inline scene::Scene after_some_steps(const std::string& name) {
-    scene::Scene scene = scene::load_file("scenes/" + name + ".json");
+/// A scene of `scenes`, or of a text if one is given, after 20 steps.
+inline scene::Scene after_some_steps(const std::string& name, std::string_view text = {}) {
+    scene::Scene scene =
+        text.empty() ? scene::load_file("scenes/" + name + ".json") : scene::load_text(text, name);
     scene.world.prepare();
     for (int i = 0; i < 20; ++i) EXPECT_EQ(scene.world.step(), Status::ok) << name;
     return scene;
