@@ -105,9 +105,18 @@ struct GuidePlan {
     double material[2];       ///< Of each part, without tension [m].
     double angle;             ///< [rad]
 };
-/// @param element  With all its parameters. @param tension  It has [N].
-/// @throws DefError
+/// Directions of a wire beside the element that passes a guide, as drawn: unit vectors from the
+/// first end to the last. Where the wire ends, that of the element.
+struct DrawnWire {
+    Vec3 before{0.0, 0.0, 0.0}, behind{0.0, 0.0, 0.0};
+};
+
+/// @param element  With all its parameters. @param tension  Of the element [N]. @param drawn  Wire
+/// to be compared with the side of `radius`; null: it is not compared.
+/// @throws DefError, also if the wire is drawn on the other side of the wheel, or passes more than
+/// half an element beside it.
 [[nodiscard]] GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element,
-                                   double tension, const RouteBodies& bodies);
+                                   double tension, const RouteBodies& bodies,
+                                   const DrawnWire* drawn = nullptr);
 
 }  // namespace hawser

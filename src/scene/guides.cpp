@@ -152,11 +152,19 @@ void divide(Description& out, Cable& cable, std::size_t k, GuideDef& def, const 
     InteractionDef filled = element;
     for (const auto& [key, value] : {std::pair{"tension_only", 1.0}, {"breaking_load", 1e30}})
         if (std::isnan(filled.get(key))) filled.set(key, value);
+    const auto body_of = [&out](BodyId id) {
+        const BodyDef& b = out.body(id);
+        return RouteBody{b.position, b.orientation.normalized(), b.kind, b.mass};
+    };
+    const auto direction = [&](std::size_t i) -> Vec3 {
+        const InteractionDef& d = element_of(out, cable.stretch[i]);
+        return (out.world_point(d.body[1], d.point[1]) - out.world_point(d.body[0], d.point[0]))
+            .normalized();
+    };
+    const DrawnWire drawn{direction(k > 0 ? k - 1 : k),
+                          direction(k + 1 < cable.stretch.size() ? k + 1 : k)};
     GuidePlan plan =
-        plan_guide(def, filled, filled.get("EA") * (chord / length - 1.0), [&out](BodyId id) {
-            const BodyDef& b = out.body(id);
-            return RouteBody{b.position, b.orientation.normalized(), b.kind, b.mass};
-        });
+        plan_guide(def, filled, filled.get("EA") * (chord / length - 1.0), body_of, &drawn);
     if (density > 0.0)
         for (const BodyId end : {element.body[0], element.body[1]})
             lighten(out.bodies[static_cast<std::size_t>(end.index)], 0.5 * mass, place);

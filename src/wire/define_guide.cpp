@@ -122,10 +122,50 @@ void check(World& world, const GuideDef& def) {
         refuse(def, "mass_per_length = " + number(def.mass_per_length) + " kg/m; give 0 or more");
 }
 
+/// Compare the drawn wire with the guide: its distance, and the side of the wheel on which it runs.
+///
+/// The wire turns about +axis n. With its direction u it touches the wheel on the side s = u × n of
+/// the centre c:
+/// - A wire that is drawn with a turn about n, or against it, tells the side by that: u₁ × u₂ · n
+///   of the elements before and behind.
+/// - A wire that is drawn straight passes the centre at the offset o = (p − c)·s, p on the element:
+///   o ≈ +R as the radius says, o ≈ −R on the other side.
+/// Beyond two radii neither counts: the wire is led to the guide from elsewhere. @throws DefError
+void check_place(const GuideDef& def, const InteractionDef& element, const RouteBodies& bodies,
+                 const DrawnWire& drawn) {
+    const auto in_world = [&](std::size_t end) -> Vec3 {
+        const RouteBody b = bodies(element.body[end]);
+        return b.position + b.orientation * element.point[end];
+    };
+    const RouteBody on = bodies(def.body);
+    const Vec3 centre = on.position + on.orientation * def.point;
+    const Vec3 first = in_world(0), second = in_world(1);
+    const double radius = std::abs(def.radius), length = element.get("length");
+    const double far = apart(centre, first, second) - radius;
+    if (far > 0.5 * length)
+        refuse(def, "its wire passes " + number(far) +
+                        " m beside it, more than half of an element (" + number(0.5 * length) +
+                        " m); draw the wire over the guide, or move the guide to the wire");
+    if (radius == 0.0 || def.turns > 0) return;
+    const Vec3 axis = (on.orientation * def.axis).normalized() * (def.radius < 0.0 ? -1.0 : 1.0);
+    const Vec3 side = (second - first).normalized().cross(axis);
+    if (!(side.norm() > 1e-6)) return;  // along the axis
+    const double offset = (first - centre).dot(side.normalized());
+    constexpr double kStraight = 0.05, kOther = 0.25, kBeyond = 2.0;  // [rad, 1, 1]
+    const double turn = drawn.before.cross(drawn.behind).dot(axis);
+    const bool other = turn < -kStraight || (turn <= kStraight && offset < -kOther * radius);
+    if (turn > kStraight || !other || std::abs(offset) > kBeyond * radius) return;
+    refuse(def, "radius = " + number(def.radius) +
+                    " m: the wire is drawn on the other side of the wheel, " +
+                    number(std::abs(offset)) + " m from its centre; give " + number(-def.radius) +
+                    ", or draw the wire on the side on which it is to run");
+}
+
 }  // namespace
 
 GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double tension,
-                     const RouteBodies& bodies) {
+                     const RouteBodies& bodies, const DrawnWire* drawn) {
+    if (drawn != nullptr) check_place(def, element, bodies, *drawn);
     const RouteDef route = wire::route_of(def, element, tension);
     GuidePlan out{};
     RoutePlan plan;
@@ -164,6 +204,22 @@ GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double 
 }
 
 namespace wire {
+namespace {
+
+DrawnWire drawn_wire(const World& world, WireId wire, InteractionId element) {
+    const auto elements = world.elements(wire);
+    const auto direction = [&](std::size_t k) -> Vec3 {
+        const std::array<Vec3, 2> ends = world.ends(elements[k]);
+        return (ends[1] - ends[0]).normalized();
+    };
+    std::size_t k = 0;
+    while (k + 1 < elements.size() && elements[k] != element) ++k;
+    const bool before = k > 0 && world.alive(elements[k - 1]);
+    const bool behind = k + 1 < elements.size() && world.alive(elements[k + 1]);
+    return {direction(before ? k - 1 : k), direction(behind ? k + 1 : k)};
+}
+
+}  // namespace
 
 EndLumps end_lumps(const World& world, const InteractionDef& element) {
     EndLumps out;
@@ -181,7 +237,8 @@ double kept_by_lumps(const EndLumps& before, const EndLumps& after, double mass)
     return kept > kRounding * mass ? kept : 0.0;
 }
 
-Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& material) {
+Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& material,
+             bool drawn) {
     Guide out;
     const InteractionId id = def.element.valid() ? def.element : nearest_element(world, def);
     if (!world.alive(id) || world.wire_of(id) != def.wire)
@@ -198,12 +255,14 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
                "element_length: its wire's elements have no mass of their own that could "
                "run through (consistent_mass)");
     const double tension = element.get("EA") * ((ends[1] - ends[0]).norm() / length - 1.0);
-    GuidePlan plan = plan_guide(def, element, tension, [&world, &def](BodyId b) {
+    const DrawnWire wire = drawn_wire(world, def.wire, id);
+    const auto body_of = [&world, &def](BodyId b) {
         if (!world.alive(b)) refuse(def, "one of its bodies is not there");
         const Pose pose = world.pose(b);
         return RouteBody{pose.position, pose.orientation, world.body_def(b).kind,
                          world.body_def(b).mass};
-    });
+    };
+    GuidePlan plan = plan_guide(def, element, tension, body_of, drawn ? &wire : nullptr);
     material = {plan.material[0], plan.material[1]};
     check_room(world, def, id, id, material);
     plan.slide.velocity.x() = speed;
@@ -250,7 +309,7 @@ Guide define(World& world, const GuideDef& given) {
             refuse(def, "with a slide of its own give mass_per_length and element_length");
         check_room(world, def, out.before, out.behind, material);
     } else {
-        out = wire::lay_on(world, def, 0.0, material);
+        out = wire::lay_on(world, def, 0.0, material, true);
     }
     const InputId stop = wire::add_stop(world, def, out);
     world.add_system(std::make_unique<wire::GuideSystem>(def, out, stop, material));

@@ -21,9 +21,10 @@ struct EndLumps {
 
 /// Slide, parts and friction of a guide, all or nothing but for memory that ends. @param def  What
 /// was left to defaults is filled in. @param speed  Of the wire running through [m/s]. @param
-/// material  Of the parts [m]. @throws DefError
+/// material  Of the parts [m]. @param drawn  Compare the side of the wheel with the wire as drawn.
+/// @throws DefError
 [[nodiscard]] Guide lay_on(World& world, GuideDef& def, double speed,
-                           std::array<double, 2>& material);
+                           std::array<double, 2>& material, bool drawn = false);
 /// The force of its friction beside that of the angle.
 InputId add_stop(World& world, const GuideDef& def, const Guide& guide);
 
