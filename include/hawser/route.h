@@ -22,6 +22,8 @@
 /// e^{μδ} at most, exactly (solve/capstans.h); a sheave of efficiency η by 1/η. Below that nothing
 /// creeps.
 ///
+/// The end of a line stops at the place that it comes to (stop_ends()).
+///
 /// Limits: friction is that of the angle at the start; the stiffness of a part stays EA over its
 /// length at the start; tension alone, no weight, no bending. Places on one body that follow each
 /// other keep the length between them.
@@ -97,6 +99,12 @@ struct RouteBody {
 };
 /// How to find it. @throws DefError where there is none.
 using RouteBodies = std::function<RouteBody(BodyId)>;
+
+/// Stop the ends of lines at the places that they run through. A part whose end is made fast to a
+/// body (kind end_span) holds its slide when less than 1 % of its length is left and more would run
+/// through; the event `hauled_in` of the slide is reported. Running back is free. World::add() of a
+/// route does it by itself. @param name  Of the System that does it; unique. @throws DefError.
+void stop_ends(World& world, const std::string& name, std::vector<InteractionId> parts);
 
 /// What a route is made of, for those that have no World yet.
 struct RoutePlan {

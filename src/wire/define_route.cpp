@@ -4,11 +4,14 @@
 
 #include "base/wheel_tangent.h"
 #include "wire/bounds.h"
+#include "wire/end_stops.h"
 #include "wire/route_checks.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace hawser {
 namespace {
@@ -201,22 +204,46 @@ RouteBodies bodies_of(const World& world, const RouteDef& def) {
     };
 }
 
+/// Mass of a slide in units of the lightest body.
+///
+/// The speed of a sliding place is a difference of tensions over its mass, so that its rounding is
+/// ε T/m. With much friction the tensions T₁ ≪ T₂ of a place differ by up to e^{μδ}, and the slide
+/// of a light end would move by the rounding of the heavy one: from 10⁴ on it gets as much more
+/// mass, up to a thousandth of the lightest body.
+double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightest,
+                  double heaviest) {
+    constexpr double kRatio = 1e4, kMost = 1e-3;
+    const std::vector<Corner> corners = corners_of(def, bodies);
+    std::vector<Straight> straight;
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+        straight.push_back(straight_between(def, corners[i], corners[i + 1]));
+    std::vector<double> angles;
+    (void)arcs_of(def, corners, straight, angles);
+    double exponent = 0.0;
+    for (std::size_t i = 0; i < def.places.size(); ++i)
+        exponent += def.places[i].friction * angles[i];
+    const double ratio = std::min(std::exp(exponent), heaviest / lightest);
+    return lightest * std::clamp(kSlideMass * ratio / kRatio, kSlideMass, kMost);
+}
+
 }  // namespace
 
 std::vector<BodyDef> route_slides(const RouteDef& def, const RouteBodies& bodies) {
     check(bodies, def);
-    double lightest = 1e30;
+    double lightest = 1e30, heaviest = 0.0;
     for (const Corner& c : corners_of(def, bodies)) {
         const RouteBody body = bodies(c.body);
-        if (body.kind == BodyKind::lump || body.kind == BodyKind::rigid)
-            lightest = std::min(lightest, body.mass);
+        const bool moves = body.kind == BodyKind::lump || body.kind == BodyKind::rigid;
+        if (moves) lightest = std::min(lightest, body.mass);
+        heaviest = std::max(heaviest, moves ? body.mass : 1e30);
     }
     if (!(lightest < 1e30)) lightest = 1.0;
+    const double mass = slide_mass(def, bodies, lightest, heaviest);
     std::vector<BodyDef> slides;
     for (std::size_t i = 0; i < def.places.size(); ++i) {
         const RoutePlace& p = def.places[i];
         BodyDef slide{.name = part_name(def, "slide", i), .kind = BodyKind::scalar};
-        slide.mass = kSlideMass * lightest;
+        slide.mass = mass;
         if (p.inertia > 0.0) slide.mass = std::max(slide.mass, p.inertia / (p.radius * p.radius));
         slide.gravity = false;
         slides.push_back(std::move(slide));
@@ -272,6 +299,31 @@ RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
     return out;
 }
 
+void stop_ends(World& world, const std::string& name, std::vector<InteractionId> parts) {
+    if (world.find_system(name) != nullptr)
+        throw DefError("end stops '" + name + "': the name is taken; names are unique");
+    for (const InteractionId id : parts)
+        if (!world.alive(id) || world.interaction_def(id).kind != InteractionKind::EndSpan)
+            throw DefError("end stops '" + name + "': each part must be an end_span");
+    world.add_system(std::make_unique<wire::EndStops>(name, std::move(parts)));
+}
+
+namespace {
+
+/// Stop the ends of a route that are made fast to bodies; the first free name is taken.
+void add_end_stops(World& world, const RouteDef& def, const Route& route) {
+    std::vector<InteractionId> ends;
+    for (const InteractionId id : route.parts)
+        if (world.interaction_def(id).kind == InteractionKind::EndSpan) ends.push_back(id);
+    if (ends.empty()) return;
+    const std::string name = (def.name.empty() ? std::string("route") : def.name) + "/ends";
+    std::string free = name;
+    for (int i = 2; world.find_system(free) != nullptr; ++i) free = name + std::to_string(i);
+    stop_ends(world, free, std::move(ends));
+}
+
+}  // namespace
+
 Route define(World& world, const RouteDef& def) {
     const RouteBodies bodies = bodies_of(world, def);
     Route out;
@@ -287,6 +339,7 @@ Route define(World& world, const RouteDef& def) {
             out.frictions[f.place] = world.add_interaction(f.def);
         }
         out.angles = std::move(plan.angles);
+        add_end_stops(world, def, out);
     } catch (...) {
         // With the slides goes all that hangs on them.
         for (const BodyId id : out.slides) world.remove_body(id);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Lines over posts and sheaves: Euler's ratio whatever the number of places, bits, refusals.
 #include "support/post.h"
+#include "support/tier.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -211,6 +214,82 @@ TEST(Routes, ThatAreWrongAreRefusedAndLeaveNothing) {
               std::string::npos);
     EXPECT_NE(refused([&](RouteDef& d) { d.places[0].body = b; }).find("lump"), std::string::npos);
     EXPECT_EQ(w.add(good).parts.size(), 2u);
+}
+
+/// The light side is pulled up to its eye and stops there: the heavy side hangs still from then on,
+/// with its weight in the line, and never lower than the line lets it.
+TEST(Routes, EndsStopAtTheirEye) {
+    for (const std::uint32_t seed : test::seeds(3, 6, 60, 600)) {
+        std::mt19937 random(seed);
+        const auto draw = [&](double a, double b) {
+            return std::uniform_real_distribution<double>(a, b)(random);
+        };
+        const double light = draw(0.5, 50.0), heavy = light * draw(1.5, 20.0);
+        const double left = draw(0.5, 6.0), right = draw(0.5, 6.0), apart = draw(0.5, 4.0);
+        World w;
+        const BodyId top = w.add_body({.kind = BodyKind::fixed});
+        const auto lump = [&](double x, double z, double mass) {
+            return w.add_body({.kind = BodyKind::lump,
+                               .position = {x, 0, -z},
+                               .mass = mass,
+                               .linear_damping = Vec3::Constant(0.2 * mass)});
+        };
+        const BodyId a = lump(0.0, left, light), b = lump(apart, right, heavy);
+        const Route r =
+            w.add(RouteDef{.name = "rope",
+                           .EA = 1e6,
+                           .first = {.body = a},
+                           .places = {{.body = top}, {.body = top, .point = {apart, 0, 0}}},
+                           .last = {.body = b},
+                           .damping_time = 0.05});
+        const double length = left + right;
+        for (int i = 0; i < 2400; ++i) {
+            ASSERT_EQ(w.step(), Status::ok) << seed << " step " << i;
+            // 3 %: 1 % of the part is left, and the line stretches by the impact.
+            ASSERT_GE(w.pose(b).position.z(), -1.03 * length - 0.05) << seed << " step " << i;
+        }
+        EXPECT_GE(w.event_extremes(EventKind::hauled_in).count, 1) << seed;
+        EXPECT_EQ(w.event_extremes(EventKind::energy_created).count, 0) << seed;
+        EXPECT_LE(w.pose(a).position.norm(), 0.03 * left + 0.02) << seed;
+        EXPECT_NEAR(-w.force(r.parts.back())[0], 9.81 * heavy, 0.02 * 9.81 * heavy) << seed;
+        // 1e-3 m/s: what is left of the swing after 40 s.
+        EXPECT_LE(std::abs(w.velocity(b).linear.z()), 1e-3) << seed;
+    }
+}
+
+/// e^{μδ} of 10⁵ to 10⁹: a bollard that may hold a load does not lift it.
+TEST(Routes, MuchFrictionLiftsNothing) {
+    for (const std::uint32_t seed : test::seeds(5, 6, 60, 600)) {
+        std::mt19937 random(seed);
+        const auto draw = [&](double a, double b) {
+            return std::uniform_real_distribution<double>(a, b)(random);
+        };
+        const int turns = 3 + static_cast<int>(random() % 6);
+        const double exponent = draw(std::log(1e5), std::log(1e9));
+        const double friction = exponent / (std::numbers::pi * (2.0 * turns + 1.0));
+        const double light = draw(0.05, 5.0), heavy = light * std::exp(exponent) * draw(0.5, 1.0);
+        World w;
+        const BodyId post = w.add_body({.kind = BodyKind::fixed});
+        const auto lump = [&](double x, double mass) {
+            return w.add_body({.kind = BodyKind::lump,
+                               .position = {x, 0, -5.0},
+                               .mass = mass,
+                               .linear_damping = Vec3::Constant(0.3 * mass)});
+        };
+        const BodyId a = lump(-0.5, light), b = lump(0.5, heavy);
+        w.add(RouteDef{
+            .EA = heavy * 9.81 * draw(100.0, 400.0),
+            .first = {.body = a},
+            .places = {{.body = post, .radius = 0.5, .friction = friction, .turns = turns}},
+            .last = {.body = b},
+            .tension = 9.81 * light,
+            .damping_time = 0.3});
+        for (int i = 0; i < 900; ++i) ASSERT_EQ(w.step(), Status::ok) << seed;
+        const double before = w.pose(b).position.z();
+        for (int i = 0; i < 900; ++i) ASSERT_EQ(w.step(), Status::ok) << seed;
+        // 1e-4 m in 15 s: an error of rounding moved loads by 0.2 m.
+        EXPECT_LE(w.pose(b).position.z(), before + 1e-4) << seed;
+    }
 }
 
 }  // namespace
