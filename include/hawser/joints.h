@@ -52,7 +52,8 @@ struct AxisLimit {
 struct AxisMotor {
     double speed = kDefault;                            ///< Wanted [rad/s or m/s].
     double force_min = kDefault, force_max = kDefault;  ///< [N m or N].
-    double compliance = kDefault;                       ///< [rad/s/(N m) or m/s/N].
+    double power = kDefault;       ///< Largest driving power [W]; default: no limit.
+    double compliance = kDefault;  ///< [rad/s/(N m) or m/s/N].
 };
 
 /// Dry friction, or a brake whose bound an input drives.

@@ -15,7 +15,7 @@ bool is_bounded(const model::Interactions& in, int id) {
     if (flags & (model::kOneSided | model::kRange | model::kFriction)) return true;
     return (flags & model::kMotor) &&
            ((flags & model::kByInput) || in.low[at(id)] > -model::kUnbounded ||
-            in.high[at(id)] < model::kUnbounded);
+            in.high[at(id)] < model::kUnbounded || in.power[at(id)] < model::kUnbounded);
 }
 
 }  // namespace

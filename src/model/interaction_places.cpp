@@ -17,8 +17,8 @@ namespace {
 
 auto by_interaction(Interactions& in) noexcept {
     return std::to_array<base::Array<double>*>(
-        {&in.active, &in.held, &in.low, &in.high, &in.anchor, &in.breaking, &in.rest_length,
-         &in.defined_radius, &in.pair_mass, &in.lightness, &in.alert, &in.swing});
+        {&in.active, &in.held, &in.low, &in.high, &in.anchor, &in.power, &in.breaking,
+         &in.rest_length, &in.defined_radius, &in.pair_mass, &in.lightness, &in.alert, &in.swing});
 }
 
 auto by_row(Interactions& in) noexcept {

@@ -16,6 +16,11 @@ namespace {
 
 using assembly::View;
 
+/// True for motors whose bound follows their speed.
+bool limits_power(const model::Interactions& in, std::int32_t id) noexcept {
+    return (in.flags[at(id)] & model::kMotor) != 0 && in.power[at(id)] < model::kUnbounded;
+}
+
 double stiffness_scale(const Model& model, std::size_t i) noexcept {
     const model::Interactions& in = model.interactions;
     return model.system.bounded_mobility[i] +
@@ -105,8 +110,9 @@ void reserve_bounds(const Model& model, Newton& newton) {
     }
     newton.loaded.clear();
     for (const std::int32_t id : model.system.bounded)
-        if ((in.flags[at(id)] & model::kFriction) && in.load_begin[at(id)] >= 0 &&
-            !is_capstan(model, id))
+        if (((in.flags[at(id)] & model::kFriction) && in.load_begin[at(id)] >= 0 &&
+             !is_capstan(model, id)) ||
+            limits_power(in, id))
             newton.loaded.push_back(id);
     newton.follow.reserve(newton.loaded.size());
 }
@@ -152,13 +158,27 @@ double bounds_merit(const Model& model, const Newton& newton, double t) noexcept
 double bounds_map(const Model& model, const Newton& newton) noexcept {
     const model::Interactions& in = model.interactions;
     double largest = 0.0;
+    const auto idle = [&](std::int32_t id) {
+        return in.active[at(id)] == 0.0 && !model.system.rests(id);
+    };
     for (const std::int32_t id : in.frictions) {
-        if (in.active[at(id)] != 0.0 || model.system.rests(id)) continue;
+        if (!idle(id)) continue;
         const double held = in.held[at(id)],
                      bound = moved_with(impulse_range(model, newton, id), held);
         if (bound == held) continue;
         largest = std::max(
             largest, std::fabs(bound - held) / std::max(std::fabs(bound), model.contact_floor));
+    }
+    for (const std::int32_t id : in.motors) {
+        if (!limits_power(in, id) || !idle(id) || !(newton.bound_time > 0.0)) continue;
+        const double excess = power_excess(model, newton, id);
+        // Below its power a motor gives the whole of its force.
+        const auto is_at = [&](double bound) {
+            const double end = newton.bound_time * bound;
+            return std::fabs(in.held[at(id)] - end) <= 1e-12 * std::fabs(end);
+        };
+        const bool whole = is_at(in.low[at(id)]) || is_at(in.high[at(id)]);
+        largest = std::max(largest, whole ? excess : std::fabs(excess));
     }
     return largest;
 }

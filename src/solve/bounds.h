@@ -18,6 +18,9 @@
 /// matrix; a bound that moves with a load changes the right-hand side only. An idle row may ask for
 /// the other end of its range: a motor that is told to turn back.
 ///
+/// **Power.** A motor with a limit of power P drives with λ w₊ ≤ h P, w₊ the speed of its row after
+/// the step. That bound follows the solution like the bounds of friction do (impulse_range.cpp).
+///
 /// **Loads.** The bound of friction lags an iteration behind its load; loads that friction itself
 /// makes up by a share s would take log(1e-6)/log(s) iterations, each the cost of a substitution: a
 /// line round a bollard has s = tanh(μδ/2), for three turns at μ = 0.3 that is 2,000 of them. While

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/impulse_range.h"
 
+#include "access/rows.h"
+#include "access/view.h"
 #include "base/index.h"
 #include "context/newton_data.h"
 
@@ -25,7 +27,46 @@ double load_of(const Model& model, std::int32_t id) noexcept {
     return sum;
 }
 
+/// Impulse λ with which a motor drives with power P at the speed that follows from it:
+/// ```
+///     λ (w + W (λ − λ_k)) = h P        λ_k, w impulse and speed at hand, W mobility of the row
+/// ```
+/// The positive root. It is exact if W is the mobility of the whole system; a larger W converges to
+/// the same λ from one iteration to the next, since λ = λ_k there.
+double impulse_of_power(double work, double w, double lambda, double mobility) noexcept {
+    const double b = w - mobility * lambda;
+    const double root = std::sqrt(b * b + 4.0 * mobility * work);
+    // The form without cancellation.
+    return b > 0.0 ? 2.0 * work / (b + root) : (root - b) / (2.0 * mobility);
+}
+
+/// Speed of the first row of an interaction by the velocities at hand.
+double speed_of_row(const Model& model, std::int32_t id) noexcept {
+    return row_speed(row_view(const_cast<Model&>(model)), id);  // reads only
+}
+
+/// Narrow the range of a motor to the impulses that its power allows.
+void limit_power(const Model& model, const Newton& newton, std::int32_t id,
+                 ImpulseRange& range) noexcept {
+    const model::Interactions& in = model.interactions;
+    const double work = newton.bound_time * in.power[at(id)];
+    const auto found =
+        std::lower_bound(model.system.bounded.begin(), model.system.bounded.end(), id);
+    if (found == model.system.bounded.end() || *found != id) return;
+    const double mobility = model.system.bounded_mobility[at(found - model.system.bounded.begin())];
+    const double w = speed_of_row(model, id), lambda = in.lambda[at(in.row_begin[at(id)])];
+    range.high = std::min(range.high, impulse_of_power(work, w, lambda, mobility));
+    range.low = std::max(range.low, -impulse_of_power(work, -w, -lambda, mobility));
+}
+
 }  // namespace
+
+double power_excess(const Model& model, const Newton& newton, std::int32_t id) noexcept {
+    const model::Interactions& in = model.interactions;
+    const double lambda = in.lambda[at(in.row_begin[at(id)])];
+    const double work = lambda * speed_of_row(model, id);
+    return work / (newton.bound_time * in.power[at(id)]) - 1.0;
+}
 
 ImpulseRange impulse_range(const Model& model, const Newton& newton, std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
@@ -39,6 +80,8 @@ ImpulseRange impulse_range(const Model& model, const Newton& newton, std::int32_
     // A line's force has no bound in an impact either.
     const double time = flags & (model::kMotor | model::kFriction) ? newton.bound_time : 1.0;
     ImpulseRange range{time * in.low[at(id)], time * in.high[at(id)]};
+    if ((flags & model::kMotor) && in.power[at(id)] < model::kUnbounded && time > 0.0)
+        limit_power(model, newton, id, range);
     if (flags & model::kFriction) {
         const double load = load_of(model, id);
         range.low -= load;

@@ -15,4 +15,8 @@ struct ImpulseRange {
 [[nodiscard]] ImpulseRange impulse_range(const Model& model, const Newton& newton,
                                          std::int32_t id) noexcept;
 
+/// λ w/(h P) − 1 of a motor with a limit of power P: above 0 it drives with more than that.
+[[nodiscard]] double power_excess(const Model& model, const Newton& newton,
+                                  std::int32_t id) noexcept;
+
 }  // namespace hawser::stepper

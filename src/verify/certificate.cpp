@@ -102,9 +102,11 @@ void Verifier::follow(const World& world) {
         if (def.kind == BodyKind::rigid) mobility_[slot(id.index)] = def.inertia.inverse();
     }
     loads_ = false;
-    for (const InteractionId id : interactions_)
-        for (const FrictionLoad& load : world.interaction_def(id).load)
-            loads_ = loads_ || load.interaction.valid();
+    for (const InteractionId id : interactions_) {
+        const InteractionDef& def = world.interaction_def(id);
+        for (const FrictionLoad& load : def.load) loads_ = loads_ || load.interaction.valid();
+        loads_ = loads_ || (kind_info(def.kind).is(kMotorKind) && def.get("power") < 1e30);
+    }
     floor_ = 1e-6 * step_ * 9.81 * (least < kNone ? least : least_of_all);
     scalar_floor_ = 1e-6 * step_ * 9.81 * least_of_all;
     momentum_floor_ = 1e-6 * step_ * 9.81 * std::sqrt(mass);
@@ -155,8 +157,8 @@ std::string Verifier::after_step(const World& world) {
     }
     const StepStats& stats = world.stats();
     const double map = step_map(world);
-    // Joints whose friction has loads are part of what the step says, by how far their bounds moved
-    // after they were last solved for: contacts may then be better than that, not worse.
+    // The step counts friction with loads and motors with a limit of power by how far their bounds
+    // moved after they were last solved for: contacts may then be better than that, not worse.
     const double better = loads_ ? stats.natural_map : 0.0;
     // What is within rounding may be any of it there.
     const double difference = std::max(

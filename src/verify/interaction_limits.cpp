@@ -261,6 +261,30 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     return out;
 }
 
+namespace {
+
+/// Speed of a motor's coordinate after the step [m/s or rad/s].
+double motor_speed(const Attached& on) {
+    if (on.def().kind == InteractionKind::ScalarMotor) return on.velocity(0).linear.x();
+    const Vec3 axis = on.axis(0, 2);
+    const Twist a = on.velocity(0), b = on.velocity(1);
+    if (on.def().kind == InteractionKind::HingeMotor) return axis.dot(b.angular - a.angular);
+    const Vec3 where = on.point(1);
+    return axis.dot(b.linear + b.angular.cross(where - on.center(1)) - a.linear -
+                    a.angular.cross(where - on.center(0)));
+}
+
+/// Range of a motor that drives with a power of at most `power` [W].
+ForceRange with_power(const Attached& on, double power, ForceRange range) {
+    if (!(power < 1e30)) return range;
+    const double speed = motor_speed(on);
+    if (speed > 0.0) range.high = std::min(range.high, power / speed);
+    if (speed < 0.0) range.low = std::max(range.low, power / speed);
+    return range;
+}
+
+}  // namespace
+
 ForceRange force_range(const World& world, InteractionId id, std::span<const Pose> pose) {
     const Attached on(world, id, pose);
     switch (on.def().kind) {
@@ -276,7 +300,8 @@ ForceRange force_range(const World& world, InteractionId id, std::span<const Pos
         case InteractionKind::ScalarMotor:
         case InteractionKind::ScalarClutch: {
             const double high = parameter(world, id, "force_max");
-            return {std::min(parameter(world, id, "force_min"), high), high, true, false};
+            return with_power(on, parameter(world, id, "power"),
+                              {std::min(parameter(world, id, "force_min"), high), high, true});
         }
         case InteractionKind::HingeRange:
             return limit_range(world, id, angle_of(on));

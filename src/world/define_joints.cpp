@@ -48,6 +48,7 @@ void set_motor(InteractionDef& def, const AxisMotor& motor) {
     set_given(def, "speed", motor.speed);
     set_given(def, "force_min", motor.force_min);
     set_given(def, "force_max", motor.force_max);
+    set_given(def, "power", motor.power);
     def.compliance[0] = motor.compliance;
 }
 

@@ -241,5 +241,61 @@ TEST(Winch, RefusesWhatIsNoWinch) {
     EXPECT_LE(d.w.body_count(), bodies + 1);
 }
 
+/// A winch lifts m with the power P: v = P/(m g) at the end, and never more power than P, at any
+/// step. The drum is light: without a bound inside the solve, one step crosses the whole curve.
+TEST(WinchPower, IsTheLimitOfTorqueTimesSpeed) {
+    constexpr double kPower = 1e5, kLoad = 2e4, kG = 9.81;
+    for (const double step : {1.0 / 240.0, 1.0 / 60.0, 1.0 / 30.0}) {
+        World w(WorldDef{.step = step});
+        const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
+        const BodyId load = w.add_body(
+            {.name = "load", .kind = BodyKind::lump, .position = {0, 0, -60}, .mass = kLoad});
+        const WireId wire = w.add_wire({.name = "wire",
+                                        .from = deck,
+                                        .to = load,
+                                        .elements = 12,
+                                        .EA = 1e8,
+                                        .mass_per_length = 4.0,
+                                        .axial_damping = 0.5,
+                                        .consistent_mass = true});
+        const WinchIds ids = w.add(WinchDef{.name = "winch",
+                                            .wire = wire,
+                                            .core_radius = 0.4,
+                                            .width = 1.0,
+                                            .flange_radius = 0.9,
+                                            .wire_diameter = 0.032,
+                                            .mass_per_length = 4.0,
+                                            .stored = 100.0,
+                                            .inertia = 300.0,
+                                            .torque_haul = 1.5e5,
+                                            .torque_pay = 1.5e5,
+                                            .power = kPower,
+                                            .speed = -2.0,
+                                            .brake_static = 2e5,
+                                            .mode = WinchMode::speed});
+        double most = 0.0, lowest = 0.0;
+        const auto run = [&](double seconds) {
+            for (long i = std::lround(seconds / step); i > 0; --i) {
+                ASSERT_EQ(w.step(), Status::ok);
+                const double torque = w.force(ids.motor)[0];
+                most = std::max(most, torque * w.velocity(ids.drum).linear.x());
+                lowest = std::min(lowest, w.pose(load).position.z());
+            }
+        };
+        run(30.0);
+        // 1e-5: the solver's tolerance of 1e-6 for bounds that move, and rounding.
+        EXPECT_LE(most, kPower * (1.0 + 1e-5)) << step;
+        EXPECT_GE(lowest, -61.0) << "the load is not lost, step " << step;
+        const double hangs = kLoad - 4.0 * w.pose(load).position.z();
+        // 2 %: the load still swings on its wire, and the wire's weight falls as it comes in.
+        EXPECT_NEAR(w.velocity(load).linear.z(), kPower / (hangs * kG), 0.02) << step;
+        // Braking is bounded by the torque alone: the winch holds the load while it pays out fast.
+        w.set_system_signal("winch.speed", 2.0);
+        run(6.0);
+        const double radius = w.system_signal("winch.radius");
+        EXPECT_NEAR(radius * w.velocity(ids.drum).linear.x(), 2.0, 1e-2) << step;
+    }
+}
+
 }  // namespace
 }  // namespace hawser::test

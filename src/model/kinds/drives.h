@@ -63,7 +63,10 @@ inline void travel_row(const JointData& joint, const BodyRef* b, Rows<2, 1>& out
 inline constexpr ParamInfo kMotorParams[] = {
     {"speed", "m/s or rad/s", 0.0, -1e6, 1e6, "Speed wanted.", true},
     {"force_min", "N or N m", -1e30, -1e30, 1e30, "Smallest force or torque.", true},
-    {"force_max", "N or N m", 1e30, -1e30, 1e30, "Largest force or torque.", true}};
+    {"force_max", "N or N m", 1e30, -1e30, 1e30, "Largest force or torque.", true},
+    {"power", "W", 1e30, 0.0, 1e30,
+     "Largest power with which it drives: force times speed at the end of the step. Braking is "
+     "bounded by the force alone."}};
 
 inline void motor_rows(const InteractionDef& d, RowSpec* s) {
     s[0].compliance = given(d.compliance.data()[0], kStopCompliance);
