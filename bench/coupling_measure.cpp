@@ -27,8 +27,8 @@ bool runaway(const World& world) {
 }
 
 double explained(const Energy& e) {
-    return e.mechanical() - e.applied - e.driven - e.edited + e.dissipated + e.friction + e.contact +
-           e.damped;
+    return e.mechanical() - e.applied - e.driven - e.edited + e.dissipated + e.friction +
+           e.contact + e.damped;
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ inline constexpr std::array<Mode, 7> kModes{{
 }};
 
 struct CouplingOptions {
-    std::vector<std::string> scenes{"scenes/anchor_lines.json", "scenes/anchor_contact.json",
+    std::vector<std::string> scenes{"bench/scenes/frozen/anchor_lines.json",
+                                    "bench/scenes/frozen/anchor_contact.json",
                                     "scenes/heavy_hook.json", "scenes/tow_zigzag.json"};
     std::vector<int> threads{1, 2};
     int parts = 4, steps = 120, rounds = 24;

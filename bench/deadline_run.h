@@ -19,8 +19,8 @@ inline constexpr int kExactRow = 10;        ///< Exact steps in a row that count
 inline constexpr const char* kPhaseNames[kDeadlinePhases] = {"before", "load", "after"};
 
 struct DeadlineOptions {
-    std::string scene = "scenes/anchor_contact.json";
-    std::string control = "scenes/anchor_lines.control.csv", json;
+    std::string scene = "bench/scenes/frozen/anchor_contact.json";
+    std::string control = "bench/scenes/frozen/anchor_lines.control.csv", json;
     double budget_ms = 5.0;
     int stacks = 135, steps = 300, threads = 1;
 };

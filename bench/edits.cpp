@@ -26,10 +26,10 @@ constexpr const char* kEditsFooter =
 elements, each added, and removed two steps later. The time of a step with an edit includes the edit
 itself. Figures count after so many rounds of all edits as warm up. Exit code 1 where a bar is
 missed: the median step with an edit at most 1.3 times that of a step without, no new plan, no
-growth (scenes/anchor_contact.json).
+growth (bench/scenes/frozen/anchor_contact.json).
 
 --own adds and removes nothing: of so many --steps of the scene, those before which nodes of its
-wires came or went are compared with the others (scenes/anchor_adaptive.json, which has them in its
+wires came or went are compared with the others (bench/scenes/frozen/anchor_adaptive.json, which has them in its
 first 10 s). The bar is the same; plans and growths are printed.)";
 
 /// One thing that comes and goes.
@@ -157,7 +157,7 @@ int report_own(const std::string& file, const EditFigures& f, const std::string&
 int edits_command(int argc, char** argv) {
     CLI::App app("What it costs to add and remove while a world runs.", "hawser-bench edits");
     app.footer(kEditsFooter);
-    std::string file = "scenes/anchor_contact.json", json;
+    std::string file = "bench/scenes/frozen/anchor_contact.json", json;
     int steps = 120, warm = 3, rounds = 25;
     app.add_option("SCENE", file, "Scene file")->capture_default_str();
     app.add_option("--steps", steps, "Steps before")->check(CLI::Range(1, 1000000));

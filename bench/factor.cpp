@@ -26,7 +26,7 @@ namespace {
 struct FactorOptions {
     std::vector<int> scales{1};
     std::vector<std::string> only;
-    std::string scene = "scenes/anchor_lines.json", matrix, blocks, json, picture;
+    std::string scene = "bench/scenes/frozen/anchor_lines.json", matrix, blocks, json, picture;
     int threads = 2, edits = 0;
     bool sweep = false, list = false, schedule = false, saddle = false, shares = false;
     int reference_limit = 3'000'000;

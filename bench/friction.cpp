@@ -167,7 +167,7 @@ void print_loads(const std::vector<Method>& methods, double duration, Json& out,
 int friction_command(int argc, char** argv) {
     CLI::App app(kDescription, "hawser-bench friction");
     std::vector<std::string> files{"scenes/wall_648.json", "scenes/wall_976.json",
-                                   "scenes/anchor_contact.json"};
+                                   "bench/scenes/frozen/anchor_contact.json"};
     std::vector<std::string> names, known;
     std::string json_file;
     int skip = 10, steps = 110;

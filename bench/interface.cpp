@@ -24,7 +24,7 @@ namespace {
 constexpr const char* kFooter =
     R"(Medians, each call timed on its own, after steps that bring the scene into motion. Outputs: as many
 as asked for, of every kind that the scene has a target for. Exit code 1 where a bar is missed:
-state() without a copy, 100 outputs in 5 us, save in 1 ms and restore in 1.5 ms (scenes/anchor_contact.json),
+state() without a copy, 100 outputs in 5 us, save in 1 ms and restore in 1.5 ms (bench/scenes/frozen/anchor_contact.json),
 a system that does nothing in 0.1 us a step.)";
 
 using ReadClock = std::chrono::steady_clock;
@@ -175,7 +175,7 @@ double idle_system_seconds() {
 int interface_command(int argc, char** argv) {
     CLI::App app("What it costs a client to read a world.", "hawser-bench interface");
     app.footer(kFooter);
-    std::string file = "scenes/anchor_contact.json", json;
+    std::string file = "bench/scenes/frozen/anchor_contact.json", json;
     int steps = 120, rounds = 101, outputs = 100;
     app.add_option("SCENE", file, "Scene file")->capture_default_str();
     app.add_option("--steps", steps, "Steps before")->check(CLI::Range(1, 1000000));

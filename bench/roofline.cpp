@@ -149,7 +149,7 @@ int roofline_command(int argc, char** argv) {
         "hawser-bench roofline");
     std::vector<int> scales{1, 10};
     std::vector<std::string> only{"paper", "chain", "net"};
-    std::string scene = "scenes/anchor_lines.json", json;
+    std::string scene = "bench/scenes/frozen/anchor_lines.json", json;
     int rounds = 60;
     app.add_option("--scale", scales, "Copies of the paper's scene and of SCENE")
         ->check(CLI::Range(1, 1000))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // hawser-bench sea: what waves, hulls and their memory cost, by instruction set, and a step of
-// scenes/anchor_sea.json.
+// bench/scenes/frozen/anchor_sea.json.
 #include <hawser/scene.h>
 #include <hawser/sea.h>
 
@@ -33,7 +33,7 @@ constexpr const char* kSeaFooter =
     R"(CPU time of the calling thread, medians: of 41 rounds for kernels, of the steps after the first 60 for
 the scene. Bars: clipping 20 ns a triangle, each by itself (beside the kernels what a step takes for one);
 waves 3.5 ns a component and point (AVX-512), 5.5 (AVX2); memory of 60 s, six motions, 10 us a step;
-scenes/anchor_sea.json prestep 1.3 ms on one thread and 0.8 on two (wall time), step 2 ms on one. Exit
+bench/scenes/frozen/anchor_sea.json prestep 1.3 ms on one thread and 0.8 on two (wall time), step 2 ms on one. Exit
 code 1 where one is missed.)";
 
 double sea_cpu() {
@@ -216,7 +216,7 @@ int sea_command(int argc, char** argv) {
     CLI::App app{"What the sea costs"};
     app.name("hawser-bench sea");
     app.footer(kSeaFooter);
-    std::string file = "scenes/anchor_sea.json", json_file;
+    std::string file = "bench/scenes/frozen/anchor_sea.json", json_file;
     int steps = 1200;
     app.add_option("--scene", file, "Scene with a sea")->check(CLI::ExistingFile);
     app.add_option("--steps", steps, "Steps that are timed")->check(CLI::Range(1, 1'000'000));

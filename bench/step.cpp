@@ -70,7 +70,7 @@ struct Subject {
 int step_command(int argc, char** argv) {
     CLI::App app("Median time of a whole step at several scales, alternated in one run.",
                  "hawser-bench step");
-    std::string file = "scenes/anchor_lines.json", json;
+    std::string file = "bench/scenes/frozen/anchor_lines.json", json;
     std::vector<int> scales{1, 10, 100};
     int threads = 1, rounds = 5;
     app.add_option("SCENE", file, "Scene file")->capture_default_str();

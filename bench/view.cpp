@@ -36,11 +36,11 @@ namespace {
 constexpr const char* kViewBenchFooter =
     R"(Exit code 1 where a bar is missed: 59 frames/s for each reader, age of a frame where it is read of at
 most 10 ms in 95 of 100, step_ms.median at most 1.1 times that without clients, a frame made in 0.15 ms
-(median), of at most 72 kB, 256 kB of memory a client. The bars are those of scenes/anchor_contact.json on
+(median), of at most 72 kB, 256 kB of memory a client. The bars are those of bench/scenes/frozen/anchor_contact.json on
 processors without other work; clients run on the same ones.)";
 
 struct ViewBench {
-    std::string scene = "scenes/anchor_contact.json", json;
+    std::string scene = "bench/scenes/frozen/anchor_contact.json", json;
     double seconds = 60.0;
     int readers = 6;
 };

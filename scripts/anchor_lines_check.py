@@ -8,7 +8,8 @@ import numpy as np
 from line_statics import G, rotation, solve_line
 
 ROWS = {"ball": 3, "hinge": 5, "prismatic": 5, "universal": 4, "lock": 6, "hydrostatic": 3,
-        "hold": 1, "hinge_motor": 1, "slide_motor": 1, "scalar_motor": 1}
+        "hold": 1, "hinge_motor": 1, "slide_motor": 1, "scalar_motor": 1,
+        "slide_range": 1}
 UNKNOWNS = {"rigid": 6, "scalar": 1}
 
 

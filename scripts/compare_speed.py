@@ -17,7 +17,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SCENES = ["heavy_hook", "tow_zigzag", "anchor_lines", "anchor_contact", "anchor_sea"]
+SCENES = ["scenes/heavy_hook", "scenes/tow_zigzag", "bench/scenes/frozen/anchor_lines",
+          "bench/scenes/frozen/anchor_contact", "bench/scenes/frozen/anchor_sea"]
 
 
 def run(program: str, scene: str, duration: float) -> tuple[float, str]:
@@ -36,7 +37,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("before")
     parser.add_argument("after")
-    parser.add_argument("scenes", nargs="*", default=[f"scenes/{s}.json" for s in SCENES])
+    parser.add_argument("scenes", nargs="*", default=[f"{s}.json" for s in SCENES])
     parser.add_argument("--runs", type=int, default=11)
     parser.add_argument("--duration", type=float, default=5.0)
     parser.add_argument("--limit", type=float, default=1.03)

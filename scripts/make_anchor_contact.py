@@ -290,9 +290,9 @@ def main():
              "deck_wire": {"description": "wire76 lying on deck, in air", "EA": 2.33e8,
                            "mass_per_length": 23, "diameter": WIRE_D} | rope}
     text = {
-        "$schema": "../schema/scene-1.json", "version": 1, "name": "anchor_contact",
+        "$schema": "../schema/scene-1.json", "version": 2, "name": "anchor_contact",
         "description": "The site of anchor_lines with moorings on the seabed, lines over stern "
-                       "rollers, chain, wire and anchors on deck, and a barge on fenders. Frozen. "
+                       "rollers, chain, wire and anchors on deck, and a barge on fenders. "
                        "See docs/anchor_contact.md and scripts/make_anchor_contact.py.",
         "settings": {"duration": 60},
         "include": [f"parts/{p}.json" for p in ("lines", "crane", "windlass")],

@@ -234,9 +234,9 @@ def scene(d, rig):
                  "to": {"body": "rig", "point": [0, -38, -8]},
                  "length": SITE_TOW_LENGTH, "elements": SITE_TOW_N}
     return {
-        "$schema": "../schema/scene-1.json", "version": 1, "name": "anchor_lines",
+        "$schema": "../schema/scene-1.json", "version": 2, "name": "anchor_lines",
         "description": "A semi-submersible on eight mooring chains; two anchor handlers tow and "
-                       "hold two more of its chains, anchors on the work wires. Frozen. "
+                       "hold two more of its chains, anchors on the work wires. "
                        "See docs/anchor_lines.md and scripts/make_anchor_lines.py.",
         "settings": {"duration": 60},
         "include": [f"parts/{p}.json" for p in ("lines", "crane", "ahts", "windlass")],

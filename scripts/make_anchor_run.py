@@ -281,7 +281,7 @@ def main():
     scene |= {
         "name": name,
         "description": " ".join(__doc__.split("\n\n")[1].split()) +
-                       " Frozen. See docs/anchor_run.md and scripts/make_anchor_run.py.",
+                       " See docs/anchor_run.md and scripts/make_anchor_run.py.",
         "settings": {"duration": 600},
         "plot": {"tensions": ["work1", "chain1", "tow2", "cross2"],
                  "motions": ["ahts1/hull", "anchor1"]},

@@ -180,7 +180,7 @@ def main():
     scene["name"] = "anchor_sea"
     scene["description"] = (
         "The site of anchor_lines in waves of 2.5 m and 9 s and a current of 0.8 m/s: three hulls of "
-        "2,000 triangles, Morison's forces on all lines and anchors. Frozen. Written by "
+        "2,000 triangles, Morison's forces on all lines and anchors. Written by "
         "scripts/make_anchor_sea.py; see docs/sea.md.")
     scene["include"] = ["parts/lines.json", "parts/crane.json", "parts/windlass.json"]
     scene["line_types"] = in_water(types)

@@ -383,7 +383,7 @@ def limit_memory() -> None:
     """Limit memory and files of a test: a fault can allocate or write without end."""
     memory = max(4 << 30, os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2)
     resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
-    resource.setrlimit(resource.RLIMIT_FSIZE, (2 << 30, 2 << 30))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2 << 40, 2 << 40))  # test_files.cpp: sparse, 1 TiB
 
 
 def refresh() -> str:

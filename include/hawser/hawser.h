@@ -8,6 +8,7 @@
 #include <hawser/chaser.h>
 #include <hawser/crane.h>
 #include <hawser/def.h>
+#include <hawser/drum_feed.h>
 #include <hawser/edges.h>
 #include <hawser/edits.h>
 #include <hawser/factor.h>

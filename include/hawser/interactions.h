@@ -77,6 +77,9 @@ inline constexpr int kMaxFrictionLoads = 2;
 
 /// Marks a field that takes its default from the kind's table.
 inline constexpr double kDefault = std::numeric_limits<double>::quiet_NaN();
+/// Fraction of the parameter `length` of a winch_stretch below which its rest length does not fall:
+/// there the wire's end stands at the fairlead, and the drum hauls no further (drum_feed.h).
+inline constexpr double kLeastOfDrumElement = 0.02;
 
 /// One named parameter of a kind.
 struct ParamInfo {

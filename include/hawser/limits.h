@@ -26,8 +26,9 @@ inline constexpr double kMeantRigid = 1e-10;
 inline constexpr Limit kOpen{0.005, 0.05};  ///< [m], and over the size of the smaller body.
 /// How deep bodies lie in each other, over the thickness of the thinner shape.
 inline constexpr Limit kDeep{0.5, 1.0};
-inline constexpr Limit kCable{0.03, 0.15};       ///< |l − l₀(1 + T/EA)|/l₀.
-/// What no material bears, by its tension or its length: strain, and over that of the breaking load.
+inline constexpr Limit kCable{0.03, 0.15};  ///< |l − l₀(1 + T/EA)|/l₀.
+/// What no material bears, by its tension or its length: strain, and over that of the breaking
+/// load.
 inline constexpr double kMostStrain = 0.5, kMostBreaking = 8.0;
 inline constexpr Limit kCertificate{1e-3, 0.1};  ///< Relative, for kSustained.
 inline constexpr Limit kTurn{0.5, 20.0};         ///< Of a body or an element in a step [rad].

@@ -80,7 +80,10 @@ struct Cable {
     double length = 0.0;         ///< Unstretched length [m].
     double diameter = 0.0;  ///< Of its line type, for pictures [m]; 0 = not given; the largest.
     WireTrim trim{};        ///< Of elements that a winch adds.
-    std::string color;      ///< For pictures; "" = not given.
+    /// Length of the elements that the bare drum of its key "winch" pays out [m]; 0: it keeps one
+    /// element (version 1 of the format); NaN: no such key (drum_feed.h).
+    double drum_element = kDefault;
+    std::string color;  ///< For pictures; "" = not given.
     /// Material coordinates between which it starts on its key "seabed" [m]; NaN: it does not.
     double laid_from = kDefault, laid_to = kDefault;
 };

@@ -88,8 +88,11 @@ enum class EventKind : std::uint8_t {
     // Of shark jaws and chain stoppers (stopper.h), and of hooks (hook.h).
     overload,  ///< One opened above its rated load, of its joint or load. value: the load [N].
     missed,    ///< One has nothing in reach, of its body. value: how far the nearest is [m].
+    /// The end of a wire reached the fairlead of its drum, or the place that it runs through, and
+    /// stops there; once until it runs back. Of the drum or the slide. value: tension [N].
+    hauled_in,
 };
-inline constexpr int kEventKindCount = 28;
+inline constexpr int kEventKindCount = 29;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {
@@ -158,8 +161,9 @@ struct Energy {
     double driven = 0.0;
     double dissipated =
         0.0;  ///< Energy taken since the start by body damping (drag), and by damping of systems.
-    /// Energy taken since the start by contacts: by tangential impulses, those of friction in joints
-    /// and slides included, and by normal ones (impact, damping). What their springs hold at the moment is part of it.
+    /// Energy taken since the start by contacts: by tangential impulses, those of friction in
+    /// joints and slides included, and by normal ones (impact, damping). What their springs hold at
+    /// the moment is part of it.
     double friction = 0.0, contact = 0.0;
     /// Energy taken since the start by rows: by their damping, where lines come taut or part, where
     /// limits are met, and by corrections of rigid rows.
@@ -175,8 +179,8 @@ struct Energy {
     /// whose loads have no names.
     double water = 0.0;
     /// Energy that edits of the world brought in since the start, negative where they took it away:
-    /// bodies and interactions that come and go, masses that change, nodes of wires that come and go
-    /// at drums, guides and posts or by refinement, cuts and joins.
+    /// bodies and interactions that come and go, masses that change, nodes of wires that come and
+    /// go at drums, guides and posts or by refinement, cuts and joins.
     double edited = 0.0;
     [[nodiscard]] double mechanical() const noexcept { return kinetic + added + gravity + elastic; }
 };

@@ -115,7 +115,7 @@ class Loads {
 
   private:
     template <class M>
-    static void add(const BodyLoad& load, const M& from, double* BodyLoad::*to) noexcept {
+    static void add(const BodyLoad& load, const M& from, double* BodyLoad::* to) noexcept {
         const int n = load.freedom < from.rows() ? load.freedom : static_cast<int>(from.rows());
         for (int i = 0; i < n; ++i)
             for (int j = 0; j <= i; ++j) (load.*to)[triangle(i, j)] += from(i, j);

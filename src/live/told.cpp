@@ -50,6 +50,7 @@ constexpr std::array<Saying, kEventKindCount> kSayings{{
     {"load alarm over, share of the rated load", ""},
     {"opened above its rated load, at", "N"},
     {"has nothing in reach, the nearest at", "m"},
+    {"has the end of its wire at the fairlead; tension", "N"},
 }};
 static_assert(kSayings.back().words != nullptr, "each kind of event has its words");
 

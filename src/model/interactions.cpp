@@ -53,7 +53,9 @@ void Interactions::set_range(int id) noexcept {
     const InteractionDef& d = def[at(id)];
     low[at(id)] = -kUnbounded;
     high[at(id)] = kUnbounded;
+    power[at(id)] = kUnbounded;
     if (flags[at(id)] & kMotor) {
+        power[at(id)] = d.params[3];
         low[at(id)] = d.params[1];
         high[at(id)] = d.params[2];
     } else if (flags[at(id)] & kFriction) {
@@ -103,14 +105,18 @@ void Interactions::refresh(int id, const Bodies& bodies_in, double h) noexcept {
 
 double Interactions::wound_length(int id, const Bodies& bodies_in) const noexcept {
     const InteractionDef& d = def[at(id)];
-    return d.params[0] + d.params[4] * (bodies_in.x[3 * at(d.body[2].index)] - d.params[5]);
+    const double length =
+        d.params[0] + d.params[4] * (bodies_in.x[3 * at(d.body[2].index)] - d.params[5]);
+    return d.kind == InteractionKind::WinchStretch
+               ? std::max(length, kLeastOfDrumElement * d.params[0])
+               : length;
 }
 
 void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noexcept {
     const InteractionDef& d = def[at(id)];
     const double whole = d.params[0];
     double length = kind_info(d.kind).is(kWoundUp) ? wound_length(id, bodies_in) : whole;
-    // A drum may wind in more than the element holds; its law then keeps the stiffness of the rest.
+    // More may run through a place than its last part holds: the law keeps this length.
     constexpr double kShortest = 0.01;
     length = std::max(length, kShortest * whole);
     rest_length[at(id)] = length;
@@ -252,10 +258,10 @@ std::size_t Interactions::bytes() const noexcept {
         bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) + bytes(held) + bytes(low) +
         bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) + bytes(parted) +
         bytes(coarse) + bytes(repeats) + bytes(completed) + bytes(swing) + bytes(lightness) +
-        bytes(pair_mass) + bytes(alert) + bytes(rest_length) + bytes(breaking) + bytes(defined) +
-        bytes(epsilon) + bytes(tau) + bytes(mobility) + bytes(upsilon) + bytes(recall) +
-        bytes(sigma) + bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) + bytes(lambda) +
-        bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
+        bytes(pair_mass) + bytes(alert) + bytes(rest_length) + bytes(power) + bytes(breaking) +
+        bytes(defined) + bytes(epsilon) + bytes(tau) + bytes(mobility) + bytes(upsilon) +
+        bytes(recall) + bytes(sigma) + bytes(inv_sigma) + bytes(g) + bytes(c) + bytes(residual) +
+        bytes(lambda) + bytes(multiplier) + bytes(force) + bytes(row_flags) + bytes(jacobian);
     for (const Pool& p : pool) total += bytes(p.ids) + bytes(p.data);
     return total;
 }

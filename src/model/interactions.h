@@ -136,6 +136,7 @@ struct Interactions {
     base::Array<std::uint8_t> repeats;    ///< 1: in a loop in which rows repeat each other.
     base::Array<std::uint8_t> completed;  ///< By this step, see assembly::Completed.
     base::Array<double> swing;     ///< max |arm|/I, constant: h² times force times this is (hω)².
+    base::Array<double> power;     ///< Largest driving power [W] of a motor; kUnbounded: none.
     base::Array<double> breaking;  ///< Load at which it parts [N], of what is kBreakable.
     base::Array<double> rest_length;  ///< l₀ of wire elements [m], 0 for all else.
     /// Of elements that drums pay out as they were added, whatever layer there is by now [m]:

@@ -29,7 +29,8 @@ std::uint32_t checksum_of(std::span<const std::byte> file) {
 
 /// A text that is no JSON is that of a world without a scene.
 SceneDifferences differences(const std::string& before, const std::string& now) {
-    if (before.empty() || now.empty() || before == now) return {{}, "a world that no scene file made"};
+    if (before.empty() || now.empty() || before == now)
+        return {{}, "a world that no scene file made"};
     return compare_scenes(before, now);
 }
 

@@ -21,6 +21,7 @@ int rank_of(EventKind kind) {
         case EventKind::drum_empty:
         case EventKind::chain_jump:
         case EventKind::overload:
+        case EventKind::hauled_in:
             return 0;
         case EventKind::energy_created:
         case EventKind::joint_open:
@@ -72,6 +73,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::chain_jump:
         case EventKind::render:
         case EventKind::overload:
+        case EventKind::hauled_in:
             return "N";
         case EventKind::brake_slip:
             return "N m";
@@ -166,6 +168,9 @@ std::string what_happened(const EventFigures& e) {
                           "stoppers or hooks opened above their rated loads");
         case EventKind::missed:
             return "stoppers and hooks found nothing in reach " + plural(e.count, "time", "times");
+        case EventKind::hauled_in:
+            return "ends of wires were hauled in to a fairlead or an eye " +
+                   plural(e.count, "time", "times");
         case EventKind::node_limit:
             return "wires had all the nodes that they may " + plural(e.count, "time", "times");
     }

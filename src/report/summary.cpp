@@ -31,8 +31,8 @@ Spread spread(const Samples& samples) {
 
 double energy_drift(const Energy& from, const Energy& to) noexcept {
     const auto gained = [](const Energy& e) {
-        return e.mechanical() - e.applied - e.driven - e.edited - e.system + e.dissipated + e.friction +
-               e.contact + e.damped;
+        return e.mechanical() - e.applied - e.driven - e.edited - e.system + e.dissipated +
+               e.friction + e.contact + e.damped;
     };
     return gained(to) - gained(from);
 }

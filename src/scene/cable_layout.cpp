@@ -68,6 +68,7 @@ void read_ends(CableLayout& c, Description& out, const Scope& scope, const Scope
             refuse(at / "drum", "the body " + in_quotes(drum) + " is not of kind scalar");
         }
         c.drum_radius = (*winch)["radius"].get<double>();
+        c.fed = out.version >= 2;
         if (winch->contains("fairlead")) {
             if (from != nullptr && from->value("body", "") != drum) {
                 refuse(at / "fairlead", "the cable starts at \"from\" already; leave one out");
@@ -206,6 +207,13 @@ CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_
     read_groups(c, cable);
     read_ends(c, out, scope, to_scope, cable, place);
     read_elements(c, out, cable, place);
+    if (c.fed) {  // nodes that come and go need elements with mass
+        c.consistent_mass = true;
+        if (c.elements == 1 && c.to.kind == CableEnd::Kind::free)
+            refuse(place / "elements",
+                   "with \"winch\" and a free end a cable needs at least two "
+                   "elements");
+    }
     place_nodes(c, out, scope, cable, still_sea(document), place);
     check_lengths(c, place);
     check_links(c, cable, place);

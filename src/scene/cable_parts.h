@@ -58,6 +58,7 @@ struct CableLayout {
 
     BodyId drum;               ///< Of the winch, if any.
     double drum_radius = 0.0;  ///< [m].
+    bool fed = false;          ///< The drum feeds elements (drum_feed.h).
 
     [[nodiscard]] const LayoutSection& first() const { return sections.front(); }
     /// Section that element i belongs to.

@@ -22,8 +22,8 @@ struct StillSea {
 /// True if the sea acts on the cable: it is made of lumps, and its line types have "cd_normal".
 [[nodiscard]] bool in_water(const CableLayout& c) noexcept;
 
-/// Set `length` and `nodes`, and where a free end is that hangs. Shapes at rest have their weight in
-/// still water where a sea acts on them. @throws SceneError.
+/// Set `length` and `nodes`, and where a free end is that hangs. Shapes at rest have their weight
+/// in still water where a sea acts on them. @throws SceneError.
 void place_nodes(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
                  const std::optional<StillSea>& sea, const Place& place);
 

@@ -31,9 +31,8 @@ std::optional<StillSea> still_sea(const Document& document) {
 }
 
 bool in_water(const CableLayout& c) noexcept {
-    return !c.links && std::any_of(c.sections.begin(), c.sections.end(), [](const auto& s) {
-        return s.water.diameter > 0.0;
-    });
+    return !c.links && std::any_of(c.sections.begin(), c.sections.end(),
+                                   [](const auto& s) { return s.water.diameter > 0.0; });
 }
 
 void read_water(Description& out, const CableLayout& c, const Document& document,

@@ -22,6 +22,7 @@ class Builder {
         cable_.to_point = c_.to.local;
         cable_.laid_from = c_.laid_from;
         cable_.laid_to = c_.laid_to;
+        if (c_.drum.valid()) cable_.drum_element = c_.fed ? c_.first().element : 0.0;
     }
 
     void build() {
@@ -101,6 +102,8 @@ class Builder {
         const LayoutSection &before = c_.of(first ? 0 : i - 1), &after = c_.of(last ? i - 1 : i);
         if (first || last) {
             add_share(def, first ? after : before, 0.5 * (first ? after : before).element);
+        } else if (i == 1 && c_.fed) {  // the feed loads it with its half of the first element
+            add_share(def, after, 0.5 * after.element);
         } else if (&before == &after) {
             add_share(def, after, after.element);
         } else {

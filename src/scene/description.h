@@ -93,6 +93,7 @@ class Description {
   public:
     WorldDef settings;
     double duration = 10.0;
+    int version = 1;           ///< Of the format; see kFormatVersion.
     std::optional<int> parts;  ///< settings.parts; none: kParts where no body has a group, else 0.
     static constexpr int kParts = 4;
     Mistakes* mistakes = nullptr;  ///< Where mistakes are taken down; null: they are thrown.

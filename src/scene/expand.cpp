@@ -43,6 +43,7 @@ class Expander {
     Expander(Description& out, const Document& document) : out_(out), document_(document) {}
 
     void run() {
+        out_.version = document_.root.value("version", 1);
         InstanceScope root;
         root.scope.content = &document_.root;
         root.scope.place = document_.place;

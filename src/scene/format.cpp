@@ -153,8 +153,9 @@ std::vector<Field> state_fields() {
 /// What a scene and an included file share.
 std::vector<Field> common_fields(const ShapePtr& line, const ShapePtr& group) {
     return {{"$schema", text("a text"), false, "", "", "For editors."},
-            {"version", integer("the version 1", kFormatVersion, kFormatVersion), true, "", "",
-             "Version of the format: 1."},
+            {"version", integer("the version 1 or 2", 1, kFormatVersion), true, "", "",
+             "Version of the format. 2: the key \"winch\" of a cable feeds elements; 1: it keeps "
+             "one element, down to 2 % of its length."},
             {"description", text("a text"), false, "", "", "Remarks."},
             {"include", list("a list of file names", text("a file name"), 0, 64), false, "", "",
              "Files with line types, materials and templates, relative to this one."},

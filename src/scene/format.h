@@ -13,7 +13,9 @@
 
 namespace hawser::scene {
 
-inline constexpr int kFormatVersion = 1;
+/// Latest version of the format. Version 2: the cable key "winch" feeds elements; in version 1 the
+/// cable keeps the one element at its drum.
+inline constexpr int kFormatVersion = 2;
 /// Bodies, cable elements and interactions that one scene may have, copies included.
 inline constexpr std::size_t kMaxElements = 2'000'000;
 inline constexpr int kMaxCopies = 1000;

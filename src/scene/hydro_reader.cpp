@@ -70,10 +70,7 @@ void limit_this_process(double seconds, double memory) {
 
 std::vector<char> reply_to(const char* file, const HydroUnits& units) {
     try {
-        const WaveCoefficients c = read_here(file, units);
-        if (const std::string fault = coefficients_fault(c); !fault.empty())
-            refuse_hydro(file, fault);
-        return message_of(c);
+        return message_of(read_here(file, units));  // checked by who receives it
     } catch (const std::bad_alloc&) {
         return message_of_error("coefficients '" + std::string(file) +
                                 "': reading it needs more memory than its reader may use; raise "

@@ -12,6 +12,7 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace hawser::scene {
 namespace {
@@ -44,6 +45,7 @@ class Builder {
         add_surfaces(*world);
         add_winches(*world);
         add_guides(*world);
+        add_end_stops(*world);
         add_posts(*world);
         if (numbered_ && whole_) add_deck(*world, description_);
         add_resolutions(*world);
@@ -122,6 +124,12 @@ class Builder {
             if (!cable.links) {
                 world.adopt_wire(cable.name, cable.stretch, cable.trim);
             }
+            if (!std::isnan(cable.drum_element)) {
+                world.add(DrumFeedDef{.name = cable.name + "/feed",
+                                      .wire = world.find_wire(cable.name),
+                                      .element = cable.drum_element,
+                                      .mass_per_length = cable.sections.front().mass_per_length});
+            }
         }
         for (std::size_t i = 0; i < description_.winches.size(); ++i) {
             const Winch& winch = description_.winches[i];
@@ -131,6 +139,17 @@ class Builder {
                 world.add(def);
             });
         }
+    }
+
+    /// Ends of routes stop at the places that they run through.
+    void add_end_stops(World& world) {
+        if (!numbered_) return;
+        std::vector<InteractionId> ends;
+        for (std::size_t i = 0; i < description_.interactions.size(); ++i)
+            if (description_.interactions[i].kind == InteractionKind::EndSpan)
+                ends.push_back(InteractionId{static_cast<std::int32_t>(i)});
+        std::erase_if(ends, [&](InteractionId id) { return world.wire_of(id).valid(); });
+        if (!ends.empty()) stop_ends(world, "route_ends", std::move(ends));
     }
 
     void add_guides(World& world) {
@@ -186,6 +205,10 @@ class Builder {
                         winch.def.element > 0.0)
                         def.drum_length =
                             std::clamp(winch.def.element, def.min_length, def.max_length);
+                const Cable* cable = description_.find_cable(one.cable);
+                if (cable != nullptr && cable->drum_element > 0.0 && std::isnan(def.drum_length))
+                    def.drum_length =
+                        std::clamp(cable->drum_element, def.min_length, def.max_length);
                 world.add(def);
             });
         }

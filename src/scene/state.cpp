@@ -99,7 +99,8 @@ std::string state_text(const Scene& scene) {
         }
         bodies[def.name] = std::move(entry);
     }
-    const Json state{{"version", kFormatVersion},
+    constexpr int kStateVersion = 1;
+    const Json state{{"version", kStateVersion},
                      {"scene", scene.name},
                      {"time", scene.world.time()},
                      {"bodies", std::move(bodies)}};

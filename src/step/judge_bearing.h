@@ -13,8 +13,7 @@ namespace hawser::stepper {
 /// its start. Wrong beyond kMostStrain and kMostBreaking times the strain at the breaking load;
 /// doubtful where an element is for three steps a quarter longer than it bears and does not part.
 /// Finding::value is minus the strain.
-[[nodiscard]] Finding strain_finding(Model& model, const State& state,
-                                     JudgeState& memory) noexcept;
+[[nodiscard]] Finding strain_finding(Model& model, const State& state, JudgeState& memory) noexcept;
 
 /// Wound elements of less than no length for three steps: a drum took in more than there is.
 /// Finding::value is the length [m].

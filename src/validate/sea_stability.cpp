@@ -30,8 +30,8 @@ class Balance {
             exchanged_ += std::abs(change);
         before_ = e;
         const auto sum = [](const Energy& x) {
-            return x.mechanical() - x.applied - x.driven - x.edited - x.system + x.dissipated + x.friction +
-                   x.contact + x.damped;
+            return x.mechanical() - x.applied - x.driven - x.edited - x.system + x.dissipated +
+                   x.friction + x.contact + x.damped;
         };
         created_ = std::max(created_, sum(e) - sum(start_));
     }

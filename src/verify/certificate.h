@@ -106,8 +106,8 @@ class Verifier : public Observer {
 
     std::vector<Pose> pose_;
     std::vector<Twist> twist_, earlier_;  ///< Before this step, and before the last one …
-    std::vector<Twist> left_;  ///< … and as the last step left them; NaN: it came since.
-    std::vector<int> alert_;   ///< Of wires, before the step, by interaction.
+    std::vector<Twist> left_;             ///< … and as the last step left them; NaN: it came since.
+    std::vector<int> alert_;              ///< Of wires, before the step, by interaction.
     std::vector<BodyId> bodies_, moving_;
     std::vector<InteractionId> interactions_;
     std::vector<std::vector<double>> last_;  ///< Forces of each interaction's rows before the step.

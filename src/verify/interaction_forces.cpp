@@ -12,6 +12,13 @@ namespace {
 
 std::size_t place(int i) { return static_cast<std::size_t>(i); }
 
+/// True if a winch_stretch follows its drum: its rest length is above the least one.
+bool pays_out(const InteractionDef& def, double drum) {
+    const double length = def.get("length");
+    return length + def.get("radius") * (drum - def.get("drum_zero")) >
+           kLeastOfDrumElement * length;
+}
+
 /// Collects the forces of one interaction.
 class Forces : public Attached {
   public:
@@ -130,7 +137,7 @@ void Forces::hydrostatic(std::span<const double> f) {
 bool Forces::piece_of_line(std::span<const double> f) {
     switch (def().kind) {
         case InteractionKind::WinchStretch:
-            scalar(2, -f[0] * def().get("radius"));
+            if (pays_out(def(), center(2).x())) scalar(2, -f[0] * def().get("radius"));
             [[fallthrough]];
         case InteractionKind::Distance:
         case InteractionKind::Stretch:

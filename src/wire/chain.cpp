@@ -88,9 +88,9 @@ Chain make_chain(const CatenaryDef& def) {
     out.diameter.assign(n, 0.0);
     out.bend.assign(n + 1, 0.0);
     std::size_t part = 0;
-    double end = def.sections[0].length;         // of the section
-    std::vector<double> heavy(n, 0.0);           // weight of the elements
-    std::vector<double> flexible(n, 0.0);        // length over EI
+    double end = def.sections[0].length;   // of the section
+    std::vector<double> heavy(n, 0.0);     // weight of the elements
+    std::vector<double> flexible(n, 0.0);  // length over EI
     for (std::size_t e = 0; e < n; ++e) {
         out.length[e] = out.s[e + 1] - out.s[e];
         for (double at = out.s[e]; at < out.s[e + 1];) {
@@ -139,8 +139,8 @@ double weigh_nodes(Chain& chain, const WetHalves& wet) {
 Chain reversed(const Chain& chain) {
     Chain out = chain;
     for (double& s : out.s) s = chain.s.back() - s;
-    for (auto* list : {&out.s, &out.length, &out.compliance, &out.weight, &out.heavy,
-                       &out.buoyancy, &out.diameter, &out.bend})
+    for (auto* list : {&out.s, &out.length, &out.compliance, &out.weight, &out.heavy, &out.buoyancy,
+                       &out.diameter, &out.bend})
         std::reverse(list->begin(), list->end());
     std::swap(out.half_first, out.half_last);
     return out;

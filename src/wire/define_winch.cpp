@@ -247,7 +247,7 @@ WinchIds define(World& world, const WinchDef& given_def) {
     try {
         const DrumIds parts = world.add(DrumDef{.name = def.name,
                                                 .drum = ids.drum,
-                                                .motor = AxisMotor{},
+                                                .motor = AxisMotor{.power = def.power},
                                                 .friction = AxisFriction{.bound = 0.0}});
         ids.motor = parts.motor;
         ids.brake = parts.friction;

@@ -3,6 +3,8 @@
 
 #include <hawser/world.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hawser::wire {
@@ -45,6 +47,25 @@ void load_ends(const World& world, Loads& loads, InteractionId line, std::size_t
         loads.add_damping(body,
                           (half / def.mass * def.linear_damping).asDiagonal().toDenseMatrix());
     }
+}
+
+Vec3 along_element(const World& world, InteractionId line, std::size_t node) {
+    const std::array<Vec3, 2> ends = world.ends(line);
+    return ends[node] - ends[1 - node];
+}
+
+void load_element(const World& world, Loads& loads, const ElementAtDrum& element,
+                  std::size_t node) {
+    const InteractionDef& line = world.interaction_def(element.line);
+    const double half = 0.5 * element.mass_per_length * std::max(element.material, 0.0);
+    const Vec3 weight = weight_at(world, element.line, node, half);
+    const Vec3 u = along_element(world, element.line, node).normalized();
+    const BodyId fairlead = line.body[1 - node];
+    load_ends(world, loads, element.line, node, half, weight,
+              world.pose(fairlead).orientation * line.point[1 - node]);
+    loads.add_force(element.drum, {element.radius * weight.dot(u), 0.0, 0.0});
+    loads.add_mass(element.drum,
+                   Eigen::Matrix<double, 1, 1>(half * element.radius * element.radius));
 }
 
 bool put_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept {

@@ -33,6 +33,22 @@ inline constexpr double kGrown = 1.5, kShrunk = 0.25;
 void load_ends(const World& world, Loads& loads, InteractionId line, std::size_t node, double half,
                const Vec3& weight, const Vec3& held);
 
+/// Element between a drum and the wire's first node.
+struct ElementAtDrum {
+    InteractionId line{};          ///< The element.
+    BodyId drum{};                 ///< Scalar body that pays it out.
+    double radius = 0.0;           ///< Line paid out per unit of the drum's coordinate [m].
+    double mass_per_length = 0.0;  ///< [kg/m]
+    double material = 0.0;         ///< Unstretched length of the element [m].
+};
+
+/// Load both ends of the element with half of its mass, weight and drag each, and the drum with the
+/// weight along the wire. @param node  Slot of the element's first node, from node_slot().
+void load_element(const World& world, Loads& loads, const ElementAtDrum& element, std::size_t node);
+
+/// Vector from the fairlead to the first node, world frame [m].
+[[nodiscard]] Vec3 along_element(const World& world, InteractionId line, std::size_t node);
+
 /// What a node that comes or goes needs to know.
 struct Feed {
     InteractionId line{};

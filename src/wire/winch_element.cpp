@@ -17,9 +17,7 @@ std::size_t WinchSystem::node_slot(const World& world) const noexcept {
 
 /// From the fairlead to the first node.
 Vec3 WinchSystem::along_element(const World& world) const noexcept {
-    const std::array<Vec3, 2> ends = world.ends(ids_.line);
-    const std::size_t node = node_slot(world);
-    return ends[node] - ends[1 - node];
+    return wire::along_element(world, ids_.line, node_slot(world));
 }
 
 Vec3 WinchSystem::weight_of_half(const World& world) const noexcept {
@@ -30,15 +28,8 @@ Vec3 WinchSystem::weight_of_half(const World& world) const noexcept {
 /// What no lump has of the element at the drum acts on both of its ends.
 void WinchSystem::weigh_element(const World& world, Loads& loads) const noexcept {
     if (!feeds() || parted_ != 0) return;
-    const InteractionDef& line = world.interaction_def(ids_.line);
-    const std::size_t node = node_slot(world);
-    const double half = 0.5 * def_.mass_per_length * std::max(at_drum_, 0.0);
-    const Vec3 weight = weight_of_half(world), u = along_element(world).normalized();
-    const BodyId fairlead = line.body[1 - node];
-    load_ends(world, loads, ids_.line, node, half, weight,
-              world.pose(fairlead).orientation * line.point[1 - node]);
-    loads.add_force(wound(), {radius_ * weight.dot(u), 0.0, 0.0});
-    loads.add_mass(wound(), Eigen::Matrix<double, 1, 1>(half * radius_ * radius_));
+    load_element(world, loads, {ids_.line, wound(), radius_, def_.mass_per_length, at_drum_},
+                 node_slot(world));
 }
 
 void WinchSystem::before_step(NodeEdits& nodes) noexcept {

@@ -32,12 +32,11 @@ bool WinchSystem::full() const noexcept {
 }
 
 void WinchSystem::order_motor(Orders& out) noexcept {
-    const double at_speed = def_.power / std::max(std::abs(omega_), 1e-12);
-    const double haul = std::min(def_.torque_haul, at_speed);
-    const double pay = std::min(def_.torque_pay, at_speed);
+    const double haul = def_.torque_haul, pay = def_.torque_pay;
     const double in = -def_.max_speed / radius_;
     const double least = std::max(tension_ - def_.deadband, 0.0) * radius_;
-    pull_limit_ = haul / radius_;
+    // The motor bounds its power by the speed at the end of the step (AxisMotor::power).
+    pull_limit_ = std::min(haul, def_.power / std::max(std::abs(omega_), 1e-12)) / radius_;
     out.low = -haul;
     out.high = pay;
     bool pulls = true;

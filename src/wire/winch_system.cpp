@@ -11,12 +11,6 @@
 #include <utility>
 
 namespace hawser::wire {
-namespace {
-
-constexpr double kLeastShare = 0.02;  ///< Of the element's length, which is not hauled in.
-
-}  // namespace
-
 WinchSystem::WinchSystem(WinchDef def, const WinchWheel& wheel, const WinchIds& ids,
                          const WinchInputs& inputs, double at_drum)
     : def_(std::move(def)),
@@ -154,13 +148,18 @@ void WinchSystem::look(const Prestep& now) noexcept {
     if (parted_ == 0 && feeds())
         pull_ = std::max(
             0.0, pull_ + weight_of_half(now.world).dot(along_element(now.world).normalized()));
-    // An element keeps its law down to a hundredth of its length (interactions.h).
+    // An element keeps its law down to a fraction of its length (interactions.h).
     const InteractionDef& line = now.world.interaction_def(ids_.line);
     const double length = line.get("length");
     const double rest = length + radius_ * (angle_ - line.get("drum_zero"));
-    jams_ = rest < kLeastShare * length || (feeds() && at_drum_ <= 0.0);
-    hauled_in_ =
-        jams_ || rest < kLeastShare * length + 2.0 * now.step * radius_ * std::abs(leaving_);
+    const auto jams = [&](double turned) {
+        return rest - radius_ * turned < kLeastOfDrumElement * length ||
+               (feeds() && at_drum_ - radius_ * turned <= 0.0);
+    };
+    jams_ = jams(0.0);
+    jams_now_ = jams_ && !jams(turned_) && parted_ == 0;
+    hauled_in_ = jams_ || rest < kLeastOfDrumElement * length +
+                                     2.0 * now.step * radius_ * std::abs(leaving_);
 }
 
 /// A brake at its bound, against whose torque the drum turned.
@@ -277,6 +276,7 @@ void WinchSystem::prestep(Prestep& now, Loads& loads) noexcept {
     count_release(now);
     give(now, orders());
     if (crowded_) now.tell(EventKind::no_node, ids_.drum, at_drum_);
+    if (jams_now_) now.tell(EventKind::hauled_in, ids_.drum, pull_);
     turn_along(now, loads);
     weigh_element(now.world, loads);
 }

@@ -138,6 +138,7 @@ class WinchSystem final : public System {
     bool crowded_ = false;    ///< A node could not be put for the first time.
     bool hauled_in_ = false;  ///< The element at the drum has next to no length left, or will soon.
     bool jams_ = false;       ///< It has.
+    bool jams_now_ = false;   ///< It has since the last step.
 };
 
 }  // namespace hawser::wire

@@ -110,6 +110,24 @@ TEST(Cables, winch_pays_out_the_first_element) {
     }
 }
 
+/// Version 1 keeps the one element, version 2 feeds elements, whose mass is their own.
+TEST(Cables, winch_feeds_elements_in_version_2) {
+    const std::string cable = with_cable(
+        R"({"name": "c", "line_type": "wire", "from": {"body": "a", "point": [5, 0, 0]},
+            "to": {"at": [0, 45, 10]}, "elements": 4, "winch": {"drum": "drum", "radius": 0.8}})");
+    const Description one = flat(cable);
+    EXPECT_EQ(one.cables.front().drum_element, 0.0);
+    EXPECT_TRUE(std::isnan(interaction(one, "c/s1").get("mass")));
+    EXPECT_DOUBLE_EQ(body(one, "c/1").mass, 200.0);
+    std::string second = cable;
+    second.replace(second.find("\"version\": 1"), 12, "\"version\": 2");
+    const Description two = flat(second);
+    EXPECT_DOUBLE_EQ(two.cables.front().drum_element, 10.0);
+    EXPECT_DOUBLE_EQ(interaction(two, "c/s1").get("mass"), 200.0);
+    EXPECT_DOUBLE_EQ(body(two, "c/1").mass, 100.0) << "the feed has the half at the drum";
+    EXPECT_DOUBLE_EQ(body(two, "c/2").mass, 200.0);
+}
+
 /// The element there, from the first end, and no other.
 TEST(Cables, weak_places_and_consistent_mass) {
     const Description d = flat(with_cable(

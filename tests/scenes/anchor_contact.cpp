@@ -12,10 +12,9 @@
 namespace hawser {
 namespace {
 
-// The scene is frozen: results are compared with it over time (CONTRIBUTING.md). A change of these
-// numbers is a change of the scene, or of how scene files are read.
+// Compare the frozen copy with the counts and the hash of its first day (CONTRIBUTING.md).
 TEST(AnchorContact, IsFrozen) {
-    scene::Scene scene = scene::load_file("scenes/anchor_contact.json");
+    scene::Scene scene = scene::load_file("bench/scenes/frozen/anchor_contact.json");
     EXPECT_EQ(scene.hash, 0x0d49d945f0930921U);
     EXPECT_EQ(scene.world.body_count(), 2057);
     EXPECT_EQ(scene.world.shape_count(), 1888);

@@ -142,31 +142,37 @@ struct WinchData {
     double length, radius, zero;
 };
 
-/// A stretch whose rest length a drum pays out: l = length + radius·(θ − drum_zero). Where a layer
-/// of the drum ends, all three change so that l does not.
+/// Wire element whose rest length follows a drum:
+/// ```
+///     l = max(l₀ + r (θ − θ₀), ε l₀)     l₀ length, r radius, θ₀ drum_zero, ε kLeastOfDrumElement
+/// ```
+/// At the bound ε l₀ the row has no derivative to the drum: neither acts on the other. A winch
+/// changes l₀, r and θ₀ together when the layer of its drum changes, so that l is continuous.
 struct WinchStretch {
     static constexpr int kBodies = 3, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::line;
-    static constexpr KindInfo kInfo{
-        .kind = InteractionKind::WinchStretch,
-        .name = "winch_stretch",
-        .bodies = 3,
-        .rows = 1,
-        .uses_points = true,
-        .uses_frames = false,
-        .row_units = "m",
-        .scalar_slot = 2,
-        .length_from_pose = true,
-        .traits = kAlongLine | kWireElement | kWoundUp | kElastic,
-        .params = kWinchStretchParams,
-        .doc =
-            "Wire element from a fairlead whose rest length grows with the coordinate of a "
-            "scalar drum (third body)."};
+    static constexpr KindInfo kInfo{.kind = InteractionKind::WinchStretch,
+                                    .name = "winch_stretch",
+                                    .bodies = 3,
+                                    .rows = 1,
+                                    .uses_points = true,
+                                    .uses_frames = false,
+                                    .row_units = "m",
+                                    .scalar_slot = 2,
+                                    .length_from_pose = true,
+                                    .traits = kAlongLine | kWireElement | kWoundUp | kElastic,
+                                    .params = kWinchStretchParams,
+                                    .doc =
+                                        "Wire element from a fairlead whose rest length follows "
+                                        "the coordinate of a scalar drum "
+                                        "(third body), down to 2 % of `length`."};
     using Data = WinchData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { stretch_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<3, 1>& out) {
-        line_row(d, b, d.length + d.radius * (b[2].x.x - d.zero), out);
-        out.set(2, 0, {-d.radius, 0, 0}, {0, 0, 0});
+        const double rest = d.length + d.radius * (b[2].x.x - d.zero);
+        const double least = kLeastOfDrumElement * d.length;
+        line_row(d, b, rest > least ? rest : least, out);
+        out.set(2, 0, {rest > least ? -d.radius : 0.0, 0, 0}, {0, 0, 0});
     }
 #ifdef HAWSER_KIND_SETUP
     static Data make(const InteractionDef& d) {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file drum_feed_system.h
+/// System of a bare drum that feeds a wire (hawser/drum_feed.h).
+///
+/// The element at the drum holds the material a [m]:
+/// ```
+///     a₊ = a + r Δθ      put_node(): a − f,   take_node(): a + f      (feed.h)
+/// ```
+/// The rest length of the element is at its bound when l₀ + r (θ − θ₀) ≤ ε l₀ (kinds/lines.h). The
+/// event `hauled_in` is reported in the first step that begins there. The step before is known from
+/// the velocity of the drum, so that the event needs no state.
+
+#include <hawser/drum_feed.h>
+#include <hawser/system.h>
+
+#include <memory>
+#include <string_view>
+
+namespace hawser::wire {
+
+class DrumFeedSystem final : public System {
+  public:
+    /// @param line  Element at the drum. @param material  Its unstretched length [m].
+    DrumFeedSystem(DrumFeedDef def, InteractionId line, double material, double angle);
+
+    [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
+    void prestep(Prestep& now, Loads& loads) noexcept override;
+    void before_step(NodeEdits& nodes) noexcept override;
+    void visit_state(StateVisitor& visitor) override;
+    void check_state(const World& world, StateRules& rules) const override;
+    void signals(SignalTable& table) override;
+    void holds(HoldTable& table) const override;
+    [[nodiscard]] double carried_mass(InteractionId element) const noexcept override {
+        return element == line_ && feeds() ? def_.mass_per_length * at_drum_ : 0.0;
+    }
+    [[nodiscard]] double paid_out(const World& world,
+                                  InteractionId element) const noexcept override;
+    [[nodiscard]] std::unique_ptr<System> clone() const override {
+        return std::make_unique<DrumFeedSystem>(def_, line_, at_drum_, angle_);
+    }
+
+  private:
+    [[nodiscard]] bool feeds() const noexcept { return def_.element > 0.0; }
+    [[nodiscard]] std::size_t node_slot(const World& world) const noexcept;
+    void stop_at_fairlead(Prestep& now, Loads& loads, const InteractionDef& line) noexcept;
+
+    DrumFeedDef def_;
+    InteractionId line_;
+    double start_;  ///< Coordinate of the drum when the feed was added.
+    // State.
+    double at_drum_;  ///< Material of the element at the drum [m].
+    double angle_;    ///< Coordinate of the drum at the start of the last step.
+    // Output.
+    double paid_ = 0.0;  ///< Line paid out [m].
+};
+
+}  // namespace hawser::wire
