@@ -52,9 +52,9 @@ double lasting(double now, std::array<double, N>& before) noexcept {
     return least;
 }
 
-/// The least rise of this span of time and the two whole ones before: of 0.3 s at least.
+/// The least rise of this span of time and the two whole ones before: of 0.2 to 0.3 s.
 double held_rise(double now, double time, JudgeState& memory) noexcept {
-    constexpr double kSpan = 0.15;
+    constexpr double kSpan = 0.1;
     std::array<double, 3>& least = memory.held_rise;
     memory.held_time += time;
     if (memory.held_time >= kSpan) {

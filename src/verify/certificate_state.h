@@ -14,7 +14,8 @@
 ///
 /// Lost energy is a second account: kinetic and gravity energy less the work of all forces, those
 /// of springs and drag included. Rigid joints do no work, so that neither their rows nor a
-/// compliance or damping given to them explains a fall of it. Steps with impacts are left out.
+/// compliance or damping given to them explains a fall of it. Steps with impacts are left out, and
+/// all behind the first edit between steps.
 
 #include <hawser/hawser.h>
 
@@ -88,7 +89,8 @@ class StateVerifier {
     double peak_ = 0.0;                         ///< Largest kinetic energy of the last seconds [J].
     double mean_moving_ = 0.0, most_ = 0.0;     ///< Of these less all work [J].
     std::int64_t impacts_ = 0;
-    bool impact_before_ = false;              ///< In the step before.
+    bool loss_ends_ = false;      ///< Things have come or gone: lost energy is not counted on.
+    bool impact_before_ = false;  ///< In the step before.
     double potential_ = 0.0, kinetic_ = 0.0;  ///< Where the step began; before.
     double potential_after_ = 0.0;            ///< Where the last one ended.
     double energy_ = 0.0, swing_ = 0.0;       ///< Before [J].
