@@ -14,7 +14,7 @@ struct Limit {
 namespace limit {
 /// Mechanical energy that came from nothing, over what was exchanged.
 inline constexpr Limit kCreated{0.009, 0.2};
-/// The same with lines by their lengths, whatever they exert, in the mean of kMean.
+/// The same with lines by their lengths, whatever they exert, where it lasts.
 inline constexpr Limit kHeld{0.05, 0.2};
 /// Created energy with all that rows and drag took added to it, which may hide some: over what was
 /// exchanged.

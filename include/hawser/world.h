@@ -359,17 +359,12 @@ class World {
     /// that inputs drive.
     [[nodiscard]] std::vector<std::byte> save() const;
     void save(std::vector<std::byte>& out) const;  ///< In the caller's memory; what it held goes.
-    /// The same without the states of systems, for a world without these systems.
-    [[nodiscard]] std::vector<std::byte> save_motion() const;
+    [[nodiscard]] std::vector<std::byte> save_motion() const;  ///< Without states of systems.
     /// @throws std::bad_alloc, LimitError; DefError when the bytes are damaged or belong to another
     /// world: other pieces, step or parameters (any mass, length, stiffness, …; names, form and
     /// threads may differ). The state is then unchanged.
     void restore(std::span<const std::byte> bytes);
-    /// The same from a world that differs in parameters alone: masses, lengths, stiffnesses and
-    /// other numbers may differ, pieces and step may not. Poses, velocities and what rows remember
-    /// are those of the bytes; parameters, and forces of bodies, are those of this world. Energy
-    /// is counted anew from there.
-    void restore_variant(std::span<const std::byte> bytes);
+    void restore_variant(std::span<const std::byte> bytes);  ///< Parameters and forces may differ.
     /// What it is made of, and with a state of it, into a world of the same set-up: structure.h.
     [[nodiscard]] Structure structure() const;
     void restore(const Structure& made_of, std::span<const std::byte> bytes);  ///< All or nothing.
@@ -388,8 +383,7 @@ class World {
     /// written before is dropped. @throws DefError above 2^28, std::bad_alloc; the trace that there
     /// is then goes on.
     void start_trace(std::size_t spans);
-    /// The last steps of which nothing has been overwritten, at most so many.
-    [[nodiscard]] TraceView trace(std::int64_t steps = 1'000'000) const;
+    [[nodiscard]] TraceView trace(std::int64_t steps = 1'000'000) const;  ///< The last steps kept.
 
   private:
     void take_saved(std::span<const std::byte> bytes, bool variant = false);
