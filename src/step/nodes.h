@@ -33,6 +33,7 @@
 /// Limits: forces other than weight (drag, contacts) are not part of the balance. Bending changes
 /// its energy with the lengths at its node; that counts as driven (hawser::Energy).
 
+#include "context/ledger.h"
 #include "step/node_place.h"
 
 #include <hawser/math.h>

@@ -20,6 +20,8 @@
 
 #include <hawser/math.h>
 
+#include "context/ledger.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
