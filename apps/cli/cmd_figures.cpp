@@ -24,13 +24,13 @@ namespace hawser::cli {
 namespace {
 
 constexpr const char* kFiguresFooter = R"(Examples:
-  hawser figures -o out                              # of scenes/anchor_lines.json
-  hawser figures scenes/anchor_contact.json -o out --at 2
+  hawser figures -o out                              # of bench/scenes/frozen/anchor_lines.json
+  hawser figures bench/scenes/frozen/anchor_contact.json -o out --at 2
 
 Writes each panel of the two figures of the paper as .svg and .png with its data as .json, and each
 figure on one page. Exit codes: 0 written, 1 wrong option, scene or file, 2 a step failed.)";
 
-constexpr const char* kDefaultScene = "scenes/anchor_lines.json";
+constexpr const char* kDefaultScene = "bench/scenes/frozen/anchor_lines.json";
 
 struct FiguresOptions {
     SceneOptions scene;

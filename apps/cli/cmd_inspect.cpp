@@ -23,7 +23,7 @@ namespace {
 constexpr const char* kInspectFooter = R"(Examples:
   hawser inspect scenes/anchor_lines.json
   hawser inspect scenes/anchor_lines.json --form saddle -o pictures   # spy.svg and spy.png
-  hawser inspect scenes/anchor_contact.json --parts 4 --steps 60      # where it would be cut
+  hawser inspect bench/scenes/frozen/anchor_contact.json --parts 4 --steps 60      # where it would be cut
   hawser inspect scenes/floating_box.json --hydrostatics              # of its hulls
 
 Exit codes: 0 done, 1 wrong option, scene or file, 2 a step failed.)";

@@ -80,9 +80,12 @@ class Systems final : public stepper::Actors {
     template <class F>
     void each_held(F&& f) const {
         for (const auto& s : list_) {
-            HoldTable table;
-            s->holds(table);
-            f(s->name(), table);
+            held_.bodies.clear();
+            held_.interactions.clear();
+            held_.shapes.clear();
+            held_.inputs.clear();
+            s->holds(held_);
+            f(s->name(), held_);
         }
     }
     /// What systems carry of an element (System::carried_mass()) [kg]; below 0 where a drum has
@@ -159,6 +162,7 @@ class Systems final : public stepper::Actors {
     const World* world_ = nullptr;
     std::vector<std::unique_ptr<System>> list_;
     std::vector<SystemSignal> signals_;
+    mutable HoldTable held_;  ///< Scratch of each_held(), whose memory is kept.
     bool acted_ = false;                  ///< In the step being taken.
     bool editing_ = false;                ///< In before_step().
     std::vector<std::byte> kept_;         ///< States before it.

@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 TEST(Groups, ThatChangeInARunAreReplayedAndRestored) {
     const auto folder = test_folder();
     const auto run = [&](std::vector<std::string> more) {
-        std::vector<std::string> words{"run",        "scenes/anchor_lines.json",
+        std::vector<std::string> words{"run",        "bench/scenes/frozen/anchor_lines.json",
                                        "--duration", "0.6",
                                        "--coupling", "kinematic",
                                        "--parts",    "4",

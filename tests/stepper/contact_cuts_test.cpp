@@ -27,7 +27,7 @@ World anchor_contact(const char* coupling, const char* predictor, int threads, i
     options.set = {std::string("settings.coupling=") + coupling,
                    std::string("settings.predictor=") + predictor, "settings.parts=4",
                    "settings.regroup_every=" + std::to_string(every)};
-    return scene::load_file("scenes/anchor_contact.json", options).world;
+    return scene::load_file("bench/scenes/frozen/anchor_contact.json", options).world;
 }
 
 struct ContactForces {
