@@ -197,7 +197,7 @@ TEST(Gypsy, FallsByAPocketAgainstItsFriction) {
     };
     double before = 0.0;
     while (way() < 0.9 * kPocket && w.time() < 2.0) {
-        before = -w.energy().friction;
+        before = w.energy().driven;
         ASSERT_EQ(w.step(), Status::ok);
     }
     const double reached = way();
