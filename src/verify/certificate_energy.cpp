@@ -172,8 +172,10 @@ void StateVerifier::add_others(const World& world) {
         const auto along_axes = [&](const Vec3& c, const Vec3& a, const Vec3& z) -> Vec3 {
             return turned * Vec3(-c.cwiseProduct(turned.conjugate() * Vec3(0.5 * (a + z))));
         };
-        other_[b] = along_axes(def.linear_damping, twist_[b].linear, v.linear);
-        other_torque_[b] = along_axes(def.angular_damping, twist_[b].angular, v.angular);
+        const double h = world.settings().step;
+        other_[b] = along_axes(def.linear_damping, twist_[b].linear, v.linear) + impulse_[b] / h;
+        other_torque_[b] =
+            along_axes(def.angular_damping, twist_[b].angular, v.angular) + turn_impulse_[b] / h;
     }
     for (const InteractionId id : interactions_) {
         if (role_[place_of(id.index)] != Role::spring) continue;

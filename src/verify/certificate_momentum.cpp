@@ -110,6 +110,7 @@ void Verifier::add_interactions(const World& world) {
             const Vec3 linear = step_ * f.force + g.force, turn = step_ * f.torque + g.torque;
             linear_[b] += linear;
             angular_[b] += turn;
+            states_.add_stiffness(id, on, g);
             if (world.completed(id)) turning_[b] = true;
             if (!rows.known || !other.known) unsure_[b] = true;
             const BodyDef& body = world.body_def(on);
@@ -183,7 +184,11 @@ double Verifier::momentum_residual(const World& world) {
         if (scalar) p = Vec3(p.x(), 0.0, 0.0);
         // Also where it does not count: it keeps the change of spin.
         const Vec3 spin = turns ? spin_impulse(b, def.inertia, now) : Vec3::Zero();
-        if (unsure_[b]) continue;
+        if (unsure_[b]) {
+            // Forces that nothing here computes: the account of lost energy takes them as acting.
+            states_.add_impulse(id, {p, spin - h * force.angular - angular_[b]});
+            continue;
+        }
         ++covered;
         residual.add(id, p.squaredNorm() / def.mass);
         momentum += def.mass * now.linear.squaredNorm();

@@ -53,9 +53,19 @@ void StateVerifier::follow(const World& world) {
     const std::size_t bodies = number(world.body_count());
     for (std::vector<Pose>* v : {&pose_, &pose_before_, &arrived_}) v->resize(bodies);
     twist_.resize(bodies);
-    for (std::vector<Vec3>* v : {&force_, &torque_, &force_before_, &torque_before_, &other_,
-                                 &other_torque_, &other_before_, &other_torque_before_})
+    for (std::vector<Vec3>* v :
+         {&force_, &torque_, &force_before_, &torque_before_, &other_, &other_torque_,
+          &other_before_, &other_torque_before_, &impulse_, &turn_impulse_})
         v->resize(bodies, Vec3::Zero());
+}
+
+void StateVerifier::add_stiffness(InteractionId id, BodyId body, const Wrench& impulse) {
+    if (role_[number(id.index)] != Role::joint) add_impulse(body, impulse);
+}
+
+void StateVerifier::add_impulse(BodyId body, const Wrench& impulse) {
+    impulse_[number(body.index)] += impulse.force;
+    turn_impulse_[number(body.index)] += impulse.torque;
 }
 
 StateVerifier::Role StateVerifier::role_of(const World& world, InteractionId id) const {
@@ -98,6 +108,8 @@ void StateVerifier::before_step(const World& world) {
         pose_[number(id.index)] = world.pose(id);
         twist_[number(id.index)] = world.velocity(id);
     }
+    for (std::vector<Vec3>* v : {&impulse_, &turn_impulse_})
+        std::fill(v->begin(), v->end(), Vec3::Zero());
     gravity_ = gravity(world);
     potential_ = gravity_ + elastic(world);
     const double kinetic_now = kinetic(world);

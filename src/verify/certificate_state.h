@@ -13,12 +13,14 @@
 /// What drag and damping take can only lower the energy, and is not counted there.
 ///
 /// Lost energy is a second account: kinetic and gravity energy less the work of all forces, those
-/// of springs and drag included. Rigid joints do no work, so that neither their rows nor a
-/// compliance or damping given to them explains a fall of it. Steps with impacts are left out, and
-/// all behind the first edit between steps.
+/// of springs, drag and the geometric stiffness of lines included (long steps damp motion that they
+/// cannot follow by it, docs/methods.md, 4). Rigid joints do no work, so that neither their rows
+/// nor a compliance or damping given to them explains a fall of it. Steps with impacts are left
+/// out, and all behind the first edit between steps.
 
 #include <hawser/hawser.h>
 
+#include "verify/interaction_forces.h"
 #include "verify/lasting_faults.h"
 
 #include <array>
@@ -41,6 +43,11 @@ class StateVerifier {
   public:
     explicit StateVerifier(const World& world);
     void before_step(const World& world);
+    /// Count an impulse of the geometric stiffness of an interaction in this step as a force that
+    /// may take energy, unless the interaction is a rigid joint. @param impulse  On `body`.
+    void add_stiffness(InteractionId id, BodyId body, const Wrench& impulse);
+    /// Count an impulse in this step as a force that may take energy.
+    void add_impulse(BodyId body, const Wrench& impulse);
     /// @return what is wrong with the step; empty: nothing.
     [[nodiscard]] std::string after_step(const World& world);
     /// The step added or removed things itself: it is not judged, and the next one as if it were
@@ -83,7 +90,8 @@ class StateVerifier {
     std::vector<Vec3> force_before_, torque_before_;
     std::vector<Vec3> other_, other_torque_;  ///< Of springs and drag in the step, by body …
     std::vector<Vec3> other_before_, other_torque_before_;  ///< … and in the one before.
-    double gravity_ = 0.0, gravity_after_ = 0.0;            ///< Like potential_.
+    std::vector<Vec3> impulse_, turn_impulse_;    ///< Impulses of add_impulse() in the step.
+    double gravity_ = 0.0, gravity_after_ = 0.0;  ///< Like potential_.
     double other_work_ = 0.0;  ///< Of springs and drag, and what edits gave but work_ [J].
     double moving_energy_ = 0.0, moved_ = 0.0;  ///< Kinetic and gravity, and exchanged by them [J].
     double peak_ = 0.0;                         ///< Largest kinetic energy of the last seconds [J].

@@ -3,10 +3,12 @@
 #include <hawser/hawser.h>
 
 #include "verify/certificate_state.h"
+#include "verify/lasting_faults.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace hawser {
 namespace {
@@ -21,7 +23,8 @@ std::string first_objection(World& w, int steps) {
     return {};
 }
 
-TEST(LastingFaultsVerified, ARangeThatNeverHolds) {
+/// A box on a lock that an end of a range pushes at: 0.5 rad over 1e-10 rad/(N m), 5 GN m.
+World locked_box() {
     World w({.step = 1.0 / 60.0, .on_diverged = OnDiverged::warn});
     const BodyId ground = w.add_body({.kind = BodyKind::fixed});
     const BodyId box = w.add_body(
@@ -32,7 +35,31 @@ TEST(LastingFaultsVerified, ARangeThatNeverHolds) {
     range.set("min", 0.5);
     range.set("max", 0.6);
     w.add_interaction(range);
-    EXPECT_NE(first_objection(w, 60).find("'stop' has been beyond its range"), std::string::npos);
+    return w;
+}
+
+TEST(LastingFaultsVerified, ARangeThatNeverHolds) {
+    World w = locked_box();
+    verify::LastingFaults faults;
+    std::string wrong;
+    int steps = 0;
+    for (; steps < 60 && wrong.empty(); ++steps) {
+        ASSERT_EQ(w.step(), Status::ok) << steps;
+        std::vector<Pose> pose;
+        for (const BodyId id : w.bodies()) pose.push_back(w.pose(id));
+        wrong = faults.after_step(w, pose);
+    }
+    EXPECT_EQ(steps, 7) << "what strikes an end may be beyond it for 6 steps";
+    EXPECT_NE(wrong.find("'stop' has been beyond its range for 7 steps, now by 0.49"),
+              std::string::npos)
+        << wrong;
+}
+
+/// The same push turns the lock of 1e-12 rad/(N m) by 5 mrad: 25 MJ of work that moves nothing.
+TEST(LastingFaultsVerified, TheWorkOfARangeAgainstALockIsMissedBefore) {
+    World w = locked_box();
+    const std::string wrong = first_objection(w, 6);
+    EXPECT_NE(wrong.find("MJ of mechanical energy vanished"), std::string::npos) << wrong;
 }
 
 TEST(LastingFaultsVerified, ABodyThatIsPressedThroughAnother) {

@@ -12,8 +12,11 @@ namespace hawser {
 namespace {
 
 /// Two bodies on a hinge fall on a deck; the blow swings them farther than a step of 0.2 s
-/// resolves.
-constexpr const char* kFall = R"({"version": 1, "name": "fall", "settings": {"step": 0.2},
+/// resolves. Such a step loses motion, which the world's monitor reports and --verify refuses: 39 %
+/// of what was exchanged, 3 % at 0.05 s and 0.002 % at 0.01 s. Here only laws and momentum of the
+/// steps are verified (on_diverged warn).
+constexpr const char* kFall = R"({"version": 1, "name": "fall",
+"settings": {"step": 0.2, "on_diverged": "warn"},
 "bodies": [{"name": "quay", "kind": "fixed", "shapes": [
     {"kind": "box", "half_size": [17, 10, 3], "material": "m"}]},
   {"name": "b0", "position": [0.4, 0.36, 4.66], "mass": 5338, "euler_deg": [-124.7, -124.0, 19.3],
