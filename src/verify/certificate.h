@@ -59,7 +59,8 @@ struct Checks {
     /// To rounding, and steps that a step itself reports as not solved are wrong; else to 1e-5, and
     /// these are left to the world's own monitors.
     bool strict = true;
-    bool sea = true;  ///< Loads of the sea.
+    bool sea = true;     ///< Loads of the sea.
+    bool states = true;  ///< Energy, joints, lines and turns (certificate_state.h).
 };
 
 class Verifier : public Observer {

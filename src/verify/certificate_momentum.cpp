@@ -110,7 +110,7 @@ void Verifier::add_interactions(const World& world) {
             const Vec3 linear = step_ * f.force + g.force, turn = step_ * f.torque + g.torque;
             linear_[b] += linear;
             angular_[b] += turn;
-            states_.add_stiffness(id, on, g);
+            if (checks_.states) states_.add_stiffness(id, on, g);
             if (world.completed(id)) turning_[b] = true;
             if (!rows.known || !other.known) unsure_[b] = true;
             const BodyDef& body = world.body_def(on);
@@ -186,7 +186,8 @@ double Verifier::momentum_residual(const World& world) {
         const Vec3 spin = turns ? spin_impulse(b, def.inertia, now) : Vec3::Zero();
         if (unsure_[b]) {
             // Forces that nothing here computes: the account of lost energy takes them as acting.
-            states_.add_impulse(id, {p, spin - h * force.angular - angular_[b]});
+            if (checks_.states)
+                states_.add_impulse(id, {p, spin - h * force.angular - angular_[b]});
             continue;
         }
         ++covered;

@@ -34,7 +34,7 @@ SampledVerifier::SampledVerifier(const World& world, std::int64_t last) : last_(
     if (world.settings().coupling != Coupling::exact ||
         world.settings().on_diverged != OnDiverged::stop)
         return;
-    verifier_.emplace(world, Checks{.strict = false, .sea = false});
+    verifier_.emplace(world, Checks{.strict = false, .sea = false, .states = false});
     begun_ = world.step_count() - kEverySteps;
 }
 

@@ -4,8 +4,9 @@
 /// Verifies some steps of a run (certificate.h): the first ones, three of every 600, three after an
 /// event, and the last ones. Which steps are verified depends on the run alone, never on a clock.
 ///
-/// Left out: loads of the sea, which cost forty times a step, and what a step itself reports as not
-/// solved, which the monitors of the world count (docs/limits.md). Momentum and bounds are compared
+/// Left out: loads of the sea, which cost forty times a step, steps that report themselves as not
+/// solved, and states. The monitors of the world check those two in every step, and their message
+/// has time, place and remedy (docs/limits.md). Momentum and bounds are compared
 /// to 1e-5, where `hawser run --verify` compares to 1e-9.
 
 #include "verify/certificate.h"
