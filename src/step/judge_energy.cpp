@@ -98,6 +98,8 @@ Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
         state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
         out.now[i] = follow(state.now_tide[i], now[i], forgotten);
         out.mean[i] = follow(state.mean_tide[i], state.mean[i], forgotten);
+        const Tide& level = state.mean_tide[i];
+        out.lasting[i] = {std::max(0.0, now[i] - level.least), std::max(0.0, level.most - now[i])};
     }
     // Before the first look there is none.
     out.posed = first ? out.now[kBetween].rise : state.posed;

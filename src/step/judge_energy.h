@@ -16,6 +16,9 @@ struct Swing {
 /// Energy that came or went without reason: at this moment, and in the mean.
 struct Unexplained {
     ByAccount<Swing> now{}, mean{};
+    /// This moment against the extremes of the mean: an extreme that did not last counts by its
+    /// share of kMean.
+    ByAccount<Swing> lasting{};
     double posed = 0.0;  ///< What JudgeState::posed was before [J].
 };
 

@@ -96,11 +96,13 @@ Finding energy_finding(const Model& model, const State& state, const JudgePart& 
     memory.risen = {created, memory.risen[0]};
     const double lasting =
         std::min({mean[kBetween].rise, mean[kByForce].rise, mean[kAtPoses].rise});
-    // What lines hold by their lengths is the state, whatever they exert; it has to last.
+    // What lines hold by their lengths is the state, whatever they exert; it has to last, above a
+    // level that lasted: what strikes a stop puts into it what comes back within a few steps.
     const double by_length =
-        held_rise(std::min(now[kBetween].rise, now[kAtPoses].rise), time, memory);
+        held_rise(std::min(u.lasting[kBetween].rise, u.lasting[kAtPoses].rise), time, memory);
     const double hidden = std::max(now[kUnexplained].rise, now[kWithGiven].rise);
-    const double lost = now[kUnexplained].fall;
+    // Below a level that lasted: what an element holds by its length for some steps goes again.
+    const double lost = std::min(now[kUnexplained].fall, u.lasting[kUnexplained].fall);
     Finding out;
     const double by_created = share(stays, exchanged) / limit::kCreated.doubtful,
                  by_held = share(by_length, exchanged) / limit::kHeld.doubtful,
