@@ -15,8 +15,8 @@ namespace hawser::stepper {
 /// Finding::value is minus the strain.
 [[nodiscard]] Finding strain_finding(Model& model, const State& state, JudgeState& memory) noexcept;
 
-/// Wound elements of less than no length for three steps: a drum took in more than there is.
-/// Finding::value is the length [m].
+/// Wound elements of less than no length for three steps: a slide took in more than there is. The
+/// element of a drum does not come there (kLeastOfDrumElement). Finding::value is the length [m].
 [[nodiscard]] Finding wound_finding(const Model& model, const State& state,
                                     JudgeState& memory) noexcept;
 
