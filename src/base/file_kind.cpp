@@ -245,7 +245,9 @@ std::string wrong_kind(std::string_view content, std::string_view expected,
     const FileKind kind = file_kind(content);
     const auto words =
         std::find_if(kWords.begin(), kWords.end(), [&](const Words& w) { return w.kind == kind; });
-    if (kind == FileKind::binary) return "this is a binary file, not " + std::string(expected);
+    if (kind == FileKind::binary)
+        return "this is a binary file (a NUL byte at offset " + std::to_string(content.find('\0')) +
+               "), not " + std::string(expected);
     if (words == kWords.end() || expected == words->is) return "";
     std::string remedy = words->remedy;
     if (const std::size_t at = remedy.find("FILE"); at != std::string::npos)

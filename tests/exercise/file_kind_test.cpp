@@ -47,7 +47,9 @@ std::vector<OtherFile> other_files() {
         {"comments",
          "{\"version\": 1,\n  // the name\n \"name\": \"http://x\"}",
          {"JSON with comments (line 2, column 3)", "remove them"}},
-        {"comments in C", "{\"version\": 1, /* one */ \"name\": \"x\"}", {"column 15"}},
+        {"comments in C",
+         "{\"version\": 1, /* one */ \"name\": \"x\"}",
+         {"JSON with comments (line 1, column 16)"}},
         {"comma", "{\"name\": \"a, ]\", \"version\": 1,\n}", {"a comma", "(line 1, column 30)"}},
         {"utf-16", std::string("\xff\xfe{\0", 4), {"UTF-16", "UTF-8"}},
         {"gzip", "\x1f\x8b\x08", {"compressed"}},
@@ -56,7 +58,7 @@ std::vector<OtherFile> other_files() {
          std::string("\x7f"
                      "ELF\0\0",
                      6),
-         {"a binary file"}},
+         {"a binary file", "offset 4"}},
         {"nothing", " \n\t", {"an empty file"}},
     };
 }

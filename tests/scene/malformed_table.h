@@ -15,11 +15,11 @@ namespace hawser::scene::test {
 inline constexpr Mistake kSceneMistakes[] = {
 // --- the document --------------------------------------------------------------------------
 {kPendulum, R"([{"op":"remove","path":"/version"}])", "", "version"},
-{kPendulum, R"([{"op":"replace","path":"/version","value":2}])", "/version", "at most 1"},
+{kPendulum, R"([{"op":"replace","path":"/version","value":3}])", "/version", "at most 2"},
 {kPendulum, R"([{"op":"replace","path":"/version","value":"1"}])", "/version", "expected"},
 {kPendulum, R"([{"op":"replace","path":"/version","value":1.0}])", "/version", "expected"},
 {kPendulum, R"([{"op":"replace","path":"/version","value":99999999999999999999}])", "/version", "expected"},
-{kPendulum, R"([{"op":"replace","path":"/version","value":9223372036854775808}])", "/version", "at most 1"},
+{kPendulum, R"([{"op":"replace","path":"/version","value":9223372036854775808}])", "/version", "at most 2"},
 {kPendulum, R"([{"op":"remove","path":"/name"}])", "", "name"},
 {kPendulum, R"([{"op":"replace","path":"/name","value":""}])", "/name", "letters"},
 {kPendulum, R"([{"op":"replace","path":"/name","value":"two words"}])", "/name", "letters"},
