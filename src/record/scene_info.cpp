@@ -20,7 +20,7 @@ SceneInfo info_of(const scene::Scene& scene) {
     for (const scene::Cable& cable : scene.cables)
         info.cables.push_back({cable.name, cable.line_type, cable.nodes, cable.stretch, cable.EA,
                                cable.breaking_load, cable.length, cable.diameter, cable.laid_from,
-                               cable.laid_to});
+                               cable.laid_to, cable.drum_element == 0.0});
     for (const std::string& name : scene.plot_tensions)
         for (std::size_t i = 0; i < scene.cables.size(); ++i)
             if (scene.cables[i].name == name)

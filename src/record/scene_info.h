@@ -26,6 +26,9 @@ struct CableInfo {
     double diameter = 0.0;                ///< [m]; 0 = not given.
     /// Material coordinates between which it starts on its seabed [m]; NaN: it does not.
     double laid_from = kDefault, laid_to = kDefault;
+    /// True if a bare drum keeps one element of it, which ends hauling
+    /// (scene::Cable::drum_element).
+    bool keeps_one = false;
 };
 
 struct SceneInfo {

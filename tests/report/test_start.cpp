@@ -287,6 +287,38 @@ TEST(Start, ABodyThatTurnsTooFarInAStep) {
     EXPECT_NEAR(only(turning("60"), FindingKind::spin_step).value, 1.0, 1e-12);
 }
 
+/// The element at the drum is 10 m + 0.8 m × coordinate long (docs/scenes.md); 2 % of 10 m stay.
+TEST(Start, ABareDrumThatKeepsOneElement) {
+    const auto with = [](int version, const std::string& winch, const std::string& at) {
+        const std::string text = R"({"version": )" + std::to_string(version) + R"(, "name": "start",
+            "bodies": [{"name": "spool", "kind": "scalar", "mass": 500, "position": [)" +
+                                 at + R"(, 0, 0], "gravity": false},
+              {"name": "load", "kind": "lump", "mass": 1000, "position": [0, 0, -40]}],
+            "line_types": {"wire": {"mass_per_length": 4, "EA": 1e7}},
+            "cables": [{"name": "hoist", "line_type": "wire", "elements": 4,
+              "from": {"at": [0, 0, 0]}, "to": {"body": "load"})" +
+                                 winch + "}]}";
+        return Started(scene::load_text(text, "start.json"));
+    };
+    const char* const drum = R"(, "winch": {"drum": "spool", "radius": 0.8})";
+    struct Drum {
+        const char* at;
+        double hauled;
+        const char* words;
+    };
+    for (const Drum& d : {Drum{"0", 9.8, "9.8 m"}, Drum{"5", 13.8, "13.8 m"}}) {
+        const Finding f = only(with(1, drum, d.at), FindingKind::drum);
+        EXPECT_FALSE(f.error);
+        EXPECT_EQ(f.about, Names{"hoist"});
+        EXPECT_NEAR(f.value, d.hauled, 1e-9);
+        EXPECT_EQ(f.text, std::string("the cable \"hoist\" keeps one element at its drum, which "
+                                      "stops after hauling ") +
+                              d.words + "; set \"version\": 2 to feed elements");
+        EXPECT_TRUE(with(2, drum, d.at).of(FindingKind::drum).empty());
+    }
+    EXPECT_TRUE(with(1, "", "0").of(FindingKind::drum).empty());
+}
+
 /// Looking changes nothing: bits of steps after it are those without it.
 TEST(Start, TheWorldStaysAsItIs) {
     for (const char* file : {"scenes/chain_pile.json", "scenes/heavy_hook.json",

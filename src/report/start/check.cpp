@@ -15,6 +15,7 @@ Findings check_start(const record::SceneInfo& scene, const World& world, std::si
     check_dry_lines(scene, world, out);
     check_sea_scene(scene, world, out);
     check_document(scene, out);
+    check_drums(scene, world, out);
     check_posts(scene, world, out);
     check_tensions(scene, world, out);
     check_overlaps(scene, world, out);

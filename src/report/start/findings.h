@@ -31,11 +31,12 @@ enum class FindingKind : std::uint8_t {
     memory,       ///< A radiation memory that is cut too early. value: K(T)/K(0).
     stiffness,    ///< EA that does not fit a diameter. value: EA/d² [N/m²].
     brake,        ///< A winch that starts braked without a brake.
+    drum,         ///< A bare drum that keeps one element. value: length that it hauls [m].
     points,       ///< An exercise that cannot be passed. value: points needed less possible.
     post,         ///< A post that never takes a cable beside it. value: how far it is [m].
     unexamined,   ///< Too large to be looked at. value: rows or bodies.
 };
-inline constexpr int kFindingKindCount = 22;
+inline constexpr int kFindingKindCount = 23;
 [[nodiscard]] const char* to_string(FindingKind kind) noexcept;
 
 struct Finding {

@@ -27,6 +27,8 @@ void check_dry_lines(const record::SceneInfo& scene, const World& world, Finding
 void check_sea_scene(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Line types and winches of the document whose numbers do not fit (document.cpp).
 void check_document(const record::SceneInfo& scene, Findings& out);
+/// Bare drums that keep one element of their cable (drums.cpp).
+void check_drums(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Points that an exercise needs and its goals do not give (points.cpp).
 void check_points(const exercise::Exercise& exercise, Findings& out);
 /// Posts beside cables that they never take (posts.cpp).
