@@ -11,6 +11,9 @@ constexpr Case kFirstDay[] = {
     {"F.4", "first_drag", "drag of hulls by draught", case_first_drag},
     {"F.5", "first_memory", "ends of radiation memories, negative damping", case_first_memory},
     {"F.6", "first_warnings", "warnings of hawser check", case_first_warnings},
+    {"F.7", "first_winches", "power of a winch; a bare drum to its stop and out",
+     case_first_winches},
+    {"F.8", "first_routes", "ends at eyes, bollards, guides on the other side", case_first_routes},
 };
 
 }  // namespace

@@ -21,5 +21,8 @@ void case_first_drag(Report& report);
 void case_first_memory(Report& report);
 // firstday_checks.cpp
 void case_first_warnings(Report& report);
+// firstday_winches.cpp
+void case_first_winches(Report& report);
+void case_first_routes(Report& report);
 
 }  // namespace hawser::validate
