@@ -124,12 +124,14 @@ class Builder {
             if (!cable.links) {
                 world.adopt_wire(cable.name, cable.stretch, cable.trim);
             }
-            if (!std::isnan(cable.drum_element)) {
+            if (std::isnan(cable.drum_element)) continue;
+            const auto drum = static_cast<std::size_t>(cable.stretch.front().index);
+            (void)take(description_.interaction_place(drum) / "winch", [&] {
                 world.add(DrumFeedDef{.name = cable.name + "/feed",
                                       .wire = world.find_wire(cable.name),
                                       .element = cable.drum_element,
                                       .mass_per_length = cable.sections.front().mass_per_length});
-            }
+            });
         }
         for (std::size_t i = 0; i < description_.winches.size(); ++i) {
             const Winch& winch = description_.winches[i];

@@ -174,6 +174,21 @@ TEST(Mistakes, of_what_the_world_refuses_are_all_listed) {
         << all_of(found);
 }
 
+/// A feed needs a fairlead that is no lump: the refusal names the cable's key, and all are listed.
+TEST(Mistakes, of_drum_feeds_name_their_cable) {
+    const auto found = mistakes_in(R"({"version": 2, "name": "f", "bodies": [
+        {"name": "spool", "kind": "scalar", "mass": 500, "gravity": false},
+        {"name": "a", "kind": "lump", "mass": 500}, {"name": "b", "kind": "lump", "mass": 500},
+        {"name": "load", "kind": "lump", "mass": 1000, "position": [0, 0, -40]}],
+        "line_types": {"w": {"mass_per_length": 4, "EA": 1e7}}, "cables": [
+        {"name": "c", "line_type": "w", "elements": 4, "from": {"body": "a"},
+         "to": {"body": "load"}, "winch": {"drum": "spool", "radius": 0.8}},
+        {"name": "d", "line_type": "w", "elements": 4, "from": {"body": "b"},
+         "to": {"body": "load"}, "winch": {"drum": "spool", "radius": 0.8}}]})");
+    EXPECT_EQ(paths(found), (std::vector<std::string>{"/cables/0/winch", "/cables/1/winch"}))
+        << all_of(found);
+}
+
 TEST(Mistakes, keys_given_twice_and_options_are_listed) {
     EXPECT_EQ(mistakes_in(R"({"version": 1, "name": "x", "name": "y", "bodies": [
         {"name": "b", "kind": "lump", "mass": 1, "mass": 2}]})")
