@@ -5,6 +5,7 @@
 #include "scene/deck.h"
 #include "scene/description.h"
 #include "scene/format.h"
+#include "scene/plot.h"
 #include "scene/timeline.h"
 
 #include <algorithm>
@@ -242,60 +243,6 @@ class Builder {
     bool whole_ = true;     ///< All bodies are those of the scene.
     bool numbered_ = true;  ///< Interactions have the numbers of the description.
 };
-
-void read_plot(Scene& scene, const Description& description, const Document& document) {
-    const auto plot = document.root.find("plot");
-    if (plot == document.root.end()) {
-        return;
-    }
-    const Place place = document.place / "plot";
-    const auto read = [&](const char* key, std::vector<std::string>& names, const auto& exists,
-                          const char* what, Lost lost, const auto& known) {
-        const auto list = plot->find(key);
-        for (std::size_t i = 0; list != plot->end() && i < list->size(); ++i) {
-            names.push_back((*list)[i].template get<std::string>());
-            (void)attempt(description.mistakes, [&] {
-                if (!exists(names.back())) {
-                    refuse_missing(description.mistakes, lost, names.back(), place / key / i,
-                                   std::string("there is no ") + what + " " +
-                                       in_quotes(names.back()) + suggestion(names.back(), known()));
-                }
-            });
-        }
-    };
-    read(
-        "tensions", scene.plot_tensions,
-        [&](const std::string& name) { return description.has_cable(name); }, "cable", Lost::cable,
-        [&] {
-            std::vector<std::string> known;
-            for (const Cable& cable : description.cables) {
-                known.push_back(cable.name);
-            }
-            return known;
-        });
-    read(
-        "motions", scene.plot_motions,
-        [&](const std::string& name) { return description.find_body(name).valid(); }, "body",
-        Lost::body,
-        [&] {
-            std::vector<std::string> known;
-            for (const BodyDef& body : description.bodies) {
-                known.push_back(body.name);
-            }
-            return known;
-        });
-    if (const auto box = plot->find("view_box"); box != plot->end()) {
-        for (std::size_t i = 0; i < 6; i += 3) {
-            scene.plot_view_box.emplace_back((*box)[i].get<double>(), (*box)[i + 1].get<double>(),
-                                             (*box)[i + 2].get<double>());
-        }
-        (void)attempt(description.mistakes, [&] {
-            if (!(scene.plot_view_box[0].array() < scene.plot_view_box[1].array()).all()) {
-                refuse(place / "view_box", "the lower corner must lie below the upper one");
-            }
-        });
-    }
-}
 
 void check_options(const Options& options, const Place& place) {
     if (options.scale < 1 || options.scale > kMaxCopies) {
