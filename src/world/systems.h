@@ -162,7 +162,7 @@ class Systems final : public stepper::Actors {
     const World* world_ = nullptr;
     std::vector<std::unique_ptr<System>> list_;
     std::vector<SystemSignal> signals_;
-    mutable HoldTable held_;  ///< Scratch of each_held(), whose memory is kept.
+    mutable HoldTable held_;              ///< Scratch of each_held(), whose memory is kept.
     bool acted_ = false;                  ///< In the step being taken.
     bool editing_ = false;                ///< In before_step().
     std::vector<std::byte> kept_;         ///< States before it.

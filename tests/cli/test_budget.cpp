@@ -50,9 +50,9 @@ TEST(Budget, CutStepsAreRecordedAndReplayed) {
 TEST(Budget, OpensCutsWhereNothingElseFitsAndReplaysThem) {
     const auto folder = test_folder();
     // No step fits; a cut is made only where its matrix is 5 % cheaper, as in these lines it is.
-    const Outcome outcome = run_program({"run", "bench/scenes/frozen/anchor_lines.json", "--duration", "0.6",
-                                         "--budget", "0.001", "--coupling", "deadline", "--record",
-                                         folder / "r.hwr", "--summary", folder / "s.json"});
+    const Outcome outcome = run_program(
+        {"run", "bench/scenes/frozen/anchor_lines.json", "--duration", "0.6", "--budget", "0.001",
+         "--coupling", "deadline", "--record", folder / "r.hwr", "--summary", folder / "s.json"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("degraded"), std::string::npos) << outcome.out;
     const Json d = Json::parse(read_text(folder / "s.json"))["degradations"];

@@ -84,8 +84,8 @@ TEST_F(RecordingOutputs, ExerciseIsThatOfTheFiles) {
 
 /// Levers of a short exercise that fails: the load is dropped beside its target.
 constexpr const char* kClumsy =
-    "time,take,hoist,slew,luff\n0,0,0,0,0\n0.5,1,0,0,0\n1,1,0.5,0,0\n3,1,0.5,0.1,0.05\n"
-    "5,1,-0.5,0.1,0\n7,0,0,-0.1,0\n";
+    "time,take,hoist,slew,luff\n0,0,0,0,0\n0.5,1,0,0,0\n1,1,0.5,0,0\n3,1,0.5,0.06,0.05\n"
+    "5,1,-0.5,0.06,0\n7,0,0,-0.06,0\n";
 
 TEST_F(RecordingOutputs, FailedExerciseIsThatOfTheFiles) {
     // A report has a curve with a point each step: 10 s in place of 180.

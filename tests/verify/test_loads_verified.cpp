@@ -31,7 +31,8 @@ void add_water(World& w, double scale) {
 }
 
 TEST(LoadsVerified, ScenesWithWaterHoldByIndependentCode) {
-    for (const char* name : {"belt", "heavy_hook", "mooring_seabed", "tow_zigzag"}) {
+    for (const char* name :
+         {"belt", "heavy_hook", "moored_barge", "mooring_seabed", "tow_zigzag"}) {
         scene::Scene scene = scene::load_file(std::string("scenes/") + name + ".json");
         add_water(scene.world, 0.3);
         verify::Verifier verifier(scene.world);
