@@ -54,7 +54,7 @@ void SampledVerifier::before_step(const World& world) {
 
 void SampledVerifier::after_step(const World& world, std::span<const Event> events) {
     happened_ = happened_ || std::any_of(events.begin(), events.end(), opens_window);
-    if (left_ == 0) return;
+    if (left_ == 0 || !verifier_) return;
     --left_;
     ++steps_;
     objection_ = verifier_->after_step(world);
