@@ -75,10 +75,10 @@ struct Server::Impl final : Floor {
             throw ServerError("--listen " + options_.address +
                               ": no address in numbers, such as 127.0.0.1 or 0.0.0.0");
         const Tcp::endpoint end(address, options_.port);
-        acceptor.open(end.protocol(), error);
-        if (!error) acceptor.set_option(Tcp::acceptor::reuse_address(true), error);
-        if (!error) acceptor.bind(end, error);
-        if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+        (void)acceptor.open(end.protocol(), error);
+        if (!error) (void)acceptor.set_option(Tcp::acceptor::reuse_address(true), error);
+        if (!error) (void)acceptor.bind(end, error);
+        if (!error) (void)acceptor.listen(asio::socket_base::max_listen_connections, error);
         if (error == asio::error::address_in_use)
             throw ServerError("port " + std::to_string(options_.port) + " of " + options_.address +
                               " is taken; free is --port " + std::to_string(free_port(address)));
@@ -96,10 +96,10 @@ struct Server::Impl final : Floor {
             if (wanted > 65535) continue;
             const Tcp::endpoint end(address, static_cast<std::uint16_t>(wanted));
             Tcp::acceptor probe(context);
-            probe.open(end.protocol(), error);
-            if (!error) probe.set_option(Tcp::acceptor::reuse_address(true), error);
-            if (!error) probe.bind(end, error);
-            if (!error) probe.listen(1, error);
+            (void)probe.open(end.protocol(), error);
+            if (!error) (void)probe.set_option(Tcp::acceptor::reuse_address(true), error);
+            if (!error) (void)probe.bind(end, error);
+            if (!error) (void)probe.listen(1, error);
             if (!error) return probe.local_endpoint().port();
         }
         return 0;
@@ -191,6 +191,7 @@ struct Server::Impl final : Floor {
             Command gone;
             gone.kind = CommandKind::left;
             gone.client = number;
+            // NOLINTNEXTLINE(performance-move-const-arg): the ring takes rvalues.
             (void)hub_.commands.push(std::move(gone));
         }
         clients_.erase(at);
@@ -199,7 +200,7 @@ struct Server::Impl final : Floor {
 
     void goodbye() {
         Error ignored;
-        acceptor.close(ignored);
+        (void)acceptor.close(ignored);
         const auto bye =
             std::make_shared<const std::string>(R"({"type":"bye","reason":"the program ends"})");
         const auto all = clients_;

@@ -127,6 +127,7 @@ class Parser {
     [[nodiscard]] double number(const Field& field) const {
         double value = 0.0;
         const char* end = field.text.data() + field.text.size();
+        // NOLINTNEXTLINE(bugprone-suspicious-stringview-data-usage): the end is given.
         const auto [at, error] = std::from_chars(field.text.data(), end, value);
         if (error != std::errc() || at != end || !std::isfinite(value))
             fail(field.column, fmt::format("\"{}\" is not a finite number", field.text));

@@ -2,6 +2,7 @@
 #include "scene/counts.h"
 
 #include "scene/checks.h"
+#include "scene/description.h"
 
 #include <fmt/format.h>
 

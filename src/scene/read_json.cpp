@@ -81,9 +81,11 @@ class LimitChecker : public nlohmann::json_sax<Json> {
         Level& level = levels_.back();
         if (!level.object && level.index >= kMostEntries)
             refuse(here(), "an array of more than " + std::to_string(kMostEntries) + " entries");
-        if (++values_ > kMostValues)
+        ++values_;
+        if (values_ > kMostValues)
             refuse(here(), "the file has more than " + std::to_string(kMostValues) + " values");
-        if (unknown_ > 0 && ++unknown_ > kMostUnknown)
+        if (unknown_ > 0) ++unknown_;
+        if (unknown_ > kMostUnknown)
             refuse({place_.file, "/" + levels_.front().key},
                    "there is no key " + in_quotes(levels_.front().key) +
                        ", and it holds more than " + std::to_string(kMostUnknown) +

@@ -195,8 +195,8 @@ JointIds add_driven(World& world, InteractionKind kind, const AxisKinds& kinds, 
     return ids;
 }
 
-InteractionId add_one(World& world, InteractionDef def) {
-    return world.add_interaction(std::move(def));
+InteractionId add_one(World& world, const InteractionDef& def) {
+    return world.add_interaction(def);
 }
 
 }  // namespace

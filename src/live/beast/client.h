@@ -107,7 +107,7 @@ class Client : public std::enable_shared_from_this<Client> {
         if (gone_) return;
         gone_ = closing_ = true;
         Error ignored;
-        beast::get_lowest_layer(socket_).socket().close(ignored);
+        (void)beast::get_lowest_layer(socket_).socket().close(ignored);
         floor_.left(number_);
     }
 
@@ -170,6 +170,7 @@ class Client : public std::enable_shared_from_this<Client> {
         for (Command& command : request.commands) {
             command.client = number_;
             (void)command.role.assign(shortened(role_->name, command.role.kMost));
+            // NOLINTNEXTLINE(performance-move-const-arg): the ring takes rvalues.
             (void)floor_.hub_.commands.push(std::move(command));
         }
     }

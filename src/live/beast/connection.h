@@ -25,8 +25,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
         if (!error) address_ = end.address().to_string();
         if (!error) from_ = address_ + ":" + std::to_string(end.port());
         at_ = floor_.connections_.insert(floor_.connections_.end(), {address_, [this] { drop(); }});
-        stream_.socket().set_option(Tcp::no_delay(true), error);
-        stream_.socket().set_option(asio::socket_base::send_buffer_size(kSendBuffer), error);
+        (void)stream_.socket().set_option(Tcp::no_delay(true), error);
+        (void)stream_.socket().set_option(asio::socket_base::send_buffer_size(kSendBuffer), error);
     }
     ~Connection() { leave(); }
     Connection(const Connection&) = delete;
@@ -47,7 +47,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void drop() {
         leave();
         Error ignored;
-        stream_.socket().close(ignored);
+        (void)stream_.socket().close(ignored);
     }
     void leave() {
         if (!at_) return;
@@ -134,14 +134,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
     }
 
     template <class Body>
-    void send(std::shared_ptr<http::response<Body>> response) {
+    void send(const std::shared_ptr<http::response<Body>>& response) {
         for (const auto& [name, value] : safe_headers(host_)) response->set(name, value);
         response->keep_alive(false);
-        http::async_write(stream_, *response,
-                          [self = shared_from_this(), response](Error, std::size_t) {
-                              Error ignored;
-                              self->stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
-                          });
+        http::async_write(
+            stream_, *response, [self = shared_from_this(), response](Error, std::size_t) {
+                Error ignored;
+                (void)self->stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
+            });
     }
 
     void answer(http::status status, const char* words) {
