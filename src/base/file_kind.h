@@ -23,7 +23,7 @@ enum class FileKind : unsigned char {
     operations,
     control,
     summary,
-    // Of other programs.
+    // Kinds of files that other programs write.
     moordyn,
     orcaflex,
     urdf,

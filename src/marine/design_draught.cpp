@@ -4,39 +4,15 @@
 
 #include <hawser/hull.h>
 
+#include "base/held_together.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace hawser::marine {
 namespace {
-
-std::size_t slot_of(BodyId id) { return static_cast<std::size_t>(id.index); }
-
-/// Bodies that joints hold together.
-class HeldTogether {
-  public:
-    explicit HeldTogether(const World& world) : of_(static_cast<std::size_t>(world.body_count())) {
-        std::iota(of_.begin(), of_.end(), std::size_t{0});
-        for (const InteractionId id : world.interactions()) {
-            const InteractionDef& def = world.interaction_def(id);
-            const KindInfo& kind = kind_info(def.kind);
-            if (!kind.is(kHoldsBodies)) continue;
-            for (std::size_t b = 1; b < static_cast<std::size_t>(kind.bodies); ++b)
-                of_[group(def.body[b])] = group(def.body[0]);
-        }
-    }
-    [[nodiscard]] std::size_t group(BodyId id) const {
-        std::size_t at = slot_of(id);
-        while (of_[at] != at) at = of_[at];
-        return at;
-    }
-
-  private:
-    std::vector<std::size_t> of_;
-};
 
 double mesh_volume(const HullMesh& mesh) {
     double sum = 0.0;
@@ -56,7 +32,7 @@ void set_design_draughts(const World& world, SeaDef& def, double level) {
         return std::isnan(h.design_draught) && !h.mesh.triangles.empty();
     };
     if (std::none_of(def.hulls.begin(), def.hulls.end(), needs)) return;
-    const HeldTogether held(world);
+    const base::HeldTogether held(world);
     for (WaterHull& hull : def.hulls) {
         if (!needs(hull)) continue;
         const std::size_t group = held.group(hull.body);

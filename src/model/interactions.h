@@ -234,7 +234,8 @@ struct Interactions {
     }
     /// Mass of a wire element [kg], see pair_mass; nothing of a kind that has none.
     void set_mass(int id, double mass) noexcept;
-    /// Unstretched length of a wound element by its drum or slide [m]; may be negative.
+    /// Unstretched length of a wound element by its drum or slide [m]; of a span it may be
+    /// negative.
     [[nodiscard]] double wound_length(int id, const Bodies& bodies_in) const noexcept;
     /// Compliance and length of a wire element at its present rest length, which a drum pays out.
     void follow_length(int id, const Bodies& bodies_in, double h) noexcept;

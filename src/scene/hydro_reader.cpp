@@ -118,7 +118,7 @@ std::string seconds_text(double seconds) {
     return text + " s";
 }
 
-/// What became of a reader that returned no message.
+/// Describe the end of a reader that returned no message.
 std::string failure_of(const SpawnResult& run, const std::string& program,
                        const ReaderLimits& limits) {
     const std::string damaged =

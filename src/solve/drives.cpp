@@ -91,7 +91,7 @@ DriveWork drive_work(Model& model) noexcept {
             if (carried) out.driven += work_of_carriers(model, v, id, driven);
             return;
         }
-        // What a carrier puts in drives; the rest of what the bodies gain is taken.
+        // The work of a carrier is driven; the rest of the work on the bodies is friction.
         const double put_in = carried ? friction_of_carriers(model, v, id) : 0.0;
         out.driven += put_in;
         out.friction += put_in - work;

@@ -15,7 +15,8 @@ namespace {
 /// Between foamed plastic with much air around it and platinum [kg/m³].
 constexpr double kLightest = 1.0, kDensest = 25'000.0;
 /// A chain weighs 22 kg/m for each cm² of its bar, by the diameter of which it is called: 28,000.
-/// Of foam, floating hose has 300: below 100 a mass in t/m is more likely.
+/// Least density of a line [kg/m³]. Floating hose of foam has 300; below 100 a mass in t/m is
+/// likely.
 constexpr double kLightestLine = 100.0, kDensestLine = 40'000.0;
 /// Twice as large as it is, or all mass within a thirtieth of it: not the inertia of this body.
 constexpr double kTooWide = 4.0, kTooNarrow = 1e-3;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/held_together.h"
 #include "record/units.h"
 #include "report/start/parts.h"
 
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -16,31 +16,6 @@ namespace {
 
 /// Share of what it carries by which a hull's displacement may be off.
 constexpr double kDisplacementOff = 0.01;
-
-std::size_t place(BodyId id) { return static_cast<std::size_t>(id.index); }
-
-/// Bodies that joints hold together float as one: derricks and cranes are carried by the hull.
-class Afloat {
-  public:
-    explicit Afloat(const World& world) : of_(static_cast<std::size_t>(world.body_count())) {
-        std::iota(of_.begin(), of_.end(), std::size_t{0});
-        for (const InteractionId id : world.interactions()) {
-            const InteractionDef& def = world.interaction_def(id);
-            const KindInfo& kind = kind_info(def.kind);
-            if (!kind.is(kHoldsBodies)) continue;
-            for (std::size_t b = 1; b < static_cast<std::size_t>(kind.bodies); ++b)
-                of_[group(def.body[b])] = group(def.body[0]);
-        }
-    }
-    [[nodiscard]] std::size_t group(BodyId id) const {
-        std::size_t at = place(id);
-        while (of_[at] != at) at = of_[at];
-        return at;
-    }
-
-  private:
-    std::vector<std::size_t> of_;
-};
 
 struct Carried {
     BodyId body{};  ///< That of its first hull.
@@ -53,7 +28,8 @@ struct Carried {
 
 using Floats = std::map<std::size_t, Carried>;
 
-Floats floats_of(const World& world, const SeaDef& sea, const Afloat& afloat, double level) {
+Floats floats_of(const World& world, const SeaDef& sea, const base::HeldTogether& afloat,
+                 double level) {
     Floats out;
     for (const WaterHull& hull : sea.hulls) {
         Carried& c = out[afloat.group(hull.body)];
@@ -66,7 +42,7 @@ Floats floats_of(const World& world, const SeaDef& sea, const Afloat& afloat, do
 }
 
 /// What it carries: masses, and forces that lines and the scene put on them.
-void weigh(const World& world, const Afloat& afloat, double gravity, Floats& floats) {
+void weigh(const World& world, const base::HeldTogether& afloat, double gravity, Floats& floats) {
     for (const BodyId id : world.bodies()) {
         const auto found = floats.find(afloat.group(id));
         if (found == floats.end()) continue;
@@ -94,8 +70,8 @@ void weigh(const World& world, const Afloat& afloat, double gravity, Floats& flo
 }
 
 /// A small body in the water that a hull carries.
-void lift_small_bodies(const World& world, const SeaDef& sea, const Afloat& afloat, double level,
-                       Floats& floats) {
+void lift_small_bodies(const World& world, const SeaDef& sea, const base::HeldTogether& afloat,
+                       double level, Floats& floats) {
     for (const WaterBody& small : sea.bodies) {
         const auto found = floats.find(afloat.group(small.body));
         if (found == floats.end() || world.pose(small.body).position.z() > level) continue;
@@ -111,7 +87,7 @@ bool floats_by_itself(const KindInfo& kind) {
 }
 
 /// Springs that make it float a second time.
-void check_hydrostatics(const World& world, const Floats& floats, const Afloat& afloat,
+void check_hydrostatics(const World& world, const Floats& floats, const base::HeldTogether& afloat,
                         Findings& out) {
     for (const InteractionId id : world.interactions()) {
         const InteractionDef& def = world.interaction_def(id);
@@ -156,7 +132,7 @@ void check_hulls(const World& world, Findings& out) {
     check_rods(world, *sea, out);
     const double gravity = world.settings().gravity.norm();
     const double level = still_water(world);
-    const Afloat afloat(world);
+    const base::HeldTogether afloat(world);
     Floats floats = floats_of(world, *sea, afloat, level);
     weigh(world, afloat, gravity, floats);
     lift_small_bodies(world, *sea, afloat, level, floats);
