@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "random_cases.h"
+#include "random_gear.h"
 #include "random_judge.h"
 #include "random_report.h"
 
@@ -81,7 +82,7 @@ struct RandomOptions {
     int count = 2000, shown = 20, divide = 1;
     std::int64_t only = -1;
     std::vector<std::string> save;
-    std::string json, list;
+    std::string json, list, family = "mechanisms";
 };
 
 int run_all(const RandomOptions& o) {
@@ -142,8 +143,11 @@ void save_case(const RandomOptions& o) {
     }
     if (read != o.save[0].size())
         throw std::runtime_error("--save: '" + o.save[0] + "' is not the number of a case");
+    const auto family = gear_family(o.family);
     std::ofstream file(o.save[1]);
-    file << make_random_case(o.seed, number).text << '\n';
+    file << (family ? make_gear_case(*family, o.seed, number).text
+                    : make_random_case(o.seed, number).text)
+         << '\n';
     file.close();
     if (!file) throw std::runtime_error(o.save[1] + ": cannot be written");
     fmt::print("{}: case {} of seed {}\n", o.save[1], number, o.seed);
@@ -155,6 +159,9 @@ int random_command(int argc, char** argv) {
     CLI::App app(kRandomDescription, "hawser-bench random");
     RandomOptions o;
     app.add_option("--seed", o.seed, "Of the random numbers")->capture_default_str();
+    app.add_option("--family", o.family, "Kind of scenes")
+        ->check(CLI::IsMember({"mechanisms", "winches", "guides", "hulls"}))
+        ->capture_default_str();
     app.add_option("--count", o.count, "Cases")
         ->check(CLI::Range(1, 10'000'000))
         ->capture_default_str();
@@ -179,6 +186,13 @@ int random_command(int argc, char** argv) {
         save_case(o);
         return 0;
     }
+    if (const auto family = gear_family(o.family))
+        return run_gear({.family = *family,
+                         .seed = o.seed,
+                         .count = o.count,
+                         .shown = o.shown,
+                         .only = o.only,
+                         .json = o.json});
     if (o.only < 0) return run_all(o);
     const Ended e = run_case(o.seed, static_cast<std::uint64_t>(o.only), o.divide);
     fmt::print("{}\n", told(e));

@@ -90,6 +90,9 @@ bool stays(const Model& model, const View& v, std::int32_t id, const ImpulseRang
 bool is_rounding(const Model& model, std::int32_t id, const Wish& wish, double lambda,
                  const ImpulseRange& range) noexcept {
     const double way = std::fabs(wish.projected - lambda), width = range.high - range.low;
+    // A stop, which holds whatever pulls, has no bound to compare with.
+    constexpr double kStop = 1e20;  // [N s]
+    if (width > kStop) return false;
     if (way > kCapstanAtBound * width || !is_capstan(model, id)) return false;
     return wish.was_active || way <= kCapstanNoise * width ||
            way <= kCapstanRounding * largest_in_run(model, id);

@@ -45,7 +45,9 @@ double speed_of_row(const Model& model, std::int32_t id) noexcept {
     return row_speed(row_view(const_cast<Model&>(model)), id);  // reads only
 }
 
-/// Narrow the range of a motor to the impulses that its power allows.
+/// Move both ends of a motor's range into the impulses that its power allows. A range on one side
+/// of 0 beyond them (a winch that renders: it pulls between two tensions) shrinks to the power
+/// limit.
 void limit_power(const Model& model, const Newton& newton, std::int32_t id,
                  ImpulseRange& range) noexcept {
     const model::Interactions& in = model.interactions;
@@ -55,8 +57,9 @@ void limit_power(const Model& model, const Newton& newton, std::int32_t id,
     if (found == model.system.bounded.end() || *found != id) return;
     const double mobility = model.system.bounded_mobility[at(found - model.system.bounded.begin())];
     const double w = speed_of_row(model, id), lambda = in.lambda[at(in.row_begin[at(id)])];
-    range.high = std::min(range.high, impulse_of_power(work, w, lambda, mobility));
-    range.low = std::max(range.low, -impulse_of_power(work, -w, -lambda, mobility));
+    const double most = impulse_of_power(work, w, lambda, mobility);
+    const double least = -impulse_of_power(work, -w, -lambda, mobility);
+    range = {std::clamp(range.low, least, most), std::clamp(range.high, least, most)};
 }
 
 }  // namespace

@@ -182,8 +182,12 @@ void StateVerifier::add_others(const World& world) {
         const InteractionDef& def = world.interaction_def(id);
         const Wrenches w = row_wrenches(world, id, pose_, world.force(id));
         for (int k = 0; k < kind_info(def.kind).bodies; ++k) {
-            other_[place_of(def.body[place_of(k)].index)] += w.on[place_of(k)].force;
-            other_torque_[place_of(def.body[place_of(k)].index)] += w.on[place_of(k)].torque;
+            const std::size_t b = place_of(def.body[place_of(k)].index);
+            other_[b] += w.on[place_of(k)].force;
+            other_torque_[b] += w.on[place_of(k)].torque;
+            if (is_elastic_line(def.kind))
+                line_work_ +=
+                    std::abs(w.on[place_of(k)].force.dot(arrived_[b].position - pose_[b].position));
         }
     }
 }
@@ -192,6 +196,7 @@ void StateVerifier::add_others(const World& world) {
 std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
     const double h = world.settings().step, forgotten = std::min(1.0, h / limit::kMemory);
     if (loss_ends_) return {};
+    line_work_ -= forgotten * line_work_;
     add_others(world);
     if (steps_ > 0)
         for (const BodyId id : moving_) {
@@ -226,9 +231,11 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
         most_ = std::max(mean_moving_, most_ + forgotten * (mean_moving_ - most_));
     }
     // Of the motion that there is; a part of what was exchanged, whose work has errors of its own.
-    constexpr double kOfExchanged = 0.5;
+    // The tension of a stiff line changes within a step: its work is known to some per cent.
+    constexpr double kOfExchanged = 0.5, kOfLineWork = 0.05;
     peak_ = std::max(kinetic_now, (1.0 - forgotten) * peak_);
-    const double fall = most_ - mean_moving_, scale = std::max(peak_, kOfExchanged * moved_);
+    const double fall = most_ - mean_moving_,
+                 scale = std::max({peak_, kOfExchanged * moved_, kOfLineWork * line_work_});
     if (fall <= limit::kNothing * (kinetic_now + std::abs(gravity_))) return {};
     result_.lost = std::max(result_.lost, fall / scale / limit::kLost.wrong);
     if (fall <= limit::kLost.wrong * scale) return {};

@@ -95,7 +95,9 @@ class StateVerifier {
     double other_work_ = 0.0;  ///< Of springs and drag, and what edits gave but work_ [J].
     double moving_energy_ = 0.0, moved_ = 0.0;  ///< Kinetic and gravity, and exchanged by them [J].
     double peak_ = 0.0;                         ///< Largest kinetic energy of the last seconds [J].
-    double mean_moving_ = 0.0, most_ = 0.0;     ///< Of these less all work [J].
+    double line_work_ =
+        0.0;  ///< Absolute work of elastic lines on their ends, in the last seconds [J].
+    double mean_moving_ = 0.0, most_ = 0.0;  ///< Of these less all work [J].
     std::int64_t impacts_ = 0;
     bool loss_ends_ = false;      ///< Things have come or gone: lost energy is not counted on.
     bool impact_before_ = false;  ///< In the step before.

@@ -278,8 +278,10 @@ double motor_speed(const Attached& on) {
 ForceRange with_power(const Attached& on, double power, ForceRange range) {
     if (!(power < 1e30)) return range;
     const double speed = motor_speed(on);
-    if (speed > 0.0) range.high = std::min(range.high, power / speed);
-    if (speed < 0.0) range.low = std::max(range.low, power / speed);
+    // A range beyond the limit shrinks to it.
+    const double most = speed > 0.0 ? power / speed : kNoBound;
+    const double least = speed < 0.0 ? power / speed : -kNoBound;
+    range = {std::clamp(range.low, least, most), std::clamp(range.high, least, most)};
     return range;
 }
 

@@ -205,12 +205,19 @@ void GuideSystem::weigh(const World& world, Loads& loads) const noexcept {
 bool GuideSystem::nearly_used_up(const World& world, std::size_t side) const noexcept {
     const double least = kLeast * (def_.element_length > 0.0 ? length_[side] : 1.0) +
                          world.settings().step * std::abs(speed_);
-    return straight(world, side) < least && runs_out(side);
+    // At an angle below 0 the straight part is longer than the material.
+    return std::min(straight(world, side), material_[side]) < least && runs_out(side);
 }
 
 /// Held against running out of a side, until the slide is pulled the other way.
+/// A wire that has parted at the guide is held there: nothing else balances its other part.
 void GuideSystem::stop(Prestep& now) noexcept {
-    if (parted_ != 0) return;
+    if (ran_off()) return;
+    if (parted_ != 0) {
+        if (bound_ != kUnbounded) now.set_input(stop_, kUnbounded);
+        bound_ = kUnbounded;
+        return;
+    }
     const std::int32_t was = stopped_;
     if (stopped_ >= 0) {
         // Of running out of the side before it, which is up the slide, the stop pushes down.

@@ -112,5 +112,22 @@ TEST_F(RandomProgram, OneCaseComesOutTheSameAndIsAScene_full) {
     EXPECT_EQ(run("--save four " + stem_ + ".scene"), 1);
 }
 
+TEST_F(RandomProgram, RunsFamiliesOfGear_full) {
+    for (const std::string family : {"winches", "guides", "hulls"}) {
+        const std::string json = stem_ + ".json";
+        const int code = run("--family " + family + " --count 12 --seed 5 --json " + json);
+        const auto out = nlohmann::json::parse(text(".json"));
+        EXPECT_EQ(out.at("cases"), 12);
+        EXPECT_EQ(out.at("ok").get<int>() + out.at("suspect").get<int>() +
+                      out.at("failed").get<int>() + out.at("refused").get<int>(),
+                  12);
+        EXPECT_EQ(code == 0, out.at("ok_but_wrong") == 0 && out.at("ok").get<int>() >= 11)
+            << family;
+        ASSERT_EQ(run("--family " + family + " --seed 5 --save 3 " + stem_ + ".scene"), 0);
+        EXPECT_EQ(nlohmann::json::parse(text(".scene")).at("version"), 2);
+    }
+    EXPECT_EQ(run("--family boats"), 2);
+}
+
 }  // namespace
 }  // namespace hawser::bench

@@ -147,6 +147,40 @@ TEST(Guides, WhatCannotRunThroughStops) {
     EXPECT_NE(d.w.verdict().grade, Grade::wrong);
 }
 
+// Without friction the row that stops the slide had a bound of 0 before it was to hold: it has to
+// begin again at each stop.
+TEST(Guides, StopAgainAfterTheWireWasPaidOut) {
+    OverRoller d({.radius = 1.0});
+    const double whole = d.material();
+    for (int k = 0; k < 3; ++k) {
+        double least = 1e300;
+        for (int i = 0; i < 30; ++i) {
+            d.run(0.5, -1.0, 0.5);
+            least = std::min(least, d.get("roller.wire_behind"));
+        }
+        EXPECT_GT(least, 0.0) << k;
+        d.run(4.0, 1.0, 0.5);
+        EXPECT_GT(d.get("roller.wire_behind"), 1.0) << k;
+    }
+    EXPECT_NEAR(d.material(), whole, 1e-10 * whole);
+}
+
+// A wire that parts behind a guide leaves the part before it as long as it was: the slide has
+// nothing that balances it any more.
+TEST(Guides, HoldAWireThatPartsAtThem) {
+    OverRoller d({.radius = 1.0});
+    const InteractionId behind = d.roller.behind;
+    d.run(1.0, 0.0);
+    const double before = d.get("roller.wire_before");
+    d.w.part(behind);
+    d.run(5.0, 0.0);
+    ASSERT_FALSE(d.w.intact(behind));
+    EXPECT_NEAR(d.get("roller.wire_before"), before, 0.05);  // [m], the last steps of sliding
+    const double slide = d.w.pose(d.roller.slide).position.x();
+    d.run(5.0, 0.0);
+    EXPECT_NEAR(d.w.pose(d.roller.slide).position.x(), slide, 1e-6);
+}
+
 TEST(Guides, EqualBitsForAnyThreadsAndAfterARestore) {
     std::vector<std::uint64_t> expected;
     std::vector<std::byte> saved;

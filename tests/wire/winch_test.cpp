@@ -297,5 +297,49 @@ TEST(WinchPower, IsTheLimitOfTorqueTimesSpeed) {
     }
 }
 
+/// A winch that renders about the load's weight hauls with at most its power, although both of its
+/// tensions ask for more: the load rises with v = P/T.
+TEST(WinchPower, HoldsWhileAWinchRenders) {
+    constexpr double kPower = 4e3, kLoad = 3400.0, kG = 9.81;
+    for (const double step : {1.0 / 240.0, 1.0 / 60.0, 1.0 / 30.0}) {
+        World w(WorldDef{.step = step});
+        const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
+        const BodyId load = w.add_body(
+            {.name = "load", .kind = BodyKind::lump, .position = {0, 0, -30}, .mass = kLoad});
+        const WireId wire = w.add_wire({.name = "wire",
+                                        .from = deck,
+                                        .to = load,
+                                        .elements = 11,
+                                        .EA = 1.2e7,
+                                        .mass_per_length = 1.1,
+                                        .consistent_mass = true});
+        const WinchIds ids = w.add(WinchDef{.name = "winch",
+                                            .wire = wire,
+                                            .core_radius = 0.3,
+                                            .width = 0.4,
+                                            .wire_diameter = 0.018,
+                                            .mass_per_length = 1.1,
+                                            .stored = 100.0,
+                                            .inertia = 60.0,
+                                            .torque_haul = 3e4,
+                                            .torque_pay = 3e4,
+                                            .power = kPower,
+                                            .tension = 1.3 * kLoad * kG,
+                                            .deadband = 0.05 * kLoad * kG,
+                                            .brake_static = 3e4,
+                                            .mode = WinchMode::render});
+        double most = 0.0;
+        for (long i = std::lround(10.0 / step); i > 0; --i) {
+            ASSERT_EQ(w.step(), Status::ok) << step;
+            most = std::max(most, w.force(ids.motor)[0] * w.velocity(ids.drum).linear.x());
+        }
+        // As above: the solver's tolerance and rounding.
+        EXPECT_LE(most, kPower * (1.0 + 1e-5)) << step;
+        const double hangs = kLoad - 1.1 * w.pose(load).position.z();
+        // 5 %: the load still swings on its wire.
+        EXPECT_NEAR(w.velocity(load).linear.z() * hangs * kG / kPower, 1.0, 0.05) << step;
+    }
+}
+
 }  // namespace
 }  // namespace hawser::test

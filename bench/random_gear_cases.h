@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file random_gear_cases.h
+/// Generates random scenes with winches, guides or moored hulls, as scene documents
+/// (docs/scenes.md), with the outputs by which two runs of the same scene are compared.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hawser::bench {
+
+enum class GearFamily : std::uint8_t {
+    winches,  ///< A winch in changing modes lifts a load or hauls a float.
+    guides,   ///< A wire over or under a roller between a winch and a float that is pulled away.
+    hulls,    ///< A barge on two to four chains, in still water or in waves.
+};
+
+[[nodiscard]] std::string_view to_string(GearFamily family) noexcept;
+/// @return nullopt if no family has this name.
+[[nodiscard]] std::optional<GearFamily> gear_family(std::string_view name) noexcept;
+
+/// An output that two runs are compared by. Mean values of intervals may differ by
+/// `absolute + relative × scale`. Scale: largest change of the mean since the start, or for
+/// tensions the largest mean.
+struct Probe {
+    std::string output;
+    double absolute = 0.0;  ///< In the unit of the output.
+    double relative = 0.0;
+    bool tension = false;
+};
+
+struct GearCase {
+    std::string text;            ///< The scene.
+    double step = 0.0;           ///< [s]
+    double duration = 0.0;       ///< [s]
+    double motor_power = 1e300;  ///< Limit of the winch's motor [W].
+    std::vector<Probe> probes;
+};
+
+/// Generate the case `number` of a seed. Independent of all other cases.
+[[nodiscard]] GearCase make_gear_case(GearFamily family, std::uint64_t seed, std::uint64_t number);
+
+}  // namespace hawser::bench
