@@ -95,8 +95,8 @@ class WinchMaker : public GearMaker {
         return w;
     }
 
-    /// @param moving  Mass that the wire moves [kg].
-    void add_winch(const WinchSizes& w, const Rope& rope, double moving) {
+    /// @param length  Of the wire outside [m]. @param moving  Mass that the wire moves [kg].
+    void add_winch(const WinchSizes& w, double length, double moving) {
         GearJson winch{{"name", "winch"},
                        {"cable", "wire"},
                        {"core_radius", w.core},
@@ -113,7 +113,7 @@ class WinchMaker : public GearMaker {
         }
         winch.update(order());
         doc_["winches"] = GearJson::array({winch});
-        probe_signal("winch.wire_left", 0.02 + 4.0 * rope.diameter);
+        probe_signal("winch.wire_left", kPlace * length);
     }
 
     void probe_signal(const std::string& name, double absolute) {
@@ -197,7 +197,7 @@ class Winches : public WinchMaker {
         wire["to"] = {{"body", "load"}, {"point", hangs ? point(0, 0, size) : point(-size, 0, 0)}};
         doc_["cables"].push_back(wire);
         const double duration = 8.0;
-        add_winch(choose_winch(rope, pull_), rope, mass);
+        add_winch(choose_winch(rope, pull_), length, mass);
         add_orders(duration);
         probe_place("load", hangs ? "z" : "x", kPlace * length);
         probe_tension("wire", "last", 0.02 * pull_);
@@ -272,14 +272,15 @@ class Guides : public WinchMaker {
                               {"axis", point(0, 1, 0)},
                               {"radius", side * radius},
                               {"friction", dice_.chance(0.7) ? dice_.from(0.0, 0.4) : 0.0}}});
-        add_winch(choose_winch(rope, pull_), rope, mass);
+        add_winch(choose_winch(rope, pull_), length, mass);
         if (to_end)
             haul_to_the_end(speed);
         else
             add_orders(kDuration);
         probe_place("float", "x", kPlace * length);
         probe_place("float", "z", kPlace * length);
-        probe_tension("wire", "last", 0.02 * pull_);
+        // A float that has arrived at the roller bounces there.
+        probe_tension("wire", "last", (to_end ? 1.0 : 0.02) * pull_);
         return finish(step, kDuration);
     }
 
