@@ -19,6 +19,7 @@ symbols = load("check_isa_symbols")
 tidy = load("tidy")
 affected = load("affected")
 structure = layers.structure
+words = load("check_words")
 
 
 class Layers(unittest.TestCase):
@@ -189,6 +190,65 @@ class Affected(unittest.TestCase):
 
     def test_changed_tests_reach_themselves(self):
         self.assertEqual(affected.tests_of({"tests/wire"}), ["wire"])
+
+
+class Words(unittest.TestCase):
+    """Each rule finds text that breaks it, and accepts text that keeps it."""
+
+    def figures(self, path: str, text: str) -> dict[str, float]:
+        return next(iter(words.measure({path: text}).values()))
+
+    def test_what(self):
+        self.assertEqual(self.figures("src/base/a.h", "// Tell what it is.\n")["what"], 2500.0)
+        self.assertEqual(self.figures("src/base/a.h", "// Return the mass.\n")["what"], 0.0)
+        self.assertEqual(self.figures("src/base/a.h", "int what = 1;\n")["what"], 0.0)
+        self.assertGreater(self.figures("src/base/a.py", '"""What it does."""\n')["what"], 0.0)
+
+    def test_sentences_that_begin_with_of(self):
+        self.assertEqual(self.figures("src/base/a.h", "double m;  ///< Of the drum.\n")["of"], 1000.0)
+        self.assertEqual(self.figures("src/base/a.h", "// Mass. Of all bodies.\n")["of"], 500.0)
+        self.assertEqual(self.figures("src/base/a.h", "// Mass of all bodies.\n")["of"], 0.0)
+
+    def test_long_sentences(self):
+        def text(count: int) -> str:
+            return "// " + " ".join(["word"] * count) + ".\n"
+        self.assertEqual(self.figures("src/base/a.h", text(25))["long"], 0.0)
+        self.assertEqual(self.figures("src/base/a.h", text(26))["long"], 100.0)
+        self.assertEqual(self.figures("src/base/a.h", text(26))["longest"], 0.0)
+        self.assertEqual(self.figures("src/base/a.h", text(36))["longest"], 100.0)
+        self.assertEqual(self.figures("docs/a.md", text(36)[3:])["longest"], 100.0)
+        fenced = "```\n" + text(36)[3:] + "```\nShort.\n"
+        self.assertEqual(self.figures("docs/a.md", fenced)["longest"], 0.0)
+
+    def test_comments_of_functions_begin_with_a_verb(self):
+        def share(comment: str) -> float:
+            return self.figures("include/hawser/a.h", f"/// {comment}\n[[nodiscard]] int f(int x);\n")["verb"]
+        self.assertEqual(share("Return the mass [kg]."), 100.0)
+        self.assertEqual(share("True if the wire is taut."), 100.0)
+        self.assertEqual(share("@return the mass."), 100.0)
+        self.assertEqual(share("Mass of all bodies."), 0.0)
+        self.assertEqual(share("1; or 0: idle."), 0.0)
+        members = self.figures("include/hawser/a.h", "/// Mass.\ndouble mass = 1.0;\n")
+        self.assertNotIn("verb", members)
+
+    def test_commit_subjects(self):
+        good = ["factor: fit kernels to 16 registers", "winch, guide: hold each stop",
+                "docs/wires: name the unit"]
+        self.assertEqual(words.bad_subjects(good), [])
+        bad = ["Look at eight bodies", "factor: Fit kernels", "factor: fit kernels.",
+               "factor: " + "x" * 70, "wip"]
+        self.assertEqual(len(words.bad_subjects(bad)), len(bad))
+
+    def test_ratchets(self):
+        worse, better = {"a": {"what": 50.0}}, {"a": {"what": 30.0}}
+        self.assertEqual(len(words.faults_of(worse, {})), 1)
+        self.assertEqual(len(words.faults_of(worse, {"a": {"what": 40.0}})), 1)
+        self.assertEqual(words.faults_of(better, {"a": {"what": 40.0}}), [])
+        self.assertEqual(words.improved(better, {"a": {"what": 40.0}}), better)
+        self.assertEqual(words.improved(worse, {"a": {"what": 40.0}}), {"a": {"what": 40.0}})
+        self.assertEqual(words.improved({"a": {"what": 1.0}}, {"a": {"what": 40.0}}), {})
+        self.assertEqual(len(words.faults_of({"a": {"verb": 50.0}}, {"a": {"verb": 60.0}})), 1)
+        self.assertEqual(words.faults_of({"a": {"verb": 70.0}}, {"a": {"verb": 60.0}}), [])
 
 
 if __name__ == "__main__":
