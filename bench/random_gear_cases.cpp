@@ -116,6 +116,21 @@ class WinchMaker : public GearMaker {
         probe_signal("winch.wire_left", kPlace * length);
     }
 
+    /// The cable "wire", so short that it carries the pull over a way of `length` [m].
+    GearJson taut_wire(const Rope& rope, double length, int elements) {
+        return {{"name", "wire"},
+                {"elements", elements},
+                {"line_type",
+                 {{"mass_per_length", rope.mass()},
+                  {"EA", rope.EA()},
+                  {"diameter", rope.diameter},
+                  {"breaking_load", rope.breaking()},
+                  // The default would change with the step, and the motion with it.
+                  {"axial_damping", dice_.from(3.0, 10.0)}}},
+                {"length", length / (1.0 + pull_ / rope.EA())},
+                {"consistent_mass", true}};
+    }
+
     void probe_signal(const std::string& name, double absolute) {
         result_.probes.push_back({name, absolute, 0.05, false});
     }
@@ -182,17 +197,8 @@ class Winches : public WinchMaker {
             load["force"] = point(pull_, 0, 0);
         }
         doc_["bodies"].push_back(load);
-        GearJson wire{{"name", "wire"},
-                      {"elements", std::max(4, int(length / dice_.from(1.5, 5.0)))}};
-        wire["line_type"] = {{"mass_per_length", rope.mass()},
-                             {"EA", rope.EA()},
-                             {"diameter", rope.diameter},
-                             {"breaking_load", rope.breaking()},
-                             // The default would change with the step, and the motion with it.
-                             {"axial_damping", dice_.from(3.0, 10.0)}};
-        wire["length"] = length / (1.0 + pull_ / rope.EA());
+        GearJson wire = taut_wire(rope, length, std::max(4, int(length / dice_.from(1.5, 5.0))));
         wire["shape"] = "straight";
-        wire["consistent_mass"] = true;
         wire["from"] = {{"body", "deck"}, {"point", point(0, 0, 0)}};
         wire["to"] = {{"body", "load"}, {"point", hangs ? point(0, 0, size) : point(-size, 0, 0)}};
         doc_["cables"].push_back(wire);
@@ -242,15 +248,7 @@ class Guides : public WinchMaker {
                                   {"force", point(pull_ * out.x(), 0, pull_ * out.z())}});
         const double length =
             left + right + 2.0 * radius * std::tan(0.5 * (left_angle + right_angle));
-        GearJson wire{{"name", "wire"},
-                      {"elements", std::max(6, int(length / dice_.from(1.5, 4.0)))}};
-        wire["line_type"] = {{"mass_per_length", rope.mass()},
-                             {"EA", rope.EA()},
-                             {"diameter", rope.diameter},
-                             {"breaking_load", rope.breaking()},
-                             // The default would change with the step, and the motion with it.
-                             {"axial_damping", dice_.from(3.0, 10.0)}};
-        wire["length"] = length / (1.0 + pull_ / rope.EA());
+        GearJson wire = taut_wire(rope, length, std::max(6, int(length / dice_.from(1.5, 4.0))));
         wire["shape"] = "path";
         // The corner where both parts meet, outside the wheel: at most 69° between them and the
         // top.
@@ -259,19 +257,11 @@ class Guides : public WinchMaker {
         const double corner = radius / std::cos(half);
         wire["path"] = GearJson::array(
             {point(corner * std::sin(middle), 0, side * corner * std::cos(middle))});
-        wire["consistent_mass"] = true;
         wire["from"] = {{"body", "deck"}, {"point", point(start.x(), 0, start.z())}};
         wire["to"] = {{"body", "float"},
                       {"point", point(end.x() - centre.x(), 0, end.z() - centre.z())}};
         doc_["cables"].push_back(wire);
-        doc_["guides"] =
-            GearJson::array({{{"name", "roller"},
-                              {"cable", "wire"},
-                              {"on", "deck"},
-                              {"point", point(0, 0, 0)},
-                              {"axis", point(0, 1, 0)},
-                              {"radius", side * radius},
-                              {"friction", dice_.chance(0.7) ? dice_.from(0.0, 0.4) : 0.0}}});
+        add_roller(side * radius);
         add_winch(choose_winch(rope, pull_), length, mass);
         if (to_end)
             haul_to_the_end(speed);
@@ -285,6 +275,17 @@ class Guides : public WinchMaker {
     }
 
   private:
+    void add_roller(double radius) {
+        doc_["guides"] =
+            GearJson::array({{{"name", "roller"},
+                              {"cable", "wire"},
+                              {"on", "deck"},
+                              {"point", point(0, 0, 0)},
+                              {"axis", point(0, 1, 0)},
+                              {"radius", radius},
+                              {"friction", dice_.chance(0.7) ? dice_.from(0.0, 0.4) : 0.0}}});
+    }
+
     /// Haul at a moderate speed, at which the wire's end reaches the roller before the run ends.
     void haul_to_the_end(double speed) {
         GearJson& winch = doc_["winches"][0];

@@ -9,7 +9,7 @@ they may include of it. Further rules:
   - rooms of the library include no foreign library but Eigen (and AMD in factor);
   - in src/, own headers are spelled "room/file.h";
   - every C++, Python, shell and CMake file names its licence in the first lines;
-  - no C++ file is longer than 400 lines;
+  - no C++ file is longer than 600 lines (aim: 400, unless it is one algorithm);
   - modules of a room (a header with its source) include each other in no circle; rooms in which
     they do so today are listed in CIRCLES, with how many take part, and may only get fewer;
   - no file names a path of somebody's machine, and none asks for -march=native.
@@ -24,7 +24,7 @@ import structure  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "docs/architecture.md"
-MAX_LINES = 400
+MAX_LINES = 600
 LICENCE = "SPDX-License-Identifier: Apache-2.0"
 # Rooms above the library: they may use foreign libraries and only the public headers.
 USERS = {"scene", "record", "verify", "session", "report", "draw", "validate", "live", "export",
@@ -32,7 +32,7 @@ USERS = {"scene", "record", "verify", "session", "report", "draw", "validate", "
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
 # Modules that take part in circles within their room.
 CIRCLES: dict[str, int] = {}
-LONG_FUNCTION, LONG_FILE = 70, 300  # lines
+LONG_FUNCTION, LONG_FILE = 70, 400  # lines
 # The verifier asks for kinds by itself: it shares no code with what it checks.
 ASKING = {"src/model/", "src/verify/"}
 # Headers of the C++ library have no dot and no slash.
