@@ -117,10 +117,10 @@ void step_to_the_end(Session& session, const GearCase& c, Observer* witness, Gea
             break;
         }
         out.power = std::max(out.power, motor_power(world));
+        for (const Event& event : session.events())
+            if (event.kind == EventKind::line_break) out.parted = std::min(out.parted, event.time);
         averages.add(world);
     }
-    for (const Event& event : session.events())
-        if (event.kind == EventKind::line_break) out.parted = std::min(out.parted, event.time);
     out.means = averages.means();
     const hawser::Verdict& verdict = world.verdict();
     if (out.end == GearEnd::ok && verdict.grade != Grade::good) {
