@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/library.md: each of its blocks of C++ stands in a program of examples/library, and the
-// programs do what it says.
+// README.md and docs/library.md: each of their blocks of C++ stands in a program of
+// examples/library, and the programs do what it says.
+#define main readme_program
+#include "../../examples/library/readme.cpp"
+#undef main
 #define main first_body_program
 #include "../../examples/library/first_body.cpp"
 #undef main
@@ -49,6 +52,14 @@ TEST(LibraryDocument, EveryBlockStandsInAProgram) {
         ++blocks;
     }
     EXPECT_GE(blocks, 12);
+}
+
+TEST(ReadmeDocument, ItsProgramStandsInTheExamplesAndRuns) {
+    const std::string document = contents("README.md");
+    const std::size_t begin = document.find("```cpp\n") + 7, end = document.find("```", begin);
+    const std::string block = flattened(document.substr(begin, end - begin));
+    EXPECT_NE(flattened(contents("examples/library/readme.cpp")).find(block), std::string::npos);
+    EXPECT_EQ(readme_program(), 0);
 }
 
 TEST(LibraryDocument, TheFirstBodySwings) {
