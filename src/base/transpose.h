@@ -7,6 +7,26 @@
 
 namespace hawser::HAWSER_ISA {
 
+#if !defined(__AVX512F__)
+/// Transpose as many registers as one has lanes: lane j of p[i] becomes lane i of p[j].
+HAWSER_INLINE void transpose(Part (&p)[kPartLanes]) {
+#if defined(__AVX2__)
+    const PartMask even = {0, 4, 2, 6}, odd = {1, 5, 3, 7};
+    const PartMask first2 = {0, 1, 4, 5}, last2 = {2, 3, 6, 7};
+    const Part a = __builtin_shuffle(p[0], p[1], even), b = __builtin_shuffle(p[0], p[1], odd),
+               c = __builtin_shuffle(p[2], p[3], even), d = __builtin_shuffle(p[2], p[3], odd);
+    p[0] = __builtin_shuffle(a, c, first2);
+    p[1] = __builtin_shuffle(b, d, first2);
+    p[2] = __builtin_shuffle(a, c, last2);
+    p[3] = __builtin_shuffle(b, d, last2);
+#else
+    const Part a = p[0], b = p[1];
+    p[0] = __builtin_shuffle(a, b, PartMask{0, 2});
+    p[1] = __builtin_shuffle(a, b, PartMask{1, 3});
+#endif
+}
+#endif
+
 /// Turn eight vectors round: lane j of v[i] becomes lane i of v[j].
 HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
 #if defined(__AVX512F__)
@@ -28,13 +48,21 @@ HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
         v[k + 4] = __builtin_shuffle(b[k], b[k + 4], high4);
     }
 #else
-    double rows[kLanes][kLanes];
-    for (int i = 0; i < kLanes; ++i) store(rows[i], v[i]);
-    for (int j = 0; j < kLanes; ++j) {
-        double column[kLanes];
-        for (int i = 0; i < kLanes; ++i) column[i] = rows[i][j];
-        v[j] = load(column);
-    }
+    // Square blocks of one register: transpose two opposite ones and exchange them.
+    for (int i = 0; i < kParts; ++i)
+        for (int j = i; j < kParts; ++j) {
+            Part above[kPartLanes], below[kPartLanes];
+            for (int k = 0; k < kPartLanes; ++k) {
+                above[k] = v[kPartLanes * i + k].part[j];
+                below[k] = v[kPartLanes * j + k].part[i];
+            }
+            transpose(above);
+            transpose(below);
+            for (int k = 0; k < kPartLanes; ++k) {
+                v[kPartLanes * i + k].part[j] = below[k];
+                v[kPartLanes * j + k].part[i] = above[k];
+            }
+        }
 #endif
 }
 /// Lanes 1 to 7 of v, then `next`.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <numeric>
 
 namespace hawser::test {
 namespace {
@@ -173,6 +174,52 @@ TEST(InstructionSets, EveryFrontShape) {
                     }
                 }
             }
+}
+
+/// Rows of a child that meet its parent in runs of every length, at every offset: pivots of the
+/// parent, its update rows, and runs that end in one of each.
+TEST(InstructionSets, EveryRunOfAChild) {
+    constexpr int kChildren = 3, kClique = 48, kPivots = 30;
+    for (const std::uint64_t seed : seeds(1, 1, 3, 30))
+        for (int length = 1; length <= 19; ++length) {
+            Random random(seed + static_cast<std::uint64_t>(length));
+            const int nodes = kChildren + kClique + 1;
+            std::vector<std::pair<int, int>> edges;
+            for (int child = 0; child < kChildren; ++child)
+                for (int i = 0; i < kClique; ++i)
+                    if ((i + child) % (length + 1) != 0) edges.emplace_back(kChildren + i, child);
+            for (int i = 0; i < kClique; ++i) {
+                for (int j = 0; j < i; ++j) edges.emplace_back(kChildren + i, kChildren + j);
+                // The last rows also have a neighbour of their own: update rows of the clique.
+                if (i >= kPivots) edges.emplace_back(nodes - 1, kChildren + i);
+            }
+            const auto count = static_cast<std::size_t>(nodes);
+            BlockMatrix m = make_blocks(std::vector<std::int8_t>(count, 1),
+                                        std::vector<std::int8_t>(count, 1), edges);
+            for (int i = 0; i < nodes; ++i) m.dense(i, i) = 100.0;
+            for (const auto& [i, j] : edges) m.dense(i, j) = m.dense(j, i) = random.uniform(-1, 1);
+            std::vector<std::int32_t> order(count);
+            std::iota(order.begin(), order.end(), 0);
+            const factor::Symbolic s = factor::analyse(m.pattern, order);
+            const Vector b = random_matrix(random, m.scalars(), 1);
+            factor::Unsymmetric all;
+            all.reserve(s);
+            all.find(s, order);
+            for (const bool symmetric : {true, false}) {
+                if (!symmetric)
+                    for (const auto& [i, j] : edges) m.dense(i, j) = random.uniform(-1, 1);
+                const Vector want = reference(m, b);
+                for (const Set& set : sets()) {
+                    if (!set.available) continue;
+                    const Solved got =
+                        solve_with(*set.kernels, m, s, b, symmetric ? nullptr : &all);
+                    EXPECT_EQ(got.wrong, 0) << set.name << " length " << length;
+                    // Diagonally dominant: a few units in the last place.
+                    EXPECT_LE((got.x - want).norm(), 1e-13 * want.norm())
+                        << set.name << " length " << length << " seed " << seed;
+                }
+            }
+        }
 }
 
 /// Wires in every lane pattern: batches of one to eight chains, and more.

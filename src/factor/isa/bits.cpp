@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Unions of sets of nodes, eight words of 64 bits at a time. Bits are counted by adding up ever
-/// wider fields, without an instruction of its own for it, which SSE2 lacks.
+/// Unions of sets of nodes, one register of words of 64 bits at a time. Bits are counted by adding
+/// up ever wider fields, without an instruction of its own for it, which SSE2 lacks.
 #include "factor/isa/bits.h"
 
 #include "factor/kernels.h"
@@ -9,10 +9,18 @@ namespace hawser::HAWSER_ISA {
 namespace {
 
 using U64 = unsigned long long;
-typedef U64 U8 __attribute__((vector_size(64), aligned(64), may_alias));
+// One register: g++ lowers longer vectors through memory.
+#if defined(__AVX512F__)
+typedef U64 Words __attribute__((vector_size(64), aligned(64), may_alias));
+#elif defined(__AVX2__)
+typedef U64 Words __attribute__((vector_size(32), aligned(32), may_alias));
+#else
+typedef U64 Words __attribute__((vector_size(16), aligned(16), may_alias));
+#endif
+constexpr int kWordsInOne = sizeof(Words) / sizeof(U64);
 
 /// How many bits each byte of a vector has.
-[[gnu::always_inline]] inline void count_bytes(U8& x) {
+[[gnu::always_inline]] inline void count_bytes(Words& x) {
     x -= (x >> 1) & 0x5555'5555'5555'5555ULL;
     x = (x & 0x3333'3333'3333'3333ULL) + ((x >> 2) & 0x3333'3333'3333'3333ULL);
     x = (x + (x >> 4)) & 0x0f0f'0f0f'0f0f'0f0fULL;
@@ -25,13 +33,13 @@ template <int kWords>
                                          const std::uint64_t* among, std::int32_t* sizes,
                                          std::uint64_t* folds) {
     if constexpr (kWords > 0) words = kWords;
-    const auto* add = reinterpret_cast<const U8*>(with);
-    const auto* mask = reinterpret_cast<const U8*>(among);
+    const auto* add = reinterpret_cast<const Words*>(with);
+    const auto* mask = reinterpret_cast<const Words*>(among);
     for (std::int32_t k = 0; k < count; ++k) {
-        auto* row = reinterpret_cast<U8*>(rows + nodes[k] * words);
-        U8 bytes = {}, fold = {};
-        for (long w = 0; w < words / 8; ++w) {
-            U8 x = (row[w] | add[w]) & mask[w];
+        auto* row = reinterpret_cast<Words*>(rows + nodes[k] * words);
+        Words bytes = {}, fold = {};
+        for (long w = 0; w < words / kWordsInOne; ++w) {
+            Words x = (row[w] | add[w]) & mask[w];
             row[w] = x;
             fold ^= x;
             count_bytes(x);
@@ -40,7 +48,7 @@ template <int kWords>
         // Sums of pairs of bytes, then of all lanes: no field overflows with so few words.
         bytes = (bytes & 0x00ff'00ff'00ff'00ffULL) + ((bytes >> 8) & 0x00ff'00ff'00ff'00ffULL);
         U64 sum = 0, folded = 0;
-        for (int lane = 0; lane < 8; ++lane) {
+        for (int lane = 0; lane < kWordsInOne; ++lane) {
             sum += bytes[lane];
             folded ^= fold[lane];
         }
