@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 #include <numeric>
 
@@ -70,7 +69,7 @@ Solved solve_with(const factor::Kernels& kernels, const BlockMatrix& m, const fa
     return out;
 }
 
-/// Rows of bits: each word by itself.
+/// Rows of bits: each word by itself. Nodes of one to six weights, each with its row of bits.
 TEST(InstructionSets, UniteRowsOfBits) {
     Random random(first_seed(3));
     const int rounds = by_tier(1, 4, 40);
@@ -92,6 +91,21 @@ TEST(InstructionSets, UniteRowsOfBits) {
                     const auto with = draw(n, full), among = draw(n, std::max(full, 0.9));
                     base::Array<std::uint64_t> expected = rows;
                     const std::int32_t nodes[] = {4, 0, 2};
+                    factor::NodeWeights weights;
+                    weights.least = random.integer(1, 6);
+                    weights.count = random.integer(0, factor::NodeWeights::kMost);
+                    base::Array<std::uint64_t> heavy(static_cast<std::size_t>(weights.count) * n);
+                    std::vector<std::int32_t> weight_of(64 * n, weights.least);
+                    for (std::int32_t c = 0; c < weights.count; ++c)
+                        weights.more[c] = random.integer(1, 6);
+                    for (std::size_t v = 0; v < weight_of.size(); ++v) {
+                        const int c = random.integer(-1, weights.count - 1);
+                        if (c < 0) continue;
+                        heavy[static_cast<std::size_t>(c) * n + v / 64] |= std::uint64_t{1}
+                                                                           << (v % 64);
+                        weight_of[v] += weights.more[c];
+                    }
+                    weights.rows = heavy.data();
                     std::int32_t sizes[3], sums[3] = {};
                     std::uint64_t folds[3], words_of[3] = {};
                     for (int k = 0; k < 3; ++k)
@@ -99,11 +113,12 @@ TEST(InstructionSets, UniteRowsOfBits) {
                             std::uint64_t& word =
                                 expected[static_cast<std::size_t>(nodes[k]) * n + w];
                             word = (word | with[w]) & among[w];
-                            sums[k] += std::popcount(word);
+                            for (std::size_t i = 0; i < 64; ++i)
+                                if ((word >> i & 1) != 0) sums[k] += weight_of[64 * w + i];
                             words_of[k] ^= word;
                         }
                     set.kernels->unite_rows(rows.data(), words, nodes, 3, with.data(), among.data(),
-                                            sizes, folds);
+                                            weights, sizes, folds);
                     EXPECT_EQ(rows, expected) << set.name << " " << words;
                     for (int k = 0; k < 3; ++k) {
                         EXPECT_EQ(sizes[k], sums[k]) << set.name << " " << words;
