@@ -30,6 +30,10 @@ HAWSER_INLINE __m256i first_mask(int n, int k) {
 HAWSER_INLINE V8 bit_lanes(std::uint8_t bits) {
 #if defined(__AVX512F__)
     return _mm512_maskz_mov_pd(bits, _mm512_set1_pd(1.0));
+#elif defined(__AVX2__)
+    const PartMask all = PartMask{} + bits, low = {1, 2, 4, 8}, high = {16, 32, 64, 128};
+    const Part one = Part{} + 1.0;
+    return {{(all & low) != 0 ? one : Part{}, (all & high) != 0 ? one : Part{}}};
 #else
     double v[kLanes];
     for (int i = 0; i < kLanes; ++i) v[i] = (bits >> i) & 1;
@@ -159,13 +163,12 @@ HAWSER_INLINE void add_first(double* to, const double* from) {
 /// out[0..N) += the first N lanes of v; N = 1, 3 or 6. Nothing else is touched.
 template <int N>
 HAWSER_INLINE void add_lanes(double* out, const V8& v) {
-    typedef double V2 __attribute__((vector_size(16), aligned(8), may_alias));
-    typedef double V4 __attribute__((vector_size(32), aligned(8), may_alias));
     double lanes[8];
     store(lanes, v);
     if constexpr (N == 6) {
+        typedef double V4 __attribute__((vector_size(32), aligned(8), may_alias));
         *reinterpret_cast<V4*>(out) += *reinterpret_cast<const V4*>(lanes);
-        *reinterpret_cast<V2*>(out + 4) += *reinterpret_cast<const V2*>(lanes + 4);
+        add_pair(out + 4, lanes + 4);
     } else {
         for (int i = 0; i < N; ++i) out[i] += lanes[i];
     }

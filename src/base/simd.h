@@ -211,9 +211,15 @@ HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
     return bad;
 }
 HAWSER_INLINE V8 gather_lanes(const double* x, const std::int32_t* index) {
-    double v[kLanes];
-    for (int i = 0; i < kLanes; ++i) v[i] = index[i] >= 0 ? x[index[i]] : 0.0;
-    return load(v);
+    auto one = [&](int i) { return index[i] >= 0 ? x[index[i]] : 0.0; };
+    V8 v;
+    for (int k = 0; k < kParts; ++k)
+#if defined(__AVX2__)
+        v.part[k] = Part{one(4 * k), one(4 * k + 1), one(4 * k + 2), one(4 * k + 3)};
+#else
+        v.part[k] = Part{one(2 * k), one(2 * k + 1)};
+#endif
+    return v;
 }
 HAWSER_INLINE void scatter_lanes(double* x, const std::int32_t* index, const V8& v) {
     for (int i = 0; i < kLanes; ++i)
