@@ -37,14 +37,21 @@ HAWSER_BENCH_INLINE void add_rows(const BlockWrite& op, const AssembleView& v, i
 /// Rows: of the block; 0: not known. V: as many lanes, or more.
 template <int Rows, int Columns, class V>
 HAWSER_BENCH_INLINE void run(const BlockWrite& op, const AssembleView& v) {
-    V sum[Columns];
+    V sum[Columns] = {};
     const int rows = Rows > 0 ? Rows : op.row_size;
     if (op.base < 0) {
-        HAWSER_BENCH_UNROLL
-        for (int c = 0; c < Columns; ++c) sum[c] = V{};
+        // Starts from zero.
     } else if (!op.by_rows) {
         HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) load(sum[c], v.values + op.base + c * rows);
+    } else if constexpr (Rows == 1) {  // its only row, a number each
+        HAWSER_BENCH_UNROLL
+        for (int c = 0; c < Columns; ++c) sum[c] = V4{v.values[op.base + c], 0.0, 0.0, 0.0};
+    } else if constexpr (Rows == 3) {  // by entries: what was stored by entries is read late
+        const double* from = v.values + op.base;
+        HAWSER_BENCH_UNROLL
+        for (int c = 0; c < Columns; ++c)
+            sum[c] = V4{from[c], from[Columns + c], from[2 * Columns + c], 0.0};
     } else {
         double turned[Columns][8] = {};  // a vector with a lane written by number lives in memory
         for (int i = 0; i < rows; ++i) HAWSER_BENCH_UNROLL
@@ -119,6 +126,21 @@ HAWSER_BENCH_CLONES void run_ops(const BlockWrite* ops, std::int64_t count, cons
         if (k + kFar < count) fetch_tables(ops[k + kFar], v);
         if (k + kNear < count) fetch_values(ops[k + kNear], v);
         switch (op.row_size * 8 + op.col_size) {
+            case 1 * 8 + 1:
+                run<1, 1, V4>(op, v);
+                break;
+            case 1 * 8 + 3:
+                run<1, 3, V4>(op, v);
+                break;
+            case 3 * 8 + 1:
+                run<3, 1, V4>(op, v);
+                break;
+            case 1 * 8 + 6:
+                run<1, 6, V4>(op, v);
+                break;
+            case 6 * 8 + 1:
+                run<6, 1, V8>(op, v);
+                break;
             case 3 * 8 + 3:
                 run<3, 3, V4>(op, v);
                 break;

@@ -19,11 +19,21 @@ HAWSER_INLINE __mmask8 lane_mask(int begin, int end) {
 HAWSER_INLINE __mmask8 first_mask(int n) {
     return static_cast<__mmask8>(n >= kLanes ? 0xff : (1 << n) - 1);
 }
+#elif defined(__AVX2__)
+/// Part k of the mask of the first n lanes; n may be above eight.
+HAWSER_INLINE __m256i first_mask(int n, int k) {
+    return _mm256_cmpgt_epi64(_mm256_set1_epi64x(n - kPartLanes * k),
+                              _mm256_set_epi64x(3, 2, 1, 0));
+}
 #endif
 /// 1 in the lanes whose bits are set, 0 in the others.
 HAWSER_INLINE V8 bit_lanes(std::uint8_t bits) {
 #if defined(__AVX512F__)
     return _mm512_maskz_mov_pd(bits, _mm512_set1_pd(1.0));
+#elif defined(__AVX2__)
+    const PartMask all = PartMask{} + bits, low = {1, 2, 4, 8}, high = {16, 32, 64, 128};
+    const Part one = Part{} + 1.0;
+    return {{(all & low) != 0 ? one : Part{}, (all & high) != 0 ? one : Part{}}};
 #else
     double v[kLanes];
     for (int i = 0; i < kLanes; ++i) v[i] = (bits >> i) & 1;
@@ -34,6 +44,11 @@ HAWSER_INLINE V8 bit_lanes(std::uint8_t bits) {
 HAWSER_INLINE V8 load_first(const double* p, int n) {
 #if defined(__AVX512F__)
     return _mm512_maskz_loadu_pd(first_mask(n), p);
+#elif defined(__AVX2__)
+    V8 v;
+    for (int k = 0; k < kParts; ++k)
+        v.part[k] = _mm256_maskload_pd(p + kPartLanes * k, first_mask(n, k));
+    return v;
 #else
     double v[kLanes] = {};
     for (int i = 0; i < kLanes && i < n; ++i) v[i] = p[i];
@@ -56,10 +71,28 @@ HAWSER_INLINE void store_lanes(double* p, const V8& v, int begin, int end) {
 #if defined(__AVX512F__)
     _mm512_mask_storeu_pd(p, lane_mask(begin, end), v);
 #else
+    // No masked stores on AVX2: some processors take dozens of steps for one.
     if (begin <= 0 && end >= kLanes) return store(p, v);
     double lanes[kLanes];
     store(lanes, v);
     for (int i = begin > 0 ? begin : 0; i < kLanes && i < end; ++i) p[i] = lanes[i];
+#endif
+}
+/// p[0..N) = the first N lanes, N constant.
+template <int N>
+HAWSER_INLINE void store_first(double* p, const V8& v) {
+    static_assert(N >= 1 && N <= kLanes);
+#if defined(__AVX512F__)
+    _mm512_mask_storeu_pd(p, first_mask(N), v);
+#else
+    typedef double V2 __attribute__((vector_size(16), aligned(8), may_alias));
+    constexpr int kWhole = N / kPartLanes, kFrom = kWhole * kPartLanes, kRest = N - kFrom;
+    for (int k = 0; k < kWhole; ++k) store_part(p + kPartLanes * k, v.part[k]);
+    if constexpr (kRest >= 2) {
+        const Part& last = v.part[kWhole];
+        *reinterpret_cast<V2*>(p + kFrom) = V2{last[0], last[1]};
+    }
+    if constexpr (kRest % 2 == 1) p[N - 1] = lane(v, N - 1);
 #endif
 }
 /// Lane i = x[index[i]] for begin ≤ i < end, 0 elsewhere.
@@ -72,11 +105,26 @@ HAWSER_INLINE V8 gather_range(const double* x, const std::int32_t* index, int be
     const __mmask8 used = lane_mask(begin, end);
     const __m256i i = _mm256_maskz_loadu_epi32(used, index);
     return _mm512_mask_i32gather_pd(_mm512_setzero_pd(), used, i, x, 8);
+#elif defined(__AVX2__)
+    // Not through memory: a vector cannot be read at once from what was stored by entries.
+    auto one = [&](int i) { return i >= begin && i < end ? x[index[i]] : 0.0; };
+    V8 v{};
+    for (int i = 0; i < kLanes; i += kPartLanes)
+        if (begin <= i && end >= i + kPartLanes)
+            v.part[i / kPartLanes] =
+                Part{x[index[i]], x[index[i + 1]], x[index[i + 2]], x[index[i + 3]]};
+        else if (begin < i + kPartLanes && end > i)
+            v.part[i / kPartLanes] = Part{one(i), one(i + 1), one(i + 2), one(i + 3)};
+    return v;
 #else
     double v[kLanes] = {};
     for (int i = begin > 0 ? begin : 0; i < kLanes && i < end; ++i) v[i] = x[index[i]];
     return load(v);
 #endif
+}
+HAWSER_INLINE void add_pair(double* to, const double* from) {
+    typedef double V2 __attribute__((vector_size(16), aligned(8), may_alias));
+    *reinterpret_cast<V2*>(to) += *reinterpret_cast<const V2*>(from);
 }
 /// to[0..n) += from[0..n), n > 0, at most eight of them.
 HAWSER_INLINE void add_first(double* to, const double* from, int n) {
@@ -90,20 +138,37 @@ HAWSER_INLINE void add_first(double* to, const double* from, int n) {
     if (n > kLanes) n = kLanes;
     for (; i + kPartLanes <= n; i += kPartLanes)
         *reinterpret_cast<Part*>(to + i) += *reinterpret_cast<const Part*>(from + i);
-    for (; i < n; ++i) to[i] += from[i];
+    if (kPartLanes > 2 && (n & 2) != 0) {
+        add_pair(to + i, from + i);
+        i += 2;
+    }
+    if ((n & 1) != 0) to[i] += from[i];
+#endif
+}
+/// The same with a constant number: no branch depends on it.
+template <int N>
+HAWSER_INLINE void add_first(double* to, const double* from) {
+    static_assert(N >= 1 && N <= kLanes);
+#if defined(__AVX512F__)
+    add_first(to, from, N);
+#else
+    constexpr int kWhole = N / kPartLanes * kPartLanes, kRest = N - kWhole;
+    for (int i = 0; i < kWhole; i += kPartLanes)
+        *reinterpret_cast<Part*>(to + i) += *reinterpret_cast<const Part*>(from + i);
+    if constexpr (kRest >= 2) add_pair(to + kWhole, from + kWhole);
+    if constexpr (kRest % 2 == 1) to[N - 1] += from[N - 1];
 #endif
 }
 
 /// out[0..N) += the first N lanes of v; N = 1, 3 or 6. Nothing else is touched.
 template <int N>
 HAWSER_INLINE void add_lanes(double* out, const V8& v) {
-    typedef double V2 __attribute__((vector_size(16), aligned(8), may_alias));
-    typedef double V4 __attribute__((vector_size(32), aligned(8), may_alias));
     double lanes[8];
     store(lanes, v);
     if constexpr (N == 6) {
+        typedef double V4 __attribute__((vector_size(32), aligned(8), may_alias));
         *reinterpret_cast<V4*>(out) += *reinterpret_cast<const V4*>(lanes);
-        *reinterpret_cast<V2*>(out + 4) += *reinterpret_cast<const V2*>(lanes + 4);
+        add_pair(out + 4, lanes + 4);
     } else {
         for (int i = 0; i < N; ++i) out[i] += lanes[i];
     }

@@ -6,7 +6,7 @@
 
 #include "base/small.h"
 
-#if defined(__AVX512F__)
+#if defined(__AVX512F__) || defined(__AVX2__)
 #include <immintrin.h>
 #endif
 
@@ -23,7 +23,11 @@ inline constexpr int kLanes = 8;  ///< Arrays read by load() need this many entr
 typedef double V8 __attribute__((vector_size(64), aligned(8), may_alias));
 typedef long long I8 __attribute__((vector_size(64)));
 typedef double W8 __attribute__((vector_size(64)));  ///< V8 as an argument of templates.
+typedef V8 Part;                                     ///< One register of a V8.
+inline constexpr int kPartLanes = kLanes, kParts = 1;
 
+HAWSER_INLINE Part part_of(const V8& v, int) { return v; }
+HAWSER_INLINE void set_part(V8& v, int, const Part& p) { v = p; }
 HAWSER_INLINE V8 load(const double* p) { return *reinterpret_cast<const V8*>(p); }
 HAWSER_INLINE void store(double* p, const V8& v) { *reinterpret_cast<V8*>(p) = v; }
 HAWSER_INLINE double lane(const V8& v, int i) { return v[i]; }
@@ -92,6 +96,8 @@ struct V8 {
 };
 using W8 = V8;
 
+HAWSER_INLINE Part part_of(const V8& v, int k) { return v.part[k]; }
+HAWSER_INLINE void set_part(V8& v, int k, const Part& p) { v.part[k] = p; }
 HAWSER_INLINE V8 load(const double* p) {
     V8 v;
     for (int i = 0; i < kParts; ++i) v.part[i] = *reinterpret_cast<const Part*>(p + kPartLanes * i);
@@ -112,10 +118,15 @@ HAWSER_INLINE V8 first_lanes(const V8& v, int count) {
     return o;
 }
 HAWSER_INLINE V8 spread_lane(const V8& v, int i) {
+    V8 o;
+#if defined(__AVX2__)
+    const long long n = i % kPartLanes;
+    o.part[0] = o.part[1] = __builtin_shuffle(v.part[i / kPartLanes], PartMask{n, n, n, n});
+#else
     double lanes[kLanes];
     store(lanes, v);
-    V8 o;
     for (int k = 0; k < kParts; ++k) o.part[k] = Part{} + lanes[i];
+#endif
     return o;
 }
 HAWSER_INLINE V8 after_lane(const V8& v, int i) {
@@ -183,23 +194,32 @@ HAWSER_INLINE V8 operator/(double s, const V8& v) {
     return o;
 }
 HAWSER_INLINE V8 reciprocal(const V8& v) { return 1.0 / v; }
+HAWSER_INLINE Part reciprocal(const Part& v) { return 1.0 / v; }
+template <bool kKeep>
+HAWSER_INLINE Part fix_pivot(Part& d, double sign) {
+    // NOLINTNEXTLINE(misc-redundant-expression): false for infinities and NaN
+    const PartMask finite = d - d == 0.0;
+    const PartMask good = (d * sign > 0.0) & finite;
+    const PartMask keep = kKeep ? (d != 0.0) & finite : good;
+    d = keep ? d : Part{} + sign;
+    return good ? Part{} : Part{} + 1.0;
+}
 template <bool kKeep>
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
     V8 bad;
-    for (int i = 0; i < kParts; ++i) {
-        // NOLINTNEXTLINE(misc-redundant-expression): not of what is infinite or no number
-        const PartMask finite = d.part[i] - d.part[i] == 0.0;
-        const PartMask good = (d.part[i] * sign > 0.0) & finite;
-        const PartMask keep = kKeep ? (d.part[i] != 0.0) & finite : good;
-        d.part[i] = keep ? d.part[i] : Part{} + sign;
-        bad.part[i] = good ? Part{} : Part{} + 1.0;
-    }
+    for (int i = 0; i < kParts; ++i) bad.part[i] = fix_pivot<kKeep>(d.part[i], sign);
     return bad;
 }
 HAWSER_INLINE V8 gather_lanes(const double* x, const std::int32_t* index) {
-    double v[kLanes];
-    for (int i = 0; i < kLanes; ++i) v[i] = index[i] >= 0 ? x[index[i]] : 0.0;
-    return load(v);
+    auto one = [&](int i) { return index[i] >= 0 ? x[index[i]] : 0.0; };
+    V8 v;
+    for (int k = 0; k < kParts; ++k)
+#if defined(__AVX2__)
+        v.part[k] = Part{one(4 * k), one(4 * k + 1), one(4 * k + 2), one(4 * k + 3)};
+#else
+        v.part[k] = Part{one(2 * k), one(2 * k + 1)};
+#endif
+    return v;
 }
 HAWSER_INLINE void scatter_lanes(double* x, const std::int32_t* index, const V8& v) {
     for (int i = 0; i < kLanes; ++i)
@@ -208,15 +228,22 @@ HAWSER_INLINE void scatter_lanes(double* x, const std::int32_t* index, const V8&
 
 #endif
 
-/// Is any lane not zero?
+HAWSER_INLINE Part load_part(const double* p) { return *reinterpret_cast<const Part*>(p); }
+HAWSER_INLINE void store_part(double* p, const Part& v) { *reinterpret_cast<Part*>(p) = v; }
+
+/// True if any lane is not zero (NaN included).
 HAWSER_INLINE bool any(const V8& v) {
 #if defined(__AVX512F__)
     return _mm512_test_epi64_mask(_mm512_castpd_si512(v), _mm512_set1_epi64(0x7fffffffffffffff)) !=
            0;
 #else
-    bool found = false;
-    for (int i = 0; i < kLanes; ++i) found |= lane(v, i) != 0.0;
-    return found;
+    PartMask found = v.part[0] != 0.0;
+    for (int k = 1; k < kParts; ++k) found |= v.part[k] != 0.0;
+#if defined(__AVX2__)
+    return __builtin_ia32_movmskpd256(reinterpret_cast<Part>(found)) != 0;
+#else
+    return __builtin_ia32_movmskpd(reinterpret_cast<Part>(found)) != 0;
+#endif
 #endif
 }
 // What templates over vectors and single numbers need, for one number.
@@ -281,9 +308,34 @@ HAWSER_INLINE V8 sums(const V8* v) {
                   __builtin_shuffle(pair[2 * i], pair[2 * i + 1], high2);
     return __builtin_shuffle(quad[0], quad[1], low4) + __builtin_shuffle(quad[0], quad[1], high4);
 #else
-    double out[kLanes] = {};
-    for (int i = 0; i < N; ++i) out[i] = sum(v[i]);
-    return load(out);
+    // The halves of each vector first, then lanes two apart, then neighbours: the order of sum().
+    V8 out{};
+#if defined(__AVX2__)
+    const PartMask first2 = {0, 1, 4, 5}, last2 = {2, 3, 6, 7};
+    const PartMask even = {0, 4, 2, 6}, odd = {1, 5, 3, 7};
+    for (int k = 0; k < (N + 3) / 4; ++k) {
+        Part half[4];
+        for (int i = 0; i < 4; ++i)
+            half[i] = 4 * k + i < N ? v[4 * k + i].part[0] + v[4 * k + i].part[1] : Part{};
+        Part two[2];
+        for (int i = 0; i < 2; ++i)
+            two[i] = __builtin_shuffle(half[i], half[i + 2], first2) +
+                     __builtin_shuffle(half[i], half[i + 2], last2);
+        out.part[k] =
+            __builtin_shuffle(two[0], two[1], even) + __builtin_shuffle(two[0], two[1], odd);
+    }
+#else
+    for (int k = 0; k < (N + 1) / 2; ++k) {
+        Part two[2] = {};
+        for (int i = 0; i < 2 && 2 * k + i < N; ++i) {
+            const Part* p = v[2 * k + i].part;
+            two[i] = (p[0] + p[2]) + (p[1] + p[3]);
+        }
+        out.part[k] = __builtin_shuffle(two[0], two[1], PartMask{0, 2}) +
+                      __builtin_shuffle(two[0], two[1], PartMask{1, 3});
+    }
+#endif
+    return out;
 #endif
 }
 

@@ -7,6 +7,26 @@
 
 namespace hawser::HAWSER_ISA {
 
+#if !defined(__AVX512F__)
+/// Transpose as many registers as one has lanes: lane j of p[i] becomes lane i of p[j].
+HAWSER_INLINE void transpose(Part (&p)[kPartLanes]) {
+#if defined(__AVX2__)
+    const PartMask even = {0, 4, 2, 6}, odd = {1, 5, 3, 7};
+    const PartMask first2 = {0, 1, 4, 5}, last2 = {2, 3, 6, 7};
+    const Part a = __builtin_shuffle(p[0], p[1], even), b = __builtin_shuffle(p[0], p[1], odd),
+               c = __builtin_shuffle(p[2], p[3], even), d = __builtin_shuffle(p[2], p[3], odd);
+    p[0] = __builtin_shuffle(a, c, first2);
+    p[1] = __builtin_shuffle(b, d, first2);
+    p[2] = __builtin_shuffle(a, c, last2);
+    p[3] = __builtin_shuffle(b, d, last2);
+#else
+    const Part a = p[0], b = p[1];
+    p[0] = __builtin_shuffle(a, b, PartMask{0, 2});
+    p[1] = __builtin_shuffle(a, b, PartMask{1, 3});
+#endif
+}
+#endif
+
 /// Turn eight vectors round: lane j of v[i] becomes lane i of v[j].
 HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
 #if defined(__AVX512F__)
@@ -28,13 +48,21 @@ HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
         v[k + 4] = __builtin_shuffle(b[k], b[k + 4], high4);
     }
 #else
-    double rows[kLanes][kLanes];
-    for (int i = 0; i < kLanes; ++i) store(rows[i], v[i]);
-    for (int j = 0; j < kLanes; ++j) {
-        double column[kLanes];
-        for (int i = 0; i < kLanes; ++i) column[i] = rows[i][j];
-        v[j] = load(column);
-    }
+    // Square blocks of one register: transpose two opposite ones and exchange them.
+    for (int i = 0; i < kParts; ++i)
+        for (int j = i; j < kParts; ++j) {
+            Part above[kPartLanes], below[kPartLanes];
+            for (int k = 0; k < kPartLanes; ++k) {
+                above[k] = v[kPartLanes * i + k].part[j];
+                below[k] = v[kPartLanes * j + k].part[i];
+            }
+            transpose(above);
+            transpose(below);
+            for (int k = 0; k < kPartLanes; ++k) {
+                v[kPartLanes * i + k].part[j] = below[k];
+                v[kPartLanes * j + k].part[i] = above[k];
+            }
+        }
 #endif
 }
 /// Lanes 1 to 7 of v, then `next`.
@@ -43,27 +71,18 @@ HAWSER_INLINE V8 shift_in(const V8& v, double next) {
     const V8 last = {next, next, next, next, next, next, next, next};
     return __builtin_shuffle(v, last, I8{1, 2, 3, 4, 5, 6, 7, 8});
 #else
-    double lanes[kLanes + 1];
-    store(lanes, v);
-    lanes[kLanes] = next;
-    return load(lanes + 1);
+    V8 o;
+    for (int k = 0; k < kParts; ++k) {
+        const Part after = k + 1 < kParts ? v.part[k + 1] : Part{} + next;
+#if defined(__AVX2__)
+        o.part[k] = __builtin_shuffle(v.part[k], after, PartMask{1, 2, 3, 4});
+#else
+        o.part[k] = __builtin_shuffle(v.part[k], after, PartMask{1, 2});
+#endif
+    }
+    return o;
 #endif
 }
-/// load_every() and store_every() entry by entry.
-template <int N>
-HAWSER_INLINE void pick_every(const double* p, V8 (&v)[N]) {
-    for (int k = 0; k < N; ++k) {
-        double lanes[kLanes];
-        for (int l = 0; l < kLanes; ++l) lanes[l] = p[N * l + k];
-        v[k] = load(lanes);
-    }
-}
-template <int N>
-HAWSER_INLINE void put_every(double* p, const V8 (&v)[N]) {
-    for (int l = 0; l < kLanes; ++l)
-        for (int k = 0; k < N; ++k) p[N * l + k] = lane(v[k], l);
-}
-
 /// Lane by lane three consecutive entries: v[k] = p[k], p[3 + k] … p[21 + k].
 HAWSER_INLINE void load_threes(const double* p, V8 (&v)[3]) {
 #if defined(__AVX512F__)
@@ -75,7 +94,23 @@ HAWSER_INLINE void load_threes(const double* p, V8 (&v)[3]) {
     v[2] = __builtin_shuffle(__builtin_shuffle(a, b, I8{2, 5, 8, 11, 14, 0, 0, 0}), c,
                              I8{0, 1, 2, 3, 4, 9, 12, 15});
 #else
-    pick_every(p, v);
+    for (int k = 0; k < kParts; ++k) {
+        const double* from = p + 3 * kPartLanes * k;
+        const Part a = load_part(from), b = load_part(from + kPartLanes),
+                   c = load_part(from + 2 * kPartLanes);
+#if defined(__AVX2__)  // x y z x, y z x y, z x y z
+        v[0].part[k] = __builtin_shuffle(__builtin_shuffle(a, b, PartMask{0, 3, 6, 6}), c,
+                                         PartMask{0, 1, 2, 5});
+        v[1].part[k] = __builtin_shuffle(__builtin_shuffle(a, b, PartMask{1, 4, 7, 7}), c,
+                                         PartMask{0, 1, 2, 6});
+        v[2].part[k] = __builtin_shuffle(__builtin_shuffle(a, b, PartMask{2, 5, 5, 5}), c,
+                                         PartMask{0, 1, 4, 7});
+#else                  // x y, z x, y z
+        v[0].part[k] = __builtin_shuffle(a, b, PartMask{0, 3});
+        v[1].part[k] = __builtin_shuffle(a, c, PartMask{1, 2});
+        v[2].part[k] = __builtin_shuffle(b, c, PartMask{0, 3});
+#endif
+    }
 #endif
 }
 /// Eight threes (x, y, z) one after another: out[r] = their entries from 8 r on.
@@ -88,9 +123,24 @@ HAWSER_INLINE void as_threes(const V8& x, const V8& y, const V8& z, V8 (&out)[3]
     out[2] = __builtin_shuffle(__builtin_shuffle(x, y, I8{13, 0, 6, 14, 0, 7, 15, 0}), z,
                                I8{0, 13, 2, 3, 14, 5, 6, 15});
 #else
-    double entries[3 * kLanes];
-    put_every<3>(entries, {x, y, z});
-    for (int r = 0; r < 3; ++r) out[r] = load(entries + kLanes * r);
+    for (int k = 0; k < kParts; ++k) {
+        const Part a = x.part[k], b = y.part[k], c = z.part[k];
+        auto put = [&](int i, const Part& p) {
+            out[(3 * k + i) / kParts].part[(3 * k + i) % kParts] = p;
+        };
+#if defined(__AVX2__)
+        put(0, __builtin_shuffle(__builtin_shuffle(a, b, PartMask{0, 4, 4, 1}), c,
+                                 PartMask{0, 1, 4, 3}));
+        put(1, __builtin_shuffle(__builtin_shuffle(a, b, PartMask{5, 5, 2, 6}), c,
+                                 PartMask{0, 5, 2, 3}));
+        put(2, __builtin_shuffle(__builtin_shuffle(a, b, PartMask{3, 3, 7, 7}), c,
+                                 PartMask{6, 1, 2, 7}));
+#else
+        put(0, __builtin_shuffle(a, b, PartMask{0, 2}));
+        put(1, __builtin_shuffle(c, a, PartMask{0, 3}));
+        put(2, __builtin_shuffle(b, c, PartMask{1, 3}));
+#endif
+    }
 #endif
 }
 
@@ -108,7 +158,17 @@ HAWSER_INLINE void load_every(const double* p, V8 (&v)[N]) {
         v[0] = __builtin_shuffle(a, b, I8{0, 2, 4, 6, 8, 10, 12, 14});
         v[1] = __builtin_shuffle(a, b, I8{1, 3, 5, 7, 9, 11, 13, 15});
 #else
-        pick_every(p, v);
+        for (int k = 0; k < kParts; ++k) {
+            const double* from = p + 2 * kPartLanes * k;
+            const Part a = load_part(from), b = load_part(from + kPartLanes);
+#if defined(__AVX2__)
+            v[0].part[k] = __builtin_shuffle(a, b, PartMask{0, 2, 4, 6});
+            v[1].part[k] = __builtin_shuffle(a, b, PartMask{1, 3, 5, 7});
+#else
+            v[0].part[k] = __builtin_shuffle(a, b, PartMask{0, 2});
+            v[1].part[k] = __builtin_shuffle(a, b, PartMask{1, 3});
+#endif
+        }
 #endif
     }
 }
@@ -125,7 +185,17 @@ HAWSER_INLINE void store_every(double* p, const V8 (&v)[N]) {
         store(p, __builtin_shuffle(v[0], v[1], I8{0, 8, 1, 9, 2, 10, 3, 11}));
         store(p + 8, __builtin_shuffle(v[0], v[1], I8{4, 12, 5, 13, 6, 14, 7, 15}));
 #else
-        put_every(p, v);
+        for (int k = 0; k < kParts; ++k) {
+            double* to = p + 2 * kPartLanes * k;
+            const Part a = v[0].part[k], b = v[1].part[k];
+#if defined(__AVX2__)
+            store_part(to, __builtin_shuffle(a, b, PartMask{0, 4, 1, 5}));
+            store_part(to + kPartLanes, __builtin_shuffle(a, b, PartMask{2, 6, 3, 7}));
+#else
+            store_part(to, __builtin_shuffle(a, b, PartMask{0, 2}));
+            store_part(to + kPartLanes, __builtin_shuffle(a, b, PartMask{1, 3}));
+#endif
+        }
 #endif
     }
 }

@@ -53,6 +53,15 @@ struct FactorView {
     }
 };
 
+/// Weights of nodes as rows of bits: a node weighs `least`, and more[c] in addition where row c of
+/// `rows` has its bit. At most one row has it.
+struct NodeWeights {
+    static constexpr int kMost = 5;  ///< Sizes beside the least: blocks have 1 to 6 scalars.
+    std::int32_t least = 1, count = 0;
+    std::int32_t more[kMost] = {};
+    const std::uint64_t* rows = nullptr;
+};
+
 /// All that is compiled for one instruction set.
 struct Kernels {
     /// Factor fronts [begin, end) in order. @return pivots of the wrong sign or not finite.
@@ -73,12 +82,13 @@ struct Kernels {
                           std::int32_t end, const double* x, double* scratch) noexcept;
     void (*backward_batch)(const FactorView& view, const Batch& batch, double* x,
                            double* scratch) noexcept;
-    /// Rows of bits (minimum_degree.h): row nodes[k] becomes (row ∪ with) ∩ among, sizes[k] how
-    /// many it then has, and folds[k] the exclusive or of its words, for k < count. Rows are
+    /// Rows of bits (minimum_degree.h): row nodes[k] becomes (row ∪ with) ∩ among, sizes[k] the
+    /// weight of its nodes, and folds[k] the exclusive or of its words, for k < count. Rows are
     /// aligned and have 8, 16, 24 or 32 words.
     void (*unite_rows)(std::uint64_t* rows, std::int32_t words, const std::int32_t* nodes,
                        std::int32_t count, const std::uint64_t* with, const std::uint64_t* among,
-                       std::int32_t* sizes, std::uint64_t* folds) noexcept;
+                       const NodeWeights& weights, std::int32_t* sizes,
+                       std::uint64_t* folds) noexcept;
     /// Copy n doubles, a multiple of eight, to where they are not read soon: past the caches, which
     /// would read what is there before. Both aligned to base::kAlign.
     void (*stream)(double* to, const double* from, std::int64_t n) noexcept;

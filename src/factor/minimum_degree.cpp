@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 
 namespace hawser::factor {
 namespace {
@@ -33,18 +34,50 @@ void MinimumDegree::remove(std::int32_t node) noexcept {
     next_[at(before)] = after;
 }
 
+/// Weights of nodes, and lists for all degrees that they can have.
+void MinimumDegree::weigh(const Pattern& pattern) {
+    const std::int32_t n = pattern.nodes();
+    bool has[kMaxBlock + 1] = {};
+    std::int32_t divisor = 0;
+    for (const std::int8_t size : pattern.size) has[size] = true;
+    for (std::int32_t size = 1; size <= kMaxBlock; ++size)
+        if (has[size]) divisor = std::gcd(divisor, size);
+    weights_ = NodeWeights{};
+    std::int32_t row_of[kMaxBlock + 1] = {}, least = 0;
+    for (std::int32_t size = 1; size <= kMaxBlock; ++size) {
+        if (!has[size]) continue;
+        if (least == 0) {
+            least = size;
+            weights_.least = size / divisor;
+            continue;
+        }
+        row_of[size] = weights_.count;
+        weights_.more[weights_.count++] = (size - least) / divisor;
+    }
+    heavy_.assign(at(weights_.count) * at(words_), 0);
+    weights_.rows = heavy_.data();
+    weight_.resize(at(n));
+    std::int32_t sum = 0;
+    for (std::int32_t v = 0; v < n; ++v) {
+        const std::int32_t size = pattern.size[at(v)];
+        if (size != least) heavy_[at(row_of[size]) * at(words_) + at(v / 64)] |= bit(v);
+        weight_[at(v)] = size / divisor;
+        sum += weight_[at(v)];
+    }
+    next_.resize(at(n) + at(sum) + 1);
+    prev_.resize(at(n) + at(sum) + 1);
+    for (std::int32_t list = n; list <= n + sum; ++list) next_[at(list)] = prev_[at(list)] = list;
+}
+
 void MinimumDegree::begin(const Pattern& pattern) {
     const std::int32_t n = pattern.nodes();
     words_ = (n + 64 * kWordsAtOnce - 1) / (64 * kWordsAtOnce) * kWordsAtOnce;
+    weigh(pattern);
     rows_.assign(at(n) * at(words_), 0);
     left_.assign(at(words_), 0);
-    next_.resize(2 * at(n));
-    prev_.resize(2 * at(n));
-    for (std::int32_t list = n; list < 2 * n; ++list) next_[at(list)] = prev_[at(list)] = list;
     degree_.resize(at(n));
     in_words_.resize(at(n));
     folds_.resize(at(n));
-    weight_.assign(at(n), 1);
     twin_.assign(at(n), -1);
     last_twin_.resize(at(n));
     touched_.resize(at(n));
@@ -57,10 +90,13 @@ void MinimumDegree::begin(const Pattern& pattern) {
             words |= std::uint32_t{1} << (u / 64);
         };
         add(v);
-        for (const std::int32_t u : pattern.neighbours(v)) add(u);
+        degree_[at(v)] = 0;
+        for (const std::int32_t u : pattern.neighbours(v)) {
+            add(u);
+            degree_[at(v)] += weight_[at(u)];
+        }
         in_words_[at(v)] = words;
         left_[at(v / 64)] |= bit(v);
-        degree_[at(v)] = static_cast<std::int32_t>(pattern.neighbours(v).size());
         last_twin_[at(v)] = v;
         insert(v);
     }
@@ -109,7 +145,7 @@ void MinimumDegree::eliminate(std::int32_t pivot, const Kernels& kernels) noexce
     const std::int32_t clique = degree_[at(pivot)];  // all that is left of its neighbours
     const std::int32_t count = list_heads(row(pivot), in_words_[at(pivot)]);
     kernels.unite_rows(rows_.data(), words_, touched_.data(), count, clique_.data(), left_.data(),
-                       sizes_.data(), folds_.data());
+                       weights_, sizes_.data(), folds_.data());
     std::int32_t kept = 0, gone = 0;
     for (std::int32_t k = 0; k < count; ++k) {
         const std::int32_t u = touched_[at(k)], size = sizes_[at(k)];
@@ -159,7 +195,8 @@ void MinimumDegree::join_twins(std::int32_t count) noexcept {
 
 std::size_t MinimumDegree::bytes() const noexcept {
     std::size_t sum = base::bytes(rows_) + base::bytes(left_) + base::bytes(heads_) +
-                      base::bytes(clique_) + base::bytes(folds_) + base::bytes(in_words_);
+                      base::bytes(clique_) + base::bytes(heavy_) + base::bytes(folds_) +
+                      base::bytes(in_words_);
     for (const auto* v :
          {&next_, &prev_, &degree_, &weight_, &twin_, &last_twin_, &touched_, &sizes_})
         sum += base::bytes(*v);

@@ -9,17 +9,20 @@ extern "C" {
 }
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <new>
 
 namespace hawser::factor {
 
 void Orderer::order(const Pattern& pattern, std::vector<std::int32_t>& order) {
-    if (pattern.nodes() > MinimumDegree::kMost) {
-        order_by_amd(pattern, order);
-        return;
-    }
-    small_.run(pattern, order);
+    const auto& size = pattern.size;
+    if (pattern.nodes() <= MinimumDegree::kMost)
+        small_.run(pattern, order);
+    else if (std::adjacent_find(size.begin(), size.end(), std::not_equal_to<>()) != size.end())
+        large_.run(pattern, order);
+    else
+        return order_by_amd(pattern, order);
     place_rows(pattern, order);
 }
 
@@ -161,8 +164,8 @@ void Orderer::place_rows(const Pattern& pattern, std::vector<std::int32_t>& orde
 }
 
 std::size_t Orderer::bytes() const noexcept {
-    std::size_t sum =
-        chains_.bytes() + small_.bytes() + base::bytes(left_.size) + base::bytes(left_.sign);
+    std::size_t sum = chains_.bytes() + small_.bytes() + large_.bytes() + base::bytes(left_.size) +
+                      base::bytes(left_.sign);
     for (const auto* v :
          {&work_, &position_, &head_, &next_, &left_.start, &left_.adjacent, &rest_of_, &rest_,
           &left_order_, &boundary_, &boundary_begin_, &touch_, &touch_next_, &mark_})

@@ -3,14 +3,15 @@
 /// @file ordering.h
 /// The order of elimination.
 ///
-/// Minimum degree on the graph of blocks, which is 4-6 times smaller than the graph of scalars:
-/// with the true degrees (minimum_degree.h) as long as that is the faster way, approximately
-/// (Amestoy, Davis, Duff, "An approximate minimum degree ordering algorithm", 1996; the AMD
-/// library) where there are more nodes. Then one repair that stability needs: a negative node
-/// (constraint rows) comes after at least one of its positive neighbours, because with compliance
-/// near zero its own diagonal is no pivot at all (Gill, Saunders, Shinnerl, "On the stability of
-/// Cholesky factorization for symmetric quasidefinite systems", 1996).
+/// Minimum degree on the graph of blocks, which is 4-6 times smaller than the graph of scalars.
+/// Degrees count scalars. Up to MinimumDegree::kMost nodes they are exact (minimum_degree.h), above
+/// they are bounds (approximate_degree.h; the AMD library if all nodes have one size). Then one
+/// repair that stability needs: a negative node (constraint rows) comes after at least one of its
+/// positive neighbours, because with compliance near zero its own diagonal is no pivot at all
+/// (Gill, Saunders, Shinnerl, "On the stability of Cholesky factorization for symmetric
+/// quasidefinite systems", 1996).
 
+#include "factor/approximate_degree.h"
 #include "factor/chains.h"
 #include "factor/minimum_degree.h"
 #include "factor/pattern.h"
@@ -33,7 +34,8 @@ class Orderer {
   public:
     /// Minimum degree. @param order  order[k] = node eliminated k-th. @throws std::bad_alloc.
     void order(const Pattern& pattern, std::vector<std::int32_t>& order);
-    /// Approximate minimum degree, whatever the size. @throws std::bad_alloc.
+    /// Approximate minimum degree that counts nodes (the AMD library), for any number of nodes.
+    /// @throws std::bad_alloc.
     void order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& order);
     /// Chains, then minimum degree. @throws std::bad_alloc.
     void plan(const Pattern& pattern, std::vector<std::int32_t>& order, Chains& chains);
@@ -47,6 +49,7 @@ class Orderer {
 
     ChainFinder chains_;
     MinimumDegree small_;
+    ApproximateDegree large_;
     std::vector<std::int32_t> work_;                    ///< Of AMD.
     std::vector<std::int32_t> position_, head_, next_;  ///< Of place_rows().
     // What chains leave.

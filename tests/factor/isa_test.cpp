@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <limits>
+#include <numeric>
 
 namespace hawser::test {
 namespace {
@@ -69,7 +69,7 @@ Solved solve_with(const factor::Kernels& kernels, const BlockMatrix& m, const fa
     return out;
 }
 
-/// Rows of bits: each word by itself.
+/// Rows of bits: each word by itself. Nodes of one to six weights, each with its row of bits.
 TEST(InstructionSets, UniteRowsOfBits) {
     Random random(first_seed(3));
     const int rounds = by_tier(1, 4, 40);
@@ -91,6 +91,21 @@ TEST(InstructionSets, UniteRowsOfBits) {
                     const auto with = draw(n, full), among = draw(n, std::max(full, 0.9));
                     base::Array<std::uint64_t> expected = rows;
                     const std::int32_t nodes[] = {4, 0, 2};
+                    factor::NodeWeights weights;
+                    weights.least = random.integer(1, 6);
+                    weights.count = random.integer(0, factor::NodeWeights::kMost);
+                    base::Array<std::uint64_t> heavy(static_cast<std::size_t>(weights.count) * n);
+                    std::vector<std::int32_t> weight_of(64 * n, weights.least);
+                    for (std::int32_t c = 0; c < weights.count; ++c)
+                        weights.more[c] = random.integer(1, 6);
+                    for (std::size_t v = 0; v < weight_of.size(); ++v) {
+                        const int c = random.integer(-1, weights.count - 1);
+                        if (c < 0) continue;
+                        heavy[static_cast<std::size_t>(c) * n + v / 64] |= std::uint64_t{1}
+                                                                           << (v % 64);
+                        weight_of[v] += weights.more[c];
+                    }
+                    weights.rows = heavy.data();
                     std::int32_t sizes[3], sums[3] = {};
                     std::uint64_t folds[3], words_of[3] = {};
                     for (int k = 0; k < 3; ++k)
@@ -98,11 +113,12 @@ TEST(InstructionSets, UniteRowsOfBits) {
                             std::uint64_t& word =
                                 expected[static_cast<std::size_t>(nodes[k]) * n + w];
                             word = (word | with[w]) & among[w];
-                            sums[k] += std::popcount(word);
+                            for (std::size_t i = 0; i < 64; ++i)
+                                if ((word >> i & 1) != 0) sums[k] += weight_of[64 * w + i];
                             words_of[k] ^= word;
                         }
                     set.kernels->unite_rows(rows.data(), words, nodes, 3, with.data(), among.data(),
-                                            sizes, folds);
+                                            weights, sizes, folds);
                     EXPECT_EQ(rows, expected) << set.name << " " << words;
                     for (int k = 0; k < 3; ++k) {
                         EXPECT_EQ(sizes[k], sums[k]) << set.name << " " << words;
@@ -173,6 +189,52 @@ TEST(InstructionSets, EveryFrontShape) {
                     }
                 }
             }
+}
+
+/// Rows of a child that meet its parent in runs of every length, at every offset: pivots of the
+/// parent, its update rows, and runs that end in one of each.
+TEST(InstructionSets, EveryRunOfAChild) {
+    constexpr int kChildren = 3, kClique = 48, kPivots = 30;
+    for (const std::uint64_t seed : seeds(1, 1, 3, 30))
+        for (int length = 1; length <= 19; ++length) {
+            Random random(seed + static_cast<std::uint64_t>(length));
+            const int nodes = kChildren + kClique + 1;
+            std::vector<std::pair<int, int>> edges;
+            for (int child = 0; child < kChildren; ++child)
+                for (int i = 0; i < kClique; ++i)
+                    if ((i + child) % (length + 1) != 0) edges.emplace_back(kChildren + i, child);
+            for (int i = 0; i < kClique; ++i) {
+                for (int j = 0; j < i; ++j) edges.emplace_back(kChildren + i, kChildren + j);
+                // The last rows also have a neighbour of their own: update rows of the clique.
+                if (i >= kPivots) edges.emplace_back(nodes - 1, kChildren + i);
+            }
+            const auto count = static_cast<std::size_t>(nodes);
+            BlockMatrix m = make_blocks(std::vector<std::int8_t>(count, 1),
+                                        std::vector<std::int8_t>(count, 1), edges);
+            for (int i = 0; i < nodes; ++i) m.dense(i, i) = 100.0;
+            for (const auto& [i, j] : edges) m.dense(i, j) = m.dense(j, i) = random.uniform(-1, 1);
+            std::vector<std::int32_t> order(count);
+            std::iota(order.begin(), order.end(), 0);
+            const factor::Symbolic s = factor::analyse(m.pattern, order);
+            const Vector b = random_matrix(random, m.scalars(), 1);
+            factor::Unsymmetric all;
+            all.reserve(s);
+            all.find(s, order);
+            for (const bool symmetric : {true, false}) {
+                if (!symmetric)
+                    for (const auto& [i, j] : edges) m.dense(i, j) = random.uniform(-1, 1);
+                const Vector want = reference(m, b);
+                for (const Set& set : sets()) {
+                    if (!set.available) continue;
+                    const Solved got =
+                        solve_with(*set.kernels, m, s, b, symmetric ? nullptr : &all);
+                    EXPECT_EQ(got.wrong, 0) << set.name << " length " << length;
+                    // Diagonally dominant: a few units in the last place.
+                    EXPECT_LE((got.x - want).norm(), 1e-13 * want.norm())
+                        << set.name << " length " << length << " seed " << seed;
+                }
+            }
+        }
 }
 
 /// Wires in every lane pattern: batches of one to eight chains, and more.

@@ -58,16 +58,25 @@ Order with_rows_placed(const Pattern& p, const Order& order) {
     return placed;
 }
 
-/// Minimum degree by sets: closed neighbourhoods, of nodes that have the same one the first.
+/// Minimum degree in scalars by sets: closed neighbourhoods, of nodes that have the same one the
+/// first.
 Order least_degree_first(const Pattern& p) {
     const std::size_t n = p.size.size();
+    std::size_t scalars = 0;
+    for (const std::int8_t size : p.size) scalars += static_cast<std::size_t>(size);
+    auto weight = [&](const auto& nodes) {
+        std::size_t sum = 0;
+        for (const int v : nodes)
+            sum += static_cast<std::size_t>(p.size[static_cast<std::size_t>(v)]);
+        return sum;
+    };
     std::vector<std::set<int>> closed(n);
     std::vector<Order> twins(n);
-    std::vector<std::list<int>> by_degree(n + 1);
+    std::vector<std::list<int>> by_degree(scalars + 1);
     std::vector<bool> head(n, true);
     auto insert = [&](int v) {
         const auto i = static_cast<std::size_t>(v);
-        by_degree[closed[i].size() - twins[i].size()].push_front(v);
+        by_degree[weight(closed[i]) - weight(twins[i])].push_front(v);
     };
     for (int v = p.nodes(); v-- > 0;) {
         const auto i = static_cast<std::size_t>(v);

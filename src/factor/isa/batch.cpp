@@ -40,56 +40,79 @@ HAWSER_INLINE void mark_wrong(const Columns<2>& m, int c, const V8& bad) {
             m.wrong[i] = 1;
 }
 
+/// Pivots of some columns, in one register of lanes.
+template <int N, int kSides>
+struct Triangle {
+    Part inverse[N], scaled[kSides][N][N];
+};
+
+/// Factor the triangle of columns [c, c + N) in register h of the lanes. @return as fix_pivot(),
+/// for each pivot.
+template <int N, int kSides>
+HAWSER_INLINE void factor_triangle(const Columns<kSides>& m, int c, int h, Triangle<N, kSides>& t,
+                                   V8 (&bad)[N]) {
+    const long from = c * m.stride + kPartLanes * h;
+    Part a[kSides][N][N];
+    for (int s = 0; s < kSides; ++s) {
+        for (int i = 0; i < N; ++i)
+            for (int j = 0; j < N; ++j)
+                a[s][i][j] = load_part(m.panel[s] + from + i * m.stride + 8 * (c + j));
+        tile<N, N>(a[s], m.w[s] + from, m.panel[m.other(s)] + from, m.stride, c);
+    }
+    for (int j = 0; j < N; ++j) {
+        Part d = a[0][j][j];
+        set_part(bad[j], h, fix_pivot < kSides == 2 > (d, m.sign[c + j]));
+        t.inverse[j] = reciprocal(d);
+        store_part(m.pivot + 8 * (c + j) + kPartLanes * h, t.inverse[j]);
+        for (int i = j + 1; i < N; ++i) {
+            for (int s = 0; s < kSides; ++s) {
+                const long at = from + i * m.stride + 8 * (c + j);
+                const Part x = a[s][i][j];
+                t.scaled[s][i][j] = x * t.inverse[j];
+                store_part(m.panel[s] + at, t.scaled[s][i][j]);
+                store_part(m.w[s] + at, x);
+            }
+            for (int s = 0; s < kSides; ++s)
+                for (int k = j + 1; k <= i; ++k)
+                    a[s][i][k] -= t.scaled[m.other(s)][k][j] * a[s][i][j];
+        }
+    }
+}
+
+/// Rows [r, r + R) below that triangle.
+template <int R, int N, int kSides>
+HAWSER_INLINE void solve_below(const Columns<kSides>& m, int c, int r, int h,
+                               const Triangle<N, kSides>& t) {
+    for (int s = 0; s < kSides; ++s) {
+        const int lanes = kPartLanes * h;
+        double *row = m.panel[s] + r * m.stride + lanes, *w = m.w[s] + r * m.stride + lanes;
+        Part a[R][N];
+        for (int i = 0; i < R; ++i)
+            for (int j = 0; j < N; ++j) a[i][j] = load_part(row + i * m.stride + 8 * (c + j));
+        tile<R, N>(a, w, m.panel[m.other(s)] + c * m.stride + lanes, m.stride, c);
+        for (int j = 0; j < N; ++j)
+            for (int i = 0; i < R; ++i) {
+                for (int k = 0; k < j; ++k) a[i][j] -= t.scaled[m.other(s)][j][k] * a[i][k];
+                store_part(w + i * m.stride + 8 * (c + j), a[i][j]);
+                store_part(row + i * m.stride + 8 * (c + j), a[i][j] * t.inverse[j]);
+            }
+    }
+}
+
 /// Factor columns [c, c + N) of the panel, rows to n.
 template <int N, int kSides>
 inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
-    V8 inverse[N], scaled[kSides][N][N];
-    {
-        V8 a[kSides][N][N];
-        for (int s = 0; s < kSides; ++s) {
-            const double* row = m.panel[s] + c * m.stride;
-            for (int i = 0; i < N; ++i)
-                for (int j = 0; j < N; ++j) a[s][i][j] = load(row + i * m.stride + 8 * (c + j));
-            tile<N, N>(a[s], m.w[s] + c * m.stride, m.panel[m.other(s)] + c * m.stride, m.stride,
-                       c);
-        }
-        for (int j = 0; j < N; ++j) {
-            V8 d = a[0][j][j];
-            const V8 wrong = fix_pivot < kSides == 2 > (d, m.sign[c + j]);
-            if constexpr (kSides == 2) mark_wrong(m, c + j, wrong);
-            bad += wrong;
-            inverse[j] = reciprocal(d);
-            store(m.pivot + 8 * (c + j), inverse[j]);
-            for (int i = j + 1; i < N; ++i) {
-                for (int s = 0; s < kSides; ++s) {
-                    const V8 x = a[s][i][j];
-                    scaled[s][i][j] = x * inverse[j];
-                    store(m.panel[s] + (c + i) * m.stride + 8 * (c + j), scaled[s][i][j]);
-                    store(m.w[s] + (c + i) * m.stride + 8 * (c + j), x);
-                }
-                for (int s = 0; s < kSides; ++s)
-                    for (int k = j + 1; k <= i; ++k)
-                        a[s][i][k] -= scaled[m.other(s)][k][j] * a[s][i][j];
-            }
-        }
+    Triangle<N, kSides> t[kParts];
+    V8 wrong[N];
+    for (int h = 0; h < kParts; ++h) factor_triangle<N, kSides>(m, c, h, t[h], wrong);
+    for (int j = 0; j < N; ++j) {
+        if constexpr (kSides == 2) mark_wrong(m, c + j, wrong[j]);
+        bad += wrong[j];
     }
-    for (int r = c + N; r < n; r += kTile) {
+    for (int r = c + N; r < n; r += kTile)
         with_size(n - r, [&]<int R>() {
-            for (int s = 0; s < kSides; ++s) {
-                V8 a[R][N];
-                double *row = m.panel[s] + r * m.stride, *w = m.w[s] + r * m.stride;
-                for (int i = 0; i < R; ++i)
-                    for (int j = 0; j < N; ++j) a[i][j] = load(row + i * m.stride + 8 * (c + j));
-                tile<R, N>(a, w, m.panel[m.other(s)] + c * m.stride, m.stride, c);
-                for (int i = 0; i < R; ++i)
-                    for (int j = 0; j < N; ++j) {
-                        for (int k = 0; k < j; ++k) a[i][j] -= scaled[m.other(s)][j][k] * a[i][k];
-                        store(w + i * m.stride + 8 * (c + j), a[i][j]);
-                        store(row + i * m.stride + 8 * (c + j), a[i][j] * inverse[j]);
-                    }
-            }
+            for (int h = 0; h < kParts; ++h) solve_below<R, N, kSides>(m, c, r, h, t[h]);
         });
-    }
 }
 
 /// next = shifted window − L21 W21ᵀ, with l and w at the first update row.
@@ -99,19 +122,20 @@ inline void update_window(const double* l, const double* w, long stride, const B
         const int row = shift.from(i);
         for (int j = 0; j <= i; ++j) {
             const int column = shift.from(j);
-            V8 acc[kTile][kTile];
-            if (row < 0 || column < 0) {
-                for (auto& r : acc)
-                    for (V8& v : r) v = V8{};
-            } else {
-                const double* old = window + tile_at(row, column);
+            const double* old = row < 0 || column < 0 ? nullptr : window + tile_at(row, column);
+            for (int h = 0; h < kParts; ++h) {
+                const int lanes = kPartLanes * h;
+                Part acc[kTile][kTile];
                 for (int a = 0; a < kTile; ++a)
-                    for (int b = 0; b < kTile; ++b) acc[a][b] = load(old + 8 * (kTile * a + b));
+                    for (int b = 0; b < kTile; ++b)
+                        acc[a][b] =
+                            old == nullptr ? Part{} : load_part(old + 8 * (kTile * a + b) + lanes);
+                tile<kTile, kTile>(acc, l + kTile * i * stride + lanes,
+                                   w + kTile * j * stride + lanes, stride, step.p);
+                double* to = next + tile_at(i, j) + lanes;
+                for (int a = 0; a < kTile; ++a)
+                    for (int b = 0; b < kTile; ++b) store_part(to + 8 * (kTile * a + b), acc[a][b]);
             }
-            tile<kTile, kTile>(acc, l + kTile * i * stride, w + kTile * j * stride, stride, step.p);
-            double* to = next + tile_at(i, j);
-            for (int a = 0; a < kTile; ++a)
-                for (int b = 0; b < kTile; ++b) store(to + 8 * (kTile * a + b), acc[a][b]);
         }
     }
 }

@@ -28,7 +28,9 @@ HAWSER_INLINE void ask_for_panel(const double* panel, const BatchStep& step) {
 constexpr int kAhead = 2;  // steps
 
 // Steps of rigid_steps.h: what one pivot hands to the next stays in registers, and each lane's six
-// entries of x are next to each other.
+// entries of x are next to each other. Six vectors of two registers fit on AVX2, of four on SSE2
+// do not.
+inline constexpr bool kRigidInRegisters = kPartLanes >= 4;
 
 /// Lane by lane x of the step's body, 0 where a lane has none.
 HAWSER_INLINE void load_rigid(const double* x, const std::int32_t* index, V8 (&v)[kLanes]) {
@@ -38,7 +40,7 @@ HAWSER_INLINE void load_rigid(const double* x, const std::int32_t* index, V8 (&v
 HAWSER_INLINE void store_rigid(double* x, const std::int32_t* index, V8 (&v)[kLanes]) {
     transpose(v);
     for (int l = 0; l < kLanes; ++l)
-        if (index[l] >= 0) store_lanes(x + index[l], v[l], 0, kRigid);
+        if (index[l] >= 0) store_first<kRigid>(x + index[l], v[l]);
 }
 
 /// One step of forward_batch().
@@ -77,9 +79,14 @@ inline void backward_rigid(const FactorView& view, const BatchStep& step, const 
         const double* row = panel + (kRigid + i) * kRigidStride;
         for (int k = 0; k < kRigid; ++k) z[k] -= load(row + 8 * k) * b;
     };
-    // Last the body that the step before has just come to.
-    for (int i = kRigid; i < step.q; ++i) take_row(i);
-    for (int i = 0; i < kRigid; ++i) take_row(i);
+    // Last the body that the step before has just come to, where nothing else hides the wait; else
+    // in the order of other steps.
+    if constexpr (kManyRegisters) {
+        for (int i = kRigid; i < step.q; ++i) take_row(i);
+        for (int i = 0; i < kRigid; ++i) take_row(i);
+    } else {
+        for (int i = 0; i < step.q; ++i) take_row(i);
+    }
 #pragma GCC unroll 6
     for (int i = kRigid - 1; i > 0; --i)
         for (int j = 0; j < i; ++j) z[j] -= load(panel + i * kRigidStride + 8 * j) * z[i];
@@ -100,7 +107,7 @@ void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begi
         const BatchStep& step = view.batch_steps[k];
         if (view.distant && k + kAhead < end)
             ask_for_panel(view.panel, view.batch_steps[k + kAhead]);
-        if (kManyRegisters && is_rigid(view, batch, k)) {
+        if (kRigidInRegisters && is_rigid(view, batch, k)) {
             forward_rigid(view, step, shift, x, carried, next);
             std::swap(carried, next);
             shift.before = step.q / kTile;
@@ -119,11 +126,15 @@ void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begi
         }
         for (int i = 0; i < step.q; i += kTile) {
             const int from = shift.from(i / kTile);
-            V8 v[kTile][1];
+            V8 v[kTile];
             for (int a = 0; a < kTile; ++a)
-                v[a][0] = from >= 0 ? load(carried + 8 * (kTile * from + a)) : V8{};
-            tile<kTile, 1>(v, panel + 8L * (p + i) * p, y, 8L * p, p);
-            for (int a = 0; a < kTile; ++a) store(next + 8 * (i + a), v[a][0]);
+                v[a] = from >= 0 ? load(carried + 8 * (kTile * from + a)) : V8{};
+            const double* row = panel + 8L * (p + i) * p;
+            for (int j = 0; j < p; ++j) {
+                const V8 u = load(y + 8 * j);
+                for (int a = 0; a < kTile; ++a) v[a] -= load(row + 8L * a * p + 8 * j) * u;
+            }
+            for (int a = 0; a < kTile; ++a) store(next + 8 * (i + a), v[a]);
         }
         std::swap(carried, next);
         shift.before = step.q / kTile;
@@ -156,7 +167,7 @@ void backward_batch(const FactorView& view, const Batch& batch, double* x,
         if (view.distant && k - kAhead >= batch.step_begin)
             ask_for_panel(halves, view.batch_steps[k - kAhead]);
         const double* panel = halves + step.panel;
-        if (kManyRegisters && batch.window == kRigid && is_rigid(view, batch, k)) {
+        if (kRigidInRegisters && batch.window == kRigid && is_rigid(view, batch, k)) {
             backward_rigid(view, step, panel, behind, x);
             continue;
         }

@@ -9,11 +9,14 @@
 namespace hawser::HAWSER_ISA {
 
 /// v, in a register from here on, where registers are many.
-HAWSER_INLINE V8 keep(V8 v) {
+HAWSER_INLINE Part keep(Part v) {
 #if defined(__AVX512F__)
     asm("" : "+v"(v));
 #endif
     return v;
 }
+#if !defined(__AVX512F__)
+HAWSER_INLINE V8 keep(const V8& v) { return v; }
+#endif
 
 }  // namespace hawser::HAWSER_ISA

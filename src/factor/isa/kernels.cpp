@@ -3,9 +3,10 @@
 /// factor/unsymmetric.h for the second half).
 ///
 /// Column strides are multiples of eight doubles (base/simd.h), and rows past p + q stay zero,
-/// so no loop has a remainder. Blocks of kBlock pivot columns are factored one column at a time.
-/// What is behind kDepth of them is then updated by a register-blocked product. Each entry takes
-/// its pivots in order, so its bits depend neither on kBlock nor on kDepth.
+/// so no loop has a remainder smaller than a register. Blocks of kBlock pivot columns are factored
+/// one column at a time. What is behind kDepth of them is then updated by a register-blocked
+/// product. Each entry takes its pivots in order, so its bits depend neither on kBlock nor on
+/// kDepth.
 ///
 /// An unsymmetric front has two *sides* of one shape: side 0 holds the lower half, side 1 the
 /// upper half transposed. With unscaled columns W₀ = L D and W₁ = (D U)ᵀ the Schur complement is
@@ -31,17 +32,24 @@ using factor::Run;
 
 constexpr int kBlock = 8;  // pivot columns whose triangle is in registers
 using factor::kDepth;      // pivot columns factored before the rest is updated
-/// Vectors of rows and columns updated at once, as registers allow: V8 is one, two or four of them.
+/// Registers of rows, and columns, that a product updates at once: as many as accumulators fit.
 struct Tile {
-    int rows, columns;
+    int parts, columns;
 };
 #if defined(__AVX512F__)
 constexpr Tile kAtOnce = {2, 8};
 #elif defined(__AVX2__)
-constexpr Tile kAtOnce = {1, 4};
+constexpr Tile kAtOnce = {2, 4};
 #else
-constexpr Tile kAtOnce = {1, 2};
+constexpr Tile kAtOnce = {4, 2};
 #endif
+/// Rows are computed in steps of so many: a register of AVX-512 or AVX2, two of SSE2. Entries
+/// above the diagonal and behind the last row are the price of a step, so a short one is cheaper.
+constexpr int kRowStep = kPartLanes > 4 ? kPartLanes : 4;
+constexpr int kStepParts = kRowStep / kPartLanes;
+
+/// n rounded up to whole steps.
+HAWSER_INLINE int whole_steps(int n) { return (n + kRowStep - 1) / kRowStep * kRowStep; }
 
 /// The pivot columns of a front.
 template <int kSides>
@@ -49,6 +57,7 @@ struct Trapezoid {
     double* panel[kSides];  ///< Column stride ld.
     double* w[kSides];      ///< Unscaled columns of the current block, column stride ld.
     long ld;
+    long rows;      ///< p + q in whole steps.
     double* pivot;  ///< 1/D.
     const signed char* sign;
     signed char* wrong;  ///< Marks of wrong pivots, of unsymmetric fronts.
@@ -103,15 +112,17 @@ inline int factor_block(const Trapezoid<kSides> t, int k0) {
     }
     for (int s = 0; s < kSides; ++s) {
         double *panel = t.panel[s] + k0 * ld, *w = t.w[s];
-        for (long i = k0 + 8; i < ld; i += 8) {
-            V8 x[N];
+        for (long i = k0 + 8; i < t.rows; i += kRowStep) {
+            Part x[N][kStepParts];
 #pragma GCC unroll 8
-            for (int c = 0; c < N; ++c) {
-                x[c] = load(panel + c * ld + i);
-                for (int b = 0; b < c; ++b) x[c] -= scaled[t.other(s)][c][b] * x[b];
-                store(w + c * ld + i, x[c]);
-                store(panel + c * ld + i, x[c] * inverse[c]);
-            }
+            for (int c = 0; c < N; ++c)
+                for (int h = 0; h < kStepParts; ++h) {
+                    const long at = c * ld + i + kPartLanes * h;
+                    x[c][h] = load_part(panel + at);
+                    for (int b = 0; b < c; ++b) x[c][h] -= scaled[t.other(s)][c][b] * x[b][h];
+                    store_part(w + at, x[c][h]);
+                    store_part(panel + at, x[c][h] * inverse[c]);
+                }
         }
     }
     return wrong;
@@ -124,34 +135,35 @@ inline int factor_columns(const Trapezoid<kSides> t, int k0, int count) {
     return wrong;
 }
 
-/// kVectors vectors of rows of C −= L · Wᵀ, or of C = −L · Wᵀ where C holds nothing yet.
-template <int kCols, int kVectors, bool kFirst>
+/// kRegisters registers of rows of C −= L · Wᵀ, or of C = −L · Wᵀ where C holds nothing yet.
+template <int kCols, int kRegisters, bool kFirst>
 HAWSER_INLINE void update_rows(double* c, long ldc, const double* l, const double* w, long ld,
                                int depth) {
-    V8 acc[kVectors][kCols];
-    for (int r = 0; r < kVectors; ++r)
-        for (int j = 0; j < kCols; ++j) acc[r][j] = kFirst ? V8{} : load(c + j * ldc + 8 * r);
-    for (int k = 0; k < depth; ++k) {
-        V8 v[kVectors];
-        for (int r = 0; r < kVectors; ++r) v[r] = load(l + k * ld + 8 * r);
+    Part acc[kRegisters][kCols];
+    for (int r = 0; r < kRegisters; ++r)
         for (int j = 0; j < kCols; ++j)
-            for (int r = 0; r < kVectors; ++r) acc[r][j] -= v[r] * w[k * ld + j];
+            acc[r][j] = kFirst ? Part{} : load_part(c + j * ldc + kPartLanes * r);
+    for (int k = 0; k < depth; ++k) {
+        Part v[kRegisters];
+        for (int r = 0; r < kRegisters; ++r) v[r] = load_part(l + k * ld + kPartLanes * r);
+        for (int j = 0; j < kCols; ++j)
+            for (int r = 0; r < kRegisters; ++r) acc[r][j] -= v[r] * w[k * ld + j];
     }
-    for (int r = 0; r < kVectors; ++r)
-        for (int j = 0; j < kCols; ++j) store(c + j * ldc + 8 * r, acc[r][j]);
+    for (int r = 0; r < kRegisters; ++r)
+        for (int j = 0; j < kCols; ++j) store_part(c + j * ldc + kPartLanes * r, acc[r][j]);
 }
 
 /// C(:, 0..cols) −= L · Wᵀ for `cols` columns whose rows in l and w start at row0. The lower
-/// triangle is what counts; rows above it in the same vector are computed and never read.
+/// triangle is what counts; rows above it in the same step are computed and never read.
 template <int kCols, bool kFirst>
 inline void update_columns(double* c, long ldc, const double* l, const double* w, long ld,
                            int depth, int from, int rows) {
     int i = from;
-    constexpr int kStep = 8 * kAtOnce.rows;
-    for (; i + kStep <= rows; i += kStep)
-        update_rows<kCols, kAtOnce.rows, kFirst>(c + i, ldc, l + i, w, ld, depth);
-    if constexpr (kAtOnce.rows > 1)
-        for (; i < rows; i += 8) update_rows<kCols, 1, kFirst>(c + i, ldc, l + i, w, ld, depth);
+    constexpr int kAll = kPartLanes * kAtOnce.parts;
+    for (; i + kAll <= rows; i += kAll)
+        update_rows<kCols, kAtOnce.parts, kFirst>(c + i, ldc, l + i, w, ld, depth);
+    for (; i < rows; i += kRowStep)
+        update_rows<kCols, kStepParts, kFirst>(c + i, ldc, l + i, w, ld, depth);
 }
 
 /// Update of the columns [begin, end) of one side of a matrix whose row r lies at l + r. The last
@@ -161,7 +173,7 @@ inline void update_block(double* c, long ldc, const double* l, const double* w, 
                          int begin, int end, int rows) {
     int j = begin;
     auto columns = [&]<int N>() {
-        update_columns<N, kFirst>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~7, rows);
+        update_columns<N, kFirst>(c + j * ldc, ldc, l, w + j, ld, depth, j & ~(kRowStep - 1), rows);
         j += N;
     };
     while (end - j >= kAtOnce.columns) columns.template operator()<kAtOnce.columns>();
@@ -171,10 +183,11 @@ inline void update_block(double* c, long ldc, const double* l, const double* w, 
 /// to(0..rows, 0..columns) += from(0..rows, 0..columns).
 inline void add_block(double* to, long ld_to, const double* from, long ld_from, int rows,
                       int columns) {
-    for (int i = 0; i < rows; i += 8) {
-        for (int c = 0; c < columns; ++c)
-            add_first(to + c * ld_to + i, from + c * ld_from + i, rows - i);
-    }
+    for (int i = 0; i < rows; i += 8)
+        with_count(rows - i, [&]<int N>() {
+            for (int c = 0; c < columns; ++c)
+                add_first<N>(to + c * ld_to + i, from + c * ld_from + i);
+        });
 }
 
 /// Add the columns of children's update matrices that are pivots of the front, or those that are
@@ -209,13 +222,14 @@ inline void update_rest(const Front& front, double* panel, double* update, const
                         int d1) {
     const double* l = panel + static_cast<long>(d0) * front.ld;
     if (d1 < front.p)
-        update_block<false>(panel, front.ld, l, w, front.ld, d1 - d0, d1, front.p, front.ld);
+        update_block<false>(panel, front.ld, l, w, front.ld, d1 - d0, d1, front.p,
+                            whole_steps(front.p + front.q));
     if (d0 == 0)
         update_block<true>(update, front.ldu, l + front.p, w + front.p, front.ld, d1 - d0, 0,
-                           front.q, front.ldu);
+                           front.q, whole_steps(front.q));
     else
         update_block<false>(update, front.ldu, l + front.p, w + front.p, front.ld, d1 - d0, 0,
-                            front.q, front.ldu);
+                            front.q, whole_steps(front.q));
 }
 
 /// Factor the pivot columns [d0, d1), at most kDepth: each block first takes what those before it
@@ -229,7 +243,7 @@ inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
         for (int s = 0; s < kSides; ++s) {
             if (k0 > d0)
                 update_block<false>(t.panel[s], t.ld, t.panel[s] + d0 * t.ld, t.w[t.other(s)], t.ld,
-                                    k0 - d0, k0, k1, static_cast<int>(t.ld));
+                                    k0 - d0, k0, k1, static_cast<int>(t.rows));
             block.w[s] += (k0 - d0) * t.ld;
         }
         wrong += factor_columns(block, k0, k1 - k0);
@@ -239,8 +253,13 @@ inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
 
 template <int kSides>
 inline int factor_front(const FactorView& view, const Front& front, double* scratch) {
-    Trapezoid<kSides> t{{view.panel + front.panel}, {scratch}, front.ld, view.pivot + front.offset,
-                        view.sign + front.offset,   nullptr};
+    Trapezoid<kSides> t{{view.panel + front.panel},
+                        {scratch},
+                        front.ld,
+                        whole_steps(front.p + front.q),
+                        view.pivot + front.offset,
+                        view.sign + front.offset,
+                        nullptr};
     double* update[kSides] = {view.update(front.update)};
     if constexpr (kSides == 2) {
         t.panel[1] = view.upper + front.panel;

@@ -100,11 +100,17 @@ template <int N, long kBytes>
 HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from, const double* y,
                                   double* z) {
     V8 acc[N];
-    for (int c = 0; c < N; ++c) acc[c] = V8{};
     const double* column = panel + k * ld;
-    for (int i = from; i < ld; i += 8) {
-        const V8 v = load(y + i);
-        for (int c = 0; c < N; ++c) acc[c] += load_ahead<kBytes>(column + c * ld + i) * v;
+    constexpr int kGroup = 8 / kParts;  // columns whose sums fit in registers
+#pragma GCC unroll 8
+    for (int first = 0; first < N; first += kGroup) {
+        const int last = first + kGroup < N ? first + kGroup : N;
+        for (int c = first; c < last; ++c) acc[c] = V8{};
+        for (int i = from; i < ld; i += 8) {
+            const V8 v = load(y + i);
+            for (int c = first; c < last; ++c)
+                acc[c] += load_ahead<kBytes>(column + c * ld + i) * v;
+        }
     }
     const V8 s = sums<N>(acc);
     double solved[N];  // in registers: all indices are constants once unrolled
