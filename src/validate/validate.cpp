@@ -7,6 +7,7 @@
 #include "validate/firstday.h"
 #include "validate/robust.h"
 #include "validate/sea.h"
+#include "validate/vessels.h"
 #include "validate/wires.h"
 
 #include <fmt/format.h>
@@ -66,7 +67,7 @@ constexpr Case kCases[] = {
 const Case* find(const std::string& wanted) {
     for (const std::span<const Case> cases :
          {std::span<const Case>(kCases), robust_cases(), wire_cases(), sea_cases(),
-          firstday_cases(), long_sea_cases(), data_cases()})
+          firstday_cases(), vessel_cases(), long_sea_cases(), data_cases()})
         for (const Case& c : cases)
             if (wanted == c.id || wanted == c.name) return &c;
     return nullptr;
@@ -110,6 +111,8 @@ int run_cases(const std::vector<std::string>& cases, const std::string& json_fil
             "firstday: what the first scenes of a user meet, not among those that run unasked\n");
         for (const Case& c : firstday_cases())
             fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
+        fmt::print("vessels: ships that manoeuvre, not among those that run unasked\n");
+        for (const Case& c : vessel_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
         fmt::print("minutes long, by name alone\n");
         for (const Case& c : long_sea_cases())
             fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
@@ -133,6 +136,10 @@ int run_cases(const std::vector<std::string>& cases, const std::string& json_fil
         }
         if (name == "firstday") {
             for (const Case& c : firstday_cases()) chosen.push_back(&c);
+            continue;
+        }
+        if (name == "vessels") {
+            for (const Case& c : vessel_cases()) chosen.push_back(&c);
             continue;
         }
         chosen.push_back(find(name));
