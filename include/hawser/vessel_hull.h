@@ -42,7 +42,8 @@
 /// Beyond the published range: U in the formulas is at least |r| L/r'_most, so that forces stay
 /// finite at rest; u' is from −1 to 1. Astern (u < −0.1 U) terms of velocity alone act on the
 /// mirrored ship (u, r, X, N change sign); terms with the rudder vanish; between 0.1 U and −0.1 U
-/// both are blended.
+/// both are blended. With U₀ > 0 the terms of u alone in X hold the propeller, too, and are not
+/// mirrored.
 
 #include <hawser/math.h>
 

@@ -53,6 +53,9 @@ Polynomial::Polynomial(const HullPolynomial& def, double mass) : def_(def), mass
             term.driven = term.driven || variable == kRudder || variable == kAbsRudder ||
                           variable == kRevolutions || variable == kAbsRevolutions;
         }
+        // With U₀, X of u alone holds the propeller at constant revolutions.
+        term.propulsive = def.speed > 0.0 && term.axis == 0 &&
+                          from.of.find_first_not_of("u0") == std::string::npos;
         terms_.push_back(term);
     }
 }
@@ -63,15 +66,18 @@ double Polynomial::value(const Term& term, const Values& at) const noexcept {
     return out;
 }
 
-/// @param ahead  Share of the ship that goes ahead; the rest goes astern.
-Wrench Polynomial::sum(const Values& at, double ahead) const noexcept {
+/// @param ahead  Share of the ship that goes ahead; the rest goes astern. @param astern_u  u' of
+/// the mirrored ship.
+Wrench Polynomial::sum(const Values& at, double ahead, double astern_u) const noexcept {
     Wrench out = Wrench::Zero();
-    for (const Term& term : terms_) out[term.axis] += ahead * value(term, at);
+    for (const Term& term : terms_)
+        out[term.axis] += (term.propulsive ? 1.0 : ahead) * value(term, at);
     if (ahead == 1.0) return out;
     Values mirrored = at;
-    for (const Variable i : {kU, kR, kDrift}) mirrored[i] = -at[i];
+    mirrored[kU] = astern_u;
+    for (const Variable i : {kR, kDrift}) mirrored[i] = -at[i];
     for (const Term& term : terms_) {
-        if (term.driven) continue;
+        if (term.driven || term.propulsive) continue;
         const double side = term.axis == 0 || term.axis == 5 ? -1.0 : 1.0;
         out[term.axis] += (1.0 - ahead) * side * value(term, mirrored);
     }
@@ -88,11 +94,10 @@ Wrench Polynomial::by_speed(const Flow& flow) const noexcept {
     const double speed =
         std::max(std::hypot(flow.u(), flow.v()), std::abs(flow.r()) * length / def_.most_turn);
     if (!(speed > 1e-9)) return Wrench::Zero();
-    // Ahead of the mirror at u = 0 the velocity of u' is that of the mirrored ship, too.
     const double ahead = std::clamp(0.5 + flow.u() / (2.0 * kAsternBlend * speed), 0.0, 1.0);
-    const double along = ahead >= 0.5 ? flow.u() : -flow.u();
+    const double astern_u = std::clamp((-flow.u() - def_.speed) / speed, -1.0, 1.0);
     Values at{};
-    at[kU] = std::clamp((along - def_.speed) / speed, -1.0, 1.0) * (ahead >= 0.5 ? 1.0 : -1.0);
+    at[kU] = std::clamp((flow.u() - def_.speed) / speed, -1.0, 1.0);
     at[kV] = flow.v() / speed;
     at[kR] = flow.r() * length / speed;
     at[kP] = flow.p() * length / speed;
@@ -104,7 +109,7 @@ Wrench Polynomial::by_speed(const Flow& flow) const noexcept {
     at[kAbsR] = std::abs(at[kR]);
     at[kAbsRudder] = std::abs(at[kRudder]);
     at[kAbsDrift] = std::abs(at[kDrift]);
-    Wrench out = sum(at, ahead) * (0.5 * flow.density * def_.area * speed * speed);
+    Wrench out = sum(at, ahead, astern_u) * (0.5 * flow.density * def_.area * speed * speed);
     out[3] *= length;
     out[5] *= length;
     return out;
@@ -129,7 +134,7 @@ Wrench Polynomial::by_mass(const Flow& flow) const noexcept {
     at[kAbsRudder] = std::abs(at[kRudder]);
     at[kAbsRevolutions] = std::abs(at[kRevolutions]);
     at[kAbsDrift] = std::abs(at[kDrift]);
-    Wrench out = sum(at, ahead) * mass_;
+    Wrench out = sum(at, ahead, -flow.u()) * mass_;
     const double square = def_.length * def_.length;
     out[3] *= square;
     out[5] *= square;

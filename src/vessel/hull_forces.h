@@ -49,11 +49,12 @@ class Polynomial {
         double value = 0.0;
         std::int32_t axis = 0, powers = 0;
         std::array<std::uint8_t, kMostPowers> of{};
-        bool driven = false;  ///< With rudder or revolutions.
+        bool driven = false;      ///< With rudder or revolutions.
+        bool propulsive = false;  ///< Holds the propeller; the same ahead and astern.
     };
     using Values = std::array<double, kVariables>;
     [[nodiscard]] double value(const Term& term, const Values& at) const noexcept;
-    [[nodiscard]] Wrench sum(const Values& at, double ahead) const noexcept;
+    [[nodiscard]] Wrench sum(const Values& at, double ahead, double astern_u) const noexcept;
     [[nodiscard]] Wrench by_speed(const Flow& flow) const noexcept;
     [[nodiscard]] Wrench by_mass(const Flow& flow) const noexcept;
 
