@@ -15,6 +15,7 @@ constexpr const char* kValidateFooter = R"(Examples:
   hawser validate wires
   hawser validate sea
   hawser validate firstday
+  hawser validate vessels
   hawser validate rao --data FOLDER
   hawser validate pendulum catenary --json validation.json
 
@@ -34,8 +35,8 @@ void add_validate(CLI::App& app, Command& chosen) {
     CLI::App* command = app.add_subcommand("validate", "Compare with known answers of physics");
     command->footer(kValidateFooter);
     command->add_option("CASE", options->cases,
-                        "Names of cases; none = all but `robust`, `wires`, `sea` and `firstday`, "
-                        "which name sets of their own");
+                        "Names of cases; none = all but `robust`, `wires`, `sea`, `firstday` and "
+                        "`vessels`, which name sets of their own");
     command->add_option("--json", options->json, "Write the results as JSON");
     command
         ->add_option("--data", options->data,

@@ -7,6 +7,7 @@
 #include "validate/firstday.h"
 #include "validate/robust.h"
 #include "validate/sea.h"
+#include "validate/vessels.h"
 #include "validate/wires.h"
 
 #include <fmt/format.h>
@@ -63,12 +64,50 @@ constexpr Case kCases[] = {
     {"A.2.7", "energy", "energy lost by a pendulum", case_energy_loss},
 };
 
+/// Cases that run by the name of their group.
+struct CaseGroup {
+    const char* name;  ///< Empty: cases run by their own names alone.
+    const char* text;
+    std::span<const Case> (*cases)();
+};
+constexpr CaseGroup kGroups[] = {
+    {"robust", "robust: beyond what a step resolves, not among those that run unasked",
+     robust_cases},
+    {"wires", "wires: against closed forms, not among those that run unasked", wire_cases},
+    {"sea", "sea: water against closed forms, not among those that run unasked", sea_cases},
+    {"firstday", "firstday: what the first scenes of a user meet, not among those that run unasked",
+     firstday_cases},
+    {"vessels", "vessels: ships that manoeuvre, not among those that run unasked", vessel_cases},
+    {"", "minutes long, by name alone", long_sea_cases},
+    {"", "with data of others, --data DIR", data_cases},
+};
+
+const CaseGroup* find_group(const std::string& wanted) {
+    for (const CaseGroup& group : kGroups)
+        if (*group.name != '\0' && wanted == group.name) return &group;
+    return nullptr;
+}
+
+void list_cases() {
+    const auto print = [](std::span<const Case> cases) {
+        for (const Case& c : cases) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
+    };
+    print(kCases);
+    for (const CaseGroup& group : kGroups) {
+        fmt::print("{}\n", group.text);
+        print(group.cases());
+    }
+}
+
 const Case* find(const std::string& wanted) {
-    for (const std::span<const Case> cases :
-         {std::span<const Case>(kCases), robust_cases(), wire_cases(), sea_cases(),
-          firstday_cases(), long_sea_cases(), data_cases()})
+    const auto among = [&](std::span<const Case> cases) -> const Case* {
         for (const Case& c : cases)
             if (wanted == c.id || wanted == c.name) return &c;
+        return nullptr;
+    };
+    if (const Case* found = among(kCases); found != nullptr) return found;
+    for (const CaseGroup& group : kGroups)
+        if (const Case* found = among(group.cases()); found != nullptr) return found;
     return nullptr;
 }
 
@@ -99,40 +138,13 @@ int run_cases(const std::vector<std::string>& cases, const std::string& json_fil
               const std::string& data) {
     set_data_folder(data);
     if (list) {
-        for (const Case& c : kCases) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
-        fmt::print("robust: beyond what a step resolves, not among those that run unasked\n");
-        for (const Case& c : robust_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
-        fmt::print("wires: against closed forms, not among those that run unasked\n");
-        for (const Case& c : wire_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
-        fmt::print("sea: water against closed forms, not among those that run unasked\n");
-        for (const Case& c : sea_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
-        fmt::print(
-            "firstday: what the first scenes of a user meet, not among those that run unasked\n");
-        for (const Case& c : firstday_cases())
-            fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
-        fmt::print("minutes long, by name alone\n");
-        for (const Case& c : long_sea_cases())
-            fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
-        fmt::print("with data of others, --data DIR\n");
-        for (const Case& c : data_cases()) fmt::print("{:<6} {:<18} {}\n", c.id, c.name, c.text);
+        list_cases();
         return 0;
     }
     std::vector<const Case*> chosen;
     for (const std::string& name : cases) {
-        if (name == "robust") {
-            for (const Case& c : robust_cases()) chosen.push_back(&c);
-            continue;
-        }
-        if (name == "wires") {
-            for (const Case& c : wire_cases()) chosen.push_back(&c);
-            continue;
-        }
-        if (name == "sea") {
-            for (const Case& c : sea_cases()) chosen.push_back(&c);
-            continue;
-        }
-        if (name == "firstday") {
-            for (const Case& c : firstday_cases()) chosen.push_back(&c);
+        if (const CaseGroup* group = find_group(name); group != nullptr) {
+            for (const Case& c : group->cases()) chosen.push_back(&c);
             continue;
         }
         chosen.push_back(find(name));

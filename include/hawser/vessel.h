@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file vessel.h
+/// Vessels: what sails. Hull forces (vessel_hull.h), propulsors and rudders (vessel_propulsion.h)
+/// of one rigid body, as a system.
+///
+/// ```cpp
+/// hawser::PublishedShip ship = hawser::kvlcc2(hawser::KvlccScale::full);   // vessel_ships.h
+/// ship.vessel.body = world.add_body(ship.body);
+/// world.add(ship.vessel);
+/// world.set_system_signal("kvlcc2.rudder", 0.61);    // 35 degrees to starboard
+/// ```
+/// Equations of motion in the marine frame at O (T. I. Fossen, *Handbook of Marine Craft
+/// Hydrodynamics and Motion Control*, 2021), velocities relative to the current:
+/// ```
+///     M_RB ν̇ + C_RB(ν) ν + A ν̇_r + C_A(ν_r) ν_r + D ν_r + G η = τ(ν_r, δ, n, …)
+/// ```
+/// The world has M_RB and C_RB; the vessel adds the rest as loads (Loads): A as mass, G as
+/// stiffness, −∂τ/∂ν of each axis as damping, so that the step takes them implicitly. Forces hold
+/// at velocities extrapolated to the begin of the step, v + ½(v − v_last): second order in the
+/// step. A that is not symmetric acts as its symmetric part M_s, with τ times M_s M⁻¹.
+///
+/// Current and wind are those of the world's sea, at half the draught and at the height of
+/// WindLoad; without a sea there are none.
+///
+/// Signals, as "name.signal". Inputs: `rudder` [rad], positive turns to starboard, and `rps` [1/s]
+/// of a vessel with a coefficient set; orders NAME [−1, 1], NAME_angle [rad], positive pushes the
+/// stern… (see docs/vessels.md), NAME_pitch of propulsors; NAME [rad] of rudders. Outputs:
+/// `speed` through the water [m/s], `ground_speed` [m/s], `drift` β [rad], `turn_rate` r [rad/s],
+/// `rudder_angle`, `shaft_rps`, `surge_force`, `sway_force` [N], `yaw_moment` [N m]; NAME_thrust,
+/// NAME_rps, NAME_power, NAME_turned, NAME_set of propulsors; NAME_at of rudders.
+///
+/// Limits: calm water but for loads of the sea's hull, which add up; forces of waves that
+/// manoeuvre alter nothing here. Coefficients are those of one loading and depth.
+
+#include <hawser/id.h>
+#include <hawser/math.h>
+#include <hawser/vessel_hull.h>
+#include <hawser/vessel_propulsion.h>
+#include <hawser/water_hull.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hawser {
+
+class World;
+class System;
+
+/// Coriolis and centripetal forces of the added mass.
+enum class AddedCoriolis : std::uint8_t {
+    none,     ///< In the polynomials, or left out.
+    planar,   ///< X = A_22 v r, Y = −A_11 u r; the Munk moment is in the polynomials (MMG).
+    full,     ///< Kirchhoff's, with the Munk moment.
+    at_rest,  ///< C_A of velocities over ground, as in MSS' osv.m: for comparison alone.
+};
+
+/// Steering gear and shaft of a vessel with a coefficient set.
+struct SteeringDef {
+    double most_angle = 0.6108652381980153;  ///< [rad]; 35°.
+    double rate = 0.0404916386;              ///< [rad/s].
+    double lag = 0.0;                        ///< Time constant [s].
+    double rps = 0.0;                        ///< Revolutions at the start [1/s].
+    double most_rps = 0.0;                   ///< [1/s]; 0: twice `rps`.
+    double shaft_lag = 0.0;                  ///< Time constant of the revolutions [s].
+};
+
+/// A definition: World::add copies it whole.
+struct VesselDef {
+    std::string name = "vessel";           ///< Unique among the systems of a world.
+    BodyId body{};                         ///< Rigid. Required.
+    Vec3 origin{0.0, 0.0, 0.0};            ///< O from the centre of mass, in the body's frame [m].
+    double draught = 0.0;                  ///< Of the water that the current is taken of [m].
+    double density = 1025.0;               ///< Of water, without a sea [kg/m³].
+    Matrix6 added_mass = Matrix6::Zero();  ///< A at O, marine frame [kg, kg m, kg m²].
+    AddedCoriolis coriolis = AddedCoriolis::full;
+    Matrix6 damping = Matrix6::Zero();  ///< D at O, marine frame.
+    /// G at O, marine frame: heave from z = 0 or the sea's still water, roll and pitch. Symmetric,
+    /// positive semi-definite; rows and columns of x, y, yaw are 0.
+    Matrix6 restoring = Matrix6::Zero();
+    HullResistance resistance{};
+    CrossFlow cross_flow{};
+    HullPolynomial polynomial{};
+    MmgStern mmg{};
+    SonNomotoStern son_nomoto{};
+    SteeringDef steering{};
+    WindLoad wind{};
+    std::vector<PropulsorDef> propulsors{};
+    std::vector<RudderDef> rudders{};
+};
+
+/// Non-dimensional values of a vessel outside the range of published ships, one sentence each:
+/// coefficients of another scale or unit. Empty: none.
+[[nodiscard]] std::vector<std::string> unusual_values(const World& world, const VesselDef& def);
+
+/// Called by World::add(). It owns the system. @throws DefError "vessel NAME: field: reason".
+System* define(World& world, const VesselDef& def);
+
+/// The vessel of a body as defined; null: there is none.
+[[nodiscard]] const VesselDef* find_vessel(const World& world, BodyId body) noexcept;
+
+}  // namespace hawser

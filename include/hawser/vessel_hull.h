@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file vessel_hull.h
+/// Hull forces of ships that manoeuvre: resistance, cross-flow drag, polynomials, wind.
+///
+/// **Marine frame.** All coefficients hold in the horizontal frame of the ship: origin O, x ahead
+/// in the horizontal projection of the bow, y to starboard, z down. Velocities u, v, r, p are those
+/// of O through the water along and about these axes; X, Y, K, N are the forces and moments. Roll φ
+/// is positive with starboard down, the rudder angle δ is positive if it turns the ship to
+/// starboard.
+/// ```
+///           bow  ^ x, u
+///               /|\          U = √(u² + v²)    drift angle β = atan2(−v, u)
+///              | O--> y, v    r' = r L/U        v' = v/U
+///              |___|          r > 0: turns to starboard
+/// ```
+/// **Resistance.** X = −R(u) by a table, mirrored for u < 0, and
+/// ```
+///     X = σ X_u u + (1 − σ) X_uu |u| u,     σ = 1 − tanh(|u|/u₀)
+/// ```
+/// **Cross-flow drag** by strips of the hull at x (S. F. Hoerner, *Fluid-Dynamic Drag*, 1965):
+/// ```
+///     Y = −½ρ T C_d Σ |v + x r| (v + x r) Δx        N = −½ρ T C_d Σ x |v + x r| (v + x r) Δx
+/// ```
+/// **Polynomials** are sums of terms C · variables, in one of two scales:
+/// - `speed`: X, Y times ½ρ A U², K, N times ½ρ A L U²; variables u' = (u − U₀)/U, v', r',
+///   p' = p L/U;
+/// - `mass`: X, Y times the mass m [m/s²], K, N times m L² [1/s²]; variables in SI.
+///
+/// A term names its variables by letters, a letter for each power: "vvr" is v² r.
+///
+/// | letter | variable |
+/// |---|---|
+/// | u v r p | velocities, as above |
+/// | f | roll φ [rad] |
+/// | d | rudder angle δ × HullPolynomial::rudder_sign [rad] |
+/// | n | revolutions [1/s], in `mass` alone |
+/// | b | atan(v/u) [rad] |
+/// | V R D N B | magnitudes of v r d n b |
+/// | 0 | a constant, alone |
+///
+/// Beyond the published range: U in the formulas is at least |r| L/r'_most, so that forces stay
+/// finite at rest; u' is from −1 to 1. Astern (u < −0.1 U) terms of velocity alone act on the
+/// mirrored ship (u, r, X, N change sign); terms with the rudder vanish; between 0.1 U and −0.1 U
+/// both are blended. With U₀ > 0 the terms of u alone in X hold the propeller, too, and are not
+/// mirrored.
+
+#include <hawser/math.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hawser {
+
+/// Force component of a term.
+enum class HullAxis : std::uint8_t { x, y, k, n };
+
+/// One term of a polynomial.
+struct HullTerm {
+    HullAxis axis = HullAxis::x;
+    std::string of{};    ///< Variables, as "vvr"; "0": a constant.
+    double value = 0.0;  ///< C, for angles in rad.
+};
+
+enum class HullScale : std::uint8_t { speed, mass };
+
+/// Polynomials of a hull.
+struct HullPolynomial {
+    std::vector<HullTerm> terms{};  ///< Empty: none.
+    HullScale scale = HullScale::speed;
+    double length = 0.0;       ///< L [m]. Required with terms.
+    double area = 0.0;         ///< A of `speed`, as L d or L² [m²].
+    double speed = 0.0;        ///< U₀ of u' [m/s].
+    double most_turn = 1.5;    ///< r'_most of `speed` [1].
+    double rudder_sign = 1.0;  ///< −1: the source counts rudder angles to port as positive.
+    /// The terms hold the Coriolis and centripetal forces of the body's own mass, too.
+    bool own_coriolis = false;
+};
+
+/// A point of a resistance curve.
+struct ResistancePoint {
+    double speed = 0.0;       ///< Through the water, ascending from 0 [m/s].
+    double resistance = 0.0;  ///< [N].
+};
+
+/// Resistance ahead and astern.
+struct HullResistance {
+    std::vector<ResistancePoint> curve{};  ///< Linear between, quadratic beyond the last.
+    double linear = 0.0;                   ///< −X_u [N s/m].
+    double quadratic = 0.0;                ///< −X_uu [N s²/m²].
+    double blend = 2.0;                    ///< u₀ [m/s].
+};
+
+/// Cross-flow drag.
+struct CrossFlow {
+    double length = 0.0;   ///< [m]; 0: none.
+    double beam = 0.0;     ///< [m].
+    double draught = 0.0;  ///< [m].
+    double drag = 0.0;     ///< C_d [1]; 0: by Hoerner's curve of beam/(2 draught).
+    int strips = 20;       ///< Of equal length.
+    /// One strip more, with strips centred on the ends: the sum of MSS' crossFlowDrag.m, whose
+    /// sway drag is 21/20 and whose yaw drag is 1.21 of the integral's.
+    bool end_strips = false;
+};
+/// Hoerner's drag coefficient of a section. @param ratio  Beam over twice the draught [1].
+[[nodiscard]] double hoerner_drag(double ratio) noexcept;
+
+/// Ships of W. Blendermann, "Parameter identification of wind loads on ships", 1994.
+enum class WindShip : std::uint8_t {
+    none,
+    car_carrier,
+    cargo,
+    container,
+    diving_support,
+    drilling,
+    ferry,
+    fishing,
+    gas_tanker,
+    offshore_supply,
+    research,
+    tanker_loaded,
+    tanker_ballast,
+    tender
+};
+/// "offshore_supply" and so on.
+[[nodiscard]] const char* to_string(WindShip ship) noexcept;
+inline constexpr int kWindShipCount = 14;
+
+/// Wind on a ship: forces by Blendermann's coefficients at the relative wind of a height.
+struct WindLoad {
+    WindShip ship = WindShip::none;
+    double frontal_area = 0.0;  ///< A_F [m²].
+    double lateral_area = 0.0;  ///< A_L [m²].
+    double length = 0.0;        ///< L_oa [m].
+    double centre = 0.0;        ///< s_L, of A_L ahead of O [m].
+    double height = 0.0;        ///< s_H, of the centre of A_L above the water [m].
+    double density = 1.225;     ///< Of air, without a sea [kg/m³].
+};
+/// Coefficients of wind from ahead by an angle.
+struct WindCoefficients {
+    double x = 0.0, y = 0.0, k = 0.0, n = 0.0;  ///< C_X C_Y C_K C_N [1].
+};
+/// @param angle  From which the wind comes, 0 ahead, positive from starboard, |angle| ≤ π [rad].
+/// Signs: X ahead, Y, K, N as in the marine frame.
+[[nodiscard]] WindCoefficients wind_coefficients(const WindLoad& load, double angle) noexcept;
+
+/// Propeller and rudder of the MMG standard method (H. Yasukawa and Y. Yoshimura, "Introduction of
+/// MMG standard method for ship maneuvering predictions", 2015; the symbols are theirs).
+/// ```
+///     β_P = β − x_P' r'        1 − w_P = (1 − w_P0)(1 + (1 − e^(−2|β_P|))(C − 1))
+///     T = ρ n² D⁴ K_T(J)       J = u (1 − w_P)/(n D)
+///     u_R = ε u_P √(η (1 + κ (√(1 + 8 K_T/(π J²)) − 1))² + 1 − η),  u_P = u (1 − w_P)
+///     v_R = U γ_R (β − l_R' r')
+///     F_N = ½ρ A_R (u_R² + v_R²) f_α sin(δ − atan2(v_R, u_R))
+///     X = (1 − t_P) T − (1 − t_R) F_N sin δ      Y = −(1 + a_H) F_N cos δ
+///     N = −(x_R + a_H x_H) F_N cos δ
+/// ```
+struct MmgStern {
+    double diameter = 0.0;                            ///< D [m]; 0: no such stern.
+    double k0 = 0.0, k1 = 0.0, k2 = 0.0;              ///< K_T = k0 + k1 J + k2 J².
+    double thrust_deduction = 0.0;                    ///< t_P.
+    double wake = 0.0;                                ///< w_P0.
+    double wake_port = 1.0, wake_star = 1.0;          ///< C for β_P > 0 and below 0.
+    double propeller_x = 0.0;                         ///< x_P'.
+    double rudder_area = 0.0;                         ///< A_R [m²].
+    double height_share = 1.0;                        ///< η = D/H_R.
+    double steering_deduction = 0.0;                  ///< t_R.
+    double hull_increase = 0.0;                       ///< a_H.
+    double hull_x = 0.0, rudder_x = 0.0;              ///< x_H', x_R', over the length.
+    double wake_ratio = 1.0;                          ///< ε.
+    double slipstream = 0.0;                          ///< κ.
+    double lift_slope = 0.0;                          ///< f_α.
+    double inflow_x = 0.0;                            ///< l_R'.
+    double straight_port = 1.0, straight_star = 1.0;  ///< γ_R for β_R < 0 and above 0.
+    double length = 0.0;                              ///< L [m].
+};
+
+/// Propeller and rudder of K. H. Son and K. Nomoto, "On the coupled motion of steering and rolling
+/// of a high-speed container ship", 1981. Lengths over L, velocities over U.
+/// ```
+///     v_R' = γ v' + c_r r' + c_rrr r'³ + c_rrv r'² v'      u_P' = u'((1 − w) + τ (v' + x_P r')²)
+///     u_R' = ε u_P' √(1 + 8 k K_T/(π J²))                   K_T = k0 + k1 J
+///     F_N' = −6.13 Λ/(Λ + 2.25) A_R/L² (u_R'² + v_R'²) sin(δ + atan(v_R'/u_R'))
+///     X' = (1 − t) T' + c_RX F_N' sin δ                     Y' = (1 + a_H) F_N' cos δ
+///     K' = −(1 + a_H) z_R F_N' cos δ                        N' = (x_R + a_H x_H) F_N' cos δ
+/// ```
+struct SonNomotoStern {
+    double diameter = 0.0;  ///< D [m]; 0: no such stern.
+    double length = 0.0;    ///< L [m].
+    double k0 = 0.0, k1 = 0.0;
+    double thrust_deduction = 0.0, wake = 0.0, wake_turn = 0.0, propeller_x = 0.0;
+    double rudder_area = 0.0, aspect = 1.0;
+    double wake_ratio = 1.0, slipstream = 0.0;
+    double gamma = 0.0, c_r = 0.0, c_rrr = 0.0, c_rrv = 0.0;
+    double drag_share = 1.0;  ///< c_RX.
+    double hull_increase = 0.0, rudder_x = 0.0, rudder_z = 0.0, hull_x = 0.0;
+};
+
+}  // namespace hawser

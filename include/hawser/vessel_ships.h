@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file vessel_ships.h
+/// Ships with published coefficients, as bodies and vessels (vessel.h).
+///
+/// | ship | source | freedoms |
+/// |---|---|---|
+/// | kvlcc2 | MMG standard method, H. Yasukawa and Y. Yoshimura 2015 | surge, sway, yaw |
+/// | mariner | M. S. Chislett and J. Strøm-Tejsen 1965 | surge, sway, yaw |
+/// | s175 | K. H. Son and K. Nomoto 1981 | surge, sway, yaw, roll |
+/// | esso_190k | W. B. van Berlekom and T. A. Goddard 1972, depth of water | surge, sway, yaw |
+/// | osv | T. I. Fossen's offshore supply vessel (MSS, osv.m) | six |
+///
+/// Numbers of the last four as in the Marine Systems Simulator (MSS, MIT licence).
+///
+/// Assumed, not published: heave, roll and pitch of kvlcc2, mariner and esso_190k, heave and pitch
+/// of s175: stiffness of the waterplane (0.85 L B) and a GM of 5 % of the beam, damping ratio 0.2;
+/// the bodies are weightless, and nothing excites these motions in calm water.
+
+#include <hawser/def.h>
+#include <hawser/vessel.h>
+
+#include <cstdint>
+#include <string_view>
+
+namespace hawser {
+
+/// A body at the origin, bow along x, at its approach speed, and the vessel on it.
+struct PublishedShip {
+    BodyDef body{};
+    VesselDef vessel{};   ///< VesselDef::body is to be set.
+    double length = 0.0;  ///< L [m].
+    double speed = 0.0;   ///< Approach speed U₀ [m/s].
+};
+
+enum class KvlccScale : std::uint8_t { l7, l3, full };
+[[nodiscard]] PublishedShip kvlcc2(KvlccScale scale);
+[[nodiscard]] PublishedShip mariner();
+[[nodiscard]] PublishedShip s175();
+/// @param depth  Of the water, above 19.5 m [m]; from 1000 on deep. The approach speed is that of
+/// 80 rpm in this depth. @throws DefError.
+[[nodiscard]] PublishedShip esso_190k(double depth = 1000.0);
+/// At rest.
+[[nodiscard]] PublishedShip osv();
+
+/// Names of ships: "kvlcc2_l7", "kvlcc2_l3", "kvlcc2", "mariner", "s175", "esso_190k", "osv".
+inline constexpr const char* kPublishedShips[] = {"kvlcc2", "kvlcc2_l7", "kvlcc2_l3", "mariner",
+                                                  "s175",   "esso_190k", "osv"};
+/// By its name. @throws DefError where there is none.
+[[nodiscard]] PublishedShip published_ship(std::string_view name, double depth = 1000.0);
+
+}  // namespace hawser

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file vessel_trials.h
+/// Manoeuvring trials of a vessel in its world: turning circle, zig-zag, criteria of
+/// IMO MSC.137(76), "Standards for ship manoeuvrability", 2002.
+/// ```
+///            transfer            Turning circle: rudder to δ at the start of the track.
+///          |<------>|            Advance: way along the first heading to a change of 90°.
+///      .--''''--.  ---           Transfer: way across it to there.
+///    .'          '  ^            Tactical diameter: way across to a change of 180°.
+///   |            |  | advance
+///    '.          |  v            Zig-zag δ/ψ: rudder to δ; at a heading change ψ to −δ, at −ψ
+///      '-.____.  | ---           to δ … (executes). Overshoot: heading change beyond ψ.
+///   |<--------->|^ start
+///    tactical diameter
+/// ```
+/// Tracks are those of VesselDef::origin; times and angles are interpolated between steps.
+
+#include <hawser/vessel.h>
+
+#include <string>
+#include <vector>
+
+namespace hawser {
+
+struct TurningCircle {
+    bool turned = false;                 ///< It came to a heading change of 180°.
+    double advance = 0.0;                ///< [m].
+    double transfer = 0.0;               ///< [m].
+    double tactical = 0.0;               ///< Tactical diameter [m].
+    double time90 = 0.0, time180 = 0.0;  ///< [s].
+    double track10 = 0.0;                ///< Way along the track to a heading change of 10° [m].
+    // At the end of the run.
+    double speed = 0.0;      ///< [m/s].
+    double turn_rate = 0.0;  ///< r, positive to starboard [rad/s].
+    double drift = 0.0;      ///< β [rad].
+    double roll = 0.0;       ///< [rad].
+    double most_roll = 0.0;  ///< Largest |φ| since the start [rad].
+};
+
+struct ZigZag {
+    std::vector<double> executes{};    ///< Times of the second and later orders [s].
+    std::vector<double> overshoots{};  ///< [rad].
+    double most_roll = 0.0;            ///< [rad].
+};
+
+/// Put the rudder over and step the world for `duration` [s]. The rudder order is the signal
+/// NAME.rudder. @param rudder  Positive turns to starboard [rad]. @throws DefError where a step
+/// fails or the vessel has no such signal.
+[[nodiscard]] TurningCircle turning_circle(World& world, const VesselDef& vessel, double rudder,
+                                           double duration);
+/// @param rudder  δ, of the first order; negative: first to port [rad]. @param heading  ψ > 0
+/// [rad]. @param count  Overshoots after which it ends, or @param most  after a time [s].
+[[nodiscard]] ZigZag zig_zag(World& world, const VesselDef& vessel, double rudder, double heading,
+                             int count, double most = 3600.0);
+
+/// A criterion of IMO MSC.137(76).
+struct ImoCriterion {
+    std::string what{};
+    double value = 0.0, limit = 0.0;  ///< In `unit`.
+    std::string unit{};               ///< "L" or "deg".
+    [[nodiscard]] bool met() const noexcept { return value <= limit; }
+};
+/// @param turn  With full rudder. @param small  10°/10° zig-zag. @param large  20°/20°; what they
+/// do not have is left out.
+[[nodiscard]] std::vector<ImoCriterion> imo_criteria(double length, double speed,
+                                                     const TurningCircle& turn, const ZigZag& small,
+                                                     const ZigZag& large);
+
+}  // namespace hawser

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file vessels.h
+/// Cases of `hawser validate vessels`: published ships at a step of 1/60 s against their equations
+/// of motion integrated apart (Runge-Kutta, error below 1e-4).
+
+#include "validate/robust.h"
+
+#include <span>
+
+namespace hawser::validate {
+
+/// Those that "vessels" stands for; at most a minute together.
+[[nodiscard]] std::span<const Case> vessel_cases();
+
+// vessels_osv.cpp
+void case_vessel_osv(Report& report);
+// vessels_trials.cpp
+void case_vessel_kvlcc2(Report& report);
+void case_vessel_mariner(Report& report);
+void case_vessel_s175(Report& report);
+void case_vessel_esso(Report& report);
+
+}  // namespace hawser::validate

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vessel/actuators.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hawser {
+namespace {
+
+constexpr double kFlat = 1.2;                            ///< C_N of a stalled plate over sin α.
+constexpr double kStallWidth = std::numbers::pi / 18.0;  ///< From full lift to the plate [rad].
+constexpr double kReversed = 0.5;                        ///< Lift of reversed flow.
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+}  // namespace
+
+double rudder_normal(const RudderDef& rudder, double attack) noexcept {
+    const double slope = 6.13 * rudder.aspect / (rudder.aspect + 2.25);
+    double a = std::abs(attack);
+    double lift = slope;
+    if (a > 0.5 * std::numbers::pi) {
+        a = std::numbers::pi - a;
+        lift *= kReversed;
+    }
+    const double flat = std::min(kFlat, lift);
+    const double x = std::clamp((a - rudder.stall) / kStallWidth, 0.0, 1.0);
+    return (lift + (flat - lift) * x * x * (3.0 - 2.0 * x)) * std::sin(attack);
+}
+
+namespace vessel {
+
+bool follow(double& now, double target, double rate, double lag, double step) noexcept {
+    const double error = target - now, side = error < 0.0 ? -1.0 : 1.0;
+    const double knee = rate * lag;  // From here on the first-order rate is below the limit.
+    double left = std::abs(error), time = step;
+    bool limited = false;
+    if (left > knee) {
+        const double moved = std::min(left - knee, rate * step);
+        limited = left - knee > rate * step;
+        left -= moved;
+        time -= rate > 0.0 ? moved / rate : step;
+    }
+    if (lag > 0.0) left *= std::exp(-std::max(0.0, time) / lag);
+    now = target - side * left;
+    return limited;
+}
+
+double wrapped(double angle) noexcept { return std::remainder(angle, kTwoPi); }
+
+Wrench push_at(const Vec3& at, double x, double y) noexcept {
+    Wrench out;
+    out << x, y, 0.0, -at.z() * y, at.z() * x, at.x() * y - at.y() * x;
+    return out;
+}
+
+Propulsor::Propulsor(const PropulsorDef& def, const Vec3& origin)
+    : def_(def),
+      at_(def.point.x() - origin.x(), origin.y() - def.point.y(), origin.z() - def.point.z()) {}
+
+double Propulsor::direction(const PropulsorState& s) const noexcept {
+    switch (def_.kind) {
+        case PropulsorKind::shaft:
+            return 0.0;
+        case PropulsorKind::azimuth:
+            return s.angle;
+        case PropulsorKind::tunnel:
+            break;
+    }
+    return 0.5 * std::numbers::pi;
+}
+
+PropellerForce Propulsor::open(const PropulsorState& s, const Flow& flow,
+                               double& along) const noexcept {
+    const double a = direction(s);
+    const double x = flow.u() - at_.y() * flow.r(), y = flow.v() + at_.x() * flow.r();
+    along = (1.0 - def_.wake) * (x * std::cos(a) + y * std::sin(a));
+    if (def_.kind == PropulsorKind::tunnel) along = 0.0;
+    PropellerForce out;
+    if (screw()) {
+        const double pitch = def_.propeller.pitch * (def_.controllable ? s.pitch : 1.0);
+        out = propeller_force(def_.propeller, pitch, s.rps, along, flow.density);
+    } else {
+        out.thrust =
+            def_.thrust * s.level * std::abs(s.level) * (s.level < 0.0 ? def_.astern : 1.0);
+    }
+    if (def_.kind == PropulsorKind::tunnel && def_.lost_at > 0.0)
+        out.thrust *= std::max(0.0, 1.0 - std::abs(flow.u()) / def_.lost_at);
+    return out;
+}
+
+Wrench Propulsor::force(const PropulsorState& s, const Flow& flow) const noexcept {
+    double along = 0.0;
+    double thrust = open(s, flow, along).thrust;
+    if (thrust > 0.0) thrust *= 1.0 - def_.thrust_deduction;
+    const double a = direction(s);
+    if (def_.kind == PropulsorKind::shaft) return push_at(at_, thrust, 0.0);
+    if (def_.kind == PropulsorKind::tunnel) return push_at(at_, 0.0, thrust);
+    return push_at(at_, thrust * std::cos(a), thrust * std::sin(a));
+}
+
+/// The motor follows the ordered revolutions within its torque and power. The torque of the water
+/// goes in with its derivative by n, so that light shafts are stable.
+void Propulsor::turn_shaft(PropulsorState& s, const Flow& flow, double step,
+                           Limit& power) const noexcept {
+    const double target = std::clamp(s.order, -1.0, 1.0) * def_.most_rps;
+    const double inertia = kTwoPi * def_.shaft_inertia;
+    double along = 0.0;
+    const double load = open(s, flow, along).torque;
+    PropulsorState more = s;
+    const double d = 1e-4 * def_.most_rps;
+    more.rps = s.rps + d;
+    const double slope = std::max(0.0, (open(more, flow, along).torque - load) / d);
+    const double wanted = load + inertia * (target - s.rps) / def_.response;
+    double most = def_.most_torque > 0.0 ? def_.most_torque : 1e300;
+    if (def_.most_power > 0.0)
+        most = std::min(most, def_.most_power / std::max(kTwoPi * std::abs(s.rps), 1e-6));
+    const double motor = std::clamp(wanted, -most, most);
+    const double rate = 1.0 / (inertia + step * slope);
+    const bool limited = motor != wanted;
+    double next = s.rps + step * (motor - load) * rate;
+    // Without a limit the response is exactly first order.
+    if (!limited) next = target - (target - s.rps) * std::exp(-step / def_.response);
+    s.rps = next;
+    s.power = kTwoPi * s.rps * motor;
+    if (limited && s.power_limited == 0) power = {true, s.power};
+    s.power_limited = limited ? 1 : 0;
+}
+
+void Propulsor::advance(PropulsorState& s, const Flow& flow, double step, Limit& turn,
+                        Limit& power) const noexcept {
+    double along = 0.0;
+    s.thrust = open(s, flow, along).thrust;
+    if (screw() && def_.controllable)
+        (void)follow(s.pitch, s.pitch_order, def_.pitch_time > 0.0 ? 1.0 / def_.pitch_time : 1e30,
+                     0.0, step);
+    if (screw() && def_.shaft_inertia > 0.0) {
+        turn_shaft(s, flow, step, power);
+    } else {
+        const double target = std::clamp(s.order, -1.0, 1.0);
+        (void)follow(s.level, target, def_.ramp > 0.0 ? 1.0 / def_.ramp : 1e30, 0.0, step);
+        if (screw()) {
+            s.rps = s.level * def_.most_rps;
+            s.power = kTwoPi * s.rps * open(s, flow, along).torque;
+        }
+    }
+    if (def_.kind != PropulsorKind::azimuth) return;
+    double target = s.angle_order;
+    if (!(def_.most_angle > 0.0)) target = s.angle + wrapped(s.angle_order - s.angle);
+    const bool limited = follow(s.angle, target, def_.turn_rate, 0.0, step);
+    if (!(def_.most_angle > 0.0)) s.angle = wrapped(s.angle);
+    if (limited && s.turning_limited == 0) turn = {true, def_.turn_rate};
+    s.turning_limited = limited ? 1 : 0;
+}
+
+Rudder::Rudder(const RudderDef& def, const Vec3& origin, int behind)
+    : def_(def),
+      at_(def.point.x() - origin.x(), origin.y() - def.point.y(), origin.z() - def.point.z()),
+      behind_(behind) {}
+
+Wrench Rudder::force(const RudderState& s, const Flow& flow, double thrust,
+                     double diameter) const noexcept {
+    const double u = (1.0 - def_.wake) * (flow.u() - at_.y() * flow.r());
+    const double v = flow.v() + at_.x() * flow.r();
+    double along = u;
+    if (diameter > 0.0 && thrust > 0.0) {
+        const double disc = 8.0 * thrust / (std::numbers::pi * flow.density * diameter * diameter);
+        const double start = std::max(u, 0.0);
+        const double jet = start + def_.slipstream * (std::sqrt(start * start + disc) - start);
+        const double mean =
+            std::sqrt(def_.covered * jet * jet + (1.0 - def_.covered) * start * start);
+        along = u > 0.0 ? mean : u + mean;
+    }
+    // δ > 0: the trailing edge to starboard; the flow past the rudder comes from (along, v).
+    const double attack = wrapped(s.angle - std::atan2(v, along));
+    const double normal =
+        0.5 * flow.density * def_.area * (along * along + v * v) * rudder_normal(def_, attack);
+    return push_at(at_, -normal * std::sin(s.angle),
+                   -(1.0 + def_.hull_increase) * normal * std::cos(s.angle));
+}
+
+void Rudder::advance(RudderState& s, double step, Limit& rate) const noexcept {
+    const bool limited = follow(s.angle, std::clamp(s.order, -def_.most_angle, def_.most_angle),
+                                def_.rate, 0.0, step);
+    if (limited && s.limited == 0) rate = {true, def_.rate};
+    s.limited = limited ? 1 : 0;
+}
+
+}  // namespace vessel
+}  // namespace hawser

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file hull_forces.h
+/// Resistance, cross-flow drag and polynomials of a hull (hawser/vessel_hull.h).
+
+#include <hawser/vessel_hull.h>
+
+#include "vessel/flow.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hawser::vessel {
+
+/// Variables of polynomials: those of lower-case letters, then magnitudes.
+enum Variable : std::uint8_t {
+    kU,
+    kV,
+    kR,
+    kP,
+    kRoll,
+    kRudder,
+    kRevolutions,
+    kDrift,
+    kAbsV,
+    kAbsR,
+    kAbsRudder,
+    kAbsRevolutions,
+    kAbsDrift
+};
+inline constexpr int kVariables = 13;
+inline constexpr std::size_t kMostPowers = 8;
+
+/// Number of the variable of a letter; −1: there is none.
+[[nodiscard]] int variable_of(char letter) noexcept;
+
+/// A polynomial that is ready to be evaluated.
+class Polynomial {
+  public:
+    Polynomial() = default;
+    /// The definition has been checked. @param mass  Of the body [kg].
+    Polynomial(const HullPolynomial& def, double mass);
+    [[nodiscard]] Wrench force(const Flow& flow) const noexcept;
+
+  private:
+    struct Term {
+        double value = 0.0;
+        std::int32_t axis = 0, powers = 0;
+        std::array<std::uint8_t, kMostPowers> of{};
+        bool driven = false;      ///< With rudder or revolutions.
+        bool propulsive = false;  ///< Holds the propeller; the same ahead and astern.
+    };
+    using Values = std::array<double, kVariables>;
+    [[nodiscard]] double value(const Term& term, const Values& at) const noexcept;
+    [[nodiscard]] Wrench sum(const Values& at, double ahead, double astern_u) const noexcept;
+    [[nodiscard]] Wrench by_speed(const Flow& flow) const noexcept;
+    [[nodiscard]] Wrench by_mass(const Flow& flow) const noexcept;
+
+    HullPolynomial def_;
+    double mass_ = 0.0;
+    std::vector<Term> terms_;
+};
+
+/// X of a resistance curve and of its formula [N].
+[[nodiscard]] double surge_force(const HullResistance& def, double u) noexcept;
+/// Y and N of cross-flow drag.
+[[nodiscard]] Wrench cross_flow_force(const CrossFlow& def, const Flow& flow) noexcept;
+
+}  // namespace hawser::vessel

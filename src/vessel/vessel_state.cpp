@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+/// State and signals of vessels.
+#include "vessel/vessel_system.h"
+
+#include <span>
+
+namespace hawser::vessel {
+namespace {
+
+constexpr double kMostState = 1e6;  ///< Of velocities [m/s, rad/s].
+
+}  // namespace
+
+void VesselSystem::visit_state(StateVisitor& v) {
+    v.visit(std::span<double>(last_velocity_.data(), 3));
+    v.visit(std::span<double>(last_spin_.data(), 3));
+    v.visit(started_);
+    v.visit(steering_limited_);
+    for (double* x : {&rudder_order_, &rps_order_, &rudder_, &rps_, &speed_, &ground_speed_,
+                      &drift_, &turn_rate_, &surge_, &sway_, &yaw_})
+        v.visit(*x);
+    for (PropulsorState& s : propulsor_) {
+        for (double* x : {&s.order, &s.angle_order, &s.pitch_order, &s.level, &s.rps, &s.angle,
+                          &s.pitch, &s.thrust, &s.power})
+            v.visit(*x);
+        v.visit(s.turning_limited);
+        v.visit(s.power_limited);
+    }
+    for (RudderState& s : rudder_state_) {
+        v.visit(s.order);
+        v.visit(s.angle);
+        v.visit(s.limited);
+    }
+}
+
+void VesselSystem::check_state(const World& world, StateRules& rules) const {
+    static_cast<void>(world);
+    constexpr double kSlack = 1.0 + 1e-12;
+    rules.flag(started_, "whether it has started is no flag");
+    rules.flag(steering_limited_, "whether the steering gear is at its limit is no flag");
+    for (const double x : last_velocity_)
+        rules.range(x, -kMostState, kMostState, "the last velocity is out of range");
+    for (const double x : last_spin_)
+        rules.range(x, -kMostState, kMostState, "the last turning rate is out of range");
+    const SteeringDef& steering = def_.steering;
+    rules.range(rudder_, -steering.most_angle * kSlack, steering.most_angle * kSlack,
+                "the rudder angle is out of range");
+    const double most = (steering.most_rps > 0.0 ? steering.most_rps : 2.0 * steering.rps) * kSlack;
+    rules.range(rps_, -most, most, "the revolutions are out of range");
+    for (std::size_t i = 0; i < propulsor_.size(); ++i) {
+        const PropulsorState& s = propulsor_[i];
+        const PropulsorDef& d = propulsors_[i].def();
+        const double angle = d.most_angle > 0.0 ? d.most_angle : 3.2;
+        rules.range(s.level, -kSlack, kSlack, "a propulsor's level is out of range");
+        rules.range(s.rps, -10.0 * d.most_rps * kSlack, 10.0 * d.most_rps * kSlack,
+                    "a propulsor's revolutions are out of range");
+        rules.range(s.angle, -angle * kSlack, angle * kSlack,
+                    "a propulsor's angle is out of range");
+        rules.range(s.pitch, -kSlack, kSlack, "a propulsor's pitch is out of range");
+        rules.flag(s.turning_limited, "whether a propulsor is at its turning rate is no flag");
+        rules.flag(s.power_limited, "whether a motor is at its limit is no flag");
+    }
+    for (std::size_t i = 0; i < rudder_state_.size(); ++i) {
+        const double angle = rudders_[i].def().most_angle * kSlack;
+        rules.range(rudder_state_[i].angle, -angle, angle, "a rudder's angle is out of range");
+        rules.flag(rudder_state_[i].limited, "whether a rudder is at its rate is no flag");
+    }
+}
+
+void VesselSystem::signals(SignalTable& table) {
+    if (has_set(def_)) {
+        const SteeringDef& s = def_.steering;
+        const double most = s.most_rps > 0.0 ? s.most_rps : 2.0 * s.rps;
+        table.input("rudder", "rad", rudder_order_, -s.most_angle, s.most_angle);
+        table.input("rps", "1/s", rps_order_, -most, most);
+        table.output("rudder_angle", "rad", rudder_);
+        table.output("shaft_rps", "1/s", rps_);
+    }
+    for (std::size_t i = 0; i < propulsor_.size(); ++i) {
+        PropulsorState& s = propulsor_[i];
+        const PropulsorDef& d = propulsors_[i].def();
+        table.input(d.name, "1", s.order, -1.0, 1.0);
+        table.output(d.name + "_thrust", "N", s.thrust);
+        if (propulsors_[i].screw()) {
+            table.output(d.name + "_rps", "1/s", s.rps);
+            table.output(d.name + "_power", "W", s.power);
+            if (d.controllable) {
+                table.input(d.name + "_pitch", "1", s.pitch_order, -1.0, 1.0);
+                table.output(d.name + "_set", "1", s.pitch);
+            }
+        }
+        if (d.kind != PropulsorKind::azimuth) continue;
+        const double angle = d.most_angle > 0.0 ? d.most_angle : 6.283185307179586;
+        table.input(d.name + "_angle", "rad", s.angle_order, -angle, angle);
+        table.output(d.name + "_turned", "rad", s.angle);
+    }
+    for (std::size_t i = 0; i < rudder_state_.size(); ++i) {
+        const RudderDef& d = rudders_[i].def();
+        table.input(d.name, "rad", rudder_state_[i].order, -d.most_angle, d.most_angle);
+        table.output(d.name + "_at", "rad", rudder_state_[i].angle);
+    }
+    table.output("speed", "m/s", speed_);
+    table.output("ground_speed", "m/s", ground_speed_);
+    table.output("drift", "rad", drift_);
+    table.output("turn_rate", "rad/s", turn_rate_);
+    table.output("surge_force", "N", surge_);
+    table.output("sway_force", "N", sway_);
+    table.output("yaw_moment", "N m", yaw_);
+}
+
+}  // namespace hawser::vessel

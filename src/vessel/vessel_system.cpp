@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vessel/vessel_system.h"
+
+#include <hawser/sea.h>
+#include <hawser/world.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hawser::vessel {
+namespace {
+
+/// Steps of difference quotients [m/s, rad/s]. Forces are of second order in the velocity, so that
+/// central differences are exact but for rounding.
+constexpr double kSpeedStep = 1e-3, kTurnStep = 1e-5;
+
+Mat3 cross_matrix(const Vec3& a) noexcept {
+    Mat3 out;
+    out << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+    return out;
+}
+
+/// From velocities of the centre of mass to those of O, both in the marine frame.
+Matrix6 to_origin(const Vec3& arm) noexcept {
+    Matrix6 out = Matrix6::Identity();
+    out.topRightCorner<3, 3>() = -cross_matrix(arm);
+    return out;
+}
+
+/// Symmetric positive semi-definite matrix nearest to an added mass, which loads need; the same one
+/// if it is such. @param radius  Scale of lengths [m].
+Matrix6 part_for_loads(const Matrix6& a, double radius) {
+    Wrench scale;
+    scale << 1.0, 1.0, 1.0, radius, radius, radius;
+    const Matrix6 symmetric = 0.5 * (a + a.transpose());
+    const Matrix6 scaled =
+        scale.cwiseInverse().asDiagonal() * symmetric * scale.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Matrix6> solver(scaled);
+    if (solver.eigenvalues().minCoeff() >= 0.0) return symmetric;
+    const Wrench kept = solver.eigenvalues().cwiseMax(0.0);
+    const Matrix6 out =
+        solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
+    // Rounding must not make it indefinite again.
+    Matrix6 back = scale.asDiagonal() * out * scale.asDiagonal();
+    back = (0.5 * (back + back.transpose())).eval();
+    back.diagonal() *= 1.0 + 1e-12;
+    return back;
+}
+
+const SystemSignal* find_signal(const World& world, std::string_view name) noexcept {
+    for (const SystemSignal& s : world.system_signals())
+        if (s.system == "sea" && s.name == name) return &s;
+    return nullptr;
+}
+
+double signal_or(const World& world, std::string_view name, double fallback) noexcept {
+    const SystemSignal* s = find_signal(world, name);
+    return s == nullptr ? fallback : *s->value;
+}
+
+/// Current at a depth below still water [m/s].
+Vec3 current_at(const std::vector<SeaCurrent>& profile, double depth) noexcept {
+    if (profile.empty()) return Vec3::Zero();
+    const auto flow = [](const SeaCurrent& c) {
+        return Vec3(c.speed * std::cos(c.direction), c.speed * std::sin(c.direction), 0.0);
+    };
+    if (depth <= profile.front().depth) return flow(profile.front());
+    for (std::size_t i = 1; i < profile.size(); ++i) {
+        const SeaCurrent &a = profile[i - 1], &b = profile[i];
+        if (depth <= b.depth) {
+            const double x = (depth - a.depth) / (b.depth - a.depth);
+            return (1.0 - x) * flow(a) + x * flow(b);
+        }
+    }
+    return flow(profile.back());
+}
+
+/// Mean wind at a height, of the profile of NPD (hawser/sea.h) [1].
+double wind_profile(double speed, double height) noexcept {
+    const double c = 0.0573 * std::sqrt(1.0 + 0.15 * speed);
+    return std::max(0.0, 1.0 + c * std::log(std::max(1.0, height) / 10.0));
+}
+
+}  // namespace
+
+Matrix6 rigid_mass(double mass, const Mat3& inertia, const Vec3& origin) {
+    // The body's axes at rest are (x, -y, -z) of the marine frame.
+    const Vec3 flip(1.0, -1.0, -1.0);
+    Matrix6 rigid = Matrix6::Zero();
+    rigid.topLeftCorner<3, 3>() = mass * Mat3::Identity();
+    rigid.bottomRightCorner<3, 3>() = flip.asDiagonal() * inertia * flip.asDiagonal();
+    const Matrix6 back = to_origin(-flip.cwiseProduct(origin));
+    return back.transpose() * rigid * back;
+}
+
+VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia)
+    : def_(std::move(def)),
+      mass_(mass),
+      inertia_(std::move(inertia)),
+      added_(part_for_loads(def_.added_mass, std::sqrt(inertia_.trace() / (3.0 * mass)))),
+      balance_(Matrix6::Identity()),
+      polynomial_(def_.polynomial, mass) {
+    for (const PropulsorDef& p : def_.propulsors) propulsors_.emplace_back(p, def_.origin);
+    for (const RudderDef& r : def_.rudders) {
+        int behind = -1;
+        for (std::size_t i = 0; i < def_.propulsors.size(); ++i)
+            if (!r.behind.empty() && def_.propulsors[i].name == r.behind)
+                behind = static_cast<int>(i);
+        rudders_.emplace_back(r, def_.origin, behind);
+    }
+    propulsor_.resize(propulsors_.size());
+    rudder_state_.resize(rudders_.size());
+    rps_ = rps_order_ = def_.steering.rps;
+    if (added_ == def_.added_mass) return;
+    const Matrix6 rigid = rigid_mass(mass_, inertia_, def_.origin);
+    balance_ = (rigid + added_) * Matrix6(rigid + def_.added_mass).inverse();
+    balanced_ = false;
+}
+
+bool VesselSystem::has_set(const VesselDef& def) noexcept {
+    return def.mmg.diameter > 0.0 || def.son_nomoto.diameter > 0.0 ||
+           std::any_of(
+               def.polynomial.terms.begin(), def.polynomial.terms.end(),
+               [](const HullTerm& t) { return t.of.find_first_of("dDnN") != std::string::npos; });
+}
+
+std::unique_ptr<System> VesselSystem::clone() const {
+    return std::make_unique<VesselSystem>(def_, mass_, inertia_);
+}
+
+void VesselSystem::read_sea(const World& world, Vec3& current, Vec3& wind,
+                            Motion& m) const noexcept {
+    m.flow.density = def_.density;
+    m.air = def_.wind.density;
+    const SeaDef* sea = find_sea(world);
+    if (sea == nullptr) return;
+    m.flow.density = sea->density;
+    m.air = sea->wind.density;
+    m.heave = still_water(world);
+    current = signal_or(world, "current", 1.0) * current_at(sea->current, 0.5 * def_.draught);
+    const double speed = signal_or(world, "wind", sea->wind.speed);
+    const double to = signal_or(world, "wind_direction", sea->wind.direction);
+    const double there = speed * wind_profile(speed, def_.wind.height);
+    wind = {there * std::cos(to), there * std::sin(to), 0.0};
+}
+
+VesselSystem::Motion VesselSystem::motion_of(const Prestep& now) noexcept {
+    Motion m;
+    const Pose pose = now.world.pose(def_.body);
+    const Twist twist = now.world.velocity(def_.body);
+    if (started_ == 0) {
+        last_velocity_ = twist.linear;
+        last_spin_ = twist.angular;
+        started_ = 1;
+    }
+    // Velocities are half a step old, those before a step and a half.
+    const Vec3 velocity = twist.linear + 0.5 * (twist.linear - last_velocity_);
+    const Vec3 spin = twist.angular + 0.5 * (twist.angular - last_spin_);
+    last_velocity_ = twist.linear;
+    last_spin_ = twist.angular;
+
+    const Mat3 body = pose.orientation.toRotationMatrix();
+    const double level = std::hypot(body(0, 0), body(1, 0));
+    const double c = level > 1e-9 ? body(0, 0) / level : 1.0;
+    const double s = level > 1e-9 ? body(1, 0) / level : 0.0;
+    m.axes << c, s, 0.0, s, -c, 0.0, 0.0, 0.0, -1.0;
+    const Mat3 to = m.axes.transpose();
+    const Vec3 arm = body * def_.origin;
+    m.arm = to * arm;
+    m.flow.roll = std::atan2(body(2, 1), body(2, 2));
+    m.pitch = std::asin(std::clamp(body(2, 0), -1.0, 1.0));
+    Vec3 current = Vec3::Zero(), wind = Vec3::Zero();
+    read_sea(now.world, current, wind, m);
+    m.heave -= pose.position.z() + arm.z();
+    const Vec3 spin_m = to * spin;
+    m.ground << to * velocity + spin_m.cross(m.arm), spin_m;
+    m.centre << to * (velocity - current), spin_m;
+    m.flow.motion << m.centre.head<3>() + spin_m.cross(m.arm), spin_m;
+    m.flow.rudder = rudder_;
+    m.flow.rps = rps_;
+    m.wind = to * wind - m.ground.head<3>();
+    return m;
+}
+
+Wrench VesselSystem::water_force(const Flow& flow) const noexcept {
+    Wrench out = -(def_.damping * flow.motion);
+    out[0] += surge_force(def_.resistance, flow.u());
+    out += cross_flow_force(def_.cross_flow, flow);
+    out += polynomial_.force(flow);
+    out += stern_force(def_.mmg, flow);
+    out += stern_force(def_.son_nomoto, flow);
+    for (std::size_t i = 0; i < propulsors_.size(); ++i)
+        out += propulsors_[i].force(propulsor_[i], flow);
+    for (std::size_t i = 0; i < rudders_.size(); ++i) {
+        double thrust = 0.0, diameter = 0.0, along = 0.0;
+        if (const int b = rudders_[i].behind(); b >= 0) {
+            const auto j = static_cast<std::size_t>(b);
+            thrust = propulsors_[j].open(propulsor_[j], flow, along).thrust;
+            diameter = propulsors_[j].def().propeller.diameter;
+        }
+        out += rudders_[i].force(rudder_state_[i], flow, thrust, diameter);
+    }
+    return out;
+}
+
+Wrench VesselSystem::wind_force(const Motion& m) const noexcept {
+    Wrench out = Wrench::Zero();
+    const WindLoad& w = def_.wind;
+    if (w.ship == WindShip::none) return out;
+    const double square = m.wind.x() * m.wind.x() + m.wind.y() * m.wind.y();
+    const double from = std::atan2(-m.wind.y(), -m.wind.x());
+    const WindCoefficients c = wind_coefficients(w, from);
+    const double q = 0.5 * m.air * square;
+    out[0] = q * c.x * w.frontal_area;
+    out[1] = q * c.y * w.lateral_area;
+    out[3] = q * c.k * w.lateral_area * w.lateral_area / w.length;
+    out[5] = q * c.n * w.lateral_area * w.length;
+    return out;
+}
+
+/// −C_A ν of the added mass.
+Wrench VesselSystem::added_coriolis(const Motion& m) const noexcept {
+    Wrench out = Wrench::Zero();
+    const Matrix6& a = def_.added_mass;
+    const Wrench& flow = m.flow.motion;
+    switch (def_.coriolis) {
+        case AddedCoriolis::none:
+            break;
+        case AddedCoriolis::planar:
+            out[0] += a(1, 1) * flow[1] * flow[5];
+            out[1] -= a(0, 0) * flow[0] * flow[5];
+            break;
+        case AddedCoriolis::full:
+        case AddedCoriolis::at_rest: {
+            const Wrench& of = def_.coriolis == AddedCoriolis::at_rest ? m.ground : flow;
+            const Wrench momentum = 0.5 * (a * of + a.transpose() * of);
+            const Vec3 v = flow.head<3>(), w = flow.tail<3>(), p = momentum.head<3>();
+            out.head<3>() -= w.cross(p);
+            out.tail<3>() -= v.cross(p) + w.cross(Vec3(momentum.tail<3>()));
+        }
+    }
+    return out;
+}
+
+/// Load of forces τ of the marine frame: P (τ − c) + c + A (Ω × ν), with P = M_s M⁻¹ and the
+/// Coriolis force −c of the body's own mass, which the world has.
+Wrench VesselSystem::load_of(const Motion& m, const Wrench& force) const noexcept {
+    const Vec3 turn{0.0, 0.0, m.flow.r()};
+    const Vec3 linear = m.centre.head<3>(), angular = m.centre.tail<3>();
+    Wrench turned;
+    turned << turn.cross(linear), turn.cross(angular);
+    const Vec3 own = mass_ * turn.cross(linear);
+    Wrench centripetal;
+    centripetal << own, -m.arm.cross(own);  // acts at the centre of mass
+    Wrench out = force;
+    if (!def_.polynomial.own_coriolis) out -= centripetal;
+    if (!balanced_) out = (balance_ * out).eval();
+    return out + centripetal + added_ * turned;
+}
+
+void VesselSystem::add_loads(Loads& loads, const Motion& m, const Wrench& force,
+                             const Wrench& damping) const noexcept {
+    Matrix6 b = to_origin(m.arm);
+    Matrix6 turn = Matrix6::Zero();
+    turn.topLeftCorner<3, 3>() = m.axes.transpose();
+    turn.bottomRightCorner<3, 3>() = m.axes.transpose();
+    b = (b * turn).eval();
+    const Wrench at = b.transpose() * force;
+    loads.add_force(def_.body, at.head<3>(), at.tail<3>());
+    const auto in_world = [&](const Matrix6& of) {
+        const Matrix6 out = b.transpose() * of * b;
+        return Matrix6(0.5 * (out + out.transpose()));
+    };
+    loads.add_mass(def_.body, in_world(added_));
+    loads.add_damping(def_.body, in_world(Matrix6(damping.asDiagonal())));
+    if (!def_.restoring.isZero(0.0)) loads.add_stiffness(def_.body, in_world(def_.restoring));
+}
+
+void VesselSystem::advance(Prestep& now, const Flow& flow) noexcept {
+    const SteeringDef& s = def_.steering;
+    const bool limited = follow(rudder_, std::clamp(rudder_order_, -s.most_angle, s.most_angle),
+                                s.rate, s.lag, now.step);
+    if (limited && steering_limited_ == 0) now.tell(EventKind::saturation, def_.body, s.rate);
+    steering_limited_ = limited ? 1 : 0;
+    rps_ = s.shaft_lag > 0.0 ? rps_order_ - (rps_order_ - rps_) * std::exp(-now.step / s.shaft_lag)
+                             : rps_order_;
+    for (std::size_t i = 0; i < propulsors_.size(); ++i) {
+        Limit turn, power;
+        propulsors_[i].advance(propulsor_[i], flow, now.step, turn, power);
+        if (turn.met) now.tell(EventKind::saturation, def_.body, turn.value);
+        if (power.met) now.tell(EventKind::saturation, def_.body, power.value);
+    }
+    for (std::size_t i = 0; i < rudders_.size(); ++i) {
+        Limit rate;
+        rudders_[i].advance(rudder_state_[i], now.step, rate);
+        if (rate.met) now.tell(EventKind::saturation, def_.body, rate.value);
+    }
+}
+
+void VesselSystem::prestep(Prestep& now, Loads& loads) noexcept {
+    const Motion m = motion_of(now);
+    const Flow& flow = m.flow;
+    const Wrench water = water_force(flow);
+    Wrench damping = Wrench::Zero();
+    for (int i = 0; i < 6; ++i) {
+        const double d = i < 3 ? kSpeedStep : kTurnStep;
+        Flow less = flow, more = flow;
+        less.motion[i] -= d;
+        more.motion[i] += d;
+        damping[i] = std::max(0.0, (water_force(less)[i] - water_force(more)[i]) / (2.0 * d));
+    }
+    Wrench place = Wrench::Zero();
+    place[2] = m.heave;
+    place[3] = flow.roll;
+    place[4] = m.pitch;
+    Wrench force =
+        load_of(m, water + wind_force(m) + added_coriolis(m) - Wrench(def_.restoring * place));
+    force += damping.cwiseProduct(m.ground);
+    add_loads(loads, m, force, damping);
+
+    speed_ = std::hypot(flow.u(), flow.v());
+    ground_speed_ = std::hypot(m.ground[0], m.ground[1]);
+    drift_ = speed_ > 1e-9 ? std::atan2(-flow.v(), flow.u()) : 0.0;
+    turn_rate_ = flow.r();
+    surge_ = water[0];
+    sway_ = water[1];
+    yaw_ = water[5];
+    advance(now, flow);
+}
+
+}  // namespace hawser::vessel

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file vessel_system.h
+/// Loads of a vessel at the beginning of each step (hawser/vessel.h).
+///
+/// With the velocities ν* of O at the begin of the step, the matrix B from velocities of the centre
+/// of mass in the world frame to those of O in the marine frame, and D_i = −∂τ_i/∂ν_i ≥ 0:
+/// ```
+///     f = Bᵀ (τ(ν*) + D ν* + A (Ω × ν)* − C_A ν* − G η)     A, D, K = Bᵀ (A, D, G) B
+/// ```
+/// Loads take positive semi-definite masses alone. Of another A, as published sets may have, the
+/// nearest such part A_s is the load's, and the forces are multiplied with
+/// P = (M_RB + A_s)(M_RB + A)⁻¹, which gives the same accelerations.
+///
+/// A (Ω × ν) turns the acceleration of the world frame, which the mass of a load meets, into that
+/// of the marine frame, which turns with Ω = (0, 0, r).
+
+#include <hawser/system.h>
+#include <hawser/vessel.h>
+
+#include "vessel/actuators.h"
+#include "vessel/flow.h"
+#include "vessel/hull_forces.h"
+#include "vessel/stern.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hawser::vessel {
+
+/// Mass matrix of a body at O, marine frame, upright. @param origin  O from the centre of mass, in
+/// the body's frame.
+[[nodiscard]] Matrix6 rigid_mass(double mass, const Mat3& inertia, const Vec3& origin);
+
+class VesselSystem final : public System {
+  public:
+    /// The definition has been checked. @param mass, inertia  Of the body.
+    VesselSystem(VesselDef def, double mass, Mat3 inertia);
+
+    [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
+    void prestep(Prestep& now, Loads& loads) noexcept override;
+    void visit_state(StateVisitor& visitor) override;
+    void check_state(const World& world, StateRules& rules) const override;
+    void signals(SignalTable& table) override;
+    void holds(HoldTable& table) const override { table.hold(def_.body); }
+    [[nodiscard]] std::unique_ptr<System> clone() const override;
+    [[nodiscard]] const VesselDef& def() const noexcept { return def_; }
+    /// True if the input `rudder` and `rps` drive a coefficient set.
+    [[nodiscard]] static bool has_set(const VesselDef& def) noexcept;
+
+  private:
+    /// Place and motion of the ship in one step.
+    struct Motion {
+        Flow flow;
+        Wrench ground = Wrench::Zero();  ///< Velocity of O over ground, marine frame.
+        Wrench centre = Wrench::Zero();  ///< Of the centre of mass through the water.
+        Vec3 arm{0.0, 0.0, 0.0};         ///< O from the centre of mass, marine frame.
+        Mat3 axes = Mat3::Identity();    ///< Columns: marine axes in the world.
+        Vec3 wind{0.0, 0.0, 0.0};        ///< Past the ship, marine frame.
+        double air = 0.0;                ///< Density [kg/m³].
+        double heave = 0.0, pitch = 0.0;
+    };
+    [[nodiscard]] Motion motion_of(const Prestep& now) noexcept;
+    void read_sea(const World& world, Vec3& current, Vec3& wind, Motion& m) const noexcept;
+    /// Forces that depend on the velocity through the water.
+    [[nodiscard]] Wrench water_force(const Flow& flow) const noexcept;
+    [[nodiscard]] Wrench wind_force(const Motion& m) const noexcept;
+    [[nodiscard]] Wrench added_coriolis(const Motion& m) const noexcept;
+    [[nodiscard]] Wrench load_of(const Motion& m, const Wrench& force) const noexcept;
+    void add_loads(Loads& loads, const Motion& m, const Wrench& force,
+                   const Wrench& damping) const noexcept;
+    void advance(Prestep& now, const Flow& flow) noexcept;
+
+    VesselDef def_;
+    double mass_;
+    Mat3 inertia_;
+    Matrix6 added_;    ///< Symmetric positive semi-definite part of A, as a load.
+    Matrix6 balance_;  ///< P = M_s M⁻¹; identity if that is all of A.
+    bool balanced_ = true;
+    Polynomial polynomial_;
+    std::vector<Propulsor> propulsors_;
+    std::vector<Rudder> rudders_;
+
+    // State.
+    Vec3 last_velocity_{0.0, 0.0, 0.0}, last_spin_{0.0, 0.0, 0.0};
+    std::int32_t started_ = 0, steering_limited_ = 0;
+    double rudder_order_ = 0.0, rps_order_ = 0.0;  ///< Inputs.
+    double rudder_ = 0.0, rps_ = 0.0;
+    std::vector<PropulsorState> propulsor_;
+    std::vector<RudderState> rudder_state_;
+    // Outputs, part of the state.
+    double speed_ = 0.0, ground_speed_ = 0.0, drift_ = 0.0, turn_rate_ = 0.0;
+    double surge_ = 0.0, sway_ = 0.0, yaw_ = 0.0;
+};
+
+}  // namespace hawser::vessel
