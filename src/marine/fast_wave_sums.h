@@ -13,6 +13,8 @@
 ///   groups alone; fast_waves.h derives from its depth how many.
 /// - **Polynomials** (E. Y. Remez, 1934) have errors of single precision: √2 sin πf and √2 cos πf
 ///   of degree 9 and 8, 5e-9 and 7e-8; 2^x of degree 5, 8e-8 of itself.
+/// - **Decay**: e^(−kζ) is that of the middle of a group times e^x of degree 4, 5e-7 of itself,
+///   while |x| ≤ ¼.
 ///
 /// Sums are taken in an order that depends on the instruction set alone.
 
@@ -22,6 +24,8 @@ namespace hawser::marine {
 
 /// Components of a group: one vector of AVX-512, two of AVX2.
 inline constexpr int kFastGroup = 16;
+/// Groups of the most components, padded to a vector of AVX-512.
+inline constexpr int kMostFastGroups = 32;
 
 /// Rows of the table in single precision, each of `padded` entries; padding is 0.
 enum FastRow : int {
@@ -29,6 +33,7 @@ enum FastRow : int {
     kFastTurnsY,
     kFastAmplitude,  ///< a [m].
     kFastDecay,      ///< −k log₂e [1/m].
+    kFastOffset,     ///< −(k − that of its group's middle) [1/m].
     kFastBottom,     ///< −2 k d log₂e.
     kFastSpeedX,     ///< a ω k_x/k / (1 − e^(−2kd)) [m/s].
     kFastSpeedY,
@@ -50,21 +55,31 @@ struct FastExtent {
     int stretching = 0;  ///< That the elevation takes, of points under water.
 };
 
+/// Table in single precision.
+struct FastTable {
+    const float* rows;    ///< kFastRows of `padded`.
+    const float* middle;  ///< −k log₂e of the middle of each group, kMostFastGroups [1/m].
+    const float* width;   ///< Largest |k − that of the middle| of each group [1/m].
+    int padded;
+
+    [[nodiscard]] const float* row(FastRow r) const noexcept { return rows + r * padded; }
+};
+
 struct FastWaveKernels {
     /// Turns of the first groups at (x, y), reduced. @param rows  kReferenceRows of `padded`.
     void (*refer)(const double* rows, int padded, int groups, double x, double y,
                   float* turns) noexcept;
     /// Σ a cos θ of the first groups at kWavePoints points. @param dx, dy  From the reference [m].
     /// @param circle  Written: h, then f of each component, 2 padded entries a point.
-    void (*surface)(const float* table, int padded, int groups, const float* turns,
-                    const float* dx, const float* dy, float* circle, double* sum) noexcept;
-    /// Velocity and acceleration at one point. @param circle  Its h and f. @param depth  −z' ≥ 0.
-    /// The pressure of `out` is set to 0.
-    void (*sums)(const float* table, int padded, FastExtent of, const float* circle, double depth,
-                 WaveSums& out) noexcept;
-    /// Dynamic pressure over density at one point.
-    double (*pressure)(const float* table, int padded, FastExtent of, const float* circle,
-                       double depth) noexcept;
+    void (*surface)(const FastTable& table, int groups, const float* turns, const float* dx,
+                    const float* dy, float* circle, double* sum) noexcept;
+    /// Velocity and acceleration at 1 to kWavePoints points. @param circle  Of surface().
+    /// @param depth  −z' ≥ 0 of each. The pressures of `out` are set to 0.
+    void (*sums)(const FastTable& table, const FastExtent* of, const float* circle,
+                 const double* depth, int count, WaveSums* out) noexcept;
+    /// Dynamic pressure over density at 1 to kWavePoints points.
+    void (*pressure)(const FastTable& table, const FastExtent* of, const float* circle,
+                     const double* depth, int count, double* out) noexcept;
 };
 
 /// For the instruction set in use.

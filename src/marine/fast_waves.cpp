@@ -15,7 +15,7 @@ namespace {
 constexpr double kLeftOut = kKinematicTolerance / 8.0;        ///< Of components left out.
 constexpr double kPhaseShare = 0.375 * kKinematicTolerance;   ///< Of rounded phases.
 constexpr double kSingle = 0x1p-24;                           ///< Unit of rounding.
-constexpr double kNoBottom = 23.0;  ///< Where e^(−2kd + kζ) is below 1e-10 it is left out.
+constexpr double kNoBottom = 16.0;  ///< Where e^(−2kd + kζ) is below 1.2e-7 it is left out.
 
 /// Amplitudes at still water of one component.
 struct Motion {
@@ -85,6 +85,12 @@ void FastWaves::fill_tables() {
     const auto padded = static_cast<std::size_t>(padded_);
     table_.assign(kFastRows * padded, 0.0F);
     reference_.assign(kReferenceRows * padded, 0.0);
+    middle_.assign(kMostFastGroups, 0.0F);
+    width_.assign(kMostFastGroups, 0.0F);
+    const auto middle_of = [&](std::size_t group) {
+        const std::size_t last = std::min((group + 1) * kFastGroup, waves_.size()) - 1;
+        return 0.5 * (waves_[group * kFastGroup].wave_number + waves_[last].wave_number);
+    };
     for (std::size_t i = 0; i < waves_.size(); ++i) {
         const WaveComponent& w = waves_[i];
         const auto set = [&](FastRow row, double value) {
@@ -98,6 +104,11 @@ void FastWaves::fill_tables() {
         set(kFastTurnsY, k * dy / kTwoPi);
         set(kFastAmplitude, w.amplitude);
         set(kFastDecay, -k * std::numbers::log2e);
+        const double middle = middle_of(i / kFastGroup);
+        set(kFastOffset, middle - k);
+        float& width = width_[i / kFastGroup];
+        width = std::max(width, static_cast<float>(std::abs(middle - k)));
+        middle_[i / kFastGroup] = static_cast<float>(-middle * std::numbers::log2e);
         set(kFastBottom, -2.0 * k * sea_depth_ * std::numbers::log2e);
         set(kFastSpeedX, speed * dx);
         set(kFastSpeedY, speed * dy);

@@ -50,7 +50,9 @@ class FastWaves {
     void begin(std::span<const double> phase) noexcept;
     [[nodiscard]] int padded() const noexcept { return padded_; }
     [[nodiscard]] int groups() const noexcept { return padded_ / kFastGroup; }
-    [[nodiscard]] const float* table() const noexcept { return table_.data(); }
+    [[nodiscard]] FastTable table() const noexcept {
+        return {table_.data(), middle_.data(), width_.data(), padded_};
+    }
     [[nodiscard]] const double* reference() const noexcept { return reference_.data(); }
     /// Largest distance of a point from its reference [m].
     [[nodiscard]] double reach() const noexcept { return reach_; }
@@ -84,7 +86,7 @@ class FastWaves {
     double reach_ = 0.0, highest_ = 0.0;
     std::vector<std::size_t> order_;  ///< Components by ascending wave number.
     std::vector<WaveComponent> waves_;  ///< In this order.
-    base::Array<float> table_;
+    base::Array<float> table_, middle_, width_;
     base::Array<double> reference_;
     /// By group: depth from which it and all behind it are left out, and lowest wave number.
     std::vector<double> below_, stretch_below_, lowest_;

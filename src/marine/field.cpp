@@ -11,7 +11,8 @@ namespace {
 
 /// Cosines and sines of the components at the points of a batch, in double or single precision.
 constexpr int kCircle = 2 * kMaxWaveComponents * kWavePoints;
-static_assert(kMaxWaveComponents % kFastGroup == 0);
+static_assert(kMaxWaveComponents % kFastGroup == 0 &&
+              kMaxWaveComponents <= kFastGroup * kMostFastGroups);
 
 }  // namespace
 
@@ -109,7 +110,7 @@ void WaterField::fast_surfaces(const FieldPoint* points, const Cluster& of,
         dx[i] = static_cast<float>(from.x - of.x);
         dy[i] = static_cast<float>(from.y - of.y);
     }
-    fast_.kernels().surface(fast_.table(), fast_.padded(), of.groups, of.turns, dx, dy,
+    fast_.kernels().surface(fast_.table(), of.groups, of.turns, dx, dy,
                                 batch.floats(), batch.surface);
 }
 
@@ -132,17 +133,20 @@ void WaterField::surfaces(const FieldPoint* points, const Cluster& of, Batch& ba
 }
 
 void WaterField::motions(const FieldPoint* points, Batch& batch, WaterPoint* out) const noexcept {
-    double still[kWavePoints];
-    std::fill_n(still, kWavePoints, -std::numeric_limits<double>::infinity());
-    for (int i = 0; i < batch.count; ++i)
-        still[i] = stretched(sea_->depth(), points[batch.first + i].z, batch.surface[i]);
     WaveSums sums[kWavePoints];
     if (batch.fast) {
-        const int stride = 2 * fast_.padded();
-        for (int i = 0; i < batch.count; ++i)
-            fast_.kernels().sums(fast_.table(), fast_.padded(), fast_.extent(-still[i]),
-                                     batch.floats() + i * stride, -still[i], sums[i]);
+        double depth[kWavePoints] = {};
+        FastExtent extent[kWavePoints];
+        for (int i = 0; i < batch.count; ++i) {
+            depth[i] = still_depth(points[batch.first + i].z, batch.surface[i]);
+            extent[i] = fast_.extent(depth[i]);
+        }
+        fast_.kernels().sums(fast_.table(), extent, batch.floats(), depth, batch.count, sums);
     } else {
+        double still[kWavePoints];
+        std::fill_n(still, kWavePoints, -std::numeric_limits<double>::infinity());
+        for (int i = 0; i < batch.count; ++i)
+            still[i] = -still_depth(points[batch.first + i].z, batch.surface[i]);
         const WaveKernel& by = batch.count == 1 ? wave_kernels().one : wave_kernels().many;
         by.sums(table_.data(), padded_, batch.circle, still, sums);
     }
@@ -154,28 +158,34 @@ void WaterField::motions(const FieldPoint* points, Batch& batch, WaterPoint* out
 }
 
 void WaterField::pressures(const FieldPoint* points, Batch& batch, double* rise) const noexcept {
-    double still[kWavePoints], sum[kWavePoints] = {};
+    double still[kWavePoints], sum[kWavePoints] = {}, deepest = 0.0;
     std::fill_n(still, kWavePoints, -std::numeric_limits<double>::infinity());
     bool wet = false;
     for (int i = 0; i < batch.count; ++i) {
         const double z = points[batch.first + i].z;
         if (!(z < batch.surface[i])) continue;
         still[i] = stretched(sea_->depth(), z, batch.surface[i]);
+        deepest = std::max(deepest, -still[i]);
         wet = true;
-        if (batch.fast)
-            sum[i] = fast_.kernels().pressure(
-                fast_.table(), fast_.padded(), fast_.extent(-still[i]),
-                batch.floats() + 2 * i * fast_.padded(), -still[i]);
     }
-    if (!batch.fast && wet) {
+    if (!wet) return;
+    if (batch.fast) {
+        FastExtent extent[kWavePoints];
+        double depth[kWavePoints] = {};
+        for (int i = 0; i < batch.count; ++i) {
+            depth[i] = std::min(-still[i], deepest);  // dry points: that of a wet one
+            extent[i] = fast_.extent(depth[i]);
+        }
+        fast_.kernels().pressure(fast_.table(), extent, batch.floats(), depth, batch.count, sum);
+    } else {
         const WaveKernel& by = batch.count == 1 ? wave_kernels().one : wave_kernels().many;
         by.pressure(table_.data(), padded_, batch.circle, still, sum);
     }
-    for (int i = 0; i < batch.count; ++i) rise[i] = now_->waves * sea_->density() * sum[i];
+    for (int i = 0; i < batch.count; ++i)
+        if (std::isfinite(still[i])) rise[i] = now_->waves * sea_->density() * sum[i];
 }
 
 void WaterField::water(const FieldPoint* points, int count, WaterPoint* out) const noexcept {
-    std::fill_n(out, count, WaterPoint{});
     Cluster cluster;
     Batch batch;
     for (int first = 0; first < count; first += kWavePoints) {
@@ -186,6 +196,8 @@ void WaterField::water(const FieldPoint* points, int count, WaterPoint* out) con
             if (first >= cluster.end) refer(points, first, count, false, cluster);
             surfaces(points, cluster, batch);
             motions(points, batch, out + first);
+        } else {
+            std::fill_n(out + first, batch.count, WaterPoint{});
         }
         for (int i = 0; i < batch.count; ++i) {
             WaterPoint& at = out[first + i];

@@ -22,14 +22,16 @@ constexpr double kFastWholeDouble = 6755399441055744.0;  // 1.5 · 2^52
 
 HAWSER_FAST Floats floats_at(const float* p) { return *reinterpret_cast<const Floats*>(p); }
 HAWSER_FAST void put_floats(float* p, Floats v) { *reinterpret_cast<Floats*>(p) = v; }
-/// Sum of the lanes in double precision, in a fixed order.
+/// Sum of the lanes, by halves.
 HAWSER_FAST double total_of(Floats v) {
-    double sum[2] = {};
-    for (int i = 0; i < kFloats; i += 2) {
-        sum[0] += static_cast<double>(v[i]);
-        sum[1] += static_cast<double>(v[i + 1]);
-    }
-    return sum[0] + sum[1];
+#if defined(__AVX512F__)
+    v += __builtin_shuffle(v, FloatBits{8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7});
+    v += __builtin_shuffle(v, FloatBits{4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11});
+#elif defined(__AVX2__)
+    v += __builtin_shuffle(v, FloatBits{4, 5, 6, 7, 0, 1, 2, 3});
+#endif
+    return (static_cast<double>(v[0]) + static_cast<double>(v[1])) +
+           (static_cast<double>(v[2]) + static_cast<double>(v[3]));
 }
 
 /// √2 sin πx by x times a polynomial of x², √2 cos πx by one, on [−½, ½], and 2^x on [−½, ½].
@@ -39,6 +41,9 @@ constexpr float kFastCosine[] = {1.41421349657F, -6.97885098845F, 5.73946117522F
                                  0.310698256468F};
 constexpr float kFastPower[] = {1.00000007165F,    0.693146967067F,   0.240221197247F,
                                 0.0555071325874F, 0.00967554136335F, 0.00132764778088F};
+
+/// e^x on [−¼, ¼], 5e-7 of itself.
+constexpr float kFastExp[] = {0.999999895035F, 0.99998996526F, 0.50001183315F, 0.167315329953F, 0.0415582890504F};
 
 template <int N>
 HAWSER_FAST Floats fast_series(const float (&c)[N], Floats x) {
@@ -63,12 +68,12 @@ void refer(const double* rows, int padded, int groups, double x, double y, float
     }
 }
 
-void fast_surface(const float* table, int padded, int groups, const float* turns, const float* dx,
+void fast_surface(const marine::FastTable& table, int groups, const float* turns, const float* dx,
                   const float* dy, float* circle, double* sum) noexcept {
     constexpr int kPoints = marine::kWavePoints;
-    const float *kx = table + marine::kFastTurnsX * padded,
-                *ky = table + marine::kFastTurnsY * padded,
-                *a = table + marine::kFastAmplitude * padded;
+    const int padded = table.padded;
+    const float *kx = table.row(marine::kFastTurnsX), *ky = table.row(marine::kFastTurnsY),
+                *a = table.row(marine::kFastAmplitude);
     Floats all[kPoints]{};
     for (int i = 0; i < groups * marine::kFastGroup; i += kFloats) {
         const Floats along = floats_at(kx + i), across = floats_at(ky + i),
@@ -87,73 +92,159 @@ void fast_surface(const float* table, int padded, int groups, const float* turns
     for (int p = 0; p < kPoints; ++p) sum[p] = total_of(all[p]);
 }
 
+/// e^(−k ζ) of the middle wave numbers of the first groups, for all points of a batch at once.
+struct GroupPowers {
+    alignas(64) float of[marine::kWavePoints][marine::kMostFastGroups];
+
+    HAWSER_FAST GroupPowers(const float* middle, int groups, const float* depth) {
+        for (int g = 0; g < groups; g += kFloats) {
+            const Floats rate = floats_at(middle + g);
+#pragma GCC unroll 4
+            for (int p = 0; p < marine::kWavePoints; ++p)
+                put_floats(of[p] + g, fast_power(rate * depth[p]));
+        }
+    }
+};
+/// How e^(−k ζ) of a group is computed: from that of its middle, by a series of (k − that of the
+/// middle) ζ, or of a quarter of it and two squarings; or by itself.
+enum class Falling { near, far, alone };
+constexpr float kNearest = 0.25F, kFarthest = 1.0F;
+
+/// e^(−k ζ) of the components from i on, over that of their group's middle unless `alone`.
+template <Falling By>
+HAWSER_FAST Floats falling(const marine::FastTable& table, int i, float depth) {
+    if constexpr (By == Falling::alone)
+        return fast_power(floats_at(table.row(marine::kFastDecay) + i) * depth);
+    const Floats offset = floats_at(table.row(marine::kFastOffset) + i);
+    if constexpr (By == Falling::near) return fast_series(kFastExp, offset * depth);
+    Floats root = fast_series(kFastExp, offset * (0.25F * depth));
+    root *= root;
+    return root * root;
+}
+
 struct FastSums {
     Floats u[3]{}, a[3]{};
 };
 
-/// Groups [begin, end); with the mirror image below the bottom or without.
-template <bool Bottom>
-HAWSER_FAST void add_groups(const float* table, int padded, int begin, int end,
-                            const float* circle, float depth, FastSums& to) {
-    const auto row = [&](int r) __attribute__((always_inline)) { return table + r * padded; };
-    const float *decay = row(marine::kFastDecay), *bottom = row(marine::kFastBottom);
-    const float *ux = row(marine::kFastSpeedX), *uy = row(marine::kFastSpeedY),
-                *uz = row(marine::kFastSpeedZ), *ax = row(marine::kFastRateX),
-                *ay = row(marine::kFastRateY), *az = row(marine::kFastRateZ);
-    for (int i = begin * marine::kFastGroup; i < end * marine::kFastGroup; i += kFloats) {
-        const Floats h = floats_at(circle + i), f = floats_at(circle + padded + i);
+/// One group, with the mirror image below the bottom or without.
+/// @param middle  e^(−k ζ) of its middle, or 1.
+template <Falling By, bool Bottom>
+HAWSER_FAST void add_group(const marine::FastTable& table, int group, const float* circle,
+                           float depth, float middle, FastSums& to) {
+    const int begin = group * marine::kFastGroup;
+#pragma GCC unroll 4
+    for (int i = begin; i < begin + marine::kFastGroup; i += kFloats) {
+        const auto at = [&](marine::FastRow r) __attribute__((always_inline)) {
+            return floats_at(table.row(r) + i);
+        };
+        const Floats h = floats_at(circle + i), f = floats_at(circle + table.padded + i);
         const Floats c = 1.0F - h * h, s = h * fast_series(kFastCosine, f * f);
-        const Floats exponent = floats_at(decay + i) * depth, up = fast_power(exponent);
+        const Floats up = falling<By>(table, i, depth) * middle;
         Floats level = up, steep = up;
         if constexpr (Bottom) {
-            const Floats down = fast_power(floats_at(bottom + i) - exponent);
+            const Floats down = fast_power(at(marine::kFastBottom) - at(marine::kFastDecay) * depth);
             level += down;
             steep -= down;
         }
         const Floats lc = level * c, ls = level * s, sc = steep * c, ss = steep * s;
-        to.u[0] += lc * floats_at(ux + i);
-        to.u[1] += lc * floats_at(uy + i);
-        to.u[2] += ss * floats_at(uz + i);
-        to.a[0] += ls * floats_at(ax + i);
-        to.a[1] += ls * floats_at(ay + i);
-        to.a[2] -= sc * floats_at(az + i);
+        to.u[0] += lc * at(marine::kFastSpeedX);
+        to.u[1] += lc * at(marine::kFastSpeedY);
+        to.u[2] += ss * at(marine::kFastSpeedZ);
+        to.a[0] += ls * at(marine::kFastRateX);
+        to.a[1] += ls * at(marine::kFastRateY);
+        to.a[2] -= sc * at(marine::kFastRateZ);
     }
 }
 
-void fast_sums(const float* table, int padded, marine::FastExtent of, const float* circle,
-               double depth, marine::WaveSums& out) noexcept {
-    FastSums all;
-    const auto down = static_cast<float>(depth);
-    add_groups<true>(table, padded, 0, of.bottom, circle, down, all);
-    add_groups<false>(table, padded, of.bottom, of.groups, circle, down, all);
-    for (int k = 0; k < 3; ++k) {
-        out.u[k] = total_of(all.u[k]);
-        out.a[k] = total_of(all.a[k]);
-    }
-    out.p = 0.0;
-}
-
-template <bool Bottom>
-HAWSER_FAST void add_pressures(const float* table, int padded, int begin, int end,
-                               const float* circle, float depth, Floats& to) {
-    const float *decay = table + marine::kFastDecay * padded,
-                *bottom = table + marine::kFastBottom * padded,
-                *weight = table + marine::kFastPressure * padded;
-    for (int i = begin * marine::kFastGroup; i < end * marine::kFastGroup; i += kFloats) {
-        const Floats h = floats_at(circle + i), exponent = floats_at(decay + i) * depth;
-        Floats level = fast_power(exponent);
-        if constexpr (Bottom) level += fast_power(floats_at(bottom + i) - exponent);
-        to += level * (1.0F - h * h) * floats_at(weight + i);
+/// All groups of one point.
+HAWSER_FAST void add_point_groups(const marine::FastTable& table, const marine::FastExtent& of,
+                                  const float* circle, float depth, const float* middle,
+                                  FastSums& to) {
+    for (int g = 0; g < of.bottom; ++g)
+        add_group<Falling::alone, true>(table, g, circle, depth, 1.0F, to);
+    for (int g = of.bottom; g < of.groups; ++g) {
+        const float apart = table.width[g] * depth;
+        if (apart <= kNearest)
+            add_group<Falling::near, false>(table, g, circle, depth, middle[g], to);
+        else if (apart <= kFarthest)
+            add_group<Falling::far, false>(table, g, circle, depth, middle[g], to);
+        else
+            add_group<Falling::alone, false>(table, g, circle, depth, 1.0F, to);
     }
 }
 
-double fast_pressure(const float* table, int padded, marine::FastExtent of, const float* circle,
-                     double depth) noexcept {
-    Floats all{};
-    const auto down = static_cast<float>(depth);
-    add_pressures<true>(table, padded, 0, of.bottom, circle, down, all);
-    add_pressures<false>(table, padded, of.bottom, of.groups, circle, down, all);
-    return total_of(all);
+/// Depths in single precision; slots beyond `count` repeat the last one.
+HAWSER_FAST int first_depths(const marine::FastExtent* of, const double* depth, int count,
+                             float* out) {
+    int groups = 0;
+    for (int p = 0; p < marine::kWavePoints; ++p) {
+        const int from = p < count ? p : count - 1;
+        out[p] = static_cast<float>(depth[from]);
+        groups = of[from].groups > groups ? of[from].groups : groups;
+    }
+    return groups;
+}
+
+void fast_sums(const marine::FastTable& table, const marine::FastExtent* of, const float* circle,
+               const double* depth, int count, marine::WaveSums* out) noexcept {
+    float down[marine::kWavePoints];
+    const int groups = first_depths(of, depth, count, down);
+    const GroupPowers middle(table.middle, groups, down);
+    for (int p = 0; p < count; ++p) {
+        FastSums all;
+        add_point_groups(table, of[p], circle + 2 * p * table.padded, down[p], middle.of[p], all);
+        for (int k = 0; k < 3; ++k) {
+            out[p].u[k] = total_of(all.u[k]);
+            out[p].a[k] = total_of(all.a[k]);
+        }
+        out[p].p = 0.0;
+    }
+}
+
+/// One group of all points of a batch.
+template <Falling By, bool Bottom>
+HAWSER_FAST void add_pressure(const marine::FastTable& table, int group, const float* circle,
+                              const float* depth, const GroupPowers& middle, Floats* to) {
+    const int begin = group * marine::kFastGroup;
+#pragma GCC unroll 4
+    for (int i = begin; i < begin + marine::kFastGroup; i += kFloats) {
+        const Floats weight = floats_at(table.row(marine::kFastPressure) + i);
+#pragma GCC unroll 4
+        for (int p = 0; p < marine::kWavePoints; ++p) {
+            const Floats h = floats_at(circle + 2 * p * table.padded + i);
+            Floats level = falling<By>(table, i, depth[p]);
+            if constexpr (Bottom)
+                level += fast_power(floats_at(table.row(marine::kFastBottom) + i) -
+                                    floats_at(table.row(marine::kFastDecay) + i) * depth[p]);
+            if constexpr (By != Falling::alone) level *= middle.of[p][group];
+            to[p] += level * ((1.0F - h * h) * weight);
+        }
+    }
+}
+
+void fast_pressure(const marine::FastTable& table, const marine::FastExtent* of,
+                   const float* circle, const double* depth, int count, double* out) noexcept {
+    float down[marine::kWavePoints], deepest = 0.0F;
+    const int groups = first_depths(of, depth, count, down);
+    int bottom = 0;
+    for (int p = 0; p < count; ++p) {
+        bottom = of[p].bottom > bottom ? of[p].bottom : bottom;
+        deepest = down[p] > deepest ? down[p] : deepest;
+    }
+    const GroupPowers middle(table.middle, groups, down);
+    Floats all[marine::kWavePoints]{};
+    for (int g = 0; g < bottom; ++g)
+        add_pressure<Falling::alone, true>(table, g, circle, down, middle, all);
+    for (int g = bottom; g < groups; ++g) {
+        const float apart = table.width[g] * deepest;
+        if (apart <= kNearest)
+            add_pressure<Falling::near, false>(table, g, circle, down, middle, all);
+        else if (apart <= kFarthest)
+            add_pressure<Falling::far, false>(table, g, circle, down, middle, all);
+        else
+            add_pressure<Falling::alone, false>(table, g, circle, down, middle, all);
+    }
+    for (int p = 0; p < count; ++p) out[p] = total_of(all[p]);
 }
 
 #undef HAWSER_FAST
