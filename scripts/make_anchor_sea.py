@@ -231,4 +231,5 @@ def main():
           {b["name"]: b["mass"] for b in scene["bodies"]}, ahts["bodies"][0]["mass"])
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file field.h
-/// Water at many points of one moment, as lines and hulls ask for it: kWavePoints at a time, and
-/// what all points share computed once.
+/// Water at many points of one moment, for lines and hulls. Seas of more than
+/// FastWaves::kFewComponents components are summed in single precision, within
+/// kKinematicTolerance (fast_waves.h); others in double precision.
 
 #include <hawser/sea.h>
 
 #include "base/memory.h"
+#include "marine/fast_waves.h"
 #include "marine/wave_sums.h"
 
 #include <algorithm>
@@ -55,36 +57,61 @@ inline void add_waves(const WaveSums& s, const SeaMoment& now, double density,
     out.dynamic_pressure = now.waves * density * s.p;
 }
 
+/// A point at which water is computed.
+struct FieldPoint {
+    double x = 0.0, y = 0.0, z = 0.0;  ///< [m].
+    double top = 0.0;  ///< z of the highest part of what is there [m].
+
+    FieldPoint() = default;
+    FieldPoint(const Vec3& at, double highest) noexcept
+        : x(at.x()), y(at.y()), z(at.z()), top(highest) {}
+};
+
 class WaterField {
   public:
-    /// @param sea, current  Stay where they are; those of one definition.
+    static constexpr int kMostPoints = 64;  ///< Points of one call.
+
+    /// @param sea, current  Must outlive the field; the current of the same definition.
     WaterField(const Sea& sea, const std::vector<SeaCurrent>& current);
     /// Begins a moment, which stays where it is until the next one.
     void begin(const SeaMoment& now) noexcept;
 
     [[nodiscard]] const Sea& sea() const noexcept { return *sea_; }
     [[nodiscard]] const SeaMoment& now() const noexcept { return *now_; }
+    [[nodiscard]] const FastWaves& fast() const noexcept { return fast_; }
 
-    /// As Sea::water() and Sea::elevation() have it, but for rounding. @param count  1 to
-    /// kWavePoints.
-    void water(const Vec3* points, int count, WaterPoint* out) const noexcept;
-    /// Elevation of the surface, and the dynamic pressure of what is below it. @param waves
-    /// Without them the surface is that of still water. @param rise  Null: not asked for.
-    void press(const Vec3* points, int count, bool waves, double* surface,
+    /// Elevation, velocity and acceleration as of Sea::water(), without pressures.
+    /// The elevation is approximate where no wave can uncover FieldPoint::top. @param count  0 to
+    /// kMostPoints.
+    void water(const FieldPoint* points, int count, WaterPoint* out) const noexcept;
+    /// Elevation of the surface, and the dynamic pressure of points below it. @param waves
+    /// False: the surface is that of still water. @param rise  Null: not required.
+    void press(const FieldPoint* points, int count, bool waves, double* surface,
                double* rise) const noexcept;
-    /// As Sea::current() has it.
+    /// As Sea::current().
     [[nodiscard]] Vec3 current(double z) const noexcept;
 
   private:
+    struct Batch;
+    struct Cluster;
+
     [[nodiscard]] bool moves() const noexcept { return padded_ > 0 && now_->waves != 0.0; }
-    const WaveKernel& surfaces(const Vec3* points, int count, double* circle,
-                               double* surface) const noexcept;
+    [[nodiscard]] double still_depth(double z, double surface) const noexcept;
+    [[nodiscard]] int surface_groups(const FieldPoint& point) const noexcept;
+    void refer(const FieldPoint* points, int first, int count, bool exact_surface,
+               Cluster& to) const noexcept;
+    void surfaces(const FieldPoint* points, const Cluster& of, Batch& batch) const noexcept;
+    void fast_surfaces(const FieldPoint* points, const Cluster& of, Batch& batch) const noexcept;
+    void motions(const FieldPoint* points, Batch& batch, WaterPoint* out) const noexcept;
+    void pressures(const FieldPoint* points, Batch& batch, double* rise) const noexcept;
 
     const Sea* sea_;
     const SeaMoment* now_ = nullptr;
     base::Array<double> table_;  ///< wave_table() of the sea.
     int padded_ = 0;
     base::Array<double> phase_;  ///< Of the moment, aligned.
+    FastWaves fast_;
+    bool stretch_by_few_ = false;  ///< FastWaves::stretching_groups() is valid at this moment.
     const std::vector<SeaCurrent>* current_;
     std::vector<Vec3> flow_;  ///< At its depths, now [m/s].
 };

@@ -60,25 +60,26 @@ HullFlow::HullFlow(const WaterHull& def) : small_(def.linear.on) {
 
 void HullFlow::sample(const WaterField& field, bool convective, bool still, const Pose& pose,
                       const Mat3& axes, std::size_t begin, std::size_t end) noexcept {
-    for (std::size_t first = begin; first < end; first += kWavePoints) {
-        const auto count = static_cast<int>(std::min<std::size_t>(end - first, kWavePoints));
-        Vec3 place[kWavePoints];
-        WaterPoint water[kWavePoints];
-        for (int i = 0; i < kWavePoints; ++i)
-            place[i] = pose.position +
-                       axes * cells_[first + static_cast<std::size_t>(std::min(i, count - 1))].at;
-        field.water(place, count, water);
-        for (int i = 0; i < count; ++i) {
-            Sample& out = samples_[first + static_cast<std::size_t>(i)];
-            const Vec3& size = cells_[first + static_cast<std::size_t>(i)].size;
-            const double spread = axes.row(2).cwiseAbs().dot(size);
-            const double surface = still ? field.now().level : water[i].elevation;
-            out.wet = marine::wet_share(surface, place[i].z() - 0.5 * spread, spread);
-            out.arm = place[i] - pose.position;
-            out.velocity = water[i].velocity;
-            out.acceleration = water[i].acceleration;
-            if (convective) out.acceleration += field.sea().convection(field.now(), place[i]);
-        }
+    const auto count = static_cast<int>(end - begin);
+    FieldPoint points[WaterField::kMostPoints];
+    WaterPoint water[WaterField::kMostPoints];
+    for (int i = 0; i < count; ++i) {
+        const HullCell& cell = cells_[begin + static_cast<std::size_t>(i)];
+        const Vec3 place = pose.position + axes * cell.at;
+        points[i] = {place, place.z() + 0.5 * axes.row(2).cwiseAbs().dot(cell.size)};
+    }
+    field.water(points, count, water);
+    for (int i = 0; i < count; ++i) {
+        const HullCell& cell = cells_[begin + static_cast<std::size_t>(i)];
+        const Vec3 place = pose.position + axes * cell.at;
+        const double spread = axes.row(2).cwiseAbs().dot(cell.size);
+        Sample& out = samples_[begin + static_cast<std::size_t>(i)];
+        const double surface = still ? field.now().level : water[i].elevation;
+        out.wet = marine::wet_share(surface, place.z() - 0.5 * spread, spread);
+        out.arm = place - pose.position;
+        out.velocity = water[i].velocity;
+        out.acceleration = water[i].acceleration;
+        if (convective) out.acceleration += field.sea().convection(field.now(), place);
     }
 }
 

@@ -136,18 +136,17 @@ void HullWater::add_linear(const Sea&, const SeaMoment& now) noexcept {
 }
 
 void HullWater::flow_past(const WaterField& field, int chunk) noexcept {
-    const int end = std::min((chunk + 1) * kChunk, static_cast<int>(flows_.size()));
-    for (int first = chunk * kChunk; first < end; first += kWavePoints) {
-        const int count = std::min(end - first, kWavePoints);
-        Vec3 place[kWavePoints];
-        WaterPoint water[kWavePoints];
-        for (int i = 0; i < kWavePoints; ++i)
-            place[i] =
-                pose_.position +
-                axes_ * def_->strips[static_cast<std::size_t>(std::min(first + i, end - 1))].at;
-        field.water(place, count, water);
-        for (int i = 0; i < count; ++i) flows_[at(first + i)] = water[i].velocity;
+    const int first = chunk * kChunk;
+    const int count = std::min(kChunk, static_cast<int>(flows_.size()) - first);
+    FieldPoint points[kChunk];
+    WaterPoint water[kChunk];
+    for (int i = 0; i < count; ++i) {
+        const Vec3 place =
+            pose_.position + axes_ * def_->strips[static_cast<std::size_t>(first + i)].at;
+        points[i] = {place, place.z()};
     }
+    field.water(points, count, water);
+    for (int i = 0; i < count; ++i) flows_[at(first + i)] = water[i].velocity;
 }
 
 void HullWater::add_strips(const Sea& sea) noexcept {

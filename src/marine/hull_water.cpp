@@ -79,25 +79,23 @@ void HullWater::press(const WaterField& field, int chunk) noexcept {
     // Where coefficients have all that waves do, the water is still.
     const bool waves = def_->excitation != ExcitationKind::full;
     const double weight = field.sea().density() * field.sea().gravity(), level = field.now().level;
-    const int end = std::min((chunk + 1) * kChunk, static_cast<int>(corners_.size()));
-    for (int first = chunk * kChunk; first < end; first += kWavePoints) {
-        const int count = std::min(end - first, kWavePoints);
-        Vec3 place[kWavePoints];
-        double surface[kWavePoints], rise[kWavePoints] = {};
-        HullCorner* const corner = &corners_[static_cast<std::size_t>(first)];
-        for (int i = 0; i < count; ++i) {
-            corner[i].x = axes_ * def_->mesh.vertices[at(first + i)];
-            place[i] = pose_.position + corner[i].x;
-        }
-        field.press(place, count, waves, surface, def_->wave_pressure ? rise : nullptr);
-        for (int i = 0; i < count; ++i) {
-            const double z = place[i].z(), depth = surface[i] - z;
-            corner[i].depth = depth;
-            if (!def_->wave_pressure)
-                corner[i].pressure = weight * std::max(depth, 0.0);
-            else
-                corner[i].pressure = z < surface[i] ? weight * (level - z) + rise[i] : 0.0;
-        }
+    const int first = chunk * kChunk;
+    const int count = std::min(kChunk, static_cast<int>(corners_.size()) - first);
+    FieldPoint points[kChunk];
+    double surface[kChunk], rise[kChunk] = {};
+    HullCorner* const corner = &corners_[static_cast<std::size_t>(first)];
+    for (int i = 0; i < count; ++i) {
+        corner[i].x = axes_ * def_->mesh.vertices[at(first + i)];
+        points[i] = {pose_.position + corner[i].x, 0.0};
+    }
+    field.press(points, count, waves, surface, def_->wave_pressure ? rise : nullptr);
+    for (int i = 0; i < count; ++i) {
+        const double z = points[i].z, depth = surface[i] - z;
+        corner[i].depth = depth;
+        if (!def_->wave_pressure)
+            corner[i].pressure = weight * std::max(depth, 0.0);
+        else
+            corner[i].pressure = z < surface[i] ? weight * (level - z) + rise[i] : 0.0;
     }
 }
 

@@ -150,26 +150,30 @@ void LineLumps::find(const World& world, int number) noexcept {
     }
 }
 
-void LineLumps::load(const WaterField& field, bool convective, int begin) noexcept {
-    const int some = std::min(count() - begin, kWavePoints);
-    Vec3 points[kWavePoints];
-    WaterPoint water[kWavePoints];
-    bool any = false;
-    for (int i = 0; i < kWavePoints; ++i) {
-        const Lump& lump = lumps_[at(begin + std::min(i, some - 1))];
-        points[i] = lump.motion.position;
-        any = any || lump.halves > 0;
-        if (i < some) loads_[at(begin + i)].any = false;
+void LineLumps::load(const WaterField& field, bool convective, int begin, int end) noexcept {
+    FieldPoint points[kChunk];
+    WaterPoint water[kChunk];
+    int wet[kChunk], count = 0;
+    for (int i = begin; i < end; ++i) {
+        const Lump& lump = lumps_[at(i)];
+        loads_[at(i)].any = false;
+        if (lump.halves == 0) continue;
+        double top = lump.motion.position.z();
+        for (int k = 0; k < lump.halves; ++k)
+            top = std::max(top, lump.half[k].middle.z());
+        for (int k = 0; k < lump.halves; ++k) top += lump.half[k].of->diameter;
+        points[count] = {lump.motion.position, top};
+        wet[count++] = i;
     }
-    if (!any) return;
-    field.water(points, some, water);
+    if (count == 0) return;
+    field.water(points, count, water);
     const Sea& sea = field.sea();
     const WaterLaw law{sea.density(), sea.gravity()};
-    for (int i = 0; i < some; ++i) {
-        const Lump& lump = lumps_[at(begin + i)];
-        PointLoad& out = loads_[at(begin + i)];
+    for (int i = 0; i < count; ++i) {
+        const Lump& lump = lumps_[at(wet[i])];
+        PointLoad& out = loads_[at(wet[i])];
         out = {};
-        if (convective) water[i].acceleration += sea.convection(field.now(), points[i]);
+        if (convective) water[i].acceleration += sea.convection(field.now(), lump.motion.position);
         for (int k = 0; k < lump.halves; ++k)
             add_half_element(lump.half[k], lump.motion, water[i], law, out);
     }

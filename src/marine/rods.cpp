@@ -11,7 +11,7 @@
 namespace hawser::marine {
 namespace {
 
-static_assert(RodWater::kChunk % kWavePoints == 0);
+static_assert(RodWater::kChunk <= WaterField::kMostPoints);
 
 /// += c b bᵀ for b = (n, p × n): what one direction at a point is of all six.
 void add_at(double c, const Vec3& n, const Vec3& arm, std::array<double, 21>& to) noexcept {
@@ -66,21 +66,20 @@ void RodWater::load(const WaterField& field, bool convective, int chunk) noexcep
     out = {};
     const Sea& sea = field.sea();
     const WaterLaw law{sea.density(), sea.gravity()};
-    const int end = std::min((chunk + 1) * kChunk, def_.segments);
-    for (int first = chunk * kChunk; first < end; first += kWavePoints) {
-        const int count = std::min(end - first, kWavePoints);
-        Vec3 arm[kWavePoints], place[kWavePoints];
-        WaterPoint water[kWavePoints];
-        for (int i = 0; i < count; ++i) {
-            const double share = (first + i + 0.5) / def_.segments;
-            arm[i] = axes_ * (def_.from + share * (def_.to - def_.from));
-            place[i] = position_ + arm[i];
-        }
-        field.water(place, count, water);
-        for (int i = 0; i < count; ++i) {
-            if (convective) water[i].acceleration += sea.convection(field.now(), place[i]);
-            add_segment(arm[i], water[i], law, out);
-        }
+    const int first = chunk * kChunk, count = std::min(kChunk, def_.segments - first);
+    FieldPoint points[kChunk];
+    WaterPoint water[kChunk];
+    for (int i = 0; i < count; ++i) {
+        const double share = (first + i + 0.5) / def_.segments;
+        const Vec3 place = position_ + axes_ * (def_.from + share * (def_.to - def_.from));
+        points[i] = {place, place.z() + 0.5 * reach_};
+    }
+    field.water(points, count, water);
+    for (int i = 0; i < count; ++i) {
+        const double share = (first + i + 0.5) / def_.segments;
+        const Vec3 arm = axes_ * (def_.from + share * (def_.to - def_.from));
+        if (convective) water[i].acceleration += sea.convection(field.now(), position_ + arm);
+        add_segment(arm, water[i], law, out);
     }
 }
 

@@ -14,8 +14,9 @@
 namespace hawser::marine {
 namespace {
 
-constexpr int kLumpChunk = 16;  ///< Lumps of one task.
-static_assert(kLumpChunk % kWavePoints == 0 && HullWater::kChunk % kWavePoints == 0);
+constexpr int kLumpChunk = LineLumps::kChunk;
+static_assert(kLumpChunk <= WaterField::kMostPoints &&
+              HullWater::kChunk <= WaterField::kMostPoints);
 
 std::size_t slot(int i) noexcept { return static_cast<std::size_t>(i); }
 
@@ -189,7 +190,7 @@ bool SeaSystem::compute(Prestep& now) noexcept {
         if (i < works) return do_work(points_[slot(i)]);
         if (i >= works + chunks) return load_body(now.world, i - works - chunks);
         const int first = (i - works) * kLumpChunk, end = std::min(first + kLumpChunk, lumps);
-        for (int k = first; k < end; k += kWavePoints) lines_.load(field_, def_.convective, k);
+        lines_.load(field_, def_.convective, first, end);
     });
     for (const HullWater& hull : hulls_)
         if (hull.lost()) return false;

@@ -63,8 +63,9 @@ class LineLumps {
     [[nodiscard]] int wires() const noexcept { return static_cast<int>(wires_.size()); }
     /// Lumps of one of them as they are now.
     void find(const World& world, int wire) noexcept;
-    /// Lumps from `begin` on, as many as WaterField takes at a time.
-    void load(const WaterField& field, bool convective, int begin) noexcept;
+    static constexpr int kChunk = 16;  ///< Lumps of one task.
+    /// Loads on lumps [begin, end), at most kChunk.
+    void load(const WaterField& field, bool convective, int begin, int end) noexcept;
     /// Nodes of all wires.
     [[nodiscard]] int count() const noexcept { return static_cast<int>(lumps_.size()); }
     [[nodiscard]] BodyId body(int i) const noexcept { return lumps_[at(i)].body; }

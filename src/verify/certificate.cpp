@@ -199,7 +199,7 @@ std::string Verifier::after_step(const World& world) {
         return fmt::format(
             "momentum is off by {:.3e}, relative, most of it that of {}", momentum,
             called("body", world.body_def(worst_momentum_).name, worst_momentum_.index));
-    if (!(sea <= kRoundOff))
+    if (!(sea <= sea_.limit()))
         return fmt::format("loads of the sea are off by {:.3e}, relative", sea);
     if (world.settings().on_diverged == OnDiverged::stop) return state;
     return {};

@@ -35,8 +35,8 @@ double projected(const std::vector<HullCell>& cells, const std::vector<double>& 
 
 SeaVerifier::Flow SeaVerifier::flow_over(const WaterHull& def, const Pose& pose) const {
     Flow out;
-    const auto add_at = [&](const Vec3& x, double part, Vec3& flow, Vec3& rate) {
-        const Water at = water(x);
+    const auto add_water = [&](const Water& at, const Vec3& x, double part, Vec3& flow,
+                               Vec3& rate) {
         flow += part * at.flow;
         rate += part * (def_->convective ? Vec3(at.rate + convection(x)) : at.rate);
     };
@@ -47,13 +47,16 @@ SeaVerifier::Flow SeaVerifier::flow_over(const WaterHull& def, const Pose& pose)
     for (std::size_t i = 0; i < def.mesh.vertices.size(); ++i)
         low = i == 0 ? def.mesh.vertices[i].z() : std::min(low, def.mesh.vertices[i].z());
     std::vector<double> wet, dry, wet_then, dry_then, weight;
+    std::vector<Water> waters;
     double all = 0.0;
     Vec3 middle = Vec3::Zero();
     for (const HullCell& cell : cells) {
         const Vec3 x = pose.position + axes * cell.at;
         double high = 0.0;
         for (int k = 0; k < 3; ++k) high += std::abs(axes(2, k)) * cell.size[k];
-        const double surface = def.excitation == ExcitationKind::full ? level_ : water(x).surface;
+        waters.push_back(water(x));
+        const double surface =
+            def.excitation == ExcitationKind::full ? level_ : waters.back().surface;
         wet.push_back(share_below(surface, x.z(), high));
         wet_then.push_back(share_below(low + def.design_draught, cell.at.z(), cell.size.z()));
         dry.push_back(1.0 - wet.back());
@@ -68,7 +71,7 @@ SeaVerifier::Flow SeaVerifier::flow_over(const WaterHull& def, const Pose& pose)
         out.dry_share[k] = d > 0.0 ? projected(cells, dry, k) / d : 0.0;
     }
     if (!(all > 0.0)) {
-        add_at(pose.position, 1.0, out.velocity, out.rate);
+        add_water(water(pose.position), pose.position, 1.0, out.velocity, out.rate);
         return out;
     }
     middle /= all;
@@ -77,7 +80,7 @@ SeaVerifier::Flow SeaVerifier::flow_over(const WaterHull& def, const Pose& pose)
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const Vec3 x = pose.position + axes * cells[c].at, r = x - middle;
         Vec3 flow = Vec3::Zero(), rate = Vec3::Zero();
-        add_at(x, weight[c], flow, rate);
+        add_water(waters[c], x, weight[c], flow, rate);
         out.velocity += flow / all;
         out.rate += rate / all;
         spin += r.cross(flow);

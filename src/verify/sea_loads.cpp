@@ -19,6 +19,9 @@ SeaVerifier::SeaVerifier(const World& world) : def_(find_sea(world)) {
     if (def_ == nullptr) return;
     gravity_ = world.settings().gravity.norm();
     sea_ = std::make_unique<const Sea>(*def_, gravity_);
+    for (const WaveComponent& w : sea_->components())
+        waves_.push_back({w, std::cos(w.direction), std::sin(w.direction),
+                          1.0 - std::exp(-2.0 * w.wave_number * def_->depth)});
     std::size_t sorts = 0;
     for (const WaterLine& line : def_->lines) sorts += line.sections.size();
     volumes_.reserve(sorts);  // pointers into it stay
@@ -60,33 +63,48 @@ void SeaVerifier::before_step(const World& world) {
         if (def_->hulls[i].coefficients) begin_past(world, i);
 }
 
+double SeaVerifier::limit() const noexcept {
+    constexpr double kDouble = 1e-9, kSingle = 1e-5;
+    constexpr std::size_t kFewComponents = 16;  // that are summed in double precision
+    return waves_.size() > kFewComponents ? kSingle : kDouble;
+}
+
 double SeaVerifier::surface(double x, double y) const {
     double z = level_;
-    for (const WaveComponent& w : sea_->components())
+    for (const auto& [w, east, north, all] : waves_)
         z += inputs_.waves * w.amplitude *
-             std::cos(w.wave_number * (x * std::cos(w.direction) + y * std::sin(w.direction)) -
-                      w.frequency * time_ + w.phase);
+             std::cos(w.wave_number * (x * east + y * north) - w.frequency * time_ + w.phase);
     return z;
 }
 
 SeaVerifier::Water SeaVerifier::water(const Vec3& x) const {
+    constexpr double kNothing = 45.0;  // e^−45 is below the last bit of a sum
     Water out;
-    out.surface = surface(x.x(), x.y());
+    out.surface = level_;
+    double cosine[kMaxWaveComponents], sine[kMaxWaveComponents];
+    for (std::size_t i = 0; i < waves_.size(); ++i) {
+        const auto& [w, east, north, all] = waves_[i];
+        const double theta =
+            w.wave_number * (x.x() * east + x.y() * north) - w.frequency * time_ + w.phase;
+        cosine[i] = std::cos(theta);
+        sine[i] = std::sin(theta);
+        out.surface += inputs_.waves * w.amplitude * cosine[i];
+    }
     const double d = def_->depth, z = std::clamp(x.z(), -d, out.surface);
     const double down = d * (z + d) / (d + out.surface);  // above the bottom, stretched
     double dynamic = 0.0;
-    for (const WaveComponent& w : sea_->components()) {
+    for (std::size_t i = 0; i < waves_.size(); ++i) {
+        const auto& [w, east, north, all] = waves_[i];
         const double k = w.wave_number, a = inputs_.waves * w.amplitude * w.frequency;
-        const double theta = k * (x.x() * std::cos(w.direction) + x.y() * std::sin(w.direction)) -
-                             w.frequency * time_ + w.phase;
+        if (k * (d - down) > kNothing) continue;
         // cosh and sinh of k × height over sinh kd, where e^kd overflows too
-        const double top = std::exp(k * (down - d)), low = std::exp(-k * (down + d));
-        const double all = 1.0 - std::exp(-2.0 * k * d);
-        const double c = (top + low) / all, s = (top - low) / all;
-        const Vec3 along(std::cos(w.direction), std::sin(w.direction), 0.0), up(0, 0, 1);
-        out.flow += a * (c * std::cos(theta) * along + s * std::sin(theta) * up);
-        out.rate += a * w.frequency * (c * std::sin(theta) * along - s * std::cos(theta) * up);
-        dynamic += def_->density * a * w.frequency / k * c * std::cos(theta);
+        const double top = std::exp(k * (down - d));
+        const double low = k * (down + d) > kNothing ? 0.0 : std::exp(-k * (down + d));
+        const double c = (top + low) / all * a, s = (top - low) / all * a;
+        const double level = c * cosine[i], turned = c * sine[i];
+        out.flow += Vec3(level * east, level * north, s * sine[i]);
+        out.rate += w.frequency * Vec3(turned * east, turned * north, -s * cosine[i]);
+        dynamic += def_->density * w.frequency / k * level;
     }
     const double depth = std::max(level_ - x.z(), 0.0);
     const auto& c = def_->current;
@@ -129,7 +147,8 @@ const LineWater* SeaVerifier::sort_of(const World& world, WireId wire, std::size
 }
 
 void SeaVerifier::add_half(const World& world, WireId wire, std::size_t element, bool last,
-                           const std::vector<Pose>& pose, const std::vector<Twist>& before) {
+                           const Water& at, const std::vector<Pose>& pose,
+                           const std::vector<Twist>& before) {
     const auto nodes = world.nodes(wire);
     const InteractionId id = world.elements(wire)[element];
     const LineWater* w = world.alive(id) ? sort_of(world, wire, element) : nullptr;
@@ -147,8 +166,6 @@ void SeaVerifier::add_half(const World& world, WireId wire, std::size_t element,
     const bool wound = kind_info(world.interaction_def(id).kind).is(kWoundUp);
     const double length = 0.5 * (wound ? line.norm() : world.interaction_def(id).get("length"));
     const double reach = 0.5 * std::abs(line.z()) + w->diameter;
-    Water at = water(x);
-    if (def_->convective) at.rate += convection(x);
     const double bottom = x.z() + std::min(0.0, 0.5 * line.z()) - 0.5 * w->diameter;
     const double wet = std::clamp((at.surface - bottom) / reach, 0.0, 1.0);
     if (wet <= 0.0 || length <= 0.0) return;
@@ -185,8 +202,16 @@ void SeaVerifier::add_lines(const World& world, const std::vector<Pose>& pose,
             if (!world.alive(nodes[i]) || world.body_def(nodes[i]).kind != BodyKind::lump) continue;
             const bool at_end = i == 0 || i + 1 == nodes.size();
             if (at_end && std::find(ends_.begin(), ends_.end(), nodes[i]) != ends_.end()) continue;
-            if (i > 0) add_half(world, wire, i - 1, true, pose, before);
-            if (i + 1 < nodes.size()) add_half(world, wire, i, false, pose, before);
+            bool wet = false;
+            for (std::size_t e = i > 0 ? i - 1 : 0; e < std::min(i + 1, nodes.size() - 1); ++e)
+                wet = wet || (world.alive(world.elements(wire)[e]) &&
+                              sort_of(world, wire, e) != nullptr);
+            if (!wet) continue;
+            const Vec3 x = pose[numbered(nodes[i].index)].position;
+            Water at = water(x);
+            if (def_->convective) at.rate += convection(x);
+            if (i > 0) add_half(world, wire, i - 1, true, at, pose, before);
+            if (i + 1 < nodes.size()) add_half(world, wire, i, false, at, pose, before);
         }
     }
 }

@@ -25,6 +25,9 @@ class SeaVerifier {
     /// a load of the sea from that computed here, over its size and the body's; 0 without a sea.
     [[nodiscard]] double after_step(const World& world, const std::vector<Pose>& pose,
                                     const std::vector<Twist>& before);
+    /// Largest difference that a sound step has: rounding in double precision, or the tolerance of
+    /// kinematics in single precision (docs/sea.md, "Accuracy of kinematics").
+    [[nodiscard]] double limit() const noexcept;
 
   private:
     using Mat6 = Eigen::Matrix<double, 6, 6>;
@@ -45,8 +48,10 @@ class SeaVerifier {
                                            std::size_t element) const;
     void add_lines(const World& world, const std::vector<Pose>& pose,
                    const std::vector<Twist>& before);
+    /// @param at  Water at the node.
     void add_half(const World& world, WireId wire, std::size_t element, bool last,
-                  const std::vector<Pose>& pose, const std::vector<Twist>& before);
+                  const Water& at, const std::vector<Pose>& pose,
+                  const std::vector<Twist>& before);
     void add_body(const WaterBody& def, const Pose& pose, const Vec3& velocity);
     void add_rod(const WaterRod& def, const Pose& pose, const Twist& twist);  // sea_rods.cpp
     void add_hull(const WaterHull& def, const Pose& pose, const Twist& twist);
@@ -84,7 +89,15 @@ class SeaVerifier {
     static void add_drag(const Mat3& axes, const Vec3& areas, double half_density, const Vec3& flow,
                          const Vec3& velocity, Load& out);
 
+    /// A component, and functions of its direction.
+    struct Wave {
+        WaveComponent of;
+        double east = 1.0, north = 0.0;  ///< cos and sin of its direction.
+        double all = 1.0;                ///< 1 − e^(−2kd).
+    };
+
     const SeaDef* def_ = nullptr;
+    std::vector<Wave> waves_;
     std::unique_ptr<const Sea> sea_;
     double gravity_ = 9.81;
     std::vector<std::pair<InteractionId, const LineWater*>> known_;  ///< As defined, ascending.

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file fast_wave_sums.h
+/// Sums over the components of waves in single precision, compiled once for each instruction set.
+///
+/// Formulas are those of wave_sums.h. Three things differ:
+///
+/// - **Phases** are computed in double precision at one reference point of a cluster of points, and
+///   reduced to [−½, ½] turns. A point of the cluster adds k_x dx/2π + k_y dy/2π in single
+///   precision, so that the error grows with the size of the cluster, not with the distance from
+///   the origin.
+/// - **Components are sorted** by wave number, in groups of kFastGroup. A point takes the first
+///   groups alone; fast_waves.h derives from its depth how many.
+/// - **Polynomials** (E. Y. Remez, 1934) have errors of single precision: √2 sin πf and √2 cos πf
+///   of degree 9 and 8, 5e-9 and 7e-8; 2^x of degree 5, 8e-8 of itself.
+/// - **Decay**: e^(−kζ) is that of the middle of a group times e^x of degree 4, 5e-7 of itself,
+///   while |x| ≤ ¼.
+///
+/// Sums are taken in an order that depends on the instruction set alone.
+
+#include "marine/wave_sums.h"
+
+namespace hawser::marine {
+
+/// Components of a group: one vector of AVX-512, two of AVX2.
+inline constexpr int kFastGroup = 16;
+/// Groups of the most components, padded to a vector of AVX-512.
+inline constexpr int kMostFastGroups = 32;
+
+/// Rows of the table in single precision, each of `padded` entries; padding is 0.
+enum FastRow : int {
+    kFastTurnsX,  ///< k_x/2π [1/m].
+    kFastTurnsY,
+    kFastAmplitude,  ///< a [m].
+    kFastDecay,      ///< −k log₂e [1/m].
+    kFastOffset,     ///< −(k − that of its group's middle) [1/m].
+    kFastBottom,     ///< −2 k d log₂e.
+    kFastSpeedX,     ///< a ω k_x/k / (1 − e^(−2kd)) [m/s].
+    kFastSpeedY,
+    kFastSpeedZ,
+    kFastRateX,  ///< ω times the speeds [m/s²].
+    kFastRateY,
+    kFastRateZ,
+    kFastPressure,  ///< a ω²/k / (1 − e^(−2kd)) [m²/s²].
+    kFastRows
+};
+
+/// Rows in double precision, for references.
+enum FastReferenceRow : int { kReferenceX, kReferenceY, kReferencePhase, kReferenceRows };
+
+/// Numbers of first groups at a depth.
+struct FastExtent {
+    int groups = 0;      ///< That kinematics take.
+    int bottom = 0;      ///< Of these, groups that the bottom changes.
+    int stretching = 0;  ///< That the elevation takes, of points under water.
+};
+
+/// Table in single precision.
+struct FastTable {
+    const float* rows;    ///< kFastRows of `padded`.
+    const float* middle;  ///< −k log₂e of the middle of each group, kMostFastGroups [1/m].
+    const float* width;   ///< Largest |k − that of the middle| of each group [1/m].
+    int padded;
+
+    [[nodiscard]] const float* row(FastRow r) const noexcept { return rows + r * padded; }
+};
+
+struct FastWaveKernels {
+    /// Turns of the first groups at (x, y), reduced. @param rows  kReferenceRows of `padded`.
+    void (*refer)(const double* rows, int padded, int groups, double x, double y,
+                  float* turns) noexcept;
+    /// Σ a cos θ of the first groups at kWavePoints points. @param dx, dy  From the reference [m].
+    /// @param circle  Written: h, then f of each component, 2 padded entries a point.
+    void (*surface)(const FastTable& table, int groups, const float* turns, const float* dx,
+                    const float* dy, float* circle, double* sum) noexcept;
+    /// Velocity and acceleration at 1 to kWavePoints points. @param circle  Of surface().
+    /// @param depth  −z' ≥ 0 of each. The pressures of `out` are set to 0.
+    void (*sums)(const FastTable& table, const FastExtent* of, const float* circle,
+                 const double* depth, int count, WaveSums* out) noexcept;
+    /// Dynamic pressure over density at 1 to kWavePoints points.
+    void (*pressure)(const FastTable& table, const FastExtent* of, const float* circle,
+                     const double* depth, int count, double* out) noexcept;
+};
+
+/// For the instruction set in use.
+[[nodiscard]] const FastWaveKernels& fast_wave_kernels() noexcept;
+
+}  // namespace hawser::marine
+
+namespace hawser::sse2 {
+extern const marine::FastWaveKernels kFastWaveKernels;
+}
+namespace hawser::avx2 {
+extern const marine::FastWaveKernels kFastWaveKernels;
+}
+namespace hawser::avx512 {
+extern const marine::FastWaveKernels kFastWaveKernels;
+}

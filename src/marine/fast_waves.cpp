@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "marine/fast_waves.h"
+
+#include "marine/spectra.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace hawser::marine {
+namespace {
+
+constexpr double kLeftOut = kKinematicTolerance / 8.0;        ///< Of components left out.
+constexpr double kPhaseShare = 0.375 * kKinematicTolerance;   ///< Of rounded phases.
+constexpr double kSingle = 0x1p-24;                           ///< Unit of rounding.
+constexpr double kNoBottom = 16.0;  ///< Where e^(−2kd + kζ) is below 1.2e-7 it is left out.
+
+/// Amplitudes at still water of one component.
+struct Motion {
+    double elevation, velocity, acceleration, pressure;
+};
+Motion motion_of(const WaveComponent& w, double depth) noexcept {
+    const double coth = 1.0 / std::tanh(w.wave_number * depth);
+    const double speed = w.amplitude * w.frequency * coth;
+    return {w.amplitude, speed, speed * w.frequency, speed * w.frequency / w.wave_number};
+}
+
+/// Twice the root of half the sum of squares.
+template <class Amplitude>
+double significant_of(std::span<const WaveComponent> waves, const Amplitude& amplitude) {
+    double sum = 0.0;
+    for (const WaveComponent& w : waves) sum += amplitude(w) * amplitude(w);
+    return std::sqrt(2.0 * sum);
+}
+
+/// Depth in [0, deepest] from which a function that falls is at most `limit`; infinite: nowhere.
+template <class Falling>
+double depth_of(const Falling& falling, double deepest, double limit) {
+    if (falling(0.0) <= limit) return 0.0;
+    if (!(falling(deepest) <= limit)) return std::numeric_limits<double>::infinity();
+    double low = 0.0, high = deepest;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (falling(middle) <= limit ? high : low) = middle;
+    }
+    return high;
+}
+
+}  // namespace
+
+FastWaves::FastWaves(std::span<const WaveComponent> waves, double depth) : sea_depth_(depth), kernels_(&fast_wave_kernels()) {
+    if (static_cast<int>(waves.size()) <= kFewComponents) return;
+    sort(waves);
+    significant_.elevation = significant_of(
+        waves_, [&](const WaveComponent& w) { return motion_of(w, sea_depth_).elevation; });
+    significant_.velocity = significant_of(
+        waves_, [&](const WaveComponent& w) { return motion_of(w, sea_depth_).velocity; });
+    significant_.acceleration = significant_of(
+        waves_, [&](const WaveComponent& w) { return motion_of(w, sea_depth_).acceleration; });
+    significant_.pressure = significant_of(
+        waves_, [&](const WaveComponent& w) { return motion_of(w, sea_depth_).pressure; });
+    find_reach();
+    if (!(reach_ > 0.0)) return;
+    padded_ = static_cast<int>((waves_.size() + kFastGroup - 1) / kFastGroup) * kFastGroup;
+    fill_tables();
+    find_depths();
+    list_extents();
+}
+
+void FastWaves::sort(std::span<const WaveComponent> waves) {
+    order_.resize(waves.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t i, std::size_t j) {
+        return waves[i].wave_number < waves[j].wave_number;
+    });
+    for (const std::size_t i : order_) {
+        waves_.push_back(waves[i]);
+        highest_ += waves[i].amplitude;
+    }
+}
+
+void FastWaves::fill_tables() {
+    const auto padded = static_cast<std::size_t>(padded_);
+    table_.assign(kFastRows * padded, 0.0F);
+    reference_.assign(kReferenceRows * padded, 0.0);
+    middle_.assign(kMostFastGroups, 0.0F);
+    width_.assign(kMostFastGroups, 0.0F);
+    const auto middle_of = [&](std::size_t group) {
+        const std::size_t last = std::min((group + 1) * kFastGroup, waves_.size()) - 1;
+        return 0.5 * (waves_[group * kFastGroup].wave_number + waves_[last].wave_number);
+    };
+    for (std::size_t i = 0; i < waves_.size(); ++i) {
+        const WaveComponent& w = waves_[i];
+        const auto set = [&](FastRow row, double value) {
+            table_[static_cast<std::size_t>(row) * padded + i] = static_cast<float>(value);
+        };
+        const double dx = std::cos(w.direction), dy = std::sin(w.direction), k = w.wave_number;
+        const double speed = -w.amplitude * w.frequency / std::expm1(-2.0 * k * sea_depth_);
+        reference_[kReferenceX * padded + i] = k * dx / kTwoPi;
+        reference_[kReferenceY * padded + i] = k * dy / kTwoPi;
+        set(kFastTurnsX, k * dx / kTwoPi);
+        set(kFastTurnsY, k * dy / kTwoPi);
+        set(kFastAmplitude, w.amplitude);
+        set(kFastDecay, -k * std::numbers::log2e);
+        const double middle = middle_of(i / kFastGroup);
+        set(kFastOffset, middle - k);
+        float& width = width_[i / kFastGroup];
+        width = std::max(width, static_cast<float>(std::abs(middle - k)));
+        middle_[i / kFastGroup] = static_cast<float>(-middle * std::numbers::log2e);
+        set(kFastBottom, -2.0 * k * sea_depth_ * std::numbers::log2e);
+        set(kFastSpeedX, speed * dx);
+        set(kFastSpeedY, speed * dy);
+        set(kFastSpeedZ, speed);
+        set(kFastRateX, speed * w.frequency * dx);
+        set(kFastRateY, speed * w.frequency * dy);
+        set(kFastRateZ, speed * w.frequency);
+        set(kFastPressure, speed * w.frequency / k);
+    }
+    for (std::size_t g = 0; g < padded; g += kFastGroup) lowest_.push_back(waves_[g].wave_number);
+}
+
+void FastWaves::find_depths() {
+    const double d = sea_depth_;
+    const auto decay = [&](const WaveComponent& w, double depth) {
+        return (std::exp(-w.wave_number * depth) + std::exp(-w.wave_number * (2.0 * d - depth))) /
+               (1.0 + std::exp(-2.0 * w.wave_number * d));
+    };
+    const auto sums_from = [&](std::size_t first, double depth, bool slope) {
+        double speed = 0.0, rate = 0.0, pressure = 0.0;
+        for (std::size_t i = first; i < waves_.size(); ++i) {
+            const Motion m = motion_of(waves_[i], d);
+            const double e = decay(waves_[i], depth) * (slope ? waves_[i].wave_number : 1.0);
+            speed += m.velocity * e;
+            rate += m.acceleration * e;
+            pressure += m.pressure * e;
+        }
+        return std::max({speed / significant_.velocity, rate / significant_.acceleration,
+                         pressure / significant_.pressure});
+    };
+    const bool column_stays = d >= 4.0 * highest_;  // and levels above −d/4: ∂z'/∂η ≤ 2
+    for (std::size_t first = 0; first < waves_.size(); first += kFastGroup) {
+        below_.push_back(depth_of([&](double z) { return sums_from(first, z, false); }, d,
+                                  kLeftOut));
+        double tail = 0.0;
+        for (std::size_t i = first; i < waves_.size(); ++i) tail += waves_[i].amplitude;
+        stretch_below_.push_back(
+            column_stays ? depth_of([&](double z) { return 2.0 * tail * sums_from(0, z, true); },
+                                    d, kLeftOut)
+                         : std::numeric_limits<double>::infinity());
+    }
+}
+
+/// A row holds for depths from its own to that of the next one: groups fall with the depth, and
+/// those that the bottom changes rise.
+void FastWaves::list_extents() {
+    const auto count = [&](const auto& holds) {
+        int n = 0;
+        while (n < groups() && holds(static_cast<std::size_t>(n))) ++n;
+        return n;
+    };
+    rows_per_metre_ = static_cast<double>(kExtents - 1) / sea_depth_;
+    for (std::size_t i = 0; i < kExtents; ++i) {
+        const double low = static_cast<double>(i) / rows_per_metre_;
+        const double high = low + 1.0 / rows_per_metre_;
+        FastExtent row;
+        row.groups = count([&](std::size_t g) { return low < below_[g]; });
+        row.stretching = count([&](std::size_t g) { return low < stretch_below_[g]; });
+        row.bottom = std::min(row.groups, count([&](std::size_t g) {
+            return lowest_[g] * (2.0 * sea_depth_ - high) < kNoBottom;
+        }));
+        extents_.push_back(row);
+    }
+}
+
+/// Phases are off by at most 2π 2^−24 (3/2 + 1.13 k r), as |k_x x| + |k_y y| ≤ √2 k r; rounding
+/// is independent from component to component, and its standard deviation 1/√3 of the largest one.
+void FastWaves::find_reach() {
+    const auto error = [&](double r) {
+        double worst = 0.0;
+        const auto add = [&](double Motion::* of) {
+            double sum = 0.0, all = 0.0;
+            for (const WaveComponent& w : waves_) {
+                const double a = motion_of(w, sea_depth_).*of;
+                const double off = kTwoPi * kSingle * (1.5 + 1.13 * w.wave_number * r);
+                sum += a * a * off * off;
+                all += a * a;
+            }
+            worst = std::max(worst, all > 0.0 ? std::sqrt(3.0 * sum / all) : 0.0);  // 6/(2 √3)
+        };
+        add(&Motion::elevation);
+        add(&Motion::velocity);
+        add(&Motion::acceleration);
+        add(&Motion::pressure);
+        return worst;
+    };
+    if (!(error(0.0) < kPhaseShare)) return;
+    double low = 0.0, high = 1e6;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (error(middle) <= kPhaseShare ? low : high) = middle;
+    }
+    reach_ = low;
+}
+
+void FastWaves::begin(std::span<const double> phase) noexcept {
+    double* const to = reference_.data() + kReferencePhase * padded_;
+    for (std::size_t i = 0; i < order_.size() && padded_ > 0; ++i) to[i] = phase[order_[i]];
+}
+
+}  // namespace hawser::marine
