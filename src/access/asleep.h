@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file asleep.h
-/// Which bodies sleep and which are disturbed; what is made of it is told in sleep.h.
+/// State which bodies sleep and wake those that are disturbed. The rules of sleep are in sleep.h.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Most that bodies are counted to have been at rest for [steps].
+/// Upper limit of the number of steps for which a body counts as at rest.
 inline constexpr std::int32_t kMostQuiet = 1'000'000'000;
 
 [[nodiscard]] inline bool moves(const model::Bodies& b, std::int32_t body) noexcept {
     return b.dof(body) > 0;
 }
 
-/// Part of prepare(). @throws std::bad_alloc.
+/// Allocate the arrays of sleep; part of prepare(). @throws std::bad_alloc.
 void reserve_sleep(const Model& model, Sleep& sleep);
 
-/// Without analysing: part of prepare().
+/// Wake all bodies without a new analysis; part of prepare().
 void wake_all(Model& model, StepStats& stats) noexcept;
 
-/// Of flags that were restored, whatever they were: what cannot move is awake; StepStats::asleep.
+/// Validate flags after a restore; any values are accepted. A body that cannot move is awake. Sets
+/// StepStats::asleep.
 void check_asleep(Model& model, StepStats& stats) noexcept;
 
-/// A body that moves is changed from outside the step: its island wakes.
+/// Wake the island of a moving body that is changed from outside the step.
 void disturb(Model& model, std::int32_t body) noexcept;
 
-/// Something is no longer where it was, so that contacts do not tell what leant on it: all wake.
+/// Wake all bodies. Call if something was moved or removed, because contacts then no longer show
+/// which bodies rested on it.
 void disturb_all(Model& model) noexcept;
 
 }  // namespace hawser::stepper

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file guarded.h
-/// Parts of a step that need memory, and end the step where there is none.
+/// Run the parts of a step that allocate, and end the step if allocation fails.
 
 #include "context/context.h"
 
@@ -9,7 +9,7 @@
 
 namespace hawser::stepper {
 
-/// The status of f(), which may throw std::bad_alloc and LimitError.
+/// Call f(), which may throw std::bad_alloc or LimitError, and return its status.
 template <class F>
 Status guarded(StepContext& ctx, F&& f) noexcept {
     try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file kinetic.h
-/// Kinetic energy of bodies.
+/// Compute the kinetic energy of bodies.
 
 #include "assembly/view.h"
 #include "base/index.h"
@@ -11,11 +11,13 @@
 
 namespace hawser::stepper {
 
-/// ½ vᵀ M v [J], M without damping and geometric stiffness. @param velocity  Packed.
+/// Return ½ vᵀ M v [J]; M excludes damping and geometric stiffness. @param velocity  Packed.
 [[nodiscard]] double kinetic_energy(const model::Bodies& bodies, const double* velocity) noexcept;
 
-/// ½ ωᵀ I ω of a rigid body [J]. Judges ask for it twice a step and body: inline.
-/// @param r  Rotation from the body's to the world frame. @param w  Angular velocity, world frame.
+/// Return ½ ωᵀ I ω of a rigid body [J]. Inline, because monitors call it twice for each body in
+/// each step.
+/// @param r  Rotation from the body's to the world frame.
+/// @param w  Angular velocity, world frame [rad/s].
 [[nodiscard]] inline double spin_energy(const double* inertia, const double* r,
                                         const double* w) noexcept {
     double v[3];
@@ -26,7 +28,7 @@ namespace hawser::stepper {
                   v[2] * (s[6] * v[0] + s[7] * v[1] + s[8] * v[2]));
 }
 
-/// Kinetic energy of one body that moves [J]. @param velocity  Packed.
+/// Return the kinetic energy of one moving body [J]. @param velocity  Packed.
 [[nodiscard]] inline double kinetic_energy_of(const model::Bodies& bodies, std::int32_t body,
                                               const double* velocity) noexcept {
     const auto i = at(body);
@@ -40,8 +42,8 @@ namespace hawser::stepper {
     return dof < 6 ? sum : sum + spin_energy(&bodies.inertia[9 * i], &bodies.r[9 * i], v + 3);
 }
 
-/// By how much an element that moves as a straight piece has less than the lumps at its ends [J]:
-/// ½ μ |v₁ − v₀|², see View::pair_mass. @param velocity  Packed.
+/// Return the difference of kinetic energy between an element as two end nodes and as a straight
+/// piece [J]: ½ μ |v₁ − v₀|². See View::pair_mass. @param velocity  Packed.
 [[nodiscard]] double pair_energy(const assembly::View& view, std::int32_t id,
                                  const double* velocity) noexcept;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file push_event.h
-/// Events of a step: for those who read them, and counted.
+/// Store an event of a step for readers and count it.
 
 #include "context/context.h"
 

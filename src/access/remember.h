@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file remember.h
-/// What a solve overwrites of the state, kept for a solve that is done again and a step that fails.
+/// Save the part of the state that a solve overwrites, for a repeated solve or a failed step.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Keep, and put back, what a solve overwrites of the state: λ and which rows are active. λ is
-/// kept bit by bit: h × the stored force would differ in its last place.
+/// Save or restore the part of the state that a solve overwrites: λ and the active flags of rows.
+/// The multipliers λ are saved bit by bit, because h times the stored force would differ in its
+/// last bit.
 void remember(StepContext& ctx) noexcept;
 
 void recall(StepContext& ctx) noexcept;

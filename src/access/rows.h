@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file rows.h
-/// Rows read outside of the solver: their speeds, and a look at them that leaves the state alone.
+/// Read rows outside the solver: compute their speeds, and evaluate them without a change of the
+/// state.
 
 #include "assembly/view.h"
 #include "base/index.h"
@@ -12,10 +13,10 @@
 
 namespace hawser::stepper {
 
-/// `sum` + G u of one row of an interaction.
-/// @param jac  The packed row (packed_rows()); goes on to the next one.
-/// @param u, begin  A vector of velocities, and where in it those of each body begin:
-///                  v.v and v.dof_begin, or v.solution and v.body_offset.
+/// Return `sum` + G u of one row of an interaction.
+/// @param jac  The packed row (packed_rows()); advanced to the next row.
+/// @param u, begin  A vector of velocities, and the offset of each body in it. Either v.v and
+/// v.dof_begin, or v.solution and v.body_offset.
 [[nodiscard]] inline double along_row(const assembly::View& v, std::int32_t id, const double*& jac,
                                       const double* u, const std::int32_t* begin,
                                       double sum = 0.0) noexcept {
@@ -26,15 +27,16 @@ namespace hawser::stepper {
     return sum;
 }
 
-/// G v₊ of a one-row interaction.
+/// Return G v₊ of a one-row interaction.
 [[nodiscard]] double row_speed(const assembly::View& v, std::int32_t id) noexcept;
 
-/// Which ranges are active: evaluate_rows() decides that afresh, and the state has back what it had
-/// when this ends.
+/// Guard of the active flags of ranges. evaluate_rows() overwrites these flags; the destructor
+/// restores their values.
 class KeptRanges {
   public:
-    /// @param room  For a number of each of the interactions that may be inactive. One of these at
-    ///              a time has it.
+    /// Save the flags.
+    /// @param room  Buffer with one value for each interaction that may be inactive. Only one guard
+    /// at a time may use it.
     KeptRanges(std::span<double> room, double* active,
                std::span<const std::int32_t> bounded) noexcept
         : room_(room), active_(active), bounded_(bounded) {

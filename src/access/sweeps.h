@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file sweeps.h
-/// How a step goes through bodies and rows: coarse tasks of fixed size.
+/// Traverse bodies and rows in coarse tasks of fixed size.
 
 #include "context/context.h"
 
@@ -18,8 +18,9 @@ void over(runtime::Pool& pool, std::int32_t count, F&& f) noexcept {
     pool.for_each(StepContext::chunks(count), task);
 }
 
-/// The results of f(begin, end) over chunks of [0, count), merged in their order: they do not
-/// depend on threads. There is room for as many as there are contacts (contact.cpp).
+/// Call f(begin, end) over chunks of [0, count) and merge the results in the order of chunks, so
+/// that they do not depend on threads. The buffer has one slot for each chunk of contacts
+/// (contact.cpp).
 template <class F, class Merge>
 [[nodiscard]] double merged_over(SolveWork& solve, runtime::Pool& pool, std::int32_t count, F&& f,
                                  Merge&& merge) noexcept {
@@ -32,15 +33,15 @@ template <class F, class Merge>
     return sum;
 }
 
-/// Call f for each of some ranges.
+/// Call f for each range.
 template <class F>
 void each(std::span<const assembly::IndexRange> ranges, F&& f) noexcept {
     for (const assembly::IndexRange& r : ranges) f(r.begin, r.end);
 }
 
-/// rows(strip), then own(begin, end) for the strip's own bodies, strip by strip; then own() for
-/// the shared bodies. The last argument of own() is a place in ctx.work.solve.norms; that of the
-/// rows is `strip`.
+/// Call rows(strip) and then own(begin, end, slot) for the strip's own bodies, strip by strip. Then
+/// call own() for the shared bodies. The last argument of own() is an index in
+/// ctx.work.solve.norms; it equals `strip` in the calls that follow rows().
 template <class Rows, class Own>
 void sweep(const Model& model, runtime::Pool& pool, Rows&& rows, Own&& own) noexcept {
     const assembly::Strips& strips = model.system.strips;
@@ -56,7 +57,7 @@ void sweep(const Model& model, runtime::Pool& pool, Rows&& rows, Own&& own) noex
     pool.for_each(strips.groups(), group);
 }
 
-/// f(begin, end) for ranges that make up all interactions but those that sleep.
+/// Call f(begin, end) for ranges that cover all interactions except sleeping ones.
 template <class F>
 void over_interactions(const Model& model, runtime::Pool& pool, F&& f) noexcept {
     const assembly::Strips& strips = model.system.strips;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file timer.h
-/// Wall time by stage. Stages nest where iterations factor: time counts for the innermost one. A
-/// trace has the same looks at the clock.
+/// Measure wall time by stage. Stages nest if iterations factor; time then counts for the innermost
+/// stage. A trace uses the same readings of the clock.
 
 #include "context/context.h"
 
@@ -10,7 +10,7 @@
 
 namespace hawser::stepper {
 
-/// Time from here to the end of the scope is of this stage, but for what inner timers take.
+/// Timer of a stage: counts the time to the end of the scope, without that of inner timers.
 class StageTimer {
   public:
     StageTimer(StepContext& ctx, Stage stage) noexcept
@@ -51,7 +51,8 @@ class StageTimer {
     std::chrono::steady_clock::time_point begin_;
 };
 
-/// From here to the end of the scope is a step of the trace, where there is one.
+/// Timer of a step: records the time to the end of the scope as a step of the trace, if there is
+/// one.
 class StepTimer {
   public:
     explicit StepTimer(StepContext& ctx) noexcept : trace_(ctx.trace.get()) {

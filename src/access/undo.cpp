@@ -10,7 +10,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// Where nothing may throw: room for it was made before.
+/// Copy an array without an allocation: its capacity was reserved before.
 template <class A>
 void put(const A& from, A& to) noexcept {
     to.assign(from.begin(), from.end());
@@ -193,7 +193,7 @@ void restore_kept(StepContext& ctx) noexcept {
 void drop_kept(Undo& undo) noexcept {
     Undo& u = undo;
     u.moved = u.linked = false;
-    // Copies of the whole model are rare and large.
+    // Copies of the whole model are rare and large, so their memory is freed.
     if (u.depth >= static_cast<int>(Undo::Depth::model)) {
         u.bodies = {};
         u.interactions = {};

@@ -1,35 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file undo.h
-/// The way back to the state of the last good step, for whatever fails: memory that ends, a bound,
-/// a step that is cancelled or diverges.
+/// Restore the state of the last successful step after any failure: allocation, a limit, a
+/// cancelled step, divergence.
 ///
-/// Most of a step writes nothing of the state before stage integrate, which cannot fail. What comes
-/// earlier is kept first: velocities before an impact or the staggered start changes them, and
-/// before the system changes (bodies touch for the first time, fall asleep or wake, groups move,
-/// something was added) what the analysis goes on from. To go back allocates nothing. The system
-/// itself is not kept, it would take as much again: it is *mended* before it is needed next, like
-/// that of a restored world, to the same bits (factor::AnalysisState).
+/// Most of a step writes nothing of the state before stage integrate, which cannot fail. Earlier
+/// changes are saved first:
+/// 1. Velocities are saved before an impact or the staggered start changes them.
+/// 2. The initial data of the analysis are saved before the system changes. This happens if bodies
+/// touch for the first time, fall asleep, wake, change group or are added.
 ///
-/// Limits: what a step computes for readers (contacts, residuals, times) is that of the step that
-/// failed.
+/// Restoring allocates nothing. The system itself is not saved, because a copy would double its
+/// memory. It is *repaired* before its next use to the same bits, like that of a restored world
+/// (factor::AnalysisState).
+///
+/// Limits: contacts, residuals and times that a step reports stay those of the failed step.
 
 #include "context/context.h"
 #include "context/undo_data.h"
 
 namespace hawser::stepper {
 
-/// Room to keep motions without allocating. @throws std::bad_alloc.
+/// Reserve the capacity to save motions without an allocation. @throws std::bad_alloc.
 void reserve_undo(const Model& model, Undo& undo);
-/// Before v, λ or spin_change change outside stage integrate; later calls keep nothing more.
+/// Save the motion. Call before v, λ or spin_change change outside stage integrate; later calls in
+/// a step do nothing.
 void keep_motion(StepContext& ctx) noexcept;
-/// Steps in which links were used last. @throws std::bad_alloc where there are more of them.
+/// Save the step in which each link was used last. @throws std::bad_alloc if the number of links
+/// has grown.
 void keep_links(const Model& model, Undo& undo);
-/// Before the system changes. @throws std::bad_alloc, and nothing has changed then.
+/// Save the state before the system changes. @throws std::bad_alloc; nothing has changed then.
 void keep_state(StepContext& ctx, Undo::Depth depth);
-/// Everything as it was when it was kept first.
+/// Restore all values that were saved first.
 void restore_kept(StepContext& ctx) noexcept;
-/// The step has succeeded: forget what restore_kept() would have brought back.
+/// Discard the saved values after a successful step.
 void drop_kept(Undo& undo) noexcept;
 
 }  // namespace hawser::stepper

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file view.h
-/// The arrays of a step as kernels see them.
+/// Provide the arrays of a step to kernels.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Of all bodies and interactions, with what systems load bodies with.
+/// Return a view of all bodies and interactions, with the loads of systems on bodies.
 [[nodiscard]] assembly::View view(StepContext& ctx) noexcept;
 
-/// The same without what loads of systems couple (View::coupled): for what looks at rows and
-/// velocities. Kernels for the terms of bodies and for the matrix take view().
+/// Return a view without the couplings by loads of systems (View::coupled). It serves code that
+/// reads rows and velocities. Kernels for body terms and for the matrix use view().
 [[nodiscard]] assembly::View row_view(Model& model) noexcept;
 
 }  // namespace hawser::stepper

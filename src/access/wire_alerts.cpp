@@ -11,12 +11,14 @@
 namespace hawser::stepper {
 namespace {
 
-/// For so long a wire is stepped more calmly, the longer of both.
+/// Duration for which a flagged wire is damped; the longer of the two applies.
 constexpr double kAlertSteps = 20.0, kAlertSeconds = 1.0;
-/// No recoil is longer: a wire of steel has 30 km then.
+/// Upper limit of the duration of a recoil [s]: the travel time of a wave from end to end of 30 km
+/// of steel wire.
 constexpr double kRecoilSeconds = 10.0;
 
-/// Time that a wave along an element takes, l/√(EA/ρ), by its compliance and its lumps [s].
+/// Return the travel time of a wave along an element, l/√(EA/ρ), from its compliance and the masses
+/// of its nodes [s].
 double passage(const Model& model, std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
     double mass = 0.0, lumps = 0.0;
@@ -29,7 +31,7 @@ double passage(const Model& model, std::int32_t id) noexcept {
     return std::sqrt(in.epsilon[at(in.row_begin[at(id)])] * mass / std::max(lumps, 1.0));
 }
 
-/// Steps that a wave along a wire takes from end to end, and one.
+/// Return the number of steps that a wave needs from end to end of a wire, plus one.
 std::int32_t recoil_steps(const Model& model, std::int32_t wire) noexcept {
     const Wires& w = model.wires;
     double time = 0.0;
@@ -41,7 +43,7 @@ std::int32_t recoil_steps(const Model& model, std::int32_t wire) noexcept {
     return steps < most ? static_cast<std::int32_t>(steps) : most;
 }
 
-/// Whether two interactions hold one lump.
+/// True if two interactions share a node.
 bool share_lump(const Model& model, std::int32_t a, std::int32_t b) noexcept {
     const model::Interactions& in = model.interactions;
     for (int i = 0; i < 2; ++i)
@@ -68,7 +70,7 @@ void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept {
     if (at(id) >= w.wire_of.size()) return;
     if (w.wire_of[at(id)] >= 0) {
         begins(w.wire_of[at(id)]);
-    } else if (fresh) {  // wound up by a drum: it is in no wire, but the elements beside it
+    } else if (fresh) {  // spooled by a drum: in no wire itself, but next to elements of one
         for (const std::int32_t e : w.element)
             if (share_lump(model, id, e)) begins(w.wire_of[at(e)]);
     }
@@ -76,7 +78,7 @@ void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept {
 }
 
 std::int32_t most_alert(double step) noexcept {
-    // A step of 1e-7 s, the shortest, makes ten million of them.
+    // With the shortest step, 1e-7 s, these are ten million steps.
     return static_cast<std::int32_t>(std::ceil(std::max(kAlertSteps, kAlertSeconds / step)));
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wire_alerts.h
-/// Wires that have been refused are stepped more calmly for a while, wires that have parted recoil:
-/// their elements know of it.
+/// Transfer the modes of wires to their elements: rejected wires are flagged and damped for a
+/// while, broken wires recoil.
 
 #include "context/context.h"
 #include "context/wires_data.h"
@@ -11,24 +11,26 @@
 
 namespace hawser::stepper {
 
-/// Steps that a wire is stepped more calmly for after it has been refused.
+/// Return the number of steps for which a wire stays damped after it was rejected.
 [[nodiscard]] std::int32_t most_alert(double step) noexcept;
 
-/// Steps that a wire recoils at most after it has parted.
+/// Return the largest number of steps for which a broken wire recoils.
 [[nodiscard]] std::int32_t most_recoil(double step) noexcept;
 
-/// An element parts: its wire recoils for as long as a wave along takes from end to end, from the
-/// next step on (docs/wires.md). Elements that are new since the last preparation have no wire yet.
-/// @param fresh  Wires are those of the model as it is: nothing was added or removed since.
+/// Start the recoil of a wire when an element breaks. It begins with the next step and lasts for
+/// the travel time of a wave from end to end (docs/wires.md). Elements added since the last
+/// preparation belong to no wire yet.
+/// @param fresh  True if the wires are up to date: nothing was added or removed since.
 void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept;
 
-/// The longer one of Wires::recoil; what is still to be found counts as longest.
+/// Return the longer of two values of Wires::recoil. A value that is still unknown counts as
+/// longest.
 [[nodiscard]] inline std::int32_t longer_recoil(std::int32_t a, std::int32_t b) noexcept {
     return a < 0 || b < 0 ? Wires::kBeginsToRecoil : std::max(a, b);
 }
 
-/// What a restored state says of alerts and recoils becomes the elements'; what cannot be is
-/// mended.
+/// Copy the flags and recoils of wires to their elements after a restore. Invalid values are
+/// repaired.
 void follow_alerts(Model& model) noexcept;
 
 }  // namespace hawser::stepper

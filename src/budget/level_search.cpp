@@ -17,7 +17,8 @@
 namespace hawser::stepper {
 namespace {
 
-/// What cutting each interface costs by the last step's forces, velocities and violations.
+/// Return the cost of cutting each interface, from the forces, velocities and violations of the
+/// last step.
 std::vector<double> interface_weights(Model& model) {
     assembly::PartGraph g;
     read_graph(model, g);
@@ -33,14 +34,15 @@ std::vector<double> interface_weights(Model& model) {
     return weight;
 }
 
-/// The work of the matrix with these interfaces cut.
+/// Return the work of the matrix if these interfaces are cut.
 double analysed_work(StepContext& ctx, std::uint64_t interfaces) {
     keep_state(ctx, Undo::Depth::system);
     assembly::System beside;
     beside.most_bytes = ctx.model.def.max_memory;
     leave_out(ctx.model, interfaces, beside);
     beside.contacts = ctx.model.system.contacts;
-    model::Interactions rows = ctx.model.interactions;  // an analysis chooses forms
+    // a copy, because the analysis chooses the forms of rows
+    model::Interactions rows = ctx.model.interactions;
     beside.analyse(ctx.model.bodies, rows, ctx.model.def, ctx.pool.threads());
     return matrix_work(static_cast<double>(beside.symbolic.flops),
                        static_cast<double>(beside.symbolic.factor_nnz));

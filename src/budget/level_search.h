@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file level_search.h
-/// What each level of cuts would cost: its system is analysed beside that of the world
-/// (cut_levels.h).
+/// Compute the cost of each level of cuts (cut_levels.h). The system of a level is analysed next to
+/// that of the world.
 
 #include "context/context.h"
 #include "context/cut_levels.h"
 
 namespace hawser::stepper {
 
-/// Levels of the present state, with their matrices analysed beside the world, which stays as it
-/// is. Within a step, which goes back where this throws. @throws std::bad_alloc, LimitError.
+/// Return the levels of the present state. Their matrices are analysed next to the world, which
+/// does not change. Call within a step, which is undone if this throws. @throws std::bad_alloc,
+/// LimitError.
 [[nodiscard]] std::vector<CutLevels::Level> find_cut_levels(StepContext& ctx);
 
 }  // namespace hawser::stepper

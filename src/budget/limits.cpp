@@ -14,7 +14,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// Work of the step's solver.
+/// Return the work of the step's solver.
 Load load_of(const StepContext& ctx) noexcept {
     const double rows = ctx.model.interactions.row_count + ctx.model.bodies.dofs +
                         12.0 * static_cast<double>(ctx.state.contacts.awake);
@@ -23,9 +23,10 @@ Load load_of(const StepContext& ctx) noexcept {
                       kRowWork * rows};
 }
 
-constexpr double kAim = 0.95;  ///< Of the budget; the rest is left to what no one foresees.
+/// Fraction of the budget that is planned; the rest is a margin for prediction errors.
+constexpr double kAim = 0.95;
 
-/// Whether deadlines may ask for cuts in this step.
+/// True if deadlines may request cuts in this step.
 bool may_cut(const Model& model, const State& state) noexcept {
     return model.def.budget > 0.0 && model.cuts.interfaces > 0 && !state.imposed.any() &&
            state.step > 0;
@@ -57,7 +58,7 @@ Status choose_cuts(StepContext& ctx) noexcept {
 }
 
 void begin_budget(StepContext& ctx) noexcept {
-    ctx.work.newton.iterations = 0;  // from here on of all solves of the step
+    ctx.work.newton.iterations = 0;  // counts all solves of the step from here on
     Limits limits{.seconds = kAim * ctx.model.def.budget,
                   .work = 0.0,
                   .most = 0,
@@ -66,7 +67,7 @@ void begin_budget(StepContext& ctx) noexcept {
     ctx.work.stats.degradation.wires =
         ctx.state.imposed.any() ? ctx.state.imposed.wires : ctx.work.limits.coarsening.level();
     if (ctx.work.limits.coarsening.comes_first() && !ctx.state.imposed.any()) limits.seconds = 0.0;
-    // Impacts are not limited. Ending a solve takes one factorisation; 0 is no limit.
+    // Impacts are not limited. Ending a solve takes one factorisation; 0 means no limit.
     if (ctx.model.def.budget_work > 0.0 && !ctx.work.limits.coarsening.comes_first())
         limits.work = std::max(
             1.0, ctx.model.def.budget_work - static_cast<double>(ctx.work.stats.factor_flops));
@@ -76,7 +77,7 @@ void begin_budget(StepContext& ctx) noexcept {
         ctx.stopwatch->seconds();
     const Load load = load_of(ctx);
     if (ctx.work.limits.deadline.knows()) {
-        // What has passed since the step began is known; what is to come is reckoned.
+        // The time since the start of the step is measured; the remaining time is predicted.
         const double left = limits.seconds - ctx.work.limits.laps.start +
                             ctx.work.limits.deadline.predict_start(load);
         limits.most = ctx.work.limits.deadline.iterations_by(left, load);
@@ -90,8 +91,7 @@ void begin_budget(StepContext& ctx) noexcept {
 
 namespace {
 
-/// What the step took over what it may, a little more than that where it was cut; 0: it has no
-/// budget.
+/// Return the used fraction of the budget, at least kCut if the step was cut; 0: no budget.
 double demand_of(const StepContext& ctx) noexcept {
     const WorldDef& def = ctx.model.def;
     const StepStats& s = ctx.work.stats;
@@ -99,7 +99,7 @@ double demand_of(const StepContext& ctx) noexcept {
     if (def.budget > 0.0) demand = s.solver_cpu_seconds / (kAim * def.budget);
     if (def.budget_work > 0.0)
         demand = std::max(demand, static_cast<double>(ctx.work.solve.step_flops) / def.budget_work);
-    // What it would have taken as a whole is foreseen with room for deviations: not reckoned with.
+    // The predicted demand of the whole step contains a margin, so it is not used here.
     constexpr double kCut = 1.05;
     if (s.cut) demand = std::max(demand, kCut);
     return demand;

@@ -31,7 +31,7 @@ Builder::Builder(CraneSite& site, const Common& common)
     base_.id = common.mount.on;
     base_.turn = (on_.pose.orientation * common.mount.orientation).normalized();
     base_.pin = on_.pose.position + on_.pose.orientation * common.mount.point;
-    // Its frame as a link: of_world() and local() have to give the body's own.
+    // Its link frame: of_world() and local() must return coordinates of the body's own frame.
     base_.centre = Vec3::Zero();
     const Quat slewed = base_.turn * Quat(Eigen::AngleAxisd(common.slew.angle, Vec3::UnitZ()));
     up_ = gravity_.norm() > 0.0 ? Vec3(-gravity_.normalized()) : slewed * Vec3::UnitZ();
@@ -104,7 +104,7 @@ void Builder::add_hinge(const char* what, const Link& a, const Link& b, const Ve
     def.kind = InteractionKind::Hinge;
     def.body[0] = a.id;
     def.body[1] = b.id;
-    // What it stands on has a frame of its own, which the mount is turned against.
+    // The body under the crane has its own frame, which differs from that of the mount.
     const bool mount = a.id == base_.id;
     const Pose& on = on_.pose;
     def.point[0] = mount ? Vec3(on.orientation.conjugate() * (at - on.position)) : a.of_world(at);
@@ -123,7 +123,7 @@ void Builder::add_hinge(const char* what, const Link& a, const Link& b, const Ve
         site_.add(add_part("/limit", InteractionKind::HingeRange)
                       .set("min", parts.range->first)
                       .set("max", parts.range->second));
-    // It begins with its brake set.
+    // The motor starts without force, because the brake is set.
     if (parts.torque)
         site_.add(add_part("/motor", InteractionKind::HingeMotor)
                       .set("force_min", 0.0)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file builder.h
-/// Adds the parts of a crane to its site: links, hinges with what drives them, drums, lines.
+/// Add the parts of a crane to its site: links, hinges with their drives, drums, lines.
 
 #include <hawser/crane.h>
 #include <hawser/route.h>
@@ -16,12 +16,12 @@
 
 namespace hawser::crane {
 
-/// A body whose frame in a definition begins at a pin and not in its centre of mass.
+/// Body whose frame in a definition begins at a pin instead of its centre of mass.
 struct Link {
     BodyId id{};
-    Vec3 pin{0.0, 0.0, 0.0};  ///< Origin of its frame in the world.
+    Vec3 pin{0.0, 0.0, 0.0};  ///< Origin of its frame in the world [m].
     Quat turn = Quat::Identity();
-    Vec3 centre{0.0, 0.0, 0.0};  ///< Of mass, in its frame.
+    Vec3 centre{0.0, 0.0, 0.0};  ///< Centre of mass in its frame [m].
 
     [[nodiscard]] Vec3 world(const Vec3& p) const { return pin + turn * p; }
     [[nodiscard]] Vec3 local(const Vec3& p) const { return p - centre; }
@@ -30,11 +30,11 @@ struct Link {
     }
 };
 
-/// How a hinge between two links is limited, driven and rubbed.
+/// Limit, drive and brake of a hinge between two links.
 struct HingeParts {
-    std::optional<std::pair<double, double>> range{};  ///< [rad]
-    std::optional<double> torque{};                    ///< Of a motor [N m].
-    std::optional<double> brake{};                     ///< [N m]
+    std::optional<std::pair<double, double>> range{};  ///< Range of the angle [rad].
+    std::optional<double> torque{};                    ///< Largest torque of a motor [N m].
+    std::optional<double> brake{};                     ///< Torque of a brake [N m].
 };
 
 class Builder {
@@ -42,38 +42,41 @@ class Builder {
     Builder(CraneSite& site, const Common& common);
 
     [[nodiscard]] const Link& base() const { return base_; }
-    /// Up, square to gravity's pull; without gravity the crane's z.
+    /// Return the unit vector opposite to gravity; without gravity the crane's z axis.
     [[nodiscard]] const Vec3& up() const { return up_; }
     [[nodiscard]] const Vec3& gravity() const { return gravity_; }
     [[nodiscard]] std::string named(const char* what) const { return part(common_.name, what); }
 
-    /// The slewing column on its bearing, with motor and brake.
+    /// Add the slewing column on its bearing, with motor and brake.
     Link add_column();
-    /// A boom or jib on a pin, turned against what it stands on.
+    /// Add a boom or jib on a pin. @param turn  Its orientation in the world.
     Link add_link(const char* what, const CraneLink& def, const Vec3& pin, const Quat& turn);
     Link add_box(const char* what, double mass, const Vec3& half_size, const Vec3& pin,
                  const Quat& turn, const Vec3& centre, const Vec3& damping = Vec3::Zero());
     BodyId add_lump(const char* what, double mass, const Vec3& at);
     BodyId add_scalar(const char* what, double mass);
-    /// @param turn  From the frame of the joint, which turns about z, to that of the links.
+    /// Add a hinge. @param turn  Rotation from the frame of the joint, which turns about z, to that
+    /// of the links.
     void add_hinge(const char* what, const Link& a, const Link& b, const Vec3& at, const Quat& turn,
                    const HingeParts& parts);
-    /// A cylinder of the force `tension` at the start, with its stroke and motor.
+    /// Add a cylinder with its stroke and motor. @param tension  Its force at the start [N].
     void add_cylinder(const char* what, const CraneCylinder& def, const Link& a, const Link& b,
                       double tension);
-    /// Drum with motor and brake. @return it.
+    /// Add a drum with motor and brake. @return the drum.
     BodyId add_drum(const char* what, const CraneTackle& def);
     void add_route(const RouteDef& def);
     InteractionId add(const InteractionDef& def) { return site_.add(def); }
     [[nodiscard]] CraneBody find(BodyId id) const { return site_.find(id); }
 
-    /// Moment about a hinge through `pin` that raises, of a force at a point [N m].
+    /// Return the moment of a force at a point about a hinge through `pin`, positive if it raises
+    /// [N m].
     [[nodiscard]] double raising(const Vec3& pin, const Vec3& at, const Vec3& force) const {
         return raise_axis_.dot((at - pin).cross(force));
     }
-    /// Unit vector of the world about which the boom turns when it is raised, at the start.
+    /// Return the unit vector of the world about which the boom turns when it is raised, at the
+    /// start.
     [[nodiscard]] const Vec3& raise_axis() const { return raise_axis_; }
-    /// Level unit vector of the world, to where the boom points.
+    /// Return the horizontal unit vector of the world in the direction of the boom.
     [[nodiscard]] const Vec3& ahead() const { return ahead_; }
 
   private:
@@ -88,18 +91,19 @@ class Builder {
     std::map<std::int32_t, RouteBody> made_;
 };
 
-/// Turns z of a joint's frame to −y, so that what is raised has a growing angle.
+/// Return the rotation of z of a joint's frame to −y, so that the angle grows when a link is
+/// raised.
 [[nodiscard]] Quat hinge_turn();
 
-/// Hook with its block, hung from the head of a link by the falls of the hoist.
-/// @param over  Where the line comes over the knuckle: that link, whose head has a sheave.
+/// Add the hook with its block, which hangs from the head of a link by the falls of the hoist.
+/// @param over  Link whose head has a sheave at the knuckle that the line passes over; null: none.
 Link add_hoist(Builder& b, const Common& c, const Link& drum_on, const Link* over, const Link& head,
                double head_at);
 
-/// Slings of the load that hangs from the start, if one does.
+/// Add the slings of the load that hangs from the start, if there is one.
 void add_slings(Builder& b, const Common& c, const Link& hook);
 
-/// Sheaves at the head and at the hook.
+/// Return the number of sheaves at the head or at the hook.
 [[nodiscard]] constexpr int head_sheaves(int falls) noexcept { return (falls + 1) / 2; }
 [[nodiscard]] constexpr int hook_sheaves(int falls) noexcept { return falls / 2; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Definitions of cranes that are wrong by themselves, whatever they stand on; loads.
+/// Check definitions of cranes for errors that do not depend on the world; check loads.
 #include <hawser/world.h>
 
 #include "crane/common.h"
@@ -13,13 +13,13 @@ namespace {
 constexpr int kMostFalls = 64;
 constexpr double kFar = 1e4, kHeavy = 1e12, kStrong = 1e15;
 
-/// Checks fields of one part.
+/// Checks of the fields of one part.
 class Fields {
   public:
     Fields(const std::string& name, std::string part, const char* kind = "crane")
         : name_(name), part_(std::move(part)), kind_(kind) {}
 
-    /// Above 0 where `least` is.
+    /// Check that a value is above 0.
     const Fields& positive(const char* field, double value, double most) const {
         if (!(value > 0.0 && value <= most))
             fail(field, number(value) + "; give a number above 0 and at most " + number(most));
@@ -215,7 +215,7 @@ void check(const KnuckleCraneDef& d) {
     f.between("jib_angle", d.jib_angle, -kPi, kPi);
     check_cylinder(d.name, "boom_cylinder", d.boom_cylinder, boom_linkage(d));
     check_cylinder(d.name, "jib_cylinder", d.jib_cylinder, jib_linkage(d));
-    // The line comes to the sheave at the knuckle from above, and has to bend down there.
+    // The line comes to the sheave at the knuckle from above and must bend down there.
     const double r = d.hoist.sheave_radius, along = d.boom.length - d.hoist.drum.x();
     if (!(along > 2.0 * r))
         f.fail("hoist/drum", "x = " + number(d.hoist.drum.x()) +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file common.h
-/// What knuckle-boom and lattice cranes have in common, and refusals by name.
+/// Define the common parts of knuckle-boom and lattice cranes, and errors with names.
 
 #include <hawser/crane.h>
 
@@ -19,7 +19,7 @@ namespace hawser::crane {
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kUnbounded = 1e30;
 
-/// Parts of a definition that both kinds have; it outlives this.
+/// Parts of a definition that both kinds have. The definition must outlive this struct.
 struct Common {
     const std::string& name;
     const CraneMount& mount;
@@ -42,41 +42,44 @@ template <class Def>
             d.hoist, d.hook,  d.rating, d.loads,  d.take,      d.ramp};
 }
 
-/// @param where  Path of the field, such as "hoist/efficiency". @param kind  Of what has the name.
+/// Throw an error of a definition.
+/// @param where  Path of the field, such as "hoist/efficiency".
+/// @param kind   Kind of the named object.
 [[noreturn]] inline void refuse(const std::string& name, const std::string& where,
                                 const std::string& why, const char* kind = "crane") {
     throw DefError(std::string(kind) + " '" + name + "': " + where + ": " + why);
 }
 
-/// Refuses what is out of range, or does not fit, before anything is added. @throws DefError.
+/// Reject values that are out of range or inconsistent, before anything is added. @throws DefError.
 void check(const KnuckleCraneDef& def);
 void check(const LatticeCraneDef& def);
 
 inline constexpr std::size_t kMostEyes = 8;
 
-/// What a hook is to take: that of a crane, or one by itself (hawser/hook.h).
+/// Loads of a hook: of a crane's hook, or of a separate one (hawser/hook.h).
 struct Takes {
-    const char* kind;  ///< "crane", "hook": what refusals call the owner.
+    const char* kind;  ///< Name of the owner in errors: "crane" or "hook".
     const std::string& name;
     const std::vector<CraneLoad>& loads;
     int take;
 };
-/// Loads that are wrong by themselves. @throws DefError.
+/// Check the loads for errors that do not depend on the world. @throws DefError.
 void check_loads(const Takes& takes);
-/// Loads that cannot hang in this world. @throws DefError.
+/// Check that the loads can hang in this world. @throws DefError.
 void check_load_bodies(const World& world, const Takes& takes);
 
-/// Name of a part of a crane, "crane/boom".
+/// Return the name of a part of a crane, such as "crane/boom".
 [[nodiscard]] inline std::string part(const std::string& crane, const char* what) {
     return crane + "/" + what;
 }
 
-/// Leg i of a hook.
+/// Return the name of leg i of a hook.
 [[nodiscard]] inline std::string leg_name(const std::string& hook, std::size_t i) {
     return hook + "/leg" + std::to_string(i + 1);
 }
 
-/// Sling to eye i of a load, from a point of the hook that is so far away [m].
+/// Return the sling to eye i of a load. @param way  Distance from the point of the hook to the eye
+/// [m].
 [[nodiscard]] inline InteractionDef sling_of(const CraneLoad& load, std::size_t i, std::string name,
                                              BodyId hook, const Vec3& point, double way) {
     InteractionDef sling;
@@ -90,9 +93,9 @@ void check_load_bodies(const World& world, const Takes& takes);
     return sling.set("breaking_load", load.breaking_load);
 }
 
-/// Which part of the route is fall k, from 1 on: before the falls the line comes from the drum,
-/// over the knuckle where there is one; between falls 1 and 2, 3 and 4 … it passes under a hook
-/// sheave.
+/// Return the index of fall k in the parts of the route; k starts at 1. Before the falls the line
+/// comes from the drum, over the knuckle if there is one. Between falls 1 and 2, 3 and 4 … it
+/// passes under a hook sheave.
 [[nodiscard]] constexpr int part_of_fall(int k, bool knuckle) noexcept {
     return (knuckle ? 2 : 1) + k + k / 2;
 }

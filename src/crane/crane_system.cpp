@@ -10,10 +10,12 @@
 namespace hawser::crane {
 namespace {
 
-constexpr double kStandardGravity = 9.80665;  ///< Scales of a world without gravity [m/s²].
-constexpr double kMostShown = 10.0;           ///< Utilisation is shown up to it.
-constexpr double kNothing = 0.01;             ///< Share of the largest rated load that is no load.
-constexpr double kBack = 0.98;                ///< Of a threshold, below which its alarm ends.
+/// Gravity for scaling in a world without gravity [m/s²].
+constexpr double kStandardGravity = 9.80665;
+constexpr double kMostShown = 10.0;  ///< Largest utilisation that is shown.
+/// Fraction of the largest rated load below which the load counts as zero.
+constexpr double kNothing = 0.01;
+constexpr double kBack = 0.98;  ///< Fraction of a threshold below which its alarm ends.
 constexpr const char* kMotionNames[] = {"slew", "luff", "knuckle", "hoist"};
 constexpr const char* kMotionUnits[] = {"rad/s", "m/s", "m/s", "m/s"};
 
@@ -58,7 +60,7 @@ void CraneSystem::check_state(const World& world, StateRules& rules) const {
     for (std::size_t i = 0; i < orders_.size(); ++i) {
         const Order& o = orders_[i];
         const double most =
-            2.0 * parts_.drives[i].most;  // a ramp of no time overshoots by rounding
+            2.0 * parts_.drives[i].most;  // margin for rounding: a ramp of zero duration overshoots
         rules.range(o.ramped, -most, most, "the speed of a motion is out of range");
         rules.flag(o.braked, "whether a brake is set is no flag");
     }
@@ -118,7 +120,8 @@ void CraneSystem::look(const Prestep& now) noexcept {
     tip_rise_ = head.z() - seen(parts_.tip, parts_.tip_pin).z();
 }
 
-/// The tensions of the falls are those of the last step: before the first there are none.
+/// Measure the load from the tensions of the falls in the last step. Before the first step there
+/// are none.
 void CraneSystem::weigh(const Prestep& now) noexcept {
     double pull = 0.0;
     for (const InteractionId fall : parts_.falls) pull += std::max(0.0, -now.world.force(fall)[0]);
@@ -136,7 +139,7 @@ void CraneSystem::weigh(const Prestep& now) noexcept {
         utilisation_ = kMostShown;
 }
 
-/// Steps of the alarm.
+/// Update the level of the alarm.
 void CraneSystem::watch(Prestep& now) noexcept {
     const CraneRating& r = task_.rating;
     if (r.curve.empty()) return;
@@ -154,7 +157,7 @@ void CraneSystem::watch(Prestep& now) noexcept {
     clock_ = 0.0;
 }
 
-/// Whether a motion has come to where it is cut out.
+/// True if a motion has reached a limit at which it is cut out.
 bool CraneSystem::at_end(const World& world, int motion, double wanted) const noexcept {
     if (motion == kHoist) return wanted > 0.0 && hang_ <= task_.hook.least_hang;
     const Drive& d = parts_.drives[static_cast<std::size_t>(motion)];
@@ -163,7 +166,8 @@ bool CraneSystem::at_end(const World& world, int motion, double wanted) const no
     return (wanted > 0.0 && length >= d.top) || (wanted < 0.0 && length <= d.least);
 }
 
-/// The radius of a head that stands above its pin falls as it rises.
+/// True if a motion increases the moment. The radius of a head above its pin decreases when the
+/// head rises.
 bool CraneSystem::raises_moment(int motion, double wanted) const noexcept {
     if (motion == kHoist) return wanted > 0.0;
     if (motion == kLuff) return -boom_rise_ * parts_.luff_sign * wanted > 0.0;
@@ -236,11 +240,11 @@ void CraneSystem::let_go(Prestep& now) noexcept {
 
 void CraneSystem::handle_load(Prestep& now) noexcept {
     const int most = static_cast<int>(task_.loads.size());
-    // A state that was tampered with may say anything.
+    // A modified state may hold any value.
     const int wanted = take_ >= 0.0 && take_ <= most ? static_cast<int>(std::lround(take_)) : 0;
     if (held_ < 0 || held_ > most) held_ = 0;
     if (held_ != 0) {
-        // Others may have taken away what hung.
+        // The load may have been removed by others.
         const auto& eyes = task_.loads[static_cast<std::size_t>(held_ - 1)].eyes;
         bool there = false;
         for (std::size_t i = 0; i < eyes.size(); ++i) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file crane_system.h
-/// What a crane does at the beginning of each step (hawser/crane.h): it looks where its hook is and
-/// what hangs there, drives its motions, and takes or lets go of loads.
+/// Run a crane at the start of each step (hawser/crane.h). It measures the position of its hook and
+/// its load, drives its motions, and attaches or releases loads.
 ///
-/// **Drives.** What is wanted is followed by a ramp. At 0 the brake is set and the motor off;
-/// before the first motion the motor is on and the brake down to the friction of the bearing.
-/// Cylinders have no brake: their motor holds them, as a valve that locks does, up to the limits of
-/// its force.
+/// Drives: a ramp follows the requested speed. At 0 the brake is set and the motor is off. Before a
+/// motion starts, the motor is switched on and the brake is reduced to the friction of the bearing.
+/// Cylinders have no brake: their motor holds them up to the limits of its force, like a locked
+/// valve.
 ///
-/// **Slings** are interactions that come and go by Prestep::edits. They are found by their names,
-/// which mean the same after a restore.
+/// Slings: these are interactions that Prestep::edits adds and removes. They are found by their
+/// names, which stay valid after a restore.
 
 #include <hawser/crane.h>
 #include <hawser/system.h>
@@ -29,31 +29,33 @@ namespace hawser::crane {
 enum Motion : std::uint8_t { kSlew, kLuff, kKnuckle, kHoist };
 inline constexpr int kMotions = 4;
 
-/// One motion, and what moves it.
+/// One motion and its drive.
 struct Drive {
     bool there = false;
-    double most = 0.0;                   ///< Of what is wanted, to both sides.
-    double ratio = 1.0;                  ///< Speed of the motor over what is wanted.
-    double low = 0.0, high = 0.0;        ///< Of the motor's force while it runs.
-    double brake = 0.0, friction = 0.0;  ///< Bound of the brake, set and lifted.
-    BodyId scalar{};                     ///< Drum or stroke; of the slew none.
+    double most = 0.0;                   ///< Largest requested speed in both directions.
+    double ratio = 1.0;                  ///< Speed of the motor over the requested speed.
+    double low = 0.0, high = 0.0;        ///< Range of the motor's force while it runs.
+    double brake = 0.0, friction = 0.0;  ///< Bound of the brake when set; when released.
+    BodyId scalar{};                     ///< Drum or stroke; invalid for the slew.
     InteractionId motor{}, rubs{};
     InputId speed{}, force_low{}, force_high{}, bound{};
-    double start = 0.0, least = -kUnbounded, top = kUnbounded;  ///< Of a cylinder's length [m].
+    /// Length of a cylinder at the start, its lower and upper limit [m].
+    double start = 0.0, least = -kUnbounded, top = kUnbounded;
 };
 
-/// Where everything of a crane is in a world.
+/// Bodies and interactions of a crane in a world.
 struct CraneParts {
-    BodyId on{}, column{}, boom{}, tip{}, hook{};  ///< Tip: the link that the hook hangs from.
-    Vec3 mount{0.0, 0.0, 0.0};                     ///< In the frame of `on`.
+    BodyId on{}, column{}, boom{}, tip{}, hook{};  ///< `tip` is the link that the hook hangs from.
+    Vec3 mount{0.0, 0.0, 0.0};  ///< Position of the mount in the frame of `on` [m].
     Quat orientation = Quat::Identity();
-    Vec3 boom_pin{0, 0, 0}, tip_pin{0, 0, 0}, head{0, 0, 0};  ///< In the frames of boom and tip.
-    double luff_sign = 1.0, knuckle_sign = 1.0;               ///< Of dθ/dt over what is wanted.
+    /// Positions in the frames of boom and tip [m].
+    Vec3 boom_pin{0, 0, 0}, tip_pin{0, 0, 0}, head{0, 0, 0};
+    double luff_sign = 1.0, knuckle_sign = 1.0;  ///< Sign of dθ/dt over the requested speed.
     std::vector<InteractionId> falls{};
     std::array<Drive, kMotions> drives{};
 };
 
-/// What the system needs of a definition.
+/// Parts of a definition that the system needs.
 struct CraneTask {
     std::string name{};
     CraneHook hook{};
@@ -78,11 +80,11 @@ class CraneSystem final : public System {
     }
 
   private:
-    /// What of a drive is state.
+    /// State of a drive.
     struct Order {
-        double wanted = 0.0;  ///< Input.
+        double wanted = 0.0;  ///< Requested speed; input.
         double ramped = 0.0;
-        double speed = 0.0;  ///< That the motor was last told.
+        double speed = 0.0;  ///< Last speed sent to the motor.
         std::int32_t braked = 1;
     };
 
@@ -104,17 +106,17 @@ class CraneSystem final : public System {
 
     // State.
     std::array<Order, kMotions> orders_{};
-    double take_ = 0.0;  ///< Input.
+    double take_ = 0.0;  ///< Number of the load to attach, 0: none; input.
     double clock_ = 0.0;
     std::int32_t step_ = 0, held_ = 0;
     // Outputs, part of the state.
     double radius_ = 0.0, height_ = 0.0, hang_ = 0.0, load_ = 0.0, rated_ = 0.0;
     double utilisation_ = 0.0, moment_ = 0.0, alarm_ = 0.0, shown_ = 0.0, cut_ = 0.0;
-    // Of the step that begins.
-    double boom_rise_ = 0.0, tip_rise_ = 0.0;  ///< Of the head over their pins [m].
+    // Values of the current step.
+    double boom_rise_ = 0.0, tip_rise_ = 0.0;  ///< Height of the head over the pins [m].
 };
 
-/// Rated load at a radius [kg].
+/// Return the rated load at a radius [kg].
 [[nodiscard]] double rated_load(const CraneRating& rating, double radius) noexcept;
 
 }  // namespace hawser::crane

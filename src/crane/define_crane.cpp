@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Cranes in a world: their parts are added, found by their names, and driven by a system.
+/// Define cranes in a world: add their parts, find them by name, and add a system that drives them.
 #include <hawser/crane.h>
 #include <hawser/world.h>
 
@@ -30,7 +30,7 @@ class WorldSite final : public CraneSite {
         return {world_.pose(id), world_.velocity(id), def.kind, def.mass};
     }
     [[nodiscard]] Vec3 gravity() const override { return world_.settings().gravity; }
-    /// With the bodies goes all that hangs on them.
+    /// Remove the added bodies, and with them all interactions on them.
     void take_back() {
         for (auto id = added_.rbegin(); id != added_.rend(); ++id)
             if (world_.alive(*id)) (void)world_.remove_body(*id);
@@ -41,7 +41,7 @@ class WorldSite final : public CraneSite {
     std::vector<BodyId> added_;
 };
 
-/// Finds parts by name, and drives them.
+/// Search of parts by name, and creation of their drives.
 class Finder {
   public:
     Finder(World& world, const Common& common) : world_(world), common_(common) {}
@@ -59,7 +59,7 @@ class Finder {
     [[nodiscard]] Vec3 local_of(const CraneLink& link, double at) const {
         return {at - (std::isnan(link.centre) ? 0.5 * link.length : link.centre), 0.0, 0.0};
     }
-    /// @param what  Such as "slew" or "hoist".
+    /// Return the drive of a motion such as "slew" or "hoist".
     Drive drive(const std::string& what, double most, double ratio, double low, double high) {
         Drive d{.there = true, .most = most, .ratio = ratio, .low = low, .high = high};
         d.motor = interaction(what + "/motor");
@@ -118,7 +118,7 @@ void check_bodies(World& world, const Common& c) {
             refuse(c.name, "name", "an interaction has the name of one of its slings");
 }
 
-/// Find the bodies and interactions that cranes of both kinds have.
+/// Find the bodies and interactions that both kinds of cranes have.
 CraneParts common_parts(Finder& find, const Common& c, const char* tip) {
     CraneParts p;
     p.on = c.mount.on;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How a hoist is reeved.
+/// Build the reeving of a hoist.
 ///
 /// ```
-///   drum ──▸ head 1       head 2        head 3         each sheave of the head turns the line
-///   about
-///            │   ▴────────╯ │  ▴────────╯ │            +y: it comes down ahead, passes under a
-///            sheave ▾   │          ▾  │          ▾            of the hook, goes up behind, and
-///            over the next hook 1        hook 2        dead end      sheave of the head
+///   drum ──▸ head 1       head 2        head 3         each sheave of the head turns the
+///            │   ▴────────╯ │  ▴────────╯ │            line about +y: it comes down ahead,
+///            ▾   │          ▾  │          ▾            passes under a sheave of the hook, goes
+///            hook 1        hook 2        dead end      up behind, and over the next head sheave
 /// ```
-/// Even numbers of falls end at the head, odd ones at the hook. Sheaves of one block stand side by
+/// Even numbers of falls end at the head, odd ones at the hook. Sheaves of one block are side by
 /// side along y.
 ///
-/// A sheave of the hook is two eyes a diameter apart, each with the root of its efficiency: the
-/// tensions at both are those of a sheave, whatever the block does. A wheel would have to keep its
-/// axis square to the falls, nearly (model/kinds/routes.h), and a slack hook tips over.
+/// A sheave of the hook is modelled by two eyes at a distance of one diameter, each with the square
+/// root of its efficiency. The tensions at both sides are those of a sheave, for any orientation of
+/// the block. A wheel would require an axis almost perpendicular to the falls
+/// (model/kinds/routes.h), but a slack hook tips over.
 #include "crane/builder.h"
 
 #include <cmath>
@@ -21,7 +21,8 @@
 namespace hawser::crane {
 namespace {
 
-constexpr double kApart = 0.2;  ///< Of sheaves side by side, over their radius: two ropes of R/10.
+/// Distance of adjacent sheaves over their radius: two ropes of R/10.
+constexpr double kApart = 0.2;
 
 }  // namespace
 
@@ -30,8 +31,8 @@ Link add_hoist(Builder& b, const Common& c, const Link& drum_on, const Link* ove
     const CraneTackle& t = c.hoist;
     const CraneHook& h = c.hook;
     const double r = t.sheave_radius;
-    const Vec3 side = -b.raise_axis();  // y of the column
-    // One fall alone hangs ahead of the head's sheave, several on both sides of it.
+    const Vec3 side = -b.raise_axis();  // y axis of the column
+    // A single fall hangs ahead of the head's sheave, several falls on both sides of it.
     const Vec3 top = head.world({head_at, 0.0, 0.0}) + (t.falls == 1 ? r : 0.0) * b.ahead();
     Mat3 axes;
     axes.col(2) = b.up();

@@ -42,13 +42,13 @@ void HookSystem::signals(SignalTable& table) {
     table.output("state", "1", as_);
 }
 
-/// A state that was tampered with may say anything.
+/// Return the requested load. A modified state may hold any value; invalid ones count as 0.
 int HookSystem::wanted() const noexcept {
     const int most = static_cast<int>(def_.loads.size());
     return take_ >= 0.0 && take_ <= most ? static_cast<int>(std::lround(take_)) : 0;
 }
 
-/// What the legs pull. @return whether one of them holds.
+/// Measure the forces of the legs. @return true if at least one of them holds.
 bool HookSystem::weigh(const World& world) noexcept {
     const CraneLoad& load = load_of(held_);
     const Vec3 point = world.world_point(def_.body, def_.point);
@@ -84,12 +84,12 @@ void HookSystem::hold(Prestep& now) noexcept {
         let_go(now, EventKind::overload);
         return become(HookState::opened);
     }
-    // All its legs have parted, or others took them away.
+    // All legs are broken, or were removed by others.
     if (there && wanted() == held_) return become(HookState::holding);
     if (there && load_ > def_.latch) return become(HookState::latched);
     let_go(now, EventKind::detach);
     become(HookState::empty);
-    // Parted legs are not replaced for an order that has been carried out.
+    // Broken legs are not replaced if the request has already been carried out.
     if (!there && wanted() > 0) become(HookState::opened);
 }
 

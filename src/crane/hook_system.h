@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hook_system.h
-/// What a hook does at the beginning of each step (hawser/hook.h). Legs come and go by
-/// Prestep::edits and are found by their names, which mean the same after a restore.
+/// Run a hook at the start of each step (hawser/hook.h). Prestep::edits adds and removes its legs.
+/// They are found by their names, which stay valid after a restore.
 
 #include <hawser/hook.h>
 #include <hawser/system.h>
@@ -43,9 +43,9 @@ class HookSystem final : public System {
     HookDef def_;
     std::vector<std::string> leg_names_;
     // State.
-    double take_ = 0.0;                  ///< Input.
-    std::int32_t held_ = 0, state_ = 0;  ///< Number of the load; HookState.
-    std::int32_t told_ = 0;              ///< 1: that what is to be taken is out of reach.
+    double take_ = 0.0;                  ///< Number of the load to attach, 0: none; input.
+    std::int32_t held_ = 0, state_ = 0;  ///< Number of the attached load; HookState.
+    std::int32_t told_ = 0;  ///< 1: the event that the load is out of reach has been reported.
     // Outputs.
     double shown_ = 0.0, load_ = 0.0, leg_ = 0.0, as_ = 0.0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Parts of a knuckle-boom crane.
+/// Build the parts of a knuckle-boom crane.
 #include "crane/builder.h"
 
 namespace hawser {
@@ -21,7 +21,7 @@ void build_crane(CraneSite& site, const KnuckleCraneDef& def) {
     b.add_hinge("luff", column, boom, boom.pin, crane::hinge_turn(), luff);
     b.add_hinge("knuckle", boom, jib, knuckle, crane::hinge_turn(), fold);
 
-    // What the cylinders carry at the start: T lever + moment of the weights = 0.
+    // Force of the cylinders at the start: T lever + moment of the weights = 0.
     const Vec3 tip = jib.world({def.jib.length, 0.0, 0.0});
     const auto weight = [&](const Vec3& pin, const Link& link, double mass) {
         return b.raising(pin, link.world(link.centre), mass * b.gravity());
@@ -31,7 +31,7 @@ void build_crane(CraneSite& site, const KnuckleCraneDef& def) {
     const double on_boom = weight(boom.pin, boom, def.boom.mass) +
                            weight(boom.pin, jib, def.jib.mass) +
                            b.raising(boom.pin, tip, def.hook.mass * b.gravity());
-    // Raising the link makes the cylinder longer by its lever: tension does the opposite.
+    // Raising the link lengthens the cylinder by its lever; tension lowers the link.
     const double boom_lever = crane::boom_linkage(def).lever;
     const double jib_lever = crane::jib_linkage(def).lever;
     b.add_cylinder("luff", def.boom_cylinder, column, boom, on_boom / boom_lever);

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Parts of a lattice crane: pendants and a bridle, which the luffing tackle pulls to the gantry.
+/// Build the parts of a lattice crane: pendants and a bridle, which the luffing tackle pulls to the
+/// gantry.
 ///
-/// The bridle is a lump and its tackle runs over eyes: it lies on the line from the pendants to the
-/// gantry whatever the boom does, and its sheaves would add nothing but their efficiency, which the
-/// eyes have.
+/// The bridle is a point mass and its tackle runs over eyes. The bridle lies on the line from the
+/// pendants to the gantry for any position of the boom. Sheaves would add only their efficiency,
+/// which the eyes have.
 #include "crane/builder.h"
 
 namespace hawser {
 namespace crane {
 namespace {
 
-/// Line tension of an empty hook.
+/// Return the line tension of an empty hook [N].
 double empty_line(const Builder& b, const LatticeCraneDef& def) {
     return def.hook.mass * b.gravity().norm() / def.hoist.falls;
 }
 
-/// What both pendants pull with at the start: moments about the foot of the boom.
+/// Return the force of both pendants at the start, from moments about the foot of the boom [N].
 double start_pull(const Builder& b, const LatticeCraneDef& def, const Link& column,
                   const Link& boom, const Vec3& along) {
     const Vec3 head = boom.world({def.boom.length, 0.0, 0.0});

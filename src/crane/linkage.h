@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file linkage.h
-/// A cylinder, a hinge and what they hold as a triangle in the crane's plane.
+/// Compute a cylinder, a hinge and their links as a triangle in the crane's plane.
 ///
 /// ```
 ///              head           a = |foot − pin|, b = |head − pin|, φ between them
@@ -19,7 +19,7 @@
 
 namespace hawser::crane {
 
-/// Of the plane: rotation that raises what points along x by an angle.
+/// Return the rotation in the plane that raises the x axis by an angle.
 [[nodiscard]] inline Quat raised(double angle) {
     return Quat(Eigen::AngleAxisd(-angle, Vec3::UnitY()));
 }
@@ -28,7 +28,7 @@ struct Linkage {
     double a = 0.0, b = 0.0;  ///< [m]
     double angle = 0.0;       ///< θ₀ [rad]
     double phi = 0.0;         ///< φ₀ [rad]
-    double length = 0.0;      ///< At the start [m].
+    double length = 0.0;      ///< Length at the start [m].
     double lever = 0.0;       ///< dlength/dθ at the start [m].
 
     [[nodiscard]] double shortest() const { return std::abs(a - b); }
@@ -37,14 +37,15 @@ struct Linkage {
         const double cosine = std::clamp((a * a + b * b - l * l) / (2.0 * a * b), -1.0, 1.0);
         return angle + (lever > 0.0 ? 1.0 : -1.0) * (std::acos(cosine) - phi);
     }
-    /// Between the ends of its stroke, the lesser one first [rad].
+    /// Return the angles at the ends of its stroke, the smaller one first [rad].
     [[nodiscard]] std::pair<double, double> angle_range(const CraneCylinder& c) const {
         const double in = angle_at(c.min_length), out = angle_at(c.max_length);
         return {std::min(in, out), std::max(in, out)};
     }
 };
 
-/// @param pin  In the frame of the link that the foot is on.
+/// Return the linkage of a cylinder. @param pin  Hinge, in the frame of the link with the foot [m].
+/// @param angle  Angle θ₀ of the other link at the start [rad].
 [[nodiscard]] inline Linkage linkage_of(const CraneCylinder& cylinder, const Vec3& pin,
                                         double angle) {
     const Vec3 foot = cylinder.foot - pin, head = raised(angle) * cylinder.head;
@@ -54,7 +55,7 @@ struct Linkage {
     out.angle = angle;
     out.phi = std::atan2(foot.cross(head).norm(), foot.dot(head));
     out.length = (head - foot).norm();
-    // Raising turns about −y.
+    // Raising rotates about −y.
     out.lever = (head - foot).dot((-Vec3::UnitY()).cross(head)) / std::max(out.length, 1e-12);
     return out;
 }
@@ -66,11 +67,11 @@ struct Linkage {
     return linkage_of(d.jib_cylinder, {d.boom.length, 0.0, 0.0}, d.jib_angle);
 }
 
-/// Where the pendants of a lattice boom hold it, in the column's frame.
+/// Return the point where the pendants hold a lattice boom, in the column's frame [m].
 [[nodiscard]] inline Vec3 pendant_head(const LatticeCraneDef& d) {
     return d.boom_foot + raised(d.boom_angle) * Vec3(d.boom.length, 0.0, 0.5 * d.boom.height);
 }
-/// From there to the gantry [m].
+/// Return the distance from that point to the gantry [m].
 [[nodiscard]] inline double pendant_way(const LatticeCraneDef& d) {
     return (d.gantry - pendant_head(d)).norm();
 }

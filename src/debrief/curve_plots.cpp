@@ -17,7 +17,7 @@ constexpr double kLeft = 110, kWidth = 1120, kRight = 40, kTop = 40, kPanel = 13
                  kBottom = 60;
 constexpr draw::Color kLimit{150, 157, 166, 255};
 
-/// What the exercise compares an output with.
+/// Return the limits that the exercise compares an output with.
 std::set<double> limits_of(const exercise::Exercise& e, const std::string& output) {
     std::set<double> out;
     const auto take = [&](const auto& list) {
@@ -33,7 +33,7 @@ std::set<double> limits_of(const exercise::Exercise& e, const std::string& outpu
     return out;
 }
 
-/// Goals green, what went wrong red, on the lower edge of a panel.
+/// Mark events on the lower edge of a panel: goals in green; alarms, penalties and faults in red.
 void mark_entries(draw::Drawing& drawing, const draw::Axes& axes, const exercise::Result& result) {
     for (const exercise::Entry& e : result.entries) {
         const bool good = e.kind == exercise::EntryKind::goal;

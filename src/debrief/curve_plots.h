@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file curve_plots.h
-/// Displays of an exercise over time.
+/// Plot the displays of an exercise over time.
 
 #include <hawser/exercise.h>
 #include "draw/drawing.h"
@@ -10,8 +10,8 @@
 
 namespace hawser::debrief {
 
-/// A panel a display, of at most twelve, with the limits that the exercise compares it with.
-/// @return nothing where there are none.
+/// Draw one panel for each display, at most twelve, with the limits that the exercise compares it
+/// with. @return no value if there are no displays or fewer than two samples.
 [[nodiscard]] std::optional<draw::Drawing> plot_curves(const exercise::Exercise& exercise,
                                                        const exercise::Result& result,
                                                        const exercise::Curves& curves);

@@ -125,7 +125,7 @@ std::string entry_table(const exercise::Result& r) {
     return out + "</table>\n";
 }
 
-/// Without the declaration that begins a file of its own.
+/// Return a figure with an SVG that lacks the XML declaration of a separate file.
 std::string figure(const draw::Drawing& drawing, const std::string& caption) {
     const std::string svg = draw::to_svg(drawing);
     return fmt::format("<figure>\n{}<figcaption>{}</figcaption></figure>\n",

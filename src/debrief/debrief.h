@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file debrief.h
-/// The report on an exercise: one HTML file without scripts, with score, events, plots and
+/// Write the report on an exercise: one HTML file without scripts, with score, events, plots and
 /// pictures.
 
 #include <hawser/exercise.h>
@@ -11,8 +11,9 @@
 
 namespace hawser::debrief {
 
-/// @param recording  Of the run, for pictures; null: none. All text of the exercise is escaped, and
-/// the page forbids itself everything from elsewhere (Content-Security-Policy).
+/// Return the report. All text of the exercise is escaped. The page forbids all external content
+/// (Content-Security-Policy).
+/// @param recording  Recording of the run, for pictures; null: no pictures.
 [[nodiscard]] std::string to_html(const exercise::Exercise& exercise,
                                   const exercise::Result& result, const exercise::Curves& curves,
                                   const record::Recording* recording);

@@ -11,9 +11,10 @@ namespace hawser::draw {
 namespace {
 
 constexpr std::size_t kAlongCells =
-    400;  // Of a wire whose nodes come and go: more than pixels show.
+    // Number of cells for a wire with a varying number of nodes; more than the pixels of a plot.
+    400;
 
-/// Elements of a wire in one frame: where each begins and ends [m], and its tension [N].
+/// Elements of a wire in one frame: start and end of each [m], tension [N].
 struct WireElements {
     std::vector<double> from, to, tension;
     std::vector<bool> parted;
@@ -28,7 +29,7 @@ struct WireElements {
     }
 };
 
-/// Elements of equal length, as at the start.
+/// Return the elements of a cable with equal lengths, as at the start.
 WireElements equal_elements(const record::RecordedCable& cable, const record::Frame& frame) {
     WireElements out;
     for (std::int32_t i = 0; i < cable.elements; ++i)
@@ -46,7 +47,7 @@ WireElements as_it_lies(const std::vector<WireLine>& lines, const std::string& n
     return out;
 }
 
-/// Over all frames but that before the first step.
+/// Call done(index, frame) for all frames except the one before the first step.
 template <class F>
 void each_frame(const record::Recording& recording, F&& done) {
     for (std::size_t f = 0; f < recording.frame_count(); ++f) {
@@ -55,7 +56,7 @@ void each_frame(const record::Recording& recording, F&& done) {
     }
 }
 
-/// Least, greatest and mean of what has been put into cells of equal length.
+/// Least, greatest and mean tension in cells of equal length.
 class TensionCells {
   public:
     TensionCells(std::size_t count, double length)
@@ -104,7 +105,7 @@ WireElements elements_of(const record::Recording& recording, const Along& wire,
                         : equal_elements(recording.cables[wire.cable], frame);
 }
 
-/// Which wires change, and how long each becomes.
+/// List the plotted wires, and find their greatest length and which of them change their nodes.
 std::vector<Along> plotted(const record::Recording& recording, const record::Series& series,
                            std::size_t most, const WireReader& reader) {
     std::vector<Along> out;

@@ -52,7 +52,7 @@ void Axes::draw(Drawing& drawing) const {
 std::vector<Point> thinned(const Axes& axes, std::span<const double> x, std::span<const double> y) {
     std::vector<Point> out;
     const std::size_t n = std::min(x.size(), y.size());
-    // Half a point a column is one pixel at the usual scale of 2.
+    // Half a point is one pixel column at the usual scale of 2.
     const auto column = [&](std::size_t i) { return std::floor(2.0 * axes.at(x[i], 0.0).x); };
     for (std::size_t i = 0; i < n;) {
         std::size_t low = i, high = i, last = i;
@@ -83,7 +83,7 @@ Color curve_color(std::size_t index) {
 }
 
 Color scale_color(double t) {
-    // Anchors close to the "plasma" map, its yellow end left out.
+    // Colours close to the "plasma" map without its yellow end.
     static constexpr std::array<Color, 6> kAnchors{{{20, 40, 140, 255},
                                                     {90, 10, 165, 255},
                                                     {160, 25, 155, 255},
@@ -119,7 +119,7 @@ void draw_color_bar(Drawing& drawing, const Box& box, Range range, const std::st
     constexpr int kBands = 128;
     for (int i = 0; i < kBands; ++i) {
         const double h = box.height / kBands;
-        // A little overlap: no hairlines between the bands.
+        // Bands overlap slightly to avoid hairlines between them.
         drawing.box({box.x, box.bottom() - (i + 1) * h, box.width, h + (i > 0 ? 0.5 : 0.0)},
                     scale_color((i + 0.5) / kBands));
     }

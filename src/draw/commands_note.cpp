@@ -14,15 +14,15 @@ namespace hawser::draw {
 
 namespace {
 
-constexpr std::size_t kMost = 6;          // Moments at which something was set, …
-constexpr std::size_t kMostDone = 12;     // … and at which something was done.
-constexpr std::size_t kMostInMoment = 8;  // Changes listed in one of them.
+constexpr std::size_t kMost = 6;          // Largest number of marked moments with set inputs.
+constexpr std::size_t kMostDone = 12;     // Largest number of marked moments with other actions.
+constexpr std::size_t kMostInMoment = 8;  // Largest number of changes listed for one moment.
 
 struct Moment {
     std::vector<std::string> done, set;
 
     static void put(std::vector<std::string>& to, std::string text) {
-        // What a take after a restored state does again is listed once.
+        // List a change once if a branch after a restored state repeats it.
         if (std::find(to.begin(), to.end(), text) == to.end()) to.push_back(std::move(text));
     }
     static std::string listed(const std::vector<std::string>& texts) {
@@ -40,7 +40,7 @@ std::string input_name(const record::Recording& recording, std::int32_t input) {
 }
 
 void add_inputs(const record::Recording& recording, std::map<std::int64_t, Moment>& moments) {
-    // What an input was set to last: repeating a value is no command.
+    // Last value of each input: setting the same value again is no command.
     std::map<std::int32_t, double> last;
     for (const record::RecordedInput& change : recording.inputs) {
         const double before = std::exchange(last[change.input], change.value);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file commands_note.h
-/// What was commanded in a run, in pictures over time.
+/// Mark the commands of a run in pictures over time.
 
 #include <hawser/recording.h>
 #include "draw/axes.h"
@@ -11,23 +11,24 @@
 
 namespace hawser::draw {
 
-/// A moment at which something was commanded.
+/// Moment with commands.
 struct Command {
-    double time = 0.0;  ///< [s]
-    std::string text;   ///< Inputs and signals that changed: "tow_speed −0.2, winch.speed 0.5"; "".
-    std::string
-        done{};  ///< What else was done: "cut tow at 120 m, winch.mode render"; "": nothing.
+    double time = 0.0;  ///< Time of the moment [s].
+    /// Inputs and signals that changed: "tow_speed −0.2, winch.speed 0.5"; empty if none.
+    std::string text;
+    std::string done{};  ///< Other actions: "cut tow at 120 m, winch.mode render"; empty if none.
 };
 
-/// By time: the first moments at which something was done, and the first at which inputs alone
-/// changed; in the last entry how many more there were. Inputs that systems drive are left out.
+/// Return the commands by time: the first moments with other actions, and the first moments at
+/// which only inputs changed. The last entry counts the omitted ones. Inputs that systems drive are
+/// left out.
 [[nodiscard]] std::vector<Command> commands_of(const record::Recording& recording);
 
-/// A dashed line at each moment, numbered along the top of the panel.
+/// Draw a dashed line at each moment, with letters along the top of the panel.
 void mark_commands(Drawing& drawing, const Axes& axes, const std::vector<Command>& commands);
 
 inline constexpr double kCommandLine = 17.0;  ///< Height of a line of list_commands [points].
-/// One line a moment, below `at`.
+/// List the moments below `at`, one line each.
 void list_commands(Drawing& drawing, Point at, const std::vector<Command>& commands);
 
 }  // namespace hawser::draw

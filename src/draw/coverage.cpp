@@ -34,12 +34,12 @@ Coverage window(const std::vector<Polyline>& lines, double margin, int limit_x, 
     return c;
 }
 
-// Coverage of one straight piece: 1 inside, falling to 0 over one pixel around the edge.
+// Add the coverage of one straight piece: 1 inside, falling to 0 over one pixel around the edge.
 void cover_segment(Coverage& c, Point a, Point b, double half) {
     const double dx = b.x - a.x, dy = b.y - a.y;
     const double length2 = dx * dx + dy * dy;
     const double reach = half + 1.0;
-    // Clamped as numbers: coordinates far outside the picture do not fit an int.
+    // Clamp before the conversion: coordinates far outside the picture exceed the range of int.
     const auto row_of = [&](double y) {
         return static_cast<int>(std::clamp(y, c.y - 1.0, static_cast<double>(c.y + c.height)));
     };
@@ -79,7 +79,7 @@ struct Crossing {
     int direction;
 };
 
-// Add the run [from, to) of one sub-line to a pixel row, partial pixels by their share.
+// Add the run [from, to) of one sub-line to a pixel row; partial pixels count by their fraction.
 void add_run(float* row, int x0, int width, double from, double to) {
     from = std::clamp(from - x0, 0.0, static_cast<double>(width));
     to = std::clamp(to - x0, 0.0, static_cast<double>(width));
@@ -136,7 +136,7 @@ Coverage cover_polygons(const std::vector<Polyline>& contours, int limit_x, int 
 std::vector<Polyline> cut_dashes(const Polyline& line, const std::vector<double>& dash) {
     double period = 0.0;
     for (const double d : dash) period += std::max(0.0, d);
-    // A line of absurd length would be cut for ever; nobody sees its dashes either.
+    // Limit for very long lines, which would need too many dashes to be visible.
     constexpr double kMostPeriods = 1e5;
     double length_all = 0.0;
     for (std::size_t i = 1; i < line.size(); ++i)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file coverage.h
-/// How much of each pixel a stroke or a polygon covers.
+/// Compute the fraction of each pixel that a stroke or a polygon covers.
 
 #include "draw/drawing.h"
 
@@ -17,16 +17,16 @@ struct Coverage {
 
 using Polyline = std::vector<Point>;
 
-/// Stroke with round joints and ends. Coordinates in pixels.
+/// Return the coverage of a stroke with round joints and ends. Coordinates in pixels.
 /// @param limit_x,limit_y Size of the picture; nothing outside is computed.
 [[nodiscard]] Coverage cover_stroke(const std::vector<Polyline>& lines, double width, int limit_x,
                                     int limit_y);
 
-/// Inside of polygons by the nonzero rule. Coordinates in pixels.
+/// Return the coverage of polygons by the nonzero rule. Coordinates in pixels.
 [[nodiscard]] Coverage cover_polygons(const std::vector<Polyline>& contours, int limit_x,
                                       int limit_y);
 
-/// Cut a line into its dashes.
+/// Divide a line into its dashes.
 [[nodiscard]] std::vector<Polyline> cut_dashes(const Polyline& line,
                                                const std::vector<double>& dash);
 

@@ -33,7 +33,8 @@ struct OutlinePoint {
 
 Point middle(Point a, Point b) { return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}; }
 
-// A TrueType contour: between two control points in a row lies an implied point on the curve.
+// Flatten a TrueType contour. Two consecutive control points imply a point on the curve between
+// them.
 std::vector<Point> flatten(const std::vector<OutlinePoint>& contour) {
     std::vector<OutlinePoint> full;
     const std::size_t n = contour.size();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file font.h
-/// The typeface of PNG pictures: outlines of Roboto Regular, kept in font_table.inc.
+/// Provide the typeface of PNG pictures: outlines of Roboto Regular from font_table.inc.
 
 #include "draw/point.h"
 
@@ -9,13 +9,13 @@
 
 namespace hawser::draw {
 
-/// A glyph as polygons in em, y upwards from the base line; filled by the nonzero rule.
+/// Glyph as polygons in em, y upwards from the base line; filled by the nonzero rule.
 struct Glyph {
-    double advance = 0.5;  ///< [em].
+    double advance = 0.5;  ///< Advance width [em].
     std::vector<std::vector<Point>> contours;
 };
 
-/// @return The glyph of a code point; a hollow box where the typeface has none.
+/// Return the glyph of a code point; a hollow box if the typeface has none.
 [[nodiscard]] const Glyph& glyph(char32_t code);
 
 }  // namespace hawser::draw

@@ -12,7 +12,7 @@ namespace hawser::draw {
 
 namespace {
 
-/// Number of the element "CABLE/sN" that a place begins with, as scenes name them.
+/// Return the index of the element "CABLE/sN" at the start of a position, as scenes name elements.
 std::optional<std::int32_t> element_of(const record::RecordedCable& cable, std::string_view where) {
     const std::string front = cable.name + "/s";
     if (!where.starts_with(front)) return std::nullopt;

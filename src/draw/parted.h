@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file parted.h
-/// Cables that have parted, for pictures.
+/// List broken cables, for pictures.
 
 #include <hawser/recording.h>
 #include "draw/drawing.h"
@@ -16,17 +16,17 @@ inline constexpr Color kPartedColor{190, 30, 30, 255};
 
 struct PartedElement {
     std::size_t cable = 0;     ///< Index in Recording::cables.
-    std::int32_t element = 0;  ///< Of the cable.
-    double time = 0.0;         ///< [s]
-    std::string text;          ///< Which one, where, when.
+    std::int32_t element = 0;  ///< Element index in the cable.
+    double time = 0.0;         ///< Time of the break [s].
+    std::string text;          ///< Text with element, position and time.
 };
 
-/// Elements of cables that had parted by a time. Those that came later than the cable, with a node
-/// that was put in, are not among them.
+/// Return the elements of cables that had broken by a time. Elements that were added with a node
+/// after the start are not included.
 [[nodiscard]] std::vector<PartedElement> parted_elements(const record::Recording& recording,
                                                          double until);
 
-/// Whether an element of a cable is among them.
+/// True if an element of a cable is in the list.
 [[nodiscard]] bool is_parted(const std::vector<PartedElement>& parted, std::size_t cable,
                              std::int32_t element);
 

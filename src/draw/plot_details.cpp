@@ -16,11 +16,10 @@ namespace {
 
 constexpr std::size_t kMostPanels = 4;
 constexpr double kLeft = 90, kTop = 112, kPanelWidth = 540, kBetween = 90, kBarRoom = 150;
-// Room around the body, in its own size.
+// Margin around the body, as a fraction of its size.
 constexpr double kMargin = 0.35;
 
-// Bodies that deserve a picture of their own: plotted ones with a size, when the whole scene is
-// so much larger that they are small in its views.
+// Choose plotted bodies with a size that is small compared with the whole scene.
 std::vector<std::int32_t> chosen(const record::Recording& recording, double scene_size) {
     std::vector<std::int32_t> out;
     for (const std::int32_t index : recording.plot_bodies) {
@@ -41,14 +40,14 @@ Bounds body_bounds(const record::RecordedBody& body, const Pose& pose) {
     return bounds;
 }
 
-// A side view that shows the body's longer horizontal extent, with the same scale both ways.
+// Return a side view of the body's longer horizontal extent, with equal scales on both axes.
 Axes panel(const View& view, const Bounds& body, Point at, double height) {
     const double wide = body.high[view.right] - body.low[view.right];
     const double high = body.high[2] - body.low[2];
     const double scale = std::min(kPanelWidth / (wide * (1.0 + 2.0 * kMargin)),
                                   height / std::max(high * (1.0 + 2.0 * kMargin), 0.5 * wide));
     const double x = 0.5 * (body.low[view.right] + body.high[view.right]);
-    // What stands on a body is higher than it hangs low: more room above.
+    // Structures on a body are usually higher than parts below it, so the margin above is larger.
     const double z = 0.5 * (body.low[2] + body.high[2]) + 0.12 * height / scale;
     return {.frame = {at.x, at.y, kPanelWidth, height},
             .x = {x - 0.5 * kPanelWidth / scale, x + 0.5 * kPanelWidth / scale},

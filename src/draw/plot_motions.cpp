@@ -17,8 +17,7 @@ namespace {
 
 constexpr std::array<const char*, 6> kNames{"Δx", "Δy", "Δz", "Δroll", "Δpitch", "Δyaw"};
 
-// Smallest span of an axis: below a tenth of a millimetre and a thousandth of a degree
-// nothing moved as far as a reader of the picture is concerned.
+// Smallest span of an axis: 0.1 mm and 0.001 degrees. Smaller motions are not visible in a picture.
 constexpr double kLeastMetres = 1e-4, kLeastDegrees = 1e-3;
 
 std::string label(const record::Recording& recording, const record::BodySeries& s) {
@@ -36,7 +35,7 @@ Range value_range(const record::Series& series, int k, double factor) {
     return widened(range_of(values), 0.08, factor * (k < 3 ? kLeastMetres : kLeastDegrees));
 }
 
-// Millimetres where nothing moves a centimetre.
+// Use millimetres if no motion exceeds a centimetre.
 record::Unit length_unit(const record::Series& series, int k) {
     double largest = 0.0;
     for (const record::BodySeries& s : series.bodies)

@@ -13,8 +13,7 @@ namespace hawser::draw {
 
 namespace {
 
-// Cables whose tensions differ by less than this share a panel: beyond it the smaller ones
-// could not be told from zero.
+// Largest ratio of tensions in a panel. Beyond it smaller tensions look like zero.
 constexpr double kPanelRatio = 6.0;
 constexpr std::size_t kMaxPanels = 3;
 constexpr double kLegendRow = 36.0;  // Height of a legend entry with its note [points].
@@ -51,7 +50,8 @@ Range tension_range(const record::Series& series, const Curves& curves, double f
         }
     }
     Range r = range_of(values);
-    // Near zero the axis begins at zero, so that heights compare as tensions do.
+    // Start the axis at zero if it comes close to zero, so that heights are proportional to
+    // tensions.
     if (r.low > 0.0 && r.low < 0.6 * r.high) r.low = 0.0;
     const bool at_zero = r.low == 0.0;
     r = widened(r, 0.06, std::max(1e-9, 0.002 * std::abs(r.high)));

@@ -12,14 +12,15 @@ namespace hawser::draw {
 
 namespace {
 
-constexpr double kLine = 26.0, kGap = 8.0;  // height of a thread, between two
+constexpr double kLine = 26.0, kGap = 8.0;  // height of a thread, gap between threads
 constexpr Color kIdle{240, 241, 243, 255};
 
 double height_of(const Timeline& t) { return t.threads * (kLine + kGap) + kGap; }
 
 }  // namespace
 
-/// Distinct also with a colour-vision deficiency (Okabe and Ito), grey for the rest.
+/// Return a colour that is distinct also with a colour-vision deficiency (Okabe and Ito); grey for
+/// the rest.
 Color color_of(Work work) noexcept {
     constexpr std::array<Color, kWorkCount> kColors{{{240, 228, 66, 255},
                                                      {0, 158, 115, 255},
@@ -42,12 +43,12 @@ void draw_timeline(Drawing& drawing, const Box& frame, const Timeline& timeline,
                      fmt::format("{}thread {}", timeline.simulated ? "simulated " : "", t), 11.0,
                      Anchor::end, kSoft);
     }
-    // Tasks end a little early, so that they can be told apart where there is room.
+    // Tasks are drawn slightly shorter, to keep them distinct if there is enough space.
     std::array<Cells, kWorkCount> cells;
     for (const Segment& s : timeline.segments) {
         const double width = (s.end - s.begin) * scale;
         const double shown = std::max(width - (s.task && width > 2.0 ? 0.6 : 0.0), 0.05);
-        // Code of the calling thread alone is lower than tasks.
+        // Code of the calling thread alone is drawn lower than tasks.
         const double inset = s.task ? 0.0 : 0.18 * height;
         cells[static_cast<std::size_t>(s.work)].boxes.push_back(
             {frame.x + s.begin * scale, top(s.thread) + inset, shown, height - 2.0 * inset});

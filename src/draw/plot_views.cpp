@@ -17,14 +17,14 @@ namespace hawser::draw {
 
 namespace {
 
-// Room in the picture [points].
+// Margins in the picture [points].
 constexpr double kViewsLeft = 100, kRight = 170, kViewsTop = 118, kBottom = 74, kViewsBetween = 84;
 constexpr double kWidth = 1280, kMaxHeight = 1180, kMinHeight = 640;
 
 struct Layout {
     View view[2];
     Axes axes[2];
-    double width = kWidth, height = 0.0;  // Of the picture.
+    double width = kWidth, height = 0.0;  // Size of the picture [points].
     int panels = 2;
     double bar_x = 0.0;  // Left edge of the colour bar.
 };
@@ -44,7 +44,7 @@ Axes panel(const View& view, const Bounds& b, Box frame) {
             .y_ticks = std::max(2, static_cast<int>(frame.height / 60))};
 }
 
-// Both panels have the same scale. They stand one above the other or side by side, whichever
+// Arrange two panels with equal scales. They are stacked or side by side, in the arrangement that
 // shows the scene larger.
 Layout arrange(Bounds b) {
     const Vec3 extent = b.high - b.low;
@@ -52,7 +52,7 @@ Layout arrange(Bounds b) {
     Layout out;
     out.view[0] = {across, 2, 1.0, across == 0 ? "Side view (along y)" : "Side view (along −x)"};
     out.view[1] = {across, 1 - across, across == 0 ? 1.0 : -1.0, "Top view"};
-    // Margins, and no panel thinner than a seventh of its length.
+    // Add margins; no panel is thinner than a seventh of its length.
     const double least = std::max(1e-3, extent.maxCoeff() / 7.0);
     for (int k = 0; k < 3; ++k) {
         const double wanted = std::max(extent[k] * 1.12, least);
@@ -84,7 +84,7 @@ Layout arrange(Bounds b) {
     return out;
 }
 
-// Where the plotted bodies went.
+// Draw the paths of the plotted bodies.
 void draw_paths(Drawing& drawing, const Axes& axes, const View& view,
                 const record::Recording& recording, const record::Series& series) {
     for (std::size_t i = 0; i < series.bodies.size(); ++i) {
@@ -116,7 +116,7 @@ void widen_by_paths(const record::Recording& recording, const record::Series& se
     }
 }
 
-// Which cables have parted, on one line.
+// List the broken cables on one line.
 void note_parted(Drawing& drawing, Point at, const record::Recording& recording, double time) {
     const std::vector<PartedElement> parted = parted_elements(recording, time);
     constexpr std::size_t kNamed = 4;
@@ -128,7 +128,7 @@ void note_parted(Drawing& drawing, Point at, const record::Recording& recording,
     drawing.text(at, text + ".", 12.0, Anchor::start, kPartedColor);
 }
 
-/// One panel, as large as the picture lets it be; both of its axes have the same scale.
+/// Arrange one panel as large as the picture allows; both axes have equal scales.
 Layout arrange_one(const Bounds& b, const ViewOptions& options, double margin) {
     const Vec3 extent = b.high - b.low;
     const int across = extent.x() >= extent.y() ? 0 : 1;
@@ -149,7 +149,7 @@ Layout arrange_one(const Bounds& b, const ViewOptions& options, double margin) {
                      : std::clamp(scale * high + kViewsTop + kBottom, kMinHeight, kMaxHeight);
     const double room_y = out.height - kViewsTop - kBottom;
     scale = std::min(scale, room_y / high);
-    // What room is left over shows more.
+    // Extend the axes to fill the remaining space.
     Bounds shown = b;
     const double half[2] = {0.5 * room_x / scale, 0.5 * room_y / scale};
     for (int k = 0; k < 2; ++k) {
@@ -163,7 +163,7 @@ Layout arrange_one(const Bounds& b, const ViewOptions& options, double margin) {
     return out;
 }
 
-/// Still water and seabed of a side view, behind everything.
+/// Draw still water and seabed in a side view, behind all other shapes.
 void draw_water(Drawing& drawing, const Axes& axes, const View& view, const Water& water) {
     if (view.up != 2) return;
     const auto below = [&](double z, Color fill, Color line) {

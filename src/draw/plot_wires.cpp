@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tension along cables: least, mean and greatest of the recording, and that of one frame.
+// Draw the tension along cables: least, mean and greatest over the recording, and that of one
+// frame.
 #include "draw/along.h"
 #include "draw/axes.h"
 #include "draw/parted.h"
@@ -16,7 +17,7 @@ namespace hawser::draw {
 
 namespace {
 
-constexpr std::size_t kMostAlong = 6;  // Panels.
+constexpr std::size_t kMostAlong = 6;  // Largest number of panels.
 constexpr double kAlongTop = 112, kAlongLeft = 110, kAlongWidth = 900, kAlongBetween = 64;
 constexpr double kNowWidth = 1.4;
 

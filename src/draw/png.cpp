@@ -29,8 +29,8 @@ struct CloseFile {
     void operator()(std::FILE* f) const { std::fclose(f); }
 };
 
-// libpng is C: it leaves by longjmp, which must not cross a C++ object with a destructor.
-// write_rows therefore has none; its message goes out through the error pointer.
+// Report an error of libpng. It is C and exits by longjmp, which must not cross a C++ object with a
+// destructor. Therefore write_rows has none; its message is returned through the error pointer.
 [[noreturn]] void on_error(png_structp png, png_const_charp message) {
     auto* text = static_cast<char*>(png_get_error_ptr(png));
     std::snprintf(text, kMessageSize, "%s", message);
@@ -72,7 +72,7 @@ void write_png(const Image& image, const std::filesystem::path& file, const Draw
     texts[0].text = title.data();
     texts[1].key = description_key.data();
     texts[1].text = description.data();
-    // 96 points an inch times the scale, in pixels per metre.
+    // 96 points per inch times the scale, in pixels per metre.
     const auto density =
         static_cast<png_uint_32>(96.0 / 0.0254 * image.width / std::max(1.0, about.width));
     const bool good = info != nullptr && write_rows(png, info, out.get(), image, texts, density);
@@ -83,7 +83,7 @@ void write_png(const Image& image, const std::filesystem::path& file, const Draw
 
 std::vector<std::filesystem::path> write_pictures(const Drawing& drawing,
                                                   const std::filesystem::path& base, double scale) {
-    std::error_code ignored;  // A folder that cannot be made shows when the file is opened.
+    std::error_code ignored;  // A failure to create the folder appears when the file is opened.
     if (base.has_parent_path()) std::filesystem::create_directories(base.parent_path(), ignored);
     const std::filesystem::path svg = base.string() + ".svg", png = base.string() + ".png";
     if (const std::string fault = record::write_file(svg, to_svg(drawing)); !fault.empty())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file point.h
-/// Places in a picture: x to the right, y downwards, in points of 1/96 inch.
+/// Define positions in a picture: x to the right, y downwards, in points of 1/96 inch.
 
 namespace hawser::draw {
 

@@ -26,7 +26,7 @@ std::array<Vec3, 8> corners(const record::RecordedBody& body, const Pose& pose) 
     return out;
 }
 
-// The faces that the viewer sees, lighter where they face the viewer squarely.
+// Draw the visible faces of a box. Faces perpendicular to the line of sight are lighter.
 void draw_box(Drawing& drawing, const Axes& axes, const View& view,
               const record::RecordedBody& body, const Pose& pose, bool ghost) {
     static constexpr int kFaces[6][4] = {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
@@ -59,7 +59,7 @@ void draw_dot(Drawing& drawing, Point at, double radius, Color color) {
     drawing.add(Path{.points = std::move(circle), .width = 0.0, .fill = color, .closed = true});
 }
 
-/// An end at which a cable has parted.
+/// Draw a cross at the end of a broken cable.
 void draw_cross(Drawing& drawing, Point at) {
     constexpr double kReach = 5.0;
     for (const double side : {-kReach, kReach})
@@ -71,7 +71,8 @@ Vec3 place(const record::Frame& frame, std::int32_t body, const Vec3& point) {
     return pose.position + pose.orientation.normalized() * point;
 }
 
-// Rods between their points; bodies as lines from their centre to joints outside their box.
+// Draw rods between their points, and bodies as lines from their centre to joints outside their
+// box.
 void draw_joints(Drawing& drawing, const Axes& axes, const View& view,
                  const record::Recording& recording, const record::Frame& frame, bool ghost) {
     const Color color = ghost ? kGhost : kBodyLine;
@@ -103,7 +104,8 @@ void draw_joints(Drawing& drawing, const Axes& axes, const View& view,
     }
 }
 
-// Places of a cable's nodes, its ends where it holds the bodies. Drums have no place.
+// Return the positions of a cable's nodes; its ends are at their attachment points. Drums have no
+// position.
 std::vector<Vec3> cable_points(const record::Recording& recording,
                                const record::RecordedCable& cable, const record::Frame& frame) {
     std::vector<Vec3> points;
@@ -117,15 +119,15 @@ std::vector<Vec3> cable_points(const record::Recording& recording,
     return points;
 }
 
-/// Whether the frame has a wire in the place of a cable.
+/// True if the frame holds a changed version of a cable.
 bool is_changed(const record::Frame& frame, const record::RecordedCable& cable) {
     return frame.wires != nullptr &&
            std::any_of(frame.wires->begin(), frame.wires->end(),
                        [&](const record::RecordedWire& w) { return w.name == cable.name; });
 }
 
-/// Wires as they are made up in a frame in which nodes have come or gone. What lies on a wheel
-/// between two pieces is drawn as its chord.
+/// Draw wires with the nodes that they have in this frame. The arc on a wheel between two pieces is
+/// drawn as a chord.
 void draw_wires(Drawing& drawing, const Axes& axes, const View& view, const record::Frame& frame,
                 const std::vector<record::RecordedWire>& wires, const std::vector<float>& pulls,
                 const FrameStyle& style) {
@@ -172,7 +174,7 @@ void draw_cables(Drawing& drawing, const Axes& axes, const View& view,
             drawing.add(Path{.points = points, .stroke = kGhost, .width = 1.0});
             continue;
         }
-        // A cable from a drum has an element more than drawn pieces; the last ones correspond.
+        // A cable from a drum has one element more than drawn pieces; the last ones correspond.
         const auto pieces = static_cast<std::int32_t>(points.size()) - 1;
         for (std::int32_t i = 0; i < pieces; ++i) {
             const std::int32_t element =
@@ -245,7 +247,7 @@ void draw_frame(Drawing& drawing, const Axes& axes, const View& view,
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < visible.size(); ++i)
         if (visible[i]) order.push_back(i);
-    // Far bodies first, so that near ones cover them.
+    // Sort far bodies first, so that near ones cover them.
     const Vec3 viewer = view.towards_viewer();
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return frame.poses[a].position.dot(viewer) < frame.poses[b].position.dot(viewer);

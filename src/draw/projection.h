@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file projection.h
-/// Parallel projection of boxes, cables and joints of a recorded frame into a panel.
+/// Project boxes, cables and joints of a recorded frame onto a panel.
 
 #include <hawser/recording.h>
 #include "draw/axes.h"
@@ -11,7 +11,7 @@
 
 namespace hawser::draw {
 
-/// A direction of view along an axis of the world.
+/// Direction of view along an axis of the world.
 struct View {
     int right = 0, up = 2;  ///< World axes (0-2) drawn to the right and upwards.
     double up_sign = 1.0;   ///< −1: the axis drawn upwards is the negative one.
@@ -22,7 +22,7 @@ struct View {
     }
 };
 
-/// Corners of the box that contains everything in a frame which pictures show [m].
+/// Corners of the box that contains all drawn parts of a frame [m].
 struct Bounds {
     Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
     void add(const Vec3& p) {
@@ -34,18 +34,18 @@ struct Bounds {
     [[nodiscard]] bool empty() const { return (low.array() > high.array()).any(); }
 };
 
-/// Whether a joint of Recording::joints has gone by the frame.
+/// True if a joint of Recording::joints has been removed by the time of the frame.
 [[nodiscard]] bool is_gone(const record::Frame& frame, std::size_t joint);
 
-/// Which bodies a picture shows by themselves: those with a size, and points that are not
-/// nodes of a cable; not the world itself and not drums, which have no place.
+/// Return the bodies that a picture shows as such: bodies with a size, and points that are no nodes
+/// of a cable. The world itself is excluded, and so are drums, which have no position.
 [[nodiscard]] std::vector<bool> visible_bodies(const record::Recording& recording);
 
 void add_to_bounds(const record::Recording& recording, const record::Frame& frame, Bounds& bounds);
 
 struct FrameStyle {
-    bool ghost = false;  ///< Everything in pale grey: an earlier state.
-    Range tension;       ///< Of the colours [N].
+    bool ghost = false;  ///< Pale grey drawing of an earlier state.
+    Range tension;       ///< Range of tension for the colours [N].
 };
 
 /// Paint bodies, joints and cables of a frame.
@@ -55,7 +55,7 @@ void draw_frame(Drawing& drawing, const Axes& axes, const View& view,
 
 [[nodiscard]] Point project(const Axes& axes, const View& view, const Vec3& p);
 
-/// Box that a body covers in a panel [points].
+/// Return the box that a body covers in a panel [points].
 [[nodiscard]] Box body_extent(const Axes& axes, const View& view, const record::RecordedBody& body,
                               const Pose& pose);
 

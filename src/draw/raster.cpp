@@ -22,7 +22,7 @@ std::vector<Polyline> scaled(const std::vector<Polyline>& lines, double s) {
     return out;
 }
 
-// Outlines of a line of text [pixels].
+// Return the outlines of a line of text [pixels].
 std::vector<Polyline> outlines(const Text& text, double scale) {
     const double em = text.size * scale;
     double pen = 0.0;
@@ -57,7 +57,7 @@ void close_all(std::vector<Polyline>& lines) {
 struct Painter {
     Image& image;
     double scale;
-    int x0 = 0, y0 = 0, x1 = image.width, y1 = image.height;  // What may be painted [pixels].
+    int x0 = 0, y0 = 0, x1 = image.width, y1 = image.height;  // Clip rectangle [pixels].
 
     void operator()(const Clip& clip) {
         const Box all{0.0, 0.0, image.width / scale, image.height / scale};
@@ -88,7 +88,7 @@ struct Painter {
     }
 
     void stroke(const std::vector<Polyline>& lines, double width, Color color) const {
-        // Thinner than a pixel: a line of one pixel, fainter.
+        // A line thinner than a pixel is drawn with one pixel and lower strength.
         const double strength = std::min(1.0, width);
         blend(cover_stroke(lines, std::max(1.0, width), image.width, image.height), color,
               strength);

@@ -16,7 +16,7 @@ double cross(const Point& o, const Point& a, const Point& b) {
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-/// Convex hull (monotone chain: A. M. Andrew, 1979).
+/// Return the convex hull (monotone chain: A. M. Andrew, 1979).
 std::vector<Point> convex(std::vector<Point> p) {
     std::sort(p.begin(), p.end(), [](const Point& a, const Point& b) {
         return a.x < b.x || (a.x == b.x && a.y < b.y);
@@ -42,14 +42,15 @@ Vec3 on_body(const record::Frame& frame, const record::RecordedOutline& o, std::
 
 constexpr Color kEarthLine{150, 128, 96, 255};
 
-/// The cut of a half-space with the plane of the picture through the middle of the panel.
+/// Draw the intersection of a half-space with the plane of the picture through the middle of the
+/// panel.
 void draw_plane(Drawing& drawing, const Axes& axes, const View& view, const Vec3& at,
                 const Vec3& normal) {
     const double nr = normal[view.right], nu = normal[view.up];
     const double size = std::hypot(nr, nu);
-    if (size < 0.1) return;  // it faces the viewer
+    if (size < 0.1) return;  // the plane is parallel to the picture
     const double r = 0.5 * (axes.x.low + axes.x.high), u = 0.5 * (axes.y.low + axes.y.high);
-    // Nearest point of the line to the middle; the depth is that of the plane's own point.
+    // Point of the line nearest to the middle; the depth is that of the plane's own point.
     const double d = (nr * (at[view.right] - r) + nu * (at[view.up] - u)) / size;
     const double er = nr / size, eu = nu / size;
     const double far = 2.0 * (std::abs(axes.x.span()) + std::abs(axes.y.span()));

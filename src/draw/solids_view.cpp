@@ -11,8 +11,8 @@
 namespace hawser::draw {
 namespace {
 
-/// Which of two solids hides the other, by planes of the first's faces: 1 the second is nearer,
-/// −1 farther, 0 they do not tell.
+/// Compare the depth of two solids by the planes of the first one's faces. @return 1 if the second
+/// is nearer, −1 if it is farther, 0 if undecided.
 int nearer(const Solid& a, const Solid& b, const Camera& camera) {
     const double slack = 1e-6 * (1.0 + std::abs(a.depth) + std::abs(b.depth));
     for (std::size_t f = 0; f < a.normals.size(); ++f) {
@@ -66,12 +66,14 @@ Solid make_solid(record::Triangles surface, Color color, const Camera& camera) {
     return out;
 }
 
-/// Repeatedly the farthest solid that nothing unpainted has to come before.
+/// Sort the solids for painting. Repeatedly choose the farthest solid that no unpainted solid must
+/// precede.
 std::vector<std::size_t> painting_order(const std::vector<Solid>& solids, const Camera& camera) {
     const std::size_t n = solids.size();
-    std::vector<std::vector<std::size_t>> after(n);  // what may be painted only behind it in time
+    std::vector<std::vector<std::size_t>> after(n);  // solids to be painted later than each solid
     std::vector<int> before(n, 0);
-    constexpr std::size_t kMostCompared = 1500;  // beyond, pairs take too long: by depth alone
+    // limit for comparing all pairs; larger sets are sorted by depth
+    constexpr std::size_t kMostCompared = 1500;
     for (std::size_t i = 0; n <= kMostCompared && i < n; ++i)
         for (std::size_t j = i + 1; j < n; ++j) {
             if (!overlap(solids[i], solids[j])) continue;
@@ -107,7 +109,7 @@ bool is_hidden(const Vec3& p, const std::vector<Solid>& solids, const Camera& ca
     const Point at = camera.flat(p);
     for (const Solid& s : solids) {
         if (at.x < s.x0 || at.x > s.x1 || at.y < s.y0 || at.y > s.y1) continue;
-        // What lies on a surface is not hidden by it.
+        // A point on a surface is not hidden by it.
         const double least = 1e-3 * (s.x1 - s.x0 + s.y1 - s.y0);
         double enter = 0.0, leave = std::numeric_limits<double>::infinity();
         for (std::size_t f = 0; f < s.normals.size() && enter < leave; ++f) {
@@ -139,7 +141,7 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, double level, bool a
 }
 
 std::vector<Crease> visible_creases(const Solid& solid, const Camera& camera) {
-    constexpr double kSmooth = 0.94;  // cosine of 20 degrees: the facets of what is round
+    constexpr double kSmooth = 0.94;  // cosine of 20 degrees: limit for facets of a round surface
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> sides;
     for (std::size_t f = 0; f < solid.surface.corners.size(); ++f)
         for (std::size_t k = 0; k < 3; ++k) {

@@ -36,7 +36,7 @@ Space::Space(const record::Recording& recording, const record::Frame& frame,
       box_(bounds),
       tension_(tension_range(frame)) {
     drawing_.width = options.width > 0.0 ? options.width : kSpaceWidth;
-    // Corners that are given may leave them out.
+    // Corners from the user may exclude water and seabed.
     const auto shown = [&](const std::optional<double>& z) {
         return z && (!options.box || options.around ||
                      (*z >= box_.low.z() - 1e-6 && *z <= box_.high.z() + 1e-6));
@@ -70,16 +70,17 @@ Drawing Space::draw(const record::Series& series) {
     return std::move(drawing_);
 }
 
-/// Level ground and water reach a little beyond what there is, unless the caller says how far.
+/// Widen the box: level ground and water extend slightly beyond the scene, unless the user sets the
+/// box.
 void Space::widen_box(bool given) {
     if (given) return;
     const Vec3 size = box_.high - box_.low;
     const double length = std::max(size.x(), size.y());
-    // A ship lies in the water, not on a card.
+    // Extend the water around a ship, relative to the size of the ship.
     double margin = 0.04 * length + 1e-3;
     for (const Solid& s : solids_) margin = std::max(margin, 0.2 * (s.x1 - s.x0));
     for (int k = 0; k < 2; ++k) {
-        // Not thinner than a fifth of its length: a tow is no line on a map.
+        // Keep the width of the box at least a fifth of its length, also for a long tow.
         const double more = std::max(margin, 0.5 * (0.2 * length - size[k]));
         box_.low[k] -= more;
         box_.high[k] += more;
@@ -110,7 +111,7 @@ void Space::fit(const ViewOptions& options) {
         y1 = std::max(y1, p.y);
     }
     const double wide = drawing_.width - 2 * kSpaceLeft - kScaleRoom;
-    // No higher than what is shown needs.
+    // Limit the height to that of the contents.
     const double needed = wide * (y1 - y0) / std::max(1e-9, x1 - x0) + kSpaceTop + kSpaceBelow + 20;
     drawing_.height =
         options.height > 0.0 ? options.height : std::clamp(needed, 480.0, kSpaceHeight);
@@ -139,7 +140,7 @@ void Space::gather() {
         const record::RecordedBody& body = recording_.bodies[i];
         const Mat3 turn = frame_.poses[i].orientation.normalized().toRotationMatrix();
         const double reach = body.half_size.maxCoeff();
-        // Neither a boom nor a crate.
+        // A hull is long and not thin, unlike a boom or a crate.
         const bool hull = reach > 8.0 && body.half_size.sum() - reach > 5.0;
         for (record::Triangles& t : record::body_surfaces(recording_, i)) {
             for (Vec3& p : t.points) p = frame_.poses[i].position + turn * p;
@@ -169,7 +170,7 @@ void Space::draw_layer(double level, bool above) {
             const double strength = 0.62 + 0.5 * std::max(0.0, s.normals[f].dot(light)) +
                                     0.06 * s.normals[f].dot(camera_.right);
             const Color fill = shaded(s.color, strength);
-            polygon(part, fill, fill, 0.6);  // over the seams between triangles
+            polygon(part, fill, fill, 0.6);  // stroke covers the seams between triangles
         }
         for (Crease crease : visible_creases(s, camera_))
             if (clip(crease.from, crease.to, level, above))

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file space.h
-/// A frame of a recording in space. Layers from far to near: seabed; what is under water; the
-/// water, through which it shines; what is above. Each layer is solids in painting order, then the
-/// parts of lines that no solid hides (solids_view.h).
+/// Draw a frame of a recording in space. Layers from far to near: seabed; objects under water; the
+/// translucent water; objects above water. Each layer consists of solids in painting order, then
+/// the parts of lines that no solid hides (solids_view.h).
 
 #include "draw/plots.h"
 #include "draw/projection.h"
@@ -14,14 +14,14 @@
 
 namespace hawser::draw {
 
-/// Places in the picture [points].
+/// Positions in the picture [points].
 inline constexpr double kSpaceWidth = 1280, kSpaceHeight = 860, kSpaceTop = 92, kSpaceBelow = 64,
                         kSpaceLeft = 54, kScaleRoom = 130;
 
-/// One picture.
+/// Builder of one picture.
 class Space {
   public:
-    /// @param bounds  Corners of what is shown; what lies beside them is left out.
+    /// Start a picture. @param bounds  Corners of the visible box; objects outside are left out.
     Space(const record::Recording& recording, const record::Frame& frame,
           const ViewOptions& options, const Bounds& bounds);
     Drawing draw(const record::Series& series);
@@ -32,7 +32,7 @@ class Space {
     void fit(const ViewOptions& options);
     void gather();
     [[nodiscard]] Point at(const Vec3& p) const;
-    /// Whether a point lies in the box that is shown.
+    /// True if a point lies in the visible box.
     [[nodiscard]] bool inside(const Vec3& p) const;
 
     void polygon(const std::vector<Vec3>& points, Color fill, Color stroke, double width);
@@ -62,7 +62,7 @@ class Space {
     double scale_ = 1.0;  ///< [points/m]
     Point shift_;
     std::vector<Solid> solids_;
-    std::vector<Vec3> dots_;  ///< Bodies without a size.
+    std::vector<Vec3> dots_;  ///< Positions of bodies without a size.
 };
 
 }  // namespace hawser::draw

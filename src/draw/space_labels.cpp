@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a view in space says: heights, names, colours, what has parted.
+/// Add labels to a view in space: heights, names, colours, broken cables.
 #include "draw/parted.h"
 #include "draw/space.h"
 #include "draw/wire_lines.h"
@@ -12,7 +12,7 @@
 
 namespace hawser::draw {
 
-/// A scale of heights at the corner of the box that stands farthest to the left.
+/// Draw a scale of heights at the leftmost corner of the box.
 void Space::draw_heights() {
     Vec3 foot = box_.low;
     for (const Vec3& corner : corners())
@@ -82,7 +82,7 @@ void Space::draw_frame() {
     if (recording_.element_count > 0) {
         const record::Unit unit = record::readable_unit(tension_.high, "N");
         const double height = std::min(360.0, drawing_.height - kSpaceTop - kSpaceBelow - 40);
-        // Hulls reach beyond axes that were given.
+        // Hulls extend beyond axes that the user set.
         drawing_.box({drawing_.width - kScaleRoom, kSpaceTop, kScaleRoom, height + 50}, kWhite);
         draw_color_bar(drawing_, {drawing_.width - kScaleRoom + 14, kSpaceTop + 30, 20, height},
                        {tension_.low * unit.factor, tension_.high * unit.factor},

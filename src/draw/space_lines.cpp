@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines of a view in space: grids of levels, wires, rods, paths.
+/// Draw the lines of a view in space: grids of levels, wires, rods, paths.
 #include "draw/parted.h"
 #include "draw/space.h"
 #include "draw/wire_lines.h"
@@ -11,7 +11,9 @@
 namespace hawser::draw {
 namespace {
 
-constexpr int kMostLines = 64;  ///< Of a grid: far from the origin numbers are too coarse to end.
+/// Largest number of lines of a grid. Far from the origin the rounding of numbers could make the
+/// loop endless.
+constexpr int kMostLines = 64;
 constexpr Color kGroundLine{168, 148, 116, 150}, kRodLine{38, 46, 56, 255};
 
 }  // namespace
@@ -22,7 +24,7 @@ void Space::polygon(const std::vector<Vec3>& points, Color fill, Color stroke, d
     drawing_.add(std::move(path));
 }
 
-/// Where no solid stands before it, in pieces, inside of the box.
+/// Draw the visible parts of a line inside the box, in pieces that no solid hides.
 void Space::broken_line(const Vec3& from, const Vec3& to, Color color, double width) {
     const Point a = at(from), b = at(to);
     const double length = std::hypot(b.x - a.x, b.y - a.y);
@@ -58,7 +60,7 @@ void Space::draw_level(double z, Color fill, Color line, bool numbers) {
         for (int i = 0; i < kMostLines; ++i) {
             const double n = std::ceil(a[k] / every) + i;
             if (!(n * every <= b[k])) break;
-            const double t = n * every + 0.0;  // no -0
+            const double t = n * every + 0.0;  // avoids −0
             Vec3 from = a, to = b;
             from[k] = to[k] = t;
             from.z() = to.z() = z;

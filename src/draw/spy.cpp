@@ -26,7 +26,7 @@ constexpr std::array<Color, kKinds> kColors{{{255, 255, 255, 0},
 // Small matrices are drawn scalar by scalar, large ones on a grid of this many cells.
 constexpr std::int64_t kGridCells = 640;
 
-// Which kind of entry is in each cell of a square grid; the more important kind wins.
+// Kind of entry in each cell of a square grid; the most important kind is stored.
 class Grid {
   public:
     explicit Grid(std::int64_t scalars)

@@ -11,10 +11,11 @@ namespace hawser::draw {
 
 namespace {
 
-// Hundredths of a point are finer than any screen; no digits behind whole numbers.
+// Format a coordinate. Hundredths of a point are finer than any screen; whole numbers have no
+// decimals.
 std::string coordinate(double value) {
     if (!std::isfinite(value)) return "0";
-    constexpr double kMost = 1e7;  // Beyond it nothing is seen, and readers have floats.
+    constexpr double kMost = 1e7;  // Larger coordinates are not visible, and readers use floats.
     std::string text = fmt::format("{:.2f}", std::clamp(value, -kMost, kMost));
     while (text.back() == '0') text.pop_back();
     if (text.back() == '.') text.pop_back();
@@ -32,7 +33,7 @@ struct Writer {
     std::string& out;
     bool clipped = false;
 
-    // An inner <svg> shows nothing outside its own box.
+    // Begin or end a clip. An inner <svg> shows nothing outside its own box.
     void operator()(const Clip& clip) {
         if (clipped) out += "</svg>\n";
         clipped = clip.box.has_value();
@@ -118,7 +119,7 @@ std::string escape_xml(const std::string& text) {
                 out += "&#39;";
                 break;
             default:
-                // XML 1.0 has no way to write most control characters.
+                // XML 1.0 cannot represent most control characters.
                 if (code < 0x20 && code != U'\t')
                     out += ' ';
                 else if (code < 0x7F)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file svg.h
-/// Writes a drawing as SVG 1.1.
+/// Write a drawing as SVG 1.1.
 
 #include "draw/drawing.h"
 
@@ -9,10 +9,11 @@
 
 namespace hawser::draw {
 
-/// The whole document, XML declaration included. Text stays text, so it can be searched.
+/// Return the whole document, including the XML declaration. Text stays text, so that it can be
+/// searched.
 [[nodiscard]] std::string to_svg(const Drawing& drawing);
 
-/// Text with the five characters special to XML replaced and control characters removed.
+/// Replace the five special characters of XML, and remove control characters.
 [[nodiscard]] std::string escape_xml(const std::string& text);
 
 }  // namespace hawser::draw

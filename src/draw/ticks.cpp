@@ -33,7 +33,7 @@ double tick_distance(Range range, int count) {
     const double raw = range.span() / std::max(1, count);
     if (!(raw > 0.0) || !std::isfinite(raw)) return 1.0;
     const double power = std::pow(10.0, std::floor(std::log10(raw)));
-    // The step whose number of ticks comes closest to the one asked for.
+    // Choose the step whose number of ticks is closest to the requested one.
     const double ratio = raw / power;
     return power * (ratio < 1.5 ? 1.0 : ratio < 3.5 ? 2.0 : ratio < 7.5 ? 5.0 : 10.0);
 }
@@ -45,7 +45,7 @@ std::vector<double> ticks(Range range, int count) {
     if (range.low > range.high) std::swap(range.low, range.high);
     const double distance = tick_distance(range, count);
     const double slack = 1e-9 * distance;
-    // A range far from zero but narrow beyond double precision has no ticks worth drawing.
+    // A narrow range far from zero may exceed double precision; it has no useful ticks.
     const double first = std::ceil((range.low - slack) / distance);
     for (int i = 0; i <= 2 * std::max(1, count) + 2; ++i) {
         const double value = (first + i) * distance;

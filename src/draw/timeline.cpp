@@ -17,8 +17,8 @@ const TraceSpan& find_step(const TraceView& trace, std::int64_t step) {
     throw std::out_of_range(fmt::format("the trace does not hold step {}", step));
 }
 
-/// The calling thread's nested spans, as stretches of the innermost one. In a loop outside its own
-/// tasks it waits for the others.
+/// Nested spans of the calling thread, converted to segments of the innermost span. In a loop the
+/// calling thread waits outside its own tasks.
 class Caller {
   public:
     Caller(Timeline& out, const TraceSpan& step)
@@ -29,7 +29,7 @@ class Caller {
         advance(span.begin);
         open_.push_back(span);
     }
-    /// End all spans that end until then.
+    /// End all spans that end until that time.
     void close(double until) {
         while (!open_.empty() && open_.back().end <= until) {
             advance(open_.back().end);

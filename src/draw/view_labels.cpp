@@ -13,14 +13,14 @@ namespace hawser::draw {
 namespace {
 
 constexpr double kBodySize = 12.0, kCableSize = 11.0;
-constexpr double kNamedSize = 16.0;  // Smaller bodies go unnamed.
+constexpr double kNamedSize = 16.0;  // Smallest size of a body with a name [points].
 constexpr std::size_t kMostNames = 400;
 
 bool overlaps(const Box& a, const Box& b) {
     return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
 }
 
-// Whether a segment has a part inside a box (Liang and Barsky, 1984).
+// True if a part of a segment is inside a box (Liang and Barsky, 1984).
 bool crosses(const Point& a, const Point& b, const Box& box) {
     double enter = 0.0, leave = 1.0;
     const double d[2] = {b.x - a.x, b.y - a.y};
@@ -38,7 +38,7 @@ bool crosses(const Point& a, const Point& b, const Box& box) {
     return enter <= leave;
 }
 
-// Chooses places for names so that they hide as little as possible.
+// Placement of names such that they hide as little as possible.
 class Placer {
   public:
     Placer(Drawing& drawing, const Axes& axes, const View& view, const record::Recording& recording,
@@ -70,7 +70,8 @@ class Placer {
         }
         if (!best) return;
         const Box& box = best->box;
-        // From the label's point nearest to the body to the body's point nearest to the label.
+        // Draw the line from the label's point nearest to the body to the body's point nearest to
+        // the label.
         const double middle = at.y + 0.5 * at.height;
         const Point from{std::clamp(x, box.x, box.right()),
                          std::clamp(middle, box.y, box.bottom())};
@@ -84,7 +85,7 @@ class Placer {
     void cable(const record::RecordedCable& cable) {
         const double w = text_width(cable.name, kCableSize);
         const Point a = node(cable, 0), b = node(cable, cable.nodes.size() - 1);
-        if (std::hypot(b.x - a.x, b.y - a.y) < w + 20.0) return;  // It would hide the cable.
+        if (std::hypot(b.x - a.x, b.y - a.y) < w + 20.0) return;  // The name would hide the cable.
         std::optional<Choice> best;
         for (const double share : {0.5, 0.42, 0.58, 0.33, 0.67, 0.25, 0.75, 0.15, 0.85}) {
             const Point p =
@@ -111,7 +112,7 @@ class Placer {
         double cost = 0.0;
     };
 
-    // Text of width w at p, on its base line; `off` is what its distance costs.
+    // Evaluate text of width w at the base point p; `off` is the cost of its distance.
     void consider(std::optional<Choice>& best, Point p, double w, double size, double off) const {
         const Box box{p.x, p.y - size, w, size + 3};
         const Box& frame = axes_.frame;
@@ -137,7 +138,7 @@ class Placer {
     std::vector<Box> bodies_, taken_;
 };
 
-// The plotted bodies, then the others that are not part of a cable.
+// Return the plotted bodies, then the others that are not part of a cable.
 std::vector<std::int32_t> bodies_to_name(const record::Recording& recording,
                                          const std::vector<bool>& visible) {
     std::vector<std::int32_t> bodies = recording.plot_bodies;
@@ -167,7 +168,7 @@ void draw_names(Drawing& drawing, const Axes& axes, const View& view,
         if (at.right() < axes.frame.x || at.x > axes.frame.right() || at.bottom() < axes.frame.y ||
             at.y > axes.frame.bottom())
             continue;
-        // A hull is a place for names, a boom is not.
+        // Names may cover a hull but not a boom.
         if (at.width < 120.0 || at.height < 30.0) placer.keep_clear(at);
         if (k >= plotted && std::max(at.width, at.height) < kNamedSize) continue;
         const bool own = !assembly.empty() && name.size() > assembly.size() &&
@@ -185,10 +186,10 @@ Range tension_range(const record::Frame& frame) {
     const std::vector<float>& of = frame.wires != nullptr ? frame.pulls : frame.tensions;
     std::vector<double> values(of.begin(), of.end());
     values.insert(values.end(), frame.line_pulls.begin(), frame.line_pulls.end());
-    for (double& value : values) value = std::max(0.0, value);  // of what has parted −1
+    for (double& value : values) value = std::max(0.0, value);  // −1 for broken elements
     Range r = range_of(values);
     if (r.low > 0.0 && r.low < 0.6 * r.high) r.low = 0.0;
-    // Less than a hundredth of the value would colour noise.
+    // A range below a hundredth of the value would show noise in colour.
     return widened(r, 0.0, std::max(1.0, 1e-2 * std::abs(r.high)));
 }
 

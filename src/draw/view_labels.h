@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file view_labels.h
-/// Names of bodies and cables in views of a scene.
+/// Draw names of bodies and cables in views of a scene.
 
 #include "draw/projection.h"
 
@@ -9,15 +9,15 @@
 
 namespace hawser::draw {
 
-/// Names next to what they name, where there is room: the plotted bodies, others large enough, the
-/// plotted cables. A name that finds no room close by stands farther off on a thin line.
-/// @param assembly What names begin with that the picture is about anyway, such as "ahts1/"; left
-///                 out of the names.
+/// Draw names next to their objects: the plotted bodies, other large bodies, the plotted cables. A
+/// name without space nearby is placed farther away, with a thin line to its object.
+/// @param assembly  Prefix of names to omit because it is the subject of the picture, such as
+/// "ahts1/".
 void draw_names(Drawing& drawing, const Axes& axes, const View& view,
                 const record::Recording& recording, const record::Frame& frame,
                 const std::string& assembly = "");
 
-/// Range of tension for the colours of one frame [N].
+/// Return the range of tension for the colours of one frame [N].
 [[nodiscard]] Range tension_range(const record::Frame& frame);
 
 }  // namespace hawser::draw

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Of a plane that faces up, or the mean of a ground of lines.
+/// Add the height of a plane that faces up, or the mean height of a ground of lines.
 void add_outline(const record::Recording& recording, const record::RecordedOutline& o,
                  Water& water) {
     const record::RecordedBody& body = recording.bodies[static_cast<std::size_t>(o.body)];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file water.h
-/// Where a recorded scene has water and a seabed, for pictures.
+/// Find the water level and the seabed of a recorded scene, for pictures.
 
 #include <hawser/recording.h>
 
@@ -10,12 +10,13 @@
 namespace hawser::draw {
 
 struct Water {
-    std::optional<double> level;   ///< Still water, z [m]: of a sea, or where something floats.
-    std::optional<double> seabed;  ///< z [m]: of a level plane or of the sea; highest of several.
+    std::optional<double> level;  ///< Height z of still water [m]: of a sea, or if a body floats.
+    /// Height z of the seabed [m]: of a level plane or of the sea; the highest of several.
+    std::optional<double> seabed;
 };
 
-/// From the scene's document and its shapes, with the level of the frame: tide and what was set.
-/// Waves are left out: recordings do not hold them.
+/// Read the water of a frame from the scene's document and its shapes. The level is that of the
+/// frame, with tide and user settings. Waves are left out, because recordings do not hold them.
 [[nodiscard]] Water water_of(const record::Recording& recording, const record::Frame& frame);
 
 }  // namespace hawser::draw

@@ -21,8 +21,8 @@ WireReader::WireReader(const record::Recording& recording)
         cables_.emplace(recording.cables[c].name, c);
 }
 
-/// A cable from a drum, which has no place, has an element more than drawn segments; the last ones
-/// correspond.
+/// Read a cable in its initial form. A drum has no position, so a cable from a drum has one element
+/// more than drawn segments; the last ones correspond.
 void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireLine& out) const {
     const record::RecordedCable& cable = recording_.cables[index];
     std::vector<Vec3> points;
@@ -52,7 +52,8 @@ void WireReader::read_cable(std::size_t index, const record::Frame& frame, WireL
     }
 }
 
-/// Between pieces that lie on a wheel a chord joins them, with the tension of the one before.
+/// Read a changed wire. If the wire lies on a wheel between two pieces, a chord joins them, with
+/// the tension of the previous piece.
 void WireReader::read_wire(const record::RecordedWire& wire, const record::Frame& frame,
                            const std::vector<float>& pulls, WireLine& out) {
     for (std::size_t i = 0; i < wire.pieces.size(); ++i) {
@@ -84,7 +85,7 @@ void WireReader::read(const record::Frame& frame, std::vector<WireLine>& out) co
                 read_wire(wire, frame, frame.pulls, out[own->second]);
                 continue;
             }
-            // Piece "tow/2" of the cable "tow".
+            // A piece "tow/2" belongs to the cable "tow".
             own = cables_.find(std::string_view(wire.name).substr(0, wire.name.rfind('/')));
             WireLine line{wire.name, 0.0, 0.0, {}};
             if (own != cables_.end()) {

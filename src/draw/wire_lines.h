@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wire_lines.h
-/// Wires of a recorded frame as segments with their tension, however their nodes have come and
-/// gone.
+/// Read the wires of a recorded frame as segments with tensions, for any changes of their nodes.
 
 #include <hawser/recording.h>
 #include "draw/parted.h"
@@ -14,27 +13,27 @@
 
 namespace hawser::draw {
 
-/// An element of a wire, straight between its ends.
+/// Element of a wire, straight between its ends.
 struct WirePiece {
-    Vec3 from, to;         ///< World frame [m].
-    float tension = 0.0F;  ///< [N]; of what has parted 0.
+    Vec3 from, to;         ///< Ends in the world frame [m].
+    float tension = 0.0F;  ///< Tension [N]; 0 if broken.
     bool parted = false;
 };
 
 struct WireLine {
     std::string_view name;
-    double EA = 0.0;             ///< [N]; 0: not known.
-    double breaking_load = 0.0;  ///< [N]; 0: not given.
+    double EA = 0.0;             ///< Axial stiffness [N]; 0: unknown.
+    double breaking_load = 0.0;  ///< Breaking load [N]; 0: undefined.
     std::vector<WirePiece> segments;
 };
 
-/// Takes wires from frames of one recording, which has to outlive it.
+/// Reader of wires from frames of one recording, which must outlive it.
 class WireReader {
   public:
     explicit WireReader(const record::Recording& recording);
-    /// Cables of the scene in its order, each as it is in the frame; then pieces that were cut off,
-    /// and lines that are no wires and have come since the start.
-    /// @param out  In the caller's memory.
+    /// Read the cables of the scene in its order, in their state in the frame. Then pieces that
+    /// were cut off follow, and lines other than wires that were added after the start.
+    /// @param out  Buffer of the caller.
     void read(const record::Frame& frame, std::vector<WireLine>& out) const;
 
   private:

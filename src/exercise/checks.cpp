@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What an exercise names that the scene has to have.
+/// Check that the scene has everything that an exercise names.
 #include <hawser/hawser.h>
 
 #include "exercise/names.h"
@@ -78,7 +78,7 @@ class Checker {
         known(f.target, place / "wire", "wire", names);
     }
 
-    /// A winch, or an interaction of the right kind that no system drives.
+    /// Check that the target is a winch, or an interaction of the right kind that no system drives.
     void acting(const Fault& f, const Place& place, const char* what) const {
         const World& world = scene_.world;
         if (is_winch(world, f.target)) {
@@ -134,7 +134,7 @@ Json missing_inputs(const Exercise& exercise, const World& world) {
         const InteractionId id = world.find_interaction(f.target);
         if (is_winch(world, f.target) || !id.valid()) continue;
         for (const std::string& param : fault_params(f.kind, world, id)) {
-            // Names of inputs have no '/': those of templates are made.
+            // Names of inputs must not contain '/', but names from templates do.
             std::string name = "fault." + f.target + "." + param;
             std::replace(name.begin(), name.end(), '/', '.');
             const bool listed = std::any_of(out.begin(), out.end(),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file curves.h
-/// Displays over time, for reports.
+/// Sample the displays over time, for reports.
 
 #include <hawser/exercise.h>
 
@@ -10,12 +10,14 @@
 
 namespace hawser::exercise {
 
-/// Beyond this number of samples every other one goes, and only every other one is added from then
-/// on.
+/// Largest number of samples. When it is reached, every second sample is removed and the sampling
+/// interval doubles.
 inline constexpr std::size_t kMostSamples = 8192;
 
-/// @param every, seen  Of the curves: steps from sample to sample, steps seen. @param values  Of
-/// channels; those of the displays come first, one for each that is named for the first time.
+/// Add a sample if the sampling interval has passed.
+/// @param every   Sampling interval of the curves [steps]; in and out.
+/// @param seen    Number of steps since the start; in and out.
+/// @param values  Values of channels. Those of the displays come first, without duplicates.
 inline void add_sample(Curves& curves, std::size_t& every, std::size_t& seen, double time,
                        std::span<const double> values) {
     if (seen++ % every != 0) return;

@@ -29,7 +29,7 @@ Field text_field() {
     return {"text", text("a text"), false, "", "", "In words, for displays and reports."};
 }
 
-/// Name, text, and when it counts.
+/// Return the fields of a trigger: name, text and condition.
 std::vector<Field> triggered(const char* which) {
     const ShapePtr condition =
         object("condition", "a condition",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file format.h
-/// Exercise format version 1, described as scenes are (scene/shape.h).
+/// Describe exercise format version 1, in the same form as scenes (scene/shape.h).
 
 #include "scene/shape.h"
 
@@ -9,11 +9,11 @@
 
 namespace hawser::exercise {
 
-/// A whole file. What it takes over from scenes (inputs, outputs, timeline) has their shapes.
+/// Return the shape of a whole file. Inputs, outputs and timeline have the shapes of scenes.
 [[nodiscard]] const scene::ShapePtr& exercise_shape();
-/// Words of FaultKind, in its order.
+/// Return the words of FaultKind, in its order.
 [[nodiscard]] std::span<const char* const> fault_words() noexcept;
-/// Words of EventKind, in its order.
+/// Return the words of EventKind, in its order.
 [[nodiscard]] std::vector<std::string> event_words();
 
 }  // namespace hawser::exercise

@@ -10,8 +10,10 @@
 namespace hawser::exercise {
 namespace {
 
-constexpr double kLeverRounding = 1e-9;  ///< Times are multiples of the step up to rounding [s].
-constexpr std::size_t kMostLate = 4096;  ///< Values on their way; older ones are dropped.
+/// Tolerance of times, which are multiples of the step up to rounding [s].
+constexpr double kLeverRounding = 1e-9;
+/// Largest number of delayed values; older ones are dropped.
+constexpr std::size_t kMostLate = 4096;
 
 bool same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -72,7 +74,7 @@ void Levers::end(const Fault& fault) {
     }
 }
 
-/// First late, then bent, last stuck.
+/// Apply the faults to a requested value: first delays, then scaled values, last stuck inputs.
 double Levers::let_through(Lever& l, double now) {
     double value = std::isnan(l.asked) ? l.start : l.asked;
     while (!l.late.empty() && l.late.front().first <= now + kLeverRounding) {

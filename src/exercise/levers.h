@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file levers.h
-/// What was asked of inputs, and what faults let through.
+/// Store the requested values of inputs, and apply the faults that modify them.
 
 #include <hawser/exercise.h>
 
@@ -14,32 +14,32 @@
 
 namespace hawser::exercise {
 
-/// Copies are states to go back to.
+/// Controls of an exercise. A copy is a state that can be restored.
 class Levers {
   public:
-    /// @param input  As resolved() gave it.
+    /// Request a value of an input. @param input  Name from resolved().
     void ask(const Session& session, const std::string& input, double value);
-    /// The value last asked of an input, in its unit; NaN: nobody has asked.
+    /// Return the value last requested for an input, in its unit; NaN: no request yet.
     [[nodiscard]] double asked(const std::string& input) const noexcept;
 
     void begin(const Session& session, const Fault& fault);
     void end(const Fault& fault);
 
-    /// Set what has changed, by what was asked for and the faults that there are.
+    /// Set the inputs that have changed, from the requests and the active faults.
     void apply(Session& session);
-    /// After a state was restored: inputs are what that state has.
+    /// Forget the applied values. Call after a state was restored, which sets inputs itself.
     void forget_applied();
 
   private:
     struct Lever {
-        double asked = kDefault;                     ///< NaN: as it was at first, `start`.
-        double start = 0.0;                          ///< Before anyone asked.
-        double applied = kDefault;                   ///< NaN: not known.
-        double passed = kDefault;                    ///< Last that came through being late.
-        std::deque<std::pair<double, double>> late;  ///< Time at which it is due, value.
-        std::vector<const Fault*> faults;            ///< In the order in which they began.
-        bool mode = false;                           ///< Of a winch.
-        std::map<const Fault*, double> stuck;        ///< Where each keeps it.
+        double asked = kDefault;    ///< Requested value; NaN: none, `start` applies.
+        double start = 0.0;         ///< Value before the first request.
+        double applied = kDefault;  ///< Value last set; NaN: unknown.
+        double passed = kDefault;   ///< Last delayed value that has become due.
+        std::deque<std::pair<double, double>> late;  ///< Delayed values: due time [s], value.
+        std::vector<const Fault*> faults;            ///< Active faults in the order of their start.
+        bool mode = false;                           ///< True for the mode of a winch.
+        std::map<const Fault*, double> stuck;        ///< Value at which each fault holds the input.
     };
     Lever& lever(const Session& session, const std::string& input);
     static double let_through(Lever& lever, double now);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From a file to an exercise and its scene.
+/// Load an exercise and its scene from a file.
 #include <hawser/hawser.h>
 
 #include "exercise/format.h"
@@ -17,12 +17,12 @@ namespace {
 using scene::Json;
 using scene::Place;
 
-/// The scene's document with what the exercise adds, and where that begins.
+/// Document of the scene with the additions of the exercise.
 struct Merged {
     Json root;
     std::string file;
-    std::size_t inputs = 0, outputs = 0;  ///< Entries of the scene's own.
-    bool timeline = false;                ///< That of the exercise.
+    std::size_t inputs = 0, outputs = 0;  ///< Number of entries of the scene itself.
+    bool timeline = false;                ///< True if the timeline is that of the exercise.
 };
 
 std::size_t append(Json& root, const char* key, const Json& from) {
@@ -50,7 +50,8 @@ Merged merge(const Json& exercise, const Place& place) {
     return out;
 }
 
-/// A mistake in what the exercise added stands in its own file.
+/// Convert the position of an error: a mistake in an addition of the exercise is reported in the
+/// exercise's file.
 scene::SceneError in_exercise(const scene::SceneError& error, const Merged& merged,
                               const std::string& file) {
     const auto entry = [&](const std::string& key, std::size_t own) -> std::optional<std::string> {
@@ -90,13 +91,14 @@ Loaded load(const Json& root, std::string text, const std::string& file, scene::
     options.set.insert(options.set.begin(), changes.begin(), changes.end());
     Merged merged = merge(root, place);
     out.scene = load_scene(merged, options, file);
-    // Once more where a fault needs an input that the scene lacks.
+    // Load the scene again if a fault needs an input that the scene lacks.
     if (const Json more = missing_inputs(out.exercise, out.scene.world); !more.empty()) {
         (void)append(merged.root, "inputs", more);
         out.scene = load_scene(merged, options, file);
     }
     check_names(out.exercise, out.scene, place);
-    // Levers of timelines go through faults: the run moves them, and the session does the rest.
+    // Settings of a timeline pass through faults, so the run applies them. The session applies the
+    // other operations.
     for (const scene::Operation& operation : out.scene.timeline)
         if (operation.kind == scene::OperationKind::set) out.exercise.levers.push_back(operation);
     std::erase_if(out.scene.timeline, [](const scene::Operation& operation) {

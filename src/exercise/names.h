@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file names.h
-/// What a scene has that an exercise may name.
+/// List the names of a scene that an exercise may use.
 
 #include <hawser/exercise.h>
 
@@ -11,29 +11,29 @@
 
 namespace hawser::exercise {
 
-/// Inputs, inputs of signals, and signals of systems.
+/// Return the names of inputs, inputs of signals, and signals of systems.
 [[nodiscard]] std::vector<std::string> input_names(const scene::Scene& scene);
 [[nodiscard]] std::vector<std::string> output_names(const World& world);
 
-/// What a lever really sets: an input of the world, or a signal, with its value. Two names of one
-/// signal come to the same.
+/// Return the target of a control and its value: an input of the world or a signal. Two names of
+/// one signal have the same target.
 [[nodiscard]] std::pair<std::string, double> resolved(const scene::Scene& scene,
                                                       std::string_view input, double value);
-/// Of a name that resolved() gave, now.
+/// Return the present value of a target from resolved().
 [[nodiscard]] double present_value(const World& world, const std::string& input);
 
-/// Inputs that a fault bends, as resolved() has them; with what they are multiplied, or the mode
-/// of a winch.
+/// Target of a fault, as named by resolved(): an input that is scaled, or the mode of a winch.
 struct Bent {
     std::string input;
-    bool mode = false;  ///< Modes with a motor become free.
+    bool mode = false;  ///< True: modes with a motor become free.
 };
-/// @param world  In which each parameter that the fault needs has its input.
+/// Return the inputs that a fault modifies. @param world  World in which each parameter that the
+/// fault needs has an input.
 [[nodiscard]] std::vector<Bent> bent_inputs(const Fault& fault, const World& world);
-/// Parameters of an interaction that a fault changes; empty: it is none of the right kind.
+/// Return the parameters of an interaction that a fault changes; empty if its kind is not suitable.
 [[nodiscard]] std::vector<std::string> fault_params(FaultKind kind, const World& world,
                                                     InteractionId interaction);
-/// Input that drives a parameter of an interaction; invalid: none does.
+/// Return the input that drives a parameter of an interaction; invalid if there is none.
 [[nodiscard]] InputId driver_of(const World& world, InteractionId interaction,
                                 const std::string& param);
 [[nodiscard]] bool is_winch(const World& world, const std::string& name);

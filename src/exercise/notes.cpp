@@ -10,7 +10,7 @@
 namespace hawser::exercise {
 namespace {
 
-/// Told by the solver, so that a replay has them too; others come from systems.
+/// True if the solver reports the event, so that a replay reproduces it. Systems report the others.
 bool of_solver(EventKind kind) {
     switch (kind) {
         case EventKind::line_break:
@@ -102,8 +102,8 @@ std::vector<bool> noted_channels(const std::vector<Channel>& channels, const Wor
         }
         const OutputId id = world.find_output(c.output);
         const OutputKind kind = world.output_def(id).kind;
-        // Times that a clock measured are not the same twice either; a winch keeps account of what
-        // its drum has paid out.
+        // Measured times are not reproducible either. The paid-out length of a drum is a state of
+        // its winch.
         out.push_back(kind == OutputKind::signal || kind == OutputKind::statistic ||
                       kind == OutputKind::drum);
     }

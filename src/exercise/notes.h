@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file notes.h
-/// What a recording keeps of an exercise beside the motion (notes of the kind "exercise").
+/// Write and read the data of an exercise in a recording, beyond the motion (notes of the kind
+/// "exercise").
 ///
-/// A note is an u8 kind and its fields: 0 `begin`: text of the document, u32 number of channels and
-/// an u8 of each, 1: its values are noted, since a world without the systems of the scene cannot
-/// give them. 1 `values`, after a step: u32 number, and of each that changed u32 channel, f64.
-/// 2 `fault`: u8 begins, text name, text by whom. 3 `mark`, 4 `back`: i32 number. 5 `end`: text
-/// why, u8 failed. 6 `asked`: text role, text input, f64.
+/// A note is an u8 kind and its fields:
+/// 1. Kind 0 `begin`: text of the document, u32 number of channels, and one u8 for each channel.
+/// The u8 is 1 if the values are noted because a world without the systems of the scene cannot
+/// compute them.
+/// 2. Kind 1 `values`, after a step: u32 number of changed channels, then u32 channel and f64 value
+/// of each.
+/// 3. Kind 2 `fault`: u8 begins, text name, text by whom.
+/// 4. Kinds 3 `mark` and 4 `back`: i32 number.
+/// 5. Kind 5 `end`: text reason, u8 failed.
+/// 6. Kind 6 `asked`: text role, text input, f64 value.
 
 #include <hawser/exercise.h>
 
@@ -24,12 +30,12 @@ inline constexpr std::string_view kNoteKind = "exercise";
 
 enum class NoteKind : std::uint8_t { begin, values, fault, mark, back, end, asked };
 
-/// Writes notes into the recording of a session.
+/// Writer of notes to the recording of a session.
 class NoteWriter {
   public:
     explicit NoteWriter(Session& session) : session_(session) {}
     void begin(const Exercise& exercise, const std::vector<bool>& noted);
-    /// Those that changed since the last call, of channels that are noted.
+    /// Write the values that have changed since the last call, of channels that are noted.
     void values(const std::vector<bool>& noted, std::span<const double> values);
     void fault(bool begins, std::string_view name, std::string_view by);
     void number(NoteKind kind, std::int32_t number);
@@ -44,12 +50,12 @@ class NoteWriter {
     std::vector<double> last_;
 };
 
-/// Channels that a world without systems cannot give: outputs of systems, and events of systems.
+/// Return which channels a world without systems cannot compute: outputs and events of systems.
 [[nodiscard]] std::vector<bool> noted_channels(const std::vector<Channel>& channels,
                                                const World& world);
 
-/// Values of channels after a step. @param all  Whether those of systems are there too; else their
-/// entries in `out` stay as they are.
+/// Read the values of channels after a step. @param all  True if the world has the systems; else
+/// the entries of noted channels in `out` are unchanged.
 void read_channels(const std::vector<Channel>& channels, const std::vector<bool>& noted,
                    const World& world, std::span<const Event> events, bool all,
                    std::vector<double>& out);

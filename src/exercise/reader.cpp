@@ -114,7 +114,7 @@ Station read_station(const Json& json, const Place& place) {
     return out;
 }
 
-/// Entries with unique names.
+/// Read a list of entries with unique names.
 template <class T, class Read>
 void read_list(const Json& root, const char* key, const Place& place, std::vector<T>& out,
                const Read& read) {
@@ -132,7 +132,8 @@ void read_list(const Json& root, const char* key, const Place& place, std::vecto
     }
 }
 
-/// Goals that come after others: of those before them in the list, so that none waits for itself.
+/// Check goals that follow others: the other goal must come earlier in the list, so that no goal
+/// depends on itself.
 void check_order(const Exercise& e, const Place& place) {
     std::vector<std::string> before;
     for (std::size_t i = 0; i < e.goals.size(); ++i) {

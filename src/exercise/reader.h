@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file reader.h
-/// From the document to an exercise, and what of it the scene has to have.
+/// Read an exercise from its document, and check it against the scene.
 
 #include <hawser/exercise.h>
 
@@ -11,17 +11,17 @@
 
 namespace hawser::exercise {
 
-/// @param root  That fits exercise_shape(). @throws scene::SceneError where a name is given twice,
-/// or names nothing of the exercise.
+/// Read an exercise. @param root  Document that fits exercise_shape(). @throws scene::SceneError if
+/// a name is used twice, or refers to nothing in the exercise.
 [[nodiscard]] Exercise read_exercise(const scene::Json& root, const scene::Place& place);
 
-/// Of a document alone, without its scene. @throws scene::SceneError.
+/// Parse a document alone, without its scene. @throws scene::SceneError.
 [[nodiscard]] Exercise parse_exercise(const std::string& text, const std::string& name);
 
-/// Whether the scene has all that it names. @throws scene::SceneError with the nearest name.
+/// Check that the scene has every name in use. @throws scene::SceneError with the nearest name.
 void check_names(const Exercise& exercise, const scene::Scene& scene, const scene::Place& place);
 
-/// Inputs that faults need and the scene lacks, as a scene has them.
+/// Return the inputs that faults need and the scene lacks, in the format of scenes.
 [[nodiscard]] scene::Json missing_inputs(const Exercise& exercise, const World& world);
 
 }  // namespace hawser::exercise

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The score of a recording: its motion repeated, its notes read.
+/// Compute the score of a recording: replay its motion and read its notes.
 #include <hawser/hawser.h>
 #include <hawser/repeater.h>
 
@@ -18,12 +18,12 @@
 namespace hawser::exercise {
 namespace {
 
-/// What goes back to a mark.
+/// State that a mark saves.
 struct State {
     Scorer scorer;
     Curves curves;
     std::size_t every = 1, seen = 0;
-    double time = 0.0;  ///< [s]
+    double time = 0.0;  ///< Time of the state [s].
 };
 
 class Rescorer {
@@ -36,7 +36,7 @@ class Rescorer {
         record::ByteReader in(notes()[next_].bytes);
         if (in.get<std::uint8_t>() != static_cast<std::uint8_t>(NoteKind::begin))
             throw record::BadBytes("its notes of the exercise have no beginning");
-        // Its scene is that of the recording.
+        // The scene is that of the recording.
         out_.exercise = parse_exercise(in.get_text(), recording.file + " (exercise)");
         channels_ = channels_of(out_.exercise);
         noted_.resize(in.get_count(1));
@@ -80,13 +80,14 @@ class Rescorer {
                                       world.time(), *where != '\0' ? ", " : "", where);
     }
 
-    /// To a step of a take: where the run went back to a state, steps begin anew.
+    /// Advance to a step of a branch. If the run went back to a saved state, the step count
+    /// restarts from that state.
     void advance(std::int64_t to, std::size_t take) {
         World& world = scene_.world;
         const auto behind = [&] { return world.step_count() < to || repeater_.take() < take; };
         while (behind()) {
             repeater_.before_step(world);
-            take_notes(world);  // those of a take that this has entered
+            take_notes(world);  // notes of a branch that was just entered
             if (!behind()) break;
             if (world.step() != Status::ok)
                 throw record::RecordingError(fmt::format("{}: the step from {:.6g} s failed: {}",
@@ -102,8 +103,9 @@ class Rescorer {
         }
     }
 
-    /// Reader of the next note of the exercise for a step; its kind is read. The first note of a
-    /// take says that it went back: it and what follows wait until the motion has done so.
+    /// Find the next note of the exercise up to a step and read its kind. The first note of a
+    /// branch reports that the run went back. That note and later ones wait until the motion has
+    /// done the same.
     bool next(std::int64_t step, NoteKind& kind, record::ByteReader& in) {
         while (next_ < notes().size() && notes()[next_].kind != kNoteKind) ++next_;
         if (next_ == notes().size() || notes()[next_].step > step) return false;
@@ -185,7 +187,8 @@ class Rescorer {
     std::vector<double> values_;
     std::vector<State> marks_;
     State* state_ = nullptr;
-    std::size_t next_ = 0, backs_ = 0;  ///< The next note; how often the run has gone back.
+    /// Index of the next note; number of times that the run went back.
+    std::size_t next_ = 0, backs_ = 0;
 };
 
 }  // namespace

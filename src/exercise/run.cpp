@@ -18,23 +18,25 @@ namespace hawser::exercise {
 
 namespace {
 
-constexpr double kStepRounding = 1e-6;  ///< Times are multiples of the step up to it [steps].
+/// Tolerance of times, which are multiples of the step [steps].
+constexpr double kStepRounding = 1e-6;
 constexpr std::size_t kMostMarks = 1024;
 
 }  // namespace
 
 struct Run::Impl {
-    /// Of a fault.
+    /// State of a fault.
     struct Standing {
-        bool active = false, was = false;                        ///< `was`: it has come by itself.
-        double until = std::numeric_limits<double>::infinity();  ///< [s]
+        bool active = false, was = false;  ///< `was`: it has started automatically before.
+        double until = std::numeric_limits<double>::infinity();  ///< Time at which it ends [s].
     };
-    /// All that goes back with a state.
+    /// State that marks save and restore.
     struct State {
         Levers levers;
         std::vector<Standing> faults;
         Scorer scorer;
-        std::size_t next_lever = 0;  ///< The first of the timeline that is not done.
+        /// Index of the first operation of the timeline that is not applied yet.
+        std::size_t next_lever = 0;
         Curves curves;
         std::size_t every = 1, seen = 0;
     };

@@ -9,7 +9,8 @@
 namespace hawser::exercise {
 namespace {
 
-constexpr double kTimeRounding = 1e-9;  ///< Times are sums of steps up to rounding [s].
+/// Tolerance of times, which are sums of steps up to rounding [s].
+constexpr double kTimeRounding = 1e-9;
 
 template <class T>
 std::vector<Tally> tallies(const std::vector<T>& list) {
@@ -148,7 +149,7 @@ void Scorer::goals(double time, std::span<const double> values) {
     for (std::size_t i = 0; i < goal_.size(); ++i) {
         const Goal& goal = exercise_->goals[i];
         Tally& tally = result_.goals[i];
-        // Before its turn comes nothing is held.
+        // A goal counts no holding time before the goal that precedes it is reached.
         const auto first =
             std::find_if(exercise_->goals.begin(), exercise_->goals.end(),
                          [&](const Goal& other) { return other.name == goal.after; });

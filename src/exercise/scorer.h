@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file scorer.h
-/// Alarms, goals, penalties and ends from what an exercise watches, step by step.
+/// Evaluate alarms, goals, penalties and ends of an exercise, step by step.
 ///
-/// What is watched are channels: outputs, and numbers of events of a kind in a step. The score
-/// follows from their values alone, so that whoever has the same values has the same score: the run
-/// takes them from its world, rescore() from the world of a replay and from notes in the recording.
+/// The inputs are channels: outputs, and numbers of events of a kind in a step. The score depends
+/// on their values alone, so equal values give equal scores. The run reads them from its world.
+/// rescore() reads them from the world of a replay and from notes in the recording.
 
 #include <hawser/exercise.h>
 
@@ -18,46 +18,48 @@
 namespace hawser::exercise {
 
 struct Channel {
-    std::string output;                       ///< "": events.
-    EventKind event = EventKind::line_break;  ///< Of these …
-    std::string of;                           ///< … of what has a name that begins so.
+    std::string output;  ///< Name of the output; empty: the channel counts events.
+    EventKind event = EventKind::line_break;  ///< Kind of the events counted.
+    std::string of;                           ///< Prefix of the names that count.
     friend bool operator==(const Channel&, const Channel&) = default;
 };
 
-/// Every output and kind of event that an exercise names, in the order in which it does.
+/// Return every output and kind of event that an exercise names, in the order of their first use.
 [[nodiscard]] std::vector<Channel> channels_of(const Exercise& exercise);
 
-/// Copies are states to go back to.
+/// Scorer of an exercise. A copy is a state that can be restored.
 class Scorer {
   public:
-    /// @param step  Of the world [s].
+    /// Start a score. @param step  Step of the world [s].
     Scorer(const Exercise& exercise, double step);
 
-    /// @param values  Of the channels, after a step to this time.
+    /// Evaluate a step. @param time  Time at its end [s]. @param values  Values of the channels.
     void after_step(double time, std::span<const double> values);
     void fault(double time, const Fault& fault, std::string_view by, bool begins);
     void end(double time, const std::string& why, bool failed);
     void restored(double time);
     [[nodiscard]] bool ended() const noexcept { return result_.outcome != Outcome::running; }
     [[nodiscard]] const Result& result() const noexcept { return result_; }
-    /// Frozen value of an output; NaN where it is not frozen.
+    /// Return the frozen value of an output; NaN if it is not frozen.
     [[nodiscard]] double frozen(std::string_view output) const noexcept;
-    /// An output that no channel has is frozen at a value that its owner knows.
+    /// Freeze an output that has no channel at a value from its owner.
     void freeze(const std::string& output, double value) { frozen_[output] = value; }
 
-    /// Entries that a result keeps; later ones are counted in tallies only.
+    /// Largest number of entries in a result; later ones are counted in tallies only.
     static constexpr std::size_t kMostLogged = 4096;
 
   private:
-    /// How a trigger stands.
+    /// State of a trigger.
     struct Watch {
-        std::vector<std::size_t> channels;  ///< Of its conditions, or the one of its events.
-        double held = 0.0;                  ///< [s]
-        bool holds = false;                 ///< All conditions do.
+        /// Channels of its conditions, or the channel of its events.
+        std::vector<std::size_t> channels;
+        double held = 0.0;   ///< Time for which all conditions have held [s].
+        bool holds = false;  ///< True if all conditions hold.
         bool active = false;
     };
     [[nodiscard]] std::vector<Watch> watches(const auto& list) const;
-    /// Active now; for events the number of them. @param shown  As displays have it.
+    /// Return 1 if the trigger is active, else 0; for events their number. @param shown  Use the
+    /// values on displays, which may be frozen.
     double look(const Trigger& trigger, Watch& watch, std::span<const double> values, bool shown);
     void alarms(double time, std::span<const double> values);
     void penalties(double time, std::span<const double> values);
@@ -70,7 +72,7 @@ class Scorer {
     double step_;
     std::vector<Channel> channels_;
     std::vector<Watch> alarm_, goal_, penalty_, end_;
-    std::map<std::string, double, std::less<>> frozen_;  ///< By output.
+    std::map<std::string, double, std::less<>> frozen_;  ///< Frozen values by output.
     std::vector<double> last_;                           ///< Values of the last step.
     Result result_;
 };

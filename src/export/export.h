@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file export.h
-/// Recordings for other programs: animated glTF 2.0 and VTK XML.
+/// Convert recordings for other programs: animated glTF 2.0 and VTK XML.
 ///
-/// Both go through a recording frame by frame and hold some tens of frames at a time, so that what
-/// they take of memory does not grow with its length; the recording itself is read whole.
+/// Both writers read a recording frame by frame and hold up to 64 frames at a time. Their memory
+/// does not grow with the number of frames. The recording itself is read completely.
 
 #include <hawser/recording.h>
 
@@ -16,51 +16,64 @@
 
 namespace hawser::exporting {
 
-/// Which frames, ascending.
+/// Indices of frames, ascending.
 using Frames = std::vector<std::size_t>;
 
-/// Of the last take, to which the run went back last; 0: it never did.
+/// Return the first frame of the last branch, which begins where the run last went back; 0 if it
+/// never did.
 [[nodiscard]] inline std::size_t first_frame(const record::Recording& recording) {
     return recording.takes.empty() ? 0 : recording.takes.back().frames;
 }
 
-/// Every `every`-th frame of the last take whose time is in [from, to], of these the last one too.
-/// Earlier takes, which the run left by going back to another state, are left out: in both formats
-/// times ascend.
+/// Return every `every`-th frame of the last branch with a time in [from, to], and the last such
+/// frame. Earlier branches are left out, because times ascend in both formats.
 [[nodiscard]] Frames choose_frames(const record::Recording& recording, std::size_t every,
                                    double from, double to);
 
-/// Called with the number of frames done.
+/// Callback that receives the number of completed frames.
 using Progress = std::function<void(std::size_t)>;
 
-/// A binary glTF (Khronos Group, *glTF 2.0 Specification*, 2021), y up, times from the first frame
-/// on. A node a body with its shapes as meshes and channels for translation and rotation; of bodies
-/// that come and go the scale is 0 while they are not there. A node of a body is called as the body
-/// is. A wire is a mesh of three crossed ribbons, skinned to a node per end of its elements,
-/// "NAME@0" and on, whose translation is animated: standard viewers play it, and each point is
-/// where the recording has it. Its colour is the largest tension of each element in these frames
-/// over that of all. Wires of which nodes come and go have as many joints as they ever need; those
-/// that are too many lie on its end. Where an element has parted both of its joints lie at its
-/// first end.
-/// @throws std::runtime_error where the file cannot be written, or would exceed the 4 GiB of a
-///         binary glTF.
+/// Write a binary glTF (Khronos Group, *glTF 2.0 Specification*, 2021), y up; times count from the
+/// first frame.
+///
+/// Bodies: each visible body is a node with the name of the body, its shapes as meshes, and
+/// channels of translation and rotation. A body that is absent in some frames has a scale channel,
+/// which is 0 while it is absent.
+///
+/// Wires: each wire is a mesh of three crossed ribbons, skinned to one node for each end of its
+/// elements. These nodes are named "NAME@0", "NAME@1", … and have animated translations, so every
+/// point has its recorded position. Standard viewers play this. The colour of an element is its
+/// largest tension in these frames, divided by the largest tension of all wires. A wire with a
+/// varying number of nodes has joints for the largest number; unused joints lie at its end. If an
+/// element is broken, both its joints lie at its first end.
+/// @throws std::runtime_error if the file cannot be written, or would exceed the 4 GiB of a binary
+/// glTF.
 void write_gltf(const record::Recording& recording, const Frames& frames,
                 const std::filesystem::path& file, const Progress& progress = {});
 
-/// Contact forces of frames, from who repeats the recording: points and forces on the second shape,
-/// three numbers each [m], [N].
+/// Contact forces of a frame, supplied by a replay of the recording: points [m] and forces on the
+/// second shape [N], three values each.
 struct ContactForces {
     std::vector<double> points, forces;
 };
 using ContactSource = std::function<const ContactForces&(const record::Frame&)>;
 
-/// VTK XML: `file` (.pvd) lists the times, a folder of its name has one PolyData (.vtp, appended
-/// raw) a frame. Cells in this order: a vertex a body, a vertex a contact, a line an element of a
-/// wire, triangles of bodies. Cell data: `kind` (0 body, 1 contact, 2 wire, 3 surface), `index`
-/// (body of the recording, contact, wire), `tension` [N] and `strain` = T/EA of wires, `parted`,
-/// `orientation` (w, x, y, z), `force` [N]; where something has none, NaN.
+/// Write VTK XML. `file` (.pvd) lists the times. A folder with the same name holds one PolyData
+/// file (.vtp, appended raw) for each frame.
+///
+/// Cells, in this order: a vertex for each body, a vertex for each contact, a line for each element
+/// of a wire, triangles of bodies.
+///
+/// Cell data, NaN if undefined:
+/// 1. `kind`: 0 body, 1 contact, 2 wire, 3 surface.
+/// 2. `index`: body of the recording, contact, or wire.
+/// 3. `tension` [N], `strain` = T/EA and `parted` of wires.
+/// 4. `orientation` (w, x, y, z) of bodies.
+/// 5. `force` [N] of contacts.
+///
 /// Field data: `time`, `step`, `body_names`, `wire_names` (lines of UTF-8).
-/// @param contacts  Empty: contacts are left out. @throws std::runtime_error.
+/// @param contacts  Source of contact forces; contacts are left out if it is empty.
+/// @throws std::runtime_error.
 void write_vtk(const record::Recording& recording, const Frames& frames,
                const std::filesystem::path& file, const ContactSource& contacts = {},
                const Progress& progress = {});

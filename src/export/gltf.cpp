@@ -15,9 +15,10 @@
 namespace hawser::exporting {
 namespace {
 
-constexpr std::size_t kBlock = 64;  ///< Frames that are held at a time.
+constexpr std::size_t kBlock = 64;  ///< Number of frames held at a time.
 
-/// A file that is written in any order under another name, and renamed when it is complete.
+/// Writer of a file in any order. It uses a temporary name and renames the file when it is
+/// complete.
 class OpenFile {
   public:
     explicit OpenFile(const std::filesystem::path& file) : file_(file), part_(file) {
@@ -61,10 +62,10 @@ class OpenFile {
     std::unique_ptr<std::FILE, Close> out_;
 };
 
-/// Numbers of one channel in a block of frames.
+/// Values of one channel in a block of frames.
 struct Track {
-    std::size_t place = 0;  ///< In the buffer.
-    std::size_t width = 3;  ///< Numbers a frame.
+    std::size_t place = 0;  ///< Offset in the buffer [bytes].
+    std::size_t width = 3;  ///< Number of values in each frame.
     std::vector<float> values;
     void put(const Vec3& v) {
         for (int k = 0; k < 3; ++k) values.push_back(static_cast<float>(v[k]));
@@ -74,7 +75,7 @@ struct Track {
     }
 };
 
-/// Turns frames into channels, block by block.
+/// Converter of frames to channels, block by block.
 class Animator {
   public:
     Animator(const record::Recording& recording, const Layout& layout)
@@ -109,7 +110,9 @@ class Animator {
         }
     }
 
-    /// @param done  Frames written before. @param base  Of the buffer in the file.
+    /// Write the values to the file and clear them.
+    /// @param base  Offset of the buffer in the file [bytes].
+    /// @param done  Number of frames written before.
     void flush(OpenFile& out, std::size_t base, std::size_t done) {
         for (Track& track : tracks_) {
             out.put_at(base + track.place + done * track.width * sizeof(float), track.values.data(),

@@ -17,7 +17,7 @@ namespace {
 constexpr int kFloat = 5126, kShort = 5123, kInt = 5125, kByte = 5121;
 constexpr int kVertices = 34962, kIndices = 34963;
 
-// Materials by their number.
+// Materials by their index.
 enum Material : int { kHull, kStructure, kPlain, kWireMaterial, kMaterialCount };
 
 nlohmann::json material(const char* name, double r, double g, double b, bool both_sides) {
@@ -29,14 +29,16 @@ nlohmann::json material(const char* name, double r, double g, double b, bool bot
               {"roughnessFactor", 0.75}}}};
 }
 
-/// A hull is long and not thin: neither a boom nor a crate.
+/// Select the material of a body. A body counts as a hull if it is long and not thin, unlike a boom
+/// or a crate.
 int look_of(const record::RecordedBody& body) {
     const double reach = body.half_size.maxCoeff();
     if (reach > 8.0 && body.half_size.sum() - reach > 5.0) return kHull;
     return reach > 0.0 ? kStructure : kPlain;
 }
 
-/// Colours of vertices are linear, those of pictures sRGB (IEC 61966-2-1, to its exponent).
+/// Convert an sRGB value to a linear one with exponent 2.2 (approximation of IEC 61966-2-1). Vertex
+/// colours are linear, those of pictures sRGB.
 std::uint8_t linear(std::uint8_t value) {
     return static_cast<std::uint8_t>(std::lround(255.0 * std::pow(value / 255.0, 2.2)));
 }
@@ -53,7 +55,7 @@ GltfDocument::GltfDocument(const record::Recording& recording, const Frames& fra
     root_["materials"] = {
         material("hull", 0.10, 0.22, 0.38, false), material("structure", 0.85, 0.45, 0.08, false),
         material("plain", 0.45, 0.47, 0.50, false), material("wire", 1.0, 1.0, 1.0, true)};
-    // z up to y up: a turn by -90 degrees about x.
+    // z up to y up: rotation by −90 degrees about x.
     root_["nodes"].push_back(
         {{"name", recording.scene_name.empty() ? "world" : recording.scene_name + " (z up)"},
          {"rotation", {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}}});
@@ -157,9 +159,9 @@ void GltfDocument::put_bodies() {
     }
 }
 
-/// Ribbons along the three axes about each segment between joints, which carry their corners: seen
-/// from anywhere at least two of the three are wide.
-/// @param share  Of each segment, of the scale of colours.
+/// Add three ribbons to each segment between joints, one along each axis. The joints carry their
+/// corners. From any direction at least two ribbons appear wide.
+/// @param share  Value of each segment on the colour scale, 0 to 1.
 int GltfDocument::put_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments,
                               double radius, const std::vector<float>& share) {
     std::vector<Vec3> points;
@@ -224,7 +226,7 @@ void GltfDocument::put_rods() {
 }
 
 void GltfDocument::put_wire(WireNodes& wire) {
-    // 16 bits number the joints of a skin.
+    // Joint indices of a skin have 16 bits.
     constexpr std::size_t kMostJoints = 65'000;
     if (wire.segments == 0 || wire.joints() > kMostJoints) {
         wire.segments = 0;
@@ -250,7 +252,7 @@ void GltfDocument::put_wire(WireNodes& wire) {
         {{"name", wire.name}, {"mesh", mesh}, {"skin", size_of(root_["skins"]) - 1}});
 }
 
-/// Room for the numbers of a channel behind what there is. @return its accessor.
+/// Append the buffer space of a channel. @return its accessor.
 int GltfDocument::put_channel_data(std::size_t& place, std::size_t width) {
     place = bytes_;
     const std::size_t size = width * sizeof(float) * frames_.size();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file gltf_document.h
-/// The JSON of a glTF, and the part of its buffer that does not depend on time.
+/// Build the JSON of a glTF and the part of its buffer that does not depend on time.
 
 #include "export/gltf_layout.h"
 
@@ -15,10 +15,10 @@ namespace hawser::exporting {
 
 class GltfDocument {
   public:
-    /// Puts nodes and places of channels into the layout.
+    /// Build the document. Writes nodes and offsets of channels to the layout.
     GltfDocument(const record::Recording& recording, const Frames& frames, Layout& layout);
     [[nodiscard]] std::string json() const { return root_.dump(); }
-    /// Meshes and times, at the beginning of the buffer; channels follow.
+    /// Return the meshes and times, which form the beginning of the buffer; channels follow.
     [[nodiscard]] const std::vector<std::byte>& fixed_bytes() const noexcept { return fixed_; }
     [[nodiscard]] std::size_t buffer_bytes() const noexcept { return bytes_; }
 
@@ -46,7 +46,7 @@ class GltfDocument {
     std::vector<std::byte> fixed_;
     std::size_t bytes_ = 0;
     int times_ = -1;
-    Json children_ = Json::array();  ///< Of the root node.
+    Json children_ = Json::array();  ///< Children of the root node.
     Json scene_nodes_ = Json::array();
 };
 

@@ -9,7 +9,7 @@
 namespace hawser::exporting {
 namespace {
 
-constexpr double kTogether = 1e-6;  ///< Ends of segments that meet [m].
+constexpr double kTogether = 1e-6;  ///< Largest distance of segment ends that count as joined [m].
 
 void add_bodies(const record::Recording& recording, Layout& out) {
     const std::vector<bool> visible = draw::visible_bodies(recording);
@@ -25,7 +25,7 @@ void add_bodies(const record::Recording& recording, Layout& out) {
     }
 }
 
-/// Rods, and from bodies to joints outside their box.
+/// Add rods, and lines from bodies to joints outside their box.
 void add_rods(const record::Recording& recording, Layout& out) {
     constexpr double kNoLength = 1e-3;
     std::map<std::int32_t, std::size_t> place;

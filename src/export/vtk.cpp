@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// VTK XML (W. Schroeder, K. Martin, B. Lorensen, *The Visualization Toolkit*, 4th ed., 2006;
-/// "VTK File Formats", docs.vtk.org): PolyData with raw appended blocks, each behind its size.
+/// Write VTK XML: PolyData with raw appended blocks, each preceded by its size. Sources: W.
+/// Schroeder, K. Martin, B. Lorensen, *The Visualization Toolkit*, 4th ed., 2006; "VTK File
+/// Formats", docs.vtk.org.
 #include "draw/projection.h"
 #include "draw/wire_lines.h"
 #include "export/export.h"
@@ -24,7 +25,7 @@ namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
-/// Text of XML attributes: what is not plain becomes '_'.
+/// Return text for XML attributes: special characters become '_'.
 std::string plain(const std::string& text) {
     std::string out = text;
     for (char& c : out)
@@ -33,7 +34,7 @@ std::string plain(const std::string& text) {
     return out;
 }
 
-/// Blocks of one file.
+/// Data blocks of one file.
 class Blocks {
   public:
     template <class T>
@@ -106,7 +107,7 @@ class VtkWriter {
             }
     }
 
-    /// The document of a frame, until the next one.
+    /// Return the document of a frame, valid until the next call.
     [[nodiscard]] const std::string& document(const record::Frame& frame,
                                               const ContactForces& contacts) {
         cells_.clear();
@@ -168,7 +169,7 @@ class VtkWriter {
         }
     }
 
-    /// Made anew where wires have come or gone.
+    /// Return the names of wires; rebuilt if wires were added or removed.
     const std::string& wire_names() {
         std::string names;
         for (const WireLine& line : lines_) names += plain(std::string(line.name)) + "\n";
@@ -178,7 +179,7 @@ class VtkWriter {
         }
         return wire_names_;
     }
-    /// Zero-terminated strings in numbers, as VTK has them.
+    /// Encode a zero-terminated string in numbers, as VTK requires.
     static std::string text_array(const char* name, const std::string& value) {
         std::string out = fmt::format(
             "<Array type=\"String\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">", name);
@@ -226,7 +227,7 @@ class VtkWriter {
 
     WireReader reader_;
     std::string body_names_, wire_names_, last_names_;
-    // Of one frame: their memory serves the next one, too.
+    // Data of one frame; the buffers are reused for the next one.
     Cells cells_;
     Blocks blocks_;
     std::string out_;
@@ -259,7 +260,7 @@ void write_vtk(const record::Recording& recording, const Frames& frames,
     std::string list =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
         "byte_order=\"LittleEndian\">\n<Collection>\n";
-    // While one frame is written the run is repeated to the next, by another thread.
+    // While one thread writes a frame, this thread replays the run to the next frame.
     std::future<void> under_way;
     for (std::size_t i = 0; i < frames.size(); ++i) {
         record::Frame frame = recording.frame(frames[i]);
@@ -277,7 +278,7 @@ void write_vtk(const record::Recording& recording, const Frames& frames,
         if (progress) progress(i + 1);
     }
     if (under_way.valid()) under_way.get();
-    // Last: what it names is there.
+    // Write the list last, so that all files in it exist.
     written(folder, record::flush_folder(folder));
     written(file, record::write_file(file, list + "</Collection>\n</VTKFile>\n"));
 }

@@ -18,7 +18,8 @@ void LoopFinder::discover(std::int32_t node, std::int32_t edge) {
     path_.push_back({node, edge});
 }
 
-/// Depth-first search without recursion: chains are as long as memory allows.
+/// Visit every node reachable from the root, depth first. No recursion: chains may have millions of
+/// nodes.
 void LoopFinder::search(std::int32_t root) {
     discover(root, -1);
     while (!path_.empty()) {
@@ -62,7 +63,7 @@ std::span<const std::uint8_t> LoopFinder::find(
         ends_[at(next_[at(edges[e].second)]++)] = static_cast<std::int32_t>(e);
     }
     next_.assign(begin_.begin(), begin_.end() - 1);
-    // Nodes without edges are on no loop.
+    // Skip nodes without edges: they lie on no loop.
     for (std::int32_t root = 0; root < nodes; ++root)
         if (found_[at(root)] == kUnseen && begin_[at(root)] < begin_[at(root) + 1]) search(root);
     return looped_;

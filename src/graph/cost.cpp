@@ -7,15 +7,15 @@
 namespace hawser::graph {
 namespace {
 
-/// Share of n_b² s³ in the flops of a node; fitted, see docs/partition.md.
-constexpr std::int64_t kStarPart = 8;  // n_b² counts an eighth
-/// What meets in a hub is eliminated before it: no more of its edges and loops count.
+/// Divisor of n_b² s³ in the flops of a node; fitted, see docs/partition.md.
+constexpr std::int64_t kStarPart = 8;  // n_b² has weight 1/8
+/// Limits of the edges and loops counted at a hub: its neighbours are eliminated before the hub.
 constexpr std::int32_t kMostEdges = 16, kMostLoops = 8;
 
 }  // namespace
 
-/// Breadth first, without branches: whether a neighbour is new cannot be foretold. Far neighbours
-/// are reached through near ones.
+/// Search breadth first from the root. The loop has no branches, because a CPU cannot predict if a
+/// neighbour is new. Only near neighbours are followed; they also lead to the far ones.
 void Cost::search(const Neighbours& neighbours, std::int32_t root) {
     const std::int32_t label = islands();
     std::int32_t *line = order.data(), *parent = parent_.data(), *of = island.data();
@@ -40,12 +40,13 @@ void Cost::search(const Neighbours& neighbours, std::int32_t root) {
     begin.push_back(tail);
 }
 
-/// The heaviest node of each island comes first: try wide ones with many edges before others.
+/// Search all islands, each from about its heaviest node: roots with many edges are tried before
+/// others.
 void Cost::search_all(const Hypergraph& graph, const Neighbours& neighbours) {
     const std::size_t n = graph.size.size();
     island.assign(n, -1);
     parent_.resize(n + 1);
-    order.resize(n + 1);  // one more to write to where nothing is kept
+    order.resize(n + 1);  // one spare slot for writes that are not kept
     begin.assign(1, 0);
     found_ = 0;
     std::int32_t most = 0, moving = 0;
@@ -72,7 +73,7 @@ std::int32_t Cost::meet(std::int32_t u, std::int32_t v) const noexcept {
     return u;
 }
 
-/// Depths and jumps by rank, and the pairs that are not in the tree.
+/// Compute depths and jump pointers by rank, and list the pairs of nodes that the tree leaves out.
 void Cost::find_loops(const Neighbours& neighbours) {
     const auto count = static_cast<std::int32_t>(order.size());
     jump_.resize(order.size());
@@ -104,7 +105,9 @@ void Cost::find_loops(const Neighbours& neighbours) {
     loops_found_ = found;
 }
 
-/// One at both ends of a loop, taken back above where they meet; then sums over subtrees.
+/// Count the loops through each node. Each loop adds 1 at both ends, and subtracts 1 at their
+/// lowest common ancestor and 1 at the parent of that node. Sums over subtrees then give the
+/// counts.
 void Cost::close_loops() noexcept {
     through_.assign(order.size(), 0);
     for (std::size_t i = 0; i < loops_found_; ++i) {

@@ -56,8 +56,8 @@ void Follower::set_part(std::int32_t node, std::int32_t part) noexcept {
     part_[at(node)] = part;
 }
 
-/// Nodes of the edge become separators until those left are of one part: of two parts the one
-/// with fewer scalars in the edge gives way, and of equals the part with the higher number.
+/// Turn nodes of the edge into separators until its other nodes belong to one part. The part with
+/// most scalars in the edge stays; if two are equal, the one with the lower index.
 void Follower::keep_apart(std::int32_t e) noexcept {
     const std::int32_t first = kMostMembers * e;
     std::int32_t stays = -1, most = -1;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hypergraph.h
-/// Nodes and what couples them, as integers: the input of everything about parts.
+/// Define the graph of nodes and couplings in integers. It is the input of all partitioning.
 ///
-/// A node is what moves (a body), an edge is what couples one to several of them (an interaction
-/// of two or three bodies, a pair that touches). Whatever physics has to say comes as integer
-/// weights, so that sums do not depend on the order in which they are formed.
+/// A node is a moving body. An edge couples one or several nodes: an interaction of two or three
+/// bodies, or a pair in contact. Physical quantities enter as integer weights, so that sums do not
+/// depend on the order of summation.
 
 #include "base/index.h"
 
@@ -16,23 +16,26 @@
 
 namespace hawser::graph {
 
-/// Edge weight of what must stay whole: contacts, joints of a machine.
+/// Edge weight of an edge that must not be cut: contacts, joints of a machine.
 inline constexpr std::int32_t kNeverCut = std::numeric_limits<std::int32_t>::max();
 
-inline constexpr std::int32_t kNoPart = -1;     ///< Of a node that does not move.
-inline constexpr std::int32_t kSeparator = -2;  ///< Of a node between parts.
+inline constexpr std::int32_t kNoPart = -1;     ///< Part of a node that does not move.
+inline constexpr std::int32_t kSeparator = -2;  ///< Part of a node between parts.
 
-/// A view; the arrays belong to the caller. Optional ones may be empty.
+/// View of a graph; the caller owns the arrays. Optional arrays may be empty.
 struct Hypergraph {
-    std::span<const std::uint8_t> size;           ///< Scalars of each node; 0: does not move.
-    std::span<const std::int32_t> member_begin;   ///< edges + 1 offsets into members.
+    std::span<const std::uint8_t> size;  ///< Number of scalars of each node; 0: does not move.
+    /// Offsets of the edges in `members`, edges + 1 entries.
+    std::span<const std::int32_t> member_begin;
     std::span<const std::int32_t> members;        ///< Nodes of each edge, in the order of a path.
-    std::span<const std::int32_t> edge_weight{};  ///< ≥ 0: price of cutting it; optional.
-    std::span<const std::int32_t> node_weight{};  ///< ≥ 0: price of a cut beside it; optional.
-    std::span<const std::int32_t> group{};        ///< Part asked for by hand, −1: none; optional.
+    std::span<const std::int32_t> edge_weight{};  ///< Price of cutting each edge, ≥ 0; optional.
+    /// Price of a cut next to each node, ≥ 0; optional.
+    std::span<const std::int32_t> node_weight{};
+    /// Part requested by the user for each node, −1: none; optional.
+    std::span<const std::int32_t> group{};
     std::span<const std::int64_t>
-        cost{};  ///< Flops of each node's pivots, ≥ 0, all below 2⁶²; optional.
-    /// ≥ 0: price of making whole an edge that is cut, for Splitter::follow(); optional.
+        cost{};  ///< Cost of the pivots of each node [flops], ≥ 0, sum below 2⁶²; optional.
+    /// Price of repairing each cut edge, ≥ 0, for Splitter::follow(); optional.
     std::span<const std::int32_t> mend_weight{};
 
     [[nodiscard]] std::int32_t nodes() const noexcept {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file islands.h
-/// Connected components of the interaction graph by union-find with path halving.
-/// Roots are the smallest index of their component, so the numbering is canonical.
+/// Find connected components of the interaction graph by union-find with path halving. The root of
+/// a component is its smallest index, so the numbering is canonical.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,14 +12,14 @@
 namespace hawser::graph {
 
 struct Islands {
-    std::vector<std::int32_t> label;  ///< Island of each node, −1 for nodes left out.
+    std::vector<std::int32_t> label;  ///< Island of each node, −1 for excluded nodes.
     std::int32_t count = 0;
 };
 
-/// Finds islands; a used one needs no memory for a graph of about the same size.
+/// Finder of islands. Its buffer is reused: a second graph of about equal size needs no allocation.
 class IslandFinder {
   public:
-    /// As find_islands(). @throws std::bad_alloc.
+    /// Find the islands like find_islands(). @throws std::bad_alloc.
     void find(std::span<const std::uint8_t> include, std::span<const std::int32_t> member_begin,
               std::span<const std::int32_t> members, Islands& out);
     [[nodiscard]] std::size_t bytes() const noexcept {
@@ -30,8 +30,11 @@ class IslandFinder {
     std::vector<std::int32_t> root_;
 };
 
-/// @param include       Node takes part (moves); others neither join nor belong.
-/// @param member_begin  edges + 1 offsets into `members`: the nodes of each hyperedge.
+/// Return the islands of a graph.
+/// @param include       Nonzero if the node takes part (it moves); other nodes neither join islands
+/// nor belong to one.
+/// @param member_begin  Offsets of the hyperedges in `members`, edges + 1 entries.
+/// @param members       Nodes of each hyperedge.
 [[nodiscard]] Islands find_islands(std::span<const std::uint8_t> include,
                                    std::span<const std::int32_t> member_begin,
                                    std::span<const std::int32_t> members);

@@ -6,8 +6,8 @@
 
 namespace hawser::graph {
 
-/// Neighbours of units, and of each the key that it has before anything is touched: all that it
-/// and its neighbours would add to the frontier.
+/// Build the graph of units and the initial key of each unit. The key is the number of scalars that
+/// its neighbours would add to the frontier.
 void Lineup::connect(const Hypergraph& graph, const Neighbours& neighbours, const Units& units) {
     count_ = units.count();
     const std::size_t count = at(count_);
@@ -31,7 +31,7 @@ void Lineup::connect(const Hypergraph& graph, const Neighbours& neighbours, cons
         mark[u] = u;
         std::int32_t sum = 0;
         for (std::int32_t i = begin[u]; i < begin[u + 1]; ++i) {
-            // Nodes that follow by number have their neighbours in one range.
+            // Consecutive node indices have their neighbours in one range.
             const std::int32_t from = first[nodes[i]];
             while (i + 1 < begin[u + 1] && nodes[i + 1] == nodes[i] + 1) ++i;
             const std::int32_t end = last[nodes[i]];
@@ -49,7 +49,7 @@ void Lineup::connect(const Hypergraph& graph, const Neighbours& neighbours, cons
     start_[count] = found;
 }
 
-/// A candidate moves to the front of a bucket, out of where it was.
+/// Move a candidate from its current list to the front of a bucket.
 void Lineup::list(std::int32_t unit, std::int32_t bucket) noexcept {
     std::int32_t *next = next_.data(), *previous = previous_.data();
     next[previous[unit]] = next[unit];
@@ -62,7 +62,8 @@ void Lineup::list(std::int32_t unit, std::int32_t bucket) noexcept {
     lowest_ = std::min(lowest_, bucket);
 }
 
-/// A unit joins the frontier; its neighbours become candidates, cheaper by it.
+/// Add a unit to the frontier. Its neighbours become candidates and their keys decrease by its
+/// weight.
 void Lineup::touch(std::int32_t unit) noexcept {
     state_[at(unit)] = touched;
     const std::int32_t weight = weight_[at(unit)];
@@ -76,7 +77,7 @@ void Lineup::touch(std::int32_t unit) noexcept {
     }
 }
 
-/// The candidate that enlarges the frontier least, −1: none.
+/// Return the candidate that enlarges the frontier least, −1: none.
 std::int32_t Lineup::cheapest() noexcept {
     for (; lowest_ < kBuckets; ++lowest_) {
         const std::int32_t unit = next_[at(count_ + lowest_)];
@@ -85,7 +86,8 @@ std::int32_t Lineup::cheapest() noexcept {
     return -1;
 }
 
-/// Neighbours of an end of a wire outside it: those in the line count double.
+/// Return a score of the neighbours of a wire's end node outside the wire: 2 for each that is in
+/// the line, −1 for each other.
 std::int32_t Lineup::outside(const Neighbours& neighbours, const Units& units,
                              std::int32_t node) const noexcept {
     std::int32_t sum = 0;
@@ -121,7 +123,7 @@ void Lineup::build(const Hypergraph& graph, const Neighbours& neighbours, const 
                    const Units& units) {
     connect(graph, neighbours, units);
     state_.assign(at(count_), untouched);
-    // What is in no list is a ring by itself.
+    // Make each unit a ring of its own, which means it is in no list.
     next_.resize(at(count_ + kBuckets) + 1);
     std::iota(next_.begin(), next_.end(), 0);
     previous_ = next_;
@@ -131,7 +133,8 @@ void Lineup::build(const Hypergraph& graph, const Neighbours& neighbours, const 
     island_begin.assign(1, 0);
     for (std::int32_t i = 0; i < cost.islands(); ++i) {
         lowest_ = 0;
-        // Farthest from the heaviest node: the free end of a cable, the corner of a net.
+        // Start at the node farthest from the heaviest one: the free end of a cable, the corner of
+        // a net.
         grow(neighbours, units, units.unit[at(cost.order[at(cost.begin[at(i) + 1] - 1)])]);
         island_begin.push_back(static_cast<std::int32_t>(order.size()));
     }

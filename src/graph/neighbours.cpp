@@ -3,8 +3,8 @@
 
 namespace hawser::graph {
 
-/// Near neighbours of every pair of members that move, from the front of a node's range; far ones
-/// from its back.
+/// List the neighbours of every pair of moving members. Near ones are written from the front of a
+/// node's range, far ones from its back.
 void Neighbours::link_all(std::span<const std::int32_t> members) {
     for (std::size_t i = 0; i < members.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
@@ -25,7 +25,7 @@ void Neighbours::fill(const Hypergraph& graph) {
     for (std::int32_t e = 0; e < count; ++e) {
         const std::int32_t* m = all + begin[e];
         const std::int32_t members = begin[e + 1] - begin[e];
-        // Nearly all edges join two bodies, or bend three.
+        // Nearly all edges join two bodies, or three if they bend.
         if (members == 2) {
             const std::int32_t a = m[0], b = m[1];
             if (size[a] == 0 || size[b] == 0 || a == b) continue;
@@ -73,9 +73,9 @@ void Neighbours::build(const Hypergraph& graph) {
     }
     adjacent.resize(at(start[n]));
     fill(graph);
-    // Each neighbour once; where it is both near and far, the near one comes first and stays.
-    // Without branches: whether a neighbour comes again cannot be foretold. Ranges move up to each
-    // other, so that nodes that follow by number have one range between them.
+    // Remove duplicates. If a neighbour is both near and far, the near entry stays. The loop has no
+    // branches, because a CPU cannot predict duplicates. Ranges are compacted, so that consecutive
+    // nodes have contiguous ranges.
     mark_.assign(n, -1);
     std::int32_t *all = adjacent.data(), *mark = mark_.data();
     std::int32_t to = 0;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file neighbours.h
-/// Which moving nodes share an edge.
+/// List the moving nodes that share an edge.
 ///
-/// Two moving members that follow each other in an edge are *near*; those farther apart in it (the
-/// ends of a bending triple) are neighbours for a separator, but close no loop of their own.
+/// Two moving members that follow each other in an edge are *near*. Other pairs of an edge (the
+/// ends of a bending triple) are *far*. Far pairs are neighbours for a separator, but do not close
+/// a loop.
 ///
-/// Beside the lists by node there is one of all pairs: most passes over a graph need no nodes, and
-/// a loop over pairs does not end after a few turns that nothing foretells.
+/// A second list holds all pairs. Most passes over a graph need only pairs, and one long loop over
+/// pairs avoids the mispredicted ends of many short loops.
 
 #include "graph/hypergraph.h"
 
@@ -21,8 +22,8 @@ struct Pair {
     std::int32_t a, b;  ///< a < b.
 };
 
-/// f(pair) for all pairs, four of them from far apart in each turn: those that stand side by side
-/// share a node, and what f keeps of it would come back from memory too late for the next one.
+/// Call f(pair) for all pairs, four distant ones in each iteration. Adjacent pairs share a node, so
+/// processing them in sequence would stall on the store of f for the previous pair.
 template <class F>
 void for_each_pair(std::span<const Pair> pairs, F f) {
     const std::size_t quarter = pairs.size() / 4;
@@ -38,17 +39,18 @@ void for_each_pair(std::span<const Pair> pairs, F f) {
 
 class Neighbours {
   public:
-    /// @cost O(members); no memory once it has held a graph of this size.
+    /// Build all lists. @cost O(members). Allocates nothing if a graph of this size was built
+    /// before.
     void build(const Hypergraph& graph);
 
-    /// All neighbours, near ones first, each once.
+    /// Return all neighbours of a node, near ones first, without duplicates.
     [[nodiscard]] std::span<const std::int32_t> of(std::int32_t node) const noexcept {
         return {adjacent.data() + start[at(node)], adjacent.data() + end[at(node)]};
     }
     [[nodiscard]] std::span<const std::int32_t> near(std::int32_t node) const noexcept {
         return {adjacent.data() + start[at(node)], adjacent.data() + middle[at(node)]};
     }
-    /// All pairs of neighbours, near ones first, each once.
+    /// Return all pairs of neighbours, near ones first, without duplicates.
     [[nodiscard]] std::span<const Pair> pairs() const noexcept { return {pair_.data(), pairs_}; }
     [[nodiscard]] std::span<const Pair> near_pairs() const noexcept {
         return {pair_.data(), near_pairs_};
@@ -60,19 +62,21 @@ class Neighbours {
         return end[at(node)] - start[at(node)];
     }
 
-    std::vector<std::int32_t> start, middle, end;  ///< By node: ranges of `adjacent`, one after
-                                                   ///< the other.
-    std::vector<std::int32_t> adjacent;            ///< Those in use come first.
-    std::vector<std::int32_t> edges;               ///< By node: edges that it is a member of.
+    /// Range of each node in `adjacent`: near neighbours [start, middle), far neighbours [middle,
+    /// end).
+    std::vector<std::int32_t> start, middle, end;
+    std::vector<std::int32_t> adjacent;  ///< Neighbours of all nodes; entries in use come first.
+    std::vector<std::int32_t> edges;     ///< Number of edges of each node.
 
   private:
     void fill(const Hypergraph& graph);
     void link_all(std::span<const std::int32_t> members);
     void list_pairs();
 
-    std::vector<std::int64_t> count_;  ///< Edges, and above them members of these beside the node.
+    /// Low 32 bits: number of edges; high bits: number of other members of these edges.
+    std::vector<std::int64_t> count_;
     std::vector<std::int32_t> tail_, mark_, moving_;
-    std::vector<Pair> pair_;  ///< Those in use: near_pairs_, pairs_.
+    std::vector<Pair> pair_;  ///< Pairs; near_pairs_ and pairs_ count the entries in use.
     std::size_t near_pairs_ = 0, pairs_ = 0;
 };
 

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file partition.h
-/// Parts of about equal cost, in two forms.
+/// Divide a graph into parts of about equal cost, in two forms.
 ///
-/// *Separators* (separate.cpp), for the exact solution: nodes between parts are in none of them,
-/// and no edge joins two parts, so that parts are eliminated side by side and separators last.
-/// *Cuts* (split.h), for approximate couplings: every node is in a part, and edges between parts
-/// are cut where their weight is low.
+/// *Separators* (separate.cpp) serve the exact solution. Nodes between parts belong to no part, and
+/// no edge joins two parts. Parts are eliminated in parallel and separators last. *Cuts* (split.h)
+/// serve approximate couplings. Every node belongs to a part, and edges between parts are cut where
+/// their weight is low.
 ///
-/// The paper's multilevel idea with one level: insides of wires are contracted (wires.h), what is
-/// left is put in a line (lineup.h), and places of the line are chosen by prefix sums of the cost
-/// (cost.h), then slid to where cutting is cheap. Islands that fit into a part stay whole and are
-/// shared out longest first (Graham, "Bounds on multiprocessing timing anomalies", 1969).
+/// The method is the paper's multilevel idea with one level:
+/// 1. The interiors of wires are contracted (wires.h).
+/// 2. The remaining units are ordered in a line (lineup.h).
+/// 3. Positions in the line are chosen by prefix sums of the cost (cost.h).
+/// 4. Each position is then moved to a nearby one where cutting is cheap.
+///
+/// Islands that fit into a part stay whole and are distributed longest first (Graham, "Bounds on
+/// multiprocessing timing anomalies", 1969).
 ///
 /// A partition is a function of the graph and, with follow(), of the partition before it. It
-/// depends neither on time nor on a number of threads.
+/// depends neither on time nor on the number of threads.
 
 #include "graph/cost.h"
 #include "graph/hypergraph.h"
@@ -28,42 +32,44 @@
 namespace hawser::graph {
 
 struct PartitionOptions {
-    /// At least 1. Some stay empty where there are few nodes: with separators an island is divided
-    /// into at most a quarter of its nodes (kLeastNodes); with cuts each of a wire's nodes may be a
-    /// part, but for those that stay with what it is fastened to (two at each end).
+    /// Number of parts, ≥ 1. Some stay empty if there are few nodes. With separators an island is
+    /// divided into at most a quarter of its nodes (kLeastNodes). With cuts each node of a wire may
+    /// be a part. The two nodes at each end are excepted: they stay with the body that holds them.
     std::int32_t parts = 4;
 };
 
 struct Partition {
     std::int32_t parts = 0;
-    std::vector<std::int32_t> part;       ///< By node; kNoPart, kSeparator.
+    std::vector<std::int32_t> part;       ///< Part of each node; kNoPart, kSeparator.
     std::vector<std::int32_t> separator;  ///< Nodes between parts, ascending.
     std::vector<std::int32_t> cut;        ///< Edges with nodes in several parts, ascending.
-    std::vector<std::int64_t> cost;       ///< By part: flops, separators apart.
-    std::int64_t separator_cost = 0;      ///< Of the separators' own pivots, in flops.
+    std::vector<std::int64_t> cost;       ///< Cost of each part without separators [flops].
+    std::int64_t separator_cost = 0;      ///< Cost of the pivots of the separators [flops].
     std::int32_t worse_for =
-        0;  ///< Steps that follow() has kept it for though a new one is better.
+        /// Number of steps for which follow() has kept a partition that is worse than a new one.
+        0;
 
-    /// Largest cost over the mean; 1 without any.
+    /// Return the largest cost over the mean, 1 if the total cost is 0.
     [[nodiscard]] double imbalance() const noexcept;
 };
 
-/// Longest first on the least loaded: makespan at most 4/3 − 1/(3 lanes) of the best one.
-/// @param lane  Out, by item. @param load  In and out, by lane: load that is there already.
+/// Assign items to lanes, longest first, each to the least loaded lane. The makespan is at most 4/3
+/// − 1/(3 lanes) of the optimum.
+/// @param lane   Out: lane of each item.
+/// @param load   In and out: load of each lane; may start above 0.
 /// @param order  Scratch.
 void share_out(std::span<const std::int64_t> cost, std::span<std::int32_t> lane,
                std::span<std::int64_t> load, std::vector<std::int32_t>& order);
 
-/// Makes partitions; its buffers live as long as it does, so that a second graph of a size seen
-/// before needs no memory.
+/// Maker of partitions. Its buffers are reused: a second graph of equal size needs no allocation.
 class Partitioner {
   public:
-    /// Read a graph: neighbours, islands and their cost, units. The views must stay until the
+    /// Read a graph: neighbours, islands and their cost, units. The views must stay valid until the
     /// partition has been made.
     void read(const Hypergraph& graph);
-    /// Parts and the separators between them.
+    /// Compute parts and the separators between them.
     void separate(const PartitionOptions& asked, Partition& out);
-    /// Of an island that is divided, so many for each part.
+    /// Least number of nodes for each part of a divided island.
     static constexpr std::int32_t kLeastNodes = 4;
 
     Hypergraph graph;
@@ -74,7 +80,9 @@ class Partitioner {
 
   private:
     struct Profile {
-        std::int32_t ahead, behind, hubs;  ///< Scalars: left and right of a place, of hubs across.
+        /// Scalars of nodes before a position with neighbours behind it, of the reverse, and of
+        /// hubs that reach across.
+        std::int32_t ahead, behind, hubs;
         [[nodiscard]] std::int64_t least() const noexcept {
             return hubs + (ahead < behind ? ahead : behind);
         }
@@ -92,13 +100,15 @@ class Partitioner {
     std::vector<std::int64_t> island_cost_, small_cost_, load_, prefix_, sum_;
     std::vector<std::int32_t> island_lane_, order_, place_, cut_, lane_of_;
     std::vector<Profile> profile_;
-    // By place of the line, in which the nodes of islands that are divided stand.
+    // By position in the line, which holds the nodes of divided islands.
     std::vector<std::int32_t> line_;
-    std::vector<std::int32_t> low_, high_;     ///< First and last neighbour, itself included.
-    std::vector<std::int32_t> segment_;        ///< Cuts before it.
-    std::vector<std::int32_t> part_;           ///< kSeparator: between parts.
-    std::vector<std::int64_t> cost_, weight_;  ///< Cost; in this round, without separators.
-    std::vector<std::int32_t> between_;        ///< Places of separators.
+    /// Positions of the first and last neighbour of a node, the node included.
+    std::vector<std::int32_t> low_, high_;
+    std::vector<std::int32_t> segment_;  ///< Number of cuts before the position.
+    std::vector<std::int32_t> part_;     ///< Part; kSeparator: between parts.
+    /// Cost; cost in this iteration, without separators.
+    std::vector<std::int64_t> cost_, weight_;
+    std::vector<std::int32_t> between_;  ///< Positions of separators.
 };
 
 }  // namespace hawser::graph

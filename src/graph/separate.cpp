@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Separators: places of the line by balance, then the nodes that reach across them.
+/// Find separators: choose positions in the line by balance, then collect the nodes that have
+/// neighbours across them.
 #include "graph/partition.h"
 
 #include <algorithm>
@@ -10,16 +11,17 @@
 namespace hawser::graph {
 namespace {
 
-/// An island that costs this much more than a part's share is divided.
+/// Ratio of an island's cost to an even part above which the island is divided.
 constexpr double kSlack = 1.05;
-/// Places are chosen within this share of a part on both sides of an even one.
+/// Half width of the window around an even position in which a position is chosen, in fractions of
+/// a part.
 constexpr double kWindow = 0.10;
-/// Rounds of balance: costs of separators leave the parts that they were in.
+/// Number of iterations of balance: the cost of separators is taken from the parts that held them.
 constexpr int kRounds = 3;
 
 }  // namespace
 
-/// Small islands go to lanes whole; the others stand one after the other in line_.
+/// Assign small islands to lanes whole; write the nodes of the others one after the other to line_.
 void Partitioner::place_islands(const PartitionOptions& options, Partition& out) {
     const std::int32_t islands = cost.islands();
     island_cost_.assign(at(islands), 0);
@@ -51,7 +53,7 @@ void Partitioner::place_islands(const PartitionOptions& options, Partition& out)
         if (island_cost_[at(i)] >= 0)
             for (std::int32_t k = cost.begin[at(i)]; k < cost.begin[at(i) + 1]; ++k)
                 out.part[at(cost.order[at(k)])] = island_lane_[at(i)];
-    // Nodes that are not in the line are at its end.
+    // Nodes that are not in the line have the position behind its end.
     place_.assign(graph.size.size(), static_cast<std::int32_t>(line_.size()));
     cost_.resize(line_.size());
     for (std::size_t k = 0; k < line_.size(); ++k) {
@@ -60,8 +62,8 @@ void Partitioner::place_islands(const PartitionOptions& options, Partition& out)
     }
 }
 
-/// Places of the first and the last neighbour of each node, itself included. Hubs count for hubs
-/// only.
+/// Find the positions of the first and last neighbour of each node, the node included. A neighbour
+/// that is a hub counts only for nodes that are hubs.
 void Partitioner::find_reach() {
     low_.resize(line_.size() + 1);
     std::iota(low_.begin(), low_.end(), 0);
@@ -71,7 +73,8 @@ void Partitioner::find_reach() {
     const std::uint8_t* hub = units.hub.data();
     for_each_pair(neighbours.pairs(), [=](Pair p) {
         const std::int32_t a = place[p.a], b = place[p.b];
-        // Both ends of both, since nothing foretells which comes first. Hubs are few.
+        // Update both ends of both nodes, because their order in the line is unpredictable. Hubs
+        // are few.
         if (hub[p.a] >= hub[p.b]) {
             low[a] = std::min(low[a], b);
             high[a] = std::max(high[a], b);
@@ -83,8 +86,10 @@ void Partitioner::find_reach() {
     });
 }
 
-/// Scalars that reach across each place of the line: of nodes behind it with a neighbour ahead of
-/// it, of nodes ahead of it with one behind, and of hubs with both.
+/// Sum the scalars that reach across each position of the line:
+/// 1. Nodes before it with a neighbour behind it.
+/// 2. Nodes behind it with a neighbour before it.
+/// 3. Hubs with neighbours on both sides.
 void Partitioner::find_profile() {
     profile_.assign(line_.size() + 2, {0, 0, 0});
     find_reach();
@@ -110,13 +115,13 @@ void Partitioner::find_profile() {
     }
 }
 
-/// cut_[j] is the first place of the segment after cut j.
+/// Choose the cuts of the line. cut_[j] is the first position of the segment after cut j.
 void Partitioner::choose_places(const PartitionOptions& options) {
     prefix_.resize(line_.size() + 1);
     prefix_[0] = 0;
     for (std::size_t k = 0; k < line_.size(); ++k) prefix_[k + 1] = prefix_[k] + weight_[k];
     const auto total = static_cast<double>(prefix_.back());
-    // Room of the lanes: what small islands leave of an even share.
+    // Capacity of the lanes: an even share minus the small islands that they hold.
     double all = total;
     for (const std::int64_t l : load_) all += static_cast<double>(l);
     const double share = all / options.parts;
@@ -128,7 +133,7 @@ void Partitioner::choose_places(const PartitionOptions& options) {
         lane_of_.push_back(l);
         rooms += room;
     }
-    // Small islands may fill all of them evenly.
+    // No lane has capacity left if small islands fill all of them evenly.
     if (lane_of_.empty())
         lane_of_.push_back(static_cast<std::int32_t>(std::min_element(load_.begin(), load_.end()) -
                                                      load_.begin()));
@@ -166,14 +171,14 @@ bool Partitioner::is_between(std::int32_t place) const noexcept {
         if (q == p) continue;
         if (hub) return true;
         if (units.hub[at(u)] != 0) continue;
-        // The last cut between the two decides for both.
+        // The last cut between the two segments decides for both nodes.
         const Profile& at_cut = profile_[at(cut_[at(std::max(p, q)) - 1])];
         if ((p > q) == (at_cut.behind <= at_cut.ahead)) return true;
     }
     return false;
 }
 
-/// Segments, and the nodes that reach out of theirs as separators.
+/// Set the segments, and mark the nodes with neighbours outside their segment as separators.
 void Partitioner::assign() {
     segment_.resize(line_.size());
     part_.resize(line_.size());
@@ -200,7 +205,7 @@ void Partitioner::assign() {
     join_back();
 }
 
-/// Separator nodes beside one part only join it.
+/// Return separator nodes that have neighbours in one part only to that part.
 void Partitioner::join_back() {
     std::size_t kept = 0;
     for (const std::int32_t k : between_) {
@@ -220,7 +225,7 @@ void Partitioner::join_back() {
     between_.resize(kept);
 }
 
-/// Parts by node, separators ascending, and sums of costs.
+/// Write the part of each node, the separators in ascending order, and the sums of costs.
 void Partitioner::write(Partition& out) {
     // By part, separators first: part − kSeparator is an index.
     sum_.assign(at(out.parts - kSeparator), 0);
@@ -237,8 +242,8 @@ void Partitioner::write(Partition& out) {
         out.cost[p] += sum_[p + static_cast<std::size_t>(-kSeparator)];
 }
 
-/// Parts that there is something for: of an island kLeastNodes nodes each, since of fewer most
-/// would be separators, which go back to one part when there is nothing else beside them.
+/// Return the largest useful number of parts. Each part of an island needs kLeastNodes nodes. With
+/// fewer nodes most would become separators, which rejoin the only part next to them.
 std::int32_t Partitioner::most_parts() const noexcept {
     std::int32_t most = 0;
     for (std::int32_t i = 0; i < cost.islands(); ++i)

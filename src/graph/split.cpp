@@ -7,9 +7,9 @@
 namespace hawser::graph {
 namespace {
 
-/// Makespans over that of a new partition up to which an old one is kept for good.
+/// Ratio of makespans, old partition over new, up to which the old one is kept without limit.
 constexpr double kWorse = 1.15;
-/// Steps for which an old partition is kept beyond kWorse.
+/// Number of steps for which an old partition is kept beyond kWorse.
 constexpr std::int32_t kPatience = 30;
 
 }  // namespace
@@ -28,7 +28,7 @@ void Splitter::join(std::int32_t a, std::int32_t b) noexcept {
     if (a != b) root_[at(std::max(a, b))] = std::min(a, b);
 }
 
-/// Clusters: what must stay whole.
+/// Form the clusters: sets of nodes that must stay whole.
 void Splitter::contract() {
     const std::size_t n = graph_.size.size();
     root_.resize(n);
@@ -72,7 +72,7 @@ void Splitter::contract() {
     }
 }
 
-/// The graph of clusters, with wires and a line as for separators.
+/// Build the graph of clusters, with its wires and its line as for separators.
 void Splitter::build_quotient() {
     member_begin_.assign(1, 0);
     members_.clear();
@@ -93,7 +93,8 @@ void Splitter::build_quotient() {
     lineup_.build(quotient, neighbours_, cost_, units_);
 }
 
-/// Weight of a cut behind each place of a wire: edges across it, and the nodes on both sides.
+/// Compute the weight of a cut behind each position of a wire: weights of the edges across it and
+/// of the nodes on both sides.
 void Splitter::weigh_places() {
     weight_.assign(units_.nodes.size(), 0);
     mend_.assign(units_.nodes.size(), 0);
@@ -170,7 +171,7 @@ void Splitter::prepare(const Hypergraph& graph, const PartitionOptions& options)
     weigh_places();
 }
 
-/// Take over the partition of the step before. @return false where the graph does not allow it.
+/// Start from the partition of the previous step. @return false if the graph does not allow it.
 bool Splitter::adopt(const Partition& before) {
     if (before.parts != options_.parts || before.part.size() != cluster_.size()) return false;
     part_.assign(at(clusters), -1);
@@ -178,7 +179,7 @@ bool Splitter::adopt(const Partition& before) {
         if (cluster_[v] < 0) continue;
         std::int32_t& part = part_[at(cluster_[v])];
         const std::int32_t wanted = before.part[v];
-        // It may come from a caller.
+        // The partition may come from a caller, so it is checked.
         if (wanted < 0 || wanted >= options_.parts || (part >= 0 && part != wanted)) return false;
         part = wanted;
         const std::int32_t group = group_part_[at(cluster_[v])];

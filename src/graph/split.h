@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file split.h
-/// Every node in a part, and edges between parts cut where that is cheap.
+/// Assign every node to a part and cut edges between parts where this is cheap.
 ///
-/// Edges of weight kNeverCut and groups asked for by hand are contracted first (contact clusters,
-/// machines, hulls with what is bolted to them); wires are contracted as for separators, so what
-/// is left are a few *clusters* and wires between them. Large clusters go into the fullest part
-/// that they fit into or into the emptiest, whichever cuts less, dearest first, small ones where
-/// they stand in the line. Wires are sand: they
-/// fill the parts up to an even share, cut as seldom as that needs. At last every cut slides along
-/// its wire, within a tenth of a part's share, to where its weight is least.
+/// 1. Edges of weight kNeverCut and groups requested by the user are contracted. Such clusters are
+/// bodies in contact, machines, and hulls with bolted parts.
+/// 2. Wires are contracted as for separators. A few *clusters* and the wires between them remain.
+/// 3. Large clusters are placed in order of decreasing cost, in two variants: into the fullest part
+/// with enough capacity, or into the emptiest part. The variant with fewer cuts is used.
+/// 4. Small clusters are placed by their position in the line.
+/// 5. Wires are filler nodes: they fill the parts up to an even share, with as few cuts as
+/// possible.
+/// 6. Every cut moves along its wire to the position of least weight, by at most a tenth of a part.
 ///
-/// follow() keeps the partition of the step before: at most one cut moves in a step, and only for
-/// a gain that is worth it; all is chosen anew when the graph no longer allows the old cuts, or
-/// when the old makespan has been more than 1.15 times a new one for 30 steps.
+/// The function follow() keeps the partition of the previous step. At most one cut moves in a step,
+/// and only if the gain is large enough. A new partition is chosen if the graph no longer allows
+/// the old cuts. It is also chosen if the old makespan has exceeded 1.15 times the new one for 30
+/// steps.
 
 #include "graph/cost.h"
 #include "graph/hypergraph.h"
@@ -30,15 +33,16 @@ namespace hawser::graph {
 class Splitter {
   public:
     void split(const Hypergraph& graph, const PartitionOptions& options, Partition& out);
-    /// The same beside the partition of the step before, which `out` holds. @return whether it goes
-    /// on from that one.
+    /// Split the graph, starting from the partition of the previous step in `out`. @return true if
+    /// the result continues that partition.
     bool follow(const Hypergraph& graph, const PartitionOptions& options, Partition& out);
 
-    std::int64_t largest_cluster = 0;  ///< Cost of the dearest thing that stays whole.
+    std::int64_t largest_cluster = 0;  ///< Cost of the most expensive cluster [flops].
     std::int32_t clusters = 0;
 
   private:
-    /// Nodes of a wire that stay with what it is fastened to: forces change fastest there.
+    /// Number of end nodes of a wire that stay with the body that holds it: forces change fastest
+    /// there.
     static constexpr std::int32_t kStub = 2;
 
     void prepare(const Hypergraph& graph, const PartitionOptions& options);
@@ -69,20 +73,22 @@ class Splitter {
 
     Hypergraph graph_;
     PartitionOptions options_;
-    // Clusters: nodes of the quotient.
+    // Clusters are the nodes of the quotient graph.
     std::vector<std::int32_t> root_, cluster_;
     std::vector<std::uint8_t> size_;
     std::vector<std::int64_t> node_cost_;
     std::vector<std::int32_t> member_begin_, members_, group_part_;
-    Neighbours whole_, neighbours_;  // those of the graph, of its clusters
-    Cost whole_cost_, cost_;         // by the model, where the graph brings none
+    Neighbours whole_, neighbours_;  // of the graph, of its clusters
+    Cost whole_cost_, cost_;         // by the model, if the graph has no costs
     Units units_;
     Lineup lineup_;
     std::int64_t share_ = 0;
-    std::vector<std::int64_t> weight_;  ///< By place in units_.nodes: of a cut behind it.
-    std::vector<std::int64_t> mend_;  ///< By place in units_.nodes: of mending a cut that is there.
+    std::vector<std::int64_t> weight_;  ///< Weight of a cut behind each index of units_.nodes.
+    /// Price of repairing an existing cut behind each index of units_.nodes.
+    std::vector<std::int64_t> mend_;
     std::vector<std::int32_t> wire_place_;
-    std::vector<std::int32_t> part_, fresh_part_, other_part_;  ///< By cluster.
+    /// Part of each cluster: chosen, newly computed, of the other variant.
+    std::vector<std::int32_t> part_, fresh_part_, other_part_;
     std::vector<std::int64_t> other_load_;
     std::vector<std::int64_t> load_, room_, island_cost_;
     std::vector<std::int32_t> lane_, order_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where clusters go and where wires are cut at first.
+/// Place the clusters and choose the first cuts of the wires.
 #include "graph/split.h"
 
 #include <algorithm>
@@ -8,16 +8,18 @@
 namespace hawser::graph {
 namespace {
 
-constexpr double kDivide = 1.05;  ///< An island is divided from this many shares on.
-/// Clusters of so many shares are placed first, where they are kept together and where apart.
+/// Ratio of an island's cost to an even part above which the island is divided.
+constexpr double kDivide = 1.05;
+/// Least cost of a large cluster, in even parts. kBig: clusters are packed together; kBigApart:
+/// distributed.
 constexpr double kBig = 0.25, kBigApart = 0.02;
-constexpr double kEven = 1.10;   ///< Shares up to which parts count as even.
-constexpr double kLevel = 0.02;  ///< Imbalance that is left alone.
+constexpr double kEven = 1.10;   ///< Ratio to an even part up to which parts count as even.
+constexpr double kLevel = 0.02;  ///< Tolerated imbalance, as a fraction of an even part.
 
 }  // namespace
 
-/// Hulls in one part need no cut between them, hulls apart balance each other: both are tried, and
-/// the one with fewer edges cut is taken if it is about as even.
+/// Choose parts in two variants. Packing large clusters together saves cuts; distributing them
+/// improves the balance. The variant with fewer cut edges is used if both are about equally even.
 void Splitter::choose() {
     choose(true);
     const std::int64_t longest = *std::max_element(load_.begin(), load_.end());
@@ -72,7 +74,7 @@ void Splitter::put(std::int32_t cluster, std::int32_t part) noexcept {
     load_[at(part)] += node_cost_[at(cluster)];
 }
 
-/// Islands that fit stay whole.
+/// Assign islands that fit into one part whole.
 void Splitter::place_islands() {
     const std::int32_t islands = cost_.islands();
     island_cost_.assign(at(islands), 0);
@@ -100,7 +102,7 @@ void Splitter::place_islands() {
     }
 }
 
-/// Big clusters dearest first, the others by their place in the line.
+/// Place large clusters in order of decreasing cost, then the others by their position in the line.
 void Splitter::place_clusters(bool together) {
     const double big = together ? kBig : kBigApart;
     order_.clear();
@@ -123,7 +125,7 @@ void Splitter::place_clusters(bool together) {
     for (std::size_t p = 0; p < load_.size(); ++p)
         rooms += room_[p] = std::max<std::int64_t>(0, share_ - load_[p]);
     for (const std::int32_t c : order_) {
-        // Together: the fullest part that it fits into; the emptiest if there is none.
+        // Packed: use the fullest part with enough capacity, or the emptiest part if there is none.
         std::int32_t best = -1, emptiest = 0;
         for (std::int32_t p = 0; p < options_.parts; ++p) {
             if (load_[at(p)] < load_[at(emptiest)]) emptiest = p;
@@ -139,13 +141,13 @@ void Splitter::place_clusters(bool together) {
         const std::int64_t middle = passed + node_cost_[at(c)] / 2;
         passed += node_cost_[at(c)];
         if (part_[at(c)] >= 0 || units_.unit[at(c)] < units_.wires) continue;
-        // With what holds it, if there is room; wires have no part yet.
+        // Place the cluster with a neighbour if capacity allows; wires have no part yet.
         const std::int32_t beside = part_beside(c, -1);
         if (beside >= 0 && static_cast<double>(load_[at(beside)] + node_cost_[at(c)]) <= most) {
             put(c, beside);
             continue;
         }
-        // The part that this share of all rooms falls to.
+        // Use the part that the cluster's fraction of the total capacity falls into.
         const double wanted = static_cast<double>(middle) /
                               static_cast<double>(std::max<std::int64_t>(1, left)) *
                               static_cast<double>(rooms);
@@ -166,7 +168,8 @@ std::int32_t Splitter::part_beside(std::int32_t cluster, std::int32_t wire) cons
     return -1;
 }
 
-/// A wire goes with what holds it; between two parts it is cut so that both fill up alike.
+/// Place each wire with the bodies that hold it. If these belong to two parts, the wire is cut in
+/// the ratio of their free capacities.
 void Splitter::place_wires() {
     for (std::int32_t w = 0; w < units_.wires; ++w) {
         const auto nodes = units_.nodes_of(w);
@@ -191,7 +194,7 @@ void Splitter::place_wires() {
     }
 }
 
-/// Sand from the fullest part to the emptiest, until they are about even.
+/// Move filler nodes from the fullest part to the emptiest, until the parts are about even.
 void Splitter::level() {
     stuck_.assign(load_.size(), 0);
     for (std::int32_t round = 0; round < 4 * options_.parts; ++round) {
@@ -210,8 +213,8 @@ void Splitter::level() {
     }
 }
 
-/// Give nodes of a wire in one part to another: beside a cut between the two, else at a free end,
-/// else out of the middle.
+/// Move nodes of a wire from one part to another. The preferred position is next to a cut between
+/// the two parts, then a free end, then the middle.
 bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount) {
     struct Choice {
         int kind = 0;
@@ -225,14 +228,14 @@ bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount
         const auto held = [&](std::int32_t k) { return part_beside(units_.nodes[at(k)], w) >= 0; };
         for (std::int32_t a = first, b; a <= last; a = b + 1) {
             b = a;
-            // What a group holds is a run of its own, which stays.
+            // Nodes of a group form a run of their own, which stays.
             while (b < last && part(b + 1) == part(a) && group(b + 1) == group(a)) ++b;
             if (part(a) != from || group(a) >= 0) continue;
             const bool left = a > first && part(a - 1) == to, right = b < last && part(b + 1) == to;
-            // An end of the wire, or one that is cut already.
+            // True at an end of the wire, or at an end that is already cut.
             const bool free_left = a == first ? !held(first) : part(a - 1) != from,
                        free_right = b == last ? !held(last) : part(b + 1) != from;
-            // Each end of the run that stays keeps its stub.
+            // Each end of the run that stays keeps its kStub nodes.
             std::int32_t low = a, high = b;
             const bool at_left = left || (!right && free_left);
             const int kind = left || right ? 3 : free_left || free_right ? 2 : 1;
@@ -244,7 +247,7 @@ bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount
             if (sum == 0 || kind < best.kind) continue;
             std::int64_t weight = std::numeric_limits<std::int64_t>::max();
             for (std::int32_t k = low; k <= high; ++k) weight = std::min(weight, weight_[at(k)]);
-            if (kind == best.kind) {  // much more of it, or as much and cheaper to cut
+            if (kind == best.kind) {  // more than 10 % more cost, or about equal and cheaper to cut
                 const auto ten = std::max(sum, best.cost) / 10;
                 if (sum < best.cost - ten) continue;
                 if (sum <= best.cost + ten && weight >= best.weight) continue;
@@ -260,7 +263,7 @@ bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount
     if (best.kind == 0 || static_cast<double>(best.cost) < kLevel * static_cast<double>(share_))
         return false;
     std::int32_t k = best.begin;
-    if (best.kind == 1) {  // leave the same on both sides
+    if (best.kind == 1) {  // leave equal costs on both sides
         std::int64_t all = 0, skip = 0;
         for (std::int32_t i = best.begin; i <= best.end; ++i)
             all += node_cost_[at(units_.nodes[at(i)])];

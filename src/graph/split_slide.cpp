@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How cuts slide along their wires.
+/// Move cuts along their wires.
 #include "graph/split.h"
 
 #include <cstdlib>
@@ -7,15 +7,17 @@
 namespace hawser::graph {
 namespace {
 
-constexpr double kSlide = 0.10;  ///< Cuts slide so many shares at most.
-/// A cut moves from one step to the next only where its weight falls below this share.
+/// Largest distance that a cut moves, as a fraction of an even part.
+constexpr double kSlide = 0.10;
+/// A cut moves between two steps only if its weight falls below this fraction of the old weight.
 constexpr double kWorth = 0.8;
-/// It moves only for a gain of at least this, in thousandths: less is noise, which never rests.
+/// Least gain for which a cut moves, in thousandths. Smaller gains are noise that would move cuts
+/// in every step.
 constexpr std::int64_t kLeastGain = 100;
 
 }  // namespace
 
-/// Best place for the cut behind `left`, as an index of units_.nodes.
+/// Return the best position for the cut behind `left`, as an index of units_.nodes.
 std::int32_t Splitter::slide_to(std::int32_t wire, std::int32_t left) const noexcept {
     const auto part = [&](std::int32_t k) { return part_[at(units_.nodes[at(k)])]; };
     const auto room = static_cast<std::int64_t>(kSlide * static_cast<double>(share_));
@@ -60,7 +62,7 @@ void Splitter::slide() {
         }
 }
 
-/// Slide the one cut that gains most, if it is worth it.
+/// Move the one cut with the largest gain, if the gain is large enough.
 void Splitter::move_one() {
     std::int32_t from = -1, to = -1;
     std::int64_t gain = kLeastGain - 1;

@@ -7,7 +7,8 @@
 
 namespace hawser::graph {
 
-/// Hubs, which nodes may be in a wire, and how those that follow by number hang together.
+/// Find hubs, the nodes that may belong to a wire, and the couplings of nodes with consecutive
+/// indices.
 void Units::classify(const Hypergraph& graph, const Neighbours& neighbours) {
     const std::size_t n = graph.size.size();
     hub.resize(n);
@@ -17,7 +18,7 @@ void Units::classify(const Hypergraph& graph, const Neighbours& neighbours) {
     std::uint8_t *is_hub = hub.data(), *bends = bends_.data();
     const std::int32_t *start = neighbours.start.data(), *end = neighbours.end.data();
     std::int32_t *open = open_.data(), *like = like_.data();
-    // Hubs are few: what is beside them is counted from their side.
+    // Hubs are few, so their neighbours are counted from the hub.
     for (std::size_t v = 0; v < n; ++v) {
         is_hub[v] = end[v] - start[v] > kHubDegree;
         if (is_hub[v] == 0) continue;
@@ -32,7 +33,8 @@ void Units::classify(const Hypergraph& graph, const Neighbours& neighbours) {
                   [=](Pair p) { bends[p.a] |= static_cast<std::uint8_t>((p.b - p.a == 2) << 1); });
 }
 
-/// A sequence has ended at `size`: long enough for a wire, or its nodes stay open.
+/// End a sequence at `size`. A sequence that is too short for a wire is discarded and its nodes
+/// stay open.
 std::int32_t Units::end_sequence(std::int32_t size) {
     const std::int32_t from = from_.back();
     if (size - from < kShortestWire) return from;
@@ -44,7 +46,7 @@ std::int32_t Units::end_sequence(std::int32_t size) {
     return size;
 }
 
-/// Most wires are numbered from end to end: they are found without walking.
+/// Find the wires whose nodes have consecutive indices. This covers most wires without a walk.
 void Units::follow_numbers(const Hypergraph& graph) {
     const std::size_t n = graph.size.size();
     walked_.resize(n + 1);
@@ -59,7 +61,7 @@ void Units::follow_numbers(const Hypergraph& graph) {
     walked_.resize(at(end_sequence(size)));
 }
 
-/// Nodes in no sequence yet, by how many neighbours of their kind they have.
+/// List the nodes in no sequence by their number of open neighbours.
 void Units::find_ends(const Neighbours& neighbours) {
     for (std::vector<std::int32_t>& list : end_) list.clear();
     for (std::size_t v = 0; v < open_.size(); ++v) {
@@ -72,7 +74,7 @@ void Units::find_ends(const Neighbours& neighbours) {
     }
 }
 
-/// The one unvisited neighbour that may be in a wire; −1: none, −2: several.
+/// Return the only open neighbour of a node; −1: none, −2: several.
 std::int32_t Units::next(const Neighbours& neighbours, std::int32_t v) const noexcept {
     std::int32_t count = 0, sum = 0;
     const std::int32_t* open = open_.data();
@@ -89,8 +91,9 @@ void Units::walk(const Hypergraph& graph, const Neighbours& neighbours, std::int
         open_[at(now)] = 0;
         walked_.push_back(now);
         place_[at(now)] = static_cast<std::int32_t>(walked_.size());
-        // Where bending couples a node to the next but one, the node before has one neighbour left,
-        // and that is the next. At an end it is the one with fewer neighbours.
+        // If bending couples a node to the next but one, the previous node has one open neighbour
+        // left, which is the next node. At an end the next node is the one with fewer open
+        // neighbours.
         std::int32_t to = before < 0 ? -1 : next(neighbours, before);
         if (to == -1) to = next(neighbours, now);
         if (to == -2 && before < 0) {
@@ -110,7 +113,7 @@ void Units::walk(const Hypergraph& graph, const Neighbours& neighbours, std::int
     }
 }
 
-/// What is too short for a wire falls apart; the other gets its number.
+/// Close the current wire: discard it if it is too short, else assign its unit index.
 void Units::close() noexcept {
     const auto size = static_cast<std::int32_t>(nodes.size());
     if (size - begin.back() < kShortestWire) {
@@ -121,7 +124,8 @@ void Units::close() noexcept {
     begin.push_back(size);
 }
 
-/// Nodes beside another wire, or beside their own farther away than kReach, are taken out.
+/// Remove nodes that are neighbours of another wire, or of a node of their own wire farther away
+/// than kReach.
 void Units::keep_whole(const Neighbours& neighbours) {
     walk_.assign(walked_.size() + 1, -1);
     for (std::size_t w = 0; w + 1 < from_.size(); ++w) {
@@ -133,7 +137,7 @@ void Units::keep_whole(const Neighbours& neighbours) {
     }
     apart_.assign(place_.size(), 0);
     std::int32_t *apart = apart_.data(), *place = place_.data(), *walk = walk_.data();
-    // Without branches; place 0 is for nodes in no sequence.
+    // Loop without branches; position 0 is for nodes in no sequence.
     for_each_pair(neighbours.pairs(), [=](Pair p) {
         const std::int32_t a = place[p.a], b = place[p.b];
         const auto off = static_cast<std::uint32_t>(a - b + kReach);
@@ -155,20 +159,20 @@ void Units::keep_whole(const Neighbours& neighbours) {
     }
 }
 
-/// All that is in no wire. Nodes that follow each other by number and bend together are links of
-/// one, though something else touches them: lumps of a few. The others stand alone.
+/// Collect all nodes outside wires. Up to kLump consecutive nodes that bend together form one unit,
+/// even if other bodies touch them. Each other node is a unit of its own.
 void Units::add_lumps(const Hypergraph& graph) {
     const std::size_t n = graph.size.size();
     begin.resize(n + 2);
     nodes.resize(n + 1);
     std::int32_t size = begin[at(wires)], last = wires - 1, room = 0;
-    bool before = false;  // the node before is in no wire
+    bool before = false;  // true if the previous node is in no wire
     for (std::size_t v = 0; v < n; ++v) {
         if (graph.size[v] == 0 || unit[v] >= 0) {
             before = false;
             continue;
         }
-        // Bent with the next two, or with the next one and the one before.
+        // Bent with the next two nodes, or with the next and the previous one.
         const bool bent = before && (bends_[v - 1] == 3 ||
                                      (v > 1 && (bends_[v - 1] & (bends_[v - 2] >> 1)) == 1));
         const bool joins = bent && room > 0 && hub[v] == 0 && graph.size[v] == graph.size[v - 1];
@@ -191,7 +195,8 @@ void Units::build(const Hypergraph& graph, const Neighbours& neighbours) {
     walked_.reserve(n + 1);
     follow_numbers(graph);
     find_ends(neighbours);
-    // Ends first: one neighbour, two where wires bend; what is left then are rings.
+    // Start at ends: nodes with one open neighbour, or two if wires bend. The remaining nodes form
+    // rings.
     for (const std::vector<std::int32_t>& list : end_)
         for (const std::int32_t v : list) {
             if (open_[at(v)] == 0) continue;

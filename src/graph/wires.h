@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wires.h
-/// Contraction: the insides of wires become one unit each.
+/// Contract the graph: the interior of each wire becomes one unit.
 ///
-/// A *hub* has many neighbours (a hull, a drum). A *wire* is a sequence of other nodes in which
-/// each has no neighbours but hubs and those at most two places away in it. All else is a unit by
-/// itself. In scenes of ships and cables units are some ten times fewer than nodes.
+/// A *hub* has many neighbours (a hull, a drum). A *wire* is a sequence of other nodes. Each node
+/// of a wire has no neighbours except hubs and nodes at most two positions away in the sequence.
+/// Every other node is a unit of its own. Scenes of ships and cables have about ten times fewer
+/// units than nodes.
 
 #include "graph/hypergraph.h"
 #include "graph/neighbours.h"
@@ -17,10 +18,12 @@
 
 namespace hawser::graph {
 
-inline constexpr std::int32_t kHubDegree = 16;    ///< More neighbours than this make a hub.
-inline constexpr std::int32_t kReach = 2;         ///< Bending couples a node to the next but one.
-inline constexpr std::int32_t kShortestWire = 4;  ///< Nodes.
-inline constexpr std::int32_t kLump = 3;          ///< Nodes at most that are contracted elsewhere.
+/// Largest number of neighbours of a node that is no hub.
+inline constexpr std::int32_t kHubDegree = 16;
+/// Reach of bending: it couples a node to the next but one.
+inline constexpr std::int32_t kReach = 2;
+inline constexpr std::int32_t kShortestWire = 4;  ///< Least number of nodes of a wire.
+inline constexpr std::int32_t kLump = 3;  ///< Largest number of nodes contracted outside wires.
 
 class Units {
   public:
@@ -33,11 +36,11 @@ class Units {
         return {nodes.data() + begin[at(u)], nodes.data() + begin[at(u) + 1]};
     }
 
-    std::vector<std::int32_t> unit;   ///< By node; −1: does not move.
-    std::vector<std::int32_t> nodes;  ///< Unit by unit; those of a wire in its order.
-    std::vector<std::int32_t> begin;  ///< units + 1 offsets into nodes.
-    std::vector<std::uint8_t> hub;    ///< By node.
-    std::int32_t wires = 0;           ///< Units 0 … wires − 1 are wires.
+    std::vector<std::int32_t> unit;   ///< Unit of each node; −1: does not move.
+    std::vector<std::int32_t> nodes;  ///< Nodes, unit by unit; those of a wire in its order.
+    std::vector<std::int32_t> begin;  ///< Offsets of the units in `nodes`, units + 1 entries.
+    std::vector<std::uint8_t> hub;    ///< 1 for each node that is a hub.
+    std::int32_t wires = 0;           ///< Number of wires. Units 0 … wires − 1 are wires.
 
   private:
     void classify(const Hypergraph& graph, const Neighbours& neighbours);
@@ -50,17 +53,18 @@ class Units {
     void close() noexcept;
     void add_lumps(const Hypergraph& graph);
 
-    // By node: may be in a wire and is in none yet (1 or 0); neighbours that may be.
+    // By node: 1 if it may belong to a wire and is in none yet, else 0; number of such neighbours.
     std::vector<std::int32_t> open_, like_;
     std::vector<std::uint8_t>
-        bends_;  ///< By node: 1, 2: a neighbour of the next, of the next but one.
-    /// Nodes that may be in a wire by neighbours of their kind, at most 2 kReach.
+        /// By node: bit 1 if it is a neighbour of the next node, bit 2 if of the next but one.
+        bends_;
+    /// Open nodes by their number of open neighbours, at most 2 kReach.
     std::array<std::vector<std::int32_t>, 2 * kReach + 1> end_;
     std::vector<std::int32_t> walked_;  ///< Sequences of nodes, before keep_whole().
-    std::vector<std::int32_t> from_;    ///< Where they begin.
+    std::vector<std::int32_t> from_;    ///< Offsets of the sequences in walked_.
     std::vector<std::int32_t> place_;   ///< By node: 1 + index in walked_, 0: none.
-    std::vector<std::int32_t> walk_;    ///< By place: its sequence.
-    std::vector<std::int32_t> apart_;   ///< By node: 1: it may not stay in its sequence.
+    std::vector<std::int32_t> walk_;    ///< Sequence of each position, as stored in place_.
+    std::vector<std::int32_t> apart_;   ///< By node: 1 if it may not stay in its sequence.
 };
 
 }  // namespace hawser::graph

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Method convex: Newton's method on ½‖v − v*‖² + ½ Σ ‖P_K(y)‖² over the velocities that joints
-/// allow (nonsmooth/associated.h). The matrix stays symmetric; an exact line search on this convex
-/// function needs contacts alone, since momentum and joints hold at every point of a step.
+/// allow (nonsmooth/associated.h). The matrix stays symmetric. The exact line search on this convex
+/// function needs contacts only, because momentum and joints hold at every point of a step.
 #include "contact/iterate.h"
 #include "contact/krylov.h"
 #include "context/context.h"
@@ -28,8 +28,9 @@ std::int32_t linearise_cones(Model& model, Newton& newton) noexcept {
     return flips;
 }
 
-/// Derivative of the function along the step from the iterate kept, a share t of the way [J]. The
-/// momentum balance there has the linear law's impulses, the gradient wants those of the law.
+/// Return the derivative of the function along the step, at fraction t of the way from the stored
+/// iterate [J]. There the momentum balance uses the impulses of the linear law; the gradient uses
+/// those of the exact law.
 double slope(const Model& model, const Newton& newton, double t) noexcept {
     double sum = 0.0;
     const base::Array<Cone>& cones = model.system.contacts.cones;
@@ -47,10 +48,12 @@ double slope(const Model& model, const Newton& newton, double t) noexcept {
     return sum;
 }
 
-/// Where the slope vanishes, or the whole step while it still descends there.
+/// Shorten the step to the point where the slope vanishes. The full step is used if the function
+/// still descends at its end.
 void search(Model& model, const Newton& newton) noexcept {
     const double start = slope(model, newton, 0.0), end = slope(model, newton, 1.0);
-    // Of a step that is nearly right the end is close enough.
+    // If the slope at the end is at most a tenth of that at the start, the full step is accurate
+    // enough.
     if (!(end > 0.1 * std::fabs(start))) return;
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 20 && high - low > 0.01 * high; ++i) {
@@ -76,7 +79,7 @@ void begin_convex(Model& model, Newton& newton, runtime::Pool& pool) noexcept {
 
 Status solve_convex(StepContext& ctx) noexcept {
     ctx.work.newton.iterations = 0;
-    constexpr int kKrylovFrom = 2;  // as in newton.cpp
+    constexpr int kKrylovFrom = 2;  // same value as in newton.cpp
     bool again = false;
     for (int it = 0;; ++it) {
         ++ctx.work.newton.iterations;
@@ -96,7 +99,7 @@ Status solve_convex(StepContext& ctx) noexcept {
             break;
         keep_iterate(ctx.model, ctx.work.newton);
         ctx.work.stats.flips_left +=
-            linearise_cones(ctx.model, ctx.work.newton);  // to those of rows
+            linearise_cones(ctx.model, ctx.work.newton);  // added to the flips of rows
     }
     ctx.work.stats.natural_map = worst(ctx.model, ctx.work.solve, ctx.pool);
     return refine(ctx);

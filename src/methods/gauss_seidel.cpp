@@ -16,14 +16,14 @@ using assembly::ContactRow;
 using assembly::ContactSlot;
 using nonsmooth::Cone;
 
-/// Symmetric 3×3 matrix, stored as xx, xy, xz, yy, yz, zz, times a vector.
+/// Multiply a symmetric 3×3 matrix, stored as xx, xy, xz, yy, yz, zz, by a vector.
 V3 mul6(const double* s, const V3& v) noexcept {
     return {s[0] * v.x + s[1] * v.y + s[2] * v.z, s[1] * v.x + s[3] * v.y + s[4] * v.z,
             s[2] * v.x + s[4] * v.y + s[5] * v.z};
 }
 
-/// Inverse of a symmetric 3×3 matrix, both stored as xx, xy, xz, yy, yz, zz.
-/// @return false where the determinant is not positive.
+/// Invert a symmetric 3×3 matrix; both are stored as xx, xy, xz, yy, yz, zz. @return false if the
+/// determinant is not positive.
 bool invert6(const double* m, double* out) noexcept {
     const double a = m[3] * m[5] - m[4] * m[4], b = m[2] * m[4] - m[1] * m[5],
                  c = m[1] * m[4] - m[2] * m[3];
@@ -43,7 +43,7 @@ const double* inverse_of(const Newton& newton, std::int32_t body) noexcept {
     return &newton.inverse_mass[at(body) * assembly::kBodyBlock];
 }
 
-/// Own 3×3 block of J M⁻¹ Jᵀ of contact k, row-major [1/kg].
+/// Compute the diagonal 3×3 block of J M⁻¹ Jᵀ of contact k, row-major [1/kg].
 void contact_mobility(const Model& model, Newton& newton, std::size_t k, double out[9]) noexcept {
     const ContactRow& row = model.system.contacts.rows[k];
     const M3 e = load9(row.axis);
@@ -129,7 +129,7 @@ void relax_tangents(Model& model, const Newton& newton, const assembly::View& v,
     const double* block = &newton.mobility[9 * k];
     read_contact(model, v, k);
     Cone& c = model.system.contacts.cones[k];
-    // Largest eigenvalue of the tangents' 2×2 block.
+    // Largest eigenvalue of the 2×2 block of the tangents.
     const double mean = 0.5 * (block[4] + block[8]), half = 0.5 * (block[4] - block[8]);
     const double largest = mean + std::sqrt(half * half + block[5] * block[5]);
     double now[2];

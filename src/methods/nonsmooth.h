@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file nonsmooth.h
-/// The methods for contacts with friction, see WorldDef::nonsmooth: one file each.
+/// Declare the methods for contacts with friction, see WorldDef::nonsmooth. Each method has one
+/// file.
 ///
-/// All share the rows: contacts as cones (nonsmooth/cone.h) whose linear laws λ = p − S u go into
-/// the matrix, and the stages newton_solve(), continue_with_factor(), refine(). StepStats::
-/// natural_map is the residual of the exact law whatever the method, so that they can be compared.
+/// All methods share the rows: contacts are cones (nonsmooth/cone.h) whose linear laws λ = p − S u
+/// enter the matrix. They also share the stages newton_solve(), continue_with_factor() and
+/// refine(). StepStats::natural_map is the residual of the exact law for every method, so that
+/// methods can be compared.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Linear laws about the last step's solution, by the method of the world.
+/// Set linear laws about the solution of the last step, by the method of the world.
 void begin_contacts(Model& model, Work& work, runtime::Pool& pool) noexcept;
 
-/// Stages 6 and 7 of a world in which something touches; the right-hand side is that of
-/// assemble_rows(). Where joints are completed, completion settles what this leaves (newton.h).
+/// Run stages 6 and 7 of a world with contacts. The right-hand side is that of assemble_rows(). If
+/// joints have an end-of-step constraint iteration, it settles the remaining errors (newton.h).
 [[nodiscard]] Status solve_contacts(StepContext& ctx) noexcept;
 
-/// Stages 6 and 7 by sweeps over all rows, whether or not something touches.
+/// Run stages 6 and 7 by sweeps over all rows, with or without contacts.
 [[nodiscard]] Status solve_pgs(StepContext& ctx) noexcept;
 
 void begin_pivoting(Model& model, Newton& newton, runtime::Pool& pool) noexcept;

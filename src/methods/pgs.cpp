@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Method pgs: projected Gauss-Seidel for every row, as most engines do it. No matrix. A sweep goes
-/// through the rows of all interactions in their order, then through the contacts: normal, then
-/// both tangents on the disk. It starts from the impulses of the last step.
+/// Method pgs: projected Gauss-Seidel for every row, as in most engines. There is no matrix. A
+/// sweep relaxes the rows of all interactions in their order, then the contacts: first the normal,
+/// then both tangents on the disk. It starts from the impulses of the last step.
 #include "access/guarded.h"
 #include "access/view.h"
 #include "contact/iterate.h"
@@ -19,7 +19,7 @@ namespace {
 
 using assembly::View;
 
-/// Call f(body, dof, its columns of row r) for each body with freedom of an interaction.
+/// Call f(body, dof, columns of row r) for each body of an interaction that has degrees of freedom.
 template <class F>
 void each_body(const View& v, std::int32_t id, int r, F&& f) noexcept {
     int width = 0;
@@ -38,7 +38,7 @@ void each_body(const View& v, std::int32_t id, int r, F&& f) noexcept {
     }
 }
 
-/// v₊ += M⁻¹ gᵀ x for one row g.
+/// Update v₊ += M⁻¹ gᵀ x for one row g.
 void push_row(const Newton& newton, const View& v, std::int32_t id, int r, double x) noexcept {
     each_body(v, id, r, [&](std::int32_t body, int dof, const double* g) {
         double p[6], answered[6];
@@ -66,7 +66,7 @@ double row_mobility(const Newton& newton, const View& v, std::int32_t id, int r)
     return sum;
 }
 
-/// Velocities without rows, then with the impulses of the last step.
+/// Compute the velocities without rows, then add the impulses of the last step.
 void start(Model& model, Newton& newton, const View& v) noexcept {
     for (std::int32_t b = 0; b < v.body_count; ++b)
         if (v.dof[b] > 0)
@@ -106,7 +106,7 @@ void sweep_rows(const Model& model, const Newton& newton, const View& v) noexcep
     }
 }
 
-/// What is left in the rows, for the certificate.
+/// Compute the residuals of the rows, for the certificate.
 void take_residuals(Model& model, const Newton& newton, const View& v) noexcept {
     for (std::int32_t id = 0; id < v.interaction_count; ++id) {
         if (model.system.rests(id)) continue;

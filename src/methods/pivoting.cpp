@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Method pivoting: box friction with the bounds of an earlier pass (nonsmooth/box.h).
 ///
-/// Within a pass the bounds are numbers and the problem is a linear complementarity problem with a
-/// P-matrix; nonsmooth/pivot.h says which rows change from round to round. Each round is one
-/// symmetric factorisation, of what changed. Passes go on until the bounds stand still.
+/// Within a pass the bounds are constant, and the problem is a linear complementarity problem with
+/// a P-matrix. The rows that change in an iteration are chosen by nonsmooth/pivot.h. Each iteration
+/// is one symmetric factorisation of the changed columns. Passes end when the bounds stop changing.
 #include "contact/iterate.h"
 #include "context/context.h"
 #include "nonsmooth/box.h"
@@ -30,7 +30,7 @@ void make_laws(Model& model, Newton& newton) noexcept {
     }
 }
 
-/// One pass. @param rounds  Factorisations, of all passes.
+/// Run one pass. @param rounds  Number of factorisations in all passes.
 Status pass(StepContext& ctx, int& rounds) noexcept {
     nonsmooth::PivotProgress progress;
     for (bool again = false;;) {
@@ -41,7 +41,7 @@ Status pass(StepContext& ctx, int& rounds) noexcept {
         const int count =
             nonsmooth::pivot(ctx.model.system.contacts.cones, ctx.work.newton.bounds,
                              ctx.work.newton.limit, ctx.model.contact_floor, progress);
-        ctx.work.stats.flips_left += count;  // to those of rows
+        ctx.work.stats.flips_left += count;  // added to the flips of rows
         if (count == 0 && !again) return Status::ok;
         if (rounds >= ctx.model.def.contact_iterations) return Status::ok;
         make_laws(ctx.model, ctx.work.newton);
@@ -49,14 +49,14 @@ Status pass(StepContext& ctx, int& rounds) noexcept {
     }
 }
 
-/// Bounds of the next pass. @return largest change, relative.
+/// Set the bounds of the next pass. @return largest relative change.
 double renew_limits(const Model& model, Newton& newton) noexcept {
     double change = 0.0;
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         const Cone& c = model.system.contacts.cones[k];
         double& limit = newton.limit[k];
         const double now = c.friction * std::max(0.0, c.lambda[0]);
-        // A bound that nothing leans on may change without another pass.
+        // A bound may change without another pass if no row is at the bound.
         const bool held = newton.bounds[3 * k + 1] == nonsmooth::Bound::free &&
                           newton.bounds[3 * k + 2] == nonsmooth::Bound::free &&
                           std::max(std::fabs(c.lambda[1]), std::fabs(c.lambda[2])) <= now;
@@ -74,7 +74,7 @@ void begin_pivoting(Model& model, Newton& newton, runtime::Pool& pool) noexcept 
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         const Cone& c = model.system.contacts.cones[k];
         newton.limit[k] = c.friction * std::max(0.0, c.lambda[0]);
-        // Where the last step left them, by the law of the rows at its velocities.
+        // Status at the end of the last step, by the law of the rows at its velocities.
         nonsmooth::Bound* rows = &newton.bounds[3 * k];
         rows[0] = c.u[0] - c.b[0] < 0.0 ? nonsmooth::Bound::free : nonsmooth::Bound::low;
         for (int i = 1; i < 3; ++i) {
@@ -92,8 +92,8 @@ Status solve_pivoting(StepContext& ctx) noexcept {
     int rounds = 0;
     for (int i = 0; i < kPasses; ++i) {
         if (const Status s = pass(ctx, rounds); s != Status::ok) return s;
-        // Bounds to a tenth of a percent: with the box itself up to 41 % off there is no point
-        // in more.
+        // Tolerance of the bounds, 0.1 %. The box itself deviates by up to 41 %, so a smaller one
+        // is useless.
         constexpr double kStill = 1e-3;
         if (rounds >= ctx.model.def.contact_iterations || i + 1 == kPasses) break;
         if (renew_limits(ctx.model, ctx.work.newton) <= kStill) break;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Method split, the default of commercial engines: joints and normals direct, tangents by sweeps.
+/// Method split, the default of commercial engines: joints and normals are solved directly,
+/// tangents by sweeps.
 ///
-/// The normal problem, with the tangents' impulses given, is a linear complementarity problem that
-/// an active set of contacts solves: which of them bear. Then WorldDef::nonsmooth_sweeps sweeps
-/// relax the tangents on the disk of radius μ λ_n, the bodies answering as if free; then the normal
-/// problem is solved once more with the new tangential impulses. Of sticking rows nothing is solved
-/// exactly, and what joints and normals answer to friction is known a step later: long chains are
-/// viscous and stiff stacks creep.
+/// The normal problem with given tangential impulses is a linear complementarity problem. An active
+/// set of load-bearing contacts solves it. Then WorldDef::nonsmooth_sweeps sweeps relax the
+/// tangents on the disk of radius μ λ_n, with bodies that respond as if free. Finally the normal
+/// problem is solved once more with the new tangential impulses.
+///
+/// Limits: sticking rows are not solved exactly. The response of joints and normals to friction
+/// takes effect one step later. Long chains are therefore viscous and stiff stacks creep.
 #include "access/view.h"
 #include "contact/iterate.h"
 #include "context/context.h"
@@ -24,9 +26,10 @@ namespace {
 using nonsmooth::Cone;
 using nonsmooth::Touch;
 
-constexpr int kMostSplitRounds = 20;  ///< Of the active set; it mostly takes one to three.
+/// Most iterations of the active set; one to three are usual.
+constexpr int kMostSplitRounds = 20;
 
-/// Normal row in the matrix or not; the tangents' impulses are numbers.
+/// Include the normal row in the matrix or not; the tangential impulses are constants.
 void make_law(Model& model, Newton& newton, std::size_t k, bool bears) noexcept {
     Cone& c = model.system.contacts.cones[k];
     nonsmooth::Law& law = newton.laws[k];
@@ -37,7 +40,7 @@ void make_law(Model& model, Newton& newton, std::size_t k, bool bears) noexcept 
     }
     law.p[1] = c.lambda[1];
     law.p[2] = c.lambda[2];
-    // Whether it slides is set when all is done; here it says that there is something to write.
+    // Sliding is determined at the end; here the status marks a law with nonzero entries.
     const bool pushed = law.p[1] != 0.0 || law.p[2] != 0.0;
     c.touch = bears || pushed ? Touch::stick : Touch::open;
 }
@@ -47,7 +50,7 @@ bool bears(const Cone& c) noexcept {
     return c.lambda[0] - r / (c.mobility + c.sigma_n) > 0.0;
 }
 
-/// Joints and normals. @param first  From v₊ = 0.
+/// Solve joints and normals. @param first  Start from v₊ = 0.
 Status solve_normals(StepContext& ctx, bool first) noexcept {
     bool again = false;
     for (int round = 0;; ++round) {
@@ -71,19 +74,19 @@ Status solve_normals(StepContext& ctx, bool first) noexcept {
         }
         ctx.work.stats.flips_left = flips;
         if ((flips == 0 && !again) || round + 1 >= kMostSplitRounds) return Status::ok;
-        // A row that is switched changes the matrix where no contact does.
+        // A switched row changes the matrix even if no contact changes.
         adopt_laws(ctx.model, ctx.work.newton, ctx.pool, again);
     }
 }
 
-/// Tangents at the normal impulses as they are.
+/// Relax the tangents at the current normal impulses.
 Status sweep_tangents(Model& model, Newton& newton, runtime::Pool& pool) noexcept {
     const assembly::View v = row_view(model);
     if (!invert_masses(model, newton, v)) return Status::wrong_pivot;
     for (int i = 0; i < model.def.nonsmooth_sweeps && !pool.stopping(); ++i)
         for (std::size_t k = 0; k < model.system.contacts.count(); ++k)
             relax_tangents(model, newton, v, k);
-    // The radius changes a little in what follows; what slides is decided here.
+    // The radius changes slightly afterwards, but sliding is determined here.
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k)
         newton.touch[k] = nonsmooth::touch_by_impulse(model.system.contacts.cones[k]);
     return Status::ok;
@@ -104,7 +107,7 @@ Status solve_split(StepContext& ctx) noexcept {
     if (const Status s = solve_normals(ctx, true); s != Status::ok) return s;
     if (const Status s = sweep_tangents(ctx.model, ctx.work.newton, ctx.pool); s != Status::ok)
         return s;
-    // The sweeps moved v₊ without the normals; the solver takes it up from the momentum balance.
+    // The sweeps changed v₊ without the normals; the solver restores it from the momentum balance.
     for (std::size_t k = 0; k < ctx.model.system.contacts.count(); ++k)
         make_law(ctx.model, ctx.work.newton, k, ctx.model.system.contacts.cones[k].s[0] != 0.0);
     adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);

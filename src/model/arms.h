@@ -1,28 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file arms.h
-/// The compact form of the Jacobian of a ball joint between two rigid bodies: a *compact joint*.
+/// Store the Jacobian of a ball joint between two rigid bodies in compact form: a *compact joint*.
 ///
-/// With the arms r₀, r₁ from the centres of mass to the joint (world frame) its three rows are
+/// With the arms r₀, r₁ from the centres of mass to the joint (world frame) its three rows are:
 /// ```
 ///   G = [ −E   r̂₀ │ E   −r̂₁ ],      r̂ v = r × v,
 /// ```
-/// 36 entries of which 30 are known or repeat the six of the arms. Chains of links have little
-/// else, and their steps read it again and again, so that only an *arms record* is kept, a cache
-/// line: 0-2 r₀; 3-5 r₁; 6 damping of the relative rotation, and 7 the swing number's constant,
-/// both of assembly/geo.h.
+/// The Jacobian has 36 entries; 30 are constant or repeat the six entries of the arms. Chains of
+/// links consist mostly of such joints, and a step reads each Jacobian several times. Therefore
+/// only an *arms record* of one cache line is stored:
+/// 1. Entries 0-2: r₀.
+/// 2. Entries 3-5: r₁.
+/// 3. Entry 6: damping of the relative rotation (assembly/geo.h).
+/// 4. Entry 7: constant of the oscillation about the joint (assembly/geo.h).
 
 namespace hawser::model {
 
-inline constexpr int kArms = 8;  ///< Doubles of an arms record.
-/// What Interactions::arms says: the Jacobian is compact; it is, and the rows are condensed.
+inline constexpr int kArms = 8;  ///< Number of doubles of an arms record.
+/// Values of Interactions::arms: the Jacobian is compact; the Jacobian is compact and the rows are
+/// condensed.
 inline constexpr unsigned char kCompactJacobian = 1, kCompactCondensed = 3;
 inline constexpr int kArmsDamping = 6, kArmsSwing = 7;
-/// Doubles of the packed rows, and slack for vector loads.
+/// Number and width of the packed rows; buffer size in doubles with slack for vector loads.
 inline constexpr int kArmRows = 3, kArmWidth = 12, kArmRoom = kArmRows * kArmWidth + 8;
 
-/// Row i, twelve wide, into `out`: for both bodies ∓(e_i, r × e_i). Always inline: also for code
-/// compiled per instruction set (base/small.h).
+/// Write row i, twelve wide, to `out`: for both bodies ∓(e_i, r × e_i). Always inline, because it
+/// is also used in code compiled per instruction set (base/small.h).
 [[gnu::always_inline]] inline void unpack_arm_row(const double* record, int i,
                                                   double* out) noexcept {
     const int next = (i + 1) % 3, last = (i + 2) % 3;
@@ -35,13 +39,14 @@ inline constexpr int kArmRows = 3, kArmWidth = 12, kArmRoom = kArmRows * kArmWid
     }
 }
 
-/// The three rows into `out`, of kArmRoom, with zeros behind them.
+/// Write the three rows to `out`, which holds kArmRoom doubles; the rest is set to zero.
 [[gnu::always_inline]] inline void unpack_arms(const double* record, double* out) noexcept {
     for (int i = 0; i < kArmRows; ++i) unpack_arm_row(record, i, out + kArmWidth * i);
     for (int k = kArmRows * kArmWidth; k < kArmRoom; ++k) out[k] = 0.0;
 }
 
-/// Packed rows of an interaction whose Jacobian begins at `jacobian`, in `room` if it is compact.
+/// Return the packed rows of an interaction whose Jacobian begins at `jacobian`. A compact Jacobian
+/// is unpacked to `room`.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(
     const double* jacobian, bool arms, double (&room)[kArmRoom]) noexcept {
     if (!arms) return jacobian;

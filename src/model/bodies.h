@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file bodies.h
-/// State of all bodies as arrays. Velocities of moving bodies are packed: body b owns
-/// dof(b) entries of `v` from dof_begin(b): rigid (v, ω) in the world frame, lump v, scalar rate.
+/// Store the state of all bodies as arrays. Velocities of moving bodies are packed: body b owns
+/// dof(b) entries of `v` from dof_begin(b). The entries are (v, ω) of a rigid body in the world
+/// frame, v of a point mass (BodyKind::lump), the rate of a scalar body.
 
 #include <hawser/def.h>
 
@@ -14,7 +15,7 @@
 
 namespace hawser::model {
 
-/// Degrees of freedom of a kind.
+/// Return the number of degrees of freedom of a kind.
 [[nodiscard]] constexpr int dof_of(BodyKind kind) noexcept {
     switch (kind) {
         case BodyKind::rigid:
@@ -31,90 +32,97 @@ namespace hawser::model {
 }
 
 struct Bodies {
-    base::Places places;  ///< Where a body was removed, a fixed one without name is left.
+    base::Places places;  ///< Slots; a removed body leaves a fixed one without a name.
     base::Array<BodyKind> kind;
-    base::Array<std::uint8_t> room;       ///< Entries of v at dof_begin, whatever is there now.
-    base::Array<std::int32_t> dof_begin;  ///< Into v; for bodies without freedom: unused.
-    std::vector<std::int32_t> moving;     ///< Bodies with freedom, ascending.
-    std::vector<std::int32_t> rigid;      ///< Rigid bodies, ascending.
-    std::vector<std::int32_t> driven;     ///< Kinematic bodies, ascending.
+    /// Number of entries of v reserved at dof_begin, independent of the present body.
+    base::Array<std::uint8_t> room;
+    base::Array<std::int32_t> dof_begin;  ///< Offset in v; unused for bodies without freedom.
+    std::vector<std::int32_t> moving;     ///< Indices of bodies with freedom, ascending.
+    std::vector<std::int32_t> rigid;      ///< Indices of rigid bodies, ascending.
+    std::vector<std::int32_t> driven;     ///< Indices of kinematic bodies, ascending.
 
-    base::Array<double> x;  ///< 3 a body: position [m].
-    base::Array<double> q;  ///< 4 a body: quaternion w, x, y, z.
-    base::Array<double> r;  ///< 9 a body: rotation matrix of q, row-major.
-    base::Array<double> v;  ///< Packed velocities at t − h/2.
-    /// Packed velocities that the next v is taken for before it is known: v + (v − the one before).
-    /// The nearer, the less rounding a solution that starts there leaves. Part of the state.
+    base::Array<double> x;  ///< Position, 3 entries per body [m].
+    base::Array<double> q;  ///< Quaternion w, x, y, z, 4 entries per body.
+    base::Array<double> r;  ///< Rotation matrix of q, row-major, 9 entries per body.
+    base::Array<double> v;  ///< Packed velocities at t − h/2 [m/s, rad/s].
+    /// Packed start value of the next v, extrapolated: v + (v − previous v). A start closer to the
+    /// solution leaves a smaller rounding error. Part of the state.
     base::Array<double> v_start;
-    base::Array<double> v_fixed;  ///< 6 a body: prescribed velocity of kinematic bodies.
-    /// 6 a body: prescribed velocity at the last half step, where it is another one than v_fixed
-    /// (images, split/cuts.h); else empty.
+    base::Array<double> v_fixed;  ///< Prescribed velocity of kinematic bodies, 6 entries per body.
+    /// Prescribed velocity at the last half step, 6 entries per body, if it differs from v_fixed
+    /// (ghost bodies, split/cuts.h); else empty.
     base::Array<double> v_before;
-    base::Array<double> spin_free;    ///< 3 a body: ω after the step being taken without torque.
-    base::Array<double> spin_change;  ///< 3 a body: what torques changed ω by in the last step,
-                                      ///< body frame [rad/s]. Part of the state.
+    /// Torque-free ω at the end of the current step, 3 entries per body [rad/s].
+    base::Array<double> spin_free;
+    /// Change of ω by torques in the last step, body frame, 3 entries per body [rad/s]. Part of the
+    /// state.
+    base::Array<double> spin_change;
 
-    base::Array<double> mass;         ///< 1 a body [kg].
-    base::Array<double> inertia;      ///< 9 a body, body frame [kg m²].
-    base::Array<double> inv_inertia;  ///< Its inverse; zero for bodies that are not rigid.
-    /// 6 a body: its moments of inertia and their inverses where they are all that the inertia has,
-    /// zeros elsewhere.
+    base::Array<double> mass;         ///< Mass [kg].
+    base::Array<double> inertia;      ///< Inertia, body frame, 9 entries per body [kg m²].
+    base::Array<double> inv_inertia;  ///< Inverse inertia; zero for bodies that are not rigid.
+    /// Principal moments and their inverses, 6 entries per body, if the inertia is diagonal; else
+    /// zeros.
     base::Array<double> principal;
-    base::Array<double> force;    ///< 6 a body: applied force and torque, world frame [N, N m].
-    base::Array<double> damping;  ///< 6 a body: drag along and about the body's axes.
-    /// 6 a body: the shares θ and 1 − θ of `damping` that act on the velocities after and before
-    /// the step (damping.h).
+    /// Applied force and torque, world frame, 6 entries per body [N, N m].
+    base::Array<double> force;
+    /// Drag coefficients along and about the body's axes, 6 entries per body.
+    base::Array<double> damping;
+    /// Parts θ and 1 − θ of `damping` that act on the velocities after and before the step, 6
+    /// entries per body (damping.h).
     base::Array<double> drag_after, drag_before;
-    base::Array<std::uint8_t> weight;  ///< 1: gravity acts.
-    /// First interaction that holds it and its slot there, kMaxInteractionBodies id + slot; −1:
-    /// none does. Kept by Interactions, see for_each_holder().
+    base::Array<std::uint8_t> weight;  ///< 1: gravity acts on the body.
+    /// First interaction that holds the body and its slot, kMaxInteractionBodies id + slot; −1:
+    /// none. Maintained by Interactions, see for_each_holder().
     base::Array<std::int32_t> first_holder;
 
     base::Array<std::uint8_t> asleep;  ///< 1: asleep, see step/sleep.h. Part of the state.
-    base::Array<std::int32_t> quiet;   ///< Steps for which it has been at rest. Part of the state.
+    /// Number of steps for which the body has been at rest. Part of the state.
+    base::Array<std::int32_t> quiet;
 
-    std::int32_t dofs = 0;  ///< Entries of v, those of empty places included.
+    std::int32_t dofs = 0;  ///< Number of entries of v, including those of empty slots.
 
     [[nodiscard]] int count() const noexcept { return static_cast<int>(kind.size()); }
     [[nodiscard]] int dof(int body) const noexcept {
         return dof_of(kind[static_cast<std::size_t>(body)]);
     }
-    /// Whether a body has an orientation: all but lumps and scalar bodies.
+    /// True if a body has an orientation: all bodies except point masses and scalar bodies.
     [[nodiscard]] bool turns(int body) const noexcept {
         const BodyKind k = kind[static_cast<std::size_t>(body)];
         return k != BodyKind::lump && k != BodyKind::scalar;
     }
     [[nodiscard]] BodyId id(int body) const noexcept { return places.id<BodyId>(body); }
-    /// So that add(), append() and remove() do not throw. @throws std::bad_alloc.
+    /// Reserve memory so that add(), append() and remove() do not throw. @throws std::bad_alloc.
     void make_room();
-    /// First empty place with as many degrees of freedom, −1: none.
+    /// Return the first empty slot with as many degrees of freedom, −1: none.
     [[nodiscard]] int place_for(BodyKind of) const noexcept {
         return places.find_vacant(
             [&](std::int32_t p) { return room[static_cast<std::size_t>(p)] == dof_of(of); });
     }
-    /// Add one body, at the first empty place with as many degrees of freedom, else behind all
-    /// others; the definition has been checked. @return its place.
+    /// Add a body at the first empty slot with as many degrees of freedom, else at the end. The
+    /// definition has been checked. @return its slot.
     int add(const BodyDef& def);
-    /// Add one behind all others.
+    /// Add a body at the end.
     int append(const BodyDef& def);
-    /// What is left at its place weighs nothing, does not move, and nothing touches it.
+    /// Remove a body. Its slot keeps a fixed body without mass, interactions or contacts.
     void remove(int body) noexcept;
-    /// Sets drag_after and drag_before for the step h [s].
+    /// Set drag_after and drag_before for the step h [s].
     void share_drag(double h);
-    /// Take away the places from `kept` on, with what is there.
+    /// Remove all slots from `kept` on, with their bodies.
     void truncate(int kept);
-    /// Move by time t at constant velocity [m/s]; with ω [rad/s, world frame] also turn, by the
-    /// Cayley map of t ω. Scalars: not for them.
+    /// Move a body by time t at constant velocity [m/s]. With ω [rad/s, world frame] also rotate it
+    /// by the Cayley map of t ω. Not for scalar bodies.
     void drift(int body, const double* velocity, const double* omega, double t) noexcept;
-    /// q = turn ⊗ q, normalised, and r. @param turn  World frame, any length.
+    /// Rotate a body: q = turn ⊗ q, normalised; also update r. @param turn  World frame, any
+    /// length.
     void turn(int body, const Quat& turn) noexcept;
-    /// Recompute r from q for every rigid, fixed and kinematic body.
+    /// Recompute r from q of a rigid, fixed or kinematic body.
     void refresh_rotation(int body) noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     void write(int body, const BodyDef& def) noexcept;
-    /// Lists of moving, rigid and kinematic bodies.
+    /// Enter a body in the lists of moving, rigid and kinematic bodies.
     void enlist(int body) noexcept;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Coordinates as the kinds themselves measure them: the angle of hinge_row(), the way of
-/// travel_row(), the first number of a scalar body.
+/// Compute the coordinates of kinds: the angle of hinge_row(), the travel of travel_row(), the
+/// first coordinate of a scalar body.
 #define HAWSER_KIND_SETUP
 #include "base/index.h"
 #include "model/interactions.h"
@@ -12,7 +12,7 @@
 namespace hawser::model {
 namespace {
 
-/// The points and frames of a kind, wherever its data have them.
+/// Return the points and frames of a kind, null if it has none.
 template <class Data>
 const generic::JointData* joint_in(const Data& data) {
     if constexpr (std::is_same_v<Data, generic::JointData>)
@@ -34,7 +34,7 @@ Coordinate Interactions::coordinate(int id, const Bodies& b) const noexcept {
     if (which == KindCoordinate::scalar) {
         out.value = b.x[3 * at(of[0])];
         out.rate = b.v[at(b.dof_begin[at(of[0])])];
-        if (kind_info(kind).bodies == 2) {  // of the second against the first
+        if (kind_info(kind).bodies == 2) {  // coordinate of the second body minus that of the first
             out.value = b.x[3 * at(of[1])] - out.value;
             out.rate = b.v[at(b.dof_begin[at(of[1])])] - out.rate;
         }

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file damping.h
-/// Which speeds a damper sees: θ of those after the step and 1 − θ of those before it.
+/// Divide damping between velocities after the step (θ) and before the step (1 − θ).
 ///
-/// Of a damper alone, ẇ = −c W w with mobility W, the step with
+/// For a damper alone, ẇ = −c W w with mobility W, the step with
 /// ```
 ///     θ(z) = 1/(1 − e⁻ᶻ) − 1/z,   z = h c W + h² k W/4
 /// ```
-/// and k = 0 is exact: w₊ = e⁻ᶻ w. With θ = ½ + O(h) a damper is of second order where the step
-/// resolves it; where it does not, θ → 1 and (1 − θ) z → 1, so that nothing rings: the step is
-/// L-stable. The spring beside a damper counts in z, since the trapezoidal rule would not bring a
-/// fast spring to rest (exponential fitting: Liniger, Willoughby, "Efficient integration methods
-/// for stiff systems of ordinary differential equations", 1970). θ ≥ ½ keeps any number of such
-/// dampers on one body stable; docs/methods.md, 2.
+/// and k = 0 is exact: w₊ = e⁻ᶻ w. If the step resolves the damper, θ = ½ + O(h) and the order is
+/// two. If not, θ → 1 and (1 − θ) z → 1, so no oscillation remains: the step is L-stable.
+///
+/// The spring parallel to a damper counts in z, because the trapezoidal rule would not bring a fast
+/// spring to rest. Source of exponential fitting: Liniger, Willoughby, "Efficient integration
+/// methods for stiff systems of ordinary differential equations", 1970. θ ≥ ½ keeps any number of
+/// such dampers on one body stable; docs/methods.md, 2.
 
 #include <cmath>
 
 namespace hawser::model {
 
-/// θ of z ≥ 0, from ½ to 1.
+/// Return θ of z ≥ 0, from ½ to 1.
 [[nodiscard]] inline double late_share(double z) noexcept {
     if (!(z > 0.0)) return 0.5;
     if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;  // the next term is below 1e-14

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Adding and removing: what a definition makes of the arrays.
+/// Add and remove interactions: write the data of a definition to the arrays.
 #define HAWSER_KIND_SETUP
 #include "base/index.h"
 #include "base/sorted.h"
@@ -95,7 +95,7 @@ void Interactions::set_loads(int id, const std::array<FrictionLoad, kMaxFriction
     write_loads(id);
 }
 
-/// Room for one more of a kind, without a value.
+/// Append a slot of a kind, with values unset.
 void Interactions::grow(InteractionKind of) {
     const auto id = static_cast<std::int32_t>(def.size());
     const auto n = at(id) + 1;
@@ -146,7 +146,7 @@ void Interactions::write(int id, InteractionDef filled, Bodies& bodies_in, doubl
     enlist(id, bodies_in);
 }
 
-/// What the definition says of its rows.
+/// Write the row data of a definition.
 void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
     InteractionDef& d = def[at(id)];
     generic::RowSpec spec[kMaxInteractionRows];
@@ -168,8 +168,7 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
     for (std::size_t r = 0; r < rows[at(id)]; ++r) {
         const std::size_t row = at(row_begin[at(id)]) + r;
         d.compliance[r] = spec[r].compliance;
-        // One that is the scheme's own stays unsaid: a copy is to know that no damper stands for
-        // it.
+        // The time of the scheme is not written to the definition, so that a copy has no damper.
         if (!spec[r].calmed) d.damping_time[r] = spec[r].damping_time;
         defined[row] = epsilon[row] = spec[r].compliance;
         tau[row] = spec[r].damping_time;
@@ -186,7 +185,7 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
     if (wire) follow_length(id, bodies_in, h);
 }
 
-/// Lists of those that something is to be done for in each step.
+/// Enter an interaction in the lists of those that need work in each step.
 void Interactions::enlist(int id, const Bodies& bodies_in) {
     const int flag = flags[at(id)];
     if (kind_info(def[at(id)].kind).is(kWoundUp) && (flag & kFromLength))

@@ -14,7 +14,7 @@
 namespace hawser::model {
 void complete(InteractionDef& def, const Vec3* positions, double distance) {
     const KindInfo& info = kind_info(def.kind);
-    // Lists of fewer points than there is room for leave the others as they were in memory.
+    // A list with fewer points than the definition can hold leaves the others uninitialised.
     for (std::size_t b = at(info.bodies); b < kMaxInteractionBodies; ++b) {
         def.body[b] = {};
         def.point[b].setZero();
@@ -32,7 +32,7 @@ void complete(InteractionDef& def, const Vec3* positions, double distance) {
     });
 }
 
-/// Write the Data of an interaction into its pool.
+/// Write the Data of an interaction to its pool.
 void Interactions::write_data(int id) noexcept {
     const InteractionDef& d = def[at(id)];
     Pool& p = pool[static_cast<std::size_t>(d.kind)];
@@ -48,7 +48,7 @@ void Interactions::set_anchor(int id, double coordinate) noexcept {
     write_data(id);
 }
 
-/// Range of the force of the first row [N or N m].
+/// Set the range of the force of the first row [N or N m].
 void Interactions::set_range(int id) noexcept {
     const InteractionDef& d = def[at(id)];
     low[at(id)] = -kUnbounded;
@@ -80,7 +80,7 @@ void Interactions::mirror(int copy, int original, const Bodies& bodies_in, doubl
     for (int r = 0; r < rows[at(copy)]; ++r) {
         const auto row = at(row_begin[at(copy)] + r), of = at(row_begin[at(original)] + r);
         epsilon[row] = epsilon[of];
-        // A rigid row's Σ is that of the analysis.
+        // Σ of a rigid row is set by the analysis.
         if ((row_flags[row] & kRowVelocity) || epsilon[row] == 0.0) continue;
         follow_compliance(row, kind_info(d.kind).is(kWireElement), h);
     }
@@ -116,7 +116,8 @@ void Interactions::follow_length(int id, const Bodies& bodies_in, double h) noex
     const InteractionDef& d = def[at(id)];
     const double whole = d.params[0];
     double length = kind_info(d.kind).is(kWoundUp) ? wound_length(id, bodies_in) : whole;
-    // More may run through a place than its last part holds: the law keeps this length.
+    // More line may run through a turning point than its last part holds; the law then keeps this
+    // minimum length.
     constexpr double kShortest = 0.01;
     length = std::max(length, kShortest * whole);
     rest_length[at(id)] = length;
@@ -228,7 +229,8 @@ RowState Interactions::row_state(int id, const Bodies& b, const double* v_in) co
 }
 
 double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
-    // What a line holds follows from its length, not from whether the last step found it taut.
+    // The energy of a line follows from its length, not from the status (taut or slack) of the last
+    // step.
     const bool line = (flags[at(id)] & kOneSided) != 0;
     if ((line ? parted[at(id)] != 0 : active[at(id)] == 0.0) || (flags[at(id)] & kFriction))
         return 0.0;
@@ -239,8 +241,8 @@ double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
         if ((row_flags[row] & kRowVelocity) || !holds_energy(epsilon[row], rest_length[at(id)]))
             continue;
         double middle = s.g[r] - 0.5 * h * (s.rate[r] + s.carried[r]);
-        // A short line that turns far within a step is longer than it pulls: what it holds is what
-        // it can give back.
+        // A short line that rotates far within a step appears longer than its force implies. Its
+        // energy is limited to the recoverable part.
         constexpr double kMuchLonger = 4.0;
         const double pulls = std::fabs(force[row]) * epsilon[row];
         if (line && pulls > 0.0 && middle > kMuchLonger * pulls) middle = pulls;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file interactions.h
-/// All interactions: typed pools of what evaluate() needs, and the rows as flat arrays.
+/// Store all interactions: typed pools with the data of evaluate(), and the rows as flat arrays.
 ///
 /// Indices: `id` counts interactions in the order added. Row r of interaction id is entry
-/// row_begin[id] + r of the row arrays. Its Jacobian begins at jac_begin[id]: dense, row-major,
-/// `width` = Σ dof(body) wide, or compact where arms[id] (arms.h).
+/// row_begin[id] + r of the row arrays. Its Jacobian begins at jac_begin[id]. It is dense,
+/// row-major and `width` = Σ dof(body) wide, or compact if arms[id] is set (arms.h).
 
 #include <hawser/interactions.h>
 
@@ -24,147 +24,161 @@ namespace hawser::model {
 /// Interactions of one kind.
 struct Pool {
     base::Array<std::int32_t> ids;
-    std::size_t stride = 0;       ///< Bytes of one Data.
-    base::Array<std::byte> data;  ///< ids.size() Data structs.
+    std::size_t stride = 0;       ///< Size of one Data [bytes].
+    base::Array<std::byte> data;  ///< Data structs, ids.size() of them.
 };
 
 enum RowFlag : std::uint8_t {
-    kRowVelocity = 1,  ///< G v = u.
+    kRowVelocity = 1,  ///< Velocity row: G v = u.
     kRowGap = 2,       ///< Counts in violation_max.
-    kRowDamper = 4,    ///< Its τ is that of a damper, not of the scheme.
-    kRowRecoils = 8,   ///< Of a wire that parted: its force is that at the end of the step.
+    kRowDamper = 4,    ///< τ is that of a damper, not of the scheme.
+    kRowRecoils = 8,   ///< Row of a recoiling wire: its force is that at the end of the step.
     kRowTurns = 16,    ///< g is a difference of two unit vectors.
 };
 
 enum InteractionFlag : std::uint8_t {
     kOneSided = 1,    ///< Only pulls.
-    kRange = 2,       ///< Idle while inside its range.
+    kRange = 2,       ///< Inactive while inside its range.
     kBreakable = 4,   ///< Has a finite breaking load.
-    kFromLength = 8,  ///< Its compliance is length/EA and follows the length.
+    kFromLength = 8,  ///< Compliance is length/EA and follows the length.
     kByInput = 16,    ///< An input drives one of its parameters.
-    kCarried = 32,    ///< Touches a body with a prescribed velocity.
+    kCarried = 32,    ///< Acts on a body with a prescribed velocity.
     kMotor = 64,      ///< Its force has a range.
-    kFriction = 128,  ///< Its force has a bound, and its anchor gives way there.
+    kFriction = 128,  ///< Its force has a bound, at which its anchor slides.
 };
 
-/// No bound: far beyond any force [N].
+/// Bound that no force reaches [N].
 inline constexpr double kUnbounded = 1e30;
 
-/// Σ at least, or added to it, where it is divided by: what is not to be 1/0 or 0/0 [1/kg].
+/// Lower limit of Σ, or addend, in divisions: prevents 1/0 and 0/0 [1/kg].
 inline constexpr double kTinySigma = 1e-300;
 
-/// Rows softer than this [m/N] store energy worth counting. What a stiffer one is off by is what
-/// steps leave of the turning of its direction.
+/// Compliance [m/N] above which the elastic energy of a row counts. The violation of a stiffer row
+/// is an error from the rotation of its direction within steps.
 inline constexpr double kElasticCompliance = 1e-11;
-/// A wire element stores energy however stiff it is: of heavy bodies' wires that is much.
+/// True if a row stores elastic energy. A wire element does for any stiffness, because the energy
+/// of a wire with heavy bodies is large.
 [[nodiscard]] constexpr bool holds_energy(double epsilon, double rest_length) noexcept {
     return epsilon > (rest_length > 0.0 ? 0.0 : kElasticCompliance);
 }
 
-/// Violation of a row at the half step before the poses, by its speed. A difference of directions
-/// stays within 2: a wire that lies folded bends by elements far shorter than they move in a step.
+/// Return the violation of a row at the half step before the poses, extrapolated by its speed. A
+/// difference of directions is clamped to 2: elements of a folded wire may be far shorter than
+/// their motion in a step.
 [[nodiscard]] constexpr double half_step_gap(std::uint8_t row_flags, double g, double half,
                                              double speed) noexcept {
     const double back = g - half * speed;
     return row_flags & kRowTurns ? std::clamp(back, -2.0, 2.0) : back;
 }
 
-/// Flags of interactions whose force is bounded.
+/// Flags of interactions with a bounded force.
 inline constexpr int kBounded = kOneSided | kRange | kMotor | kFriction;
 
-/// What adds to the bound of a row with friction: factor ‖force of the rows‖.
+/// Contribution to the bound of a row with friction: factor ‖force of the rows‖.
 struct Load {
-    std::int32_t row_begin = 0, rows = 0;  ///< rows = 0: nothing.
+    std::int32_t row_begin = 0, rows = 0;  ///< rows = 0: none.
     double factor = 0.0;
 };
 
-/// Rows of one interaction at given poses.
+/// State of the rows of one interaction at given poses.
 struct RowState {
-    double g[kMaxInteractionRows];        ///< Violation; wanted speed of a velocity row.
-    double rate[kMaxInteractionRows];     ///< ġ from bodies that move.
+    double g[kMaxInteractionRows];        ///< Violation; for a velocity row its target speed.
+    double rate[kMaxInteractionRows];     ///< ġ from moving bodies.
     double carried[kMaxInteractionRows];  ///< ġ from prescribed velocities.
 };
 
-/// A piece of a line as it lies.
+/// Shape of a piece of a line.
 struct LineShape {
-    Vec3 at[2];                    ///< Where it leaves what holds it, world frame [m].
-    double wheel[2] = {0.0, 0.0};  ///< Signed radius at each end [m] (kinds/routes.h).
-    Vec3 along;                    ///< Unit vector from the first to the second.
-    double longer = 0.0;           ///< Path less the length at rest of now [m].
+    Vec3 at[2];                    ///< Points where it leaves its holders, world frame [m].
+    double wheel[2] = {0.0, 0.0};  ///< Signed wheel radius at each end [m] (kinds/routes.h).
+    Vec3 along;                    ///< Unit vector from the first to the second end.
+    double longer = 0.0;           ///< Elongation: path minus the present rest length [m].
 };
 
 /// Coordinate of a kind that has one (KindInfo::coordinate).
 struct Coordinate {
-    double value = 0.0;  ///< [m or rad].
-    double rate = 0.0;   ///< By the velocities of the bodies [m/s or rad/s].
+    double value = 0.0;  ///< Value [m or rad].
+    double rate = 0.0;   ///< Rate from the velocities of the bodies [m/s or rad/s].
 };
 
 struct Interactions {
-    /// Where one was removed, one of its kind without bodies and rows is left.
+    /// Slots; a removed interaction leaves one of its kind without bodies and rows.
     base::Places places;
-    std::vector<InteractionDef> def;  ///< As added, defaults filled in.
+    std::vector<InteractionDef> def;  ///< Definitions as added, with defaults filled in.
     std::array<Pool, kInteractionKindCount> pool;
-    std::vector<std::int32_t> pool_index;  ///< Of each id in its pool.
+    std::vector<std::int32_t> pool_index;  ///< Index of each interaction in its pool.
 
-    // By interaction.
-    base::Array<InteractionKind> kinds;  ///< That of `def`, or of what was there; stays.
-    base::Array<std::int32_t> body;      ///< kMaxInteractionBodies an id; −1 behind the last.
-    /// By place in `body`: the next place that has the same body, −1: none. Bodies::first_holder
-    /// has the first one.
+    // Arrays by interaction.
+    base::Array<InteractionKind> kinds;  ///< Kind of `def`; constant for a slot, also an empty one.
+    /// Bodies, kMaxInteractionBodies entries per interaction; −1 behind the last.
+    base::Array<std::int32_t> body;
+    /// By index in `body`: the next index with the same body, −1: none. Bodies::first_holder has
+    /// the first one.
     base::Array<std::int32_t> next_holder;
     base::Array<std::uint8_t> bodies, rows, flags;
     base::Array<std::int32_t> row_begin;
-    base::Array<std::int32_t> jac_begin;  ///< Set by the analysis.
+    base::Array<std::int32_t> jac_begin;  ///< Offset in `jacobian`, set by the analysis.
     base::Array<std::uint8_t>
-        arms;  ///< Set by it: 0, kCompactJacobian or kCompactCondensed, arms.h.
+        arms;  ///< 0, kCompactJacobian or kCompactCondensed (arms.h), set by the analysis.
     std::vector<std::int32_t> geo;  ///< Index of the geometric-stiffness record, or −1.
-    /// 1; or 0: its rows ask for nothing, and the first has the impulse `held`: slack, inside its
-    /// range or parted (0), or a motor or friction at a bound.
+    /// 1: the rows are active. 0: inactive; the first row applies the fixed impulse `held`.
+    /// Inactive are slack or broken lines and ranges inside their limits (`held` = 0), and motors
+    /// or friction at a bound.
     base::Array<double> active;
-    base::Array<double> held;       ///< [N s or N m s]; follows λ, not part of the state.
-    base::Array<double> low, high;  ///< Bounds of the force, loads apart [N or N m].
-    /// Of friction, see kinds/friction.h [m or rad]; of spans, whole turns (kinds/routes.h).
+    /// Fixed impulse of the first row [N s or N m s]; follows λ, not part of the state.
+    base::Array<double> held;
+    base::Array<double> low, high;  ///< Bounds of the force without loads [N or N m].
+    /// Anchor of friction [m or rad], see kinds/friction.h; for spans the packed whole turns
+    /// (kinds/routes.h).
     base::Array<double> anchor;
-    std::vector<std::int32_t> load_begin;  ///< First of kMaxFrictionLoads in `loads`, or −1.
+    /// First of kMaxFrictionLoads entries in `loads`, or −1.
+    std::vector<std::int32_t> load_begin;
     std::vector<Load> loads;
-    base::Array<std::uint8_t> parted;  ///< 1 once a line has parted.
-    /// Of lines between points: 1/m of the lighter end [1/kg]; 1 while their wire is stepped more
-    /// calmly (solve/wires.h), follows the state.
+    base::Array<std::uint8_t> parted;  ///< 1 if the line is broken.
+    /// `lightness`: 1/m of the lighter end of a line between points [1/kg]. `alert`: 1 while its
+    /// wire is flagged and damped (solve/wires.h); derived from the state.
     base::Array<double> lightness, alert;
-    // Of rigid joints, see step/completion.h; 0 of all else.
-    base::Array<std::uint8_t> coarse;     ///< Steps to come in which its rows are linearised once.
-    base::Array<std::uint8_t> repeats;    ///< 1: in a loop in which rows repeat each other.
-    base::Array<std::uint8_t> completed;  ///< By this step, see assembly::Completed.
-    base::Array<double> swing;     ///< max |arm|/I, constant: h² times force times this is (hω)².
-    base::Array<double> power;     ///< Largest driving power [W] of a motor; kUnbounded: none.
-    base::Array<double> breaking;  ///< Load at which it parts [N], of what is kBreakable.
-    base::Array<double> rest_length;  ///< l₀ of wire elements [m], 0 for all else.
-    /// Of elements that drums pay out as they were added, whatever layer there is by now [m]:
-    /// analyses see this one, so that they do not depend on when they are made.
+    // Rigid joints only, see step/completion.h; 0 for all others.
+    base::Array<std::uint8_t> coarse;   ///< Number of coming steps with one linearisation.
+    base::Array<std::uint8_t> repeats;  ///< 1: in a loop with redundant rows.
+    /// Result of the end-of-step iteration in this step, see assembly::Completed.
+    base::Array<std::uint8_t> completed;
+    /// Constant max |arm|/I; its product with h² and the force is (hω)² of the oscillation about
+    /// the joint.
+    base::Array<double> swing;
+    base::Array<double> power;        ///< Largest driving power of a motor [W]; kUnbounded: none.
+    base::Array<double> breaking;     ///< Breaking load [N], if kBreakable is set.
+    base::Array<double> rest_length;  ///< Rest length l₀ of wire elements [m], 0 for others.
+    /// Radius of elements that drums pay out, as added and independent of the present layer [m].
+    /// Analyses use this value, so that they do not depend on their time.
     base::Array<double> defined_radius;
     /// A sixth of the mass of wire elements that move as straight pieces (assembly/geo.h) [kg].
     base::Array<double> pair_mass;
-    std::vector<std::int32_t> working;    ///< Those through which work enters: motors, driven by an
-                                          ///< input, touching a prescribed velocity. Ascending.
-    std::vector<std::int32_t> motors;     ///< Those with a force range, ascending.
-    std::vector<std::int32_t> frictions;  ///< Those with friction, ascending.
-    std::vector<std::int32_t> winches;    ///< Winch stretches whose compliance follows the length.
-    std::vector<std::int32_t> spans;      ///< Those that lie on a wheel, ascending.
-    std::vector<std::uint8_t> saturated;  ///< 1 a motor: its force is at an end of its range.
+    /// Interactions through which work enters, ascending: motors, those driven by an input, those
+    /// on a body with a prescribed velocity.
+    std::vector<std::int32_t> working;
+    std::vector<std::int32_t> motors;     ///< Interactions with a force range, ascending.
+    std::vector<std::int32_t> frictions;  ///< Interactions with friction, ascending.
+    /// Winch stretches whose compliance follows the length, ascending.
+    std::vector<std::int32_t> winches;
+    std::vector<std::int32_t> spans;      ///< Interactions that lie on a wheel, ascending.
+    std::vector<std::uint8_t> saturated;  ///< By motor: 1 if its force is at an end of its range.
 
-    // By row.
-    base::Array<double> defined;         ///< ε as defined, whatever length a line has by now.
-    base::Array<double> epsilon, tau;    ///< ε, τ (γ, – for velocity rows).
-    base::Array<double> mobility;        ///< W = G M⁻¹ Gᵀ of dampers at the last analysis, or 0.
-    base::Array<double> upsilon;         ///< Υ, hawser/row_constants.h; 0 for velocity rows.
-    base::Array<double> recall;          ///< 1 − 4τ(1 − θ)/h: share of ġ in c/Υ. Scheme's τ: θ = 1.
-    base::Array<double> sigma;           ///< Σ, at least bare_sigma() and least_sigma.
-    base::Array<double> least_sigma;     ///< What a cut row needs, soften_sides(); else 0.
-    base::Array<double> inv_sigma;       ///< 1/Σ where condensed, else 0.
-    base::Array<double> g, c, residual;  ///< Violation, right-hand side, c − G v − Σλ.
-    base::Array<double> lambda;          ///< Impulse [N s or N m s].
+    // Arrays by row.
+    base::Array<double> defined;  ///< ε as defined, independent of the present length of a line.
+    base::Array<double> epsilon, tau;  ///< ε and τ; for velocity rows γ and unused.
+    base::Array<double> mobility;  ///< Mobility W = G M⁻¹ Gᵀ of dampers at the last analysis, or 0.
+    base::Array<double> upsilon;   ///< Υ, see hawser/row_constants.h; 0 for velocity rows.
+    /// Factor 1 − 4τ(1 − θ)/h of ġ in c/Υ. For τ of the scheme: θ = 1.
+    base::Array<double> recall;
+    base::Array<double> sigma;  ///< Σ, at least bare_sigma() and least_sigma.
+    /// Lower bound of Σ of a cut row, see soften_sides(); else 0.
+    base::Array<double> least_sigma;
+    base::Array<double> inv_sigma;       ///< 1/Σ if condensed, else 0.
+    base::Array<double> g, c, residual;  ///< Violation, right-hand side, residual c − G v − Σλ.
+    base::Array<double> lambda;          ///< Impulse λ [N s or N m s].
     base::Array<double> multiplier;      ///< Scratch of the solve: λ + Σ⁻¹ residual.
-    base::Array<double> force;           ///< λ/h of the last step, for readers.
+    base::Array<double> force;           ///< Force λ/h of the last step, for readers.
     base::Array<std::uint8_t> row_flags;
 
     base::Array<double> jacobian;
@@ -174,125 +188,131 @@ struct Interactions {
     [[nodiscard]] InteractionId id(int index) const noexcept {
         return places.id<InteractionId>(index);
     }
-    /// Whether nothing is at a place any more.
+    /// True if a slot is empty.
     [[nodiscard]] bool gone(int id) const noexcept {
         return bodies[static_cast<std::size_t>(id)] == 0;
     }
-    /// So that add(), append() and remove() of one of this kind, given an rvalue, do not throw.
-    /// @throws std::bad_alloc.
+    /// Reserve memory so that add(), append() and remove() of an interaction of this kind do not
+    /// throw, if the definition is an rvalue. @throws std::bad_alloc.
     void make_room(InteractionKind kind);
-    /// First empty place of a kind, −1: none.
+    /// Return the first empty slot of a kind, −1: none.
     [[nodiscard]] int place_for(InteractionKind kind) const noexcept {
         return places.find_vacant(
             [&](std::int32_t p) { return def[static_cast<std::size_t>(p)].kind == kind; });
     }
-    /// Add one, at the first empty place of its kind, else behind all others; `filled` is checked
-    /// and complete. Row constants depend on h. @return its place.
+    /// Add an interaction at the first empty slot of its kind, else at the end. `filled` is checked
+    /// and complete. Row constants depend on h. @return its slot.
     int add(InteractionDef filled, Bodies& bodies_in, double h);
-    /// Add one behind all others.
+    /// Add an interaction at the end.
     int append(InteractionDef filled, Bodies& bodies_in, double h);
-    /// A place for one of a kind behind all others, with nothing there; for the caller to vacate.
+    /// Append an empty slot of a kind. The caller marks it as vacant.
     void append_empty(InteractionKind kind);
-    /// What presses on friction, of interactions that there are.
+    /// Set the loads of a friction, which are existing interactions.
     void set_loads(int id, const std::array<FrictionLoad, kMaxFrictionLoads>& loads_in);
-    /// What is left at its place has no bodies and no rows. Friction that it loads is free of it.
+    /// Remove an interaction. Its slot keeps no bodies and no rows. Friction that it loads loses
+    /// this load.
     void remove(int id, Bodies& bodies_in) noexcept;
-    /// Take away those from `kept` on, none of which drives, rubs or winds up a line.
+    /// Remove all interactions from `kept` on. None of them may be a motor, a friction or a winch
+    /// stretch.
     void truncate(int kept, Bodies& bodies_in);
-    /// Υ and recall of a row, after its compliance or mobility changed; its Σ has to follow.
+    /// Compute Υ and recall of a row after its compliance or mobility changed. Update its Σ
+    /// afterwards.
     void share_damping(std::size_t row, bool wire, double h) noexcept;
-    /// Σ by ε and Υ alone (hawser/row_constants.h), without the floors that an analysis adds.
+    /// Return Σ from ε and Υ alone (hawser/row_constants.h), without the lower bounds that an
+    /// analysis adds.
     [[nodiscard]] double bare_sigma(std::size_t row, double h) const noexcept;
-    /// Σ over that which the row has when its wire does not recoil.
+    /// Return the ratio of Σ of a row to its Σ without recoil, which is the ratio of the Υ.
     [[nodiscard]] double recoil_share(std::size_t row, bool wire, double h) const noexcept;
-    /// The rows of a wire's element begin or cease to recoil (share_damping()).
+    /// Start or end the recoil of the rows of a wire element (share_damping()).
     void recoil(int id, bool recoils, double h) noexcept;
-    /// Υ, recall, Σ and 1/Σ of a row with a violation whose compliance, not 0, changed after the
-    /// analysis. Σ stays at least `least_sigma`, and a kept row stays kept. @param wire  Whether it
-    /// is of a wire element.
+    /// Update Υ, recall, Σ and 1/Σ of a row with a violation, after its nonzero compliance changed
+    /// since the analysis. The new Σ is at least `least_sigma`; a kept row stays kept. @param wire
+    /// True for a wire element.
     void follow_compliance(std::size_t row, bool wire, double h) noexcept;
-    /// A copy of an interaction follows its parameters.
+    /// Copy the parameters of an interaction to its copy.
     void mirror(int copy, int original, const Bodies& bodies_in, double h) noexcept;
-    /// An input is going to drive a parameter.
+    /// Mark an interaction as driven by an input.
     void mark_driven(int id);
-    /// No input does any more.
+    /// Mark an interaction as not driven by inputs.
     void unmark_driven(int id) noexcept;
     /// Rebuild the pool entry, and a compliance of length/EA, after a parameter changed.
     void refresh(int id, const Bodies& bodies_in, double h) noexcept;
-    /// Where friction holds on. [m or rad]
+    /// Set the anchor of a friction or span. [m or rad]
     void set_anchor(int id, double coordinate) noexcept;
-    /// Another body in a slot; what depends on the kinds of its bodies must stay true. The system
-    /// has to be analysed anew.
+    /// Replace the body in a slot. Properties that depend on the kinds of its bodies must stay
+    /// valid. The system must be analysed again.
     void rewire(int id, std::size_t slot, BodyId to, Bodies& bodies_in) noexcept;
-    /// f(id, slot) for all that hold a body, in no order. One that has it twice comes twice. f may
-    /// rewire to the body that is there.
+    /// Call f(id, slot) for all interactions that hold a body, in no order. An interaction that
+    /// holds the body twice occurs twice. f may rewire to the present body of the slot.
     template <class F>
     void for_each_holder(int body_in, const Bodies& bodies_in, F&& f) const {
         for (std::int32_t p = bodies_in.first_holder[static_cast<std::size_t>(body_in)]; p >= 0;
              p = next_holder[static_cast<std::size_t>(p)])
             f(p / kSlots, static_cast<std::size_t>(p % kSlots));
     }
-    /// Mass of a wire element [kg], see pair_mass; nothing of a kind that has none.
+    /// Set the mass of a wire element [kg], see pair_mass; does nothing if its kind has no mass.
     void set_mass(int id, double mass) noexcept;
-    /// Unstretched length of a wound element by its drum or slide [m]; of a span it may be
-    /// negative.
+    /// Return the unstretched length of a wound element from its drum or slide [m]; may be negative
+    /// for a span.
     [[nodiscard]] double wound_length(int id, const Bodies& bodies_in) const noexcept;
-    /// Compliance and length of a wire element at its present rest length, which a drum pays out.
+    /// Set the compliance and length of a wire element to its present rest length, which a drum
+    /// pays out.
     void follow_length(int id, const Bodies& bodies_in, double h) noexcept;
-    /// @param v  Packed velocities, null: the bodies' own.
+    /// Evaluate the rows. @param v  Packed velocities, null: those of the bodies.
     [[nodiscard]] RowState row_state(int id, const Bodies& bodies_in,
                                      const double* v = nullptr) const noexcept;
-    /// Of an element, or of a part of a line that runs over places (KindTrait kPulls).
+    /// Return the shape of an element, or of a part of a line that runs over turning points
+    /// (KindTrait kPulls).
     [[nodiscard]] LineShape line_shape(int id, const Bodies& bodies_in) const noexcept;
-    /// Angle past its mark by which a span lies on the wheel at each end, but for whole turns
-    /// [rad].
+    /// Return the angle between the mark and the tangent point of the wheel at each end, modulo
+    /// whole turns [rad].
     [[nodiscard]] std::array<double, 2> wheel_angles(int id,
                                                      const Bodies& bodies_in) const noexcept;
-    /// The same with them.
+    /// Return these angles with the whole turns [rad].
     [[nodiscard]] std::array<double, 2> wrapped(int id, const Bodies& bodies_in) const noexcept;
-    /// Count the turns that those angles have made. @param before  wheel_angles() before bodies
-    /// moved or were replaced, by less than half a turn.
+    /// Count the whole turns of these angles. @param before  wheel_angles() before bodies moved or
+    /// were replaced, by less than half a turn.
     void follow_turns(int id, const std::array<double, 2>& before,
                       const Bodies& bodies_in) noexcept;
-    /// That of the hinge, way or scalar body that it holds, limits, drives or rubs; zeros of a kind
-    /// that has none.
+    /// Return the coordinate of the hinge, slider or scalar body that the interaction holds,
+    /// limits, drives or brakes; zeros if its kind has none.
     [[nodiscard]] Coordinate coordinate(int id, const Bodies& bodies_in) const noexcept;
-    /// Gᵀλ on the body of one slot, force then torque, added to `out` (6 entries).
+    /// Add Gᵀλ on the body of one slot, force then torque, to `out` (6 entries).
     void add_impulse(int id, int slot, const Bodies& bodies_in, const double* impulse,
                      double* out) const noexcept;
-    /// Elastic energy at the half-step position [J].
+    /// Return the elastic energy at the half-step position [J].
     [[nodiscard]] double elastic(int id, const Bodies& bodies_in, double h) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     static constexpr auto kSlots = static_cast<std::int32_t>(kMaxInteractionBodies);
     void grow(InteractionKind kind);
-    /// Enter what is in a place of `body` with those that hold it; take it away.
+    /// Insert an index of `body` in the list of the body's holders, or remove it.
     void link(std::size_t place, Bodies& bodies_in) noexcept;
     void unlink(std::size_t place, Bodies& bodies_in) noexcept;
-    /// Everything of one whose place there is.
+    /// Write all data of an interaction to an existing slot.
     void write(int id, InteractionDef filled, Bodies& bodies_in, double h);
     void write_rows(int id, const Bodies& bodies_in, double h);
     void enlist(int id, const Bodies& bodies_in);
     void write_data(int id) noexcept;
-    /// f<K>(rows) for the rows at the present poses.
+    /// Call f<K>(rows) for the rows at the present poses.
     template <class F>
     void evaluated(int id, const Bodies& bodies_in, F&& f) const noexcept;
     void write_loads(int id);
     void set_range(int id) noexcept;
 };
 
-/// Whether a step may solve the rows of an interaction at the step's end (step/completion.h):
-/// it is a joint or rod that no input moves, rigid and damped by default, or a spring with a damper
-/// that the step does not resolve at the poses of the last analysis.
+/// True if a step may solve the rows of an interaction at its end (step/completion.h). It is a
+/// joint or rod that no input moves. Its rows are rigid with default damping, or springs whose
+/// dampers the step does not resolve at the poses of the last analysis.
 [[nodiscard]] bool may_complete(const Interactions& in, int id, double h) noexcept;
 
-/// Whether a kind allows that.
+/// True if a kind allows the end-of-step iteration.
 [[nodiscard]] bool kind_completes(InteractionKind kind) noexcept;
-/// Whether its kind and inputs allow that, whatever its rows are.
+/// True if kind and inputs allow the end-of-step iteration, for any rows.
 [[nodiscard]] bool may_ever_complete(const Interactions& in, int id) noexcept;
 
-/// Fill in the defaults that a kind takes from the initial poses.
+/// Fill in the defaults that a kind derives from the initial poses.
 void complete(InteractionDef& def, const Vec3* positions, double distance);
 
 }  // namespace hawser::model

@@ -17,7 +17,7 @@ constexpr std::array<KindInfo, kInteractionKindCount> kKinds = {
 #undef HAWSER_X
 };
 
-/// The table, the enumeration and the structs must tell the same story.
+/// True if the table, the enumeration and the structs of kinds agree.
 constexpr bool consistent() {
     bool ok = true;
 #define HAWSER_X(id, text)                                                  \

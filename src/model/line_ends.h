@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file line_ends.h
-/// What a line knows of the bodies at its ends.
+/// Compute the properties of a line that depend on the bodies at its ends.
 
 #include "model/bodies.h"
 
@@ -9,12 +9,12 @@
 
 namespace hawser::model {
 
-/// How easily the lighter end of a line moves across it [1/kg]: arms at their longest, or, between
-/// two rigid bodies, by the mean inertia across the arm.
+/// Return the mobility of the lighter end of a line across the line [1/kg]. Arms are at their
+/// longest; between two rigid bodies the mean inertia across the arm is used.
 [[nodiscard]] double lightest_end(const InteractionDef& def, const Bodies& bodies);
 
-/// Signed radius of the wheel that a part of a line lies on at its first (0) or second body [m], 0:
-/// none (kinds/routes.h).
+/// Return the signed radius of the wheel under a part of a line at its first (0) or second body
+/// [m]; 0: none (kinds/routes.h).
 [[nodiscard]] double wheel_at(const InteractionDef& d, std::size_t slot) noexcept;
 
 }  // namespace hawser::model

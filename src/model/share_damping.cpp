@@ -11,18 +11,19 @@
 namespace hawser::model {
 namespace {
 
-/// Υ and recall of a row.
+/// Values of Υ and recall of a row.
 struct Shares {
     double upsilon, recall;
 };
 
-/// Of a wire that parted: the force is that at the end of the step, −g₊/ε, so that the front of the
-/// recoil meets T/√(EA ρ) however short the elements are (docs/wires.md). In the terms of the step
-/// τ = h and θ = ¾, whatever damper the line has.
+/// Row of a recoiling wire: the force is that at the end of the step, −g₊/ε. The wire behind the
+/// recoil front then moves at T/√(EA ρ) for any length of elements (docs/wires.md). In terms of the
+/// step τ = h and θ = ¾, for any damper of the line.
 constexpr Shares kRecoil{0.25, 0.0};
 
-/// The axial swing of a wire's lumps is seldom resolved, and with the trapezoidal rule alone it
-/// would never end: where it is not, a wire has the damping of half a step at least.
+/// Compute Υ and recall. The axial vibration of a wire's nodes is rarely resolved and would never
+/// decay with the trapezoidal rule alone. Such a wire therefore has the damping of at least half a
+/// step.
 Shares shares_of(const Interactions& in, std::size_t row, bool wire, double h) noexcept {
     const double w = in.mobility[row], e = in.epsilon[row];
     double t = in.tau[row], late = 1.0, recall = 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Stage analyse, with splits.
+/// Run stage analyse of a step with splits.
 #include "split/split.h"
 
 #include "access/guarded.h"
@@ -17,12 +17,13 @@ void analyse(StepContext& ctx, const factor::AnalysisState* state) {
     begin_analysis(ctx.model, ctx.state);
     open_cuts(ctx.model);
     analyse_clique(ctx.model);
-    ctx.model.system.keeps_momentum = ctx.model.cuts.grouped;  // finish_cuts() adds them up
+    // finish_cuts() sums the residuals of momentum
+    ctx.model.system.keeps_momentum = ctx.model.cuts.grouped;
     analyse_system(ctx.model, ctx.work, ctx.pool, state);
 }
 
 void relink(StepContext& ctx) {
-    // What touches is one part: other cuts may be in force now.
+    // Bodies in contact belong to one part, so other cuts may be in force now.
     if (open_cuts(ctx.model)) return analyse(ctx);
     ctx.model.system.analysis.use(&ctx.pool);
     ctx.model.system.relink(ctx.model.bodies, ctx.model.interactions, ctx.pool.threads());

@@ -22,7 +22,8 @@ WorldDef serial(WorldDef def) {
     return def;
 }
 
-/// A body of the world as a member, or held: fixed, with a velocity given each step.
+/// Return the definition of a body of the clique. A member has its dynamics; another body is fixed
+/// and has a prescribed velocity in each step.
 BodyDef definition(const model::Bodies& b, std::int32_t body, bool member) {
     const auto i = at(body);
     BodyDef def;
@@ -41,7 +42,7 @@ BodyDef definition(const model::Bodies& b, std::int32_t body, bool member) {
     return def;
 }
 
-/// Bodies at cuts, then those that share an interaction with them.
+/// Select the bodies at cuts, and the bodies that share an interaction with them.
 std::vector<std::uint8_t> choose_members(const Model& model) {
     const model::Interactions& in = model.interactions;
     std::vector<std::uint8_t> near(at(model.cuts.bodies), 0), member;
@@ -65,7 +66,7 @@ void copy_pose(model::Bodies& to, std::int32_t t, const model::Bodies& from, std
     std::copy_n(&from.r[9 * at(f)], 9, &to.r[9 * at(t)]);
 }
 
-/// Parameters and multipliers of the last step.
+/// Copy the parameters and multipliers of the last step.
 void copy_interactions(Clique& c, const Model& world) noexcept {
     model::Interactions& in = c.ctx.model.interactions;
     const model::Interactions& from = world.interactions;
@@ -89,7 +90,7 @@ void copy_interactions(Clique& c, const Model& world) noexcept {
     }
 }
 
-/// Poses, velocities, and forces with what contacts did in the last step.
+/// Copy poses, velocities and forces. The forces include the contact impulses of the last step.
 void copy_bodies(Clique& c, const Model& world) noexcept {
     model::Bodies& b = c.ctx.model.bodies;
     const model::Bodies& from = world.bodies;
@@ -121,7 +122,7 @@ void copy_bodies(Clique& c, const Model& world) noexcept {
     }
 }
 
-/// Loads of systems on its members.
+/// Copy the loads of systems on the members.
 void copy_loads(Clique& c, const LoadStore& world) noexcept {
     c.ctx.state.loads.clear();
     if (!world.any()) return;
@@ -189,7 +190,7 @@ bool solve_clique(Model& model, const State& state) noexcept {
     if (c.ctx.state.loads.out_of_memory()) return false;
     release_wires(c.ctx.model);
     assemble_system(c.ctx);
-    c.ctx.state.refine_unasked = 1;  // its own count would have to be saved with the state
+    c.ctx.state.refine_unasked = 1;  // its own count would need a field in the saved state
     Status status = factor_and_solve(c.ctx);
     if (status == Status::ok) status = settle_bounds(c.ctx);
     if (status != Status::ok) return false;

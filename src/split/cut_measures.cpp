@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What cuts left open in a step, and the one multiplier that readers see.
+/// Measure the errors that cuts leave in a step, and set the one multiplier that readers get.
 #include "split/split.h"
 
 #include "access/view.h"
@@ -16,7 +16,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// Impulses of the sides into their mean, of the original.
+/// Set the impulses of the original to the mean of its sides.
 void take_mean(model::Interactions& in, const Cut& cut) noexcept {
     double active = 0.0;
     for (int r = 0; r < in.rows[at(cut.id)]; ++r) {
@@ -30,7 +30,8 @@ void take_mean(model::Interactions& in, const Cut& cut) noexcept {
     in.active[at(cut.id)] = active;
 }
 
-/// A cut that is not in force: its copies follow, should it come into force.
+/// Copy multipliers and active flags to the copies of a cut that is not in force, in case it comes
+/// into force.
 void follow(model::Interactions& in, const Cut& cut) noexcept {
     for (std::int32_t i = cut.first; i < cut.first + cut.sides; ++i) {
         in.active[at(i)] = in.active[at(cut.id)];
@@ -39,7 +40,8 @@ void follow(model::Interactions& in, const Cut& cut) noexcept {
     }
 }
 
-/// Velocity of a line's end at velocities v of the bodies, `given` of those without freedom.
+/// Return the velocity of a line's end at the velocities v of the bodies; `given` holds the
+/// velocities of bodies without freedom.
 Vec3 end_velocity(const assembly::View& v, std::int32_t body, const double* velocity,
                   const double* given, const double* arm) noexcept {
     const int dof = v.dof[body];
@@ -50,7 +52,8 @@ Vec3 end_velocity(const assembly::View& v, std::int32_t body, const double* velo
     return lin + Vec3(u[3], u[4], u[5]).cross(Vec3(arm[0], arm[1], arm[2]));
 }
 
-/// What the geometric stiffness of a copy of a line puts on its own bodies: K (v − v₊), linear.
+/// Add the impulse of the geometric stiffness of a line's copy on its own bodies: K (v − v₊),
+/// linear parts.
 void add_geometric(const assembly::View& v, std::int32_t id, double* sum) noexcept {
     const assembly::GeoPlace& place = v.geo[id];
     if (place.record < 0) return;
@@ -72,8 +75,8 @@ void add_geometric(const assembly::View& v, std::int32_t id, double* sum) noexce
             for (int j = 0; j < 3; ++j) sum[j] += (b == 0 ? 1.0 : -1.0) * push[j];
 }
 
-/// ‖Σ over the bodies of what the sides do to them‖, linear parts: Gᵀ(λ of the side − mean) and
-/// geometric stiffness.
+/// Return the norm of the sum of impulses that the sides exert on the bodies, linear parts: Gᵀ(λ of
+/// the side − mean) and geometric stiffness.
 double defect_of(Model& model, const Cut& cut) noexcept {
     const assembly::View v = row_view(model);
     const model::Interactions& in = model.interactions;
@@ -92,7 +95,7 @@ double defect_of(Model& model, const Cut& cut) noexcept {
     return std::hypot(sum[0], sum[1], sum[2]);
 }
 
-/// max |G v₊ + Σλ − c|, with the Σ that the interaction has when it is not cut.
+/// Return max |G v₊ + Σλ − c|, with the Σ of the interaction when it is not cut.
 double residual_of(Model& model, const Cut& cut) noexcept {
     const assembly::View v = row_view(model);
     if (v.active[cut.id] == 0.0 || v.parted[cut.id]) return 0.0;
@@ -111,7 +114,8 @@ double residual_of(Model& model, const Cut& cut) noexcept {
     return most;
 }
 
-/// Of the residuals of all bodies, linear parts: what no row took and no body got.
+/// Return the norm of the summed momentum residuals of all bodies, linear parts: momentum that
+/// neither rows nor bodies received.
 double residual_momentum(const Model& model, const assembly::View& v) noexcept {
     double sum[3] = {};
     for (const std::int32_t body : model.bodies.moving)

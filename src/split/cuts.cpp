@@ -18,7 +18,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// Groups of the bodies that move, in the order of the slots, each once.
+/// Return the groups of the moving bodies in the order of the slots, without duplicates.
 std::vector<std::int32_t> sides_of(const Model& model, std::int32_t id) {
     std::vector<std::int32_t> sides;
     for (const std::int32_t b : bodies_of(model.interactions, id)) {
@@ -35,7 +35,7 @@ GroupPair pair_of(const std::vector<std::int32_t>& sides) {
     return {std::min(sides[0], sides[1]), std::max(sides[0], sides[1])};
 }
 
-/// Interfaces of the cuts that deadlines may ask for.
+/// Number the interfaces of the cuts that deadlines may request.
 std::map<GroupPair, int> number_interfaces(Model& model, const std::vector<std::int32_t>& wanted) {
     std::map<GroupPair, int> number;
     for (const std::int32_t id : wanted)
@@ -46,7 +46,7 @@ std::map<GroupPair, int> number_interfaces(Model& model, const std::vector<std::
     return number;
 }
 
-/// An image of a body: fixed, so that nothing counts it as a drive.
+/// Add a ghost body of a body. It is fixed, so that it does not count as driven.
 std::int32_t add_image(Model& model, std::int32_t body) {
     model::Bodies& b = model.bodies;
     const double *x = &b.x[3 * at(body)], *q = &b.q[4 * at(body)];
@@ -58,7 +58,7 @@ std::int32_t add_image(Model& model, std::int32_t body) {
     return b.append(def);
 }
 
-/// The rows of an interaction for one side.
+/// Add the copy of an interaction for one side.
 void add_copy(Model& model, std::int32_t id, std::int32_t side,
               std::unordered_map<std::int32_t, std::int32_t>& image) {
     model::Interactions& in = model.interactions;
@@ -70,7 +70,7 @@ void add_copy(Model& model, std::int32_t id, std::int32_t side,
         if (dof == 0 || model.cuts.group[at(body)] == side) continue;
         if (!image.contains(body)) image[body] = add_image(model, body);
         def.body[b] = BodyId{image[body]};
-        if (dof < 6) def.point[b] = Vec3::Zero();  // an image would have arms, a lump has none
+        if (dof < 6) def.point[b] = Vec3::Zero();  // a ghost body would have arms, a node has none
     }
     const int copy = in.append(def, model.bodies, model.def.step);
     const auto row = in.row_begin[at(id)], to = in.row_begin[at(copy)];
@@ -80,7 +80,7 @@ void add_copy(Model& model, std::int32_t id, std::int32_t side,
     model.cuts.of.push_back(id);
 }
 
-/// What acts on the bodies of images, be it in the system or not at the moment.
+/// List the interactions that act on the originals of ghost bodies, in the system or not.
 void list_pulls(Model& model) {
     const std::vector<Image>& images = model.cuts.images;
     std::vector<std::int32_t> index(at(model.cuts.bodies), -1);
@@ -105,7 +105,8 @@ bool can_cut(const Model& model, std::int32_t id) noexcept {
     if (in.flags[at(id)] & (model::kMotor | model::kFriction | model::kRange)) return false;
     if (kind_info(in.def[at(id)].kind).is(kWoundUp)) return false;
     if (kind_info(in.def[at(id)].kind).is(kRouted)) return false;
-    // Its lumps' masses are coupled beside its row, which no copy with an image would have.
+    // Its mass matrix couples the two nodes outside its row. A copy with a ghost body would lose
+    // this coupling.
     if (in.pair_mass[at(id)] > 0.0) return false;
     const std::int32_t row = in.row_begin[at(id)];
     return std::none_of(in.loads.begin(), in.loads.end(),
@@ -162,7 +163,7 @@ void make_cuts(Model& model) {
 void drop_cuts(Model& model) {
     Cuts& cuts = model.cuts;
     if (cuts.bodies >= 0) {
-        // What comes in their place is not the same.
+        // Later bodies and interactions at these indices are new ones.
         model.system.node_of_body.resize(
             std::min(model.system.node_of_body.size(), at(cuts.bodies)));
         model.system.node_of_interaction.resize(

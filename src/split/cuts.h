@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file cuts.h
-/// Splits: interactions between parts that each part solves for on its own.
+/// Split the system: interactions between parts are solved by each part separately.
 ///
-/// A cut interaction is left out of the system. In its place stand *copies*, one for each side: the
-/// same rows, in which the bodies of the other sides are *images*, bodies without freedom that are
-/// where those bodies are and move at a velocity v̄ that a predictor gives.
+/// A cut interaction is left out of the system. One *copy* for each side replaces it. A copy has
+/// the same rows, but the bodies of the other sides are *ghost bodies* ("images" in the code). A
+/// ghost body has no degrees of freedom. It has the pose of its original and moves at a velocity v̄
+/// from a predictor.
 /// ```
 ///    a ── b ══ c ── d          a ── b ══ c̄      b̄ ══ c ── d
 ///       cut: ══                one island        another one
 /// ```
-/// So a matrix of independent parts comes about without code of its own in the analysis, the
+/// The matrix therefore falls into independent parts without special code in the analysis, the
 /// factorisation, the friction solver or the schedule. After the solve a cut has as many
-/// multipliers as sides; readers see their mean. docs/methods.md, 10 has the theory.
+/// multipliers as sides; readers get their mean. For the theory see docs/methods.md, 10.
 ///
-/// Images and copies stand behind all other bodies and interactions: the model of the user is the
+/// Ghost bodies and copies follow all other bodies and interactions: the model of the user is the
 /// front of the arrays.
 
 #include <hawser/def.h>
@@ -25,14 +26,15 @@
 
 namespace hawser::stepper {
 
-/// Make images and copies for the groups and couplings there are. @throws std::bad_alloc.
+/// Make ghost bodies and copies for the present groups and couplings. @throws std::bad_alloc.
 void make_cuts(Model& model);
-/// Take all images and copies away: the model is whole again.
+/// Remove all ghost bodies and copies.
 void drop_cuts(Model& model);
 
-/// Which cuts are in force: those whose sides hold to each other in no other way. Contacts and what
-/// cannot be cut make two groups one part. To be called before the system is analysed.
-/// @return whether others are than before.
+/// Determine the cuts in force: those whose sides are not connected in any other way. Contacts and
+/// interactions that cannot be cut unite two groups to one part. Call before the system is
+/// analysed.
+/// @return true if the set of cuts in force has changed.
 bool open_cuts(Model& model);
 
 }  // namespace hawser::stepper

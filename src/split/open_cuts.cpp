@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which cuts are in force. A split is exact only between parts that nothing else holds together:
-/// so bodies are joined over all that is not cut, and a cut whose sides come to be one part is
-/// closed, until none is left to close.
+/// Determine the cuts in force. A split is valid only between parts that nothing else connects.
+/// Bodies are therefore united over all interactions that are not cut. A cut whose sides have
+/// become one part is closed. This repeats until no cut closes.
 #include "split/cuts.h"
 
 #include "access/copies.h"
@@ -23,7 +23,7 @@ std::int32_t root(std::vector<std::int32_t>& part, std::int32_t b) {
     return b;
 }
 
-/// Make the parts of the bodies that move among these one part.
+/// Unite the parts of the moving bodies in the list.
 void join(Model& model, std::span<const std::int32_t> bodies) {
     std::int32_t first = -1;
     for (const std::int32_t b : bodies) {
@@ -34,7 +34,7 @@ void join(Model& model, std::span<const std::int32_t> bodies) {
     }
 }
 
-/// Whether two bodies of different groups hold to each other without this cut.
+/// True if two bodies of different groups are connected without this cut.
 bool holds_otherwise(Model& model, const Cut& cut) {
     const auto bodies = bodies_of(model.interactions, cut.id);
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -58,7 +58,8 @@ bool open_cuts(Model& model) {
     system.left_out.clear();
     system.sides.clear();
     std::iota(cuts.part.begin(), cuts.part.end(), 0);
-    // Bodies of one group are one part where anything joins them; copies see to that.
+    // Bodies of one group are one part only if something joins them; copies join the bodies of
+    // their side.
     auto cut = cuts.list.begin();
     for (std::int32_t id = 0; id < cuts.interactions; ++id) {
         if (cut != cuts.list.end() && cut->id == id)

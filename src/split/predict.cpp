@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the sides of a cut assume of each other: where images are and how they move.
+/// Predict the state that each side of a cut assumes of the other sides: poses and velocities of
+/// ghost bodies.
 #include "split/split.h"
 
 #include "base/index.h"
@@ -11,7 +12,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// v_k of the body of an image, six entries.
+/// Copy v_k of the original of a ghost body to six entries.
 void velocity_of(const model::Bodies& b, std::int32_t body, double* out) noexcept {
     std::fill_n(out, 6, 0.0);
     std::copy_n(&b.v[at(b.dof_begin[at(body)])], b.dof(body), out);
@@ -19,7 +20,8 @@ void velocity_of(const model::Bodies& b, std::int32_t body, double* out) noexcep
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// v += M⁻¹ (p + h (f − D v + m g) − h ω × Iω) for an impulse p of rows and contacts. Rigid.
+/// Update v += M⁻¹ (p + h (f − D v + m g) − h ω × Iω) of a rigid body, for an impulse p of rows and
+/// contacts.
 void push_rigid(const Model& model, const State& state, std::int32_t body, const double* p,
                 double* v) noexcept {
     const model::Bodies& b = model.bodies;
@@ -47,8 +49,8 @@ void push_rigid(const Model& model, const State& state, std::int32_t body, const
     ang += r * (inverse * torque);
 }
 
-/// v += (p + h (f − D v + m g))/m for an impulse p of rows and contacts. Lump, or scalar,
-/// which has no weight.
+/// Update v += (p + h (f − D v + m g))/m of a node or a scalar body, for an impulse p of rows and
+/// contacts. Scalar bodies have no weight.
 void push_point(const Model& model, const State& state, std::int32_t body, const double* p,
                 double* v) noexcept {
     const model::Bodies& b = model.bodies;
@@ -64,7 +66,7 @@ void push_point(const Model& model, const State& state, std::int32_t body, const
     for (int k = 0; k < dof; ++k) v[k] += all[k] / b.mass[i];
 }
 
-/// The paper's words: from current velocities and forces.
+/// Predict the velocities of ghost bodies from current velocities and forces, as the paper states.
 void predict_by_forces(Model& model, const State& state) noexcept {
     const model::Interactions& in = model.interactions;
     model::Bodies& b = model.bodies;

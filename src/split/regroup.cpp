@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Groups of bodies that the world makes itself and that follow its state (docs/partition.md).
+/// Form groups of bodies automatically and update them with the state (docs/partition.md).
 ///
-/// Where WorldDef::parts is above 0 and some coupling is not exact, every body without a group by
-/// hand gets one: a part of about equal cost, cut where the interactions may be cut and where
-/// forces, velocities and violations are least. A *round* chooses:
+/// If WorldDef::parts is above 0 and some coupling is not exact, every body without a group from
+/// the user gets one. It is a part of about equal cost. Cuts lie at interactions that may be cut,
+/// where forces, velocities and violations are least. A *round* chooses the parts:
 /// ```
 ///     step     0            kSettle             2 regroup_every · … from 0 on
-///     by       model alone  weights, all anew   weights, beside the parts there are:
+///     by       model alone  weights, all new    weights, next to the present parts:
 ///                                               at most one cut moves (graph/split.h)
 /// ```
-/// Only where a body changes its group are cuts made anew and the system analysed. Rounds depend on
-/// the state alone: costs are those of the model, since those of an analysis would depend on the
-/// cuts there are, and rows are evaluated at the present poses.
+/// New cuts and a new analysis are made only if a body changes its group. Rounds depend on the
+/// state alone. Costs are those of the model, because those of an analysis would depend on the
+/// present cuts. Rows are evaluated at the present poses.
 #include "split/split.h"
 
 #include "access/asleep.h"
@@ -33,9 +33,9 @@
 namespace hawser::stepper {
 namespace {
 
-/// Every interaction's violation and Jacobian at the present poses. Stage assemble leaves out what
-/// is cut, and a restored world has not assembled anything yet. Which ranges are at their ends is
-/// told anew with it and part of the state, so that it is put back.
+/// Evaluate the violation and Jacobian of every interaction at the present poses. Stage assemble
+/// leaves out cut interactions, and a restored world has not assembled anything yet. The evaluation
+/// overwrites the active flags of ranges. They are part of the state, so they are restored.
 void evaluate_all(Model& model) {
     const assembly::View v = row_view(model);
     base::Array<double>& active = model.interactions.active;
@@ -43,7 +43,7 @@ void evaluate_all(Model& model) {
     for (std::size_t k = 0; k < model.interactions.pool.size(); ++k) {
         const model::Pool& pool = model.interactions.pool[k];
         const auto end = static_cast<std::int32_t>(pool.ids.size());
-        for (std::int32_t a = 0, b = 0; a < end; a = b + 1) {  // between empty places
+        for (std::int32_t a = 0, b = 0; a < end; a = b + 1) {  // ranges between empty slots
             for (b = a; b < end && !model.interactions.gone(pool.ids[at(b)]);) ++b;
             assembly::kernels().evaluate(v, static_cast<InteractionKind>(k), pool.ids.data(),
                                          pool.data.data(), a, b);
@@ -52,7 +52,7 @@ void evaluate_all(Model& model) {
     std::copy(model.regroup.active.begin(), model.regroup.active.end(), active.begin());
 }
 
-/// What must stay whole because it is coupled exactly or cannot be cut.
+/// Mark the interactions that must stay whole: those coupled exactly and those that cannot be cut.
 void keep_exact(const Model& model, assembly::PartGraph& graph) {
     for (std::int32_t i = 0; i < interaction_count(model); ++i) {
         if (graph.edge_weight[at(i)] == graph::kNeverCut) continue;
@@ -62,7 +62,7 @@ void keep_exact(const Model& model, assembly::PartGraph& graph) {
     }
 }
 
-/// Groups by hand are the first parts, in the order of their first bodies.
+/// Number the groups from the user: they are the first parts, in the order of their first bodies.
 void number_groups(Model& model) {
     Regroup& r = model.regroup;
     const auto bodies = at(body_count(model));
@@ -77,14 +77,14 @@ void number_groups(Model& model) {
     }
 }
 
-/// The part that a group by hand is; −1: the body is free.
+/// Return the part of a body's group from the user; −1: the body is free.
 std::int32_t part_by_hand(const Model& model, std::int32_t body) noexcept {
     const Regroup& r = model.regroup;
     const std::int32_t name = r.by_hand[at(body)];
     return name < 0 || model.bodies.dof(body) == 0 ? -1 : r.part_of_name[at(name)];
 }
 
-/// The graph of what is to be parted, with groups by hand.
+/// Read the graph to be partitioned, with the groups from the user.
 void read_own_graph(Model& model, bool weigh) {
     Regroup& r = model.regroup;
     read_graph(model, r.graph);
@@ -98,7 +98,7 @@ void read_own_graph(Model& model, bool weigh) {
         r.graph.group[at(b)] = part_by_hand(model, b);
 }
 
-/// Groups from the model where there are none or where they no longer belong to it.
+/// Make groups from the model if there are none or if the model has changed.
 void make_groups(Model& model, const State& state) {
     Regroup& r = model.regroup;
     if (!makes_groups(model)) {
@@ -119,7 +119,7 @@ void make_groups(Model& model, const State& state) {
     r.stale = false;
 }
 
-/// A round is due before the step.
+/// True if a round is due before the step.
 bool due(const Model& model, const State& state) noexcept {
     const Regroup& r = model.regroup;
     if (model.def.regroup_every < 1 || !makes_groups(model) || state.step == r.seen) return false;
@@ -127,10 +127,10 @@ bool due(const Model& model, const State& state) noexcept {
     return age > 0 && (age == Regroup::kSettle || age % model.def.regroup_every == 0);
 }
 
-/// The part of prepare() that groups have a say in.
+/// Run the part of prepare() that depends on groups.
 void cut_anew(StepContext& ctx) {
     make_cuts(ctx.model);
-    ctx.model.cuts.asked = 0;  // interfaces have other numbers now
+    ctx.model.cuts.asked = 0;  // interfaces have new indices
     ctx.work.limits.cut_levels.set({});
     const StageTimer timer(ctx, Stage::analyse);
     analyse(ctx);
@@ -154,7 +154,7 @@ void weigh_graph(Model& model, assembly::PartGraph& graph) {
     for (const Cut& c : model.cuts.list)
         if (c.open) cut.push_back(c.id);
     graph.weigh(model.bodies, model.interactions, cut, model.def);
-    // Contacts of the last step: those of the state.
+    // Contacts of the last step are part of the state.
     for (std::size_t k = 0; k < model.collider.kept_awake(); ++k)
         for (const std::int32_t s : model.collider.kept()[k].shape)
             for (const std::int32_t b : model.collider.shapes()[at(s)].body)
@@ -177,7 +177,7 @@ std::int64_t assign_groups(Model& model) {
 void split_model(StepContext& ctx) {
     make_groups(ctx.model, ctx.state);
     make_cuts(ctx.model);
-    ctx.work.limits.cut_levels.set({});  // they are of cuts that are no more
+    ctx.work.limits.cut_levels.set({});  // they belong to cuts that no longer exist
 }
 
 Status regroup(StepContext& ctx) noexcept {

@@ -8,7 +8,7 @@
 namespace hawser::draw {
 namespace {
 
-/// The graph of some nodes: `chosen` in their new order.
+/// Return the subgraph of the nodes in `chosen`, in their new order.
 BlockGraph induced(const BlockGraph& from, std::span<const std::int32_t> chosen,
                    std::vector<std::int32_t>& number) {
     BlockGraph out;

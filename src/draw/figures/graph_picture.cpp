@@ -18,11 +18,11 @@ constexpr Color kTwo{70, 82, 100, 255}, kThree{178, 205, 232, 255}, kTouch{230, 
 constexpr Color kCutColor{214, 20, 40, 255}, kLoose{150, 156, 164, 255};
 constexpr double kInsetSize = 176;
 
-/// A rectangle of the world seen along an axis.
+/// Rectangle of the world, projected along an axis.
 struct Scope {
     View view;
     Point middle;
-    double half = 1.0;  ///< Of the side [m].
+    double half = 1.0;  ///< Half the side [m].
     Box frame;
 
     [[nodiscard]] Point see(const Vec3& p) const {
@@ -36,7 +36,7 @@ struct Scope {
     }
 };
 
-/// The view along which the box appears largest; looking down where two are alike.
+/// Return the view along which the box appears largest; the top view if two are equal.
 View widest_view(const Vec3& extent) {
     const std::array<View, 3> views{{{0, 1, 1.0, "top view"},
                                      {0, 2, 1.0, "side view along y"},
@@ -81,7 +81,7 @@ Color edge_color(const InteractionGraph& g, const GraphEdge& e, bool parts) {
 }
 
 void draw_edges(Drawing& d, const InteractionGraph& g, const Scope& s, bool parts, double scale) {
-    // Wide and pale ones first, cuts last.
+    // Draw wide and pale edges first, cuts last.
     for (const int pass : {0, 1, 2})
         for (const GraphEdge& e : g.edges) {
             const bool wide = e.nodes.size() > 2;
@@ -135,7 +135,7 @@ void draw_nodes(Drawing& d, const InteractionGraph& g, const Scope& s, bool part
     }
 }
 
-/// Places where bodies other than nodes of wires stand close together, most crowded first.
+/// Find dense groups of bodies other than wire nodes, most crowded first.
 std::vector<Bounds> crowds(const InteractionGraph& g, double reach, std::size_t most) {
     std::vector<bool> taken(g.nodes.size(), false);
     std::vector<Bounds> out;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file index.h
-/// Indices of arrays.
+/// Convert array indices.
 
 #include <cstddef>
 #include <cstdint>

@@ -14,7 +14,7 @@ bool moves(const BodyDef& def) {
     return def.kind != BodyKind::fixed && def.kind != BodyKind::kinematic;
 }
 
-/// Drums stand between what they act on.
+/// Place drums at the mean position of their neighbours.
 void place_scalars(InteractionGraph& g, std::vector<std::int32_t>& number) {
     std::vector<Vec3> sum(g.nodes.size(), Vec3::Zero());
     std::vector<double> count(g.nodes.size(), 0.0);

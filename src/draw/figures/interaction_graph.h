@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file interaction_graph.h
-/// Bodies and what couples them, drawn where the bodies are.
+/// Draw bodies and their couplings at the positions of the bodies.
 
 #include "draw/drawing.h"
 
@@ -16,19 +16,20 @@ namespace hawser::draw {
 struct GraphNode {
     BodyId body{};
     std::string name;
-    Vec3 position = Vec3::Zero();  ///< Drums have none: the mean of their neighbours' [m].
+    /// Position [m]; for drums the mean of their neighbours' positions.
+    Vec3 position = Vec3::Zero();
     BodyKind kind = BodyKind::rigid;
-    std::int32_t degree = 0;  ///< Interactions and contact pairs on it: n_b.
-    std::int32_t part = -1;   ///< −1: in none.
-    bool separator = false;   ///< Between parts.
+    std::int32_t degree = 0;  ///< Number n_b of interactions and contact pairs of the body.
+    std::int32_t part = -1;   ///< Part; −1: none.
+    bool separator = false;   ///< True if the node is between parts.
 };
 
 struct GraphEdge {
-    InteractionId interaction{};  ///< Invalid: bodies that touch.
+    InteractionId interaction{};  ///< Invalid for bodies in contact.
     std::string name, kind;
-    std::vector<std::int32_t> nodes;  ///< That move, 1-3.
-    std::vector<Vec3> fixed;          ///< Where it holds to what does not move [m].
-    bool cut = false;                 ///< Nodes in several parts.
+    std::vector<std::int32_t> nodes;  ///< Moving nodes, 1 to 3.
+    std::vector<Vec3> fixed;          ///< Attachment points on bodies that do not move [m].
+    bool cut = false;                 ///< True if its nodes are in several parts.
 };
 
 struct InteractionGraph {
@@ -36,7 +37,7 @@ struct InteractionGraph {
     std::vector<GraphEdge> edges;
 };
 
-/// All bodies that move and all that acts on them, contacts of the last step included.
+/// Return the graph of all moving bodies and of all couplings, with the contacts of the last step.
 [[nodiscard]] InteractionGraph interaction_graph(const World& world);
 
 struct GraphPicture {
@@ -45,7 +46,7 @@ struct GraphPicture {
     bool parts = false;  ///< Colour by part, mark cuts and separators.
 };
 
-/// Seen along the axis that shows most, with the crowded places enlarged below.
+/// Draw the graph along the axis that shows most, with dense groups enlarged below.
 [[nodiscard]] Drawing draw_graph(const InteractionGraph& graph, const GraphPicture& picture);
 
 }  // namespace hawser::draw

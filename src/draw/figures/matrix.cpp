@@ -11,7 +11,7 @@
 namespace hawser::draw {
 namespace {
 
-// Later kinds win where a cell of the picture holds several.
+// If a cell of the picture holds several kinds, the last one in this order is drawn.
 enum class Cell : std::uint8_t { empty, fill, coupling, rows, body };
 using Palette = std::array<Color, 5>;
 
@@ -30,7 +30,7 @@ constexpr Color color(const Palette& palette, Cell cell) {
     return palette[at(static_cast<int>(cell))];
 }
 
-/// A square of cells, each of one or more scalars.
+/// Square of cells, each for one or more scalars.
 class Cellular {
   public:
     explicit Cellular(std::int64_t scalars)

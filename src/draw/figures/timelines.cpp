@@ -40,7 +40,7 @@ Drawing draw_timelines(const std::vector<NamedTimeline>& timelines, const std::s
     double y = kTop;
     for (const NamedTimeline& t : timelines) {
         d.text({kLeft, y + 21}, t.name, 16, Anchor::start, kInk, true);
-        // A viewer of the SVG may have a wider font only, such as DejaVu.
+        // A viewer of the SVG may only have a wider font, such as DejaVu.
         const double x = kLeft + 1.3 * text_width(t.name, 16, true) + 14;
         d.text({x, y + 21}, t.note.empty() ? describe(t.timeline) : t.note, 14, Anchor::start,
                kSoft);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file timelines.h
-/// Steps beneath each other on one axis of time, a line for each thread.
+/// Draw several steps on one time axis, one above the other, with a line for each thread.
 
 #include "draw/drawing.h"
 #include "draw/timeline.h"
@@ -12,13 +12,13 @@
 namespace hawser::draw {
 
 struct NamedTimeline {
-    std::string name;  ///< How it was run, e.g. "Serial".
+    std::string name;  ///< Name of the run, e.g. "Serial".
     Timeline timeline;
-    std::string note;  ///< Why there is none; "": there is.
+    std::string note;  ///< Reason if there is no timeline; empty if there is one.
 };
 
-/// As wide as three square panels side by side. Simulated ones say so in their caption and in the
-/// name of every line.
+/// Draw timelines at the width of three square panels side by side. Simulated ones are marked in
+/// their caption and in the name of every line.
 [[nodiscard]] Drawing draw_timelines(const std::vector<NamedTimeline>& timelines,
                                      const std::string& title,
                                      const std::vector<std::string>& notes);

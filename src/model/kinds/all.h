@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file all.h
-/// Every kind. The list itself is HAWSER_INTERACTION_KINDS in <hawser/interactions.h>.
+/// Include every kind. The list of kinds is HAWSER_INTERACTION_KINDS in <hawser/interactions.h>.
 
 #include "model/kinds/bends.h"
 #include "model/kinds/clutch.h"

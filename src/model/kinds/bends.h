@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file bends.h
-/// Bending and torsion of wires and rods: bend, twist.
+/// Define bending and torsion of wires and rods: bend, twist.
 ///
-/// Bend: unit tangents e₁, e₂ of the two segments at a node, t their mean direction; the two
-/// rows are the components of e₂ − e₁ square to t, of size 2 sin(φ/2) for a bend angle φ, with
-/// ε = l̄/EI: the hinge stiffness EI/l̄ of a beam of constant bending stiffness.
-/// A slack wire that heaps up folds its segments, and what is shorter than l̄/10 has no direction: a
-/// couple on it would need forces 2 EI/(l̄ |d|), beyond all bounds. There e = d/(l̄/10) instead of
-/// d/|d|, continuous, of the same energy otherwise.
+/// Bend: e₁ and e₂ are the unit tangents of the two segments at a node, t their mean direction. The
+/// two rows are the components of e₂ − e₁ perpendicular to t, of size 2 sin(φ/2) for a bend angle
+/// φ. With ε = l̄/EI the hinge stiffness is EI/l̄, that of a beam of constant bending stiffness.
+///
+/// A slack wire that heaps up folds its segments. A segment shorter than l̄/10 has no usable
+/// direction: a couple on it would need unbounded forces 2 EI/(l̄ |d|). There e = d/(l̄/10)
+/// replaces d/|d|. It is continuous and has the same energy otherwise.
+///
 /// Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless
 /// frictional contacts" (2011).
 
@@ -36,7 +38,7 @@ struct Bend {
         .params = kBendParams,
         .doc = "Bending stiffness of a line at the middle one of three nodes in order."};
     static constexpr bool kInLanes = true;
-    /// Of the length l̄: shorter segments do not point anywhere.
+    /// Fraction of the length l̄ below which a segment has no direction.
     static constexpr double kCollapsed = 0.1;
     template <class T>
     struct DataT {
@@ -63,8 +65,8 @@ struct Bend {
         const T l1 = norm(d1), l2 = norm(d2), one = constant(l1, 1.0), none = constant(l1, 0.0);
         const T i1 = 1.0 / select_greater(l1, d.shortest, l1, d.shortest);
         const T i2 = 1.0 / select_greater(l2, d.shortest, l2, d.shortest);
-        // A unit vector changes square to itself alone, one of a collapsed segment in any
-        // direction.
+        // The change of a unit vector is perpendicular to it; the vector of a collapsed segment
+        // changes in any direction.
         const T square1 = select_greater(l1, d.shortest, one, none);
         const T square2 = select_greater(l2, d.shortest, one, none);
         const V3T<T> e1 = i1 * d1, e2 = i2 * d2, sum = e1 + e2;

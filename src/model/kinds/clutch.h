@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file clutch.h
-/// A scalar body against another one.
+/// Couple two scalar bodies.
 ///
-/// With q_k their coordinates the row is q̇₁ − q̇₀ = u within a range of forces: a clutch that is
-/// closed at u = 0 and slips where it would have to hold more. What it takes counts as driven.
+/// With q_k their coordinates the row is q̇₁ − q̇₀ = u within a range of forces. At u = 0 it is a
+/// closed clutch, which slips if the required force exceeds the range. Its power counts as driven.
 
 #include "model/kinds/drives.h"
 
 namespace hawser::HAWSER_ISA::kinds {
 
-/// Drives a scalar body against another one: a clutch that slips beyond a force, a chain in the
-/// pockets of its wheel.
+/// Drive of a scalar body against another one: a clutch that slips beyond a force, or a chain in
+/// the pockets of its wheel.
 struct ScalarClutch {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;

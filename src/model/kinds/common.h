@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file common.h
-/// What an interaction kind looks like. A kind is one struct in one file:
+/// Define the form of an interaction kind. A kind is one struct in one file:
 ///
 /// ```
 /// struct Ball {
 ///     static constexpr KindInfo kInfo{…};         // name, bodies, rows, parameters, text
 ///     static constexpr int kBodies, kRows;        // the same numbers for the compiler
-///     static constexpr Geometry kGeometry;        // which geometric stiffness it has
-///     struct Data {…};                            // what evaluate() needs, doubles only
+///     static constexpr Geometry kGeometry;        // type of geometric stiffness
+///     struct Data {…};                            // data of evaluate(), doubles only
 ///     static Data make(const InteractionDef&);    // set-up (HAWSER_KIND_SETUP only)
 ///     static void complete(InteractionDef&, const Vec3* position);  // optional; set-up only:
-///                                                 // defaults taken from the initial poses
+///                                                 // defaults from the initial poses
 ///     static void defaults(const InteractionDef&, double h, RowSpec*);   // ε, τ of each row
 ///     static void evaluate(const Data&, const BodyRef*, Rows<kBodies, kRows>&);
 ///     static constexpr bool kCompletes;           // optional: a rigid joint whose rows a step
 ///                                                 // solves at its end (step/completion.h)
 /// };
 /// ```
-/// evaluate() gives the violation g and the Jacobian G of each row for the poses handed in:
-/// ġ_r = Σ_b G_r,b · (v_b, ω_b), everything in the world frame. A scalar body uses column 0.
+/// The function evaluate() computes the violation g and the Jacobian G of each row for the given
+/// poses. They satisfy ġ_r = Σ_b G_r,b · (v_b, ω_b). All vectors are in the world frame. A scalar
+/// body uses column 0.
 
 #include <hawser/interactions.h>
 
@@ -27,23 +28,23 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// Pose of one body as evaluate() sees it. Lumps and scalars have the identity rotation.
+/// Pose of one body for evaluate(). Point masses and scalar bodies have the identity rotation.
 struct BodyRef {
-    V3 x;             ///< Centre of mass [m]; scalar: x.x is the coordinate.
+    V3 x;             ///< Centre of mass [m]; for a scalar body x.x is the coordinate.
     const double* r;  ///< Rotation matrix, row-major 3×3.
-    bool rotates;     ///< False for lumps: attachment points are ignored.
+    bool rotates;     ///< False for point masses: attachment points are ignored.
 
-    /// World vector of an attachment arm given in the body's frame [m].
+    /// Return the world vector of an attachment arm given in the body's frame [m].
     [[nodiscard]] V3 arm(const double* local) const {
         return rotates ? load9(r) * load3(local) : V3{0, 0, 0};
     }
 };
 
-/// Rows of one interaction; T: double, or a vector of several interactions' (base/simd.h).
+/// Rows of one interaction; T is double, or a vector over several interactions (base/simd.h).
 template <int B, int R, class T = double>
 struct Rows {
-    T g[R];        ///< Violation [m or rad]; for a velocity row the wanted speed u.
-    T J[B][R][6];  ///< Linear part, then angular part.
+    T g[R];        ///< Violation [m or rad]; for a velocity row the target speed u.
+    T J[B][R][6];  ///< Jacobian: linear part, then angular part.
 
     void set(int b, int r, const V3T<T>& lin, const V3T<T>& ang) {
         T* p = J[b][r];
@@ -56,35 +57,35 @@ struct Rows {
     }
 };
 
-/// What is constant about a row.
+/// Constant properties of a row.
 struct RowSpec {
     double compliance = 1e-12;  ///< ε or γ.
     double damping_time = 0.0;  ///< τ [s].
     bool velocity = false;      ///< G v = u instead of g = 0.
-    bool calmed = false;        ///< τ is the scheme's own: it belongs to no damper.
-    bool gap = false;           ///< A translational constraint: counts in violation_max.
-    bool turns = false;         ///< g is a difference of directions: at most 2.
+    bool calmed = false;        ///< τ is the scheme's own and belongs to no damper.
+    bool gap = false;           ///< Translational constraint: counts in violation_max.
+    bool turns = false;         ///< g is a difference of directions, at most 2.
     bool one_sided = false;     ///< Only pulls (λ ≤ 0).
-    bool range = false;         ///< Idle while inside its range.
-    bool friction = false;      ///< Its force is bounded, and what it holds on to gives way.
+    bool range = false;         ///< Inactive while inside its range.
+    bool friction = false;      ///< Its force is bounded, and its anchor slides at the bound.
 };
 
-/// Geometric stiffness: none; of the arms of a joint; of a line between two points.
+/// Type of geometric stiffness: none; from the arms of a joint; from a line between two points.
 enum class Geometry : unsigned char { none, joint, line };
 
-/// [m/N] of what stops or holds by contact: ranges, friction, motors.
+/// Compliance of stops and holds: ranges, friction, motors [m/N].
 inline constexpr double kStopCompliance = 1e-12;
 
 inline double given(double value, double fallback) { return value == value ? value : fallback; }
 
-/// τ as defined, else two steps that no damper stands for.
+/// Set τ as defined, else to two steps without a damper.
 inline void damping_or_calm(const InteractionDef& def, double h, int row, RowSpec& out) {
     const double defined = def.damping_time.data()[row];
     out.damping_time = given(defined, 2.0 * h);
     out.calmed = defined != defined;
 }
 
-/// ε and τ of an ordinary constraint: the definition's, else rigid (or `compliance`) and two steps.
+/// Set ε and τ of an ordinary constraint: as defined, else rigid (or `compliance`) and two steps.
 inline void constraint_rows(const InteractionDef& def, double h, int first, int count, bool gap,
                             RowSpec* out, double compliance = 0.0) {
     for (int r = first; r < first + count; ++r) {
@@ -94,7 +95,7 @@ inline void constraint_rows(const InteractionDef& def, double h, int first, int 
     }
 }
 
-/// Three rows: point of body 1 minus point of body 0.
+/// Evaluate three rows: point of body 1 minus point of body 0.
 template <int R, class T, class Ref>
 inline void point_rows(const Ref* b, const V3T<T>& ra, const V3T<T>& rb, Rows<2, R, T>& out) {
     const V3T<T> d = b[1].x + rb - b[0].x - ra;
@@ -108,8 +109,8 @@ inline void point_rows(const Ref* b, const V3T<T>& ra, const V3T<T>& rb, Rows<2,
     }
 }
 
-/// A unit vector perpendicular to the unit vector t, and t × it: a deterministic basis, made from
-/// the axis that is farthest from t.
+/// Compute a unit vector perpendicular to the unit vector t, and t × this vector. The basis is
+/// deterministic: it starts from the axis farthest from t.
 template <class T>
 inline void perpendicular(const V3T<T>& t, V3T<T>& n1, V3T<T>& n2) {
     const T o = zero(t.x), i = one(t.x);
@@ -122,7 +123,7 @@ inline void perpendicular(const V3T<T>& t, V3T<T>& n1, V3T<T>& n2) {
     n2 = cross(t, n1);
 }
 
-/// Row `r`: p·q = 0 for the axis p fixed in body 0 and q fixed in body 1.
+/// Evaluate row `r`: p·q = 0 for the axis p fixed in body 0 and q fixed in body 1.
 template <int R>
 inline void dot_row(V3 p, V3 q, int r, Rows<2, R>& out) {
     const V3 c = cross(p, q);
@@ -131,7 +132,7 @@ inline void dot_row(V3 p, V3 q, int r, Rows<2, R>& out) {
     out.set(1, r, {0, 0, 0}, -c);
 }
 
-/// Row `r`: the vector from point 0 to point 1 has no component along n, fixed in body 0.
+/// Evaluate row `r`: the vector from point 0 to point 1 has no component along n, fixed in body 0.
 template <int R>
 inline void slide_row(V3 n, V3 ra, V3 rb, V3 d, int r, Rows<2, R>& out) {
     out.g[r] = dot(n, d);
@@ -151,7 +152,8 @@ inline Axes axes(const BodyRef& b, const double* frame) {
 
 inline double arc(double s, double c) { return __builtin_atan2(s, c); }
 
-/// Twist of frame 1 against frame 0 about their common z [rad] and the axis of its rate.
+/// Return the twist of frame 1 against frame 0 about their common z [rad], and the axis of its
+/// rate.
 inline double twist(const Axes& a, const Axes& b, V3& axis) {
     const double c = dot(a.z, b.z);
     axis = (1.0 / (1.0 + c)) * (a.z + b.z);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file drives.h
-/// Holds, motors and ranges: rows with a target.
+/// Define holds, motors and ranges: rows with a target.
 
 #include "model/kinds/common.h"
 
@@ -14,7 +14,7 @@ struct TargetData {
 inline constexpr ParamInfo kHoldParams[] = {{"target", "m or rad", kDefault, -1e9, 1e9,
                                              "Coordinate held; default: the initial one.", true}};
 
-/// Holds a scalar body at a coordinate: a brake that does not slip.
+/// Hold of a scalar body at a coordinate: a brake that does not slip.
 struct Hold {
     static constexpr int kBodies = 1, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
@@ -46,7 +46,7 @@ struct Hold {
 #endif
 };
 
-/// Row 0: the angle of frame 1 against frame 0 about z.
+/// Evaluate row 0: the angle of frame 1 against frame 0 about z.
 inline void hinge_row(const JointData& joint, const BodyRef* b, Rows<2, 1>& out) {
     V3 t;
     out.g[0] = twist(axes(b[0], joint.frame[0]), axes(b[1], joint.frame[1]), t);
@@ -54,7 +54,7 @@ inline void hinge_row(const JointData& joint, const BodyRef* b, Rows<2, 1>& out)
     out.set(1, 0, {0, 0, 0}, t);
 }
 
-/// Row 0: the travel of body 1 along z of frame 0.
+/// Evaluate row 0: the travel of body 1 along z of frame 0.
 inline void travel_row(const JointData& joint, const BodyRef* b, Rows<2, 1>& out) {
     const V3 ra = b[0].arm(joint.point[0]), rb = b[1].arm(joint.point[1]);
     slide_row(axes(b[0], joint.frame[0]).z, ra, rb, b[1].x + rb - b[0].x - ra, 0, out);
@@ -81,7 +81,7 @@ struct MotorData {
 #endif
 };
 
-/// Drives the angle of a hinge at a speed.
+/// Motor of a hinge's angle at a speed.
 struct HingeMotor {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
@@ -110,7 +110,7 @@ struct HingeMotor {
 #endif
 };
 
-/// Drives a slider at a speed.
+/// Motor of a slider at a speed.
 struct SlideMotor {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
@@ -136,7 +136,7 @@ struct SlideMotor {
 #endif
 };
 
-/// Drives a scalar body at a speed.
+/// Motor of a scalar body at a speed.
 struct ScalarMotor {
     static constexpr int kBodies = 1, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
@@ -175,7 +175,7 @@ struct RangeData {
         return {d.params[0], d.params[1], JointData::of(d)};
     }
 #endif
-    /// How far outside [m or rad]: negative below, positive above, 0 inside.
+    /// Return the distance outside the range [m or rad]: negative below, positive above, 0 inside.
     [[nodiscard]] double outside(double q) const {
         return q < min ? q - min : (q > max ? q - max : 0.0);
     }
@@ -194,7 +194,7 @@ inline constexpr ParamInfo kHingeRangeParams[] = {
      "Upper end of the range; at π or above there is none. What turns past π within a step is "
      "taken to come from below."}};
 
-/// Range of a hinge's angle; idle inside.
+/// Range of a hinge's angle; inactive inside.
 struct HingeRange {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
@@ -221,7 +221,7 @@ struct HingeRange {
 #endif
 };
 
-/// Range of a slider's travel; idle inside.
+/// Range of a slider's travel; inactive inside.
 struct SlideRange {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file friction.h
-/// Dry friction in hinges, on slides and of scalar bodies; with a bound that an input drives,
-/// brakes.
+/// Define dry friction in hinges, on sliders and of scalar bodies. With a bound that an input
+/// drives it is a brake.
 ///
 /// ```
-///   q ──┤ spring ε ├── anchor ──┤ gives way beyond F ├──
+///   q ──┤ spring ε ├── anchor ──┤ slides beyond F ├──
 /// ```
-/// A coordinate q hangs on an anchor by a stiff spring: g = q − anchor. While |force| ≤ F the
-/// anchor stays, so that nothing creeps: at rest g = −ε f. At ±F the row has that force, and the
-/// anchor follows at the distance ε F (solve/bounds.h). A band brake holds less one way than the
-/// other, its band being pulled tight by the drum or slackened: `back` is the ratio. F is a
-/// parameter plus a share of what
-/// other interactions carry: of a bearing's own force, or of the two ends of a line round a
-/// bollard.
+/// A stiff spring connects a coordinate q to an anchor: g = q − anchor. While |force| ≤ F the
+/// anchor is fixed, so that nothing creeps: at rest g = −ε f. At ±F the row has that force, and the
+/// anchor follows at the distance ε F (solve/bounds.h).
+///
+/// A band brake holds less in one direction than in the other, because the drum tightens or
+/// slackens its band: `back` is the ratio. F is a parameter plus a fraction of the force of other
+/// interactions. Examples are the force of a bearing, or of the two ends of a line round a bollard.
 
 #include "model/kinds/drives.h"
 
@@ -35,7 +35,7 @@ inline void friction_rows(const InteractionDef& d, double h, RowSpec* s) {
 }
 
 struct JointFrictionData {
-    double anchor;  ///< Part of the state: Interactions::anchor.
+    double anchor;  ///< Anchor; part of the state as Interactions::anchor.
     JointData joint;
 #ifdef HAWSER_KIND_SETUP
     static JointFrictionData of(const InteractionDef& d) { return {0.0, JointData::of(d)}; }
@@ -65,7 +65,7 @@ struct HingeFriction {
         hinge_row(d.joint, b, out);
         out.g[0] = turned(out.g[0] - d.anchor);
     }
-    /// The same angle in [−π, π].
+    /// Return the angle in [−π, π].
     static double turned(double angle) {
         constexpr double kTurn = 6.283185307179586;
         return angle - kTurn * __builtin_round(angle / kTurn);

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file gear.h
-/// Two wheels that mesh: their turns against a carrier are coupled by numbers of teeth.
+/// Couple two meshing wheels: the numbers of teeth relate their rotations against a carrier.
 ///
-/// With θ_k the angle of wheel k against the carrier, by the frames' x axes, and N = n₁, n₂ teeth,
+/// With θ_k the angle of wheel k against the carrier, by the frames' x axes, and N = n₁, n₂ teeth:
 /// ```
 ///     g = wrap(n₁ θ₁ + n₂ θ₂) / n₁                     [rad of wheel 1]
 ///     ġ = a·(ω₁ − ω₀) + (n₂/n₁) a·(ω₂ − ω₀)
 /// ```
-/// Angles are known but for whole turns. Since n₁ and n₂ are integers, a whole turn of either wheel
-/// changes the sum by a multiple of 2π, which wrap() takes away: nothing is counted from turn to
-/// turn, so that the row depends on poses alone and is the same after a restore. Outer teeth, n₂ >
-/// 0, turn the wheels against each other, inner teeth, n₂ < 0, with each other.
+/// Angles are known modulo whole turns. Since n₁ and n₂ are integers, a whole turn of a wheel
+/// changes the sum by a multiple of 2π, which wrap() removes. No turns are counted, so the row
+/// depends on poses alone and is the same after a restore. Outer teeth, n₂ > 0, turn the wheels
+/// against each other; inner teeth, n₂ < 0, with each other.
 ///
-/// Limits: what slips by more than half a tooth within a step, π/n₁, goes on with the next tooth;
-/// before that the world's judge of joints says so (EventKind::joint_open). Axes stay parallel as
-/// far as the wheels' own bearings see to it. There is no play, no friction of teeth, and no force
-/// that pushes the wheels apart: those are forces in the bearings that no torque shows.
+/// Limits: a slip of more than half a tooth within a step, π/n₁, engages the next tooth. The
+/// world's monitor of joints reports it before (EventKind::joint_open). The bearings of the wheels
+/// must keep the axes parallel. There is no play and no friction of teeth. There is no force that
+/// pushes the wheels apart; such bearing forces do not appear in any torque.
 
 #include "model/kinds/common.h"
 
@@ -77,7 +77,7 @@ struct Gear {
         for (std::size_t k = 0; k < 2; ++k) o.teeth[k] = d.params[k];
         return o;
     }
-    /// @throws DefError on teeth that are no whole numbers, or none.
+    /// Check the numbers of teeth. @throws DefError if one is no whole number or 0.
     static void complete(InteractionDef& d, const Vec3*) {
         for (const double teeth : {d.params[0], d.params[1]})
             if (teeth == 0.0 || teeth != std::round(teeth))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hydrostatic.h
-/// Linear hydrostatics of a floating body: three springs against still water.
+/// Define linear hydrostatics of a floating body: three springs against still water.
 
 #include "model/kinds/common.h"
 

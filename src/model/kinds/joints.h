@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file joints.h
-/// Constraints between two bodies: ball, hinge, prismatic, cylindrical, universal, lock.
+/// Define constraints between two bodies: ball, hinge, prismatic, cylindrical, universal, lock.
 /// Frame 0 is fixed in body 0, frame 1 in body 1; the joint's axis is z of frame 0.
 
 #include "model/kinds/common.h"
 
 namespace hawser::HAWSER_ISA::kinds {
 
-/// Two points coincide.
+/// Ball joint: two points coincide.
 struct Ball {
     static constexpr int kBodies = 2, kRows = 3;
     static constexpr Geometry kGeometry = Geometry::joint;
@@ -23,7 +23,8 @@ struct Ball {
         .row_units = "mmm",
         .traits = kHoldsBodies | kForceOnSecond | kOfWires | kCompact,
         .doc = "Ball joint: a point of one body stays on a point of the other."};
-    static constexpr bool kMayBeCompact = true;  ///< Between two rigid bodies, see model/arms.h.
+    /// Compact between two rigid bodies, see model/arms.h.
+    static constexpr bool kMayBeCompact = true;
     template <class T>
     struct DataT {
         T point[2][3];
@@ -46,7 +47,7 @@ struct Ball {
 #endif
 };
 
-/// Common to the kinds built on JointData.
+/// Common base of the kinds with JointData.
 struct JointKind {
     using Data = JointData;
 #ifdef HAWSER_KIND_SETUP
@@ -54,7 +55,7 @@ struct JointKind {
 #endif
 };
 
-/// Two points coincide and two axes stay parallel.
+/// Hinge: two points coincide and two axes stay parallel.
 struct Hinge : JointKind {
     static constexpr int kBodies = 2, kRows = 5;
     static constexpr Geometry kGeometry = Geometry::joint;
@@ -82,7 +83,7 @@ struct Hinge : JointKind {
     }
 };
 
-/// No relative rotation; translation along the axis only.
+/// Slider: no relative rotation, translation along the axis only.
 struct Prismatic : JointKind {
     static constexpr int kBodies = 2, kRows = 5;
     static constexpr Geometry kGeometry = Geometry::none;
@@ -114,7 +115,7 @@ struct Prismatic : JointKind {
     }
 };
 
-/// Translation along and rotation about one axis.
+/// Cylindrical joint: translation along and rotation about one axis.
 struct Cylindrical : JointKind {
     static constexpr int kBodies = 2, kRows = 4;
     static constexpr Geometry kGeometry = Geometry::none;
@@ -144,7 +145,7 @@ struct Cylindrical : JointKind {
     }
 };
 
-/// Two points coincide; z of frame 0 stays perpendicular to z of frame 1.
+/// Universal joint: two points coincide; z of frame 0 stays perpendicular to z of frame 1.
 struct Universal : JointKind {
     static constexpr int kBodies = 2, kRows = 4;
     static constexpr Geometry kGeometry = Geometry::joint;
@@ -169,7 +170,7 @@ struct Universal : JointKind {
     }
 };
 
-/// No relative motion.
+/// Lock: no relative motion.
 struct Lock : JointKind {
     static constexpr int kBodies = 2, kRows = 6;
     static constexpr Geometry kGeometry = Geometry::joint;

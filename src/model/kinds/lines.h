@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lines.h
-/// Elements of wires along their line: distance, stretch, winch stretch.
+/// Define elements of wires along their line: distance, stretch, winch stretch.
 ///
-/// Stretch: g = |x₁ − x₀| − l₀ with ε = l₀/EA, so that the force at rest is EA·strain.
-/// Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless
-/// frictional contacts" (2011).
+/// Stretch: g = |x₁ − x₀| − l₀ with ε = l₀/EA, so that the force at rest is EA·strain. Source:
+/// Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless frictional
+/// contacts" (2011).
 
 #include "model/kinds/common.h"
 
@@ -28,7 +28,7 @@ inline PointData point_data(const InteractionDef& d, double length) {
 }
 #endif
 
-/// Row 0: distance of the points minus the rest length. A zero distance pushes along x.
+/// Evaluate row 0: distance of the points minus the rest length. A zero distance pushes along x.
 template <int B, class D, class T, class Ref>
 inline void line_row(const D& d, const Ref* b, const T& length, Rows<B, 1, T>& out) {
     const V3T<T> ra = b[0].arm(d.point[0]), rb = b[1].arm(d.point[1]);
@@ -43,7 +43,7 @@ inline void line_row(const D& d, const Ref* b, const T& length, Rows<B, 1, T>& o
 inline constexpr ParamInfo kDistanceParams[] = {
     {"length", "m", kDefault, 1e-9, 1e6, "Distance kept; default: the initial distance.", true}};
 
-/// A massless rigid rod between two points.
+/// Massless rigid rod between two points.
 struct Distance {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::line;
@@ -65,7 +65,7 @@ struct Distance {
     using Data = PointData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 1, true, s);
-        // A spring's elongation is not a violation.
+        // The elongation of a spring is not a violation.
         s[0].gap = s[0].compliance <= 1e-9;
     }
     static constexpr bool kInLanes = true;
@@ -96,7 +96,7 @@ inline void stretch_rows(const InteractionDef& d, double h, RowSpec* s) {
     s[0].one_sided = d.params.data()[2] > 0.5;
 }
 
-/// A wire element between two lumps or attachment points.
+/// Wire element between two nodes or attachment points.
 struct Stretch {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::line;

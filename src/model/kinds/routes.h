@@ -1,45 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file routes.h
-/// Spans of a line that runs over things without mass of its own: eyes, sheaves, bollards, pins.
+/// Define spans of a line over massless turning points: eyes, sheaves, bollards, pins.
 ///
-/// Between two ends a line touches places 1 … n. What has run through place j since the start is
-/// the coordinate q_j of a scalar body, its *slide*, counted from span j − 1 into span j. With l_j
-/// the length at rest of span j at the start,
+/// Between two ends a line passes turning points 1 … n. The length that has run through turning
+/// point j since the start is the coordinate q_j of a scalar body, its *slide*. It counts from span
+/// j − 1 into span j. With l_j the rest length of span j at the start:
 /// ```
 ///     end 0 ──span 0── (1) ──span 1── (2) ── … ── (n) ──span n── end n + 1
 ///     g_j = P_j − (l_j + q_j − q_{j+1}),   ε_j = l_j / EA
 /// ```
-/// Slides have next to no mass, so that T_j − T_{j−1} is the friction at place j; whatever leaves a
-/// span enters the next one, and the length of the line is what it was.
+/// Slides have almost no mass, so that T_j − T_{j−1} is the friction at turning point j. Line that
+/// leaves a span enters the next one, and the total length is constant.
 ///
-/// *Wheels.* At a place that is a circle of radius R about an axis fixed in its body the span
-/// leaves along a tangent. P_j is then the straight part L and what lies on the circle between the
-/// tangent point and a mark:
+/// Wheels: a turning point may be a circle of radius R about an axis fixed in its body. The span
+/// then leaves along a tangent. P_j is the straight part L plus the arc between the tangent point
+/// and a mark:
 /// ```
 ///         mark              P = L + R φ,  φ the angle from the mark to the tangent point,
-///       .--|--.             positive where the line lies on the circle between them
+///       .--|--.             positive if the line lies on the circle between them
 ///     .'   | φ '.
 ///     |    c----| R         dP/dt = u·(velocity of the far end − that of the body's point at the
-///     '.       .|           tangent point): what rolls off one way is rolled on the other.
+///     '.       .|           tangent point): line that rolls off one side rolls onto the other.
 ///       '-----' | L
 ///               p           R = 0 is an eye: L alone.
 /// ```
-/// The mark is where the tangent point was when the span was defined, the x axis of the end's
-/// frame; its z axis is the wheel's. A wheel with R > 0 is passed turning about +z, seen along the
-/// route, one with R < 0 about −z.
+/// The mark is the tangent point at the definition of the span. It lies on the x axis of the end's
+/// frame; the z axis is the wheel's axis. The route turns about +z at a wheel with R > 0, and about
+/// −z at a wheel with R < 0. If a line winds on round its wheel, or a wheel turns under its line, φ
+/// exceeds half a turn. Poses determine φ modulo whole turns. The turns are counted from step to
+/// step and are part of the state, like the anchor of friction (Interactions::follow_turns()).
+/// Initial turns are part of l_j.
 ///
-/// A line that goes on round its wheel, or a wheel that turns under its line, makes φ more than
-/// half a turn: poses tell φ but for whole turns, which are counted from step to step and are part
-/// of the state, as the anchor of friction is (Interactions::follow_turns()). Turns that the line
-/// has from the start are part of l_j.
-///
-/// Limits: φ changes by less than half a turn in a step; the part of a span along an axis counts in
-/// its length but not in the tangent, so that axes are square to the span, nearly. Of two wheels
-/// each is left in its own plane: they need not be parallel (base/wheel_tangent.h). The far end
-/// keeps out of the circle: seen along the axis, a tangent at more than asin 0.999 to the line
-/// between the centres there is none, and the span leaves where it would at that angle, of two
-/// wheels both in the first one's plane. Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid,
+/// Limits: φ changes by less than half a turn in a step. The component of a span along an axis
+/// counts in its length but not in the tangent. Axes must be almost perpendicular to the span. If
+/// two wheels are not parallel, the span leaves each one in its own plane (base/wheel_tangent.h).
+/// The far end must stay outside the circle. If, viewed along the axis, the tangent would be at
+/// more than asin 0.999 to the line of centres, the span leaves at that angle. Two wheels then both
+/// use the plane of the first one. Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid,
 /// multiresolution wires with massless frictional contacts" (2011).
 
 #include "base/wheel_tangent.h"
@@ -49,14 +47,13 @@ namespace hawser::HAWSER_ISA::kinds {
 
 /// One end of a span on its body.
 struct SpanEnd {
-    double point[3];  ///< Eye, or centre of the wheel.
-    double frame[9];  ///< z: the wheel's axis, x: its mark.
-    double radius;    ///< With the sense of passing; 0: an eye.
-    double wound;     ///< Angle of it that the line lies on beyond its mark [rad].
+    double point[3];  ///< Eye, or centre of the wheel [m].
+    double frame[9];  ///< Frame; z: the wheel's axis, x: its mark.
+    double radius;    ///< Radius, signed by the sense of passing [m]; 0: an eye.
+    double wound;     ///< Angle of the wheel that the line covers beyond its mark [rad].
 };
 
-/// Whole turns that φ of each end is more than what poses tell, in one number: a span has one place
-/// in the state for both.
+/// Whole turns of φ at both ends, packed into one number: the state has one slot for a span.
 struct WholeTurns {
     static constexpr double kBase = 65536.0;  // far more than any line has
     double turns[2];
@@ -69,29 +66,31 @@ struct WholeTurns {
 
 inline constexpr double kWholeTurn = 6.283185307179586;  ///< [rad].
 
-/// A span as it lies.
+/// Shape of a span.
 struct SpanShape {
-    V3 at[2];         ///< Where it leaves its ends, world frame.
+    V3 at[2];         ///< Points where it leaves its ends, world frame [m].
     V3 along;         ///< Unit vector from end 0 to end 1.
-    double length;    ///< Of the straight part [m].
-    double angle[2];  ///< φ of each end, within half a turn [rad].
+    double length;    ///< Length of the straight part [m].
+    double angle[2];  ///< Angle φ of each end, within half a turn [rad].
 };
 
-inline constexpr double kSteepest = 0.999;  ///< Sine of the angle of a tangent to the centres.
+/// Largest sine of the angle between a tangent and the line of centres.
+inline constexpr double kSteepest = 0.999;
 
-/// The tangent leaves a wheel of signed radius s at s u × n from its centre. @param d  Between
-/// centres. @param n  The axes. @param apart  Second signed radius less the first one.
+/// Return the direction u of the tangent, which leaves a wheel of signed radius s at s u × n from
+/// its centre. @param d  Vector between the centres. @param n  Axis of the wheels. @param apart
+/// Second signed radius minus the first one.
 inline V3 tangent_direction(const V3& d, const V3& n, double apart) {
     const V3 flat = d - dot(d, n) * n;
     const double size = norm(flat), most = kSteepest * size;
     const double s = apart > most ? most : apart < -most ? -most : apart;
     const double c = __builtin_sqrt(size * size - s * s);
-    // Of unit length in the plane, with d·(u × n) = −s.
+    // Unit length in the plane, with d·(u × n) = −s.
     const double scale = 1.0 / (size * size);
     return (scale * c) * flat - (scale * s) * cross(n, flat);
 }
 
-/// Whether there is that tangent, or one that stands in for it.
+/// True if the tangent is within the limit kSteepest.
 inline bool keeps_apart(const V3& d, const V3& n, double apart) {
     const V3 flat = d - dot(d, n) * n;
     return apart * apart <= kSteepest * kSteepest * dot(flat, flat);
@@ -117,7 +116,8 @@ inline SpanShape span_shape(const SpanEnd (&e)[2], const BodyRef* b) {
         const double turn = e[0].radius != 0.0 && dot(axis[0], axis[1]) < 0.0 ? -1.0 : 1.0;
         const double s1 = e[1].radius * (e[0].radius != 0.0 ? turn : 1.0);
         const V3 u = tangent_direction(d, n, s1 - e[0].radius);
-        // Of each wheel: its sense, its axis, from its centre to the tangent point per radius.
+        // For each wheel: signed radius, axis, and vector from its centre to the tangent point per
+        // radius.
         const V3 across = cross(u, n);
         double s[2] = {e[0].radius, s1};
         V3 about[2] = {n, n}, out_of[2] = {across, across};
@@ -133,8 +133,8 @@ inline SpanShape span_shape(const SpanEnd (&e)[2], const BodyRef* b) {
             out.at[k] = centre[k] + s[k] * out_of[k];
             const double sense = s[k] > 0.0 ? 1.0 : -1.0;
             const V3 radial = sense * out_of[k];
-            // Going on along the route the line turns by `sense` about its axis: at its first end
-            // what lies on the wheel ends at the tangent point, at its second it begins there.
+            // Along the route the line turns by `sense` about its axis. At the first end the arc on
+            // the wheel ends at the tangent point; at the second it begins there.
             const double turned = arc(dot(cross(mark[k], radial), about[k]), dot(mark[k], radial));
             out.angle[k] = (k == 0 ? sense : -sense) * turned;
         }
@@ -156,7 +156,7 @@ inline double span_path(const D& d, const SpanShape& s) {
     return path;
 }
 
-/// Rows on the two bodies. @return the violation but for what slides.
+/// Evaluate the rows on the two bodies. @return the violation without the slides.
 template <int B, class D>
 inline double span_row(const D& d, const BodyRef* b, Rows<B, 1>& out) {
     const SpanShape s = span_shape(d.end, b);
@@ -165,7 +165,7 @@ inline double span_row(const D& d, const BodyRef* b, Rows<B, 1>& out) {
     return span_path(d, s) - d.length;
 }
 
-/// From the bodies' centres to where the line leaves them.
+/// Compute the arms from the bodies' centres to the points where the line leaves them.
 template <class D>
 inline void span_arms(const D& d, const BodyRef* b, V3 (&arm)[2]) {
     const SpanShape s = span_shape(d.end, b);
@@ -187,7 +187,7 @@ inline constexpr ParamInfo kSpanParams[] = {
 struct SpanData {
     SpanEnd end[2];
     double length, slide[2];
-    double anchor;  ///< WholeTurns.
+    double anchor;  ///< Packed WholeTurns.
 #ifdef HAWSER_KIND_SETUP
     static SpanData of(const InteractionDef& d) {
         SpanData o{};
@@ -209,7 +209,7 @@ inline void span_rows(const InteractionDef& d, double h, RowSpec* s) {
     s[0].one_sided = d.params.data()[2] > 0.5;
 }
 
-/// Between two places that the line slides through.
+/// Span between two turning points that the line runs through.
 struct Span {
     static constexpr int kBodies = 4, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
@@ -257,8 +257,8 @@ inline constexpr ParamInfo kEndSpanParams[] = {
      "Radius of the wheel at the place, 0: an eye; below 0: passed turning about -z."},
     {"wound", "rad", 0.0, 0.0, 1e3, "Angle of the wheel that the line lies on beyond its mark."}};
 
-/// Between a place that the line slides through and an end that holds it, a lump of a wire or
-/// another body. As an element of a wire it is to nodes what an element at a drum is.
+/// Span between a turning point and an end that holds the line: a node of a wire or another body.
+/// It acts on nodes of a wire like an element at a drum.
 struct EndSpan {
     static constexpr int kBodies = 3, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::line;
@@ -281,7 +281,7 @@ struct EndSpan {
     struct Data {
         SpanEnd end[2];
         double length, radius, zero;
-        double anchor;  ///< WholeTurns.
+        double anchor;  ///< Packed WholeTurns.
     };
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { span_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<3, 1>& out) {
@@ -315,8 +315,7 @@ inline constexpr ParamInfo kBodySpanParams[] = {
     {"slide_0", "1", 1.0, -1e3, 1e3, "Length that comes per unit of the first slide."},
     {"slide_1", "1", -1.0, -1e3, 1e3, "Length that comes per unit of the second slide."}};
 
-/// Between two places on the same body, whose distance does not change: neither pulls at the body
-/// as a whole.
+/// Span between two turning points on one body: constant distance, no net force on the body.
 struct BodySpan {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
@@ -362,9 +361,9 @@ inline constexpr ParamInfo kLineFrictionParams[] = {
     {"angle", "rad", 0.0, 0.0, 1e3,
      "By which the line turned at the place when this was defined, whole turns included."}};
 
-/// Friction of a line at a place that it runs over. Its loads, the parts before and behind, have
-/// the factor tanh((μδ − ln η)/2), δ the angle by which the line turns there in the step that
-/// begins (solve/capstans.h). Of a part between two places of one body that is the angle of the
+/// Friction of a line at a turning point. Its loads are the parts before and behind, with the
+/// factor tanh((μδ − ln η)/2). Here δ is the angle by which the line turns there at the start of
+/// the step (solve/capstans.h). Between two turning points of one body δ is the angle of the
 /// definition.
 struct LineFriction {
     static constexpr int kBodies = 1, kRows = 1;
