@@ -9,7 +9,7 @@ DEMO   := out/demo
 VIEW_PORT ?= 8080
 CXX_FILES = git ls-files -co --exclude-standard '*.cpp' '*.h'
 
-.PHONY: help demo view page test test-full test-long test-page test-bare test-view-bare test-export build bench format format-check layers tidy check check-full mutants clean packages
+.PHONY: help demo view page test test-full test-long test-page test-bare test-view-bare test-export build bench docs format format-check layers words tidy check check-full mutants clean packages
 .NOTPARALLEL:
 
 help:
@@ -24,9 +24,11 @@ help:
 	@echo "make test-view-bare  make view in a bare Debian 12, and its program in one without node"
 	@echo "make test-export  export 60 s of anchor_contact to glTF and VTK, check with other readers"
 	@echo "make bench      build with the foreign engines installed, run the comparisons"
+	@echo "make docs       documentation site and C++ reference in build/docs (index: docs/index.html)"
 	@echo "make build      build the program and the tests (PRESET=$(PRESET); others: debug relassert asan-ubsan tsan)"
 	@echo "make format     format all C++ files; format-check only reports"
 	@echo "make layers     check include rules, licence lines, file lengths"
+	@echo "make words      check comments and commit subjects against docs/style.md"
 	@echo "make tidy       clang-tidy on the files that the change touches"
 	@echo "make check      continuous integration (.ci/run)"
 	@echo "make check-full all suites, all sanitizers, benchmark libraries; resumes after an interruption"
@@ -133,6 +135,17 @@ format-check:
 
 layers:
 	@scripts/check_layers.py
+
+words:
+	@scripts/check_words.py
+
+# Warnings are errors: of the pages (links, code blocks) and of the C++ reference.
+docs:
+	@scripts/install_packages.sh docs
+	@mkdir -p build/docs build/doxygen
+	@/usr/bin/python3 -m sphinx -q -W --keep-going -b html -c docs/site -d build/doctrees . build/docs
+	@doxygen docs/site/Doxyfile
+	@echo "build/docs/docs/index.html; C++: build/docs/cpp/index.html"
 
 # The preset relassert compiles each source by itself, which clang-tidy needs.
 tidy: packages
