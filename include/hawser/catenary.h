@@ -61,12 +61,14 @@ struct CatenaryDef {
     double tolerance = 1e-6;
 };
 
+/// Result of the equilibrium computation.
 enum class CatenaryStatus : std::uint8_t {
     balanced,      ///< In equilibrium; the shape is unique, with its friction.
     slack,         ///< In equilibrium with elements without tension; other shapes exist.
     below_seabed,  ///< An end is far below the seabed; the seabed is ignored.
     unbalanced,    ///< A residual exceeds the tolerance; best shape found.
 };
+/// Return the name of a status, as in its enumerator.
 [[nodiscard]] const char* to_string(CatenaryStatus status) noexcept;
 
 /// Equilibrium shape of a wire. At any status, no value but laid_from and laid_to is NaN.
@@ -87,6 +89,7 @@ struct Catenary {
     double residual = 0.0;  ///< Largest residual force at a node, with the best friction force [N].
     double allowed = 0.0;   ///< Permitted residual force at that node [N].
 
+    /// True if a node lies on the seabed.
     [[nodiscard]] bool touches() const noexcept { return laid_from == laid_from; }
     /// Return the largest tension of an element [N].
     [[nodiscard]] double largest() const noexcept;

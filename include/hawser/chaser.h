@@ -60,6 +60,7 @@ enum class ChaserState : std::uint8_t {
     on,       ///< A wire runs through the ring.
 };
 
+/// Definition of a chaser. World::add() copies it.
 struct ChaserDef {
     std::string name{};         ///< Unique name among systems. Required.
     BodyId body{};              ///< Rigid body of the ring. Required.

@@ -142,6 +142,7 @@ struct CraneHook {
     double angular_damping = 0.0;  ///< Angular drag of the hook [N m s].
 };
 
+/// Point of a rated load curve.
 struct CraneRatedLoad {
     double radius;  ///< Radius [m].
     double mass;    ///< Rated load [kg].
@@ -227,12 +228,15 @@ struct CraneBody {
 /// Receiver of a crane's parts: a World, or a scene before its world exists.
 class CraneSite {
   public:
+    /// Add a body.
     virtual BodyId add(const BodyDef& def) = 0;
+    /// Add an interaction between added bodies.
     virtual InteractionId add(const InteractionDef& def) = 0;
     /// Return the state of a body.
     /// @throws DefError if it does not exist.
     [[nodiscard]] virtual CraneBody find(BodyId id) const = 0;
-    [[nodiscard]] virtual Vec3 gravity() const = 0;  ///< Return gravity, world frame [m/s²].
+    /// Return gravity, world frame [m/s²].
+    [[nodiscard]] virtual Vec3 gravity() const = 0;
 
   protected:
     ~CraneSite() = default;

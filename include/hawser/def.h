@@ -35,6 +35,7 @@ struct BoundMet {
 class LimitError : public std::runtime_error {
   public:
     explicit LimitError(const BoundMet& met) : std::runtime_error(to_string(met)), met_(met) {}
+    /// Return the exceeded limit.
     [[nodiscard]] const BoundMet& met() const noexcept { return met_; }
 
   private:
@@ -61,12 +62,14 @@ class ThreadError : public std::runtime_error {
     ThreadError(int wanted, int started, const std::string& reason);
     /// Return the number of requested worker threads, WorldDef::threads − 1.
     [[nodiscard]] int wanted() const noexcept { return wanted_; }
+    /// Return the number of worker threads that started.
     [[nodiscard]] int started() const noexcept { return started_; }
 
   private:
     int wanted_, started_;
 };
 
+/// Kind of a body, by its degrees of freedom.
 enum class BodyKind : std::uint8_t {
     rigid,      ///< Rigid body, 6 degrees of freedom.
     lump,       ///< Lumped mass, 3 degrees of freedom, such as a node of a wire.

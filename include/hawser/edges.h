@@ -40,6 +40,7 @@ struct ShapeEdge {
 struct EdgeAxis {
     Vec3 from, to;  ///< End points in the frame of the body [m].
 };
+/// Return the axis of the cylinder of a radius [m] that lies against both faces of an edge.
 [[nodiscard]] EdgeAxis axis_in_edge(const ShapeEdge& edge, double radius) noexcept;
 
 /// Return the distance to an edge of the farther one of two points [m].

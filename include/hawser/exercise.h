@@ -57,7 +57,9 @@ struct Refused : std::runtime_error {
 /// True if above ≤ output ≤ below; false if the output is NaN.
 struct Condition {
     std::string output{};  ///< Name of an output of the world.
+    /// Lower limit, in the unit of the output.
     double above = -std::numeric_limits<double>::infinity();
+    /// Upper limit, in the unit of the output.
     double below = std::numeric_limits<double>::infinity();
 };
 
@@ -70,12 +72,14 @@ struct Trigger {
     std::string of{};  ///< Prefix of the name of the event's source; "": any.
 };
 
+/// Role with its controls.
 struct Station {
     std::string name{};  ///< Name of the role.
     std::string text{};
     std::vector<std::string> inputs{};
 };
 
+/// Kind of a fault.
 enum class FaultKind : std::uint8_t {
     line_parts,         ///< Breaks a line. Target: a wire, at `s`, or an element by name. Cannot be
                         ///< cleared.
@@ -88,8 +92,10 @@ enum class FaultKind : std::uint8_t {
     output_frozen,      ///< Displays and alarms keep the last value; goals use the true value.
 };
 inline constexpr int kFaultKindCount = 6;
+/// Return the name of a kind of fault, as in exercise files.
 [[nodiscard]] const char* to_string(FaultKind kind) noexcept;
 
+/// Fault of the equipment, set by time or by the instructor.
 struct Fault {
     std::string name{}, text{};
     FaultKind kind = FaultKind::line_parts;
@@ -103,11 +109,13 @@ struct Fault {
     double lasts = std::numeric_limits<double>::infinity();  ///< Duration [s].
 };
 
+/// Alarm while its trigger is true.
 struct Alarm {
     std::string name{}, text{};
     Trigger when{};
 };
 
+/// Goal with points when its trigger first becomes true.
 struct Goal {
     std::string name{}, text{};
     Trigger when{};
@@ -116,6 +124,7 @@ struct Goal {
     std::optional<double> by{};  ///< Time after which it adds no points [s].
 };
 
+/// Penalty while its trigger is true.
 struct Penalty {
     std::string name{}, text{};
     Trigger when{};
@@ -124,12 +133,14 @@ struct Penalty {
     double most = std::numeric_limits<double>::infinity();  ///< Limit of the points in total.
 };
 
+/// Ending of the exercise when its trigger becomes true.
 struct End {
     std::string name{}, text{};
     Trigger when{};
     bool failed = false;  ///< True: the exercise is then failed at any score.
 };
 
+/// Definition of an exercise.
 struct Exercise {
     std::string name{}, description{};
     std::string file{};       ///< File name for messages.
@@ -169,6 +180,7 @@ struct Loaded {
 /// Return the format as a JSON Schema (draft 07): schema/exercise-1.json.
 [[nodiscard]] std::string schema_text();
 
+/// Kind of a log entry.
 enum class EntryKind : std::uint8_t {
     goal,       ///< A goal was reached.
     penalty,    ///< A penalty started.
@@ -179,6 +191,7 @@ enum class EntryKind : std::uint8_t {
     restored,   ///< The run was restored to a mark; the time is that of the mark.
     end,        ///< The exercise ended.
 };
+/// Return the name of a kind of log entry, as in JSON results.
 [[nodiscard]] const char* to_string(EntryKind kind) noexcept;
 
 /// Log entry of an exercise.
@@ -191,9 +204,12 @@ struct Entry {
     double points = 0.0;  ///< Change of the score, without penalties that are still active.
 };
 
+/// Outcome of an exercise.
 enum class Outcome : std::uint8_t { running, passed, failed };
+/// Return the name of an outcome, as in its enumerator.
 [[nodiscard]] const char* to_string(Outcome outcome) noexcept;
 
+/// Totals of a goal, penalty or alarm.
 struct Tally {
     std::string name, text;
     bool reached = false;    ///< Goals: true if reached.
@@ -205,6 +221,7 @@ struct Tally {
     bool active = false;     ///< Penalties and alarms: true if active now.
 };
 
+/// Score and log of an exercise.
 struct Result {
     std::string exercise;
     Outcome outcome = Outcome::running;
@@ -237,6 +254,7 @@ class Run {
     // --- Permissions -----------------------------------------------------------------------------
     /// True if the role is the instructor, the watcher or a station.
     [[nodiscard]] bool is_role(std::string_view role) const noexcept;
+    /// True if the role may set the input.
     [[nodiscard]] bool may_set(std::string_view role, std::string_view input) const noexcept;
 
     // --- Controls and faults ---------------------------------------------------------------------
@@ -252,6 +270,7 @@ class Run {
     /// @throws DefError if the fault does not exist or is not possible
     void trigger(std::string_view role, std::string_view fault);
     void clear(std::string_view role, std::string_view fault);
+    /// True if the fault is active.
     [[nodiscard]] bool active(std::string_view fault) const noexcept;
     /// Return an output as displays show it; a fault may freeze it.
     /// @throws DefError.
@@ -271,7 +290,9 @@ class Run {
     /// End the exercise now, for instance after a failed step.
     /// @param why  Description of the reason.
     void end(const std::string& why, bool failed);
+    /// Return score and log up to now.
     [[nodiscard]] const Result& result() const noexcept;
+    /// Return the displays over time up to now.
     [[nodiscard]] const Curves& curves() const noexcept;
 
     // --- Restoring -------------------------------------------------------------------------------

@@ -52,6 +52,7 @@ struct BlockPattern {
     std::vector<BlockEdge> edges{};   ///< Each pair of nodes once, in either order.
 };
 
+/// Options of a BlockFactor.
 struct FactorOptions {
     int threads = 1;  ///< Number of threads, the caller included.
     /// True: keep the update matrices that refactor() needs, in separate memory.
@@ -138,6 +139,7 @@ class BlockFactor {
     [[nodiscard]] Status refine(std::span<const double> values, std::span<const double> b,
                                 std::span<double> x) noexcept;
 
+    /// Return figures of the last analysis and factorisation.
     [[nodiscard]] FactorInfo info() const noexcept;
     /// Return the present elimination order: order()[k] = node eliminated k-th.
     [[nodiscard]] std::span<const std::int32_t> order() const noexcept;

@@ -64,6 +64,7 @@ enum class HookState : std::uint8_t {
     opened,   ///< Opened above its strength; requires `take` 0 before the next load.
 };
 
+/// Definition of a hook. World::add() copies it.
 struct HookDef {
     std::string name{};  ///< Unique name among systems. Required.
     BodyId body{};  ///< Body of the hook, or the node at a wire's end; not a scalar body. Required.

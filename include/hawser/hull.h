@@ -68,6 +68,7 @@ struct HullCell {
     Vec3 at{0.0, 0.0, 0.0};               ///< Centre, in the body's frame [m].
     Vec3 size{0.0, 0.0, 0.0};             ///< Size along the body's axes [m].
     std::array<std::int32_t, 3> index{};  ///< Indices of the grid cell.
+    /// Return the volume [m³].
     [[nodiscard]] double volume() const noexcept { return size.prod(); }
 };
 /// Cut a hull into about 200 cells with nearly equal edges, at least one. A mesh without volume has

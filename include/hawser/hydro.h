@@ -67,6 +67,7 @@ struct WaveCoefficients {
     bool has_stiffness = false;
     Matrix6 stiffness = Matrix6::Zero();  ///< Stiffness C, that of weight included [N/m, N, N m].
 
+    /// Return the index of an amplitude by direction, frequency and component k, 0 to 5.
     [[nodiscard]] std::size_t index(std::size_t head, std::size_t freq, int k) const noexcept {
         return (head * frequency.size() + freq) * 6 + static_cast<std::size_t>(k);
     }
@@ -95,6 +96,7 @@ struct MemoryEnd {
     double ratio = 0.0;
     double enough = 0.0;  ///< Sufficient T [s].
 };
+/// Return the truncation measure of a memory of T = `memory` [s].
 [[nodiscard]] MemoryEnd memory_end(const WaveCoefficients& c, double memory, double limit = 0.01);
 
 /// Return A(∞) = A(ω) + (1/ω) ∫ K(t) sin ωt dt, the mean over all frequencies (Ogilvie). Requires

@@ -7,23 +7,20 @@
 /// ```
 ///     file                        program                  content
 ///     .1                          WAMIT                    A, B, A(0), A(∞)
-///       .3                                                 excitation
+///       .3                                                 excitation X
 ///       .4                                                 motions
 ///       .9 or .8                                           drift
-///       .hst                                               stiffness
+///       .hst                                               stiffness C
 ///       .gdf                                               length
 ///     RadiationCoefficients.tec   NEMOH 2                  A, B
-///       ExcitationForce.tec                                excitation
+///       ExcitationForce.tec                                excitation X
 ///       DiffractionForce.tec                               scattering
-///       Nemoh.cal                                          body and frequencies
-///     .nc                         Capytaine, netCDF-3/-4   A, B, A(0), A(∞), excitation,
-///     scattering,
-///                                                          stiffness
-///     .h5                         BEMIO of WEC-Sim         A, B, A(∞), excitation, scattering,
-///     stiffness
+///       KH.dat                                             stiffness C, body 0 only
+///     .nc                         Capytaine (netCDF-3/4)   A, B, A(0), A(∞), X, scattering, C
+///     .h5                         BEMIO of WEC-Sim         A, B, A(∞), X, scattering, C
 /// ```
-/// Indented files are optional, in the same folder. A build without libnetcdf-dev or libhdf5-dev
-/// rejects `.nc` or `.h5` files with the name of the package.
+/// Indented files are read from the same folder if they exist. A build without
+/// libnetcdf-dev or libhdf5-dev rejects `.nc` or `.h5` files with the name of the package.
 ///
 /// A reader program reads `.nc` and `.h5` files, because a damaged file can crash or block their
 /// libraries. The function read_coefficients() starts it, limits its time and memory, and checks

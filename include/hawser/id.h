@@ -23,6 +23,7 @@ template <class Tag>
 struct Id {
     std::int32_t index = -1;      ///< Index; −1: invalid.
     std::int32_t generation = 0;  ///< Number of earlier objects with this index.
+    /// True if the id was assigned. The object may have been removed since.
     [[nodiscard]] constexpr bool valid() const noexcept { return index >= 0; }
     friend constexpr auto operator<=>(const Id&, const Id&) = default;
 };

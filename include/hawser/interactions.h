@@ -61,6 +61,7 @@ namespace hawser {
     X(LineFriction,   "line_friction")
 // clang-format on
 
+/// Kind of an interaction, in the order of HAWSER_INTERACTION_KINDS.
 enum class InteractionKind : std::uint8_t {
 #define HAWSER_X(id, name) id,
     HAWSER_INTERACTION_KINDS(HAWSER_X)
@@ -149,6 +150,7 @@ struct KindInfo {
     std::span<const ParamInfo> params{};  ///< At most kMaxInteractionParams.
     const char* doc = "";                 ///< Description, one or two sentences.
 
+    /// True if the kind has the trait.
     [[nodiscard]] constexpr bool is(KindTrait trait) const noexcept {
         return (traits & trait) != 0;
     }
@@ -160,6 +162,7 @@ struct KindInfo {
 
 /// Return all kinds in the order of InteractionKind.
 [[nodiscard]] std::span<const KindInfo> interaction_kinds() noexcept;
+/// Return the table row of a kind.
 [[nodiscard]] const KindInfo& kind_info(InteractionKind kind) noexcept;
 /// Return the kind with this name, or nullptr.
 [[nodiscard]] const KindInfo* find_kind(std::string_view name) noexcept;
@@ -205,6 +208,8 @@ struct InteractionDef {
     /// Set a parameter by its name.
     /// @throws DefError if the kind has no such parameter.
     InteractionDef& set(std::string_view param, double value);
+    /// Return a parameter by its name; NaN: default.
+    /// @throws DefError if the kind has no such parameter.
     [[nodiscard]] double get(std::string_view param) const;
 
   private:

@@ -78,6 +78,7 @@ struct AxisIds {
     InteractionId limit{}, motor{}, friction{};
 };
 
+/// Ids of the parts of a cylindrical joint.
 struct CylindricalIds {
     InteractionId joint{};
     AxisIds along{}, about{};

@@ -111,6 +111,7 @@ struct DrumDef {
                                    ///< or rad].
 };
 
+/// Ids of the parts of a drum; invalid for omitted parts.
 struct DrumIds {
     InteractionId motor{}, friction{}, hold{};
 };

@@ -22,6 +22,7 @@ struct Observer {
     Observer& operator=(Observer&&) = default;
     virtual ~Observer() = default;
 
+    /// Prepare for the step that follows.
     virtual void before_step(const World&) {}
     /// Process a completed step.
     /// @param events  Events of this step.

@@ -27,6 +27,7 @@ namespace hawser {
 
 using OutputId = Id<struct OutputTag>;
 
+/// Kind of an output.
 enum class OutputKind : std::uint8_t {
     pose,         ///< Position of a point of a body, and orientation of the body.
     velocity,     ///< Velocity of a point of a body, and angular velocity of the body.
@@ -71,6 +72,7 @@ struct OutputKindInfo {
 
 /// Return all kinds in the order of OutputKind.
 [[nodiscard]] std::span<const OutputKindInfo> output_kinds() noexcept;
+/// Return the table row of a kind.
 [[nodiscard]] const OutputKindInfo& output_kind_info(OutputKind kind) noexcept;
 /// Return the kind with this name, or nullptr.
 [[nodiscard]] const OutputKindInfo* find_output_kind(std::string_view name) noexcept;

@@ -17,6 +17,7 @@ enum class PartitionUse : std::uint8_t {
           ///< cut.
 };
 
+/// Input of a partition.
 struct PartitionRequest {
     PartitionUse use = PartitionUse::separators;
     /// Number of parts, ≥ 1. The result depends on it, but not on the number of threads. With few
@@ -43,6 +44,7 @@ struct CutInteraction {
     double weight = 0.0;  ///< Cost of a cut from these values, see docs/partition.md [1].
 };
 
+/// Partition with its costs.
 struct PartitionView {
     int parts = 0;
     std::vector<std::int32_t> part_of_body;  ///< Part of each body. −1: does not move, or sleeps;

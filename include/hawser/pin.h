@@ -37,6 +37,7 @@ namespace hawser {
 
 class World;
 
+/// Definition of a guide pin. World::add() copies it.
 struct PinDef {
     std::string name{};  ///< Unique name among systems and bodies.
     BodyId body{};       ///< Body that carries the pin; not a lumped mass or scalar body. Required.

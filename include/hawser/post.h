@@ -67,6 +67,7 @@ namespace hawser {
 
 class World;
 
+/// Definition of a bollard. World::add() copies it.
 struct PostDef {
     std::string name{};  ///< Unique name among systems. Parts: name/K/slide, …, K from 1 on.
     ShapeId shape{};     ///< Cylinder or capsule of one body that is not a lumped mass. Required.

@@ -44,6 +44,7 @@ struct RecordingSettings {
     std::string instruction_set, version, processor;
 };
 
+/// Body for pictures.
 struct RecordedBody {
     std::string name;
     BodyKind kind = BodyKind::rigid;
@@ -51,9 +52,11 @@ struct RecordedBody {
     Pose start;                     ///< Pose in the first frame.
 };
 
+/// Cable for pictures.
 struct RecordedCable {
     std::string name, line_type;
-    double EA = 0.0, breaking_load = 0.0, length = 0.0;  ///< Units [N], [N], [m].
+    double EA = 0.0, breaking_load = 0.0, length = 0.0;  ///< Axial stiffness [N], breaking load
+                                                         ///< [N], unstretched length [m].
     std::vector<std::int32_t> nodes;                     ///< Indices of bodies.
     /// Positions of the cable's ends in the frames of its first and last body [m].
     Vec3 end[2] = {Vec3::Zero(), Vec3::Zero()};
@@ -80,8 +83,9 @@ struct RecordedJoint {
     Vec3 point[2] = {Vec3::Zero(), Vec3::Zero()};  ///< End points in the bodies' frames [m].
 };
 
+/// Kind of an outline.
 enum class OutlineKind : std::uint8_t {
-    solid,  ///< Convex hull of balls with this radius around the points.
+    solid,  ///< Convex hull of balls of `radius` around the points.
     plane,  ///< Plane through the first point; the second is the direction out of the solid.
     lines,  ///< Lines with `row` points each.
 };
@@ -95,6 +99,7 @@ struct RecordedOutline {
     std::vector<Vec3> points;  ///< Points in the body's frame [m].
 };
 
+/// Value that an input was set to.
 struct RecordedInput {
     std::int64_t step = 0;  ///< Number of steps taken before it was set.
     std::int32_t input = 0;
@@ -138,6 +143,7 @@ struct RecordedCut {
     double foreseen = 0.0;  ///< StepStats::foreseen_seconds [s].
 };
 
+/// Event of a step.
 struct RecordedEvent {
     double time = 0.0;  ///< Time [s].
     EventKind kind = EventKind::warning;
@@ -167,6 +173,7 @@ struct Frame {
                                                              ///< removed joints; null: none.
 };
 
+/// Ending of a run; unknown if the recording is incomplete.
 enum class Ending : std::uint8_t { finished, interrupted, failed, unknown };
 
 /// Recording in memory. Frames are decoded on request.
@@ -212,7 +219,9 @@ class Recording {
     std::uint64_t end_hash = 0;  ///< Motion hash at the end; only with an ending.
     std::string damage;  ///< Reason if reading stopped before the end of the file; else empty.
 
+    /// Return the number of frames.
     [[nodiscard]] std::size_t frame_count() const noexcept { return frames_.size(); }
+    /// Return a decoded frame.
     [[nodiscard]] Frame frame(std::size_t index) const;
     /// Return the number of entries of `takes` before a frame.
     [[nodiscard]] std::size_t take_of(std::size_t frame) const noexcept;

@@ -68,6 +68,7 @@ struct RoutePlace {
     double angle = kDefault;
 };
 
+/// Definition of a route. World::add() copies it.
 struct RouteDef {
     std::string name{};    ///< Unique name in the world, or empty.
     double EA = kDefault;  ///< Axial stiffness [N]. Required.
@@ -81,6 +82,7 @@ struct RouteDef {
     double damping_time = kDefault;  ///< Damping time of all parts [s].
 };
 
+/// Parts of a route.
 struct Route {
     std::vector<BodyId> slides;            ///< One for each contact point.
     std::vector<InteractionId> parts;      ///< One more than contact points; the tension is
@@ -113,6 +115,7 @@ void stop_ends(World& world, const std::string& name, std::vector<InteractionId>
 
 /// Parts of a route, for callers that have no World yet.
 struct RoutePlan {
+    /// Friction at a contact point.
     struct Friction {
         std::size_t place;  ///< Index of the contact point; its loads are the parts `place` and
                             ///< `place` + 1.

@@ -35,11 +35,14 @@ struct LoopTimes {
     [[nodiscard]] double critical() const;
 };
 
+/// Times of a program: loops, and code of the calling thread.
 struct ProgramTimes {
     std::vector<LoopTimes> loops;
     double after = 0.0;  ///< Time on the calling thread after the last loop [s].
-    [[nodiscard]] double work() const noexcept;    ///< Return the total time on one thread [s].
-    [[nodiscard]] double serial() const noexcept;  ///< Return the time outside loops [s].
+    /// Return the total time on one thread [s].
+    [[nodiscard]] double work() const noexcept;
+    /// Return the time outside loops [s].
+    [[nodiscard]] double serial() const noexcept;
     /// Return the time with unlimited threads at no overhead: the longest sum of dependent work
     /// [s].
     [[nodiscard]] double critical() const;
@@ -59,6 +62,7 @@ struct PoolCosts {
 /// lengthen samples.
 [[nodiscard]] PoolCosts measure_pool_costs();
 
+/// Simulated run of a program.
 struct Simulated {
     double seconds = 0.0;  ///< Time of the whole program [s].
     double busy = 0.0;     ///< Busy time of all threads, in tasks and in code of the caller [s].

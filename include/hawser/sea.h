@@ -102,6 +102,7 @@ struct SeaCurrent {
     double direction = 0.0;  ///< Direction of flow, from x towards y [rad].
 };
 
+/// Kind of waves.
 enum class WaveKind : std::uint8_t { regular, jonswap, pierson_moskowitz };
 
 /// Regular wave, or waves of a spectrum.
@@ -227,15 +228,20 @@ class Sea {
     /// @throws SeaError if the definition is invalid.
     explicit Sea(const SeaDef& def, double gravity = 9.81);
 
+    /// Return the state at a time [s] with the inputs of the definition.
     [[nodiscard]] SeaMoment at(double time) const;
+    /// Return the state at a time [s] with given inputs.
     [[nodiscard]] SeaMoment at(double time, const SeaInputs& inputs) const;
     /// Compute the state at a time in `out`, without allocation once `out` has been used.
     void at(double time, const SeaInputs& inputs, SeaMoment& out) const;
     /// Return the inputs of the definition.
     [[nodiscard]] SeaInputs inputs() const noexcept;
 
+    /// Return z of the surface at (x, y) [m].
     [[nodiscard]] double elevation(const SeaMoment& now, double x, double y) const noexcept;
+    /// Return velocity, acceleration and pressure of the water at a point.
     [[nodiscard]] WaterPoint water(const SeaMoment& now, const Vec3& point) const noexcept;
+    /// Return the current at a height z [m/s].
     [[nodiscard]] Vec3 current(const SeaMoment& now, double z) const noexcept;
     /// Return the wind at z [m/s]: 0 at still water and below. Heights above still water below 1 m
     /// count as 1 m.
@@ -243,10 +249,15 @@ class Sea {
     /// Return the level of the tide, without SeaInputs::level [m].
     [[nodiscard]] double tide(double time) const noexcept;
 
+    /// Return the components of all waves.
     [[nodiscard]] std::span<const WaveComponent> components() const noexcept { return waves_; }
+    /// Return the components of the gusts.
     [[nodiscard]] std::span<const GustComponent> gusts() const noexcept { return gusts_; }
+    /// Return the depth of still water at level 0 [m].
     [[nodiscard]] double depth() const noexcept { return depth_; }
+    /// Return the density of the water [kg/m³].
     [[nodiscard]] double density() const noexcept { return density_; }
+    /// Return the gravity [m/s²].
     [[nodiscard]] double gravity() const noexcept { return gravity_; }
     /// Return (u·∇)u of the waves at a point, or at the surface below it [m/s²].
     [[nodiscard]] Vec3 convection(const SeaMoment& now, const Vec3& point) const noexcept;

@@ -48,6 +48,7 @@ struct SessionDef {
     bool verify = false;  ///< True: the verifier checks each step; requires exact coupling.
 };
 
+/// Run of a scene or world.
 class Session {
   public:
     /// Read the scene.
@@ -70,9 +71,12 @@ class Session {
     Session& operator=(const Session&) = delete;
 
     // --- Reading ------------------------------------------------------------------------------
+    /// Return the scene.
     [[nodiscard]] const scene::Scene& scene() const noexcept;
+    /// Return the world for reading.
     [[nodiscard]] const World& world() const noexcept;
-    [[nodiscard]] double time() const noexcept;  ///< Return the simulation time [s].
+    /// Return the simulation time [s].
+    [[nodiscard]] double time() const noexcept;
     /// Return paths and values of numbers that differ from the scene of SessionDef::restore.
     [[nodiscard]] std::span<const std::string> differences() const noexcept;
     /// Return the events of the last completed step.

@@ -29,6 +29,7 @@
 
 namespace hawser {
 
+/// Kind of a shape.
 enum class ShapeKind : std::uint8_t {
     sphere,       ///< Uses radius.
     capsule,      ///< Uses radius, half_length along the shape's z axis; or a segment (body_b).
@@ -39,6 +40,7 @@ enum class ShapeKind : std::uint8_t {
     hull,         ///< Convex hull of the vertices.
     mesh,  ///< Triangles with contacts on both sides; only on a body without degrees of freedom.
 };
+/// Return the name of a kind, as in scene files.
 [[nodiscard]] const char* to_string(ShapeKind kind) noexcept;
 
 /// Parameters of the contact law. World::add_material_pair() sets those of two given materials.
@@ -66,6 +68,7 @@ struct MaterialPairDef {
     MaterialDef values{};  ///< Parameters; the name is not used.
 };
 
+/// Definition of a shape. World::add_shape() copies it.
 struct ShapeDef {
     std::string name{};  ///< Unique name among shapes, or empty.
     ShapeKind kind = ShapeKind::sphere;

@@ -13,6 +13,7 @@ namespace hawser {
 class StateVisitor {
   public:
     virtual ~StateVisitor() = default;
+    /// Visit a finite number.
     void visit(double& value) { numbers({&value, 1}); }
     /// Visit a number that may be NaN, such as a default before it is set.
     void visit_or_nan(double& value) { bytes(&value, sizeof value); }
@@ -21,9 +22,9 @@ class StateVisitor {
     void visit(std::span<double> values) { numbers(values); }
     void visit(std::span<std::int64_t> values) { bytes(values.data(), values.size_bytes()); }
     void visit(std::span<std::int32_t> values) { bytes(values.data(), values.size_bytes()); }
-    /// True around a step. Visit then only data that the step may change and a failed step must
-    /// restore, with equal content before and after. A long memory visits only the line that the
-    /// step writes.
+    /// True if the visit is around a step. Visit then only data that the step may change and a
+    /// failed step must restore, with equal content before and after. A long memory visits only
+    /// the line that the step writes.
     [[nodiscard]] virtual bool around_step() const noexcept { return false; }
 
   protected:
@@ -44,13 +45,12 @@ class StateRules {
     void range(double value, double least, double most, const char* what) noexcept {
         require(value >= least && value <= most, what);
     }
+    /// Require 0 or 1.
     void flag(std::int32_t value, const char* what) noexcept {
         require(value == 0 || value == 1, what);
     }
-    [[nodiscard]] const char* fault() const noexcept {
-        return fault_;
-    }  ///< Return the first fault; "":
-       ///< none.
+    /// Return the first fault; "": none.
+    [[nodiscard]] const char* fault() const noexcept { return fault_; }
 
   private:
     const char* fault_ = "";

@@ -64,6 +64,7 @@ enum class StopperState : std::uint8_t {
     tripped,  ///< Opened above its rated load; must be opened and closed again.
 };
 
+/// Definition of a stopper. World::add() copies it.
 struct StopperDef {
     std::string name{};  ///< Unique name among systems.
     BodyId body{};  ///< Body that carries the stopper; not a lumped mass or scalar body. Required.

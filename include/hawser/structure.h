@@ -16,7 +16,7 @@
 /// states. World::identity() shows whether a structure is needed: worlds of equal identity have
 /// equal structure.
 ///
-/// Ids keep index and generation. Limits: outputs of `other` stay, and read 0 if their target was
+/// Ids keep index and generation. Limits: outputs of `other` stay, and are NaN if their target was
 /// removed. Outputs that were added later are missing.
 
 #include <hawser/def.h>
@@ -58,6 +58,7 @@ struct GearPiece {
     Gear kind = Gear::splice;
 };
 
+/// Structure of a world.
 struct Structure {
     Placed<BodyDef> bodies;
     Placed<InteractionDef> interactions;

@@ -18,6 +18,7 @@ class World;
 
 namespace hawser::scene {
 
+/// Kind of an operation.
 enum class OperationKind : std::uint8_t { set, cut, detach, attach, join, release };
 
 /// Entry of a timeline. Names are resolved on execution, because earlier entries may create pieces

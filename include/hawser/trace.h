@@ -16,14 +16,17 @@
 
 namespace hawser {
 
+/// Kind of a span.
 enum class SpanKind : std::uint8_t {
     step,   ///< Whole step.
     stage,  ///< Stage or part of one; a stage may run several times in a step.
     loop,   ///< List of tasks for any thread, from its start to its last task.
     task,   ///< Task of a loop.
 };
+/// Return the name of a kind, as in its enumerator.
 [[nodiscard]] const char* to_string(SpanKind kind) noexcept;
 
+/// Time span of one thread.
 struct TraceSpan {
     double begin = 0.0, end = 0.0;  ///< Times since the start of the trace [s].
     std::int64_t step = 0;          ///< Number of the step, as StepStats::step.
@@ -32,6 +35,7 @@ struct TraceSpan {
     std::int32_t thread = 0;        ///< Index of the thread; 0: caller of World::step().
     SpanKind kind = SpanKind::task;
     std::int8_t stage = -1;  ///< Innermost stage, a value of Stage; −1: none.
+    /// Return the duration [s].
     [[nodiscard]] double seconds() const noexcept { return end - begin; }
 };
 

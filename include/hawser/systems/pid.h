@@ -43,6 +43,7 @@ struct PidDef {
     double high = 1e30;
 };
 
+/// PID controller. Signals: input `target` [N]; outputs `measured` [N], `output` [input].
 class Pid final : public System {
   public:
     explicit Pid(PidDef def) : def_(std::move(def)), target_(def_.target) {}
@@ -53,8 +54,8 @@ class Pid final : public System {
         table.hold(def_.driven);
     }
     void prestep(Prestep& now, Loads&) noexcept override {
-        if (!read(now.world))
-            return now.set_input(def_.driven, std::nan(""));  // Reject the step by a NaN.
+        // NaN ends the step.
+        if (!read(now.world)) return now.set_input(def_.driven, std::nan(""));
         if (started_ == 0) smooth_ = measured_;
         const double share = now.step / (now.step + def_.filter);
         const double change = share * (measured_ - smooth_) / now.step;
