@@ -14,8 +14,8 @@
 /// would pass it. Motion that starts within a step is stopped within the shape's `margin`.
 ///
 /// In a later step the touching element is divided about a massless contact node
-/// (World::lay_over()). It keeps its position and tension. The contact node has the radius of the
-/// bollard plus half the wire's diameter; the initial angle is close to 0.
+/// (World::lay_over()). It keeps its position and tension. The contact node lies at the bollard's
+/// radius plus half the wire's diameter; the initial angle is close to 0.
 /// ```
 ///      a ──────────────── b          a ─────.     .───── b
 ///            ( )             ──►           ( `─○─' )              ○ the contact node

@@ -12,8 +12,8 @@
 /// (World::insert_node()). A node is removed if its elements are short enough to be one
 /// (World::remove_node()). These functions keep mass, momentum, angular momentum and energy.
 /// Lengths here are *material* lengths, the mass of an element over the mass per length. Tension
-/// does not change them, and edits divide them without rounding. Rest lengths are separate, and
-/// follow forces.
+/// does not change them, and edits divide them without a drift by rounding. Rest lengths are
+/// separate, and follow forces.
 ///
 /// *Bounds*. The upper bound L of an element's length is the smallest of
 ///

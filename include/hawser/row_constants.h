@@ -7,7 +7,7 @@
 /// averaged about the start of the step, with g₊ = g + h G v₊ and g₋ = g − h G v. The speed at the
 /// damper is r = θ G v₊ + (1 − θ) G v. Multiplication by 4Υ/h results in
 /// ```
-///     G v₊ + Σ λ = −(4/h) Υ g + Υ (1 − 4τ(1 − θ)/h) G v,     Υ = 1/(1 + 4τθ/h),  Σ = 4εΥ/h²:
+///     G v₊ + Σ λ = −(4/h) Υ g + Υ (1 − 4τ(1 − θ)/h) G v,     Υ = 1/(1 + 4τθ/h),  Σ = 4εΥ/h²
 /// ```
 /// With θ = 1 this is SPOOK (Lacoursière, "Ghosts and machines", Umeå, 2007); docs/methods.md, 2. A
 /// velocity row, G v₊ + γ f = speed, has Σ = γ/h. The minimum of Σ of a rigid row, and the

@@ -13,9 +13,11 @@
 /// world.set_system_signal("winch.tension", 4e5);   // [N]
 /// ```
 /// *Drum*. A winch is a System (system.h). Its drum is a scalar body with the coordinate θ [rad],
-/// which increases when wire is paid out. The element at the drum has the rest length l = length +
-/// r (θ − drum_zero), with r the radius of the outer layer [m]. Motor and brake apply torques, so
-/// that their line pull Q/r decreases when layers are spooled on.
+/// which increases when wire is paid out. The element at the drum has the rest length
+/// ```
+///     l = length + r (θ − drum_zero),      r the radius of the outer layer [m]
+/// ```
+/// Motor and brake apply torques, so that their line pull Q/r decreases when layers are spooled on.
 ///
 /// *Nodes*. The element at the drum changes its length. If the wire's elements have mass
 /// (WireDef::consistent_mass), the winch inserts and removes nodes. Wire paid out therefore has

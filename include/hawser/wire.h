@@ -23,8 +23,8 @@
 ///
 /// World::insert_node() inserts a node on an element at a fraction 0 to 1 of its length from its
 /// first body, and returns the node. The element then ends at the node; a new element continues
-/// from it. Mass, momentum, angular momentum, energy and tensions are kept to rounding. Under
-/// gravity the energy changes by the sag that balances the node's weight.
+/// from it. Mass, momentum, angular momentum, energy and tensions are kept to rounding. The
+/// exception under gravity is the sag that balances the node's weight.
 ///
 /// An element at a drum needs the parameter `mass` [kg], because no node carries its mass. The
 /// winch applies half of it to each end (WinchDef::element). If a winch feeds the element, only the
