@@ -24,9 +24,9 @@ enum class Bound : std::uint8_t { none, contacts, pairs, memory };
 
 /// Limit of a resource that a request would exceed.
 struct BoundMet {
-    Bound bound = Bound::none;
-    double value = 0.0;  ///< Required amount [contact points, pairs of shapes or bytes].
-    double limit = 0.0;  ///< Permitted amount, in the unit of `value`.
+    Bound bound = Bound::none;  ///< Exceeded resource.
+    double value = 0.0;         ///< Required amount [contact points, pairs of shapes or bytes].
+    double limit = 0.0;         ///< Permitted amount, in the unit of `value`.
 };
 /// Return one sentence with the resource, the value and the remedy; "" for Bound::none.
 [[nodiscard]] std::string to_string(const BoundMet& met);
@@ -80,9 +80,9 @@ enum class BodyKind : std::uint8_t {
 
 /// Body of a world.
 struct BodyDef {
-    std::string name{};  ///< Unique name in the world, or empty.
-    BodyKind kind = BodyKind::rigid;
-    Vec3 position{0.0, 0.0, 0.0};  ///< Centre of mass, world frame [m]; scalar: x() [m or rad].
+    std::string name{};               ///< Unique name in the world, or empty.
+    BodyKind kind = BodyKind::rigid;  ///< Kind of the body.
+    Vec3 position{0.0, 0.0, 0.0};     ///< Centre of mass, world frame [m]; scalar: x() [m or rad].
     Quat orientation = Quat::Identity();  ///< Rotation from body to world frame; normalised on
                                           ///< entry.
     /// Velocity of the centre of mass at time 0, world frame [m/s]; scalar: x() [m/s or rad/s].
@@ -151,9 +151,9 @@ enum class OnDiverged : std::uint8_t {
 
 /// Settings of a world; constant after its creation. Values out of range are rejected.
 struct WorldDef {
-    double step = 1.0 / 60.0;       ///< Time step h [s], 1e-7 to 1.
-    Vec3 gravity{0.0, 0.0, -9.81};  ///< Gravity, world frame [m/s²], each component up to 1e4.
-    Form form = Form::automatic;
+    double step = 1.0 / 60.0;          ///< Time step h [s], 1e-7 to 1.
+    Vec3 gravity{0.0, 0.0, -9.81};     ///< Gravity, world frame [m/s²], each component up to 1e4.
+    Form form = Form::automatic;       ///< Form of the equations.
     double geometric_stiffness = 1.0;  ///< Scale of the conservative geometric stiffness K_g [1], 0
                                        ///< (off) to 100.
     /// Scale k_b of the numerical damping of relative rotation in joints [1], 0 (off) to 100. It
@@ -167,7 +167,7 @@ struct WorldDef {
     /// Largest number of iterations of an attempt, 1-1000. If they do not suffice, Newton's method
     /// restarts: first with softer tangents, then with symmetric iterations.
     int contact_iterations = 60;
-    Nonsmooth nonsmooth = Nonsmooth::newton;
+    Nonsmooth nonsmooth = Nonsmooth::newton;  ///< Method for contacts with friction.
     int nonsmooth_sweeps = 50;  ///< Sweeps per step of `split` and `pgs`, 1 to 100,000.
     /// Coupling of interactions between groups (BodyDef::group); World::set_coupling() sets that of
     /// one. A coupling other than exact requires sleep_after 0.
@@ -201,7 +201,7 @@ struct WorldDef {
     double sleep_after = 0.0;
     /// Speed below which a body is at rest [m/s], 0 to 1: √(2T/m), T its kinetic energy.
     double sleep_speed = 1e-4;
-    OnDiverged on_diverged = OnDiverged::stop;
+    OnDiverged on_diverged = OnDiverged::stop;  ///< Reaction to a failed state.
     std::int32_t max_bodies = 4'000'000;  ///< Limit of the number of bodies; more are rejected.
     std::int32_t max_interactions = 8'000'000;  ///< Limit of the number of interactions; more are
                                                 ///< rejected.

@@ -66,7 +66,7 @@ struct Condition {
 /// Condition of an entry. True if all conditions have been true for `hold` without interruption. If
 /// `conditions` is empty, true if an event of this kind occurs.
 struct Trigger {
-    std::vector<Condition> conditions{};
+    std::vector<Condition> conditions{};      ///< Conditions that must all be true.
     double hold = 0.0;                        ///< Duration [s].
     EventKind event = EventKind::line_break;  ///< Kind of event, if `conditions` is empty.
     std::string of{};  ///< Prefix of the name of the event's source; "": any.
@@ -76,7 +76,7 @@ struct Trigger {
 struct Station {
     std::string name{};  ///< Name of the role.
     std::string text{};
-    std::vector<std::string> inputs{};
+    std::vector<std::string> inputs{};  ///< Names of the inputs that the role may set.
 };
 
 /// Kind of a fault.
@@ -225,12 +225,12 @@ struct Tally {
 struct Result {
     std::string exercise;
     Outcome outcome = Outcome::running;
-    std::string end;      ///< Reason of the ending; "" while it runs.
-    double time = 0.0;    ///< Time [s].
-    double points = 0.0;  ///< Points of goals minus those of penalties.
-    double possible = 0.0, pass = 0.0;
-    std::vector<Tally> goals, penalties, alarms;
-    std::vector<Entry> entries;  ///< Log entries in order of occurrence.
+    std::string end;                    ///< Reason of the ending; "" while it runs.
+    double time = 0.0;                  ///< Time [s].
+    double points = 0.0;                ///< Points of goals minus those of penalties.
+    double possible = 0.0, pass = 0.0;  ///< Largest possible points; points required to pass.
+    std::vector<Tally> goals, penalties, alarms;  ///< Totals in the order of Exercise.
+    std::vector<Entry> entries;                   ///< Log entries in order of occurrence.
 };
 /// Displays over time, thinned to at most a few thousand samples.
 struct Curves {

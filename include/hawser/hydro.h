@@ -55,16 +55,16 @@ struct WaveCoefficients {
     std::vector<double> frequency{};  ///< Frequencies ω, ascending, > 0 [rad/s].
     /// A(ω) and B(ω), one matrix for each frequency, or empty [kg, kg m, kg m²; N s/m, N s, N m s].
     std::vector<Matrix6> added_mass{}, damping{};
-    bool has_infinite = false, has_zero = false;
-    Matrix6 infinite = Matrix6::Zero();  ///< A(∞).
-    Matrix6 zero = Matrix6::Zero();      ///< A(0), for checks only.
-    std::vector<double> heading{};       ///< Directions to which waves run, ascending [rad].
+    bool has_infinite = false, has_zero = false;  ///< True if `infinite`, `zero` are known.
+    Matrix6 infinite = Matrix6::Zero();           ///< A(∞).
+    Matrix6 zero = Matrix6::Zero();               ///< A(0), for checks only.
+    std::vector<double> heading{};  ///< Directions to which waves run, ascending [rad].
     /// Amplitudes X by index(heading, frequency, component); empty: unknown. Total wave force and
     /// scattered part [N/m, N], motion at the reference [1, rad/m].
     std::vector<std::complex<double>> excitation{}, scattering{}, motion{};
     /// Mean second-order force of regular waves over a² [N/m², N/m], by frequency and heading.
     std::vector<double> drift{};
-    bool has_stiffness = false;
+    bool has_stiffness = false;           ///< True if `stiffness` is known.
     Matrix6 stiffness = Matrix6::Zero();  ///< Stiffness C, that of weight included [N/m, N, N m].
 
     /// Return the index of an amplitude by direction, frequency and component k, 0 to 5.
@@ -93,7 +93,7 @@ enum class NegativeDamping : std::uint8_t {
 /// Truncation measure of a memory: the largest |K_ij(t)|/√(K_ii(0) K_jj(0)) for t from 0.8 T to T.
 /// Shortest T with a measure of at most `limit`: `enough`; NaN: none up to 20 T.
 struct MemoryEnd {
-    double ratio = 0.0;
+    double ratio = 0.0;   ///< Truncation measure of T [1].
     double enough = 0.0;  ///< Sufficient T [s].
 };
 /// Return the truncation measure of a memory of T = `memory` [s].

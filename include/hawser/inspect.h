@@ -43,8 +43,8 @@ struct SystemView {
 
 /// Interaction between groups without exact coupling, after the last step.
 struct CutView {
-    InteractionId interaction{};
-    Coupling coupling = Coupling::kinematic;
+    InteractionId interaction{};              ///< Interaction of the cut.
+    Coupling coupling = Coupling::kinematic;  ///< Coupling of the cut.
     /// True if the cut is in effect. Bodies that are also coupled by a contact, or by an
     /// interaction that cannot be cut, have no cut.
     bool open = false;
@@ -55,7 +55,7 @@ struct CutView {
 /// Rows of an interaction at the present poses and velocities (interactions.h). Rows of a range,
 /// motor or friction are included whether or not they are active.
 struct RowsView {
-    int rows = 0, bodies = 0;
+    int rows = 0, bodies = 0;  ///< Numbers of rows and bodies.
     /// True for a velocity row, which requires G v = speed and has no violation.
     std::array<bool, kMaxInteractionRows> velocity{};
     std::array<double, kMaxInteractionRows> violation{};  ///< Violation g [m or rad].

@@ -41,6 +41,7 @@ struct RecordingSettings {
     Form form = Form::automatic;
     std::int32_t threads = 1;
     std::int32_t stride = 1;  ///< Steps between frames.
+    /// Instruction set, library version, processor name.
     std::string instruction_set, version, processor;
 };
 
@@ -60,7 +61,7 @@ struct RecordedCable {
     std::vector<std::int32_t> nodes;                     ///< Indices of bodies.
     /// Positions of the cable's ends in the frames of its first and last body [m].
     Vec3 end[2] = {Vec3::Zero(), Vec3::Zero()};
-    std::int32_t elements = 0;
+    std::int32_t elements = 0;       ///< Number of elements.
     std::int32_t first_element = 0;  ///< Index of its first element in Frame::tensions.
 };
 
@@ -137,10 +138,10 @@ struct RecordedTake {
 
 /// Step with work left out to meet its budget.
 struct RecordedCut {
-    std::int64_t step = 0;  ///< Number of steps taken before this step.
-    Degradation left_out;
-    DegradedBy cause = DegradedBy::nothing;
-    double foreseen = 0.0;  ///< StepStats::foreseen_seconds [s].
+    std::int64_t step = 0;                   ///< Number of steps taken before this step.
+    Degradation left_out;                    ///< Work left out.
+    DegradedBy cause = DegradedBy::nothing;  ///< Budget that caused it.
+    double foreseen = 0.0;                   ///< StepStats::foreseen_seconds [s].
 };
 
 /// Event of a step.
@@ -197,11 +198,12 @@ class Recording {
     std::vector<RecordedBody> bodies;  ///< Bodies of the scene, then added bodies.
     std::size_t start_bodies = 0;      ///< Number of bodies of the scene.
     std::vector<RecordedCable> cables;
+    /// Indices of cables and bodies with curves in plots.
     std::vector<std::int32_t> plot_cables, plot_bodies;
     std::vector<RecordedJoint> joints;
-    std::int32_t element_count = 0;
-    std::int64_t start_step = 0;
-    std::uint64_t start_hash = 0;
+    std::int32_t element_count = 0;        ///< Number of elements of all cables.
+    std::int64_t start_step = 0;           ///< Step number of the start state.
+    std::uint64_t start_hash = 0;          ///< Motion hash of the start state.
     std::span<const std::byte> snapshot;   ///< Start state, for World::restore().
     std::vector<std::string> input_names;  ///< Names by RecordedInput::input; optional chunk.
     std::vector<bool> inner_inputs;  ///< True for inputs driven by a system that owns them, by the

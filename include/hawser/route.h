@@ -70,11 +70,11 @@ struct RoutePlace {
 
 /// Definition of a route. World::add() copies it.
 struct RouteDef {
-    std::string name{};    ///< Unique name in the world, or empty.
-    double EA = kDefault;  ///< Axial stiffness [N]. Required.
-    RouteEnd first{};
+    std::string name{};                ///< Unique name in the world, or empty.
+    double EA = kDefault;              ///< Axial stiffness [N]. Required.
+    RouteEnd first{};                  ///< First end.
     std::vector<RoutePlace> places{};  ///< Contact points in order, 1 to 256.
-    RouteEnd last{};
+    RouteEnd last{};                   ///< Last end.
     /// Unstretched length [m]; default: that with `tension` at the present poses.
     double length = kDefault;
     double tension = 0.0;            ///< Tension at the start if no length is given [N].

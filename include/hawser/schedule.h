@@ -29,8 +29,8 @@ namespace hawser {
 struct LoopTimes {
     double before = 0.0;       ///< Time on the calling thread since the last loop [s].
     std::vector<double> task;  ///< Time of each task, in order of assignment [s].
-    TaskWaits waits{};
-    std::int8_t stage = -1;  ///< As TraceSpan::stage.
+    TaskWaits waits{};         ///< Dependencies of the tasks.
+    std::int8_t stage = -1;    ///< As TraceSpan::stage.
     /// Return the longest sum of dependent tasks [s].
     [[nodiscard]] double critical() const;
 };

@@ -138,8 +138,8 @@ struct WaterLine {
     /// last section covers all further ones. A new element has the coefficients of the element
     /// before it.
     struct Section {
-        int elements = 0;
-        LineWater water{};
+        int elements = 0;   ///< Number of initial elements.
+        LineWater water{};  ///< Water coefficients.
     };
     std::vector<Section> sections{};  ///< Sections from the first end. Required.
     /// True: that end is free, and its node belongs to the line. False: the half element at the end
@@ -209,7 +209,7 @@ struct SeaMoment {
     double wind_x = 1.0, wind_y = 0.0;  ///< Unit vector of the wind's direction.
     std::vector<double> phase{};        ///< Phase of each component, (φ − ω t)/2π in [−½, ½].
     std::vector<double> gust{};  ///< Amplitudes of the gusts for the wind speed `gust_of` [m/s].
-    double gust_of = -1.0;
+    double gust_of = -1.0;       ///< Mean wind speed of `gust` [m/s]; < 0: not set.
 };
 
 /// Water at a point. Above the surface: values at the surface below it, pressure 0.

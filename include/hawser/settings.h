@@ -20,12 +20,12 @@ enum class SettingType : std::uint8_t { number, integer, boolean, word, vector }
 
 /// One member of WorldDef. Ranges apply to each component of a vector.
 struct SettingInfo {
-    const char* name = "";  ///< Name of the member and of the key in scene files.
-    SettingType type = SettingType::number;
-    double min = 0.0, max = 0.0;           ///< Range, ends included [unit].
-    const char* unit = "";                 ///< SI unit; "": none.
-    const char* what = "";                 ///< Noun for messages, such as "a time".
-    std::span<const char* const> words{};  ///< Type word: names of the values 0, 1, ….
+    const char* name = "";                   ///< Name of the member and of the key in scene files.
+    SettingType type = SettingType::number;  ///< Type of the value.
+    double min = 0.0, max = 0.0;             ///< Range, ends included [unit].
+    const char* unit = "";                   ///< SI unit; "": none.
+    const char* what = "";                   ///< Noun for messages, such as "a time".
+    std::span<const char* const> words{};    ///< Type word: names of the values 0, 1, ….
     /// True: worlds with different values produce different states, and reject each other's
     /// snapshots. False for limits, form and threads, which change only the computation of a state.
     bool identity = false;

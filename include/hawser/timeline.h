@@ -25,7 +25,7 @@ enum class OperationKind : std::uint8_t { set, cut, detach, attach, join, releas
 /// of wires.
 struct Operation {
     double at = 0.0;  ///< Time [s]; executed before the first step that starts at or after it.
-    OperationKind kind = OperationKind::set;
+    OperationKind kind = OperationKind::set;          ///< Kind of the operation.
     std::vector<std::pair<std::string, double>> set;  ///< Names and values of inputs, or of signals
                                                       ///< "system.signal".
     std::string wire;         ///< Wire of all kinds except `set` and `release`.

@@ -33,8 +33,8 @@ struct TraceSpan {
     std::int32_t loop = -1;         ///< Number of the loop; −1: none.
     std::int32_t task = -1;         ///< Task: its index in the loop. Loop: the number of its tasks.
     std::int32_t thread = 0;        ///< Index of the thread; 0: caller of World::step().
-    SpanKind kind = SpanKind::task;
-    std::int8_t stage = -1;  ///< Innermost stage, a value of Stage; −1: none.
+    SpanKind kind = SpanKind::task;  ///< Kind of the span.
+    std::int8_t stage = -1;          ///< Innermost stage, a value of Stage; −1: none.
     /// Return the duration [s].
     [[nodiscard]] double seconds() const noexcept { return end - begin; }
 };
@@ -50,9 +50,9 @@ struct TraceView {
     std::vector<TraceSpan> spans;
     std::vector<std::int32_t> graph_loop;  ///< Loops with dependent tasks, ascending.
     std::vector<TaskWaits> graph;          ///< Dependencies of each of these loops.
-    int threads = 1;
-    std::int64_t steps = 0;       ///< Number of steps in the trace.
-    std::int64_t steps_lost = 0;  ///< Number of earlier steps that newer ones overwrote.
+    int threads = 1;                       ///< Number of threads.
+    std::int64_t steps = 0;                ///< Number of steps in the trace.
+    std::int64_t steps_lost = 0;           ///< Number of earlier steps that newer ones overwrote.
 };
 
 }  // namespace hawser

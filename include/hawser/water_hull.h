@@ -64,7 +64,7 @@ struct HullStrip {
 
 /// Linear hydrostatics for small motions, instead of those of a mesh.
 struct LinearStatics {
-    bool on = false;
+    bool on = false;           ///< True: linear hydrostatics are used.
     double height = 0.0;       ///< z of the centre of mass at rest, above still water [m].
     double weight = kDefault;  ///< Weight of the displaced water at rest [N]; default: that of the
                                ///< body.
@@ -90,14 +90,14 @@ struct WaterHull {
     /// their hulls by volume. If the hull does not float or has no mass, the initial draught is
     /// used. If that is not between 0 and the height of the mesh, the height is used.
     double design_draught = kDefault;
-    std::vector<HullStrip> strips{};
+    std::vector<HullStrip> strips{};  ///< Drag strips.
     /// Coefficients of hydro.h; null: none. Shared and constant.
     std::shared_ptr<const WaveCoefficients> coefficients{};
-    RadiationKind radiation = RadiationKind::convolution;
-    double memory = 60.0;          ///< Duration T of the memory [s].
-    int order = 8;                 ///< Largest order of the state space.
-    double constant_period = 0.0;  ///< Period of RadiationKind::constant [s].
-    ExcitationKind excitation = ExcitationKind::none;
+    RadiationKind radiation = RadiationKind::convolution;  ///< Model of the radiation force.
+    double memory = 60.0;                                  ///< Duration T of the memory [s].
+    int order = 8;                                         ///< Largest order of the state space.
+    double constant_period = 0.0;                      ///< Period of RadiationKind::constant [s].
+    ExcitationKind excitation = ExcitationKind::none;  ///< Coefficients of the wave force.
     /// True: mean and slow drift. It is the sum, over components with one sign of D, of |Σ a √|D|
     /// e^{iθ}|², whose mean is Σ a² D. Source: J. N. Newman, "Second-order, slowly-varying forces
     /// on vessels in irregular waves", 1974, as a square.

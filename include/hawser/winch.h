@@ -13,7 +13,7 @@
 /// world.set_system_signal("winch.tension", 4e5);   // [N]
 /// ```
 /// *Drum*. A winch is a System (system.h). Its drum is a scalar body with the coordinate θ [rad],
-/// which increases when wire is paid out. The element at the drum has the rest length
+/// which increases when wire is paid out. The rest length of the element at the drum is:
 /// ```
 ///     l = length + r (θ − drum_zero),      r the radius of the outer layer [m]
 /// ```
@@ -163,9 +163,10 @@ struct WinchDef {
 /// Parts of a winch.
 struct WinchIds {
     BodyId drum{};
-    InteractionId line{};  ///< Element at the drum.
-    InteractionId motor{}, brake{};
+    InteractionId line{};            ///< Element at the drum.
+    InteractionId motor{}, brake{};  ///< Motor and brake.
     BodyId chain{};  ///< Scalar body of the chain on a gypsy, which carries the element.
+    /// Gypsy: coupling of the chain to the wheel, and its fastening in the locker.
     InteractionId grip{}, bitter_end{};
 };
 
