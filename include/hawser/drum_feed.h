@@ -8,20 +8,23 @@
 ///        o ───── fairlead ── element at the drum ── node ── element ── node ── wire …
 ///                            rest length l₀ + r (θ − θ₀)
 /// ```
-/// A WinchStretch makes the rest length of one element follow the drum. A drum feed completes it:
+/// A WinchStretch makes the rest length of one element follow the drum. A drum feed completes it.
 ///
-/// - *Nodes.* When the element at the drum has 1.5 times the length `element`, a node is inserted.
-///   When 0.25 times are left, the nearest node is removed. Wire that is paid out therefore has
-///   mass, contacts and shape.
-/// - *Loads.* Half of the mass, weight and drag of the element at the drum acts on its node, half
-///   on the fairlead. The drum carries the weight along the wire.
-/// - *End stop.* When no node is left to remove, the element keeps 2 % of its length
-///   (kLeastOfDrumElement). Hauling stops there: the drum is braked, and the event `hauled_in` is
-///   reported once. Paying out is free.
+/// *Nodes*. When the element at the drum has 1.5 times the length `element`, a node is inserted.
+/// When 0.25 times are left, the nearest node is removed. Wire that is paid out therefore has mass,
+/// contacts and shape.
+///
+/// *Loads*. Half of the mass, weight and drag of the element at the drum acts on its node, half on
+/// the fairlead. The drum carries the weight along the wire.
+///
+/// *End stop*. When no node is left to remove, the element keeps 2 % of its length
+/// (kLeastOfDrumElement). Hauling stops there: the drum is braked, and the event `hauled_in` is
+/// reported once. Paying out is free.
 ///
 /// Limits: one radius, no layers, unlimited store. A winch (winch.h) has layers, capacity, motor
-/// and brake. The brake of the end stop is a damper of 1000 J/h (J inertia of the drum, h step), so
-/// that a motor of torque Q turns the drum by Q h/(1000 J) rad/s while the wire stands.
+/// and brake. The brake of the end stop is a damper of 1000 J/h, with the drum's inertia J and the
+/// step h. A motor of torque Q therefore turns the drum by Q h/(1000 J) rad/s while the wire
+/// stands.
 ///
 /// ```cpp
 /// world.add(hawser::DrumFeedDef{.name = "hoist_feed", .wire = wire, .element = 2.0,
@@ -39,17 +42,19 @@ class World;
 
 /// Feed of a wire whose end lies on a bare drum (World::wind_up()). SI units.
 struct DrumFeedDef {
-    std::string name{};            ///< Unique among systems. Required.
+    std::string name{};            ///< Unique name among systems. Required.
     WireId wire{};                 ///< Wire whose end lies on the drum. Required.
     int end = 0;                   ///< End on the drum: 0 the first, 1 the last.
     double element = kDefault;     ///< Length of the elements paid out [m]; default: that of the
                                    ///< element at the drum. 0: no nodes, only the end stop.
-    double mass_per_length = 0.0;  ///< Of the wire [kg/m]. Required unless `element` is 0.
+    double mass_per_length = 0.0;  ///< Mass of the wire per length [kg/m]. Required unless
+                                   ///< `element` is 0.
 };
 
-/// Called by World::add(). @throws DefError if the wire's end does not lie on a drum, the name is
-/// taken, or nodes are required but the wire's elements have no mass of their own
-/// (WireDef::consistent_mass).
+/// Add a drum feed; World::add() calls it.
+/// @throws DefError if the wire's end does not lie on a drum, or if the name is already used
+/// @throws DefError if nodes are required but the wire's elements have no mass
+/// (WireDef::consistent_mass)
 void define(World& world, const DrumFeedDef& def);
 
 }  // namespace hawser

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file edges.h
-/// Convex edges of boxes, hulls and meshes, and the cylinder that a wire lies on there (post.h).
+/// Convex edges of boxes, hulls and meshes, and the cylinder at an edge that carries a wire
+/// (post.h).
 ///
 /// ```
 ///            outward              A cylinder of radius r lies against both faces, as if the edge
@@ -9,9 +10,9 @@
 ///                 ╱              turn the angle between the normals of the faces.
 ///        face    ╱ (r)
 /// ```
-/// Pieces of an edge that go on straight between the same two planes are one. Limits: triangles of
-/// a mesh are counterclockwise seen from outside; where it ends, and where more than two triangles
-/// meet, it has no edge. Of a mesh nobody looks whether the cylinder is thicker than the solid.
+/// Collinear pieces of an edge between the same two planes are merged. Limits: triangles of a mesh
+/// are counterclockwise seen from outside. Boundaries, and edges with more than two triangles, are
+/// ignored. For a mesh, it is not checked that the cylinder fits into the solid.
 
 #include <hawser/math.h>
 #include <hawser/shapes.h>
@@ -21,27 +22,28 @@
 
 namespace hawser {
 
-/// An edge in the frame of the shape's body.
+/// Convex edge in the frame of the shape's body.
 struct ShapeEdge {
-    Vec3 from{0, 0, 0}, to{0, 0, 0};  ///< [m].
-    Vec3 outward{0, 0, 1};            ///< Unit, half-way between the normals of both faces.
-    double turn = 0.0;                ///< Angle between these normals [rad], above 0, below π.
-    /// Of a cylinder that lies within the shape against both faces [m]; of a mesh infinite.
+    Vec3 from{0, 0, 0}, to{0, 0, 0};  ///< End points [m].
+    Vec3 outward{0, 0, 1};            ///< Unit bisector of the normals of both faces.
+    double turn = 0.0;                ///< Angle between these normals [rad], > 0 and < π.
+    /// Largest radius of a cylinder inside the shape against both faces [m]; infinite for a mesh.
     double most_radius = std::numeric_limits<double>::infinity();
 };
 
-/// Edges that turn by more than an angle [rad], in the order of their first ends along x, y, z.
-/// Empty: it has none so sharp. @throws DefError where the shape is no box, hull or mesh, or none
-/// that can be.
+/// Return the edges with a turn above an angle [rad], in the order of their first ends along x, y,
+/// z. Empty: there are none.
+/// @throws DefError if the shape is invalid, or not a box, hull or mesh.
 [[nodiscard]] std::vector<ShapeEdge> convex_edges(const ShapeDef& shape, double sharper_than);
 
-/// Ends of the axis of a cylinder that lies against both faces. @param radius  [m].
+/// Axis of a cylinder that lies against both faces of an edge.
 struct EdgeAxis {
-    Vec3 from, to;  ///< In the frame of the body [m].
+    Vec3 from, to;  ///< End points in the frame of the body [m].
 };
+/// Return the axis of the cylinder of a radius [m] that lies against both faces of an edge.
 [[nodiscard]] EdgeAxis axis_in_edge(const ShapeEdge& edge, double radius) noexcept;
 
-/// From the farther one of two points to an edge [m].
+/// Return the distance to an edge of the farther one of two points [m].
 [[nodiscard]] double distance_to_edge(const ShapeEdge& edge, const Vec3& a, const Vec3& b) noexcept;
 
 }  // namespace hawser

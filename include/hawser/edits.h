@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file edits.h
-/// What a removal takes away.
+/// Result of a removal.
 
 #include <hawser/id.h>
 
@@ -9,13 +9,13 @@
 
 namespace hawser {
 
-/// Everything that went in one call of World::remove_…, what was asked for included; ascending by
-/// places. All of these ids are refused from then on.
+/// Ids that one call of World::remove_…() removed, the requested one included, by ascending index.
+/// They are rejected from then on.
 struct Removed {
-    std::vector<BodyId> bodies;
-    std::vector<InteractionId> interactions;
-    std::vector<ShapeId> shapes;
-    std::vector<InputId> inputs;
+    std::vector<BodyId> bodies;               ///< Removed bodies.
+    std::vector<InteractionId> interactions;  ///< Removed interactions.
+    std::vector<ShapeId> shapes;              ///< Removed shapes.
+    std::vector<InputId> inputs;              ///< Removed inputs.
 };
 
 }  // namespace hawser

@@ -2,30 +2,30 @@
 #pragma once
 /// @file exercise.h
 /// Exercises: a scene with stations, faults, alarms, goals, penalties and a score. Part of
-/// hawser::session; docs/exercises.md describes the file.
+/// hawser::session. File format: docs/exercises.md.
 ///
 /// ```cpp
 /// auto loaded = hawser::exercise::load_file("exercises/tow_out.json");
 /// hawser::Session session(std::move(loaded.scene), {.record = "run.hwr"});
 /// hawser::exercise::Run run(loaded.exercise, session);
 /// while (!run.ended()) {
-///     run.set_input("tug", "winch.speed", 0.5);     // may the role do that? else Refused
+///     run.set_input("tug", "winch.speed", 0.5);     // throws Refused if the role may not set it
 ///     if (run.step() != hawser::Status::ok) break;
 /// }
 /// session.finish();
 /// fmt::print("{} points\n", run.result().points);
 /// ```
-/// **Roles.** `instructor` sets every input and triggers faults, `watcher` sets nothing, any other
-/// role is a station and sets the inputs that the exercise gives it.
+/// *Roles*. `instructor` sets every input and triggers faults; `watcher` sets nothing. Any other
+/// role is a station and sets the inputs that the exercise assigns to it.
 ///
-/// **Faults** act through the session alone: they part lines, and change what a lever sets before
-/// it reaches the world. What they do is therefore in the recording as any other change, and a
-/// replay repeats it bit for bit, with any number of threads.
+/// Faults act through the session only. They break lines, and change a control's value before it
+/// reaches the world. The recording contains these changes, so that a replay repeats them bit for
+/// bit with any number of threads.
 ///
-/// **Score.** Conditions compare outputs of the world after each step; points follow from these
-/// comparisons in a fixed order, so that two runs of the same bits have the same score. A recording
-/// keeps what cannot be computed again from the motion: outputs of systems, events of systems, and
-/// who did what (Session::note()); rescore() computes everything else anew from the replayed world.
+/// *Score*. Conditions compare outputs of the world after each step. Points follow from these
+/// comparisons in a fixed order, so that equal runs have equal scores. A recording stores data that
+/// the motion does not determine: outputs and events of systems, and the actions of roles
+/// (Session::note()). The rest is computed from the replayed world by rescore().
 
 #include <hawser/scene.h>
 #include <hawser/session.h>
@@ -45,226 +45,263 @@ namespace hawser::exercise {
 
 inline constexpr std::string_view kInstructor = "instructor";
 inline constexpr std::string_view kWatcher = "watcher";
-/// Entries that each list of an exercise may have, and conditions of one entry.
+/// Largest number of entries of each list of an exercise, and of conditions of one entry.
 inline constexpr std::size_t kMostEntries = 256;
 
-/// A role asked for what it may not do; what() says what, and who may. Nothing was changed.
+/// A role has no permission for its request. The message states the request and the permitted
+/// roles. The request has no effect.
 struct Refused : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Holds while the output is at least `above` and at most `below`; not where it is NaN.
+/// True if above ≤ output ≤ below; false if the output is NaN.
 struct Condition {
-    std::string output{};  ///< Of the world, by name.
+    std::string output{};  ///< Name of an output of the world.
+    /// Lower limit, in the unit of the output.
     double above = -std::numeric_limits<double>::infinity();
+    /// Upper limit, in the unit of the output.
     double below = std::numeric_limits<double>::infinity();
 };
 
-/// When something counts: all conditions have held for `hold` without a break; or where
-/// `conditions` is empty an event of this kind happened.
+/// Condition of an entry. True if all conditions have been true for `hold` without interruption. If
+/// `conditions` is empty, true if an event of this kind occurs.
 struct Trigger {
-    std::vector<Condition> conditions{};
-    double hold = 0.0;                        ///< [s]
-    EventKind event = EventKind::line_break;  ///< Where there are no conditions …
-    std::string of{};                         ///< … of what has a name that begins so; "": any.
+    std::vector<Condition> conditions{};      ///< Conditions that must all be true.
+    double hold = 0.0;                        ///< Duration [s].
+    EventKind event = EventKind::line_break;  ///< Kind of event, if `conditions` is empty.
+    std::string of{};  ///< Prefix of the name of the event's source; "": any.
 };
 
+/// Role with its controls.
 struct Station {
-    std::string name{};  ///< Of the role.
+    std::string name{};  ///< Name of the role.
     std::string text{};
-    std::vector<std::string> inputs{};
+    std::vector<std::string> inputs{};  ///< Names of the inputs that the role may set.
 };
 
+/// Kind of a fault.
 enum class FaultKind : std::uint8_t {
-    line_parts,         ///< Target: a wire, at `s`, or an element by name. Cannot be cleared.
-    motor_loses_force,  ///< Of a winch: modes speed, tension and render act as free. Of a motor of
-                        ///< the scene: its forces times `share`.
-    brake_slips,        ///< Of a winch: its brake holds `share` of what is asked for. Of a friction
-                        ///< of the scene: its force times `share`.
-    input_stuck,        ///< Keeps the value it had, or `value`.
-    input_late,         ///< Takes effect `delay` later.
-    output_frozen,      ///< Displays and alarms keep the value it had; goals see the truth.
+    line_parts,         ///< Breaks a line. Target: a wire, at `s`, or an element by name. Cannot be
+                        ///< cleared.
+    motor_loses_force,  ///< Winch: modes speed, tension and render act as free. Motor of the scene:
+                        ///< force limits times `share`.
+    brake_slips,        ///< Winch: `brake` input times `share`. Friction of the scene: bound times
+                        ///< `share`.
+    input_stuck,        ///< The input keeps its last value, or has `value`.
+    input_late,         ///< The input takes effect after `delay`.
+    output_frozen,      ///< Displays and alarms keep the last value; goals use the true value.
 };
 inline constexpr int kFaultKindCount = 6;
+/// Return the name of a kind of fault, as in exercise files.
 [[nodiscard]] const char* to_string(FaultKind kind) noexcept;
 
+/// Fault of the equipment, set by time or by the instructor.
 struct Fault {
     std::string name{}, text{};
     FaultKind kind = FaultKind::line_parts;
-    std::string target{};        ///< Wire, element, winch, interaction, input or output.
-    double s = kDefault;         ///< From the wire's first end [m]; NaN: its middle.
-    double share = 0.0;          ///< 0 to 1.
-    double value = kDefault;     ///< NaN: the value it has.
-    double delay = 0.0;          ///< [s]
-    std::optional<double> at{};  ///< Comes by itself at this time [s]; else the instructor's.
-    double lasts = std::numeric_limits<double>::infinity();  ///< [s]
+    std::string target{};  ///< Name of a wire, element, winch, interaction, input or output.
+    double s = kDefault;   ///< Material coordinate from the wire's first end [m]; NaN: its middle.
+    double share = 0.0;    ///< Fraction that remains, 0 to 1.
+    double value = kDefault;     ///< Value of the input; NaN: the last value.
+    double delay = 0.0;          ///< Delay [s].
+    std::optional<double> at{};  ///< Time at which it starts by itself [s]; none: the instructor
+                                 ///< triggers it.
+    double lasts = std::numeric_limits<double>::infinity();  ///< Duration [s].
 };
 
+/// Alarm while its trigger is true.
 struct Alarm {
     std::string name{}, text{};
     Trigger when{};
 };
 
+/// Goal with points when its trigger first becomes true.
 struct Goal {
     std::string name{}, text{};
     Trigger when{};
     double points = 0.0;
-    std::string after{};         ///< Goal that must have been reached before; "": none.
-    std::optional<double> by{};  ///< Later it gives nothing [s].
+    std::string after{};         ///< Goal that must be reached before; "": none.
+    std::optional<double> by{};  ///< Time after which it adds no points [s].
 };
 
+/// Penalty while its trigger is true.
 struct Penalty {
     std::string name{}, text{};
     Trigger when{};
-    double points = 0.0;                                    ///< Each time it begins.
-    double per_second = 0.0;                                ///< And while it lasts.
-    double most = std::numeric_limits<double>::infinity();  ///< Points in all.
+    double points = 0.0;      ///< Points for each start.
+    double per_second = 0.0;  ///< Points per second while it lasts [1/s].
+    double most = std::numeric_limits<double>::infinity();  ///< Limit of the points in total.
 };
 
+/// Ending of the exercise when its trigger becomes true.
 struct End {
     std::string name{}, text{};
     Trigger when{};
-    bool failed = false;  ///< The exercise has then failed, whatever the points.
+    bool failed = false;  ///< True: the exercise is then failed at any score.
 };
 
+/// Definition of an exercise.
 struct Exercise {
     std::string name{}, description{};
-    std::string file{};       ///< For messages.
-    std::string text{};       ///< Document (JSON), goes into recordings.
-    double duration = 600.0;  ///< It ends then [s].
-    double pass = 0.0;        ///< Points needed.
-    bool until_done = true;   ///< It also ends when all goals have been reached.
+    std::string file{};       ///< File name for messages.
+    std::string text{};       ///< Document (JSON) for recordings.
+    double duration = 600.0;  ///< Duration of the exercise [s].
+    double pass = 0.0;        ///< Points required to pass.
+    bool until_done = true;   ///< True: the exercise also ends when all goals are reached.
     std::vector<Station> stations{};
     std::vector<Fault> faults{};
     std::vector<Alarm> alarms{};
     std::vector<Goal> goals{};
     std::vector<Penalty> penalties{};
     std::vector<End> ends{};
-    std::vector<std::string> displays{};     ///< Outputs that stations see and reports plot.
-    std::vector<scene::Operation> levers{};  ///< `set` of timelines: Run does them, by time.
+    std::vector<std::string> displays{};  ///< Outputs in the displays of stations and in plots of
+                                          ///< reports.
+    std::vector<scene::Operation> levers{};  ///< Operations `set` of the timelines by time,
+                                             ///< executed by Run.
 };
 
-/// An exercise with its scene, to which it has added its inputs, outputs and timeline.
+/// Exercise with its scene. The exercise has added its inputs, outputs and timeline to the scene.
 struct Loaded {
     Exercise exercise;
     scene::Scene scene;
 };
-/// @param options  Of the scene. @throws scene::SceneError with file, place and nearest name.
+/// Load an exercise with its scene.
+/// @param options  Options of the scene.
+/// @throws scene::SceneError with file, position and nearest name.
 [[nodiscard]] Loaded load_file(const std::filesystem::path& file,
                                const scene::Options& options = {});
-/// @param name  For messages; its folder is where the scene is looked for.
+/// Load an exercise from memory.
+/// @param name  Name for messages; its folder is searched for the scene.
+/// @throws scene::SceneError.
 [[nodiscard]] Loaded load_text(std::string_view text, const std::string& name,
                                const scene::Options& options = {});
-/// Whether a document is an exercise rather than a scene: it has the key "exercise".
+/// True if the document has the key "exercise", and so is an exercise instead of a scene.
 [[nodiscard]] bool is_exercise(const std::filesystem::path& file) noexcept;
-/// The format as a JSON Schema (draft 07): schema/exercise-1.json.
+/// Return the format as a JSON Schema (draft 07): schema/exercise-1.json.
 [[nodiscard]] std::string schema_text();
 
+/// Kind of a log entry.
 enum class EntryKind : std::uint8_t {
-    goal,       ///< Reached.
-    penalty,    ///< Began.
-    alarm,      ///< Sounded …
-    alarm_end,  ///< … and stopped.
-    fault,      ///< Set in …
-    fault_end,  ///< … and ended.
-    restored,   ///< Went back to a mark; the time is that of the mark.
-    end,        ///< Of the exercise.
+    goal,       ///< A goal was reached.
+    penalty,    ///< A penalty started.
+    alarm,      ///< An alarm started.
+    alarm_end,  ///< An alarm ended.
+    fault,      ///< A fault started.
+    fault_end,  ///< A fault ended.
+    restored,   ///< The run was restored to a mark; the time is that of the mark.
+    end,        ///< The exercise ended.
 };
+/// Return the name of a kind of log entry, as in JSON results.
 [[nodiscard]] const char* to_string(EntryKind kind) noexcept;
 
-/// Something that happened.
+/// Log entry of an exercise.
 struct Entry {
-    double time = 0.0;  ///< [s]
+    double time = 0.0;  ///< Time [s].
     EntryKind kind = EntryKind::goal;
-    std::string name;     ///< Of the goal, penalty, …
-    std::string text;     ///< In words.
-    std::string by;       ///< Role of faults; "": the exercise.
-    double points = 0.0;  ///< What it changed, but for penalties that go on.
+    std::string name;     ///< Name of the goal, penalty, ….
+    std::string text;     ///< Description.
+    std::string by;       ///< Role that triggered a fault; "": the exercise.
+    double points = 0.0;  ///< Change of the score, without penalties that are still active.
 };
 
+/// Outcome of an exercise.
 enum class Outcome : std::uint8_t { running, passed, failed };
+/// Return the name of an outcome, as in its enumerator.
 [[nodiscard]] const char* to_string(Outcome outcome) noexcept;
 
+/// Totals of a goal, penalty or alarm.
 struct Tally {
     std::string name, text;
-    bool reached = false;    ///< Of a goal.
-    double time = 0.0;       ///< When it was reached, or first began [s].
-    std::int32_t times = 0;  ///< Of penalties and alarms.
-    double seconds = 0.0;    ///< Of penalties and alarms, in all.
-    double points = 0.0;     ///< That it gave or took.
-    double possible = 0.0;   ///< Of a goal.
-    bool active = false;     ///< Of alarms and penalties, now.
+    bool reached = false;    ///< Goals: true if reached.
+    double time = 0.0;       ///< Time at which it was reached, or first started [s].
+    std::int32_t times = 0;  ///< Penalties and alarms: number of starts.
+    double seconds = 0.0;    ///< Penalties and alarms: total duration [s].
+    double points = 0.0;     ///< Points added; < 0: subtracted.
+    double possible = 0.0;   ///< Goals: largest possible points.
+    bool active = false;     ///< Penalties and alarms: true if active now.
 };
 
+/// Score and log of an exercise.
 struct Result {
     std::string exercise;
     Outcome outcome = Outcome::running;
-    std::string end;      ///< Why it ended; "" while it runs.
-    double time = 0.0;    ///< [s]
-    double points = 0.0;  ///< Goals less penalties.
-    double possible = 0.0, pass = 0.0;
-    std::vector<Tally> goals, penalties, alarms;
-    std::vector<Entry> entries;  ///< In the order in which they happened.
+    std::string end;                    ///< Reason of the ending; "" while it runs.
+    double time = 0.0;                  ///< Time [s].
+    double points = 0.0;                ///< Points of goals minus those of penalties.
+    double possible = 0.0, pass = 0.0;  ///< Largest possible points; points required to pass.
+    std::vector<Tally> goals, penalties, alarms;  ///< Totals in the order of Exercise.
+    std::vector<Entry> entries;                   ///< Log entries in order of occurrence.
 };
-/// Displays over time, thinned so that there are at most some thousand.
+/// Displays over time, thinned to at most a few thousand samples.
 struct Curves {
-    std::vector<double> time;                 ///< [s]
-    std::vector<std::vector<double>> values;  ///< Of each of Exercise::displays.
+    std::vector<double> time;                 ///< Times [s].
+    std::vector<std::vector<double>> values;  ///< Samples of each of Exercise::displays.
 };
-/// With all numbers to 17 digits: equal texts are equal scores.
+/// Return the result as JSON with numbers of 17 digits, so that equal texts mean equal scores.
 [[nodiscard]] std::string to_json(const Result& result);
 
-/// An exercise as it runs in a session. One thread at a time, that of the session.
+/// Exercise that runs in a session. Use it from the thread of the session.
 class Run {
   public:
-    /// @param exercise, session  Have to outlive it; the session's scene is that of load_file().
-    /// @throws DefError where the session's world lacks what the exercise names.
+    /// Start an exercise.
+    /// @param exercise, session  Must outlive the run. The session's scene is that of load_file().
+    /// @throws DefError if the session's world lacks a name that the exercise uses.
     Run(const Exercise& exercise, Session& session);
     ~Run();
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
-    // --- Who may do what ------------------------------------------------------------------------
-    /// Instructor, watcher, or a station.
+    // --- Permissions -----------------------------------------------------------------------------
+    /// True if the role is the instructor, the watcher or a station.
     [[nodiscard]] bool is_role(std::string_view role) const noexcept;
+    /// True if the role may set the input.
     [[nodiscard]] bool may_set(std::string_view role, std::string_view input) const noexcept;
 
-    // --- Levers and faults
-    // ------------------------------------------------------------------------
-    /// From the next step on, unless a fault keeps it back. Instead of Session::set_input(), which
-    /// would pass faults by. @throws Refused; DefError as Session::set_input().
+    // --- Controls and faults ---------------------------------------------------------------------
+    /// Set an input from the next step on, unless a fault prevents it. Session::set_input() would
+    /// bypass faults.
+    /// @throws Refused if the role has no permission
+    /// @throws DefError as Session::set_input()
     void set_input(std::string_view role, std::string_view input, double value);
-    /// What was asked for last; NaN where nobody has.
+    /// Return the last requested value of an input; NaN: none.
     [[nodiscard]] double asked(std::string_view input) const noexcept;
-    /// @throws Refused unless the role is the instructor's; DefError where there is no such fault,
-    /// or it cannot be done.
+    /// Start or clear a fault.
+    /// @throws Refused if the role is not the instructor
+    /// @throws DefError if the fault does not exist or is not possible
     void trigger(std::string_view role, std::string_view fault);
     void clear(std::string_view role, std::string_view fault);
+    /// True if the fault is active.
     [[nodiscard]] bool active(std::string_view fault) const noexcept;
-    /// An output as displays show it, which a fault may have frozen. @throws DefError.
+    /// Return an output as displays show it; a fault may freeze it.
+    /// @throws DefError.
     [[nodiscard]] double shown(std::string_view output) const;
 
-    // --- Stepping
-    // ---------------------------------------------------------------------------------
-    /// Levers, faults and timeline that are due. @throws DefError where a fault cannot be done.
+    // --- Stepping --------------------------------------------------------------------------------
+    /// Apply controls, faults and timeline operations that are due.
+    /// @throws DefError if a fault is not possible.
     void before_step();
-    /// Alarms, goals, penalties, ends: after a step that went well.
+    /// Update alarms, goals, penalties and ends. Call it after a completed step.
     void after_step();
-    /// The two around Session::step().
+    /// Call before_step(), Session::step() and after_step().
     Status step();
-    /// Of the exercise: score and entries stay from then on, the session may go on.
+    /// True if the exercise has ended. Score and entries are then constant; the session may
+    /// continue.
     [[nodiscard]] bool ended() const noexcept;
-    /// Ends it now, for instance where a step failed. @param why  In words.
+    /// End the exercise now, for instance after a failed step.
+    /// @param why  Description of the reason.
     void end(const std::string& why, bool failed);
+    /// Return score and log up to now.
     [[nodiscard]] const Result& result() const noexcept;
+    /// Return the displays over time up to now.
     [[nodiscard]] const Curves& curves() const noexcept;
 
-    // --- Going back
-    // -------------------------------------------------------------------------------
-    /// What a state that is saved now (World::save()) needs beside; a small number.
+    // --- Restoring -------------------------------------------------------------------------------
+    /// Return a mark of controls, faults and score, to be stored with World::save(); a small
+    /// number.
     [[nodiscard]] int mark();
-    /// After the state of that time has been restored: levers, faults and score are those of the
-    /// mark, and an entry says so. @throws DefError where there is no such mark.
+    /// Restore controls, faults and score of a mark, after its state has been restored. Adds an
+    /// entry.
+    /// @throws DefError if the mark does not exist.
     void back_to(int mark);
 
   private:
@@ -272,16 +309,19 @@ class Run {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Score of a recording of an exercise, from a replay of its motion.
+/// Score of a recorded exercise, from a replay of its motion.
 struct Rescored {
     Exercise exercise;
     Result result;
     Curves curves;
-    bool same = true;  ///< Every frame had the recorded hash; else `difference` says more.
+    bool same = true;  ///< True if every frame has the recorded hash; else `difference` describes
+                       ///< the first deviation.
     std::string difference;
 };
-/// @param threads  Of the world that repeats it. @throws record::RecordingError where it is no
-/// recording of an exercise, DefError or scene::SceneError where what it holds makes no sense.
+/// Compute the score of a recording by a replay of its motion.
+/// @param threads  Worker threads of the replaying world.
+/// @throws record::RecordingError if it is not a recording of an exercise
+/// @throws DefError or scene::SceneError if its content is invalid
 [[nodiscard]] Rescored rescore(const record::Recording& recording, int threads = 1);
 
 }  // namespace hawser::exercise

@@ -1,30 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hull.h
-/// Hulls: closed surfaces of triangles, apart from collision shapes, and what still water does to
-/// them.
+/// Hulls: closed triangle surfaces for water loads, separate from collision shapes, and their
+/// hydrostatics.
 ///
-/// A hull is cut by the surface z = η; what is below is pressed by p, linear over each triangle:
+/// The surface z = η divides a hull. The pressure p acts on the part below it, and is linear over
+/// each triangle:
 /// ```
 ///        ________            p = ρ g s at each corner, s = η − z its depth
 ///   ~~~~/~~~~~~~~\~~~~  η    a triangle with corners above and below is cut at s = 0
 ///       \________/
 /// ```
-/// Over a triangle of area A with normal n (outwards) and pressures p₀ p₁ p₂ at x₀ x₁ x₂
+/// A triangle of area A with outward normal n has the pressures p₀ p₁ p₂ at x₀ x₁ x₂. Its exact
+/// load is
 /// ```
 ///     F = −n A (p₀ + p₁ + p₂)/3        τ = Σᵢ xᵢ × (−n) A (p₀ + p₁ + p₂ + pᵢ)/12
 /// ```
-/// exactly, so that hydrostatics of a mesh are those of its polyhedron to rounding. Volume and its
-/// centre follow from the divergence theorem with the waterplane as lid.
+/// Hydrostatics of a mesh are therefore those of its polyhedron, to rounding. Volume and its centre
+/// follow from the divergence theorem with the waterplane as lid.
 ///
-/// *Tangent.* Where the hull moves by (x, φ), each piece of the waterplane at (x, y) rises by
-/// r = (0, 0, 1, y, −x, 0)·(x, φ): K = ρ g ∫ r rᵀ dA over the waterplane. It is positive
-/// semi-definite; of the moments of weight and buoyancy, ρ g V (z_B − z_G) about x and y, it takes
-/// in what is stable. Up and down it is at least ρ g V over the depth of the lowest point, the
-/// secant to where the hull is out of the water.
+/// *Tangent*. A displacement (x, φ) raises the waterplane at (x, y) by r·(x, φ), r = (0, 0, 1, y,
+/// −x, 0). The stiffness is K = ρ g ∫ r rᵀ dA over the waterplane, positive semi-definite. The
+/// moments of weight and buoyancy, ρ g V (z_B − z_G) about x and y, contribute their stable part.
+/// The heave stiffness is at least ρ g V over the depth of the lowest point: the secant to the
+/// position above the water.
 ///
 /// Source of the formulas: A. B. Biran, *Ship Hydrostatics and Stability*, 2003. Limits: the
-/// surface is linear over each triangle, so that triangles are to be small against waves.
+/// surface is linear over each triangle, so that triangles must be small compared with waves.
 
 #include <hawser/math.h>
 
@@ -35,75 +37,85 @@
 
 namespace hawser {
 
-/// Triangles, counterclockwise seen from outside.
+/// Triangle mesh, counterclockwise seen from outside.
 struct HullMesh {
-    std::vector<Vec3> vertices{};                          ///< [m].
-    std::vector<std::array<std::int32_t, 3>> triangles{};  ///< Corners by number.
+    std::vector<Vec3> vertices{};                          ///< Positions [m].
+    std::vector<std::array<std::int32_t, 3>> triangles{};  ///< Vertex indices of the corners.
 };
 
-/// What is wrong with a mesh, in words with the edge or triangle; "": it is closed, consistent and
+/// Return the fault of a mesh with its edge or triangle; "": the mesh is closed, consistent, and
 /// its normals point outwards.
 [[nodiscard]] std::string hull_fault(const HullMesh& mesh);
 
-/// Read an OBJ file, an STL file, text or binary, a GDF file (WAMIT) or a mesh of NEMOH (.dat), by
-/// its ending; corners at the same place become one. Polygons are cut into triangles; halves of
-/// GDF and NEMOH files get their mirror images. @throws DefError with the line where it is wrong.
+/// Read a mesh file by its extension: OBJ, STL (text or binary), GDF (WAMIT), or NEMOH (.dat).
+/// Corners at equal positions are merged. Polygons are divided into triangles. Halves in GDF and
+/// NEMOH files are mirrored.
+/// @throws DefError with the line of the fault.
 [[nodiscard]] HullMesh read_hull(const std::string& file);
 
-/// Meshes of WAMIT and NEMOH end at the waterline: walls up from there, and a deck.
-/// @param top  z of the deck, above that of all open edges [m]; at it: a deck alone.
-/// @throws DefError where an edge is open that does not lie within 1e-3 m of the highest.
+/// Close a mesh of WAMIT or NEMOH, which ends at the waterline, by walls upwards and a deck.
+/// @param top  z of the deck, at or above all open edges [m]. At their height: a deck only.
+/// @throws DefError if an open edge is more than 1e-3 m below the highest.
 void close_hull(HullMesh& mesh, double top);
 
-/// A box as a mesh; each side of nx × ny × nz pieces. @param half  Half sizes [m].
+/// Return a box as a mesh with nx × ny × nz divisions.
+/// @param half  Half sizes [m].
 [[nodiscard]] HullMesh box_hull(const Vec3& half, int nx = 1, int ny = 1, int nz = 1);
 
-/// A block of a hull's volume: what lies inside the mesh on the vertical line through the middle of
-/// a cell of an even grid, between two levels of the grid.
+/// Block of a hull's volume: the interior on the vertical line through the middle of a cell of an
+/// even grid, between two grid levels.
 struct HullCell {
-    Vec3 at{0.0, 0.0, 0.0};               ///< Its middle, in the body's frame [m].
-    Vec3 size{0.0, 0.0, 0.0};             ///< Along the body's axes [m].
-    std::array<std::int32_t, 3> index{};  ///< Of the grid's cell.
+    Vec3 at{0.0, 0.0, 0.0};               ///< Centre, in the body's frame [m].
+    Vec3 size{0.0, 0.0, 0.0};             ///< Size along the body's axes [m].
+    std::array<std::int32_t, 3> index{};  ///< Indices of the grid cell.
+    /// Return the volume [m³].
     [[nodiscard]] double volume() const noexcept { return size.prod(); }
 };
-/// Cut a hull into some 200 cells of about equal edges; at least one. A mesh without volume has one
-/// of the size of its box.
+/// Cut a hull into about 200 cells with nearly equal edges, at least one. A mesh without volume has
+/// one cell, of the size of its bounding box.
 [[nodiscard]] std::vector<HullCell> hull_cells(const HullMesh& mesh);
 
-/// A mesh under the still surface z = 0.
+/// Hydrostatics of a mesh below the still surface z = 0.
 struct HullStatics {
-    double volume = 0.0;                      ///< [m³].
-    Vec3 buoyancy{0.0, 0.0, 0.0};             ///< Its centre, B [m].
-    double plane_area = 0.0;                  ///< Of the waterplane [m²].
-    Vec3 plane_centre{0.0, 0.0, 0.0};         ///< Of it [m].
-    double inertia_x = 0.0, inertia_y = 0.0;  ///< Of it about axes through its centre [m⁴].
-    double inertia_xy = 0.0;                  ///< ∫ x y [m⁴].
+    double volume = 0.0;                      ///< Displaced volume [m³].
+    Vec3 buoyancy{0.0, 0.0, 0.0};             ///< Centre of buoyancy B [m].
+    double plane_area = 0.0;                  ///< Area of the waterplane [m²].
+    Vec3 plane_centre{0.0, 0.0, 0.0};         ///< Centre of the waterplane [m].
+    double inertia_x = 0.0, inertia_y = 0.0;  ///< Second moments of the waterplane about axes
+                                              ///< through its centre [m⁴].
+    double inertia_xy = 0.0;                  ///< Product moment ∫ x y of the waterplane [m⁴].
     double lowest = 0.0;                      ///< z of the lowest point [m].
 };
 
-/// Of a mesh at a pose, under z = level. Positions are in the world frame.
+/// Compute the hydrostatics of a mesh at a pose, below z = level [m]. Positions are in the world
+/// frame.
 [[nodiscard]] HullStatics hull_statics(const HullMesh& mesh, const Pose& pose, double level = 0.0);
 
-/// A hull afloat.
+/// Equilibrium of a floating hull.
 struct Flotation {
-    bool floats = false;   ///< False: it sinks.
-    double draught = 0.0;  ///< From the surface to the lowest point [m].
-    Pose pose{};           ///< Of the body, whose centre of mass is its origin.
+    bool floats = false;   ///< False: the hull sinks.
+    double draught = 0.0;  ///< Depth of the lowest point below the surface [m].
+    Pose pose{};           ///< Pose of the body; its origin is the centre of mass.
     HullStatics statics{};
-    double kb = 0.0;       ///< B above the lowest point [m].
-    double bm = 0.0;       ///< I_x/V, about x [m].
-    double bm_long = 0.0;  ///< I_y/V, about y [m].
-    double kg = 0.0;       ///< Centre of mass above the lowest point [m].
-    double gm = 0.0;       ///< KB + BM − KG [m].
-    double trim = 0.0;     ///< About y, positive bow down [rad].
+    double kb = 0.0;       ///< Height of B above the lowest point [m].
+    double bm = 0.0;       ///< Transverse metacentric radius I_x/V [m].
+    double bm_long = 0.0;  ///< Longitudinal metacentric radius I_y/V [m].
+    double kg = 0.0;       ///< Height of the centre of mass above the lowest point [m].
+    double gm = 0.0;       ///< Metacentric height KB + BM − KG [m].
+    double trim = 0.0;     ///< Rotation about y, positive bow down [rad].
 };
 
-/// Where a hull of a mass floats at a heel (about the body's x axis) [rad], with its centre of mass
-/// at the origin of the mesh: sinkage by Newton's method. The x axis stays level, or
-/// @param trims  turns about the heeled y axis until the moment about that is gone.
+/// Compute the equilibrium of a hull at a heel angle about the body's x axis, with its centre of
+/// mass at the mesh's origin. Method: Newton iterations for the sinkage.
+/// @param mass  Mass [kg].
+/// @param density  Density of the water [kg/m³].
+/// @param heel  Heel angle [rad].
+/// @param trims  True: the hull turns about the heeled y axis until that moment is zero. False: the
+/// x axis stays level.
 [[nodiscard]] Flotation float_hull(const HullMesh& mesh, double mass, double density,
                                    double heel = 0.0, bool trims = false);
-/// Righting lever at a heel [m]: horizontal distance of B from G, positive where it rights.
+/// Compute the righting lever at a heel angle [m]: horizontal distance of B from G, positive if it
+/// rights the hull.
 [[nodiscard]] double righting_lever(const HullMesh& mesh, double mass, double density, double heel,
                                     bool trims = false);
 

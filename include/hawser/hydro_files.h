@@ -1,30 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hydro_files.h
-/// Reads coefficients of floating bodies (hydro.h) from the files of other programs. Part of
+/// Reader of coefficients of floating bodies (hydro.h) from files of other programs. Part of
 /// hawser::scene.
 ///
-/// | file | by | has |
-/// |---|---|---|
-/// | `.1` | WAMIT | A, B, A(0), A(∞); beside it `.3` excitation, `.4` motions, `.9` or `.8` drift,
-/// `.hst` stiffness, `.gdf` length | | `RadiationCoefficients.tec` | NEMOH 2 | A, B; beside it
-/// `ExcitationForce.tec`, `DiffractionForce.tec`, `Nemoh.cal` | | `.nc` | Capytaine, netCDF-3 or -4
-/// | A, B, A(0), A(∞), excitation, scattering, stiffness | | `.h5` | BEMIO of WEC-Sim | A, B, A(∞),
-/// excitation, scattering, stiffness |
+/// ```
+///     file                        program                  content
+///     .1                          WAMIT                    A, B, A(0), A(∞)
+///       .3                                                 excitation X
+///       .4                                                 motions
+///       .9 or .8                                           drift
+///       .hst                                               stiffness C
+///       .gdf                                               length
+///     RadiationCoefficients.tec   NEMOH 2                  A, B
+///       ExcitationForce.tec                                excitation X
+///       DiffractionForce.tec                               scattering
+///       KH.dat                                             stiffness C, body 0 only
+///     .nc                         Capytaine (netCDF-3/4)   A, B, A(0), A(∞), X, scattering, C
+///     .h5                         BEMIO of WEC-Sim         A, B, A(∞), X, scattering, C
+/// ```
+/// Indented files are read from the same folder if they exist. A build without
+/// libnetcdf-dev or libhdf5-dev rejects `.nc` or `.h5` files with the name of the package.
 ///
-/// Built without libnetcdf-dev or libhdf5-dev, the latter two are refused with the name of the
-/// package.
+/// A reader program reads `.nc` and `.h5` files, because a damaged file can crash or block their
+/// libraries. The function read_coefficients() starts it, limits its time and memory, and checks
+/// each value. The reader program is the first of these:
 ///
-/// A reader program reads `.nc` and `.h5` files: a damaged file can crash or block their libraries.
-/// read_coefficients() starts it, limits its time and memory, and checks each value that it
-/// returns. The reader program is the first of
+///   1. The program of ReaderLimits::program.
+///   2. The environment variable HAWSER_READER.
+///   3. The running program, if its main() calls serve_coefficients_reader() first.
+///   4. The program `hawser` in the folder of the running program.
 ///
-///   1. ReaderLimits::program,
-///   2. the environment variable HAWSER_READER,
-///   3. the running program, if its main() calls serve_coefficients_reader() first,
-///   4. `hawser` in the folder of the running program.
-///
-/// Without one the file is refused. ReaderLimits::in_process reads a trusted file without it.
+/// Without one the file is rejected. ReaderLimits::in_process reads a trusted file without it.
 
 #include <hawser/hydro.h>
 
@@ -34,12 +41,13 @@
 
 namespace hawser {
 
-/// What a file does not say.
+/// Data that a file does not contain.
 struct HydroUnits {
-    double density = 1025.0;  ///< Of water, of files without dimensions (WAMIT, BEMIO) [kg/m³].
-    double gravity = 9.81;    ///< [m/s²].
-    double length = 0.0;      ///< WAMIT's ULEN [m]; 0: of the `.gdf` beside it, or 1 m.
-    int body = 0;             ///< Which of several, from 0.
+    double density = 1025.0;  ///< Density of water for dimensionless files (WAMIT, BEMIO) [kg/m³].
+    double gravity = 9.81;    ///< Gravity [m/s²].
+    double length = 0.0;  ///< ULEN of WAMIT [m]; 0: from the `.gdf` file in the same folder, or 1
+                          ///< m.
+    int body = 0;         ///< Index of the body in the file, from 0.
     NegativeDamping negative_damping = NegativeDamping::refuse;  ///< Treatment before checks.
 };
 
@@ -50,13 +58,13 @@ struct ReaderLimits {
     std::size_t memory = std::size_t{1} << 30;  ///< Address space, at least 64 MiB [bytes].
     bool in_process = false;  ///< Read without a reader program, without these limits.
 
-    /// Defaults, changed by HAWSER_READER_SECONDS [s] and HAWSER_READER_MEMORY [MiB].
-    /// @throws DefError if one is no number or out of its range.
+    /// Return the defaults, changed by HAWSER_READER_SECONDS [s] and HAWSER_READER_MEMORY [MiB].
+    /// @throws DefError if a variable is not a number or out of its range.
     [[nodiscard]] static ReaderLimits of_environment();
 };
 
-/// @throws DefError with file, line or variable, what is wrong, and the remedy. The result is free
-/// of faults but for reference, which stays 0.
+/// Read the coefficients of a file. The result has no faults; `reference` is 0.
+/// @throws DefError with file, line or variable, the fault and the remedy.
 [[nodiscard]] WaveCoefficients read_coefficients(const std::string& file,
                                                  const HydroUnits& units = {});
 [[nodiscard]] WaveCoefficients read_coefficients(const std::string& file, const HydroUnits& units,

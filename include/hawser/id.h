@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file id.h
-/// Typed handles. A default-constructed id names nothing.
+/// Typed ids. A default-constructed id is invalid.
 ///
-/// An id is a place and a generation. Places count from 0 in the order in which things were added
-/// to one World; a thing that is removed leaves its place empty, and a later one of the same kind
-/// takes the first empty place that fits, with the next generation:
+/// An id has an index and a generation. Indices count from 0 in the order of additions to one
+/// World. A removal frees the index. A later object of the same kind gets the first suitable free
+/// index, with the next generation:
 /// ```
 ///     add a, b, c          (0, 0) (1, 0) (2, 0)
 ///     remove b             (0, 0)        (2, 0)
-///     add d                (0, 0) (1, 1) (2, 0)      (1, 0) is refused from now on: it was b
+///     add d                (0, 0) (1, 1) (2, 0)      (1, 0) is rejected from now on: it was b
 /// ```
-/// Places never move, so that arrays by place stay as they are. Where nothing has been removed
-/// all generations are 0, and `BodyId{i}` is the body added as number i.
+/// An object keeps its index, so that arrays by index stay valid. Before the first removal all
+/// generations are 0, and `BodyId{i}` is the body added as number i.
 
 #include <compare>
 #include <cstdint>
@@ -21,8 +21,9 @@ namespace hawser {
 
 template <class Tag>
 struct Id {
-    std::int32_t index = -1;      ///< Place; −1: none.
-    std::int32_t generation = 0;  ///< How many others had the place before.
+    std::int32_t index = -1;      ///< Index; −1: invalid.
+    std::int32_t generation = 0;  ///< Number of earlier objects with this index.
+    /// True if the id was assigned. The object may have been removed since.
     [[nodiscard]] constexpr bool valid() const noexcept { return index >= 0; }
     friend constexpr auto operator<=>(const Id&, const Id&) = default;
 };

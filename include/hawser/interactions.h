@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file interactions.h
-/// The catalogue of interactions and the one definition struct that serves all of them.
+/// Catalogue of the interactions, and the definition struct for all of them.
 ///
-/// A kind is described by a KindInfo: its name, how many bodies it couples, how many rows it
-/// adds, which of the geometric fields it reads and its named parameters with unit, default
-/// and range. The scene reader, the JSON Schema and the reference page are generated from
-/// this table, so adding a kind means: one file in `src/model/kinds/`, one line in
-/// HAWSER_INTERACTION_KINDS below.
+/// A KindInfo describes each kind: name, number of bodies, number of rows, geometric fields, and
+/// parameters with unit, default and range. The scene reader, the JSON Schema and the reference
+/// page are generated from this table. To add a kind, add a file in `src/model/kinds/` and a line
+/// in HAWSER_INTERACTION_KINDS below.
 ///
-/// Row conventions. A row has a violation g(x) [m or rad], a Jacobian G with ġ = G v, a
-/// compliance ε [m/N or rad/(N m)] and a damping time τ [s]. Its force f acts along Gᵀ and
-/// obeys, at rest, g = −ε f. A row with ε = 0 is a rigid constraint. Velocity rows (motors)
-/// have G v = u and a velocity compliance γ [m/s/N] instead. Signs: f > 0 pushes so that g
-/// grows; where g is the position of body 1 against body 0, f acts on body 1 along the row's axis
-/// and −f on body 0, and a line in tension has f < 0.
+/// *Rows*. A row has a violation g(x) [m or rad] and a Jacobian G with ġ = G v. It has a compliance
+/// ε [m/N or rad/(N m)] and a damping time τ [s].
+///
+/// Its force f acts along Gᵀ and obeys g = −ε f at rest. A row with ε = 0 is a rigid constraint.
+/// Velocity rows (motors) require G v = u and have a velocity compliance γ [m/s/N].
+///
+/// *Signs*. f > 0 acts so that g increases. If g is the position of body 1 relative to body 0, f
+/// acts on body 1 along the row's axis and −f on body 0. A line in tension has f < 0.
 
 #include <hawser/id.h>
 #include <hawser/math.h>
@@ -60,6 +61,7 @@ namespace hawser {
     X(LineFriction,   "line_friction")
 // clang-format on
 
+/// Kind of an interaction, in the order of HAWSER_INTERACTION_KINDS.
 enum class InteractionKind : std::uint8_t {
 #define HAWSER_X(id, name) id,
     HAWSER_INTERACTION_KINDS(HAWSER_X)
@@ -77,106 +79,112 @@ inline constexpr int kMaxFrictionLoads = 2;
 
 /// Marks a field that takes its default from the kind's table.
 inline constexpr double kDefault = std::numeric_limits<double>::quiet_NaN();
-/// Fraction of the parameter `length` of a winch_stretch below which its rest length does not fall:
-/// there the wire's end stands at the fairlead, and the drum hauls no further (drum_feed.h).
+/// Lower bound of the rest length of a winch_stretch, as a fraction of its parameter `length` [1].
+/// There the wire's end is at the fairlead, and hauling stops (drum_feed.h).
 inline constexpr double kLeastOfDrumElement = 0.02;
 
-/// One named parameter of a kind.
+/// Named parameter of a kind.
 struct ParamInfo {
-    const char* name;    ///< As in scene files, e.g. "length".
-    const char* unit;    ///< SI, e.g. "m"; "1" without dimension.
-    double fallback;     ///< Value when not given; NaN = must be given.
+    const char* name;    ///< Name in scene files, e.g. "length".
+    const char* unit;    ///< SI unit, e.g. "m"; "1" if dimensionless.
+    double fallback;     ///< Default; NaN: required.
     double min;          ///< Smallest value accepted.
     double max;          ///< Largest value accepted.
-    const char* doc;     ///< One sentence.
-    bool input = false;  ///< May be changed between steps (see World::add_input).
+    const char* doc;     ///< Description, one sentence.
+    bool input = false;  ///< True: an input may change it between steps (World::add_input()).
 };
 
-/// What one degree of freedom is measured by.
+/// Coordinate that measures one degree of freedom.
 enum class KindCoordinate : std::uint8_t {
     none,
-    about,   ///< Angle about the axis [rad], from the frames' x axes.
-    along,   ///< Way along the axis [m].
-    scalar,  ///< Of a scalar body [m or rad].
+    about,   ///< Angle about the axis [rad], from the x axes of the frames.
+    along,   ///< Displacement along the axis [m].
+    scalar,  ///< Coordinate of a scalar body [m or rad].
 };
 
-/// What a kind is, so that no one else has to know which kind it is. Bits of KindInfo::traits.
+/// Properties of a kind, bits of KindInfo::traits. Code tests these instead of the kind.
 enum KindTrait : std::uint32_t {
-    kHoldsBodies = 1 << 0,    ///< A joint: shapes of the bodies that it holds do not touch.
-    kSlides = 1 << 1,         ///< A joint that gives way along its axis: no arm swings about it.
-    kAxisFree = 1 << 2,       ///< Has frames but no axis: it keeps the orientation there is.
-    kTwoAxes = 1 << 3,        ///< Its bodies have an axis each, which differ.
+    kHoldsBodies = 1 << 0,    ///< Joint; shapes of its bodies do not collide.
+    kSlides = 1 << 1,         ///< Joint that is free along its axis: no lever arm turns about it.
+    kAxisFree = 1 << 2,       ///< Has frames but no axis: it keeps the relative orientation.
+    kTwoAxes = 1 << 3,        ///< Each body has its own axis.
     kAlongLine = 1 << 4,      ///< One row along the line between its points: tension = −force[0].
-    kWireElement = 1 << 5,    ///< Of such: a piece of a line with a length at rest, which may part.
-    kWoundUp = 1 << 6,        ///< Of such: the length follows a drum. Never cut.
-    kElastic = 1 << 7,        ///< Its rows are springs, whatever their compliance.
-    kMotorKind = 1 << 8,      ///< Drives: parameters speed, force_min, force_max.
-    kRangeKind = 1 << 9,      ///< Limits a travel: parameters min, max.
-    kFrictionKind = 1 << 10,  ///< Rubs or brakes: its parameter is the bound.
-    kOfWires = 1 << 11,       ///< Wires and chains are made of it: partitions weigh it as a link.
+    kWireElement = 1 << 5,    ///< Subset of kAlongLine: a line with a rest length, which may break.
+    kWoundUp = 1 << 6,        ///< Subset of kAlongLine: a drum sets the rest length. Never a cut.
+    kElastic = 1 << 7,        ///< Rows are springs at any compliance.
+    kMotorKind = 1 << 8,      ///< Motor: parameters speed, force_min, force_max.
+    kRangeKind = 1 << 9,      ///< Range of a coordinate: parameters min, max.
+    kFrictionKind = 1 << 10,  ///< Friction or brake: its parameter is the bound.
+    kOfWires = 1 << 11,       ///< Part of wires and chains: partitions weight it as a link.
     kRigidOnly = 1 << 12,     ///< Acts on a rigid body.
-    kCompact = 1 << 13,  ///< Between rigid bodies its two arms are all its Jacobian is made of.
-    kRouted = 1 << 14,   ///< Of lines: between places that the line slides through. Never cut.
-    kFollowsAngle = 1 << 15,  ///< Friction whose loads' factors are those of the line's angle.
-    kAtGuide = 1 << 16,       ///< Of kWoundUp: runs from a body to where it leaves a guide's wheel.
-    kBendsWire = 1 << 17,     ///< A couple about the second of three nodes of a wire.
+    kCompact = 1 << 13,       ///< Between rigid bodies its Jacobian is given by two lever arms.
+    kRouted = 1 << 14,        ///< Line between points that it slides through. Never a cut.
+    kFollowsAngle = 1 << 15,  ///< Friction whose load factors follow from the line's angle.
+    kAtGuide = 1 << 16,       ///< Subset of kWoundUp: from a body to the tangent point on a guide's
+                              ///< wheel.
+    kBendsWire = 1 << 17,     ///< Couple about the middle one of three nodes of a wire.
     kForceOnSecond =
-        1 << 18,  ///< A joint: rows 0 to 2 are the force on its second body, world axes.
+        1 << 18,  ///< Joint whose rows 0 to 2 are the force on its second body, world axes.
     kPulls = kAlongLine | kRouted,  ///< Tension = −force[0].
 };
 
-/// What a kind needs and does: the table row from which readers and documents are made.
+/// Table row of a kind. Readers and documents are generated from it.
 struct KindInfo {
     InteractionKind kind{};
-    const char* name = "";          ///< As in scene files.
-    int bodies = 2;                 ///< Bodies coupled, 1-4; a fixed body counts.
-    int rows = 0;                   ///< Equations added, 1-6.
-    bool uses_points = true;        ///< Reads InteractionDef::point.
-    bool uses_frames = false;       ///< Reads InteractionDef::frame.
-    const char* row_units = "";     ///< One letter a row: m metre, r radian, v velocity row.
-    int scalar_slot = -1;           ///< First slot that must be a scalar body …
-    int scalars = 1;                ///< … of so many; others must not.
+    const char* name = "";       ///< Name in scene files.
+    int bodies = 2;              ///< Number of bodies, 1-4; a fixed body counts.
+    int rows = 0;                ///< Number of rows, 1-6.
+    bool uses_points = true;     ///< Reads InteractionDef::point.
+    bool uses_frames = false;    ///< Reads InteractionDef::frame.
+    const char* row_units = "";  ///< One letter per row: m metre, r radian, v velocity row.
+    int scalar_slot = -1;        ///< First slot that requires a scalar body; −1: none.
+    int scalars = 1;  ///< Number of slots from scalar_slot on that require scalar bodies; others
+                      ///< must not be scalar.
     bool takes_loads = false;       ///< Reads InteractionDef::load.
-    bool length_from_pose = false;  ///< "length" defaults to the initial distance.
-    const char* from_pose = "";     ///< Another parameter that defaults to the initial pose.
-    KindCoordinate coordinate = KindCoordinate::none;  ///< That it holds, drives, limits or rubs.
-    int mass_param = -1;       ///< Parameter that is the mass of an element of a wire, −1: none.
-    std::uint32_t traits = 0;  ///< Of KindTrait.
+    bool length_from_pose = false;  ///< Parameter "length" defaults to the initial distance.
+    const char* from_pose = "";  ///< Name of another parameter that defaults to the initial pose.
+    KindCoordinate coordinate = KindCoordinate::none;  ///< Coordinate that it holds, drives, limits
+                                                       ///< or rubs.
+    int mass_param = -1;  ///< Index of the parameter with the mass of a wire element; −1: none.
+    std::uint32_t traits = 0;             ///< Bits of KindTrait.
     std::span<const ParamInfo> params{};  ///< At most kMaxInteractionParams.
-    const char* doc = "";                 ///< What it does, in one or two sentences.
+    const char* doc = "";                 ///< Description, one or two sentences.
 
+    /// True if the kind has the trait.
     [[nodiscard]] constexpr bool is(KindTrait trait) const noexcept {
         return (traits & trait) != 0;
     }
-    /// Whether a slot must be a scalar body.
+    /// True if the slot requires a scalar body.
     [[nodiscard]] constexpr bool takes_scalar(int slot) const noexcept {
         return scalar_slot >= 0 && slot >= scalar_slot && slot < scalar_slot + scalars;
     }
 };
 
-/// All kinds in the order of InteractionKind.
+/// Return all kinds in the order of InteractionKind.
 [[nodiscard]] std::span<const KindInfo> interaction_kinds() noexcept;
+/// Return the table row of a kind.
 [[nodiscard]] const KindInfo& kind_info(InteractionKind kind) noexcept;
-/// @return nullptr when no kind has this name.
+/// Return the kind with this name, or nullptr.
 [[nodiscard]] const KindInfo* find_kind(std::string_view name) noexcept;
 
-/// What presses on dry friction: the force of another interaction, of which a share is the bound.
+/// Load of dry friction: a fraction of the force of another interaction adds to the bound.
 struct FrictionLoad {
-    InteractionId interaction{};  ///< Added before; none: no load.
-    /// Of the norm of its rows in metres [1], for a torque [m], 0 to 1e6: μ of a slide, μ times
-    /// the radius of a bearing, tanh(μδ/2) of each end of a line round an angle δ.
+    InteractionId interaction{};  ///< Interaction that was added before; invalid: no load.
+    /// Factor of the norm of its rows in metres, 0 to 1e6 [1; for a torque m]. A slide has μ, a
+    /// bearing μ × radius, each end of a line round an angle δ tanh(μδ/2).
     double factor = 0.0;
 };
 
-/// One interaction between 1-4 bodies. A definition: World::add_interaction copies it whole.
+/// Interaction between 1-4 bodies. World::add_interaction() copies the definition.
 struct InteractionDef {
-    std::string name{};  ///< Unique in the world, or empty.
+    std::string name{};  ///< Unique name in the world, or empty.
     InteractionKind kind = InteractionKind::Ball;
 
     /// Bodies in the kind's order; the first KindInfo::bodies are used.
     std::array<BodyId, kMaxInteractionBodies> body{};
 
-    /// Attachment point in each body's frame, from its centre of mass [m]. Lumps ignore it.
+    /// Attachment point in each body's frame, from its centre of mass [m]. Not used for lumped
+    /// masses.
     std::array<Vec3, kMaxInteractionBodies> point{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
                                                   Vec3::Zero()};
 
@@ -184,21 +192,24 @@ struct InteractionDef {
     std::array<Quat, kMaxInteractionBodies> frame{Quat::Identity(), Quat::Identity(),
                                                   Quat::Identity(), Quat::Identity()};
 
-    /// Compliance ε of each row [m/N or rad/(N m)]; for velocity rows γ [m/s/N or rad/s/(N m)].
-    /// kDefault: the kind's own (1e-12 for constraints, from EA, EI, … for elements). 0 = rigid.
+    /// Compliance ε of each row [m/N or rad/(N m)]; for velocity rows γ [m/s/N or rad/s/(N m)]. 0:
+    /// rigid. Default: that of the kind (1e-12 for constraints; from EA, EI, … for elements).
     std::array<double, kMaxInteractionRows> compliance = filled();
 
-    /// Damping time τ of each row [s]. kDefault: the kind's own (two steps for constraints).
+    /// Damping time τ of each row [s]. Default: that of the kind (two steps for constraints).
     std::array<double, kMaxInteractionRows> damping_time = filled();
 
-    /// Parameters in the order of KindInfo::params; kDefault = the table's default.
+    /// Parameters in the order of KindInfo::params; kDefault: the table's default.
     std::array<double, kMaxInteractionParams> params = filled8();
 
-    /// Of kinds with friction: their bound is the parameter plus Σ factor ‖force‖ of these.
+    /// Loads of kinds with friction: the bound is the parameter plus Σ factor ‖force‖.
     std::array<FrictionLoad, kMaxFrictionLoads> load{};
 
-    /// Set one parameter by its name. @throws DefError when the kind has no such parameter.
+    /// Set a parameter by its name.
+    /// @throws DefError if the kind has no such parameter.
     InteractionDef& set(std::string_view param, double value);
+    /// Return a parameter by its name; NaN: default.
+    /// @throws DefError if the kind has no such parameter.
     [[nodiscard]] double get(std::string_view param) const;
 
   private:

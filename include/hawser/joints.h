@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file joints.h
-/// Joints as typed definitions, with what limits, drives and rubs them.
+/// Joints as typed definitions, with range, motor and friction.
 ///
 /// ```cpp
 /// const hawser::JointIds boom = world.add(hawser::HingeDef{
@@ -10,18 +10,19 @@
 ///     .motor = hawser::AxisMotor{.force_min = -2e6, .force_max = 2e6},
 ///     .friction = hawser::AxisFriction{.bound = 500.0}});
 /// ```
-/// They are a way to write InteractionDefs (interactions.h), whose table alone knows parameters,
-/// ranges and defaults: what is left out here is taken from there. The joint and its parts get the
-/// same points and frames, so that their coordinates agree, and names from the joint's: "boom",
-/// "boom/limit", "boom/motor", "boom/friction". All parts are added or none.
+/// Each definition is translated to InteractionDefs (interactions.h). The table there defines
+/// parameters, ranges and the defaults of omitted fields. The joint and its parts share points and
+/// frames, so that their coordinates agree. Part names follow the joint's name: "boom",
+/// "boom/limit", "boom/motor", "boom/friction". World::add() adds all parts or none.
 ///
-/// **Frames.** A point and an axis are given in the world, as the bodies stand now; the world works
-/// out where that is in each of them, so that the joint begins closed. JointFrame::body_a takes
-/// them in the frame of `a` instead, from its centre of mass: for a mechanism that is described on
-/// a ship wherever that ship is. Joints that begin open, or with other frames, are InteractionDefs.
+/// *Frames*. Point and axis are given in the world frame at the present poses. The world transforms
+/// them to the frame of each body, so that the joint has no initial violation. With
+/// JointFrame::body_a they are in the frame of `a`, from its centre of mass, for a mechanism
+/// described on a ship. Joints with an initial violation, or with other frames, are
+/// InteractionDefs.
 ///
-/// **Zero.** The coordinate is `coordinate` as the bodies stand now, and grows where b turns about
-/// the axis, by the right hand, or moves along it, against a.
+/// *Zero*. The joint has the value `coordinate` at the present poses. It increases when b turns
+/// about the axis (right hand) or moves along it, relative to a.
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>
@@ -35,150 +36,154 @@ namespace hawser {
 
 class World;
 
-/// Where points and axes of a definition are given.
+/// Frame of the points and axes of a definition.
 enum class JointFrame : std::uint8_t {
-    world,   ///< In the world, at the present poses.
-    body_a,  ///< In the frame of the first body, from its centre of mass.
+    world,   ///< World frame, at the present poses.
+    body_a,  ///< Frame of the first body, from its centre of mass.
 };
 
-/// Range of a coordinate; an end that is left out is as far away as the table allows.
+/// Range of a coordinate. An omitted end has the default of the table.
 struct AxisLimit {
-    double min = kDefault, max = kDefault;  ///< [rad or m].
-    double compliance = kDefault;           ///< [rad/(N m) or m/N].
-    double damping_time = kDefault;         ///< [s].
+    double min = kDefault, max = kDefault;  ///< Range [rad or m].
+    double compliance = kDefault;           ///< Compliance of the stops [rad/(N m) or m/N].
+    double damping_time = kDefault;         ///< Damping time of the stops [s].
 };
 
-/// Drives a coordinate at a speed, within a range of its force.
+/// Motor: drives a coordinate at a set speed within a range of force.
 struct AxisMotor {
-    double speed = kDefault;                            ///< Wanted [rad/s or m/s].
-    double force_min = kDefault, force_max = kDefault;  ///< [N m or N].
+    double speed = kDefault;                            ///< Set speed [rad/s or m/s].
+    double force_min = kDefault, force_max = kDefault;  ///< Range of torque or force [N m or N].
     double power = kDefault;       ///< Largest driving power [W]; default: no limit.
-    double compliance = kDefault;  ///< [rad/s/(N m) or m/s/N].
+    double compliance = kDefault;  ///< Velocity compliance γ [rad/s/(N m) or m/s/N].
 };
 
-/// Dry friction, or a brake whose bound an input drives.
+/// Dry friction, or a brake if an input drives its bound.
 struct AxisFriction {
-    double bound = kDefault;  ///< Largest torque or force, loads apart [N m or N].
-    /// Share of the joint's own force that adds to the bound: μ of a slide [1], μ times the radius
-    /// of a bearing [m]. 0: none.
+    double bound = kDefault;  ///< Bound of torque or force without loads [N m or N].
+    /// Fraction of the joint's own force that adds to the bound; 0: none. Slide: μ [1]; bearing: μ
+    /// times its radius [m].
     double own_load = 0.0;
-    FrictionLoad load{};             ///< What else presses on it; none.
-    double compliance = kDefault;    ///< [rad/(N m) or m/N].
-    double damping_time = kDefault;  ///< [s].
+    FrictionLoad load{};  ///< Another interaction whose force adds to the bound; default: none.
+    double compliance = kDefault;    ///< Compliance while sticking [rad/(N m) or m/N].
+    double damping_time = kDefault;  ///< Damping time while sticking [s].
 };
 
-/// Ids of a joint's parts; invalid where a part was not asked for.
+/// Ids of the parts of a joint; invalid for omitted parts.
 struct JointIds {
     InteractionId joint{}, limit{}, motor{}, friction{};
 };
 
-/// Ids of what acts along or about an axis.
+/// Ids of the parts along or about an axis.
 struct AxisIds {
     InteractionId limit{}, motor{}, friction{};
 };
 
+/// Ids of the parts of a cylindrical joint.
 struct CylindricalIds {
     InteractionId joint{};
     AxisIds along{}, about{};
 };
 
-/// The bodies share a point and turn about an axis.
+/// Hinge: the bodies share a point and turn about an axis.
 struct HingeDef {
-    std::string name{};         ///< Unique in the world, or empty; its parts have none either then.
-    BodyId a{}, b{};            ///< Required; not lumps or scalar bodies.
-    Vec3 point{0.0, 0.0, 0.0};  ///< [m].
-    Vec3 axis{0.0, 0.0, 1.0};   ///< Of any length but 0.
+    std::string name{};  ///< Unique name in the world, or empty; its parts are then also unnamed.
+    BodyId a{}, b{};     ///< Bodies; not lumped masses or scalar bodies. Required.
+    Vec3 point{0.0, 0.0, 0.0};  ///< Point on the axis [m].
+    Vec3 axis{0.0, 0.0, 1.0};   ///< Direction of the axis, any length but 0.
     JointFrame frame = JointFrame::world;
-    double coordinate = 0.0;         ///< Angle as the bodies stand now [rad].
-    double compliance = kDefault;    ///< Of each row [m/N, rad/(N m)]; 0 is rigid.
-    double damping_time = kDefault;  ///< Of each row [s].
+    double coordinate = 0.0;         ///< Angle at the present poses [rad].
+    double compliance = kDefault;    ///< Compliance of each row [m/N, rad/(N m)]; 0: rigid.
+    double damping_time = kDefault;  ///< Damping time of each row [s].
     std::optional<AxisLimit> limit{};
     std::optional<AxisMotor> motor{};
     std::optional<AxisFriction> friction{};
 };
 
-/// b slides along an axis and does not turn against a.
+/// Prismatic joint: b slides along an axis without rotation relative to a.
 struct PrismaticDef {
     std::string name{};         ///< As in HingeDef.
-    BodyId a{}, b{};            ///< Required; not lumps or scalar bodies.
-    Vec3 point{0.0, 0.0, 0.0};  ///< Of b, on the axis [m].
-    Vec3 axis{0.0, 0.0, 1.0};   ///< Of any length but 0.
+    BodyId a{}, b{};            ///< Bodies; not lumped masses or scalar bodies. Required.
+    Vec3 point{0.0, 0.0, 0.0};  ///< Point of b on the axis [m].
+    Vec3 axis{0.0, 0.0, 1.0};   ///< Direction of the axis, any length but 0.
     JointFrame frame = JointFrame::world;
-    double coordinate = 0.0;         ///< Way as the bodies stand now [m].
-    double compliance = kDefault;    ///< Of each row [m/N, rad/(N m)]; 0 is rigid.
-    double damping_time = kDefault;  ///< Of each row [s].
+    double coordinate = 0.0;         ///< Displacement at the present poses [m].
+    double compliance = kDefault;    ///< Compliance of each row [m/N, rad/(N m)]; 0: rigid.
+    double damping_time = kDefault;  ///< Damping time of each row [s].
     std::optional<AxisLimit> limit{};
     std::optional<AxisMotor> motor{};
     std::optional<AxisFriction> friction{};
 };
 
-/// What acts on one freedom of a joint that has two.
+/// Parts on one degree of freedom of a joint that has two.
 struct AxisParts {
-    double coordinate = 0.0;  ///< As the bodies stand now [m or rad].
+    double coordinate = 0.0;  ///< Coordinate at the present poses [m or rad].
     std::optional<AxisLimit> limit{};
     std::optional<AxisMotor> motor{};
     std::optional<AxisFriction> friction{};
 };
 
-/// b slides along an axis and turns about it. Parts are called "name/along/motor" and so on.
-/// World::coordinate() of the joint itself is the way along the axis.
+/// Cylindrical joint: b slides along an axis and turns about it. Parts are named "name/along/motor"
+/// and so on. World::coordinate() of the joint is the displacement along the axis [m].
 struct CylindricalDef {
     std::string name{};         ///< As in HingeDef.
-    BodyId a{}, b{};            ///< Required; not lumps or scalar bodies.
-    Vec3 point{0.0, 0.0, 0.0};  ///< Of b, on the axis [m].
-    Vec3 axis{0.0, 0.0, 1.0};   ///< Of any length but 0.
+    BodyId a{}, b{};            ///< Bodies; not lumped masses or scalar bodies. Required.
+    Vec3 point{0.0, 0.0, 0.0};  ///< Point of b on the axis [m].
+    Vec3 axis{0.0, 0.0, 1.0};   ///< Direction of the axis, any length but 0.
     JointFrame frame = JointFrame::world;
-    double compliance = kDefault;    ///< Of each row [m/N, rad/(N m)]; 0 is rigid.
-    double damping_time = kDefault;  ///< Of each row [s].
+    double compliance = kDefault;    ///< Compliance of each row [m/N, rad/(N m)]; 0: rigid.
+    double damping_time = kDefault;  ///< Damping time of each row [s].
     AxisParts along{}, about{};
 };
 
-/// The bodies share a point; an axis of each stays square to the other's.
+/// Universal joint: the bodies share a point; one axis of each stays perpendicular to that of the
+/// other.
 struct UniversalDef {
-    std::string name{};          ///< Unique in the world, or empty.
-    BodyId a{}, b{};             ///< Required; not lumps or scalar bodies.
-    Vec3 point{0.0, 0.0, 0.0};   ///< [m].
-    Vec3 axis_a{1.0, 0.0, 0.0};  ///< Fixed in a; of any length but 0.
-    Vec3 axis_b{0.0, 1.0, 0.0};  ///< Fixed in b, square to axis_a to 1e-6.
+    std::string name{};          ///< Unique name in the world, or empty.
+    BodyId a{}, b{};             ///< Bodies; not lumped masses or scalar bodies. Required.
+    Vec3 point{0.0, 0.0, 0.0};   ///< Common point [m].
+    Vec3 axis_a{1.0, 0.0, 0.0};  ///< Axis fixed in a, any length but 0.
+    Vec3 axis_b{0.0, 1.0, 0.0};  ///< Axis fixed in b, perpendicular to axis_a to 1e-6.
     JointFrame frame = JointFrame::world;
-    double compliance = kDefault;    ///< Of each row [m/N, rad/(N m)]; 0 is rigid.
-    double damping_time = kDefault;  ///< Of each row [s].
+    double compliance = kDefault;    ///< Compliance of each row [m/N, rad/(N m)]; 0: rigid.
+    double damping_time = kDefault;  ///< Damping time of each row [s].
 };
 
-/// The bodies share a point.
+/// Ball joint: the bodies share a point.
 struct BallDef {
-    std::string name{};         ///< Unique in the world, or empty.
-    BodyId a{}, b{};            ///< Required. A lump has to lie at the point.
-    Vec3 point{0.0, 0.0, 0.0};  ///< [m].
+    std::string name{};         ///< Unique name in the world, or empty.
+    BodyId a{}, b{};            ///< Bodies. A lumped mass must lie at the point. Required.
+    Vec3 point{0.0, 0.0, 0.0};  ///< Common point [m].
     JointFrame frame = JointFrame::world;
-    double compliance = kDefault;    ///< Of each row [m/N]; 0 is rigid.
-    double damping_time = kDefault;  ///< Of each row [s].
+    double compliance = kDefault;    ///< Compliance of each row [m/N]; 0: rigid.
+    double damping_time = kDefault;  ///< Damping time of each row [s].
 };
 
-/// The bodies keep the pose that they have against each other.
+/// Lock: the bodies keep their present relative pose.
 struct LockDef {
-    std::string name{};         ///< Unique in the world, or empty.
-    BodyId a{}, b{};            ///< Required; not lumps or scalar bodies.
-    Vec3 point{0.0, 0.0, 0.0};  ///< Where they are held, which its force is of [m].
+    std::string name{};         ///< Unique name in the world, or empty.
+    BodyId a{}, b{};            ///< Bodies; not lumped masses or scalar bodies. Required.
+    Vec3 point{0.0, 0.0, 0.0};  ///< Reference point of the joint's force [m].
     JointFrame frame = JointFrame::world;
-    double compliance = kDefault;    ///< Of each row [m/N, rad/(N m)]; 0 is rigid.
-    double damping_time = kDefault;  ///< Of each row [s].
+    double compliance = kDefault;    ///< Compliance of each row [m/N, rad/(N m)]; 0: rigid.
+    double damping_time = kDefault;  ///< Damping time of each row [s].
 };
 
-/// Two wheels that mesh on a carrier. Their hinges, with parallel axes, are definitions of their
-/// own.
+/// Pair of gear wheels on a carrier. Their hinges, with parallel axes, are separate definitions.
 struct GearDef {
-    std::string name{};                    ///< Unique in the world, or empty.
-    BodyId carrier{}, first{}, second{};   ///< Required; not lumps or scalar bodies.
-    Vec3 axis{0.0, 0.0, 1.0};              ///< Of both wheels, of any length but 0.
-    JointFrame frame = JointFrame::world;  ///< body_a: in the frame of the carrier.
-    int teeth_first = 0;                   ///< 1 to 10,000. Required.
-    int teeth_second = 0;            ///< Below 0: the first one turns within a ring. Required.
-    double compliance = kDefault;    ///< Of the mesh, in turns of the first wheel [rad/(N m)].
-    double damping_time = kDefault;  ///< [s].
+    std::string name{};                   ///< Unique name in the world, or empty.
+    BodyId carrier{}, first{}, second{};  ///< Bodies; not lumped masses or scalar bodies. Required.
+    Vec3 axis{0.0, 0.0, 1.0};             ///< Direction of both wheels' axes, any length but 0.
+    JointFrame frame = JointFrame::world;  ///< body_a: frame of the carrier.
+    int teeth_first = 0;                   ///< Number of teeth, 1 to 10,000. Required.
+    int teeth_second = 0;  ///< Number of teeth; < 0: internal gear, the first wheel turns within a
+                           ///< ring. Required.
+    double compliance = kDefault;    ///< Compliance of the mesh, as rotation of the first wheel
+                                     ///< [rad/(N m)].
+    double damping_time = kDefault;  ///< Damping time of the mesh [s].
 };
 
-/// What World::add() of these calls. All or nothing. @throws DefError as add_interaction() does.
+/// Add a joint with its parts, all or none; World::add() calls it.
+/// @throws DefError as World::add_interaction().
 JointIds define(World& world, const HingeDef& def);
 JointIds define(World& world, const PrismaticDef& def);
 CylindricalIds define(World& world, const CylindricalDef& def);

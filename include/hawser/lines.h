@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lines.h
-/// Rods, springs, pieces of lines and drums as typed definitions.
+/// Rods, springs, line elements and drums as typed definitions.
 ///
 /// ```cpp
 /// const auto drum = world.add(hawser::DrumDef{.name = "winch", .drum = drum_body,
@@ -9,109 +9,115 @@
 /// world.add(hawser::WinchStretchDef{.a = boom, .b = hook, .point_a = {30, 0, 0},
 ///                                   .drum = drum_body, .radius = 0.4, .EA = 5e7});
 /// ```
-/// They are a way to write InteractionDefs (interactions.h): what is left out is taken from the
-/// table there, lengths from the present poses. Unlike the point of a joint, the ends of a line are
-/// given in the frame of the body that each belongs to, from its centre of mass: an eye on a deck
-/// stays where it is on that deck. World::local_point() tells it for a place in the world. A lump
-/// is a point: its own is left out.
+/// Each definition is translated to InteractionDefs (interactions.h). Omitted fields have the
+/// defaults of the table there, omitted lengths follow from the present poses. Ends of a line are
+/// given in the frame of their own body, from its centre of mass. They differ in this from the
+/// point of a joint. World::local_point() converts a world position. The point of a lumped mass is
+/// not used.
 
 #include <hawser/joints.h>
 
 namespace hawser {
 
-/// A massless rod between two points, or a spring where it has a compliance.
+/// Massless rod between two points, or a spring if it has compliance.
 struct DistanceDef {
-    std::string name{};              ///< Unique in the world, or empty.
-    BodyId a{}, b{};                 ///< Required.
-    Vec3 point_a{0.0, 0.0, 0.0};     ///< In the frame of a [m].
-    Vec3 point_b{0.0, 0.0, 0.0};     ///< In the frame of b [m].
-    double length = kDefault;        ///< [m]; as they stand now.
-    double compliance = kDefault;    ///< [m/N]; 1/k of a spring, 0 rigid.
-    double damping_time = kDefault;  ///< [s]; c/k of a spring with a damper.
+    std::string name{};              ///< Unique name in the world, or empty.
+    BodyId a{}, b{};                 ///< Bodies at the ends. Required.
+    Vec3 point_a{0.0, 0.0, 0.0};     ///< End in the frame of a [m].
+    Vec3 point_b{0.0, 0.0, 0.0};     ///< End in the frame of b [m].
+    double length = kDefault;        ///< Length [m]; default: the present distance.
+    double compliance = kDefault;    ///< Compliance [m/N]: 1/k of a spring, 0 rigid.
+    double damping_time = kDefault;  ///< Damping time [s]: c/k of a spring with a damper.
 };
 
-/// An elastic piece of a line, which only pulls.
+/// Elastic line element; carries tension only, unless tension_only is false.
 struct StretchDef {
-    std::string name{};                  ///< Unique in the world, or empty.
-    BodyId a{}, b{};                     ///< Required.
-    Vec3 point_a{0.0, 0.0, 0.0};         ///< In the frame of a [m].
-    Vec3 point_b{0.0, 0.0, 0.0};         ///< In the frame of b [m].
-    double length = kDefault;            ///< Without tension [m]; as they stand now.
+    std::string name{};                  ///< Unique name in the world, or empty.
+    BodyId a{}, b{};                     ///< Bodies at the ends. Required.
+    Vec3 point_a{0.0, 0.0, 0.0};         ///< End in the frame of a [m].
+    Vec3 point_b{0.0, 0.0, 0.0};         ///< End in the frame of b [m].
+    double length = kDefault;            ///< Unstretched length [m]; default: the present distance.
     double EA = kDefault;                ///< Axial stiffness [N]. Required.
-    std::optional<bool> tension_only{};  ///< False: it also pushes.
-    double breaking_load = kDefault;     ///< It parts above this tension [N].
-    double damping_time = kDefault;      ///< [s].
-    /// Of the element, of which lumps at its ends hold half each [kg]: it moves as a straight piece
-    /// (WireDef::consistent_mass). 0: the lumps move by themselves.
+    std::optional<bool> tension_only{};  ///< False: it also carries compression.
+    double breaking_load = kDefault;     ///< Tension above which it breaks [N].
+    double damping_time = kDefault;      ///< Damping time [s].
+    /// Mass of the element for the consistent mass matrix (WireDef::consistent_mass) [kg]; the
+    /// lumped masses at its ends include half each. 0: lumped masses only.
     double mass = 0.0;
 };
 
-/// A piece of a line whose length a drum pays out: length + radius × coordinate of the drum.
+/// Line element at a drum, of the rest length length + radius × coordinate of the drum.
 struct WinchStretchDef {
-    std::string name{};  ///< Unique in the world, or empty.
-    BodyId a{}, b{};     ///< Required: the body with the fairlead, and where the line ends.
+    std::string name{};           ///< Unique name in the world, or empty.
+    BodyId a{}, b{};              ///< Body with the fairlead, and body at the line's end. Required.
     Vec3 point_a{0.0, 0.0, 0.0};  ///< Fairlead, in the frame of a [m].
-    Vec3 point_b{0.0, 0.0, 0.0};  ///< In the frame of b [m].
-    BodyId drum{};                ///< A scalar body. Required.
-    double radius = kDefault;  ///< Line paid out per unit of the drum's coordinate [m]. Required.
-    double length = kDefault;  ///< At drum coordinate 0, without tension [m]; as they stand now.
+    Vec3 point_b{0.0, 0.0, 0.0};  ///< End in the frame of b [m].
+    BodyId drum{};                ///< Scalar body. Required.
+    double radius = kDefault;  ///< Length paid out per unit of the drum's coordinate [m]. Required.
+    double length = kDefault;  ///< Unstretched length at drum coordinate 0 [m]; default: from the
+                               ///< present poses.
     double EA = kDefault;      ///< Axial stiffness [N]. Required.
-    std::optional<bool> tension_only{};  ///< False: it also pushes.
-    double breaking_load = kDefault;     ///< It parts above this tension [N].
-    double damping_time = kDefault;      ///< [s].
+    std::optional<bool> tension_only{};  ///< False: it also carries compression.
+    double breaking_load = kDefault;     ///< Tension above which it breaks [N].
+    double damping_time = kDefault;      ///< Damping time [s].
 };
 
-/// Bending stiffness of a line at the middle one of three nodes in order.
+/// Bending stiffness of a line at the middle one of three consecutive nodes.
 struct BendDef {
-    std::string name{};                ///< Unique in the world, or empty.
-    BodyId first{}, middle{}, last{};  ///< Required.
-    Vec3 point_first{0.0, 0.0, 0.0};   ///< In the frame of `first` [m].
-    Vec3 point_middle{0.0, 0.0, 0.0};  ///< In the frame of `middle` [m].
-    Vec3 point_last{0.0, 0.0, 0.0};    ///< In the frame of `last` [m].
+    std::string name{};                ///< Unique name in the world, or empty.
+    BodyId first{}, middle{}, last{};  ///< Nodes. Required.
+    Vec3 point_first{0.0, 0.0, 0.0};   ///< Position of the node in the frame of `first` [m].
+    Vec3 point_middle{0.0, 0.0, 0.0};  ///< Position of the node in the frame of `middle` [m].
+    Vec3 point_last{0.0, 0.0, 0.0};    ///< Position of the node in the frame of `last` [m].
     double EI = kDefault;              ///< Bending stiffness [N m²]. Required.
-    double length = kDefault;          ///< Mean length of the two pieces [m]. Required.
-    double damping_time = kDefault;    ///< [s].
+    double length = kDefault;          ///< Mean length of the two elements [m]. Required.
+    double damping_time = kDefault;    ///< Damping time [s].
 };
 
-/// Torsional stiffness of a line between two rigid bodies about an axis, free of torque as they
-/// stand now.
+/// Torsional stiffness of a line between two rigid bodies about an axis. The torque is 0 at the
+/// present poses.
 struct TwistDef {
-    std::string name{};              ///< Unique in the world, or empty.
-    BodyId a{}, b{};                 ///< Required; not lumps or scalar bodies.
-    Vec3 axis{0.0, 0.0, 1.0};        ///< World frame, of any length but 0.
+    std::string name{};              ///< Unique name in the world, or empty.
+    BodyId a{}, b{};                 ///< Bodies; not lumped masses or scalar bodies. Required.
+    Vec3 axis{0.0, 0.0, 1.0};        ///< Axis in the world frame, any length but 0.
     double GJ = kDefault;            ///< Torsional stiffness [N m²]. Required.
-    double length = kDefault;        ///< Over which the twist acts [m]. Required.
-    double damping_time = kDefault;  ///< [s].
+    double length = kDefault;        ///< Length over which the twist acts [m]. Required.
+    double damping_time = kDefault;  ///< Damping time [s].
 };
 
-/// Linear restoring of a floating body in heave, roll and pitch.
+/// Linear hydrostatic stiffness of a floating body in heave, roll and pitch.
 struct HydrostaticDef {
-    std::string name{};                 ///< Unique in the world, or empty.
-    BodyId body{};                      ///< A rigid one. Required.
-    double heave_stiffness = kDefault;  ///< ρ g times the waterplane area [N/m]. Required.
-    double roll_stiffness = kDefault;   ///< About the body's x axis [N m/rad]. Required.
-    double pitch_stiffness = kDefault;  ///< About the body's y axis [N m/rad]. Required.
-    double heave_damping = kDefault;    ///< [N s/m]; 0.
-    double roll_damping = kDefault;     ///< [N m s/rad]; 0.
-    double pitch_damping = kDefault;    ///< [N m s/rad]; 0.
-    double rest_height = kDefault;      ///< Of the centre of mass, world frame [m]; as it is now.
+    std::string name{};                 ///< Unique name in the world, or empty.
+    BodyId body{};                      ///< Rigid body. Required.
+    double heave_stiffness = kDefault;  ///< Heave stiffness, ρ g times the waterplane area [N/m].
+                                        ///< Required.
+    double roll_stiffness = kDefault;   ///< Stiffness about the body's x axis [N m/rad]. Required.
+    double pitch_stiffness = kDefault;  ///< Stiffness about the body's y axis [N m/rad]. Required.
+    double heave_damping = kDefault;    ///< Heave damping [N s/m]; default: 0.
+    double roll_damping = kDefault;     ///< Roll damping [N m s/rad]; default: 0.
+    double pitch_damping = kDefault;    ///< Pitch damping [N m s/rad]; default: 0.
+    double rest_height = kDefault;  ///< z of the centre of mass at rest, world frame [m]; default:
+                                    ///< the present one.
 };
 
-/// What drives, brakes or holds a drum or another scalar body. Parts are called "name/motor",
+/// Motor, brake and hold of a drum or another scalar body. Parts are named "name/motor",
 /// "name/friction", "name/hold".
 struct DrumDef {
-    std::string name{};  ///< Of the parts: "name/motor" and so on; or empty.
-    BodyId drum{};       ///< A scalar body. Required.
+    std::string name{};  ///< Name prefix of the parts ("name/motor" and so on), or empty.
+    BodyId drum{};       ///< Scalar body. Required.
     std::optional<AxisMotor> motor{};
-    std::optional<AxisFriction> friction{};  ///< Its own_load has to be 0: there is no joint.
-    std::optional<double> hold{};  ///< Coordinate to hold it at, come what may [m or rad].
+    std::optional<AxisFriction> friction{};  ///< Its own_load must be 0, since there is no joint.
+    std::optional<double> hold{};  ///< Fixed value of the coordinate, without a bound of force [m
+                                   ///< or rad].
 };
 
+/// Ids of the parts of a drum; invalid for omitted parts.
 struct DrumIds {
     InteractionId motor{}, friction{}, hold{};
 };
 
-/// What World::add() of these calls. All or nothing. @throws DefError as add_interaction() does.
+/// Add an interaction, or all parts of a drum or none; World::add() calls it.
+/// @throws DefError as World::add_interaction().
 InteractionId define(World& world, const DistanceDef& def);
 InteractionId define(World& world, const StretchDef& def);
 InteractionId define(World& world, const WinchStretchDef& def);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file math.h
-/// Small vectors of the public interface. Everything is in SI units and right-handed;
-/// z of the world frame points up unless a scene turns gravity.
+/// Small vectors of the public interface. Units are SI, frames right-handed. The world's z axis
+/// points up, unless a scene sets another direction of gravity.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -15,22 +15,22 @@ using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaterniond;  ///< Rotation from a body's frame to the world frame.
 
-/// Position and orientation of a body. A scalar body keeps its coordinate in position.x().
+/// Position and orientation of a body. A scalar body stores its coordinate in position.x().
 struct Pose {
     Vec3 position{0.0, 0.0, 0.0};         ///< Centre of mass, world frame [m].
     Quat orientation = Quat::Identity();  ///< Body frame to world frame, unit length.
 };
 
-/// Velocity of a body. A scalar body keeps its rate in linear.x().
+/// Velocity of a body. A scalar body stores its rate in linear.x().
 struct Twist {
-    Vec3 linear{0.0, 0.0, 0.0};   ///< Of the centre of mass, world frame [m/s].
-    Vec3 angular{0.0, 0.0, 0.0};  ///< World frame [rad/s].
+    Vec3 linear{0.0, 0.0, 0.0};   ///< Velocity of the centre of mass, world frame [m/s].
+    Vec3 angular{0.0, 0.0, 0.0};  ///< Angular velocity, world frame [rad/s].
 };
 
-/// The smallest turn that takes direction `from` to direction `to`; both of any length but zero.
-/// Opposite directions leave its axis open: it is then the part of z square to `from`, or of -x
-/// where `from` is nearer to z. It is Quat::FromTwoVectors without that one's singular value
-/// decomposition, which takes a compiler ten seconds wherever it is used.
+/// Return the smallest rotation from the direction `from` to the direction `to`, both of any length
+/// but 0. For opposite directions the axis is the part of z perpendicular to `from`, or of -x if
+/// `from` is closer to z. The result equals Quat::FromTwoVectors(). That function needs ten seconds
+/// of compile time in each use, due to its singular value decomposition.
 [[nodiscard]] inline Quat turn_between(const Vec3& from, const Vec3& to) {
     const Vec3 a = from.normalized(), b = to.normalized();
     const double cosine = b.dot(a);

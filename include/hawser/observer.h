@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file observer.h
-/// Watches a world step by step: what collects figures of a run, and what judges it.
+/// Observers of a world: collect figures of a run, or check it, step by step.
 
 #include <hawser/stats.h>
 
@@ -12,8 +12,8 @@ namespace hawser {
 
 class World;
 
-/// Is called before and after each step that is taken; a step that fails has no after_step().
-/// Observers read and change nothing: whether one watches makes no difference to the run.
+/// Interface that is called before and after each step; after a failed step, after_step() is not
+/// called. Observers must not change the world, so that runs with and without them are equal.
 struct Observer {
     Observer() = default;
     Observer(const Observer&) = default;
@@ -22,10 +22,12 @@ struct Observer {
     Observer& operator=(Observer&&) = default;
     virtual ~Observer() = default;
 
+    /// Prepare for the step that follows.
     virtual void before_step(const World&) {}
-    /// @param events  Those of this step.
+    /// Process a completed step.
+    /// @param events  Events of this step.
     virtual void after_step(const World&, std::span<const Event> events) = 0;
-    /// What is wrong with the last step, in words, which ends the run; "": nothing.
+    /// Return the fault of the last step, which ends the run; "": none.
     [[nodiscard]] virtual std::string objection() const { return {}; }
 };
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file outputs.h
-/// Outputs: numbers of a world that are read by name, as inputs are set by name.
+/// Outputs: numbers of a world that are read by name, like inputs are set by name.
 ///
 /// ```cpp
 /// const auto pull = world.add_output({.name = "tow", .kind = hawser::OutputKind::tension,
 ///                                     .line = elements, .component = "largest"});
 /// while (world.step() == hawser::Status::ok) log(world.outputs());   // all, in the order added
 /// ```
-/// What a kind of output is made of stands in a table, from which the scene reader, the JSON Schema
-/// and the reference page are generated: its target, its components with their units. Values are in
-/// SI units and follow from the state alone, in a fixed order, but for components that are marked
-/// as measured: they are the same bits for any number of threads, and after a restore. The
-/// residuals of a step are no part of a state: after a restore they are 0 until the next step.
+/// A table defines the target of each kind of output, and its components with units. The scene
+/// reader, the JSON Schema and the reference page are generated from it. Values are in SI units and
+/// depend on the state only, in a fixed order, except components marked as measured. They are
+/// therefore equal to the bit for any number of threads, and after a restore. Residuals of a step
+/// are not part of a state: after a restore they are 0 until the next step.
 
 #include <hawser/id.h>
 #include <hawser/math.h>
@@ -27,73 +27,75 @@ namespace hawser {
 
 using OutputId = Id<struct OutputTag>;
 
+/// Kind of an output.
 enum class OutputKind : std::uint8_t {
-    pose,         ///< Where a point of a body is, and how the body is turned.
-    velocity,     ///< How fast a point of a body moves, and how fast the body turns.
+    pose,         ///< Position of a point of a body, and orientation of the body.
+    velocity,     ///< Velocity of a point of a body, and angular velocity of the body.
     coordinate,   ///< World::coordinate() of an interaction.
     speed,        ///< World::speed() of an interaction.
     motor_force,  ///< World::motor_force() of an interaction.
     force,        ///< World::force() of an interaction.
-    tension,      ///< Of a wire or line: of its first element, its last, or the largest of all.
-    drum,         ///< Line that a drum has paid out.
-    distance,     ///< Between a point of one body and a point of another.
-    statistic,    ///< Of the whole world: residuals, energies, counts, times.
-    signal,       ///< Of a system: World::add_system() adds one for each signal (system.h).
+    tension,      ///< Tension of a wire or line: first element, last element, or largest of all.
+    drum,         ///< Length that a drum has paid out.
+    distance,     ///< Distance between a point of one body and a point of another.
+    statistic,    ///< Figure of the whole world: residual, energy, count or time.
+    signal,       ///< Signal of a system: World::add_system() adds one output for each (system.h).
 };
 inline constexpr int kOutputKindCount = 11;
 
-/// One number that a kind of output can give.
+/// Component of a kind of output.
 struct OutputComponent {
-    const char* name;       ///< As in scene files, e.g. "roll".
-    const char* unit;       ///< SI.
-    const char* doc;        ///< One sentence.
-    bool measured = false;  ///< By a clock: not the same in two runs.
+    const char* name;       ///< Name in scene files, e.g. "roll".
+    const char* unit;       ///< SI unit.
+    const char* doc;        ///< Description, one sentence.
+    bool measured = false;  ///< True: measured by a clock, so that two runs differ.
 };
 
-/// What an output is taken from.
+/// Target of an output.
 enum class OutputTarget : std::uint8_t {
-    body,         ///< OutputDef::body and point.
-    two_bodies,   ///< Also body_b and point_b.
-    interaction,  ///< OutputDef::interaction.
-    line,         ///< OutputDef::wire or line.
-    world,        ///< Nothing.
-    system,       ///< A system's signal, which no scene file can name.
+    body,         ///< Uses OutputDef::body and point.
+    two_bodies,   ///< Also uses body_b and point_b.
+    interaction,  ///< Uses OutputDef::interaction.
+    line,         ///< Uses OutputDef::wire or line.
+    world,        ///< Uses no field.
+    system,       ///< Signal of a system; not available in scene files.
 };
 
-/// What a kind gives and needs: the table row from which readers and documents are made.
+/// Table row of a kind of output. Readers and documents are generated from it.
 struct OutputKindInfo {
     OutputKind kind{};
-    const char* name = "";  ///< As in scene files.
+    const char* name = "";  ///< Name in scene files.
     OutputTarget target = OutputTarget::world;
     std::span<const OutputComponent> components{};
-    const char* doc = "";  ///< What it is, in one or two sentences.
+    const char* doc = "";  ///< Description, one or two sentences.
 };
 
-/// All kinds in the order of OutputKind.
+/// Return all kinds in the order of OutputKind.
 [[nodiscard]] std::span<const OutputKindInfo> output_kinds() noexcept;
+/// Return the table row of a kind.
 [[nodiscard]] const OutputKindInfo& output_kind_info(OutputKind kind) noexcept;
-/// @return nullptr when no kind has this name.
+/// Return the kind with this name, or nullptr.
 [[nodiscard]] const OutputKindInfo* find_output_kind(std::string_view name) noexcept;
 
-/// One output. A definition: World::add_output copies it whole.
+/// Definition of an output. World::add_output() copies it.
 struct OutputDef {
-    std::string name{};  ///< Unique among outputs. Required.
+    std::string name{};  ///< Unique name among outputs. Required.
     OutputKind kind = OutputKind::pose;
-    BodyId body{};                      ///< Of pose, velocity, distance.
-    Vec3 point{0.0, 0.0, 0.0};          ///< In the body's frame, from its centre of mass [m].
-    BodyId body_b{};                    ///< Other end of distance.
-    Vec3 point_b{0.0, 0.0, 0.0};        ///< In the frame of body_b [m].
-    InteractionId interaction{};        ///< Of coordinate, speed, motor_force, force, drum.
-    WireId wire{};                      ///< Of tension: of a wire, whatever nodes it has …
-    std::vector<InteractionId> line{};  ///< … or of a line, by its elements in order. Where one of
-                                        ///< them goes, there is no number any more.
-    /// Name of one of the kind's components; "" where it has but one.
+    BodyId body{};                ///< Body of pose, velocity, distance.
+    Vec3 point{0.0, 0.0, 0.0};    ///< In the body's frame, from its centre of mass [m].
+    BodyId body_b{};              ///< Second body of distance.
+    Vec3 point_b{0.0, 0.0, 0.0};  ///< In the frame of body_b [m].
+    InteractionId interaction{};  ///< Interaction of coordinate, speed, motor_force, force, drum.
+    WireId wire{};                ///< Wire of tension, with its present elements; else set `line`.
+    std::vector<InteractionId> line{};  ///< Line of tension by its elements in order; NaN if one of
+                                        ///< them is removed.
+    /// Name of a component of the kind; "" if it has only one.
     std::string component{};
-    /// Of velocity: along and about the body's own axes instead of the world's.
+    /// True: velocity along and about the body's axes instead of the world's.
     bool local = false;
-    std::string unit{};    ///< "": that of the component. A label; values are in SI units.
-    std::string group{};   ///< Free text: under which heading a client shows it.
-    double nominal = 0.0;  ///< Usual size, for axes and tolerances, in the unit; 0: not known.
+    std::string unit{};   ///< Unit label; "": that of the component. Values are always in SI units.
+    std::string group{};  ///< Heading under which a client shows it; free text.
+    double nominal = 0.0;  ///< Usual magnitude, for axes and tolerances, in `unit`; 0: unknown.
 };
 
 }  // namespace hawser

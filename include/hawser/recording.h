@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file recording.h
-/// Recordings: a scene, where it started, what was commanded and where everything went.
+/// Recordings: a scene, its start state, all changes to it, and frames of its motion.
 ///
-/// The format is described in docs/recording.md. A recording is written chunk by chunk while
-/// the simulation runs. After a crash everything up to the last complete chunk can be read. Part of
-/// hawser::session, which writes them (session.h).
+/// docs/recording.md describes the format. A recording is written chunk by chunk during the run.
+/// After a crash, all complete chunks can be read. Part of hawser::session, which writes them
+/// (session.h).
 
 #include <hawser/def.h>
 #include <hawser/math.h>
@@ -30,153 +30,164 @@ namespace hawser::record {
 
 class ByteReader;  // src/record/bytes.h
 
-/// A recording that cannot be written or read; what() begins with the file.
+/// A recording cannot be written or read. Its message begins with the file.
 struct RecordingError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// How and on what a recording was made.
+/// Settings and machine of a recording.
 struct RecordingSettings {
     double step = 0.0;  ///< Time step [s].
     Form form = Form::automatic;
     std::int32_t threads = 1;
-    std::int32_t stride = 1;  ///< Steps from one frame to the next.
+    std::int32_t stride = 1;  ///< Steps between frames.
+    /// Instruction set, library version, processor name.
     std::string instruction_set, version, processor;
 };
 
+/// Body for pictures.
 struct RecordedBody {
     std::string name;
     BodyKind kind = BodyKind::rigid;
-    Vec3 half_size{0.0, 0.0, 0.0};  ///< [m]
-    Pose start;                     ///< At the first frame.
+    Vec3 half_size{0.0, 0.0, 0.0};  ///< Half sizes of the box in pictures [m].
+    Pose start;                     ///< Pose in the first frame.
 };
 
+/// Cable for pictures.
 struct RecordedCable {
     std::string name, line_type;
-    double EA = 0.0, breaking_load = 0.0, length = 0.0;  ///< [N], [N], [m]
+    double EA = 0.0, breaking_load = 0.0, length = 0.0;  ///< Axial stiffness [N], breaking load
+                                                         ///< [N], unstretched length [m].
     std::vector<std::int32_t> nodes;                     ///< Indices of bodies.
-    /// Where the cable holds its first and its last body, in their frames [m].
+    /// Positions of the cable's ends in the frames of its first and last body [m].
     Vec3 end[2] = {Vec3::Zero(), Vec3::Zero()};
-    std::int32_t elements = 0;
-    std::int32_t first_element = 0;  ///< In Frame::tensions.
+    std::int32_t elements = 0;       ///< Number of elements.
+    std::int32_t first_element = 0;  ///< Index of its first element in Frame::tensions.
 };
 
-/// An element of a wire between points in the frames of two bodies.
+/// Element of a wire between points in the frames of two bodies.
 struct RecordedPiece {
     std::int32_t body[2] = {-1, -1};
-    Vec3 point[2] = {Vec3::Zero(), Vec3::Zero()};  ///< [m]
+    Vec3 point[2] = {Vec3::Zero(), Vec3::Zero()};  ///< End points in the bodies' frames [m].
 };
 
-/// A wire of which nodes have come or gone: in place of the cable of its name, from a frame on.
+/// Wire with inserted or removed nodes. It replaces the cable of its name from a frame on.
 struct RecordedWire {
     std::string name;
-    std::vector<RecordedPiece> pieces;  ///< From end to end.
-    std::size_t first_piece = 0;        ///< In Frame::pulls.
+    std::vector<RecordedPiece> pieces;  ///< Elements in order.
+    std::size_t first_piece = 0;        ///< Index of its first element in Frame::pulls.
 };
 
-/// A joint or rod, for pictures: it joins a point of one body to a point of another.
+/// Joint or rod for pictures, between a point of one body and a point of another.
 struct RecordedJoint {
     std::int32_t body[2] = {-1, -1};
-    Vec3 point[2] = {Vec3::Zero(), Vec3::Zero()};  ///< In the bodies' frames [m].
+    Vec3 point[2] = {Vec3::Zero(), Vec3::Zero()};  ///< End points in the bodies' frames [m].
 };
 
+/// Kind of an outline.
 enum class OutlineKind : std::uint8_t {
-    solid,  ///< The convex hull of the points, each with a ball of the radius around it.
-    plane,  ///< Through the first point; the second one is the direction out of the solid.
-    lines,  ///< Lines through `row` points each.
+    solid,  ///< Convex hull of balls of `radius` around the points.
+    plane,  ///< Plane through the first point; the second is the direction out of the solid.
+    lines,  ///< Lines with `row` points each.
 };
 
-/// A shape that touches, for pictures.
+/// Collision shape for pictures.
 struct RecordedOutline {
     std::int32_t body = -1;
     OutlineKind kind = OutlineKind::solid;
-    double radius = 0.0;       ///< [m]
-    std::int32_t row = 0;      ///< Points of one line.
-    std::vector<Vec3> points;  ///< In the body's frame [m].
+    double radius = 0.0;       ///< Radius [m].
+    std::int32_t row = 0;      ///< Number of points of one line.
+    std::vector<Vec3> points;  ///< Points in the body's frame [m].
 };
 
+/// Value that an input was set to.
 struct RecordedInput {
-    std::int64_t step = 0;  ///< Set when this many steps had been taken.
+    std::int64_t step = 0;  ///< Number of steps taken before it was set.
     std::int32_t input = 0;
     double value = 0.0;
 };
 
-/// What else was done to the world between two steps: added, removed, moved … (changes.h).
+/// Other changes of the world between two steps: added, removed, moved (changes.h).
 struct RecordedChanges {
-    std::int64_t step = 0;             ///< Done when this many steps had been taken, …
-    std::size_t inputs_before = 0;     ///< … behind this many of Recording::inputs.
-    std::span<const std::byte> bytes;  ///< For apply_changes().
+    std::int64_t step = 0;          ///< Number of steps taken before the change.
+    std::size_t inputs_before = 0;  ///< Number of entries of Recording::inputs before the change.
+    std::span<const std::byte> bytes;  ///< Argument of apply_changes().
 };
 
-/// What a program kept beside the motion (Session::note()).
+/// Note of a program (Session::note()).
 struct RecordedNote {
-    std::int64_t step = 0;             ///< When this many steps had been taken.
-    std::string kind;                  ///< Whose it is.
-    std::span<const std::byte> bytes;  ///< For whose it is.
+    std::int64_t step = 0;             ///< Number of steps taken before the note.
+    std::string kind;                  ///< Owner of the note.
+    std::span<const std::byte> bytes;  ///< Content, defined by its owner.
 };
 
-/// What systems loaded bodies with in one step (system.h).
+/// Loads of systems on bodies in one step (system.h).
 struct RecordedLoads {
-    std::int64_t step = 0;             ///< Taken when this many steps had been taken.
-    std::span<const std::byte> bytes;  ///< For Repeater.
+    std::int64_t step = 0;             ///< Number of steps taken before the step with these loads.
+    std::span<const std::byte> bytes;  ///< Content, read by Repeater.
 };
 
-/// Where a run went back, or on, to another state of its own (World::restore()): what follows is
-/// another take, whose steps begin anew. The first take has no entry.
+/// Start of a branch: the run was restored to another of its own states (World::restore()). Steps
+/// count from that state. The first branch has no entry.
 struct RecordedTake {
-    std::int64_t from = 0;  ///< Steps taken when it did so, …
-    std::int64_t to = 0;    ///< … and those of the state it went to.
-    /// Entries of the recording that belong to takes before it.
+    std::int64_t from = 0;  ///< Number of steps taken before the restore.
+    std::int64_t to = 0;    ///< Step number of the restored state.
+    /// Numbers of entries of the recording before the branch.
     std::size_t frames = 0, inputs = 0, changes = 0, loads = 0, cuts = 0;
 };
 
-/// A step that left something out to keep to its budget.
+/// Step with work left out to meet its budget.
 struct RecordedCut {
-    std::int64_t step = 0;  ///< Taken when this many steps had been taken.
-    Degradation left_out;
-    DegradedBy cause = DegradedBy::nothing;
-    double foreseen = 0.0;  ///< StepStats::foreseen_seconds [s].
+    std::int64_t step = 0;                   ///< Number of steps taken before this step.
+    Degradation left_out;                    ///< Work left out.
+    DegradedBy cause = DegradedBy::nothing;  ///< Budget that caused it.
+    double foreseen = 0.0;                   ///< StepStats::foreseen_seconds [s].
 };
 
+/// Event of a step.
 struct RecordedEvent {
-    double time = 0.0;  ///< [s]
+    double time = 0.0;  ///< Time [s].
     EventKind kind = EventKind::warning;
     double value = 0.0;
     std::string where;  ///< Name of the interaction.
 };
 
-/// State of the scene at one time, in the precision of pictures.
+/// State of the scene at one time, with the precision of pictures.
 struct Frame {
     std::int64_t step = 0;
-    double time = 0.0;               ///< [s]
+    double time = 0.0;               ///< Time [s].
     std::uint64_t hash = 0;          ///< World::motion_hash().
-    double violation_max = 0.0;      ///< [m]
-    double momentum_residual = 0.0;  ///< Relative.
-    double energy = 0.0;             ///< Mechanical [J].
+    double violation_max = 0.0;      ///< Largest violation [m].
+    double momentum_residual = 0.0;  ///< Relative momentum residual [1].
+    double energy = 0.0;             ///< Mechanical energy [J].
     double water = 0.0;              ///< z of still water of a sea [m].
-    std::vector<Pose> poses;         ///< Of every body; that of the start where it is not there.
-    std::vector<bool> there;         ///< By body: it had come, and had not gone.
-    std::vector<float> tensions;     ///< Of every element of every cable [N].
-    /// What wires are made of, where that is no longer what cables say; the recording's own.
+    std::vector<Pose> poses;  ///< Pose of every body; the start pose if the body does not exist.
+    std::vector<bool> there;  ///< True for each body that exists in this frame.
+    std::vector<float> tensions;  ///< Tension of every element of every cable [N].
+    /// Present elements of wires that differ from the cables; owned by the recording.
     const std::vector<RecordedWire>* wires = nullptr;
-    std::vector<float> pulls;  ///< Tension of each of their pieces [N], −1: parted.
-    /// Links, legs of hooks and slings that have come since the start, of one piece each.
+    std::vector<float> pulls;  ///< Tension of each of these elements [N]; −1: broken.
+    /// Links, and legs of hooks and slings, added since the start, with one element each.
     const std::vector<RecordedWire>* lines = nullptr;
-    std::vector<float> line_pulls;                           ///< As `pulls`.
-    const std::vector<std::int32_t>* gone_joints = nullptr;  ///< In Recording::joints; null: none.
+    std::vector<float> line_pulls;  ///< Tension of each of these elements [N]; −1: broken.
+    const std::vector<std::int32_t>* gone_joints = nullptr;  ///< Indices in Recording::joints of
+                                                             ///< removed joints; null: none.
 };
 
+/// Ending of a run; unknown if the recording is incomplete.
 enum class Ending : std::uint8_t { finished, interrupted, failed, unknown };
 
-/// A recording in memory. Frames are decoded when asked for.
+/// Recording in memory. Frames are decoded on request.
 class Recording {
   public:
     Recording(Recording&&) noexcept = default;
     Recording& operator=(Recording&&) noexcept = default;
-    Recording(const Recording&) = delete;  // Spans point into the bytes.
+    Recording(const Recording&) = delete;  // Not copyable: spans point into the bytes.
     Recording& operator=(const Recording&) = delete;
 
-    /// @throws RecordingError when the file is no recording or holds no complete start.
+    /// Read a recording from a file or from memory.
+    /// @param name  Name for messages.
+    /// @throws RecordingError if it is not a recording or has no complete start.
     [[nodiscard]] static Recording open(const std::filesystem::path& file);
     [[nodiscard]] static Recording read(std::vector<std::byte> bytes, const std::string& name);
 
@@ -184,37 +195,41 @@ class Recording {
     std::string scene_name, scene_path, scene_text;
     std::uint64_t scene_hash = 0;
     RecordingSettings settings;
-    std::vector<RecordedBody> bodies;  ///< Of the scene, then those that came.
-    std::size_t start_bodies = 0;      ///< Of the scene.
+    std::vector<RecordedBody> bodies;  ///< Bodies of the scene, then added bodies.
+    std::size_t start_bodies = 0;      ///< Number of bodies of the scene.
     std::vector<RecordedCable> cables;
+    /// Indices of cables and bodies with curves in plots.
     std::vector<std::int32_t> plot_cables, plot_bodies;
     std::vector<RecordedJoint> joints;
-    std::int32_t element_count = 0;
-    std::int64_t start_step = 0;
-    std::uint64_t start_hash = 0;
-    std::span<const std::byte> snapshot;    ///< For World::restore.
-    std::vector<std::string> input_names;   ///< By index of RecordedInput::input; may be missing.
-    std::vector<bool> inner_inputs;         ///< By the same: driven by a system they are a part of.
-    std::vector<RecordedOutline> outlines;  ///< May be missing.
+    std::int32_t element_count = 0;        ///< Number of elements of all cables.
+    std::int64_t start_step = 0;           ///< Step number of the start state.
+    std::uint64_t start_hash = 0;          ///< Motion hash of the start state.
+    std::span<const std::byte> snapshot;   ///< Start state, for World::restore().
+    std::vector<std::string> input_names;  ///< Names by RecordedInput::input; optional chunk.
+    std::vector<bool> inner_inputs;  ///< True for inputs driven by a system that owns them, by the
+                                     ///< same index.
+    std::vector<RecordedOutline> outlines;  ///< Collision shapes; optional chunk.
     std::vector<RecordedInput> inputs;
     std::vector<RecordedChanges> changes;
     std::vector<RecordedLoads> loads;
     std::vector<RecordedNote> notes;
     std::vector<RecordedCut> cuts;
-    std::vector<RecordedTake> takes;  ///< Steps of all the above ascend within a take only.
+    std::vector<RecordedTake> takes;  ///< Steps of the entries above ascend only within a branch.
     std::vector<RecordedEvent> events;
     Ending ending = Ending::unknown;
-    std::int64_t end_step = 0;   ///< With an ending only.
-    std::uint64_t end_hash = 0;  ///< With an ending only.
-    std::string damage;          ///< Why reading stopped before the end; empty if it did not.
+    std::int64_t end_step = 0;   ///< Number of the last step; only with an ending.
+    std::uint64_t end_hash = 0;  ///< Motion hash at the end; only with an ending.
+    std::string damage;  ///< Reason if reading stopped before the end of the file; else empty.
 
+    /// Return the number of frames.
     [[nodiscard]] std::size_t frame_count() const noexcept { return frames_.size(); }
+    /// Return a decoded frame.
     [[nodiscard]] Frame frame(std::size_t index) const;
-    /// Of a frame: how many entries of `takes` there are before it.
+    /// Return the number of entries of `takes` before a frame.
     [[nodiscard]] std::size_t take_of(std::size_t frame) const noexcept;
-    /// By body: a lump of a wire in some frame in which nodes had come or gone.
+    /// Return, by body, true for nodes of wires in a frame with inserted or removed nodes.
     [[nodiscard]] std::vector<bool> wire_lumps() const;
-    /// Without poses and tensions: cheap.
+    /// Return a frame without poses and tensions, at small cost.
     [[nodiscard]] Frame frame_head(std::size_t index) const;
 
   private:
@@ -247,7 +262,7 @@ class Recording {
     void check_floats(ByteReader in) const;
     void add_frame(std::span<const std::byte> payload);
 
-    /// Bodies that frames have from one of them on: indices in `bodies`, in the order of a frame.
+    /// Bodies of the frames from one frame on: indices in `bodies`, in the order of a frame.
     struct Layout {
         std::size_t first_frame = 0, floats = 0;
         std::vector<std::int32_t> bodies;
@@ -261,17 +276,18 @@ class Recording {
     struct Wires {
         std::size_t first_frame = 0, pieces = 0;
         std::vector<RecordedWire> wires;
-        std::vector<std::span<const std::byte>> pulls;  ///< Of each frame from there on.
-        std::vector<std::int32_t> gone;                 ///< Of lines: joints of the start.
+        std::vector<std::span<const std::byte>> pulls;  ///< Tensions of each frame from the first
+                                                        ///< one on.
+        std::vector<std::int32_t> gone;  ///< Lines only: joints of the start that are removed.
     };
     WireTables wires_, lines_;                            ///< Frames point into them.
-    std::vector<std::pair<std::size_t, double>> waters_;  ///< From which frame on; Frame::water.
+    std::vector<std::pair<std::size_t, double>> waters_;  ///< First frame and Frame::water.
 };
 
-/// Floats of a body's pose in a frame: 7, 3, 1 or 0.
+/// Return the number of floats of a body's pose in a frame: 7, 3, 1 or 0.
 [[nodiscard]] int pose_floats(BodyKind kind) noexcept;
 
-/// True for bodies between the ends of a cable: nodes and links, too many to name.
+/// Return, by body, true for bodies between the ends of a cable (nodes and links).
 [[nodiscard]] std::vector<bool> cable_interior(const Recording& recording);
 
 }  // namespace hawser::record

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file repeater.h
-/// A recorded run again: the changes of a recording, entered into a world step by step.
+/// Replay of a recording: applies its changes to a world step by step.
 
 #include <hawser/recording.h>
 
@@ -11,18 +11,20 @@
 
 namespace hawser::record {
 
-/// Does to a world again what was done to the recorded one, and lets its steps leave out what those
-/// of the recording left out. The world is that of the scene in the recording, in the state of its
-/// snapshot, without systems: what those of the recorded world did is in the recording. Adds a
-/// system of its own where there are loads.
+/// Applies the changes of a recorded run to a world, and makes its steps leave out the same work.
+/// The world is that of the recording's scene, in the state of its snapshot, without systems. The
+/// recording contains the effects of the recorded systems. If there are loads, Repeater adds its
+/// own system.
 class Repeater {
   public:
-    /// @param recording  Has to outlive it.
+    /// Create a repeater.
+    /// @param recording  Must outlive it.
     explicit Repeater(const Recording& recording) : recording_(recording) {}
-    /// Before each step. @throws std::runtime_error where the recording says what makes no sense,
-    ///                            DefError where the world refuses a change.
+    /// Apply the changes before a step. Call it before each step.
+    /// @throws std::runtime_error if the recording is inconsistent
+    /// @throws DefError if the world rejects a change
     void before_step(World& world);
-    /// Entries of Recording::takes that have been entered.
+    /// Return the number of entries of Recording::takes that have been applied.
     [[nodiscard]] std::size_t take() const noexcept { return take_; }
 
   private:
@@ -33,9 +35,9 @@ class Repeater {
     [[nodiscard]] std::size_t end_of(std::size_t all, std::size_t RecordedTake::* before) const;
 
     const Recording& recording_;
-    std::size_t input_ = 0, change_ = 0, cut_ = 0, load_ = 0;  ///< The next ones.
-    std::size_t take_ = 0;                                     ///< Those entered.
-    Loader* loader_ = nullptr;                                 ///< A system of the world.
+    std::size_t input_ = 0, change_ = 0, cut_ = 0, load_ = 0;  ///< Indices of the next entries.
+    std::size_t take_ = 0;                                     ///< Number of applied entries.
+    Loader* loader_ = nullptr;                                 ///< System of the world.
 };
 
 }  // namespace hawser::record

@@ -1,54 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file resolution.h
-/// Resolution of wires: elements that are as long as tension, curvature and contact let them be.
+/// Adaptive resolution of wires: element lengths by tension, curvature and contact.
 ///
 /// ```cpp
 /// const hawser::WireId tow = world.add_wire({.name = "tow", …, .consistent_mass = true});
 /// world.add(hawser::ResolutionDef{.name = "tow_nodes", .wire = tow, .min_length = 2.5,
 ///                                 .max_length = 20.0});
 /// ```
-/// Between steps an element that is too long gets a node in its middle (World::insert_node()), and
-/// a node goes whose elements are short enough to be one (World::remove_node()): mass, momentum,
-/// angular momentum and energy stay as they do there. Lengths here are those of *material*, the
-/// mass of an element over that of a metre: edits share them without rounding away, and no tension
-/// changes them. Rest lengths of elements are another account, which follows forces.
+/// Between steps a node is inserted in the middle of an element that is too long
+/// (World::insert_node()). A node is removed if its elements are short enough to be one
+/// (World::remove_node()). These functions keep mass, momentum, angular momentum and energy.
+/// Lengths here are *material* lengths, the mass of an element over the mass per length. Tension
+/// does not change them, and edits divide them without a drift by rounding. Rest lengths are
+/// separate, and follow forces.
 ///
-/// *How long an element may be*: its bound L is the least of
-/// - √(8 `sag_error`/κ): the chord of an arc of curvature κ [1/m] lies off by L²κ/8. κ at a node is
-///   the angle between its elements over half of their lengths together, and the larger one of its
-///   two nodes counts for an element;
-/// - `max_angle`/κ, the angle at its nodes;
-/// - `wave_period` √(T/ρ)/`points_per_wave`: the shortest wave across that is to be resolved. With
-///   a consistent mass matrix it runs too fast by (2π/n)²/24 with n elements to the wave (1 % with
-///   12, 2.6 % with 8). T is the mean along the wire and over `averaging`;
-/// - `contact_length`, where a segment touches something, and its neighbours; for a node to go also
-///   the next ones, since where a wire leaves what it touches segments come near and go;
-/// - `drum_length`, next to an element that a drum pays out, so that the drum takes in nodes of the
-///   length that it makes (WinchDef::element);
+/// *Bounds*. The upper bound L of an element's length is the smallest of
 ///
-/// An element gets a node where it is longer than L or `max_length`, and as long as twice
-/// `min_length`. A node goes where its elements together are no longer than `max_length`, nor than
-/// L of either over `hysteresis`, and that has been so for `patience`: a wave that passes does not
-/// have the wire change to and fro. At most one node comes or goes each time that the wire is
-/// looked at, every `interval` steps; wires take turns.
+/// 1. √(8 `sag_error`/κ). The chord of an arc of curvature κ [1/m] deviates by L²κ/8. At a node, κ
+///    is the angle between its elements over half of their total length. An element uses the larger
+///    value of its nodes.
 ///
-/// Elements at drums are the winch's, and what something else holds, carries no mass of its own
-/// (consistent_mass), is of a line type that the wire did not have at first or has parted stays as
-/// it is. Fixed elements remain possible: without a
-/// ResolutionDef nothing changes.
+/// 2. `max_angle`/κ, the angle at its nodes.
 ///
-/// *Budget.* At a level of World::coarsening() L is 1.5 to its power times as long, limits
-/// included, and `patience` is not waited for.
+/// 3. `wave_period` √(T/ρ)/`points_per_wave`, for the shortest transverse wave. With a consistent
+///    mass matrix and n elements per wavelength it is too fast by (2π/n)²/24: 1 % with 12, 2.6 %
+///    with 8. T is the mean along the wire and over `averaging`.
 ///
-/// Signals, as "name.signal". Outputs: `nodes` (of the wire, ends included), `shortest` and
-/// `longest` [m] element, `inserted` and `removed` (by this system since the start), `material`
-/// [m]: the sum of what elements are made of, those at drums left out. Event `node_limit` where
-/// `max_nodes` keeps an element too long.
+/// 4. `contact_length`, for segments in contact and their neighbours. For the removal of a node it
+///    also applies to the next ones, since segments near a contact's end touch intermittently.
 ///
-/// Sources: sag of an arc by elementary geometry; consistent mass and its dispersion as in
-/// O. C. Zienkiewicz, R. L. Taylor, "The Finite Element Method", vol. 1, ch. 17; hybrid resolution
-/// of wires: M. Servin, C. Lacoursière, F. Nordfelth, K. Bodin, IEEE TVCG 17 (2011).
+/// 5. `drum_length`, next to an element at a drum, so that the drum hauls in nodes of its own
+///    spacing (WinchDef::element).
+///
+/// *Edits*. An element gets a node if it is longer than L or `max_length`, and at least twice
+/// `min_length`. A node is removed if its elements together are at most `max_length`, and at most L
+/// of either over `hysteresis`. This must hold for `patience`, so that passing waves cause no
+/// repeated edits. At most one node is inserted or removed at each check of the wire, every
+/// `interval` steps. Wires are checked in turn.
+///
+/// Elements at drums belong to the winch. Elements are unchanged if another part holds them, if
+/// they have no mass (consistent_mass), or if they are broken. The same applies to a line type that
+/// the wire did not have at the start. Without a ResolutionDef all elements are fixed.
+///
+/// *Budget*. At the coarsening level n of World::coarsening(), L and its limits are multiplied by
+/// 1.5ⁿ, and `patience` is ignored.
+///
+/// Outputs, as "name.signal": `nodes` of the wire, ends included; length of the `shortest` and
+/// `longest` element [m]. Numbers since the start: `inserted` and `removed`. Output `material`:
+/// total material length [m], without elements at drums. Event `node_limit` if `max_nodes` keeps an
+/// element too long.
+///
+/// Sources: sag of an arc by elementary geometry. Consistent mass and its dispersion: O. C.
+/// Zienkiewicz, R. L. Taylor, "The Finite Element Method", vol. 1, ch. 17. Hybrid resolution of
+/// wires: M. Servin, C. Lacoursière, F. Nordfelth, K. Bodin, IEEE TVCG 17 (2011).
+///
 /// Limits: docs/wires.md, "Resolution".
 
 #include <hawser/id.h>
@@ -61,34 +67,39 @@ namespace hawser {
 
 class World;
 
-/// Resolution of one wire. A definition: World::add copies it whole.
+/// Resolution of one wire. World::add() copies the definition.
 struct ResolutionDef {
-    std::string name{};  ///< Unique among systems. Required.
-    WireId wire{};       ///< Whose elements have a mass of their own. Required.
+    std::string name{};  ///< Unique name among systems. Required.
+    WireId wire{};       ///< Wire whose elements have mass. Required.
 
-    double min_length = 2.5;   ///< No element gets shorter by a node [m], 0.01 to 1e6.
-    double max_length = 20.0;  ///< Longest element [m]; from twice `min_length` on.
-    int max_nodes = 1000;      ///< Of the wire, ends included; 3 to 100,000.
+    double min_length = 2.5;   ///< Smallest element length after an insertion [m], 0.01 to 1e6.
+    double max_length = 20.0;  ///< Largest element length [m]; at least twice `min_length`.
+    int max_nodes = 1000;  ///< Largest number of nodes of the wire, ends included; 3 to 100,000.
 
-    double sag_error = 0.05;  ///< Of an element off its arc [m]; 0: no such bound.
-    double max_angle = 0.26;  ///< Between elements [rad], to π; 0: no such bound.
-    /// Where it touches something [m]; 0: no such bound; twice `min_length`.
+    double sag_error = 0.05;  ///< Largest deviation of an element from its arc [m]; 0: no bound.
+    double max_angle = 0.26;  ///< Largest angle between elements [rad], to π; 0: no bound.
+    /// Largest element length at contacts [m]; 0: no bound; default: twice `min_length`.
     double contact_length = kDefault;
-    double drum_length = kDefault;  ///< Next to a drum [m]; length of the element there at first.
-    double wave_period = 2.0;       ///< Of the shortest wave across [s]; 0: no such bound.
-    double points_per_wave = 8.0;   ///< Elements to it, 2 to 1000.
-    double averaging = 10.0;        ///< Time over which tension is averaged [s].
-    double hysteresis = 1.5;        ///< 1 to 100: see above.
-    double patience = 2.0;          ///< For which a node is not needed before it goes [s].
-    int interval = 4;               ///< Steps from one look at the wire to the next, 1 to 10,000.
-    /// Of all of the wire [kg/m]; kDefault: of each line type (EA, mass a length) that its elements
-    /// have now. Where two meet the node stays.
+    double drum_length = kDefault;  ///< Largest element length next to a drum [m]; default: initial
+                                    ///< length of the element there.
+    double wave_period = 2.0;       ///< Period of the shortest transverse wave [s]; 0: no bound.
+    double points_per_wave = 8.0;   ///< Elements per wavelength, 2 to 1000.
+    double averaging = 10.0;        ///< Averaging time of the tension [s].
+    double hysteresis = 1.5;  ///< Ratio of the bound for insertion to that for removal [1], 1 to
+                              ///< 100.
+    double patience = 2.0;    ///< Time for which a node must be unnecessary before its removal [s].
+    int interval = 4;         ///< Steps between checks of the wire, 1 to 10,000.
+    /// Mass per length of the whole wire [kg/m]. Default: that of each line type (EA, mass per
+    /// length) of the present elements. A node between two line types stays.
     double mass_per_length = kDefault;
 };
 
-/// What World::add() of it calls. @throws DefError on what is missing or out of range, limits that
-/// cross (max_length below twice min_length; a bound by contact or drum beyond them), a name that
-/// is taken, a wire that has a resolution already, or none of whose elements has a mass.
+/// Add a resolution; World::add() calls it.
+/// @throws DefError if a required field is missing or a value is out of range
+/// @throws DefError if limits conflict: max_length below twice min_length, or a contact or drum
+/// length beyond them
+/// @throws DefError if the name is already used, or the wire has a resolution already, or its
+/// elements have no mass
 void define(World& world, const ResolutionDef& def);
 
 }  // namespace hawser

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file route.h
-/// A line without mass that runs over bollards, pins, eyes and sheaves: hoists, tackles, brakes of
-/// a rope round a post.
+/// Massless line over bollards, pins, eyes and sheaves, for hoists, tackles and rope brakes.
 ///
 /// ```cpp
 /// const hawser::Route hoist = world.add(hawser::RouteDef{
@@ -12,21 +11,22 @@
 ///                {.body = block, .point = {0, 0, 0.5}, .efficiency = 0.98}},
 ///     .last = {.body = boom, .point = {30.5, 0, 0}}});
 /// ```
-/// The line is one piece: what leaves the part before a place enters the part behind it. Its parts
-/// are interactions of kind span, end_span and body_span, its friction scalar_friction, its
-/// *slides* scalar bodies next to no mass, whose coordinate tells how much has run through [m]
-/// (src/model/kinds/routes.h); outputs and events know them by their names, "hoist/part2",
-/// "hoist/friction1", "hoist/slide1".
+/// Line that leaves the part before a contact point enters the part behind it, so that the total
+/// length is kept. Parts are interactions of the kinds span, end_span and body_span; friction is
+/// scalar_friction. The *slides* are scalar bodies of negligible mass, whose coordinate is the
+/// length that has run through [m] (src/model/kinds/routes.h). Outputs and events use the names
+/// "hoist/part2", "hoist/friction1", "hoist/slide1".
 ///
-/// Friction. Turning by an angle δ at a place, the tensions before and behind differ by a factor of
-/// e^{μδ} at most, exactly (solve/capstans.h); a sheave of efficiency η by 1/η. Below that nothing
-/// creeps.
+/// *Friction*. If the line turns by an angle δ, the tensions before and behind differ by a factor
+/// of at most e^{μδ}, exactly (solve/capstans.h). At a sheave of efficiency η the factor is 1/η.
+/// Below the bound there is no creep.
 ///
-/// The end of a line stops at the place that it comes to (stop_ends()).
+/// The end of a line stops at the contact point that it reaches (stop_ends()).
 ///
-/// Limits: friction is that of the angle at the start; the stiffness of a part stays EA over its
-/// length at the start; tension alone, no weight, no bending. Places on one body that follow each
-/// other keep the length between them.
+/// Limits: friction uses the angle at the start. The stiffness of a part remains EA over its
+/// initial length. Parts carry tension only, without weight or bending. Consecutive contact points
+/// on one body keep the length between them.
+///
 /// Source: Servin, Lacoursière, Nordfelth, Bodin, "Hybrid, multiresolution wires with massless
 /// frictional contacts" (2011).
 
@@ -43,82 +43,93 @@ namespace hawser {
 
 class World;
 
-/// Where a line ends: at a point of a body, or on a drum behind it.
+/// End of a line: at a point of a body, or on a drum behind it.
 struct RouteEnd {
-    BodyId body{};              ///< Required; a lump, or any that has a place in space.
-    Vec3 point{0.0, 0.0, 0.0};  ///< In its frame [m]; of a lump 0.
-    BodyId drum{};              ///< A scalar body that the line is wound on. None: it is made fast.
-    double radius = 0.0;        ///< Line that the drum pays out per unit of its coordinate [m].
+    BodyId body{};              ///< Body with a position in space; not a scalar body. Required.
+    Vec3 point{0.0, 0.0, 0.0};  ///< End in the body's frame [m]; 0 for a lumped mass.
+    BodyId drum{};        ///< Scalar body on which the line is wound; invalid: the end is fixed.
+    double radius = 0.0;  ///< Line paid out per unit of the drum's coordinate [m].
 };
 
-/// What a line runs over.
+/// Contact point of a line: an eye, bollard or sheave.
 struct RoutePlace {
-    BodyId body{};              ///< Required; not a lump where `radius` is not 0.
+    BodyId body{};              ///< Body; not a lumped mass if `radius` is not 0. Required.
     Vec3 point{0.0, 0.0, 0.0};  ///< Eye, or centre of the wheel, in the frame of the body [m].
-    Vec3 axis{0.0, 1.0, 0.0};   ///< Of the wheel, in the frame of the body.
-    /// Of the wheel [m], 0: an eye. The line turns about +axis where it is above 0, as seen along
-    /// the route, about −axis where it is below.
+    Vec3 axis{0.0, 1.0, 0.0};   ///< Axis of the wheel, in the frame of the body.
+    /// Radius of the wheel [m]; 0: an eye. Along the route, the line turns about +axis if > 0,
+    /// about −axis if < 0.
     double radius = 0.0;
-    double friction = 0.0;    ///< μ of the line on what it runs over.
-    double efficiency = 1.0;  ///< η of a sheave: lesser tension over greater; (0, 1].
-    double inertia = 0.0;     ///< Of the sheave [kg m²]; needs a radius.
-    int turns = 0;            ///< Whole turns more round the wheel, 0 to 100.
-    /// Angle by which the line turns here, with whole turns [rad]. kDefault: as it lies.
+    double friction = 0.0;    ///< Friction coefficient μ of the line [1].
+    double efficiency = 1.0;  ///< Efficiency η of a sheave [1], (0, 1]: smaller over larger
+                              ///< tension.
+    double inertia = 0.0;     ///< Inertia of the sheave [kg m²]; requires a radius.
+    int turns = 0;            ///< Additional whole turns round the wheel, 0 to 100.
+    /// Angle of the line here, whole turns included [rad]; default: from the present poses.
     double angle = kDefault;
 };
 
+/// Definition of a route. World::add() copies it.
 struct RouteDef {
-    std::string name{};    ///< Unique in the world, or empty.
-    double EA = kDefault;  ///< Axial stiffness [N]. Required.
-    RouteEnd first{};
-    std::vector<RoutePlace> places{};  ///< In order, 1 to 256.
-    RouteEnd last{};
-    /// Length without tension [m]. kDefault: as it lies with `tension`.
+    std::string name{};                ///< Unique name in the world, or empty.
+    double EA = kDefault;              ///< Axial stiffness [N]. Required.
+    RouteEnd first{};                  ///< First end.
+    std::vector<RoutePlace> places{};  ///< Contact points in order, 1 to 256.
+    RouteEnd last{};                   ///< Last end.
+    /// Unstretched length [m]; default: that with `tension` at the present poses.
     double length = kDefault;
-    double tension = 0.0;            ///< At the start, where no length is given [N].
-    double breaking_load = 1e30;     ///< Each part breaks above this tension [N].
-    double damping_time = kDefault;  ///< Of all parts [s].
+    double tension = 0.0;            ///< Tension at the start if no length is given [N].
+    double breaking_load = 1e30;     ///< Tension above which a part breaks [N].
+    double damping_time = kDefault;  ///< Damping time of all parts [s].
 };
 
+/// Parts of a route.
 struct Route {
-    std::vector<BodyId> slides;            ///< One a place.
-    std::vector<InteractionId> parts;      ///< One more than places; tension is −force()[0].
-    std::vector<InteractionId> frictions;  ///< One a place; invalid where there is none.
-    std::vector<double> angles;            ///< By which the line turns at each place [rad].
+    std::vector<BodyId> slides;            ///< One for each contact point.
+    std::vector<InteractionId> parts;      ///< One more than contact points; the tension is
+                                           ///< −force()[0].
+    std::vector<InteractionId> frictions;  ///< One for each contact point; invalid if it has no
+                                           ///< friction.
+    std::vector<double> angles;            ///< Angle of the line at each contact point [rad].
 };
 
-/// What World::add() of a route calls. All or nothing. @throws DefError.
+/// Add a route, all of it or nothing; World::add() calls it.
+/// @throws DefError.
 Route define(World& world, const RouteDef& def);
 
-/// A body as a route meets it.
+/// State of a body, as a route requires it.
 struct RouteBody {
-    Vec3 position{0.0, 0.0, 0.0};  ///< Of its centre of mass, world frame [m].
+    Vec3 position{0.0, 0.0, 0.0};  ///< Centre of mass, world frame [m].
     Quat orientation = Quat::Identity();
     BodyKind kind = BodyKind::fixed;
-    double mass = 0.0;  ///< [kg]
+    double mass = 0.0;  ///< Mass [kg].
 };
-/// How to find it. @throws DefError where there is none.
+/// Function that returns the state of a body. It throws DefError if the body does not exist.
 using RouteBodies = std::function<RouteBody(BodyId)>;
 
-/// Stop the ends of lines at the places that they run through. A part whose end is made fast to a
-/// body (kind end_span) holds its slide when less than 1 % of its length is left and more would run
-/// through; the event `hauled_in` of the slide is reported. Running back is free. World::add() of a
-/// route does it by itself. @param name  Of the System that does it; unique. @throws DefError.
+/// Add end stops to lines. A part with a fixed end (kind end_span) clamps its slide if less than 1
+/// % of its length is left and more would run through. The event is `hauled_in` of the slide.
+/// Running back is free. World::add() of a route calls it.
+/// @param name  Unique name of the System for the end stops.
+/// @throws DefError.
 void stop_ends(World& world, const std::string& name, std::vector<InteractionId> parts);
 
-/// What a route is made of, for those that have no World yet.
+/// Parts of a route, for callers that have no World yet.
 struct RoutePlan {
+    /// Friction at a contact point.
     struct Friction {
-        std::size_t place;  ///< Its loads are the parts `place` and `place` + 1.
+        std::size_t place;  ///< Index of the contact point; its loads are the parts `place` and
+                            ///< `place` + 1.
         InteractionDef def;
     };
     std::vector<InteractionDef> parts;
     std::vector<Friction> frictions;
     std::vector<double> angles;  ///< As Route::angles.
 };
-/// The slides, one a place. @throws DefError on anything wrong with the definition.
+/// Return the slides, one for each contact point.
+/// @throws DefError if the definition is invalid.
 [[nodiscard]] std::vector<BodyDef> route_slides(const RouteDef& def, const RouteBodies& bodies);
-/// All that acts between them, once they are there. @throws DefError.
+/// Return the interactions of a route, once its slides exist.
+/// @throws DefError.
 [[nodiscard]] RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
                                    std::span<const BodyId> slides);
 

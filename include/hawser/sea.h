@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file sea.h
-/// The sea: depth, tide, waves, current and wind, and what water and air do to lines, bodies, hulls
-/// and rods.
+/// Sea: depth, tide, waves, current and wind. Loads of water and air on lines, bodies, hulls and
+/// rods.
 ///
 /// ```cpp
 /// hawser::SeaDef sea{.depth = 150.0};
@@ -10,9 +10,9 @@
 /// sea.current.push_back({.depth = 0.0, .speed = 0.8, .direction = 0.0});
 /// sea.lines.push_back({.wire = tow, .sections = {{20, {.diameter = 0.076, .cd_normal = 1.8}}}});
 /// world.add(sea);
-/// world.set_system_signal("sea.waves", 0.5);     // half as high from now on
+/// world.set_system_signal("sea.waves", 0.5);     // half the amplitudes from now on
 /// ```
-/// z points up; z = 0 is the datum of the level, the bottom lies at z = −depth.
+/// Axis z points up; z = 0 is the datum of the level. The bottom lies at z = −depth.
 /// ```
 ///        direction →          η(x, y, t)
 ///    ~~~~~.-'''-.~~~~~~~~~~~.-'''-.~~~~   level + η
@@ -21,43 +21,46 @@
 ///         u(z) ~ cosh k(z + d)
 ///    /////////////////////////////////    z = −depth
 /// ```
-/// **Waves** are sums of at most 400 components of linear theory (G. B. Airy, "Tides and Waves",
+/// *Waves* are sums of at most 400 components of linear theory (G. B. Airy, "Tides and Waves",
 /// 1845). With θ = k·x − ω t + φ and ω² = g k tanh k d
 /// ```
 ///     η = Σ a cos θ      u = Σ a ω C cos θ · k/k      w = Σ a ω S sin θ
 ///     p = ρ Σ a (ω²/k) C cos θ,      C = cosh k(z' + d)/sinh k d,  S = sinh k(z' + d)/sinh k d
 /// ```
-/// at z' = d (z + d)/(d + level + η) − d: the column of water between bottom and surface is
-/// stretched to that of still water (J. D. Wheeler, "Method for calculating forces produced by
-/// irregular waves", 1970), so that p = 0 and crests have finite velocities at the surface.
-/// Accelerations are ∂u/∂t and ∂w/∂t of the same sums.
+/// at z' = d (z + d)/(d + level + η) − d. This stretches the water column between bottom and
+/// surface to that of still water. As a result p = 0 at the surface, and velocities in crests are
+/// finite. Source: J. D. Wheeler, "Method for calculating forces produced by irregular waves",
+/// 1970. Accelerations are ∂u/∂t and ∂w/∂t of these sums.
 ///
-/// **Spectra**: JONSWAP (K. Hasselmann and others, 1973) and Pierson-Moskowitz (1964), in bins of
-/// equal width in ω; each component lies at random in its bin, so that the sea never repeats, and
-/// has the energy of its bin. All of it is made Hs²/16. Directions are spread as cos^2s (θ/2),
-/// one direction a component (E. R. Jefferys, "Directional seas should be ergodic", 1987).
+/// *Spectra*: JONSWAP (K. Hasselmann and others, 1973) and Pierson-Moskowitz (1964), in bins of
+/// equal width in ω. Each component has a random frequency in its bin, so that the sea does not
+/// repeat, and the energy of its bin. The sum is scaled to Hs²/16. Directions are spread as cos^2s
+/// (θ/2), with one direction for each component (E. R. Jefferys, "Directional seas should be
+/// ergodic", 1987).
 ///
-/// **Wind**: profile and gusts of the Norwegian Petroleum Directorate (ISO 19901-1, A.7.4):
-/// U(z) = U₁₀ (1 + C ln(z/10)), C = 0.0573 √(1 + 0.15 U₁₀), gusts of the spectrum at 10 m.
+/// *Wind*: profile and gusts of the Norwegian Petroleum Directorate (ISO 19901-1, A.7.4). The
+/// profile is U(z) = U₁₀ (1 + C ln(z/10)), C = 0.0573 √(1 + 0.15 U₁₀). Gusts have the spectrum at
+/// 10 m.
 ///
-/// **Drag** (J. R. Morison and others, "The force exerted by surface waves on piles", 1950): per
-/// length of a line of diameter d, displaced area A, tangent t and velocity r of the water past it
+/// *Drag* acts per length of a line. It has the diameter d, the displaced area A, the tangent t and
+/// the relative velocity r of the water:
 /// ```
 ///     f = ½ρ C_dn d |r_n| r_n + ½ρ C_dt π d |r_t| r_t + ρ A (a + C_a (a − v̇)) + ρ g A z
 /// ```
-/// each half of an element by itself at its lump, as far as it is wet; the part C_a across and
-/// along the line apart. Drag goes in with its tangent, added mass as mass, buoyancy of what
-/// pierces the surface with its stiffness (Loads).
+/// Source: J. R. Morison and others, "The force exerted by surface waves on piles", 1950. The load
+/// of each half element acts on its node, for the wet part. C_a has separate values across and
+/// along the line. Drag enters with its tangent, added mass as mass. Buoyancy at the surface enters
+/// with its stiffness (Loads).
 ///
-/// **Hulls**: hull.h; **rods** of rigid bodies: water_rod.h.
+/// *Hulls*: hull.h. *Rods* of rigid bodies: water_rod.h.
 ///
-/// Limits: waves of first order, no breaking, no diffraction or radiation but by coefficients
-/// (hydro.h) and on one body by itself, no bottom that is not level; waves have the depth `depth`
-/// whatever the level; gusts act everywhere at once. Half elements that end on bodies have neither
-/// mass nor water. What is loaded does not sleep.
+/// Limits: first-order waves without breaking. Diffraction and radiation need coefficients
+/// (hydro.h), and act on single bodies. The bottom is level; waves have the depth `depth` at any
+/// level. Gusts act everywhere simultaneously. Half elements at bodies have neither mass nor water
+/// loads. Loaded bodies do not sleep.
 ///
-/// A world has one sea, the system "sea". Signals, as "sea.name". Inputs: `waves` (factor of all
-/// amplitudes), `current` (factor), `wind` (U₁₀ [m/s]), `wind_direction` [rad], `level` (on top of
+/// A world has one sea, the system "sea". Inputs, as "sea.name": `waves` (factor of all
+/// amplitudes), `current` (factor), `wind` (U₁₀ [m/s]), `wind_direction` [rad], `level` (added to
 /// the tide [m]). Outputs: `elevation` (at SeaDef::gauge [m]), `gust` [m/s], `tide` [m].
 
 #include <hawser/def.h>
@@ -75,93 +78,97 @@
 
 namespace hawser {
 
-/// Most components of all waves together, and of gusts.
+/// Largest number of components of all waves together, and of gusts.
 inline constexpr int kMaxWaveComponents = 400;
 
-/// A definition of the sea that is refused.
+/// Invalid definition of the sea.
 class SeaError : public DefError {
   public:
     SeaError(std::string where, const std::string& what)
         : DefError("sea: " + where + ": " + what), field(std::move(where)) {}
-    std::string field;  ///< Which, from SeaDef on, such as "waves/0/period".
+    std::string field;  ///< Path of the field in SeaDef, such as "waves/0/period".
 };
 
-/// Height of still water at a time; linear between two.
+/// Height of still water at a time; linear between two entries.
 struct SeaLevel {
-    double time = 0.0;   ///< [s].
-    double level = 0.0;  ///< Above the datum z = 0 [m].
+    double time = 0.0;   ///< Time [s].
+    double level = 0.0;  ///< Height above the datum z = 0 [m].
 };
 
-/// Current at a depth; linear between two, constant above the first and below the last.
+/// Current at a depth; linear between two entries, constant above the first and below the last.
 struct SeaCurrent {
-    double depth = 0.0;      ///< Below the surface of still water, ascending [m].
-    double speed = 0.0;      ///< [m/s].
-    double direction = 0.0;  ///< To which it flows, from x towards y [rad].
+    double depth = 0.0;      ///< Depth below the still water surface, ascending [m].
+    double speed = 0.0;      ///< Speed [m/s].
+    double direction = 0.0;  ///< Direction of flow, from x towards y [rad].
 };
 
+/// Kind of waves.
 enum class WaveKind : std::uint8_t { regular, jonswap, pierson_moskowitz };
 
-/// A regular wave, or the waves of a spectrum.
+/// Regular wave, or waves of a spectrum.
 struct WaveDef {
     WaveKind kind = WaveKind::regular;
-    double height = 0.0;     ///< Crest to trough; of a spectrum Hs = 4 √m₀ [m]. Required.
-    double period = 0.0;     ///< T; of a spectrum Tp, of its peak [s]. Required.
-    double direction = 0.0;  ///< To which they run, from x towards y [rad].
-    double phase = 0.0;      ///< φ of a regular wave [rad].
-    double gamma = 3.3;      ///< Peak enhancement of JONSWAP, from 1 on [1].
-    double spreading = 0.0;  ///< s of cos^2s, to 200; 0: all run in `direction`.
-    int components = 200;    ///< Of a spectrum.
-    std::uint64_t seed = 1;  ///< Of phases, frequencies in their bins, and directions.
-    double lowest = 0.5;     ///< Frequencies taken, over that of the peak [1] …
-    double highest = 4.0;    ///< … to this.
+    double height = 0.0;  ///< Height from crest to trough; of a spectrum Hs = 4 √m₀ [m]. Required.
+    double period = 0.0;  ///< Period T; of a spectrum the peak period Tp [s]. Required.
+    double direction = 0.0;  ///< Direction of propagation, from x towards y [rad].
+    double phase = 0.0;      ///< Phase φ of a regular wave [rad].
+    double gamma = 3.3;      ///< Peak enhancement factor of JONSWAP [1], ≥ 1.
+    double spreading = 0.0;  ///< Exponent s of cos^2s, to 200; 0: all components run in
+                             ///< `direction`.
+    int components = 200;    ///< Number of components of a spectrum.
+    std::uint64_t seed = 1;  ///< Seed of phases, frequencies in their bins, and directions.
+    double lowest = 0.5;     ///< Lowest frequency over the peak frequency [1].
+    double highest = 4.0;    ///< Highest frequency over the peak frequency [1].
 };
 
-/// Wind at the height of 10 m.
+/// Wind at a height of 10 m.
 struct WindDef {
-    double speed = 0.0;      ///< Mean of an hour, U₁₀ [m/s].
-    double direction = 0.0;  ///< To which it blows, from x towards y [rad].
-    bool gusts = false;      ///< With those of the NPD spectrum, 1/600 to 0.5 Hz.
-    int components = 100;    ///< Of gusts.
-    std::uint64_t seed = 1;  ///< Of gusts.
-    double density = 1.225;  ///< Of air [kg/m³].
+    double speed = 0.0;      ///< Hourly mean speed U₁₀ [m/s].
+    double direction = 0.0;  ///< Direction of the air flow, from x towards y [rad].
+    bool gusts = false;      ///< True: with gusts of the NPD spectrum, 1/600 to 0.5 Hz.
+    int components = 100;    ///< Number of components of the gusts.
+    std::uint64_t seed = 1;  ///< Seed of the gusts.
+    double density = 1.225;  ///< Density of air [kg/m³].
 };
 
-/// A wire in the water; nodes may come and go.
+/// Wire with water loads; its nodes may change.
 struct WaterLine {
-    WireId wire{};  ///< Required.
-    /// Water coefficients along the wire, from its first end on. A section covers `elements`
-    /// elements of the start, the last one all that follow; an element that a new node makes takes
-    /// the coefficients of the element before it.
+    WireId wire{};  ///< Wire. Required.
+    /// Section of the wire's water coefficients. It covers `elements` of the initial elements; the
+    /// last section covers all further ones. A new element has the coefficients of the element
+    /// before it.
     struct Section {
-        int elements = 0;
-        LineWater water{};
+        int elements = 0;   ///< Number of initial elements.
+        LineWater water{};  ///< Water coefficients.
     };
-    std::vector<Section> sections{};  ///< Required.
-    /// Its ends are free: their lumps are nodes of the line. Else a half element at an end belongs
-    /// to no lump, and has neither mass nor water.
+    std::vector<Section> sections{};  ///< Sections from the first end. Required.
+    /// True: that end is free, and its node belongs to the line. False: the half element at the end
+    /// belongs to no node, and has neither mass nor water loads.
     bool free_first = false, free_last = false;
 };
 
-/// A lump, or a rigid body whose hull does not matter: forces at its centre of mass.
+/// Lumped mass, or rigid body without a hull; forces act at its centre of mass.
 struct WaterBody {
-    BodyId body{};                   ///< Required.
-    Vec3 drag_area{0.0, 0.0, 0.0};   ///< C_d A along the body's axes, all of it wet [m²].
-    Vec3 wind_area{0.0, 0.0, 0.0};   ///< The same in the wind, when all of it is dry [m²].
-    double volume = 0.0;             ///< Displaced when it is under water [m³].
-    Vec3 added_mass{0.0, 0.0, 0.0};  ///< C_a along the body's axes, of the volume [1].
-    double height = 0.0;  ///< From its lowest to its highest point [m]; 0: of a ball of the volume.
+    BodyId body{};                   ///< Body. Required.
+    Vec3 drag_area{0.0, 0.0, 0.0};   ///< C_d A along the body's axes, fully wet [m²].
+    Vec3 wind_area{0.0, 0.0, 0.0};   ///< C_d A in the wind along the body's axes, fully dry [m²].
+    double volume = 0.0;             ///< Displaced volume when submerged [m³].
+    Vec3 added_mass{0.0, 0.0, 0.0};  ///< Coefficients C_a along the body's axes, relative to the
+                                     ///< volume [1].
+    double height = 0.0;  ///< Height from lowest to highest point [m]; 0: that of a sphere of the
+                          ///< volume.
 };
 
-/// A definition: World::add copies it whole.
+/// Definition of a sea. World::add() copies it.
 struct SeaDef {
-    double depth = 0.0;                 ///< Of still water at level 0 [m]. Required.
-    double density = 1025.0;            ///< Of water [kg/m³].
-    std::vector<SeaLevel> level{};      ///< Tide, by time; empty: 0.
-    std::vector<WaveDef> waves{};       ///< They add up.
-    std::vector<SeaCurrent> current{};  ///< By depth; empty: none.
+    double depth = 0.0;                 ///< Depth of still water at level 0 [m]. Required.
+    double density = 1025.0;            ///< Density of water [kg/m³].
+    std::vector<SeaLevel> level{};      ///< Tide by ascending time; empty: 0.
+    std::vector<WaveDef> waves{};       ///< Waves, superposed.
+    std::vector<SeaCurrent> current{};  ///< Current by ascending depth; empty: none.
     WindDef wind{};
-    std::array<double, 2> gauge{};  ///< x, y of the output `elevation` [m].
-    /// Accelerations are ∂u/∂t + (u·∇)u of the waves, at lines, bodies and hulls' centres.
+    std::array<double, 2> gauge{};  ///< Position x, y of the output `elevation` [m].
+    /// True: accelerations are ∂u/∂t + (u·∇)u of the waves, at lines, bodies and centres of hulls.
     bool convective = false;
     std::vector<WaterLine> lines{};
     std::vector<WaterBody> bodies{};
@@ -169,82 +176,94 @@ struct SeaDef {
     std::vector<WaterRod> rods{};
 };
 
-/// One component of the waves.
+/// Component of the waves.
 struct WaveComponent {
-    double amplitude = 0.0;    ///< a [m].
-    double frequency = 0.0;    ///< ω [rad/s].
-    double wave_number = 0.0;  ///< k [1/m].
-    double direction = 0.0;    ///< [rad].
-    double phase = 0.0;        ///< φ [rad].
+    double amplitude = 0.0;    ///< Amplitude a [m].
+    double frequency = 0.0;    ///< Angular frequency ω [rad/s].
+    double wave_number = 0.0;  ///< Wave number k [1/m].
+    double direction = 0.0;    ///< Direction of propagation [rad].
+    double phase = 0.0;        ///< Phase φ [rad].
 };
 
-/// One component of gusts.
+/// Component of the gusts.
 struct GustComponent {
-    double frequency = 0.0;  ///< [Hz].
-    double width = 0.0;      ///< Of its bin [Hz].
-    double phase = 0.0;      ///< [rad].
+    double frequency = 0.0;  ///< Frequency [Hz].
+    double width = 0.0;      ///< Width of its bin [Hz].
+    double phase = 0.0;      ///< Phase [rad].
 };
 
-/// What may be changed while a sea is used; the signals of the system "sea".
+/// Inputs of the system "sea".
 struct SeaInputs {
-    double waves = 1.0, current = 1.0;        ///< Factors [1].
-    double wind = 0.0, wind_direction = 0.0;  ///< U₁₀ [m/s], [rad].
-    double level = 0.0;                       ///< On top of the tide [m].
+    double waves = 1.0, current = 1.0;        ///< Factors of amplitudes and current [1].
+    double wind = 0.0, wind_direction = 0.0;  ///< Speed U₁₀ [m/s] and direction [rad].
+    double level = 0.0;                       ///< Height added to the tide [m].
 };
 
-/// A sea at a time: phases of its components. Its memory is kept where it is used again.
+/// State of a sea at a time: phases of its components. Reuse it to avoid allocation.
 struct SeaMoment {
-    double time = 0.0;   ///< [s].
-    double level = 0.0;  ///< Of still water [m].
+    double time = 0.0;   ///< Time [s].
+    double level = 0.0;  ///< Level of still water [m].
     double waves = 1.0, current = 1.0;
-    double wind = 0.0;                  ///< U₁₀ with the gust [m/s].
-    double mean_wind = 0.0;             ///< U₁₀ [m/s].
-    double wind_x = 1.0, wind_y = 0.0;  ///< Direction.
-    std::vector<double> phase{};        ///< Of each component (φ − ω t)/2π, in [−½, ½].
-    std::vector<double> gust{};         ///< Amplitudes of gusts at `gust_of` [m/s].
-    double gust_of = -1.0;
+    double wind = 0.0;                  ///< Speed U₁₀ with gust [m/s].
+    double mean_wind = 0.0;             ///< Mean speed U₁₀ [m/s].
+    double wind_x = 1.0, wind_y = 0.0;  ///< Unit vector of the wind's direction.
+    std::vector<double> phase{};        ///< Phase of each component, (φ − ω t)/2π in [−½, ½].
+    std::vector<double> gust{};  ///< Amplitudes of the gusts for the wind speed `gust_of` [m/s].
+    double gust_of = -1.0;       ///< Mean wind speed of `gust` [m/s]; < 0: not set.
 };
 
-/// Water at a point. Above the surface: what is at it, and pressure 0.
+/// Water at a point. Above the surface: values at the surface below it, pressure 0.
 struct WaterPoint {
-    double elevation = 0.0;            ///< z of the surface above or below it [m].
-    Vec3 velocity{0.0, 0.0, 0.0};      ///< Of waves and current [m/s].
-    Vec3 acceleration{0.0, 0.0, 0.0};  ///< ∂/∂t [m/s²].
-    double dynamic_pressure = 0.0;     ///< Of waves [Pa].
-    double pressure = 0.0;             ///< With that of its weight, above that of the air [Pa].
+    double elevation = 0.0;            ///< z of the surface above or below the point [m].
+    Vec3 velocity{0.0, 0.0, 0.0};      ///< Velocity of waves and current [m/s].
+    Vec3 acceleration{0.0, 0.0, 0.0};  ///< Acceleration ∂/∂t [m/s²].
+    double dynamic_pressure = 0.0;     ///< Pressure of the waves [Pa].
+    double pressure = 0.0;  ///< Total pressure above that of the air, weight included [Pa].
 };
 
-/// Waves, current and wind by themselves, without a world.
+/// Waves, current and wind without a world.
 class Sea {
   public:
-    /// @throws SeaError on what makes no sense; what is in the water does not matter here.
+    /// Create a sea; lines, bodies, hulls and rods are ignored.
+    /// @throws SeaError if the definition is invalid.
     explicit Sea(const SeaDef& def, double gravity = 9.81);
 
+    /// Return the state at a time [s] with the inputs of the definition.
     [[nodiscard]] SeaMoment at(double time) const;
+    /// Return the state at a time [s] with given inputs.
     [[nodiscard]] SeaMoment at(double time, const SeaInputs& inputs) const;
-    /// The same into a moment that there is; it allocates nothing once that was used.
+    /// Compute the state at a time in `out`, without allocation once `out` has been used.
     void at(double time, const SeaInputs& inputs, SeaMoment& out) const;
-    /// Inputs as defined.
+    /// Return the inputs of the definition.
     [[nodiscard]] SeaInputs inputs() const noexcept;
 
+    /// Return z of the surface at (x, y) [m].
     [[nodiscard]] double elevation(const SeaMoment& now, double x, double y) const noexcept;
+    /// Return velocity, acceleration and pressure of the water at a point.
     [[nodiscard]] WaterPoint water(const SeaMoment& now, const Vec3& point) const noexcept;
+    /// Return the current at a height z [m/s].
     [[nodiscard]] Vec3 current(const SeaMoment& now, double z) const noexcept;
-    /// Wind at a height, 0 at the surface of still water and below 1 m as at 1 m.
+    /// Return the wind at z [m/s]: 0 at still water and below. Heights above still water below 1 m
+    /// count as 1 m.
     [[nodiscard]] Vec3 wind(const SeaMoment& now, double z) const noexcept;
-    /// Of the tide, without SeaInputs::level [m].
+    /// Return the level of the tide, without SeaInputs::level [m].
     [[nodiscard]] double tide(double time) const noexcept;
 
+    /// Return the components of all waves.
     [[nodiscard]] std::span<const WaveComponent> components() const noexcept { return waves_; }
+    /// Return the components of the gusts.
     [[nodiscard]] std::span<const GustComponent> gusts() const noexcept { return gusts_; }
+    /// Return the depth of still water at level 0 [m].
     [[nodiscard]] double depth() const noexcept { return depth_; }
+    /// Return the density of the water [kg/m³].
     [[nodiscard]] double density() const noexcept { return density_; }
+    /// Return the gravity [m/s²].
     [[nodiscard]] double gravity() const noexcept { return gravity_; }
-    /// (u·∇)u of the waves at a point; above the surface that at it [m/s²].
+    /// Return (u·∇)u of the waves at a point, or at the surface below it [m/s²].
     [[nodiscard]] Vec3 convection(const SeaMoment& now, const Vec3& point) const noexcept;
-    /// z' of a point under a surface at `elevation`; 0 at it and above.
+    /// Return z' of a point below a surface at `elevation` [m]; 0 at the surface and above.
     [[nodiscard]] double stretched(double z, double elevation) const noexcept;
-    /// Shortest period of a component [s]; infinite: there are no waves.
+    /// Return the shortest period of a component [s]; infinite without waves.
     [[nodiscard]] double shortest_period() const noexcept;
 
   private:
@@ -256,27 +275,30 @@ class Sea {
     WindDef wind_;
     std::vector<WaveComponent> waves_;
     std::vector<GustComponent> gusts_;
-    int padded_ = 0;             ///< Components, a multiple of eight.
-    std::vector<double> table_;  ///< For kernels: src/marine/wave_sums.h.
+    int padded_ = 0;             ///< Number of components, a multiple of eight.
+    std::vector<double> table_;  ///< Table for the kernels, src/marine/wave_sums.h.
 };
 
-/// k of a wave of ω [rad/s] in water of a depth [m]: ω² = g k tanh k d, to rounding [1/m].
+/// Return the wave number k for ω [rad/s] and a depth d [m] from ω² = g k tanh k d, to rounding
+/// [1/m].
 [[nodiscard]] double wave_number(double omega, double depth, double gravity = 9.81) noexcept;
-/// Energy density of a spectrum at ω [m² s/rad], before the whole of it is made Hs²/16.
+/// Return the energy density of a spectrum at ω [m² s/rad], before scaling to Hs²/16.
 [[nodiscard]] double wave_spectrum(const WaveDef& def, double omega) noexcept;
-/// NPD's density of gusts at 10 m for U₁₀ [m/s] at f [Hz]: [m²/s² / Hz].
+/// Return the NPD density of gusts at 10 m for U₁₀ [m/s] at a frequency [Hz], in m²/s²/Hz.
 [[nodiscard]] double gust_spectrum(double speed, double frequency) noexcept;
 
-/// The system "sea", which the world owns. @throws SeaError, DefError where a name is taken,
-/// gravity does not point down, or the method of the world takes no loads (`pgs`, `split`).
+/// Add the system "sea", owned by the world; World::add() calls it.
+/// @throws SeaError if the definition is invalid
+/// @throws DefError if the name is already used, gravity does not point down, or the world's method
+/// accepts no loads (`pgs`, `split`)
 System* define(World& world, const SeaDef& def);
 
-/// The sea of a world as defined; null: it has none.
+/// Return the definition of a world's sea; null: none.
 [[nodiscard]] const SeaDef* find_sea(const World& world) noexcept;
-/// z of still water now, tide and input `level` [m]; NaN: there is no sea.
+/// Return z of still water now, from tide and input `level` [m]; NaN: no sea.
 [[nodiscard]] double still_water(const World& world) noexcept;
-/// What the sea did to bodies in the last step, one entry a body, ascending: for readers and
-/// verifiers. Good until the next step. Empty: there is none.
+/// Return the loads of the sea on bodies in the last step, for inspection and verification. One
+/// entry for each body, ascending; empty without a sea. Valid until the next step.
 [[nodiscard]] std::vector<LoadView> sea_loads(const World& world);
 
 }  // namespace hawser

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file session.h
-/// A run: a scene, what is done to it while it runs, and what is kept of it.
+/// Session: runs a scene with its inputs and timeline, and writes recordings and tables.
 ///
 /// ```cpp
 /// hawser::Session session({.scene = "scenes/anchor_lines.json", .record = "run.hwr"});
@@ -11,10 +11,10 @@
 /// }
 /// session.finish();
 /// ```
-/// What is done to its world between steps is part of the recording, so that `hawser replay`
-/// repeats the run bit for bit without the code that did it (docs/recording.md). Everything that
-/// writes files throws where that fails; the world is then as it was after the last step. One
-/// thread at a time uses a session. Part of hawser::session.
+/// Changes to the world between steps are part of the recording. The command `hawser replay`
+/// repeats the run bit for bit without the program that made them (docs/recording.md). Functions
+/// that write files throw on failure; the world then has the state after the last step. One thread
+/// at a time uses a session. Part of hawser::session.
 
 #include <hawser/observer.h>
 #include <hawser/recording.h>
@@ -33,32 +33,37 @@
 
 namespace hawser {
 
-/// How a session starts and what it writes. File names that are empty: none.
+/// Start of a session and its output files. Empty file names: none.
 struct SessionDef {
-    std::string scene{};             ///< Scene file …
-    std::string scene_text{};        ///< … or, where that is empty, the scene itself (JSON).
-    scene::Options options{};        ///< Changes to the scene, threads, budget.
-    std::string restore{};           ///< Saved state to start with, of Session::save() …
-    std::vector<std::byte> state{};  ///< … or that of World::save(); both empty: the start.
-    std::string control{};           ///< Input values over time (CSV, docs/cli.md).
-    std::string record{};            ///< Recording to write.
-    std::string csv{};               ///< Table of tensions and motions to write.
-    std::int32_t every = 1;          ///< Steps from one frame and row to the next, 1 to 10⁶.
-    bool verify = false;             ///< Judge each step by the verifier; exact coupling alone.
+    std::string scene{};       ///< Scene file; empty: `scene_text` is used.
+    std::string scene_text{};  ///< Scene as JSON text, if `scene` is empty.
+    scene::Options options{};  ///< Changes to the scene, threads, budget.
+    std::string restore{};  ///< File with a saved state of Session::save(); empty: `state` is used.
+    std::vector<std::byte> state{};  ///< State of World::save(), if `restore` is empty. Both empty:
+                                     ///< start state of the scene.
+    std::string control{};           ///< File with input values over time (CSV, docs/cli.md).
+    std::string record{};            ///< Recording file.
+    std::string csv{};               ///< CSV file of tensions and motions.
+    std::int32_t every = 1;          ///< Steps between frames and between rows, 1 to 10⁶.
+    bool verify = false;  ///< True: the verifier checks each step; requires exact coupling.
 };
 
+/// Run of a scene or world.
 class Session {
   public:
-    /// Reads the scene. @throws scene::SceneError; DefError where the definition makes no sense or
-    /// the state does not fit; record::RecordingError and other std::runtime_error where a file
-    /// cannot be read or written.
+    /// Read the scene.
+    /// @throws scene::SceneError if the scene is invalid
+    /// @throws DefError if the definition is invalid or the state does not belong to the scene
+    /// @throws record::RecordingError and other std::runtime_error if a file cannot be read or
+    /// written
     explicit Session(const SessionDef& def);
-    /// Runs a scene that has been loaded. @param def  Its scene, scene_text and options are unused.
+    /// Run a loaded scene.
+    /// @param def  Its scene, scene_text and options are not used.
     explicit Session(scene::Scene scene, const SessionDef& def = {});
-    /// Runs a world that the caller has built. A recording of it can be drawn, not replayed: it
-    /// holds no scene to build the world from.
+    /// Run a world that the caller has built. Its recording can be drawn but not replayed, since it
+    /// contains no scene.
     explicit Session(World world, const SessionDef& def = {});
-    /// What is open stays without its end, as after a crash: see finish().
+    /// Close the files without an end mark, as after a crash; see finish().
     ~Session();
     Session(Session&&) noexcept;
     Session& operator=(Session&&) noexcept;
@@ -66,63 +71,71 @@ class Session {
     Session& operator=(const Session&) = delete;
 
     // --- Reading ------------------------------------------------------------------------------
+    /// Return the scene.
     [[nodiscard]] const scene::Scene& scene() const noexcept;
+    /// Return the world for reading.
     [[nodiscard]] const World& world() const noexcept;
-    [[nodiscard]] double time() const noexcept;  ///< [s]
-    /// Numbers of the scene that differ from the scene of SessionDef::restore, with their paths.
+    /// Return the simulation time [s].
+    [[nodiscard]] double time() const noexcept;
+    /// Return paths and values of numbers that differ from the scene of SessionDef::restore.
     [[nodiscard]] std::span<const std::string> differences() const noexcept;
-    /// Events of the last step that was taken.
+    /// Return the events of the last completed step.
     [[nodiscard]] std::span<const Event> events() const noexcept;
-    /// What the scene's timeline had done before the step that was taken last.
+    /// Return the timeline operations that were executed before the last completed step.
     [[nodiscard]] std::span<const scene::Operation> operations() const noexcept;
 
     // --- Changes ------------------------------------------------------------------------------
-    /// For all that may be done to a world between steps; a recording hears of it (changes.h).
+    /// Return the world for changes between steps; a recording stores them (changes.h).
     [[nodiscard]] World& world() noexcept;
-    /// From the next step on. @throws DefError with the nearest name where there is no such input,
-    /// or the value is not finite; nothing is then changed or recorded.
+    /// Set an input from the next step on.
+    /// @throws DefError with the nearest name if the input does not exist, or the value is not
+    /// finite. Nothing is then changed or recorded.
     void set_input(std::string_view name, double value);
-    /// Go back, or on, to a state of this session: World::restore(), and the timeline and the
-    /// control file go on from its time. A recording goes on from there, and so does its replay.
-    /// @param made_of, state  World::structure() and World::save() of that time. @throws DefError;
-    /// nothing has changed then.
+    /// Restore an earlier or later state of this session (World::restore()). Timeline and control
+    /// file continue from its time. The recording continues with a new branch, and its replay
+    /// repeats it.
+    /// @param made_of, state  World::structure() and World::save() of that time.
+    /// @throws DefError; nothing is then changed.
     void restore(const Structure& made_of, std::span<const std::byte> state);
 
     // --- Outputs ------------------------------------------------------------------------------
-    /// Record from the present state on, in place of a recording that there is. World has one
-    /// listener of changes, which a recording needs. @param every  Steps from one frame to the
-    /// next.
+    /// Start a recording at the present state, instead of an open one. A recording uses the world's
+    /// only change listener.
+    /// @param every  Steps between frames.
     /// @throws record::RecordingError.
     void record(const std::filesystem::path& file, std::int32_t every = 1);
-    /// Write tensions and motions over time. @throws std::runtime_error.
+    /// Write tensions and motions over time.
+    /// @throws std::runtime_error.
     void write_csv(const std::filesystem::path& file, std::int32_t every = 1);
-    /// Bytes of the caller's for the recording, before the step that comes next; without a
-    /// recording nothing. They change nothing of a replay. @param kind  Whose they are, up to 32
-    /// bytes. @throws record::RecordingError, DefError.
+    /// Add a note with the caller's bytes to the recording before the next step; without a
+    /// recording, no effect. A replay is independent of notes.
+    /// @param kind  Owner of the note, up to 32 bytes.
+    /// @throws record::RecordingError, DefError.
     void note(std::string_view kind, std::span<const std::byte> bytes);
     /// Call `observer` before and after each step from now on. It must outlive the session.
     void observe(Observer& observer);
-    /// The present state in a file that only this scene restores (docs/recording.md).
+    /// Save the present state to a file that only this scene restores (docs/recording.md).
     /// @throws std::runtime_error.
     void save(const std::filesystem::path& file) const;
 
     // --- Stepping -------------------------------------------------------------------------------
-    /// Do what the scene's timeline has for this time, take over the values that the control file
-    /// has for it, take one step, and write what is due. @throws DefError where an operation of the
-    /// timeline cannot be done; those before it have been. @return the status of World::step();
-    /// Status::diverged where an observer or the verifier objects to a step, which is then taken
-    /// all the same: see objection().
+    /// Execute due timeline operations, apply due values of the control file, take one step, and
+    /// write due output.
+    /// @throws DefError if a timeline operation is not possible; operations before it remain in
+    /// effect.
+    /// @return the status of World::step(), or Status::diverged if an observer or the verifier
+    /// rejects the step. The step is then completed all the same; see objection().
     Status step();
-    /// CPU time of the thread that called step(), in World::step() of the last one [s].
+    /// Return the CPU time of World::step() in the thread of the last step() [s].
     [[nodiscard]] double step_cpu_seconds() const noexcept;
-    /// End the step under way, or else the next one, with Status::cancelled. See World::cancel().
+    /// Cancel the running step, or else the next one, with Status::cancelled; see World::cancel().
     void cancel() noexcept;
-    /// What an observer or the verifier found wrong; "": nothing.
+    /// Return the fault that an observer or the verifier found; "": none.
     [[nodiscard]] const std::string& objection() const noexcept;
-    /// Judge the last state and close what is open with a last frame and how the run ended:
-    /// `failed` where the last step failed, was objected to, or the verdict on the run is wrong
-    /// while settings.on_diverged is `stop`; `interrupted` where it was cancelled or the caller
-    /// says so.
+    /// Check the last state and close the files with a last frame and the ending of the run.
+    /// @return `interrupted` if the run was cancelled or `interrupted` is true. Return `failed` if
+    /// the last step failed or was rejected, or if the monitors fail the run with
+    /// settings.on_diverged `stop`. Otherwise return `finished`.
     record::Ending finish(bool interrupted = false);
 
   private:

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file structure.h
-/// What a world is made of, place by place: bodies, interactions, shapes, inputs, wires.
+/// Structure of a world by index: bodies, interactions, shapes, inputs, wires.
 ///
-/// A state (World::save()) belongs to a world of the same pieces. Where pieces came and went while
-/// it ran, nodes at a drum or wires that were cut, a world that was just set up is none. Structure
-/// and state together are:
+/// A state (World::save()) requires a world of equal structure. If nodes at a drum were inserted or
+/// wires were cut, a new world from the same set-up differs. Structure and state together restore
+/// it:
 /// ```cpp
-/// const hawser::Structure made_of = world.structure();   // pieces, with what masses they have now
+/// const hawser::Structure made_of = world.structure();   // parts with their present masses
 /// const std::vector<std::byte> state = world.save();
 /// …
-/// other.restore(made_of, state);   // the same set-up: goes on in the same bits
+/// other.restore(made_of, state);   // equal set-up: continues with equal bits
 /// ```
-/// Systems are not part of it: `other` has its own, of the same set-up, whose states come with the
-/// state. World::identity() tells whether a structure is needed: worlds of one identity are made
-/// of the same pieces.
+/// Systems are not included: `other` has its own of equal set-up, and the state contains their
+/// states. World::identity() shows whether a structure is needed: worlds of equal identity have
+/// equal structure.
 ///
-/// Ids keep index and generation. Limits: an output of `other` stays, also where what it reads has
-/// gone (it then reads 0), and outputs that were added later are not there.
+/// Ids keep index and generation. Limits: outputs of `other` stay, and are NaN if their target was
+/// removed. Outputs that were added later are missing.
 
 #include <hawser/def.h>
 #include <hawser/id.h>
@@ -31,46 +31,49 @@
 
 namespace hawser {
 
-/// Things of one sort by place.
+/// Objects of one kind by index.
 template <class Def>
 struct Placed {
-    std::vector<Def> defs;                  ///< Of an empty place what keeps it as it was.
-    std::vector<std::int32_t> generations;  ///< How many had each place before.
-    std::vector<std::int32_t> vacant;       ///< Empty places, ascending.
+    std::vector<Def> defs;  ///< Definitions; at a free index, unused values that are kept
+                            ///< unchanged.
+    std::vector<std::int32_t> generations;  ///< Number of earlier objects at each index.
+    std::vector<std::int32_t> vacant;       ///< Free indices, ascending.
 };
 
-/// Which bodies and interactions a wire is made of.
+/// Parts of a wire.
 struct WirePieces {
     std::string name{};
-    std::vector<BodyId> nodes{};            ///< One more than elements.
-    std::vector<InteractionId> elements{};  ///< In order.
-    std::vector<BodyId> lumps{};            ///< Its own: they go with it, as do …
-    std::vector<InteractionId> bends{};     ///< … these …
-    std::vector<ShapeId> shapes{};          ///< … and these.
-    bool owns = false;                      ///< It was made by World::add_wire().
-    WireTrim trim{};                        ///< Of elements to come.
+    std::vector<BodyId> nodes{};            ///< Nodes in order; one more than elements.
+    std::vector<InteractionId> elements{};  ///< Elements in order.
+    std::vector<BodyId> lumps{};            ///< Nodes that the wire owns; removed with it.
+    std::vector<InteractionId> bends{};     ///< Bends that the wire owns; removed with it.
+    std::vector<ShapeId> shapes{};          ///< Shapes that the wire owns; removed with it.
+    bool owns = false;                      ///< True if World::add_wire() created it.
+    WireTrim trim{};                        ///< Properties of new elements.
 };
 
-/// A link or joint that World::join() or World::attach() has made.
+/// Link or joint created by World::join() or World::attach().
 struct GearPiece {
     InteractionId id{};
     Gear kind = Gear::splice;
 };
 
+/// Structure of a world.
 struct Structure {
     Placed<BodyDef> bodies;
     Placed<InteractionDef> interactions;
     Placed<ShapeDef> shapes;
     Placed<InputDef> inputs;
     Placed<WirePieces> wires;
-    std::vector<MaterialDef> materials;  ///< Behind the default one.
+    std::vector<MaterialDef> materials;  ///< Materials after the default one.
     std::vector<MaterialPairDef> pairs;
     std::vector<GearPiece> gear;
-    /// What analyses take instead of what lengths and layers have made of it by now: compliances ε
-    /// of all rows of interactions that are there, in order [m/N, rad/(N m)], and the radii of
-    /// elements that drums pay out [m]. Empty: as the definitions say.
+    /// Values of the last analyses, if lengths and layers have changed since. Compliances ε of all
+    /// rows of existing interactions, in order [m/N, rad/(N m)], and radii of elements at drums
+    /// [m]. Empty: from the definitions.
     std::vector<double> compliances, radii;
-    std::vector<Coupling> coupling;  ///< Of each interaction, where any was set (World::cuts()).
+    std::vector<Coupling> coupling;  ///< Coupling of each interaction, if any was set
+                                     ///< (World::cuts()).
 };
 
 }  // namespace hawser

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file trace.h
-/// What each thread did and when: spans of steps, stages, parallel loops and their tasks.
+/// Trace of the threads: time spans of steps, stages, parallel loops and their tasks.
 ///
-/// World::start_trace() makes room; from then on every step leaves its spans in a ring for each
-/// thread, the newest of which are kept, and World::trace() copies out the steps of which nothing
-/// was lost. Spans of one thread nest: a step holds stages, a stage holds stages (where iterations
-/// factor) and loops, a loop holds the calling thread's tasks. Other threads have tasks only.
-/// Tracing changes no result; it takes two looks at the clock a span.
+/// World::start_trace() allocates a ring buffer for each thread. Each step then stores its spans,
+/// and the newest are kept. World::trace() copies the steps without lost spans. Spans of one thread
+/// are nested: a step contains stages, a stage contains stages (iterations that factor) and loops,
+/// a loop the calling thread's tasks. Other threads have tasks only. Tracing does not change
+/// results; it costs two readings of the clock per span.
 
 #include <hawser/stats.h>
 
@@ -16,39 +16,43 @@
 
 namespace hawser {
 
+/// Kind of a span.
 enum class SpanKind : std::uint8_t {
-    step,   ///< A whole step.
-    stage,  ///< A stage, or a part of one: stages can be entered more than once a step.
-    loop,   ///< A list of tasks that any thread may run, from handing it over to its last task.
-    task,   ///< One of these tasks.
+    step,   ///< Whole step.
+    stage,  ///< Stage or part of one; a stage may run several times in a step.
+    loop,   ///< List of tasks for any thread, from its start to its last task.
+    task,   ///< Task of a loop.
 };
+/// Return the name of a kind, as in its enumerator.
 [[nodiscard]] const char* to_string(SpanKind kind) noexcept;
 
+/// Time span of one thread.
 struct TraceSpan {
-    double begin = 0.0, end = 0.0;  ///< Since tracing began [s].
-    std::int64_t step = 0;          ///< Number of the step, as StepStats::step counts.
-    std::int32_t loop = -1;         ///< Running number of the loop; −1: of no loop.
-    std::int32_t task = -1;         ///< Of a task: its index in the loop. Of a loop: their number.
-    std::int32_t thread = 0;        ///< 0: the thread that called World::step().
-    SpanKind kind = SpanKind::task;
-    std::int8_t stage = -1;  ///< The innermost one, a value of Stage; −1: outside all.
+    double begin = 0.0, end = 0.0;  ///< Times since the start of the trace [s].
+    std::int64_t step = 0;          ///< Number of the step, as StepStats::step.
+    std::int32_t loop = -1;         ///< Number of the loop; −1: none.
+    std::int32_t task = -1;         ///< Task: its index in the loop. Loop: the number of its tasks.
+    std::int32_t thread = 0;        ///< Index of the thread; 0: caller of World::step().
+    SpanKind kind = SpanKind::task;  ///< Kind of the span.
+    std::int8_t stage = -1;          ///< Innermost stage, a value of Stage; −1: none.
+    /// Return the duration [s].
     [[nodiscard]] double seconds() const noexcept { return end - begin; }
 };
 
-/// Which tasks of a loop wait for which. Task i sets free next[start[i]] to next[start[i + 1]]; of
-/// the ready ones that with the lowest rank goes first. Empty: all are independent and go by index.
+/// Dependencies of the tasks of a loop. Task i precedes next[start[i]] to next[start[i + 1]]. The
+/// ready task with the lowest rank runs first. Empty: all are independent and run by index.
 struct TaskWaits {
     std::vector<std::int32_t> start, next, rank;
 };
 
-/// The spans of whole steps, sorted by begin, longer ones first. See World::trace().
+/// Spans of whole steps, ordered by begin, longer ones first. See World::trace().
 struct TraceView {
     std::vector<TraceSpan> spans;
-    std::vector<std::int32_t> graph_loop;  ///< Loops whose tasks wait for each other, ascending.
-    std::vector<TaskWaits> graph;          ///< Of each of them.
-    int threads = 1;
-    std::int64_t steps = 0;       ///< That it holds.
-    std::int64_t steps_lost = 0;  ///< Steps traced before, whose room newer ones needed.
+    std::vector<std::int32_t> graph_loop;  ///< Loops with dependent tasks, ascending.
+    std::vector<TaskWaits> graph;          ///< Dependencies of each of these loops.
+    int threads = 1;                       ///< Number of threads.
+    std::int64_t steps = 0;                ///< Number of steps in the trace.
+    std::int64_t steps_lost = 0;           ///< Number of earlier steps that newer ones overwrote.
 };
 
 }  // namespace hawser

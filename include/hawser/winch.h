@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file winch.h
-/// Winches: a drum with layers of wire, a motor, a band brake, a clutch, and what commands them.
+/// Winches: a drum with layers of wire, a motor, a band brake and a clutch.
 ///
 /// ```cpp
 /// const hawser::WireId tow = world.add_wire({.name = "tow", .from = ship, .to = barge, …});
@@ -12,27 +12,37 @@
 /// world.set_system_signal("winch.mode", 1.0);      // constant tension from now on
 /// world.set_system_signal("winch.tension", 4e5);   // [N]
 /// ```
-/// *Nodes.* The element at the drum grows and shrinks. Where the wire's elements have a mass
-/// (WireDef::consistent_mass) the winch puts a node on it when it has half more than `element`, and
-/// takes the nearest node away when a quarter is left, so that what runs out has mass, contacts and
-/// shape. What lies between the fairlead and the first node loads both with half of its weight,
-/// mass and drag: `pull` is the tension at the fairlead, and does not jump where a node comes.
+/// *Drum*. A winch is a System (system.h). Its drum is a scalar body with the coordinate θ [rad],
+/// which increases when wire is paid out. The rest length of the element at the drum is:
+/// ```
+///     l = length + r (θ − drum_zero),      r the radius of the outer layer [m]
+/// ```
+/// Motor and brake apply torques, so that their line pull Q/r decreases when layers are spooled on.
 ///
-/// A winch is a System (system.h). Its drum is a scalar body with the coordinate θ [rad], which
-/// grows where wire is paid out; the wire's end becomes an element of rest length
-/// l = length + r (θ − drum_zero), r the radius of the layer that the wire comes from. Forces on
-/// the drum are torques, so that the pull of motor and brake falls as layers are wound on.
+/// *Nodes*. The element at the drum changes its length. If the wire's elements have mass
+/// (WireDef::consistent_mass), the winch inserts and removes nodes. Wire paid out therefore has
+/// mass, contacts and shape. The winch inserts a node when the element reaches 1.5 times the length
+/// `element`. It removes the nearest node when 0.25 times that length is left.
 ///
-/// *Chain* runs over a gypsy (GypsyDef), a wheel whose pockets hold its links, into a locker. Its
-/// radius stays. What is on the wheel is a scalar body of its own, "name/chain", on which the
-/// wire's end lies; a scalar_clutch, "name/grip", holds it to the wheel up to a load, above which
-/// it jumps by whole pockets; the friction "name/bitter_end" is its end in the locker.
+/// Half of the mass, weight and drag of the element at the drum acts on its node, half on the
+/// fairlead. The output `pull` is the tension at the fairlead. It is continuous when a node is
+/// inserted or removed.
 ///
-/// Signals, as "name.signal". Inputs: `mode` (WinchMode as a number), `speed` [m/s], `tension` [N],
-/// `brake` 0 to 1, `clutch` 0 or 1. Outputs: `layer`, `wraps`, `wire_left` [m], `radius` [m],
-/// `across` [m], `at_drum` [m] (wire of the element at the drum), `pull` [N], `pull_limit` [N],
-/// `inertia` [kg m²], `slip` [m], `heat` [J], `state` (WinchState as a number); of a gypsy also
-/// `jumps`, `jumped` [m], `grip` and `tail` [N].
+/// *Chain*. A gypsy (GypsyDef) is a wheel with pockets for the links; its radius is constant. Chain
+/// runs over it into a locker. The chain on the wheel is a separate scalar body, "name/chain", on
+/// which the wire's end lies. The scalar_clutch "name/grip" couples it to the wheel up to
+/// `jump_load`; above that load the chain jumps by whole pockets. The friction "name/bitter_end" is
+/// the fastening of the chain in the locker.
+///
+/// Inputs, as "name.signal": `mode` (number of a WinchMode), `speed` [m/s], `tension` [N], `brake`
+/// 0 to 1, `clutch` 0 or 1.
+///
+/// Outputs: `layer`, `wraps`, `wire_left` [m], `radius` [m], `across` [m], `pull` [N], `pull_limit`
+/// [N], `inertia` [kg m²]. Further `at_drum` [m] (rest length of the element at the drum), `slip`
+/// [m], `heat` [J], `state` (number of a WinchState). A gypsy adds `jumps`, `jumped` [m], `grip`
+/// [N] and `tail` [N].
+///
+/// Limits and derivations: docs/winches.md.
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>
@@ -45,131 +55,146 @@ namespace hawser {
 
 class World;
 
-/// What a winch is told to do.
+/// Operating mode of a winch.
 enum class WinchMode : std::uint8_t {
-    speed,    ///< The motor turns the drum so that wire runs out at `speed`; below 0: in.
-    tension,  ///< The motor pulls with the torque `tension` × radius, whatever moves.
-    render,   ///< It stands between tension − deadband and tension + deadband, gives way above and
-              ///< takes in below.
-    brake,    ///< The band brake holds, by the share `brake` of its torque; the motor is off.
-    free,     ///< Neither motor nor brake act.
-    release,  ///< Emergency: after `release_delay` nothing holds but `release_load`.
+    speed,    ///< Speed control: the motor drives the wire at `speed`; > 0 pays out, < 0 hauls.
+    tension,  ///< The motor applies the torque `tension` × radius at any speed.
+    render,   ///< Render and recover: pays out above tension + deadband, hauls below tension −
+              ///< deadband, stands between them.
+    brake,    ///< The band brake acts with the fraction `brake` of its torque; the motor is off.
+    free,     ///< Motor and brake are off.
+    release,  ///< Emergency release: after `release_delay` only `release_load` resists.
 };
 
-/// Words of the modes, in the order of WinchMode, as scene files and reports have them: "speed",
-/// "tension", "render", "brake", "free", "release".
+/// Return the names of the modes in the order of WinchMode: "speed", "tension", "render", "brake",
+/// "free", "release". Scene files and reports use them.
 [[nodiscard]] std::span<const char* const> winch_modes() noexcept;
 
-/// What a winch does.
+/// Operating state of a winch.
 enum class WinchState : std::uint8_t {
     standing,    ///< The drum stands.
-    paying,      ///< Wire runs out …
-    hauling,     ///< … or in.
+    paying,      ///< Wire is paid out.
+    hauling,     ///< Wire is hauled in.
     slipping,    ///< The brake slips.
-    waiting,     ///< An emergency release is on its way.
-    released,    ///< It has taken effect.
-    last_wraps,  ///< The motor does not pay out more: dead wraps are left.
-    full,        ///< The motor does not haul more: the drum is full, or the wire's end hauled in,
-                 ///< which jams at the fairlead whatever the mode.
-    empty,       ///< No wire is on the drum; the fastening holds the end.
-    parted,      ///< The wire has parted from it.
-    jumping,     ///< Its chain is between two pockets of the gypsy.
+    waiting,     ///< An emergency release waits for `release_delay`.
+    released,    ///< The emergency release is in effect.
+    last_wraps,  ///< Only the dead wraps are left; the motor pays out no more.
+    full,    ///< The drum is full, or the wire's end is at the fairlead and jams there in any mode.
+             ///< The motor hauls no more.
+    empty,   ///< The drum is empty; the fastening carries the end.
+    parted,  ///< The wire is broken at its fastening.
+    jumping,  ///< The chain is between two pockets of the gypsy.
 };
 
-/// A chain wheel, and what lies behind it. Five pockets and links of 4 d are usual; see
-/// chain_properties() for chains.
+/// Chain wheel and chain locker. Five pockets and links of 4 d are usual; chain_properties()
+/// returns the values of a chain.
 struct GypsyDef {
-    int pockets = 0;          ///< Each holds a link that lies flat; 0: it is a drum, no gypsy.
-    double pitch = kDefault;  ///< Of a link [m], two of which a pocket takes; 4 diameters.
-    double jump_load = 1e30;  ///< Above this difference of tensions outboard and inboard it jumps.
-    /// Force with which links that jump rub on the wheel; half of jump_load.
+    int pockets = 0;  ///< Number of pockets, one for each flat link; 0: a drum instead of a gypsy.
+    double pitch = kDefault;  ///< Pitch of one link [m], two per pocket; default: 4 bar diameters.
+    double jump_load = 1e30;  ///< Difference of the tensions outboard and inboard above which the
+                              ///< chain jumps [N].
+    /// Friction force of jumping links on the wheel [N]; default: jump_load/2.
     double jump_friction = kDefault;
-    double locker_fall = 0.0;         ///< Chain that hangs from the wheel into the locker [m].
-    double locker = 1e30;             ///< The motor hauls no more than this into it [m].
-    double wrap = 3.141592653589793;  ///< Angle of the wheel that chain lies on [rad].
+    double locker_fall = 0.0;  ///< Length of chain that hangs from the wheel into the locker [m].
+    double locker = 1e30;      ///< Capacity of the locker, at which the motor stops hauling [m].
+    double wrap = 3.141592653589793;  ///< Angle of the wheel that is covered with chain [rad].
 };
 
-/// A winch at an end of a wire. A definition: World::add copies it whole. Lengths in m, forces in N
-/// on the wire, torques in N m on the drum.
+/// Winch at an end of a wire. World::add() copies the definition. Units: m, N at the wire, N m at
+/// the drum.
 struct WinchDef {
-    std::string name{};  ///< Unique among systems. Parts: name/drum, name/motor, name/friction.
-    WireId wire{};       ///< Whose end lies on the drum. Required.
-    int end = 0;         ///< Which: 0 the first, 1 the last.
-    /// A scalar body of the mass `inertia` on which this end lies already (WinchStretch); invalid:
-    /// one is made, and the end's element with it (World::wind_up).
+    std::string name{};  ///< Unique name among systems. Parts: name/drum, name/motor,
+                         ///< name/friction.
+    WireId wire{};       ///< Wire whose end lies on the drum. Required.
+    int end = 0;         ///< End on the drum: 0 the first, 1 the last.
+    /// Scalar body with the mass `inertia` that already carries this end by a WinchStretch.
+    /// Invalid: the winch creates the drum and the end's element (World::wind_up()).
     BodyId drum{};
 
-    /// A wheel for chain instead of a drum: core_radius, width, flange_radius and layer_pitch are
-    /// left out, `stored` is the chain in the locker, `dead_wraps` turns of the wheel that are left
-    /// of it, `weak_link` the load of its end there, the bitter end.
+    /// Chain wheel instead of a drum. core_radius, width, flange_radius and layer_pitch are then
+    /// not used. Length `stored` lies in the locker [m]; `dead_wraps` turns of the wheel stay
+    /// there. Breaking load of the bitter end: `weak_link` [N].
     GypsyDef gypsy{};
-    /// The scalar body of the chain on the gypsy where `drum` is given: that on which the end lies
-    /// already, of the mass gypsy_chain_inertia().
+    /// Scalar body of the chain on the gypsy, with the mass gypsy_chain_inertia(), that already
+    /// carries the end. Required with a gypsy if `drum` is set.
     BodyId chain{};
 
-    double core_radius = 0.0;         ///< Of the bare drum. Required.
-    double width = 0.0;               ///< Between the flanges. Required.
-    double flange_radius = kDefault;  ///< Wire does not stand above it; as far as `stored` needs.
-    double wire_diameter = 0.0;       ///< Of chain the bar's. Required.
-    double layer_pitch = kDefault;    ///< Of one layer above the last; the wire's diameter.
-    double mass_per_length = 0.0;     ///< Of the wire [kg/m]: what lies on the drum turns with it.
-    double element = kDefault;        ///< Length of what it pays out [m]; that of the element at
-                                      ///< the drum now; 0: the winch makes no nodes.
-    double stored = 0.0;              ///< On the drum at the start. Required.
-    double inertia = 0.0;        ///< Of the bare drum and what turns with it [kg m²]. Required.
-    double motor_inertia = 0.0;  ///< Of motor and gear, at the drum [kg m²]: by the clutch.
+    double core_radius = 0.0;         ///< Radius of the bare drum [m]. Required.
+    double width = 0.0;               ///< Distance between the flanges [m]. Required.
+    double flange_radius = kDefault;  ///< Largest radius of the wire [m]; default: enough for
+                                      ///< `stored`.
+    double wire_diameter = 0.0;       ///< Wire diameter, or bar diameter of chain [m]. Required.
+    double layer_pitch = kDefault;  ///< Radial distance of two layers [m]; default: wire_diameter.
+    double mass_per_length = 0.0;  ///< Mass of the wire per length [kg/m]; wire on the drum adds to
+                                   ///< its inertia.
+    double element = kDefault;     ///< Length of the elements paid out [m]; default: that of the
+                                   ///< element at the drum. 0: no nodes.
+    double stored = 0.0;           ///< Length of wire on the drum at the start [m]. Required.
+    double inertia = 0.0;          ///< Inertia of the bare drum and the parts fixed to it [kg m²].
+                                   ///< Required.
+    double motor_inertia = 0.0;    ///< Inertia of motor and gear at the drum, behind the clutch [kg
+                                   ///< m²].
 
-    double torque_haul = 1e30;  ///< Of the motor.
-    double torque_pay = 1e30;   ///< Of the motor, the other way.
-    double power = 1e30;        ///< Of the motor [W].
-    double max_speed = 2.0;     ///< Of the wire where mode tension or render takes it in [m/s].
-    double speed = 0.0;         ///< Wanted in mode speed [m/s].
-    double tension = 0.0;       ///< Wanted in mode tension and render.
-    double deadband = 0.0;      ///< Of mode render, to each side.
+    double torque_haul = 1e30;  ///< Largest torque of the motor while hauling [N m].
+    double torque_pay = 1e30;   ///< Largest torque of the motor while paying out [N m].
+    double power = 1e30;        ///< Largest power of the motor [W].
+    double max_speed = 2.0;     ///< Largest hauling speed in the modes tension and render [m/s].
+    double speed = 0.0;         ///< Set speed of mode speed [m/s], > 0 pays out.
+    double tension = 0.0;       ///< Set tension of the modes tension and render [N].
+    double deadband = 0.0;      ///< Half width of the deadband of mode render [N].
 
-    double brake_static = 0.0;        ///< Torque at which the band begins to slip as wire runs out.
-    double brake_dynamic = kDefault;  ///< And with which it slips; brake_static.
-    double band_friction = 0.0;       ///< μ of the band …
-    double band_angle = 0.0;          ///< … and the angle it covers [rad]: it holds e^(−μ angle) of
-                                      ///< that as wire runs in.
-    double release_delay = 0.0;       ///< Of an emergency release [s].
-    double release_load = 0.0;        ///< Tension that is left after it.
+    double brake_static = 0.0;  ///< Torque at which the band starts to slip when wire runs out [N
+                                ///< m].
+    double brake_dynamic = kDefault;  ///< Torque while the band slips [N m]; default: brake_static.
+    double band_friction = 0.0;       ///< Friction coefficient μ of the band [1].
+    double band_angle = 0.0;     ///< Wrap angle of the band [rad]. The torque when wire runs in is
+                                 ///< e^(−μ band_angle) times that when it runs out.
+    double release_delay = 0.0;  ///< Delay of an emergency release [s].
+    double release_load = 0.0;   ///< Tension that resists after an emergency release [N].
 
-    double dead_wraps = 5.0;     ///< The motor pays out no further.
-    double wrap_friction = 0.1;  ///< μ of wire on the drum, which relieves its fastening.
-    double weak_link = 0.0;      ///< Load of the fastening; 0: it lets go when the drum is empty.
+    double dead_wraps = 5.0;     ///< Turns on the drum at which the motor stops paying out [1].
+    double wrap_friction = 0.1;  ///< Friction coefficient μ of the wire on the drum, which unloads
+                                 ///< the fastening [1].
+    double weak_link = 0.0;  ///< Breaking load of the fastening [N]; 0: the end comes free when the
+                             ///< drum is empty.
     WinchMode mode = WinchMode::brake;
 };
 
-/// What a winch is made of.
+/// Parts of a winch.
 struct WinchIds {
     BodyId drum{};
-    InteractionId line{};  ///< The element that the drum pays out.
-    InteractionId motor{}, brake{};
-    BodyId chain{};  ///< Of a gypsy: what the element hangs on, as it does on a drum.
+    InteractionId line{};            ///< Element at the drum.
+    InteractionId motor{}, brake{};  ///< Motor and brake.
+    BodyId chain{};  ///< Scalar body of the chain on a gypsy, which carries the element.
+    /// Gypsy: coupling of the chain to the wheel, and its fastening in the locker.
     InteractionId grip{}, bitter_end{};
 };
 
-/// r of a gypsy, at which one turn pays out two pitches a pocket: pockets × pitch/π [m].
+/// Return the radius of a gypsy, at which one turn pays out two pitches per pocket: pockets ×
+/// pitch/π [m].
 [[nodiscard]] double gypsy_radius(const WinchDef& def) noexcept;
-/// Of the chain that moves with the wheel, on it and in its fall, about its axis [kg m²].
+/// Return the inertia about the wheel's axis of the chain on the wheel and in its fall, ρ (wrap r +
+/// locker_fall) r² [kg m²].
 [[nodiscard]] double gypsy_chain_inertia(const WinchDef& def) noexcept;
 
-/// Chain of a bar diameter d by what class societies and Orcina list.
+/// Properties of chain, from its bar diameter d.
 struct ChainProperties {
-    double mass_per_length;  ///< In air [kg/m].
-    double EA;               ///< [N].
+    double mass_per_length;  ///< Mass per length in air [kg/m].
+    double EA;               ///< Axial stiffness [N].
     double link;             ///< Pitch of a link, 4 d [m].
 };
-/// Studless: 19.9e3 d² kg/m, 0.854e11 d² N; with studs 21.9e3 d² kg/m, 1.01e11 d² N (Orcina,
-/// OrcaFlex documentation, "Chain: mechanical properties"). @param diameter  Of the bar [m].
+/// Return the properties of chain: studless 19.9e3 d² kg/m and 0.854e11 d² N, with studs 21.9e3 d²
+/// kg/m and 1.01e11 d² N. Source: Orcina, OrcaFlex documentation, "Chain: mechanical properties".
+/// @param diameter  Bar diameter d [m].
 [[nodiscard]] ChainProperties chain_properties(double diameter, bool studs) noexcept;
 
-/// What World::add() of it calls. @throws DefError on what is missing or out of range, a name that
-/// is taken, a wire's end that lies on a drum already, elements to be paid out where the wire has
-/// none of a mass, a drum that holds less than `stored`, or
-/// whose radius is below 2.5 wire diameters, a gypsy of less than 3 pockets or beside a drum's
-/// dimensions.
+/// Add a winch; World::add() calls it.
+/// @throws DefError if a required field is missing or a value is out of range
+/// @throws DefError if the name is already used, or the wire's end already lies on a drum
+/// @throws DefError if nodes are required but the wire's elements have no mass
+/// @throws DefError if the drum stores less than `stored`, or its core radius is below 2.5 wire
+/// diameters
+/// @throws DefError if the gypsy has fewer than 3 pockets, or drum dimensions are given with it
 WinchIds define(World& world, const WinchDef& def);
 
 }  // namespace hawser

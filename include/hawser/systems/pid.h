@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file pid.h
-/// A PID controller as a system: it reads the force of an interaction and drives an input.
+/// PID controller as a system: it measures the force of an interaction and drives an input.
 ///
-/// With the error e = target − measured it sets the input to
+/// With the error e = target − measured the input is
 /// ```
 ///     u = bias + gain (e + (1/reset) ∫ e dt − rate d(measured)/dt)        clamped to [low, high]
 /// ```
-/// The derivative is that of the measured value, so that a new target makes no jump of it, and of a
-/// value that follows the measured one with the time constant `filter`. While u is clamped the
-/// integral stands still where it would go further beyond ("conditional integration": K. J. Åström,
-/// T. Hägglund, *PID Controllers: Theory, Design, and Tuning*, 1995, 3.5).
+/// The derivative is that of the measured value, filtered with the time constant `filter`. A step
+/// of the target therefore causes no peak of it. While u is clamped, the integral is constant if it
+/// would drive u further beyond the limit ("conditional integration"). Source: K. J. Åström, T.
+/// Hägglund, *PID Controllers: Theory, Design, and Tuning*, 1995, 3.5.
 ///
-/// Limits: it reads the force of the last step, so that it is a step late; gains that are stable
-/// for a continuous controller may not be where a step is a large part of the loop's time.
+/// Limits: the force is that of the last step, a delay of one step. Gains that are stable in
+/// continuous time may be unstable if the step is a large fraction of the loop's time.
 
 #include <hawser/interactions.h>
 #include <hawser/system.h>
@@ -26,23 +26,24 @@
 
 namespace hawser {
 
-/// A definition: Pid copies it whole.
+/// Definition of a Pid, which copies it.
 struct PidDef {
-    std::string name = "pid";  ///< Unique among the systems of a world.
-    InteractionId measured{};  ///< Whose force it reads. Required.
-    int row = 0;               ///< Which of its rows.
-    double sign = -1.0;        ///< Of the force; −1: the tension of a line is positive.
-    InputId driven{};          ///< What it sets. Required.
-    double target = 0.0;       ///< [N or N m].
-    double bias = 0.0;         ///< In the unit of the input, as gain × error is.
-    double gain = 0.0;         ///< [input/N].
-    double reset = 1e30;       ///< Integral time [s]; large: none.
+    std::string name = "pid";  ///< Unique name among systems.
+    InteractionId measured{};  ///< Interaction with the measured force. Required.
+    int row = 0;               ///< Index of the measured row.
+    double sign = -1.0;        ///< Sign of the force; −1: the tension of a line is positive.
+    InputId driven{};          ///< Input that it drives. Required.
+    double target = 0.0;       ///< Set value of the force [N or N m].
+    double bias = 0.0;         ///< Offset of u, in the unit of the input.
+    double gain = 0.0;         ///< Proportional gain [input/N].
+    double reset = 1e30;       ///< Integral time [s]; large values disable the integral.
     double rate = 0.0;         ///< Derivative time [s].
-    double filter = 0.0;       ///< Of the derivative [s]; 0: none.
-    double low = -1e30;        ///< Of u.
+    double filter = 0.0;       ///< Time constant of the derivative's filter [s]; 0: none.
+    double low = -1e30;        ///< Limits of u, in the unit of the input.
     double high = 1e30;
 };
 
+/// PID controller. Signals: input `target` [N]; outputs `measured` [N], `output` [input].
 class Pid final : public System {
   public:
     explicit Pid(PidDef def) : def_(std::move(def)), target_(def_.target) {}
@@ -53,7 +54,8 @@ class Pid final : public System {
         table.hold(def_.driven);
     }
     void prestep(Prestep& now, Loads&) noexcept override {
-        if (!read(now.world)) return now.set_input(def_.driven, std::nan(""));  // ends the step
+        // NaN ends the step.
+        if (!read(now.world)) return now.set_input(def_.driven, std::nan(""));
         if (started_ == 0) smooth_ = measured_;
         const double share = now.step / (now.step + def_.filter);
         const double change = share * (measured_ - smooth_) / now.step;
@@ -86,7 +88,7 @@ class Pid final : public System {
     }
 
   private:
-    /// @return false: there is no such interaction or row.
+    /// @return false if the interaction or row does not exist.
     bool read(const World& world) noexcept {
         try {
             const std::span<const double> force = world.force(def_.measured);
@@ -100,7 +102,8 @@ class Pid final : public System {
     }
 
     PidDef def_;
-    double target_, measured_ = 0.0, smooth_ = 0.0;  ///< Smooth: what the derivative is of.
+    double target_, measured_ = 0.0, smooth_ = 0.0;  ///< Measured value and its filtered value for
+                                                     ///< the derivative.
     double integral_ = 0.0;                          ///< (1/reset) ∫ e dt.
     double output_ = 0.0;
     std::int32_t started_ = 0;
