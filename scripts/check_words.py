@@ -108,7 +108,10 @@ def paragraphs_of_markdown(text: str) -> list[str]:
 
 def sentences(block: str) -> list[str]:
     """Sentences of a block. Tags such as @param begin one; formulas count as words."""
-    block = re.sub(r"\s+", " ", re.sub(r"@(param|return|throws|file|note)\b", " . ", block))
+    block = re.sub(r"\n\s*([-*+]|\d+\.)\s+", " . ", block)  # list items
+    block = re.sub(r"\*([^*\n]+)\.\*", r"\1. ", block)  # *Headings.*
+    block = re.sub(r"@param\s+\w+", " . ", block)
+    block = re.sub(r"\s+", " ", re.sub(r"@(return|throws|file|note)\b", " . ", block))
     block = re.sub(r"`[^`]*`", "code", block)
     parts = re.split(r"(?<=[.!?;:])\s+(?=[A-Z(\"'`0-9@])|\s\.\s", block)
     return [p.strip() for p in parts if re.search(r"[A-Za-z]", p)]
@@ -132,7 +135,7 @@ def functions_of_header(text: str) -> list[str]:
             block.append(re.sub(r"^\s*///", "", lines[i]).strip())
             i += 1
         declaration = " ".join(lines[i:i + 3])
-        head = re.split(r"[;{]", declaration, maxsplit=1)[0]
+        head = re.split(r"[;{]|(?<!operator)(?<![=!<>])=", declaration, maxsplit=1)[0]
         if "(" not in head or re.match(r"\s*(struct|class|enum|namespace|using|#|inline constexpr|"
                                        r"constexpr|static constexpr|template)\b", head):
             continue
