@@ -25,7 +25,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 RATCHET = ROOT / "scripts/words_ratchet.json"
 LIMITS = {"what": 15.0, "of": 0.0, "long": 5.0, "longest": 0.0, "verb": 80.0}
 HIGHER_IS_BETTER = {"verb"}
-SUBJECT = re.compile(r"^[a-z0-9][a-z0-9 _./-]*(, [a-z0-9 _./-]+)*: [a-z][^.]*[^.]$")
+SUBJECT = re.compile(r"^[a-z0-9][a-z0-9 _./-]*(, [a-z0-9 _./-]+)*: [a-z].*[^.]$")
 MOST_SUBJECT = 72
 TOLERANCE = 1.005  # of ratchets, for rounding
 
