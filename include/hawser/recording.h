@@ -185,10 +185,12 @@ class Recording {
     Recording(const Recording&) = delete;  // Not copyable: spans point into the bytes.
     Recording& operator=(const Recording&) = delete;
 
-    /// Read a recording from a file or from memory.
-    /// @param name  Name for messages.
+    /// Read a recording from a file.
     /// @throws RecordingError if it is not a recording or has no complete start.
     [[nodiscard]] static Recording open(const std::filesystem::path& file);
+    /// Read a recording from memory.
+    /// @param name  Name for messages.
+    /// @throws RecordingError as open().
     [[nodiscard]] static Recording read(std::vector<std::byte> bytes, const std::string& name);
 
     std::string file;
