@@ -172,6 +172,20 @@ foreach(folder IN LISTS folders)
     endif()
 endforeach()
 
+# Functions of lanes are inlined into kernels: their checks are compiled for each instruction set.
+if(TARGET hawser_test_factor)
+    foreach(isa IN LISTS HAWSER_ISA_NAMES)
+        set(objects hawser_test_lanes_${isa})
+        add_library(${objects} OBJECT tests/factor/isa/lanes.cpp)
+        hawser_settings(${objects})
+        target_include_directories(${objects} PRIVATE ${PROJECT_SOURCE_DIR}/include
+            ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
+        target_compile_definitions(${objects} PRIVATE HAWSER_ISA=${isa})
+        target_compile_options(${objects} PRIVATE -Wno-psabi ${HAWSER_ISA_FLAGS_${isa}})
+        target_sources(hawser_test_factor PRIVATE $<TARGET_OBJECTS:${objects}>)
+    endforeach()
+endif()
+
 # Kernels for lanes once more with the instructions that every machine has: vectors have other
 # lengths there.
 if(TARGET hawser_test_stepper AND NOT HAWSER_SANITIZE STREQUAL "thread")

@@ -3,6 +3,7 @@
 /// @file instruction_sets.h
 /// The kernels of every instruction set that was compiled, and whether this processor has it.
 
+#include "factor/isa/lanes.h"
 #include "factor/kernels.h"
 
 #include <vector>
@@ -13,6 +14,7 @@ struct Set {
     const char* name;
     bool available;
     const factor::Kernels* kernels;
+    const char* (*wrong_lanes)();
 };
 
 inline std::vector<Set> sets() {
@@ -23,12 +25,12 @@ inline std::vector<Set> sets() {
         avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
     return {
-        {"sse2", true, &sse2::kKernels},
+        {"sse2", true, &sse2::kKernels, &sse2::wrong_lanes},
 #if !defined(HAWSER_NO_AVX2)
-        {"avx2", avx2, &avx2::kKernels},
+        {"avx2", avx2, &avx2::kKernels, &avx2::wrong_lanes},
 #endif
 #if !defined(HAWSER_NO_AVX512)
-        {"avx512", avx512, &avx512::kKernels},
+        {"avx512", avx512, &avx512::kKernels, &avx512::wrong_lanes},
 #endif
     };
 }

@@ -69,6 +69,14 @@ Solved solve_with(const factor::Kernels& kernels, const BlockMatrix& m, const fa
     return out;
 }
 
+TEST(InstructionSets, MoveLanes) {
+    for (const Set& set : sets()) {
+        if (!set.available) continue;
+        const char* wrong = set.wrong_lanes();
+        EXPECT_EQ(wrong, nullptr) << set.name << ": " << wrong;
+    }
+}
+
 /// Rows of bits: each word by itself. Nodes of one to six weights, each with its row of bits.
 TEST(InstructionSets, UniteRowsOfBits) {
     Random random(first_seed(3));

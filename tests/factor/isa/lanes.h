@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file lanes.h
+/// Checks of base/lanes.h and base/transpose.h, compiled once for each instruction set.
+
+namespace hawser::sse2 {
+/// @return name of the first function with a wrong result; null: none.
+[[nodiscard]] const char* wrong_lanes();
+}  // namespace hawser::sse2
+namespace hawser::avx2 {
+[[nodiscard]] const char* wrong_lanes();
+}
+namespace hawser::avx512 {
+[[nodiscard]] const char* wrong_lanes();
+}
