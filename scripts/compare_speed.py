@@ -18,7 +18,8 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENES = ["scenes/heavy_hook", "scenes/tow_zigzag", "bench/scenes/frozen/anchor_lines",
-          "bench/scenes/frozen/anchor_contact", "bench/scenes/frozen/anchor_sea"]
+          "bench/scenes/frozen/anchor_contact", "bench/scenes/frozen/anchor_sea",
+          "scenes/anchor_seaway"]
 
 
 def run(program: str, scene: str, duration: float) -> tuple[float, str]:

@@ -13,7 +13,7 @@ import copy
 import json
 import math
 
-from make_anchor_sea import G, RHO, SCENES, afloat, in_water, ship, spring_force
+from make_anchor_sea import G, RHO, SCENES, afloat, in_water, ship
 
 TYPES = ("chain76", "wire76")
 BARGE_HALF, BARGE_FREEBOARD = (30.0, 7.0), 3.0
@@ -92,6 +92,20 @@ def barge_hull(body, water):
                 [round(f * mass) for f in (0.05, 0.5, 1.2)], water, RADIATES["barge"], area)
 
 
+def text_of(scene):
+    """One line for each entry of a list or object of the scene."""
+    lines = []
+    for key, value in scene.items():
+        one = json.dumps(value)
+        if isinstance(value, (list, dict)) and len(one) > 100:
+            entries = ([json.dumps(v) for v in value] if isinstance(value, list) else
+                       [f"{json.dumps(k)}: {json.dumps(v)}" for k, v in value.items()])
+            ends = "[]" if isinstance(value, list) else "{}"
+            one = ends[0] + "\n  " + ",\n  ".join(entries) + "\n " + ends[1]
+        lines.append(f" {json.dumps(key)}: {one}")
+    return "{\n" + ",\n".join(lines) + "\n}\n"
+
+
 def main():
     contact = json.loads((SCENES / "anchor_contact.json").read_text())
     sea = json.loads((SCENES / "anchor_sea.json").read_text())["sea"]
@@ -126,7 +140,7 @@ def main():
                     "hulls": hulls}
     state = scene.pop("state")  # the last key, as in the other scenes
     scene["state"] = state
-    (SCENES / "anchor_seaway.json").write_text(json.dumps(scene, indent=1) + "\n")
+    (SCENES / "anchor_seaway.json").write_text(text_of(scene))
     print({b["name"]: b["mass"] for b in scene["bodies"] if "mass" in b}, handler["mass"])
 
 

@@ -137,6 +137,11 @@ std::vector<LoadView> sea_loads(const World& world) {
     return sea == nullptr ? std::vector<LoadView>() : sea->loads();
 }
 
+SeaAccuracy sea_accuracy(const World& world) {
+    const auto* sea = dynamic_cast<const marine::SeaSystem*>(world.find_system("sea"));
+    return sea == nullptr ? SeaAccuracy{} : sea->accuracy();
+}
+
 HullMemory hull_memory(const World& world, std::size_t i) {
     const auto* sea = dynamic_cast<const marine::SeaSystem*>(world.find_system("sea"));
     if (sea == nullptr) throw DefError("hull_memory: the world has no sea");

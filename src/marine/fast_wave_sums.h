@@ -12,8 +12,8 @@
 /// - **Components are sorted** by wave number, in groups of kFastGroup. A point takes the first
 ///   groups alone; fast_waves.h derives from its depth how many.
 /// - **Polynomials** (E. Y. Remez, 1934) have errors of single precision: √2 sin πf and √2 cos πf
-///   of degree 9 and 8, 5e-9 and 7e-8; 2^x of degree 5, 8e-8 of itself.
-/// - **Decay**: e^(−kζ) is that of the middle of a group times e^x of degree 4, 5e-7 of itself,
+///   of degree 9 and 8, 5e-9 and 7e-8; 2^x of degree 6, 2e-9 of itself.
+/// - **Decay**: e^(−kζ) is that of the middle of a group times e^x of degree 5, 1e-8 of itself,
 ///   while |x| ≤ ¼.
 ///
 /// Sums are taken in an order that depends on the instruction set alone.

@@ -12,9 +12,9 @@
 namespace hawser::marine {
 namespace {
 
-constexpr double kLeftOut = kKinematicTolerance / 8.0;        ///< Of components left out.
-constexpr double kPhaseShare = 0.375 * kKinematicTolerance;   ///< Of rounded phases.
-constexpr double kSingle = 0x1p-24;                           ///< Unit of rounding.
+constexpr double kLeftOut = kKinematicTolerance / 8.0;       ///< Of components left out.
+constexpr double kPhaseShare = 0.375 * kKinematicTolerance;  ///< Of rounded phases.
+constexpr double kSingle = 0x1p-24;                          ///< Unit of rounding.
 constexpr double kNoBottom = 16.0;  ///< Where e^(−2kd + kζ) is below 1.2e-7 it is left out.
 
 /// Amplitudes at still water of one component.
@@ -50,7 +50,8 @@ double depth_of(const Falling& falling, double deepest, double limit) {
 
 }  // namespace
 
-FastWaves::FastWaves(std::span<const WaveComponent> waves, double depth) : sea_depth_(depth), kernels_(&fast_wave_kernels()) {
+FastWaves::FastWaves(std::span<const WaveComponent> waves, double depth)
+    : sea_depth_(depth), kernels_(&fast_wave_kernels()) {
     if (static_cast<int>(waves.size()) <= kFewComponents) return;
     sort(waves);
     significant_.elevation = significant_of(
@@ -141,13 +142,13 @@ void FastWaves::find_depths() {
     };
     const bool column_stays = d >= 4.0 * highest_;  // and levels above −d/4: ∂z'/∂η ≤ 2
     for (std::size_t first = 0; first < waves_.size(); first += kFastGroup) {
-        below_.push_back(depth_of([&](double z) { return sums_from(first, z, false); }, d,
-                                  kLeftOut));
+        below_.push_back(
+            depth_of([&](double z) { return sums_from(first, z, false); }, d, kLeftOut));
         double tail = 0.0;
         for (std::size_t i = first; i < waves_.size(); ++i) tail += waves_[i].amplitude;
         stretch_below_.push_back(
-            column_stays ? depth_of([&](double z) { return 2.0 * tail * sums_from(0, z, true); },
-                                    d, kLeftOut)
+            column_stays ? depth_of([&](double z) { return 2.0 * tail * sums_from(0, z, true); }, d,
+                                    kLeftOut)
                          : std::numeric_limits<double>::infinity());
     }
 }
@@ -168,8 +169,8 @@ void FastWaves::list_extents() {
         row.groups = count([&](std::size_t g) { return low < below_[g]; });
         row.stretching = count([&](std::size_t g) { return low < stretch_below_[g]; });
         row.bottom = std::min(row.groups, count([&](std::size_t g) {
-            return lowest_[g] * (2.0 * sea_depth_ - high) < kNoBottom;
-        }));
+                                  return lowest_[g] * (2.0 * sea_depth_ - high) < kNoBottom;
+                              }));
         extents_.push_back(row);
     }
 }

@@ -84,7 +84,7 @@ class FastWaves {
     const FastWaveKernels* kernels_;
     double rows_per_metre_ = 0.0;
     double reach_ = 0.0, highest_ = 0.0;
-    std::vector<std::size_t> order_;  ///< Components by ascending wave number.
+    std::vector<std::size_t> order_;    ///< Components by ascending wave number.
     std::vector<WaveComponent> waves_;  ///< In this order.
     base::Array<float> table_, middle_, width_;
     base::Array<double> reference_;

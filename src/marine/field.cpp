@@ -97,8 +97,7 @@ void WaterField::refer(const FieldPoint* points, int first, int count, bool exac
     to.y = 0.5 * (low[1] + high[1]);
     to.groups = 0;
     for (int i = first; i < to.end; ++i)
-        to.groups =
-            std::max(to.groups, exact_surface ? fast_.groups() : surface_groups(points[i]));
+        to.groups = std::max(to.groups, exact_surface ? fast_.groups() : surface_groups(points[i]));
     fast_.kernels().refer(fast_.reference(), fast_.padded(), to.groups, to.x, to.y, to.turns);
 }
 
@@ -110,11 +109,12 @@ void WaterField::fast_surfaces(const FieldPoint* points, const Cluster& of,
         dx[i] = static_cast<float>(from.x - of.x);
         dy[i] = static_cast<float>(from.y - of.y);
     }
-    fast_.kernels().surface(fast_.table(), of.groups, of.turns, dx, dy,
-                                batch.floats(), batch.surface);
+    fast_.kernels().surface(fast_.table(), of.groups, of.turns, dx, dy, batch.floats(),
+                            batch.surface);
 }
 
-void WaterField::surfaces(const FieldPoint* points, const Cluster& of, Batch& batch) const noexcept {
+void WaterField::surfaces(const FieldPoint* points, const Cluster& of,
+                          Batch& batch) const noexcept {
     batch.fast = of.fast;
     if (of.fast) {
         fast_surfaces(points, of, batch);

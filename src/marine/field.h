@@ -60,7 +60,7 @@ inline void add_waves(const WaveSums& s, const SeaMoment& now, double density,
 /// A point at which water is computed.
 struct FieldPoint {
     double x = 0.0, y = 0.0, z = 0.0;  ///< [m].
-    double top = 0.0;  ///< z of the highest part of what is there [m].
+    double top = 0.0;                  ///< z of the highest part of what is there [m].
 
     FieldPoint() = default;
     FieldPoint(const Vec3& at, double highest) noexcept

@@ -83,6 +83,17 @@ void HullFlow::sample(const WaterField& field, bool convective, bool still, cons
     }
 }
 
+double HullFlow::velocity_error(const WaterField& field, const Pose& pose,
+                                std::int64_t& points) const {
+    double worst = 0.0;
+    for (const Sample& sample : samples_) {
+        const Vec3 exact = field.sea().water(field.now(), pose.position + sample.arm).velocity;
+        worst = std::max(worst, (sample.velocity - exact).norm());
+    }
+    points += static_cast<std::int64_t>(samples_.size());
+    return worst;
+}
+
 ProjectedAreas HullFlow::project() noexcept {
     ProjectedAreas out;
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -25,6 +25,9 @@ class HullFlow {
     /// Sample the water at cells [begin, end). @param still  The surface is that of still water.
     void sample(const WaterField& field, bool convective, bool still, const Pose& pose,
                 const Mat3& axes, std::size_t begin, std::size_t end) noexcept;
+    /// Largest error of a sampled velocity [m/s]. @param points  Counts samples.
+    [[nodiscard]] double velocity_error(const WaterField& field, const Pose& pose,
+                                        std::int64_t& points) const;
     /// Sum up the samples. @param at_centre  Water at the centre of mass, for a hull without wet
     /// cells.
     void finish(const Mat3& axes, const WaterPoint& at_centre) noexcept;

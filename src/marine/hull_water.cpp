@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 
 namespace hawser::marine {
 namespace {
@@ -36,12 +38,36 @@ double volume_of(const HullMesh& mesh) noexcept {
     return sum;
 }
 
+/// Corners by squares of the waterplane whose diagonals are less than a cluster's diameter, along a
+/// row and back along the next one; in the order of the mesh without clusters.
+std::vector<std::int32_t> corner_order(const HullMesh& mesh, double reach) {
+    std::vector<std::int32_t> out(mesh.vertices.size());
+    std::iota(out.begin(), out.end(), 0);
+    if (!(reach > 0.0)) return out;
+    struct Key {
+        std::int64_t row, column;
+    };
+    const auto key = [&](std::int32_t i) {
+        const Vec3& v = mesh.vertices[static_cast<std::size_t>(i)];
+        const auto row = static_cast<std::int64_t>(std::floor(v.x() / (1.2 * reach)));
+        const auto column = static_cast<std::int64_t>(std::floor(v.y() / (1.2 * reach)));
+        return Key{row, row % 2 == 0 ? column : -column};
+    };
+    std::stable_sort(out.begin(), out.end(), [&](std::int32_t i, std::int32_t j) {
+        const Key a = key(i), b = key(j);
+        return a.row != b.row ? a.row < b.row : a.column < b.column;
+    });
+    return out;
+}
+
 }  // namespace
 
-HullWater::HullWater(const WaterHull& def, const Sea& sea, double step, double heading)
+HullWater::HullWater(const WaterHull& def, const Sea& sea, double step, double heading,
+                     double reach)
     : def_(&def),
       volume_(volume_of(def.mesh)),
       corners_(def.mesh.vertices.size()),
+      order_(corner_order(def.mesh, reach)),
       parts_(static_cast<std::size_t>(chunks_of(def.mesh.triangles.size()))),
       flows_(def.strips.size(), Vec3::Zero()),
       flow_(def),
@@ -83,19 +109,21 @@ void HullWater::press(const WaterField& field, int chunk) noexcept {
     const int count = std::min(kChunk, static_cast<int>(corners_.size()) - first);
     FieldPoint points[kChunk];
     double surface[kChunk], rise[kChunk] = {};
-    HullCorner* const corner = &corners_[static_cast<std::size_t>(first)];
+    const std::int32_t* const own = &order_[static_cast<std::size_t>(first)];
     for (int i = 0; i < count; ++i) {
-        corner[i].x = axes_ * def_->mesh.vertices[at(first + i)];
-        points[i] = {pose_.position + corner[i].x, 0.0};
+        HullCorner& corner = corners_[at(own[i])];
+        corner.x = axes_ * def_->mesh.vertices[at(own[i])];
+        points[i] = {pose_.position + corner.x, 0.0};
     }
     field.press(points, count, waves, surface, def_->wave_pressure ? rise : nullptr);
     for (int i = 0; i < count; ++i) {
         const double z = points[i].z, depth = surface[i] - z;
-        corner[i].depth = depth;
+        HullCorner& corner = corners_[at(own[i])];
+        corner.depth = depth;
         if (!def_->wave_pressure)
-            corner[i].pressure = weight * std::max(depth, 0.0);
+            corner.pressure = weight * std::max(depth, 0.0);
         else
-            corner[i].pressure = z < surface[i] ? weight * (level - z) + rise[i] : 0.0;
+            corner.pressure = z < surface[i] ? weight * (level - z) + rise[i] : 0.0;
     }
 }
 

@@ -82,25 +82,37 @@ void LineLumps::find_sorts(const Wire& wire) noexcept {
     }
 }
 
-void LineLumps::add_half(const World& world, const Wire& wire, Lump& lump, std::size_t element,
-                         std::size_t other) const noexcept {
-    const InteractionId id = wire.elements[element];
-    const int sort = sorts_[wire.first + element];
-    if (sort < 0 || !world.alive(id)) return;
+/// Elements of a wire, once for both of their nodes.
+void LineLumps::find_spans(const World& world, const Wire& wire) noexcept {
+    for (std::size_t e = 0; e < wire.elements.size(); ++e) {
+        Span& span = spans_[wire.first + e];
+        const InteractionId id = wire.elements[e];
+        const int sort = sorts_[wire.first + e];
+        span.of = nullptr;
+        if (sort < 0 || !world.alive(id)) continue;
+        span.of = &table_.sorts[static_cast<std::size_t>(sort)];
+        const InteractionDef& def = world.interaction_def(id);
+        const int param = table_.length_param[static_cast<std::size_t>(def.kind)];
+        const std::size_t node = wire.first + e;
+        const bool there = nodes_[node] != NodeState::gone && nodes_[node + 1] != NodeState::gone &&
+                           world.intact(id);
+        span.chord = there ? Vec3(places_[node + 1] - places_[node]) : Vec3(Vec3::Zero());
+        const double size = span.chord.norm();
+        span.along = size > 0.0 ? Vec3(span.chord / size) : Vec3(Vec3::Zero());
+        span.length = kind_info(def.kind).is(kWoundUp) || param < 0
+                          ? size
+                          : def.params[static_cast<std::size_t>(param)];
+    }
+}
+
+/// @param side  1: the element begins at the node; −1: it ends there.
+void LineLumps::add_half(const Span& span, double side, Lump& lump) noexcept {
+    if (span.of == nullptr) return;
     HalfElement& half = lump.half[lump.halves++];
-    half.of = &table_.sorts[static_cast<std::size_t>(sort)];
-    const InteractionDef& def = world.interaction_def(id);
-    const KindInfo& kind = kind_info(def.kind);
-    const int param = table_.length_param[static_cast<std::size_t>(def.kind)];
-    const Vec3& x = lump.motion.position;
-    const bool there = world.intact(id) && world.alive(wire.nodes[other]);
-    const Vec3 along = there ? Vec3(places_[wire.first + other] - x) : Vec3(Vec3::Zero());
-    const double chord = along.norm();
-    half.length =
-        0.5 *
-        (kind.is(kWoundUp) || param < 0 ? chord : def.params[static_cast<std::size_t>(param)]);
-    half.middle = x + 0.5 * along;
-    half.along = chord > 0.0 ? Vec3(along / chord) : Vec3(Vec3::Zero());
+    half.of = span.of;
+    half.length = 0.5 * span.length;
+    half.middle = lump.motion.position + (0.5 * side) * span.chord;
+    half.along = side * span.along;
 }
 
 void LineLumps::list(const World& world) {
@@ -113,6 +125,8 @@ void LineLumps::list(const World& world) {
         }
     sorts_.resize(nodes);
     places_.resize(nodes, Vec3::Zero());
+    nodes_.resize(nodes);
+    spans_.resize(nodes);
     lumps_.resize(nodes);
     loads_.resize(nodes);
 }
@@ -123,26 +137,30 @@ void LineLumps::find(const World& world, int number) noexcept {
     find_sorts(wire);
     const bool wet = !elements.empty() && sorts_[first + elements.size() - 1] >= 0;
     for (std::size_t i = 0; wet && i < nodes.size(); ++i) {
+        NodeState& state = nodes_[first + i];
+        state = NodeState::gone;
         if (!world.alive(nodes[i])) continue;
+        const bool lump = world.body_def(nodes[i]).kind == BodyKind::lump;
+        state = lump ? NodeState::lump : NodeState::other;
         Vec3& place = places_[first + i];
         place = world.pose(nodes[i]).position;
         const std::size_t element = i < elements.size() ? i : i - 1;
-        if (world.body_def(nodes[i]).kind == BodyKind::lump || !world.alive(elements[element]))
-            continue;
+        if (lump || !world.alive(elements[element])) continue;
         const InteractionDef& def = world.interaction_def(elements[element]);
         const std::size_t side = def.body[0] == nodes[i] ? 0 : 1;
         place = world.world_point(nodes[i], def.point[side]);
     }
+    if (wet) find_spans(world, wire);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         Lump& lump = lumps_[first + i];
         lump.halves = 0;
         const BodyId body = nodes[i];
-        if (!wet || !world.alive(body) || world.body_def(body).kind != BodyKind::lump) continue;
+        if (!wet || nodes_[first + i] != NodeState::lump) continue;
         if ((i == 0 || i + 1 == nodes.size()) && table_.holds(body)) continue;
         lump.body = body;
         lump.motion = {places_[first + i], world.velocity(body).linear};
-        if (i > 0) add_half(world, wire, lump, i - 1, i - 1);
-        if (i < elements.size()) add_half(world, wire, lump, i, i + 1);
+        if (i > 0) add_half(spans_[first + i - 1], -1.0, lump);
+        if (i < elements.size()) add_half(spans_[first + i], 1.0, lump);
         // What has parted hangs as the rest of the line does.
         if (lump.halves == 2)
             for (int k = 0; k < 2; ++k)
@@ -151,22 +169,13 @@ void LineLumps::find(const World& world, int number) noexcept {
 }
 
 void LineLumps::load(const WaterField& field, bool convective, int begin, int end) noexcept {
-    FieldPoint points[kChunk];
+    FieldPoint where[kChunk];
     WaterPoint water[kChunk];
-    int wet[kChunk], count = 0;
-    for (int i = begin; i < end; ++i) {
-        const Lump& lump = lumps_[at(i)];
-        loads_[at(i)].any = false;
-        if (lump.halves == 0) continue;
-        double top = lump.motion.position.z();
-        for (int k = 0; k < lump.halves; ++k)
-            top = std::max(top, lump.half[k].middle.z());
-        for (int k = 0; k < lump.halves; ++k) top += lump.half[k].of->diameter;
-        points[count] = {lump.motion.position, top};
-        wet[count++] = i;
-    }
+    int wet[kChunk];
+    for (int i = begin; i < end; ++i) loads_[at(i)].any = false;
+    const int count = points(begin, end, where, wet);
     if (count == 0) return;
-    field.water(points, count, water);
+    field.water(where, count, water);
     const Sea& sea = field.sea();
     const WaterLaw law{sea.density(), sea.gravity()};
     for (int i = 0; i < count; ++i) {
@@ -177,6 +186,38 @@ void LineLumps::load(const WaterField& field, bool convective, int begin, int en
         for (int k = 0; k < lump.halves; ++k)
             add_half_element(lump.half[k], lump.motion, water[i], law, out);
     }
+}
+
+double LineLumps::velocity_error(const WaterField& field, std::int64_t& compared) const {
+    double worst = 0.0;
+    for (int begin = 0; begin < count(); begin += kChunk) {
+        FieldPoint where[kChunk];
+        WaterPoint water[kChunk];
+        int wet[kChunk];
+        const int some = points(begin, std::min(begin + kChunk, count()), where, wet);
+        field.water(where, some, water);
+        for (int i = 0; i < some; ++i) {
+            const Vec3 exact =
+                field.sea().water(field.now(), Vec3(where[i].x, where[i].y, where[i].z)).velocity;
+            worst = std::max(worst, (water[i].velocity - exact).norm());
+        }
+        compared += some;
+    }
+    return worst;
+}
+
+int LineLumps::points(int begin, int end, FieldPoint* out, int* wet) const noexcept {
+    int count = 0;
+    for (int i = begin; i < end; ++i) {
+        const Lump& lump = lumps_[at(i)];
+        if (lump.halves == 0) continue;
+        double top = lump.motion.position.z();
+        for (int k = 0; k < lump.halves; ++k) top = std::max(top, lump.half[k].middle.z());
+        for (int k = 0; k < lump.halves; ++k) top += lump.half[k].of->diameter;
+        out[count] = {lump.motion.position, top};
+        wet[count++] = i;
+    }
+    return count;
 }
 
 }  // namespace hawser::marine

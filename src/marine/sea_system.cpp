@@ -65,7 +65,8 @@ SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start s
             hull.coefficients =
                 std::make_shared<const WaveCoefficients>(without_noise(*hull.coefficients));
         try {
-            hulls_.emplace_back(hull, sea_, start_.step, start_.heading[i]);
+            hulls_.emplace_back(hull, sea_, start_.step, start_.heading[i],
+                                field_.fast().on() ? field_.fast().reach() : 0.0);
         } catch (const DefError& error) {
             throw SeaError("hulls/" + std::to_string(i) + "/coefficients", error.what());
         }
@@ -113,6 +114,18 @@ HullMemory SeaSystem::memory(std::size_t hull) const {
         throw DefError("hull " + std::to_string(hull) + ": the sea has " +
                        std::to_string(hulls_.size()));
     hulls_[hull].tell(out);
+    return out;
+}
+
+SeaAccuracy SeaSystem::accuracy() const {
+    SeaAccuracy out;
+    if (!acted_ || !field_.fast().on() || moment_.waves == 0.0) return out;
+    out.significant = field_.fast().significant().velocity;
+    out.tolerance = kKinematicTolerance;
+    double worst = lines_.velocity_error(field_, out.points);
+    for (const HullWater& hull : hulls_)
+        worst = std::max(worst, hull.velocity_error(field_, out.points));
+    out.error = worst / (moment_.waves * out.significant);
     return out;
 }
 

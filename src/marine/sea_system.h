@@ -13,6 +13,7 @@
 /// again. Halves at bodies that held the line's ends at the definition have no water.
 
 #include <hawser/sea.h>
+#include <hawser/sea_accuracy.h>
 
 #include "marine/drag.h"
 #include "marine/field.h"
@@ -66,6 +67,8 @@ class LineLumps {
     static constexpr int kChunk = 16;  ///< Lumps of one task.
     /// Loads on lumps [begin, end), at most kChunk.
     void load(const WaterField& field, bool convective, int begin, int end) noexcept;
+    /// Largest error of a velocity of the last load() [m/s]. @param points  Counts nodes.
+    [[nodiscard]] double velocity_error(const WaterField& field, std::int64_t& points) const;
     /// Nodes of all wires.
     [[nodiscard]] int count() const noexcept { return static_cast<int>(lumps_.size()); }
     [[nodiscard]] BodyId body(int i) const noexcept { return lumps_[at(i)].body; }
@@ -74,20 +77,32 @@ class LineLumps {
 
   private:
     static std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
+    /// Nodes of lines among [begin, end), and where they are. @return their number.
+    int points(int begin, int end, FieldPoint* out, int* lump) const noexcept;
     struct Wire {
         std::span<const BodyId> nodes;
         std::span<const InteractionId> elements;
         std::size_t first;  ///< Place of its first node.
     };
     void find_sorts(const Wire& wire) noexcept;
-    void add_half(const World& world, const Wire& wire, Lump& lump, std::size_t element,
-                  std::size_t other) const noexcept;
+    enum class NodeState : std::uint8_t { gone, lump, other };
+    /// An element in the water.
+    struct Span {
+        const LineWater* of = nullptr;  ///< Null: no element, or not in the water.
+        Vec3 chord{0.0, 0.0, 0.0};      ///< From its first to its last node; 0: parted [m].
+        Vec3 along{0.0, 0.0, 0.0};      ///< Its direction, or 0.
+        double length = 0.0;            ///< [m].
+    };
+    void find_spans(const World& world, const Wire& wire) noexcept;
+    static void add_half(const Span& span, double side, Lump& lump) noexcept;
 
     LineTable table_;
     std::vector<Wire> wires_;
     // By node of all wires; an element has the place of the node before it.
     std::vector<int> sorts_;
     std::vector<Vec3> places_;
+    std::vector<NodeState> nodes_;
+    std::vector<Span> spans_;
     std::vector<Lump> lumps_;
     std::vector<PointLoad> loads_;
 };
@@ -98,7 +113,8 @@ class HullWater {
     static constexpr int kChunk = 64;  ///< Corners or triangles of one task.
 
     /// @param heading  Of the body, at first.
-    HullWater(const WaterHull& def, const Sea& sea, double step, double heading);
+    /// @param reach  Radius of a cluster of points in single precision [m]; 0: none.
+    HullWater(const WaterHull& def, const Sea& sea, double step, double heading, double reach);
     void begin(const World& world, bool convective) noexcept;
     /// Memory and waves by coefficients; hulls by several threads.
     void remember(const Sea& sea, const SeaMoment& now) noexcept;
@@ -109,6 +125,10 @@ class HullWater {
     [[nodiscard]] int cell_chunks() const noexcept;
     /// Sample the water at the hull's cells.
     void flow_over(const WaterField& field, int chunk) noexcept;
+    /// Largest error of a velocity at a cell in the last step [m/s]. @param points  Counts cells.
+    [[nodiscard]] double velocity_error(const WaterField& field, std::int64_t& points) const {
+        return flow_.velocity_error(field, pose_, points);
+    }
     /// Take the water's velocity at the hull's strips.
     void flow_past(const WaterField& field, int chunk) noexcept;
     /// Triangles, once all corners are pressed.
@@ -146,6 +166,7 @@ class HullWater {
     /// in which they are linear, so that their means are those of the drift's table alone.
     Mat3 frame_ = Mat3::Identity();
     std::vector<HullCorner> corners_;  ///< About the centre of mass, in world axes.
+    std::vector<std::int32_t> order_;  ///< Corners as clusters take them.
     std::vector<HullSums> parts_;
     std::vector<Vec3> flows_;  ///< Of the water at strips.
     HullFlow flow_;
@@ -189,6 +210,7 @@ class SeaSystem final : public System {
     /// @throws std::bad_alloc
     [[nodiscard]] std::vector<LoadView> loads() const;
     [[nodiscard]] HullMemory memory(std::size_t hull) const;
+    [[nodiscard]] SeaAccuracy accuracy() const;
 
   private:
     /// Pieces of work on hulls and rods, in their order.

@@ -146,6 +146,11 @@ void quality(Out out, const Summary& s) {
         fmt::format_to(out, "  asleep       {:.0f} bodies in the median step, at most {:.0f}\n",
                        s.asleep_median, s.asleep_max);
     out = fmt::format_to(out, "{}", to_text(s.verified));
+    if (s.sea.points > 0)
+        fmt::format_to(out,
+                       "  sea          velocities at {} points off by {:.1e} of the significant "
+                       "{:.4g} m/s in the last step (at most {:.0e})\n",
+                       s.sea.points, s.sea.error, s.sea.significant, s.sea.tolerance);
     if (s.stretch_error_max > 0.0)
         fmt::format_to(out, "  cable law    |l − l0 (1 + T/EA)| at most {:.2e} l0 ({:.4g} s)\n",
                        s.stretch_error_max, s.stretch_error_time);

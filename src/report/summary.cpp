@@ -193,6 +193,7 @@ Summary SummaryCollector::result(const World& world) const {
     out.last = world.stats();
     out.happened = event_figures(world);
     out.verdict = in_words(world, world.verdict());
+    out.sea = sea_accuracy(world);
     out.timed_steps = step_.count();
     out.step_ms = spread(step_);
     out.solver_ms = spread(solver_);

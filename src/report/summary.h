@@ -13,6 +13,7 @@
 
 #include <hawser/hawser.h>
 #include <hawser/observer.h>
+#include <hawser/sea_accuracy.h>
 
 #include <array>
 #include <span>
@@ -107,6 +108,7 @@ struct Summary {
     double stretch_error_max = 0.0;   ///< Relative.
     double stretch_error_time = 0.0;  ///< [s]
     Energy energy_start, energy_end;
+    SeaAccuracy sea;            ///< Of the last step.
     double energy_scale = 0.0;  ///< What the drift is relative to [J].
     Spread energy_step_drift;   ///< |Drift| of a single step [J].
     /// In the order in which they happened. What the timeline did is there whole, as `timeline`.

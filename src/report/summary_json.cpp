@@ -103,6 +103,15 @@ Json energy(const Energy& e) {
             {"elastic", e.elastic}};
 }
 
+/// Error of the kinematics of waves; null: none were summed in single precision.
+Json sea_figures(const SeaAccuracy& sea) {
+    if (sea.points == 0) return {};
+    return {{"significant_velocity", sea.significant},
+            {"error", sea.error},
+            {"tolerance", sea.tolerance},
+            {"points", sea.points}};
+}
+
 Json energy_balance(const Summary& s) {
     const double drift = s.energy_drift();
     return {{"start", energy(s.energy_start)},
@@ -280,6 +289,7 @@ std::string to_json(const Summary& s) {
         {"violation_time", s.violation_time},
         {"stretch_error_max", s.stretch_error_max},
         {"stretch_error_time", s.stretch_error_time},
+        {"sea", sea_figures(s.sea)},
         {"energy", energy_balance(s)},
         {"event_counts", event_counts(s)},
         {"event_extremes", event_extremes(s)},

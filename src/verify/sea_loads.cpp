@@ -204,8 +204,8 @@ void SeaVerifier::add_lines(const World& world, const std::vector<Pose>& pose,
             if (at_end && std::find(ends_.begin(), ends_.end(), nodes[i]) != ends_.end()) continue;
             bool wet = false;
             for (std::size_t e = i > 0 ? i - 1 : 0; e < std::min(i + 1, nodes.size() - 1); ++e)
-                wet = wet || (world.alive(world.elements(wire)[e]) &&
-                              sort_of(world, wire, e) != nullptr);
+                wet = wet ||
+                      (world.alive(world.elements(wire)[e]) && sort_of(world, wire, e) != nullptr);
             if (!wet) continue;
             const Vec3 x = pose[numbered(nodes[i].index)].position;
             Water at = water(x);

@@ -49,9 +49,8 @@ class SeaVerifier {
     void add_lines(const World& world, const std::vector<Pose>& pose,
                    const std::vector<Twist>& before);
     /// @param at  Water at the node.
-    void add_half(const World& world, WireId wire, std::size_t element, bool last,
-                  const Water& at, const std::vector<Pose>& pose,
-                  const std::vector<Twist>& before);
+    void add_half(const World& world, WireId wire, std::size_t element, bool last, const Water& at,
+                  const std::vector<Pose>& pose, const std::vector<Twist>& before);
     void add_body(const WaterBody& def, const Pose& pose, const Vec3& velocity);
     void add_rod(const WaterRod& def, const Pose& pose, const Twist& twist);  // sea_rods.cpp
     void add_hull(const WaterHull& def, const Pose& pose, const Twist& twist);

@@ -205,7 +205,7 @@ Floater busy(RadiationKind kind, bool mesh, int threads = 1) {
                     .period = 8.0,
                     .direction = 0.4,
                     .spreading = 6.0,
-                    .components = 20}};
+                    .components = 16}};
     f.w.set_velocity(f.body, {{0.5, 0.1, 0}, {0, 0.02, 0.05}});
     f.start();
     return f;

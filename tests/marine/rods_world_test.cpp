@@ -19,7 +19,7 @@ SeaDef storm(double height = 8.0) {
                          .height = height,
                          .period = 11.0,
                          .spreading = 4.0,
-                         .components = 40});
+                         .components = 16});
     sea.current = {{0.0, 1.0, 0.3}, {40.0, 0.2, 1.0}};
     sea.convective = true;
     return sea;

@@ -209,7 +209,7 @@ TEST(Water, HullsAgreeWithSeparateCodeInWaves) {
                          .height = 4.0,
                          .period = 7.0,
                          .spreading = 4.0,
-                         .components = 40});
+                         .components = 16});
     sea.current = {{0.0, 1.0, 0.3}, {10.0, 0.2, 1.0}};
     sea.level = {{0.0, 0.0}, {100.0, 2.0}};
     sea.wind = {.speed = 15.0, .direction = 2.0, .gusts = true};

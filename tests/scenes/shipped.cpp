@@ -18,7 +18,7 @@ TEST(ShippedSites, HaveTheirPinnedHashes) {
     for (const Row& row :
          {Row{"anchor_lines", 0x1676dbf9c0e94d54U}, Row{"anchor_contact", 0xfb8436b8f65ebf54U},
           Row{"anchor_sea", 0x94461327a7596c1bU}, Row{"anchor_adaptive", 0x20bb32330e23ac1cU},
-          Row{"anchor_run", 0x6ed75bd0ed1fca80U}}) {
+          Row{"anchor_run", 0x6ed75bd0ed1fca80U}, Row{"anchor_seaway", 0xc41e15a9fdec02e9U}}) {
         const scene::Scene scene = scene::load_file(std::string("scenes/") + row.name + ".json");
         EXPECT_EQ(scene.hash, row.hash) << row.name;
     }

@@ -21,7 +21,7 @@ constexpr const char* kRig = R"({
   "interactions": [{"kind": "ball", "name": "hinge", "bodies": ["rig", "spar"],
                     "at": [20, 0, -4]}],
   "sea": {"depth": 60, "current": [{"speed": 0.8}],
-    "waves": [{"kind": "jonswap", "height": 4, "period": 8, "spreading": 4, "components": 60}],
+    "waves": [{"kind": "jonswap", "height": 4, "period": 8, "spreading": 4, "components": 16}],
     "rods": [
       {"body": "rig", "from": [-9, -9, -8], "to": [-9, -9, 12], "diameter": 3},
       {"body": "rig", "from": [9, -9, -8], "to": [9, -9, 12], "diameter": 3, "segments": 20},

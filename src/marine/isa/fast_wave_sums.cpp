@@ -17,7 +17,7 @@ typedef int FloatBits __attribute__((vector_size(4 * kFloats)));
 #define HAWSER_FAST __attribute__((always_inline)) inline
 
 /// Adding and subtracting it leaves the nearest whole number; its lowest bits are that number.
-constexpr float kFastWhole = 12582912.0F;           // 1.5 · 2^23
+constexpr float kFastWhole = 12582912.0F;                // 1.5 · 2^23
 constexpr double kFastWholeDouble = 6755399441055744.0;  // 1.5 · 2^52
 
 HAWSER_FAST Floats floats_at(const float* p) { return *reinterpret_cast<const Floats*>(p); }
@@ -39,11 +39,13 @@ constexpr float kFastSine[] = {4.44288283489F, -7.30824118466F, 3.6062893314F, -
                                0.109208754876F};
 constexpr float kFastCosine[] = {1.41421349657F, -6.97885098845F, 5.73946117522F, -1.8835630185F,
                                  0.310698256468F};
-constexpr float kFastPower[] = {1.00000007165F,    0.693146967067F,   0.240221197247F,
-                                0.0555071325874F, 0.00967554136335F, 0.00132764778088F};
+constexpr float kFastPower[] = {1.00000000055F,    0.693147205736F,   0.240226468912F,
+                                0.0555032877851F,  0.00961848889795F, 0.00133999307896F,
+                                0.000153458273815F};
 
-/// e^x on [−¼, ¼], 5e-7 of itself.
-constexpr float kFastExp[] = {0.999999895035F, 0.99998996526F, 0.50001183315F, 0.167315329953F, 0.0415582890504F};
+/// e^x on [−¼, ¼], 1e-8 of itself.
+constexpr float kFastExp[] = {1.00000001033F,  0.99999995637F,   0.499996979273F,
+                              0.166669130515F, 0.0417964627807F, 0.00831475695214F};
 
 template <int N>
 HAWSER_FAST Floats fast_series(const float (&c)[N], Floats x) {
@@ -54,13 +56,15 @@ HAWSER_FAST Floats fast_series(const float (&c)[N], Floats x) {
 /// 2^x; below x = −126 that of −126.
 HAWSER_FAST Floats fast_power(Floats x) {
     x = x > -126.0F ? x : Floats{} - 126.0F;
-    const Floats shifted = x + kFastWhole, part = fast_series(kFastPower, x - (shifted - kFastWhole));
+    const Floats shifted = x + kFastWhole,
+                 part = fast_series(kFastPower, x - (shifted - kFastWhole));
     return reinterpret_cast<Floats>(reinterpret_cast<FloatBits>(part) +
                                     (reinterpret_cast<FloatBits>(shifted) << 23));
 }
 
 void refer(const double* rows, int padded, int groups, double x, double y, float* turns) noexcept {
-    const double *kx = rows + marine::kReferenceX * padded, *ky = rows + marine::kReferenceY * padded,
+    const double *kx = rows + marine::kReferenceX * padded,
+                 *ky = rows + marine::kReferenceY * padded,
                  *phase = rows + marine::kReferencePhase * padded;
     for (int i = 0; i < groups * marine::kFastGroup; ++i) {
         const double all = kx[i] * x + (ky[i] * y + phase[i]);
@@ -134,15 +138,15 @@ HAWSER_FAST void add_group(const marine::FastTable& table, int group, const floa
     const int begin = group * marine::kFastGroup;
 #pragma GCC unroll 4
     for (int i = begin; i < begin + marine::kFastGroup; i += kFloats) {
-        const auto at = [&](marine::FastRow r) __attribute__((always_inline)) {
-            return floats_at(table.row(r) + i);
-        };
+        const auto at = [&](marine::FastRow r)
+                            __attribute__((always_inline)) { return floats_at(table.row(r) + i); };
         const Floats h = floats_at(circle + i), f = floats_at(circle + table.padded + i);
         const Floats c = 1.0F - h * h, s = h * fast_series(kFastCosine, f * f);
         const Floats up = falling<By>(table, i, depth) * middle;
         Floats level = up, steep = up;
         if constexpr (Bottom) {
-            const Floats down = fast_power(at(marine::kFastBottom) - at(marine::kFastDecay) * depth);
+            const Floats down =
+                fast_power(at(marine::kFastBottom) - at(marine::kFastDecay) * depth);
             level += down;
             steep -= down;
         }
