@@ -24,14 +24,14 @@
 /// WindLoad; without a sea there are none.
 ///
 /// Signals, as "name.signal". Inputs: `rudder` [rad], positive turns to starboard, and `rps` [1/s]
-/// of a vessel with a coefficient set; orders NAME [−1, 1], NAME_angle [rad], positive pushes the
-/// stern… (see docs/vessels.md), NAME_pitch of propulsors; NAME [rad] of rudders. Outputs:
+/// of a vessel whose coefficient set has them; orders NAME [−1, 1], NAME_angle [rad] from ahead,
+/// positive clockwise from above, NAME_pitch [−1, 1] of propulsors; NAME [rad] of rudders. Outputs:
 /// `speed` through the water [m/s], `ground_speed` [m/s], `drift` β [rad], `turn_rate` r [rad/s],
 /// `rudder_angle`, `shaft_rps`, `surge_force`, `sway_force` [N], `yaw_moment` [N m]; NAME_thrust,
 /// NAME_rps, NAME_power, NAME_turned, NAME_set of propulsors; NAME_at of rudders.
 ///
-/// Limits: calm water but for loads of the sea's hull, which add up; forces of waves that
-/// manoeuvre alter nothing here. Coefficients are those of one loading and depth.
+/// Limits: forces of calm water and mean wind; those of waves come from a hull in the sea and add
+/// up. Coefficients hold for one loading and depth.
 
 #include <hawser/id.h>
 #include <hawser/math.h>
@@ -91,12 +91,15 @@ struct VesselDef {
 };
 
 /// Non-dimensional values of a vessel outside the range of published ships, one sentence each:
-/// coefficients of another scale or unit. Empty: none.
+/// coefficients of another scale or unit; a weight that nothing carries, or two things carry.
+/// Empty: none.
 [[nodiscard]] std::vector<std::string> unusual_values(const World& world, const VesselDef& def);
 
 /// Called by World::add(). It owns the system. @throws DefError "vessel NAME: field: reason".
 System* define(World& world, const VesselDef& def);
 
+/// Vessels of a world as defined, in the order in which they act.
+[[nodiscard]] std::vector<const VesselDef*> vessels_of(const World& world);
 /// The vessel of a body as defined; null: there is none.
 [[nodiscard]] const VesselDef* find_vessel(const World& world, BodyId body) noexcept;
 

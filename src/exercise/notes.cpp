@@ -2,6 +2,7 @@
 #include "exercise/notes.h"
 
 #include <hawser/hawser.h>
+#include <hawser/vessel.h>
 
 #include "record/scene_info.h"
 
@@ -97,7 +98,9 @@ std::vector<bool> noted_channels(const std::vector<Channel>& channels, const Wor
     std::vector<bool> out;
     for (const Channel& c : channels) {
         if (c.output.empty()) {
-            out.push_back(!of_solver(c.event));
+            // Actuators of vessels report their limits as motors do.
+            out.push_back(!of_solver(c.event) ||
+                          (c.event == EventKind::saturation && !vessels_of(world).empty()));
             continue;
         }
         const OutputId id = world.find_output(c.output);

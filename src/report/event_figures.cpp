@@ -78,6 +78,8 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::brake_slip:
             return "N m";
         case EventKind::saturation:
+            // Of the actuator of a vessel: a rate or a power.
+            if (!known) return "";
             return is(InteractionKind::HingeMotor) ? "N m" : "N";
         case EventKind::range:
             return is(InteractionKind::HingeRange) ? "rad" : "m";
@@ -118,7 +120,9 @@ std::string what_happened(const EventFigures& e) {
         case EventKind::taut:
             return "lines came taut " + plural(e.count, "time", "times");
         case EventKind::saturation:
-            return "motors gave all the force that they may " + plural(e.count, "time", "times");
+            return (e.vessels ? "motors and actuators were at their limit "
+                              : "motors gave all the force that they may ") +
+                   plural(e.count, "time", "times");
         case EventKind::range:
             return "joints met the end of their range " + plural(e.count, "time", "times");
         case EventKind::input_clamped:
@@ -205,8 +209,11 @@ std::vector<EventFigures> event_figures(const World& world) {
     for (int k = 0; k < kEventKindCount; ++k) {
         const EventExtremes extremes = world.event_extremes(static_cast<EventKind>(k));
         if (extremes.count == 0) continue;
+        const bool vessels =
+            extremes.first.kind == EventKind::saturation &&
+            !(extremes.first.interaction.valid() && extremes.worst.interaction.valid());
         out.push_back({extremes.first.kind, extremes.count, listed(world, extremes.first),
-                       listed(world, extremes.worst), unit_of(world, extremes.worst)});
+                       listed(world, extremes.worst), unit_of(world, extremes.worst), vessels});
     }
     std::stable_sort(out.begin(), out.end(), [](const EventFigures& a, const EventFigures& b) {
         return rank_of(a.kind) < rank_of(b.kind);

@@ -69,6 +69,7 @@ struct EventFigures {
     std::int64_t count = 0;
     ListedEvent first, worst;  ///< Where they are, in words.
     const char* unit = "";     ///< Of the values.
+    bool vessels = false;      ///< Of kind saturation: actuators of vessels are among them.
 };
 
 struct Summary {

@@ -14,6 +14,7 @@
 #include <hawser/resolution.h>
 #include <hawser/sea.h>
 #include <hawser/stopper.h>
+#include <hawser/vessel.h>
 
 #include "scene/document.h"
 #include "scene/frame.h"
@@ -112,6 +113,7 @@ class Description {
     DeckGear deck;
     std::vector<Resolution> resolutions;
     std::vector<Crane> cranes;
+    std::vector<DeckGear::Item<VesselDef>> vessels;
     std::vector<Lever> levers;
     std::vector<CableWater> waters;  ///< Cables that are in the water if there is any.
     std::optional<SeaDef> sea;       ///< Without its lines.

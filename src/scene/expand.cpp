@@ -3,6 +3,7 @@
 #include "scene/counts.h"
 #include "scene/deck.h"
 #include "scene/description.h"
+#include "scene/vessels.h"
 
 #include <fmt/format.h>
 
@@ -54,6 +55,7 @@ class Expander {
                 expand_guides(out_, item.scope);
                 expand_posts(out_, item.scope);
                 expand_deck(out_, item.scope);
+                expand_vessels(out_, item.scope);
                 expand_routes(out_, item.scope);
                 expand_segments(out_, item.scope);
                 expand_interactions(out_, item.scope);
@@ -204,21 +206,14 @@ class Expander {
         Json content = Json::object();
         const Format& f = format();
         const std::pair<const char*, const Shape*> lists[] = {
-            {"bodies", f.bodies.get()},
-            {"instances", f.instances.get()},
-            {"cables", f.cables.get()},
-            {"winches", f.winches.get()},
-            {"guides", f.guides.get()},
-            {"posts", f.posts.get()},
-            {"stoppers", f.stoppers.get()},
-            {"pins", f.pins.get()},
-            {"hooks", f.hooks.get()},
-            {"chasers", f.chasers.get()},
-            {"cranes", f.cranes.get()},
-            {"routes", f.routes.get()},
-            {"interactions", f.interactions.get()},
-            {"inputs", f.inputs.get()},
-            {"outputs", f.outputs.get()}};
+            {"bodies", f.bodies.get()},     {"instances", f.instances.get()},
+            {"cables", f.cables.get()},     {"winches", f.winches.get()},
+            {"guides", f.guides.get()},     {"posts", f.posts.get()},
+            {"stoppers", f.stoppers.get()}, {"pins", f.pins.get()},
+            {"hooks", f.hooks.get()},       {"chasers", f.chasers.get()},
+            {"cranes", f.cranes.get()},     {"vessels", f.vessels.get()},
+            {"routes", f.routes.get()},     {"interactions", f.interactions.get()},
+            {"inputs", f.inputs.get()},     {"outputs", f.outputs.get()}};
         const bool filled = with_note(out_.mistakes, inner.note, [&] {
             for (const auto& [key, shape] : lists) {
                 if (definition.contains(key)) {

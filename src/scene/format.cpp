@@ -129,6 +129,7 @@ ShapePtr scene_template(const Format& format) {
          {"chasers", with_placeholders(format.chasers), false, "", "",
           "Rings that run along cables."},
          {"cranes", with_placeholders(format.cranes), false, "", "", "Cranes."},
+         {"vessels", with_placeholders(format.vessels), false, "", "", "What sails."},
          {"routes", with_placeholders(format.routes), false, "", "",
           "Lines over posts and sheaves."},
          {"inputs", with_placeholders(format.inputs), false, "", "", "Inputs."},
@@ -188,6 +189,7 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"hooks", f.hooks, false, "", "", "Hooks that take loads."},
         {"chasers", f.chasers, false, "", "", "Rings that run along cables."},
         {"cranes", f.cranes, false, "", "", "Cranes."},
+        {"vessels", f.vessels, false, "", "", "What sails."},
         {"routes", f.routes, false, "", "", "Lines over posts and sheaves."},
         {"instances", f.instances, false, "", "", "Uses of templates."},
         {"inputs", f.inputs, false, "", "", "Inputs."},
@@ -241,6 +243,7 @@ Format make_format() {
     f.hooks = list_of("a list of hooks", hook_shape());
     f.chasers = list_of("a list of chasers", chaser_shape());
     f.cranes = list_of("a list of cranes", crane_shape());
+    f.vessels = list_of("a list of vessels", vessel_shape());
     f.routes = list_of("a list of routes", route_shape());
     f.instances = list_of("a list of instances", instance());
     f.inputs = list_of("a list of inputs", input_shape());

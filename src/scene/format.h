@@ -46,6 +46,7 @@ struct Format {
     ShapePtr hooks;
     ShapePtr chasers;
     ShapePtr cranes;
+    ShapePtr vessels;
     ShapePtr routes;
     ShapePtr instances;
     ShapePtr inputs;
@@ -80,6 +81,8 @@ struct Format {
 [[nodiscard]] ShapePtr crane_shape();
 /// What its hook may take.
 [[nodiscard]] ShapePtr crane_load_shape();
+/// What sails. See format_vessels.cpp.
+[[nodiscard]] ShapePtr vessel_shape();
 /// The sea, and what a line type says of water. See format_sea.cpp.
 [[nodiscard]] ShapePtr sea_shape();
 /// An entry of "hulls" (format_hulls.cpp).

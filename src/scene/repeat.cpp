@@ -13,7 +13,7 @@ namespace {
 /// What of the description is copy 0.
 struct Extent {
     std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, posts,
-        stoppers, pins, hooks, chasers, resolutions, cranes, levers;
+        stoppers, pins, hooks, chasers, resolutions, cranes, levers, vessels;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -62,7 +62,7 @@ class Copier {
                 out.winches.size(),       out.guides.size(),       out.posts.size(),
                 out.deck.stoppers.size(), out.deck.pins.size(),    out.deck.hooks.size(),
                 out.deck.chasers.size(),  out.resolutions.size(),  out.cranes.size(),
-                out.levers.size()} {}
+                out.levers.size(),        out.vessels.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
@@ -106,6 +106,7 @@ class Copier {
         add_gear(out_.deck.pins, base_.pins, prefix);
         add_gear(out_.deck.hooks, base_.hooks, prefix);
         add_gear(out_.deck.chasers, base_.chasers, prefix);
+        add_gear(out_.vessels, base_.vessels, prefix);
         add_resolutions(prefix);
         add_cranes(prefix, shift);
         add_shapes(prefix, shift);

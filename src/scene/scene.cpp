@@ -7,6 +7,7 @@
 #include "scene/format.h"
 #include "scene/plot.h"
 #include "scene/timeline.h"
+#include "scene/vessels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +55,7 @@ class Builder {
         if (numbered_) {
             (void)take(description_.sea_place, [&] { add_sea(*world, description_); });
         }
+        if (numbered_ && whole_) add_vessels(*world, description_);
         check_levers(*world);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
             (void)take(description_.input_place(i),

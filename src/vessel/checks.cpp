@@ -225,7 +225,8 @@ void check_rudder(const VesselFields& f, const VesselDef& def, std::size_t i) {
 /// Signals share one list of names.
 void check_names(const VesselFields& f, const VesselDef& def) {
     std::vector<std::string> taken;
-    if (VesselSystem::has_set(def)) taken = {"rudder", "rps"};
+    if (VesselSystem::has_set(def)) taken.emplace_back("rudder");
+    if (VesselSystem::has_shaft(def)) taken.emplace_back("rps");
     const auto take = [&](const std::string& name, const std::string& field) {
         if (name.empty()) f.fail(field, "give a name");
         if (name.find('.') != std::string::npos) f.fail(field, "a name has no dot");

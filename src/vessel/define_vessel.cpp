@@ -7,6 +7,8 @@
 #include "vessel/vessel_system.h"
 
 #include <memory>
+#include <string_view>
+#include <vector>
 
 namespace hawser {
 
@@ -16,16 +18,39 @@ System* define(World& world, const VesselDef& def) {
     return &world.add_system(std::make_unique<vessel::VesselSystem>(def, body.mass, body.inertia));
 }
 
-const VesselDef* find_vessel(const World& world, BodyId body) noexcept {
-    // Systems have no list for a const world: their names are those of the signals.
+namespace {
+
+/// f(def) for each vessel until one returns true. Systems have no list for a const world: their
+/// names are those of the signals, and each vessel has some.
+template <class F>
+void over_vessels(const World& world, F&& f) {
     std::string_view last;
     for (const SystemSignal& s : world.system_signals()) {
         if (s.system == last) continue;
         last = s.system;
         const auto* found = dynamic_cast<const vessel::VesselSystem*>(world.find_system(last));
-        if (found != nullptr && found->def().body == body) return &found->def();
+        if (found != nullptr && f(found->def())) return;
     }
-    return nullptr;
+}
+
+}  // namespace
+
+std::vector<const VesselDef*> vessels_of(const World& world) {
+    std::vector<const VesselDef*> out;
+    over_vessels(world, [&](const VesselDef& def) {
+        out.push_back(&def);
+        return false;
+    });
+    return out;
+}
+
+const VesselDef* find_vessel(const World& world, BodyId body) noexcept {
+    const VesselDef* out = nullptr;
+    over_vessels(world, [&](const VesselDef& def) {
+        if (def.body == body) out = &def;
+        return out != nullptr;
+    });
+    return out;
 }
 
 }  // namespace hawser

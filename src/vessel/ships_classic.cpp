@@ -176,7 +176,7 @@ PublishedShip mariner() {
     v.polynomial.area = length * length;
     v.polynomial.speed = ship.speed;
     v.polynomial.rudder_sign = -1.0;  // The source counts rudder angles to port.
-    v.steering = {.most_angle = 40.0 * kDegree, .rate = 5.0 * kDegree, .lag = 1.0, .rps = 1.0};
+    v.steering = {.most_angle = 40.0 * kDegree, .rate = 5.0 * kDegree, .lag = 1.0};
     vessel::keep_upright(ship, sizes, true);
     return ship;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Non-dimensional values of vessels beside those of published ships.
+#include <hawser/sea.h>
 #include <hawser/vessel.h>
 #include <hawser/world.h>
 
@@ -49,12 +50,31 @@ void check_lengths(const VesselDef& def, double length, Unusual& out) {
     compare("cross_flow/length", def.cross_flow.length);
 }
 
+/// Weight has to be carried once.
+void check_weight(const World& world, const VesselDef& def, Unusual& out) {
+    const SeaDef* sea = find_sea(world);
+    const bool afloat =
+        sea != nullptr && std::any_of(sea->hulls.begin(), sea->hulls.end(),
+                                      [&](const WaterHull& h) { return h.body == def.body; });
+    const bool heavy = world.body_def(def.body).gravity && world.settings().gravity.z() != 0.0;
+    if (heavy && !afloat)
+        out.list.push_back(
+            "the body has weight, and no hull in the sea carries it; make it "
+            "weightless (gravity false) or give it a hull in the sea");
+    if (afloat && !def.restoring.isZero(0.0))
+        out.list.push_back(
+            "restoring acts beside a hull in the sea, which restores by itself; "
+            "give one of them");
+}
+
 }  // namespace
 
 std::vector<std::string> unusual_values(const World& world, const VesselDef& def) {
     Unusual out;
+    if (!world.alive(def.body)) return out.list;
+    check_weight(world, def, out);
     const double length = length_of(def);
-    const double mass = world.alive(def.body) ? world.body_def(def.body).mass : 0.0;
+    const double mass = world.body_def(def.body).mass;
     if (!(length > 0.0) || !(mass > 0.0)) return out.list;
     check_lengths(def, length, out);
     const double cube = def.density * length * length * length;

@@ -70,10 +70,13 @@ void VesselSystem::check_state(const World& world, StateRules& rules) const {
 void VesselSystem::signals(SignalTable& table) {
     if (has_set(def_)) {
         const SteeringDef& s = def_.steering;
-        const double most = s.most_rps > 0.0 ? s.most_rps : 2.0 * s.rps;
         table.input("rudder", "rad", rudder_order_, -s.most_angle, s.most_angle);
-        table.input("rps", "1/s", rps_order_, -most, most);
         table.output("rudder_angle", "rad", rudder_);
+    }
+    if (has_shaft(def_)) {
+        const SteeringDef& s = def_.steering;
+        const double most = s.most_rps > 0.0 ? s.most_rps : 2.0 * s.rps;
+        table.input("rps", "1/s", rps_order_, -most, most);
         table.output("shaft_rps", "1/s", rps_);
     }
     for (std::size_t i = 0; i < propulsor_.size(); ++i) {

@@ -51,6 +51,13 @@ Matrix6 part_for_loads(const Matrix6& a, double radius) {
     return back;
 }
 
+/// True if a term has one of these letters.
+bool names_variable(const HullPolynomial& polynomial, const char* letters) noexcept {
+    return std::any_of(polynomial.terms.begin(), polynomial.terms.end(), [&](const HullTerm& t) {
+        return t.of.find_first_of(letters) != std::string::npos;
+    });
+}
+
 const SystemSignal* find_signal(const World& world, std::string_view name) noexcept {
     for (const SystemSignal& s : world.system_signals())
         if (s.system == "sea" && s.name == name) return &s;
@@ -122,10 +129,12 @@ VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia)
 }
 
 bool VesselSystem::has_set(const VesselDef& def) noexcept {
+    return has_shaft(def) || names_variable(def.polynomial, "dD");
+}
+
+bool VesselSystem::has_shaft(const VesselDef& def) noexcept {
     return def.mmg.diameter > 0.0 || def.son_nomoto.diameter > 0.0 ||
-           std::any_of(
-               def.polynomial.terms.begin(), def.polynomial.terms.end(),
-               [](const HullTerm& t) { return t.of.find_first_of("dDnN") != std::string::npos; });
+           names_variable(def.polynomial, "nN");
 }
 
 std::unique_ptr<System> VesselSystem::clone() const {

@@ -47,8 +47,10 @@ class VesselSystem final : public System {
     void holds(HoldTable& table) const override { table.hold(def_.body); }
     [[nodiscard]] std::unique_ptr<System> clone() const override;
     [[nodiscard]] const VesselDef& def() const noexcept { return def_; }
-    /// True if the input `rudder` and `rps` drive a coefficient set.
+    /// True if the input `rudder` drives a coefficient set.
     [[nodiscard]] static bool has_set(const VesselDef& def) noexcept;
+    /// True if its revolutions act.
+    [[nodiscard]] static bool has_shaft(const VesselDef& def) noexcept;
 
   private:
     /// Place and motion of the ship in one step.

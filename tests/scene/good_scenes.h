@@ -3,6 +3,7 @@
 /// Valid scenes that between them use every part of the format.
 
 #include "touching_scene.h"
+#include "vessel_scene.h"
 
 #include <array>
 #include <string_view>
@@ -352,7 +353,7 @@ inline constexpr std::string_view kSea = R"({
   "repeat": {"offset": [200, 0, 0], "copies": 2}
 })";
 
-inline constexpr std::array<std::string_view, 7> kGoodScenes = {
-    kSite, kKinds, kPendulum, kTouching, kShapes, kCranes, kSea};
+inline constexpr std::array<std::string_view, 8> kGoodScenes = {
+    kSite, kKinds, kPendulum, kTouching, kShapes, kCranes, kSea, kVessels};
 
 }  // namespace hawser::scene::test

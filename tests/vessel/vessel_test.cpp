@@ -281,6 +281,27 @@ TEST(Vessel, NamesValuesOfAnotherScale) {
     EXPECT_FALSE(unusual_values(world, mixed).empty());
 }
 
+TEST(Vessel, NamesWeightThatNothingOrTwoThingsCarry) {
+    const auto warnings = [](bool gravity, bool hull) {
+        World world;
+        PublishedShip ship = osv();
+        ship.body.gravity = gravity;
+        ship.vessel.body = world.add_body(ship.body);
+        SeaDef sea{.depth = 100.0};
+        if (hull) {
+            WaterHull h;
+            h.body = ship.vessel.body;
+            h.mesh = box_hull({41.5, 9.0, 6.0});
+            sea.hulls.push_back(h);
+        }
+        world.add(sea);
+        return unusual_values(world, ship.vessel).size();
+    };
+    EXPECT_EQ(warnings(false, false), 0u);
+    EXPECT_EQ(warnings(true, false), 1u);
+    EXPECT_EQ(warnings(true, true), 1u);  // the sea's hull and `restoring`
+}
+
 TEST(Trials, ImoLimitsFollowLengthOverSpeed) {
     TurningCircle turn;
     turn.turned = true;

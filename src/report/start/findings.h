@@ -35,8 +35,9 @@ enum class FindingKind : std::uint8_t {
     points,       ///< An exercise that cannot be passed. value: points needed less possible.
     post,         ///< A post that never takes a cable beside it. value: how far it is [m].
     unexamined,   ///< Too large to be looked at. value: rows or bodies.
+    vessel,       ///< Coefficients of a vessel outside the range of published ships. value: 0.
 };
-inline constexpr int kFindingKindCount = 23;
+inline constexpr int kFindingKindCount = 24;
 [[nodiscard]] const char* to_string(FindingKind kind) noexcept;
 
 struct Finding {

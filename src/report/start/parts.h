@@ -31,6 +31,8 @@ void check_document(const record::SceneInfo& scene, Findings& out);
 void check_drums(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Points that an exercise needs and its goals do not give (points.cpp).
 void check_points(const exercise::Exercise& exercise, Findings& out);
+/// Coefficients of vessels outside the range of published ships (vessels.cpp).
+void check_vessels(const World& world, Findings& out);
 /// Posts beside cables that they never take (posts.cpp).
 void check_posts(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Hulls that displace more or less than they carry: what joints hold to their bodies, and what

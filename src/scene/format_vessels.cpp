@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Vessels on bodies (hawser/vessel.h).
+#include <hawser/vessel_ships.h>
+
+#include "scene/format.h"
+#include "scene/vessels.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser::scene {
+namespace {
+
+using namespace make;
+
+template <class T>
+std::vector<Field> vessel_fields() {
+    std::vector<Field> fields;
+    for (const VesselNumber<T>& n : VesselTable<T>::kNumbers) {
+        const bool required = *n.fallback == '\0';
+        const ShapePtr shape = required && n.least == 0.0 ? positive("a number", n.most)
+                                                          : number("a number", n.least, n.most);
+        fields.push_back({n.key, shape, required, n.fallback, n.unit, n.doc});
+    }
+    return fields;
+}
+
+template <class T>
+ShapePtr vessel_part(const char* id, const char* what, const char* doc,
+                     std::vector<Field> more = {}) {
+    std::vector<Field> fields = vessel_fields<T>();
+    for (Field& field : more) fields.push_back(std::move(field));
+    return object(id, what, doc, std::move(fields));
+}
+
+ShapePtr matrix_shape(double least) {
+    const ShapePtr one = number("a number", least, 1e18);
+    const ShapePtr any = number("a number", -1e18, 1e18);
+    return choice(
+        "six numbers, or six rows of them",
+        {list("six numbers", one, 6, 6), list("six rows", list("six numbers", any, 6, 6), 6, 6)});
+}
+
+ShapePtr polynomial_shape() {
+    const ShapePtr terms = map("terms by their letters", number("a number", -1e12, 1e12));
+    return vessel_part<HullPolynomial>(
+        "hull_polynomial", "polynomials of a hull",
+        "Terms by letters: \"vvr\" is v^2 r; u v r p velocities, f heel, d rudder, n revolutions, "
+        "b "
+        "drift angle, V R D N B magnitudes, 0 a constant.",
+        {{"scale", word("a scale", {"speed", "mass"}), false, "speed", "",
+          "speed: 1/2 density area U^2 (moments times length), variables over U; mass: the mass "
+          "(moments times length^2), variables in SI."},
+         {"factor", number("a number", -1e12, 1e12), false, "1", "1",
+          "Of all terms: 1e-5 for tables in units of 1e-5."},
+         {"rudder_to_port", boolean("true or false"), false, "false", "",
+          "The source counts rudder angles to port as positive."},
+         {"own_coriolis", boolean("true or false"), false, "false", "",
+          "The terms hold the Coriolis forces of the body's own mass, too."},
+         {"x", terms, false, "none", "", "Of the force ahead."},
+         {"y", terms, false, "none", "", "Of the force to starboard."},
+         {"k", terms, false, "none", "", "Of the heeling moment, starboard down."},
+         {"n", terms, false, "none", "", "Of the yawing moment, to starboard."}});
+}
+
+ShapePtr resistance_shape() {
+    return vessel_part<HullResistance>(
+        "hull_resistance", "a resistance", "A curve, or linear and quadratic coefficients.",
+        {{"curve",
+          list("a list of points",
+               list("a speed and a force", number("a number", 0.0, kVesselStrong), 2, 2), 2, 1000),
+          false, "none", "m/s, N", "Speeds ascend from 0; linear between."}});
+}
+
+ShapePtr wind_shape() {
+    std::vector<std::string> ships;
+    for (int i = 1; i < kWindShipCount; ++i)
+        ships.emplace_back(to_string(static_cast<WindShip>(i)));
+    return vessel_part<WindLoad>(
+        "vessel_wind", "wind on a ship", "Blendermann's coefficients, in the wind of the sea.",
+        {{"ship", word("a kind of ship", ships), true, "", "", "Whose coefficients."}});
+}
+
+ShapePtr propulsor_shape() {
+    const ShapePtr propeller = vessel_part<PropellerDef>(
+        "propeller", "a propeller", "By its series, in open water.",
+        {{"series", word("a series", {"wageningen_b", "ka4_70", "ka5_75"}), false, "wageningen_b",
+          "", "Ka-series: in nozzle 19A."}});
+    return vessel_part<PropulsorDef>(
+        "propulsor", "a propulsor", "A propeller or an ideal thruster.",
+        {{"name", name("a name"), true, "", "",
+          "Of its order: the signal VESSEL.NAME, from -1 to 1."},
+         {"kind", word("a kind", {"shaft", "azimuth", "tunnel"}), false, "shaft", "", "Its kind."},
+         {"point", vector3("a point"), false, "[0, 0, 0]", "m",
+          "From the centre of mass, in the body's frame."},
+         {"propeller", propeller, false, "none: ideal", "", "Its propeller."},
+         {"controllable", boolean("true or false"), false, "false", "",
+          "Pitch by the signal VESSEL.NAME_pitch."}});
+}
+
+ShapePtr rudder_shape() {
+    return vessel_part<RudderDef>(
+        "vessel_rudder", "a rudder", "With stall, in the slipstream of a propulsor.",
+        {{"name", name("a name"), false, "rudder", "",
+          "Of its order: the signal VESSEL.NAME, positive turns to starboard."},
+         {"point", vector3("a point"), true, "", "m",
+          "From the centre of mass, in the body's frame."},
+         {"behind", name("a propulsor"), false, "none", "", "Whose slipstream it stands in."}});
+}
+
+}  // namespace
+
+ShapePtr vessel_shape() {
+    std::vector<std::string> ships;
+    for (const char* each : kPublishedShips) ships.emplace_back(each);
+    return object(
+        "vessel", "a vessel", "What sails: hull forces, propulsors and rudders of a body.",
+        {{"name", name("a name"), true, "", "", "Of its signals, as NAME.rudder."},
+         {"body", body_ref(), true, "", "", "A rigid body; its x axis points to the bow."},
+         {"ship", word("a ship", ships), false, "none", "",
+          "Published coefficients; other keys replace theirs. The body has the mass of the "
+          "source."},
+         {"depth", positive("a depth", 1e5), false, "1000", "m", "Of the water, for esso_190k."},
+         {"origin", vector3("a point"), false, "[0, 0, 0]", "m",
+          "O of the coefficients from the centre of mass, in the body's frame."},
+         {"draught", number("a number", 0.0, kVesselFar), false, "0", "m",
+          "The current is that of half of it."},
+         {"density", positive("a density", 1e5), false, "1025", "kg/m^3",
+          "Of water, without a sea."},
+         {"added_mass", matrix_shape(0.0), false, "0", "kg, kg m, kg m^2",
+          "At O: x ahead, y to starboard, z down."},
+         {"coriolis", word("a kind", {"none", "planar", "full"}), false, "full", "",
+          "Of the added mass: planar without the Munk moment (MMG)."},
+         {"damping", matrix_shape(0.0), false, "0", "N s/m, N s, N m s", "Linear, at O."},
+         {"restoring", matrix_shape(0.0), false, "0", "N/m, N, N m",
+          "Of heave, roll and pitch at O; symmetric."},
+         {"resistance", resistance_shape(), false, "none", "", "Ahead and astern."},
+         {"cross_flow",
+          vessel_part<CrossFlow>("cross_flow", "a cross-flow drag", "By 20 strips along the hull."),
+          false, "none", "", "Across and in yaw."},
+         {"polynomial", polynomial_shape(), false, "none", "", "Hull forces by coefficients."},
+         {"mmg",
+          vessel_part<MmgStern>("mmg_stern", "a stern of the MMG method",
+                                "Propeller and rudder (Yasukawa and Yoshimura 2015)."),
+          false, "none", "", "Propeller and rudder of a coefficient set."},
+         {"steering",
+          vessel_part<SteeringDef>("vessel_steering", "a steering gear",
+                                   "Rudder and revolutions of a coefficient set."),
+          false, "none", "", "Signals NAME.rudder and NAME.rps."},
+         {"wind", wind_shape(), false, "none", "", "Wind on what is above the water."},
+         {"propulsors", list("a list of propulsors", propulsor_shape(), 1, 100), false, "none", "",
+          "Propellers and thrusters."},
+         {"rudders", list("a list of rudders", rudder_shape(), 1, 100), false, "none", "",
+          "Rudders."},
+         {"description", text("a text"), false, "", "", "Source and remarks."}});
+}
+
+}  // namespace hawser::scene
