@@ -12,7 +12,7 @@
 namespace hawser {
 namespace {
 
-/// The value that a share of all stays below.
+/// Return the quantile of v at the fraction `share`; 0 if v is empty.
 double below(std::vector<double>& v, double share) {
     if (v.empty()) return 0.0;
     const auto at = v.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(v.size()));
@@ -21,17 +21,17 @@ double below(std::vector<double>& v, double share) {
 }
 
 constexpr int kBursts = 20, kMostBursts = 200, kLoops = 100, kTasks = 8;
-constexpr double kTask = 4e-6;         // [s]; long enough for the other thread to come
-constexpr double kAway = 2.0 * kTask;  // [s]; who comes later did not have a processor
+constexpr double kTask = 4e-6;         // [s]; long enough for the other thread to arrive
+constexpr double kAway = 2.0 * kTask;  // [s]; a later thread had no processor
 
 struct CostSamples {
     std::vector<double> wake, start, join;
-    std::vector<double> gap;  ///< Between two tasks of a thread.
-    /// Between two tasks of a thread where nothing is dealt: what writing down takes.
+    std::vector<double> gap;  ///< Time between two tasks of a thread [s].
+    /// Time between two tasks of a thread without work sharing [s]: the cost of the trace itself.
     std::vector<double> alone;
 };
 
-/// Loops of tasks that both threads have time to take.
+/// Record loops of tasks that are long enough for both threads to join.
 void record_loops(runtime::Pool& pool, bool awake, CostSamples& samples) {
     runtime::Trace trace(2, static_cast<std::size_t>(kLoops * (kTasks + 1)));
     auto spin = [&](int, int) noexcept {
@@ -66,7 +66,7 @@ void record_loops(runtime::Pool& pool, bool awake, CostSamples& samples) {
             samples.wake.push_back(first = s.begin - resumed);
         else if (s.begin - begin[k] < kAway)
             samples.start.push_back(s.begin - begin[k]);
-        begin[k] = -1.0;  // its first task only
+        begin[k] = -1.0;  // count the first task of the thread only
     }
     for (std::size_t k = 0; awake && k < kLoops; ++k) samples.join.push_back(end[k] - last[k]);
 }
@@ -76,17 +76,17 @@ void record_loops(runtime::Pool& pool, bool awake, CostSamples& samples) {
 PoolCosts measure_pool_costs() {
     runtime::Pool pool(2);
     CostSamples samples;
-    // Where other programs keep the second processor, it takes longer to find out.
+    // Add bursts if other programs occupy the second processor.
     for (int burst = 0;
          burst < kBursts || (burst < kMostBursts && samples.start.size() < 10 * kLoops); ++burst) {
         record_loops(pool, true, samples);
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the workers sleep
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));  // lets the workers sleep
     }
     record_loops(pool, false, samples);
     PoolCosts costs;
-    // Other programs make samples longer, never shorter, on a busy machine nearly all of them; gaps
-    // are too many and short to mind. Where the threads never ran together, the bound is all there
-    // is to say.
+    // Other programs can only lengthen samples; on a busy machine they lengthen nearly all of them.
+    // Gaps are short and many, so that their median is not affected. If the threads never ran
+    // together, the bound kAway is the only estimate.
     costs.start = samples.start.empty() ? kAway : below(samples.start, 0.1);
     costs.join = below(samples.join, 0.02);
     costs.wake = below(samples.wake, 0.0);

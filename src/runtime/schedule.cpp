@@ -16,7 +16,7 @@ double sum(const std::vector<double>& v) noexcept {
     return std::accumulate(v.begin(), v.end(), 0.0);
 }
 
-/// Deals out one loop; threads are free from the given times on.
+/// Assigns the tasks of one loop to threads, which are free from the given times on.
 class Dealer {
   public:
     Dealer(const LoopTimes& loop, double deal, std::vector<double>& free)
@@ -28,7 +28,7 @@ class Dealer {
             if (blocked_[i] == 0) release(i);
     }
 
-    /// @return end of the last task.
+    /// Run all tasks of the loop. @return end of the last task [s].
     double run(std::vector<TraceSpan>* spans, const TraceSpan& like) {
         double last = 0.0, ticket = 0.0;
         for (; left_ > 0; --left_) {
@@ -60,7 +60,7 @@ class Dealer {
         for (std::int32_t k = waits_.start[i]; k < waits_.start[i + 1]; ++k)
             if (--blocked_[at(waits_.next[at(k)])] == 0) release(at(waits_.next[at(k)]));
     }
-    /// The task that a thread free at `time` begins, and when.
+    /// Return the task that a thread free at `time` begins. Sets `time` to the begin of that task.
     std::size_t take(double& time) {
         if (independent()) return loop_.task.size() - left_;
         while (!running_.empty() && (running_.top().first <= time || ready_.empty())) {
@@ -80,9 +80,9 @@ class Dealer {
     double deal_;
     std::vector<double>& free_;
     std::size_t left_;
-    std::vector<std::int32_t> blocked_;  ///< How many tasks each one waits for.
-    Queue<std::int32_t> ready_;          ///< By rank.
-    Queue<double> running_;              ///< By end.
+    std::vector<std::int32_t> blocked_;  ///< Number of unfinished predecessors, by task.
+    Queue<std::int32_t> ready_;          ///< Tasks without unfinished predecessors, by rank.
+    Queue<double> running_;              ///< Tasks that have begun, by end.
 };
 
 }  // namespace
@@ -100,7 +100,7 @@ double ProgramTimes::work() const noexcept {
 }
 
 double LoopTimes::critical() const {
-    // With a thread for each task, every one begins as soon as it can.
+    // With one thread per task, each task begins as soon as its predecessors end.
     std::vector<double> free(std::max<std::size_t>(task.size(), 1), 0.0);
     return Dealer(*this, 0.0, free).run(nullptr, {});
 }
@@ -120,7 +120,7 @@ Simulated simulate(const ProgramTimes& program, int threads, const PoolCosts& co
     for (std::size_t k = 0; k < program.loops.size(); ++k) {
         const LoopTimes& loop = program.loops[k];
         now += loop.before;
-        // The pool does not wake anyone for one task.
+        // The pool wakes no worker for a single task.
         const bool shared = threads > 1 && loop.task.size() > 1;
         free.assign(static_cast<std::size_t>(shared ? threads : 1),
                     std::max(now + costs.start, costs.wake));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file stopwatch.h
-/// CPU time of the threads of a pool; an interface, so that what decides by time can be tested.
+/// CPU time of the threads of a pool. An interface, so that decisions by time can be tested.
 
 #include "runtime/tasks.h"
 
@@ -13,17 +13,17 @@ class Stopwatch {
   public:
     virtual ~Stopwatch() = default;
     virtual void start() noexcept = 0;
-    /// CPU time that the slowest thread has used since start() [s].
+    /// Return the CPU time that the slowest thread has used since start() [s].
     [[nodiscard]] virtual double seconds() noexcept = 0;
 };
 
-/// Reads each thread's clock: a system call each. A thread that waits for others within a step
-/// spins, which counts; one that the operating system took its processor from does not.
+/// Reads the clock of each thread, with one system call each. A thread that waits for others within
+/// a step spins, which counts. Time without a processor does not count.
 class PoolStopwatch final : public Stopwatch {
   public:
     explicit PoolStopwatch(Pool& pool)
         : pool_(pool), begin_(static_cast<std::size_t>(pool.threads())) {}
-    /// The calling thread counts as thread 0 of the pool.
+    /// Start the measurement. The calling thread counts as thread 0 of the pool.
     void start() noexcept override {
         for (std::size_t t = 0; t < begin_.size(); ++t) begin_[t] = cpu(t);
     }

@@ -10,7 +10,7 @@ Trace::Trace(int threads, std::size_t capacity)
     : ring_(static_cast<std::size_t>(std::max(threads, 1))) {
     capacity = std::max<std::size_t>(capacity, 1);
     for (Ring& r : ring_) r.span.resize(capacity);
-    // Every node is a task; a node has about two edges.
+    // Assume that every node is a task and has about two edges.
     graphs_.resize(capacity / 8 + 1);
     numbers_.resize(4 * capacity);
 }

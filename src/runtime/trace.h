@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file trace.h
-/// A ring of spans for each thread. Writing takes no lock and no memory; only the thread that calls
-/// the loops may read, between them.
+/// A ring buffer of spans for each thread. Writing needs no lock and allocates nothing. Only the
+/// thread that calls the loops may read, and only between loops.
 
 #include <hawser/trace.h>
 
@@ -17,15 +17,15 @@ namespace hawser::runtime {
 
 class Trace {
   public:
-    /// @param capacity  Spans a thread, at least 1. @throws std::bad_alloc.
+    /// Allocate the rings. @param capacity  Spans per thread, at least 1. @throws std::bad_alloc.
     Trace(int threads, std::size_t capacity);
 
-    /// Since this was made [s].
+    /// Return the time since construction [s].
     [[nodiscard]] double now() const noexcept { return seconds(Clock::now()); }
     [[nodiscard]] double seconds(std::chrono::steady_clock::time_point at) const noexcept {
         return std::chrono::duration<double>(at - origin_).count();
     }
-    /// By the thread named in the span.
+    /// Store a span. Call on the thread that the span names.
     void push(const TraceSpan& span) noexcept {
         Ring& ring = ring_[static_cast<std::size_t>(span.thread)];
         TraceSpan& to = ring.span[ring.next];
@@ -34,13 +34,13 @@ class Trace {
         ++ring.count;
         if (++ring.next == ring.span.size()) ring.next = 0;
     }
-    /// A thread has begun the node of a graph: what its task's span is to say.
+    /// Note that a thread begins a node of a graph. task() stores the node in the span of its task.
     void begin_node(int node, int thread) noexcept {
         Ring& ring = ring_[static_cast<std::size_t>(thread)];
         ring.node = node;
         ring.begun = now();
     }
-    /// Run a task and write down its span.
+    /// Run a task and store its span.
     template <class F>
     void task(TraceSpan span, F&& f) noexcept {
         Ring& ring = ring_[static_cast<std::size_t>(span.thread)];
@@ -48,26 +48,26 @@ class Trace {
         span.begin = now();
         f();
         span.end = now();
-        if (ring.node >= 0) {  // it waited first
+        if (ring.node >= 0) {  // the task waited for its node first
             span.begin = ring.begun;
             span.task = ring.node;
         }
         push(span);
     }
-    /// By the calling thread: the loop that follows is of a graph.
+    /// Store the graph of the next loop. Call on the thread that runs the loops.
     void announce(const base::TaskOrder& order) noexcept;
     [[nodiscard]] int threads() const noexcept { return static_cast<int>(ring_.size()); }
-    /// Spans up to here are not complete [s].
+    /// Return the time up to which spans may be missing [s].
     [[nodiscard]] double lost_until() const noexcept;
-    /// All spans that begin at `from` [s] or later, sorted by begin, longer ones first, and the
-    /// graphs of their loops.
+    /// Copy all spans that begin at `from` [s] or later and the graphs of their loops. Spans ascend
+    /// by begin; of equal begins the longer one comes first.
     void copy(double from, TraceView& to) const;
 
-    // Of the calling thread, for spans that follow.
+    // Values of the calling thread for later spans: index of the step.
     std::int64_t step = 0;
-    std::int32_t loops = 0;  ///< So far.
+    std::int32_t loops = 0;  ///< Number of loops since construction.
     std::int8_t stage = -1;
-    std::int64_t steps = 0;  ///< Traced so far.
+    std::int64_t steps = 0;  ///< Number of steps traced since construction.
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -75,11 +75,11 @@ class Trace {
         base::Array<TraceSpan> span;
         std::size_t next = 0;
         std::uint64_t count = 0;
-        double lost_until = 0.0;  ///< End of the span overwritten last [s].
-        double begun = 0.0;       ///< See begin_node().
+        double lost_until = 0.0;  ///< End of the most recently overwritten span [s].
+        double begun = 0.0;       ///< Begin of the current node [s]; see begin_node().
         std::int32_t node = -1;
     };
-    /// The graph of a loop: numbers from `begin` on in the ring of graphs.
+    /// Graph of a loop: its numbers start at `begin` in the ring `numbers_`.
     struct Graph {
         std::int32_t loop = -1;
         std::int32_t nodes = 0, edges = 0;
@@ -88,7 +88,7 @@ class Trace {
     [[nodiscard]] std::vector<std::int32_t> numbers(std::uint64_t begin, std::size_t count) const;
 
     std::vector<Ring> ring_;
-    std::vector<Graph> graphs_;  ///< A ring, as the numbers are.
+    std::vector<Graph> graphs_;  ///< Ring buffer, like `numbers_`.
     std::uint64_t graph_count_ = 0;
     std::vector<std::int32_t> numbers_;
     std::uint64_t number_count_ = 0;
