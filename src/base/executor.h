@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file executor.h
-/// The one interface through which the solver reaches threads. Algorithms hand over a list of
-/// independent tasks; who runs them, and how many do, cannot change a result.
+/// The only interface of the solver to threads. An algorithm submits a list of independent tasks.
+/// The result depends neither on the number of threads nor on the assignment of tasks.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace hawser::base {
 
-/// Tasks of `size` items each that `count` items make.
+/// Return the number of tasks for `count` items with `size` items per task.
 [[nodiscard]] constexpr int chunks(std::size_t count, int size) noexcept {
     return (static_cast<int>(count) + size - 1) / size;
 }
 
-/// Tasks that wait for each other, for those who watch: what a node sets free (next[start[i]] to
-/// next[start[i + 1]]), and which of those ready goes first (the lowest rank).
+/// Dependencies between tasks, for traces. The successors of node i are next[start[i]] to
+/// next[start[i + 1] − 1]. The ready node with the lowest rank runs first.
 struct TaskOrder {
     std::span<const std::int32_t> start, next, rank;
 };
@@ -27,16 +27,17 @@ class Executor {
     virtual ~Executor() = default;
     /// Run task(context, i, thread) for i in [0, count), each once; return when all are done.
     virtual void run(int count, Task task, void* context) noexcept = 0;
-    /// Threads that may run tasks; `thread` above is in [0, threads()).
+    /// Return the number of threads that may run tasks; `thread` above is in [0, threads()).
     [[nodiscard]] virtual int threads() const noexcept = 0;
 
-    /// What is under way is to end soon: long tasks may be left out, since nobody is going to use
-    /// what they give.
+    /// True if the current work is to end soon. Long tasks may then be skipped, because their
+    /// results are not used.
     [[nodiscard]] virtual bool stopping() const noexcept { return false; }
 
-    /// The next run() is of the nodes of a graph, which its tasks choose themselves.
+    /// Announce that the tasks of the next run() are nodes of a graph. The tasks choose their nodes
+    /// themselves.
     virtual void announce(const TaskOrder& order) noexcept { static_cast<void>(order); }
-    /// In such a task: it is this node, and what it waited for is done.
+    /// Report that a task begins a node whose predecessors have ended. Call within the task.
     virtual void begin_node(int node, int thread) noexcept {
         static_cast<void>(node);
         static_cast<void>(thread);

@@ -38,8 +38,8 @@ constexpr std::array<Signature, 13> kSignatures = {{
 
 struct Words {
     FileKind kind;
-    const char* is;      ///< "this is …".
-    const char* remedy;  ///< FILE stands for the name.
+    const char* is;      ///< Text "this is …".
+    const char* remedy;  ///< Text of the remedy; FILE stands for the file name.
 };
 constexpr const char* kAsBodies =
     "Hawser does not read it; write its links as \"bodies\" and its joints as \"interactions\" of "
@@ -83,10 +83,11 @@ constexpr std::array<Words, 26> kWords = {{
 
 bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Walks over JSON text, strings as wholes. Stops at the first comment or superfluous comma.
+/// Scans JSON text, each string as a whole. Stops at the first comment or superfluous comma.
 struct JsonScan {
     std::optional<std::size_t> comment, comma;
-    std::vector<std::pair<std::string, char>> keys;  ///< At the top, with what their value begins.
+    /// Keys at the top level, with the first character of their value.
+    std::vector<std::pair<std::string, char>> keys;
     bool object = false, array = false;
 
     explicit JsonScan(std::string_view text) {
@@ -153,7 +154,7 @@ FileKind kind_of_json(std::string_view text) {
     return FileKind::unknown;
 }
 
-/// By the name of the first element, behind declarations and comments.
+/// Return the kind of XML text from the name of the first element after declarations and comments.
 FileKind kind_of_xml(std::string_view text) {
     std::size_t at = 0;
     while (at < text.size()) {
@@ -177,7 +178,7 @@ FileKind kind_of_xml(std::string_view text) {
     return FileKind::xml;
 }
 
-/// A heading "--- LINE TYPES ---" or the like, whatever the first lines say.
+/// True if text has a heading such as "--- LINE TYPES ---", or begins like a MoorDyn file.
 bool is_moordyn(std::string_view text) {
     if (text.substr(0, 400).find("MoorDyn") != std::string_view::npos && text.starts_with("--"))
         return true;
@@ -192,7 +193,7 @@ bool is_moordyn(std::string_view text) {
     return false;
 }
 
-/// By the first line that says something.
+/// Return the kind of text from its first line with content.
 FileKind kind_of_lines(std::string_view text) {
     if (text.starts_with("%YAML") || text.starts_with("---"))
         return text.substr(0, 400).find("OrcaFlex") != std::string_view::npos ? FileKind::orcaflex

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file file_kind.h
-/// Recognises files that were given in place of another kind, for messages that name the remedy.
+/// Recognises files of another kind than expected, for messages that name the remedy.
 ///
 /// Binary kinds are recognised by their first bytes, XML by its first element, JSON by its keys at
-/// the top, MoorDyn by its headings. A guess from text is made only after a reader refused it.
+/// the top level, MoorDyn by its headings. A kind is guessed from text only after a reader rejected
+/// the file.
 
 #include <string>
 #include <string_view>
@@ -12,9 +13,9 @@
 namespace hawser::base {
 
 enum class FileKind : unsigned char {
-    unknown,  ///< None of these, or JSON of no known kind.
+    unknown,  ///< None of the others, or JSON of no known kind.
     empty,
-    // Hawser's own.
+    // Files of Hawser.
     scene,
     exercise,
     recording,
@@ -34,10 +35,10 @@ enum class FileKind : unsigned char {
     gltf,
     yaml,
     toml,
-    // JSON that the standard does not allow.
+    // JSON with deviations from the standard.
     json_comments,
     json_comma,
-    // Not text.
+    // Binary files.
     utf16,
     compressed,
     picture,
@@ -46,16 +47,16 @@ enum class FileKind : unsigned char {
     binary,
 };
 
-/// A file of any kind by its content.
+/// Return the kind of a file from its content.
 [[nodiscard]] FileKind file_kind(std::string_view content);
 
-/// E.g. "this is a recording, not a scene; `hawser view a.hwr` plays it". @param expected  With its
-/// article: "a scene". @param file  As the user named it. @return "" of FileKind::unknown, and
-/// where the file is what is expected.
+/// Describe the mismatch, e.g. "this is a recording, not a scene; `hawser view a.hwr` plays it".
+/// @param expected  Expected kind with its article: "a scene". @param file  File name as the user
+/// wrote it. @return "" for FileKind::unknown, and if the file is of the expected kind.
 [[nodiscard]] std::string wrong_kind(std::string_view content, std::string_view expected,
                                      const std::string& file);
 
-/// The same, with a fallback in place of "".
+/// Return wrong_kind(), with `fallback` instead of "".
 [[nodiscard]] std::string wrong_kind_or(std::string_view content, std::string_view expected,
                                         const std::string& file, const char* fallback);
 

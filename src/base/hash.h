@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hash.h
-/// FNV-1a, 64 bits (Fowler, Noll, Vo): byte order is that of memory (little-endian machines); and a
-/// checksum for megabytes, which FNV takes a byte at a time.
+/// FNV-1a, 64 bits (Fowler, Noll, Vo), in the byte order of memory (little-endian machines). Also a
+/// faster checksum for megabytes of data: FNV processes one byte at a time.
 
 #include <bit>
 #include <cstddef>
@@ -20,12 +20,13 @@ inline constexpr std::uint64_t kFnvStart = 0xcbf29ce484222325ULL;
     return hash;
 }
 
-/// Eight bytes at a time in four lanes that do not wait for each other: about one multiplication a
-/// word. Each step is a bijection of its lane, so that no change within one word goes unseen;
-/// others go unseen once in 2^64. Not for keys that someone else chooses.
+/// Compute a checksum of 64 bits. Processes eight bytes at a time in four independent lanes: about
+/// one multiplication per word. Each step is a bijection of its lane, so that every change within
+/// one word changes the result. Other changes remain undetected with probability 2^−64. Not for
+/// keys that an adversary chooses.
 [[nodiscard]] inline std::uint64_t checksum(const void* data, std::size_t size,
                                             std::uint64_t hash = kFnvStart) noexcept {
-    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15ULL;  // 2^64 over the golden ratio
+    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
     const auto step = [](std::uint64_t lane, std::uint64_t word) {
         return std::rotl(lane ^ word, 29) * kOdd;
     };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file index.h
-/// Ids are signed (-1 is none) and index standard containers, whose indices are not.
+/// Ids are signed (−1: none), indices of standard containers are unsigned.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file isa.h
-/// Which instruction set to use; decided once per process.
+/// Choice of the instruction set, once per process.
 
 #include <cstdint>
 #include <string>
@@ -10,23 +10,24 @@ namespace hawser::base {
 
 enum class Isa : std::uint8_t { sse2, avx2, avx512 };
 
-/// An instruction set, and what is wrong with the wish for it; "": nothing.
+/// An instruction set, and the problem with the requested one ("" if none).
 struct IsaChoice {
     Isa isa;
     std::string problem;
 };
 
-/// The wish, which names one up to the best; null or empty: the best.
+/// Choose the requested instruction set, which may be any up to `best`. @param wish  Its name; null
+/// or empty: use `best`.
 [[nodiscard]] IsaChoice choose_isa(const char* wish, Isa best);
 
-/// What the environment variable HAWSER_ISA names, else the best that processor and build offer;
-/// that too where it names none.
+/// Return the instruction set that the environment variable HAWSER_ISA names. If it is unset or
+/// names none, return the best one that processor and build support.
 [[nodiscard]] Isa isa() noexcept;
-/// @throws EnvironmentError where HAWSER_ISA names none that there is.
+/// Check HAWSER_ISA. @throws EnvironmentError if HAWSER_ISA names no available instruction set.
 void require_isa();
 [[nodiscard]] const char* to_string(Isa isa) noexcept;
 
-/// The table of kernels of the instruction set in use; each of the three is there.
+/// Return the kernel table of the instruction set in use. No table may be null.
 template <class Kernels>
 [[nodiscard]] const Kernels& chosen(const Kernels* sse2, const Kernels* avx2,
                                     const Kernels* avx512) noexcept {
@@ -43,7 +44,7 @@ template <class Kernels>
 
 }  // namespace hawser::base
 
-// What is not in this build has the tables of SSE2.
+// Instruction sets outside this build use the tables of SSE2.
 namespace hawser::sse2 {}
 namespace hawser::avx2 {}
 namespace hawser::avx512 {}

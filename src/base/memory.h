@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file memory.h
-/// Arrays aligned for SIMD whose capacity only grows, between steps.
+/// Arrays aligned for SIMD. Their capacity only grows, and only between steps.
 
 #include <cstddef>
 #include <cstdlib>
@@ -10,14 +10,14 @@
 
 namespace hawser::base {
 
-inline constexpr std::size_t kAlign = 64;  ///< One cache line, one AVX-512 register.
+inline constexpr std::size_t kAlign = 64;  ///< One cache line or one AVX-512 register [bytes].
 
-/// Arrays from this size on begin on a huge page and ask for huge pages [bytes]: a step of 100,000
-/// bodies passes through hundreds of megabytes, and would wait for page tables otherwise.
+/// Minimum size of arrays that begin on a huge page and request huge pages [bytes]. A step of
+/// 100,000 bodies reads hundreds of megabytes and would otherwise wait for page tables.
 inline constexpr std::size_t kHuge = std::size_t{1} << 22;
 inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
-/// Advice only; without effect where the system has no such pages.
+/// Request huge pages. Advice only; no effect if the system has none.
 void ask_for_huge_pages(void* begin, std::size_t bytes) noexcept;
 
 /// Standard allocator with 64-byte alignment.
@@ -44,14 +44,14 @@ struct AlignedAllocator {
 template <class T>
 using Array = std::vector<T, AlignedAllocator<T>>;
 
-/// So that as many more entries can be added without asking for memory; grows geometrically.
+/// Reserve capacity for `more` further entries. Grows geometrically.
 template <class T, class A>
 void make_room(std::vector<T, A>& v, std::size_t more) {
     if (v.capacity() - v.size() >= more) return;
     v.reserve(2 * v.capacity() > v.size() + more ? 2 * v.capacity() : v.size() + more);
 }
 
-/// Bytes held by an array, for memory reports.
+/// Return the bytes allocated by an array, for memory reports.
 template <class T, class A>
 [[nodiscard]] std::size_t bytes(const std::vector<T, A>& v) noexcept {
     return v.capacity() * sizeof(T);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file places.h
-/// Places of things that come and go: a thing keeps its place for its life, a place that became
-/// empty is taken by the next thing that fits, with another generation (hawser/id.h).
+/// Slots for objects that are added and removed. An object keeps its slot for its life. A vacated
+/// slot is reused by the next object that fits, with a new generation (hawser/id.h).
 ///
-/// The first empty place is taken, so that places depend on what was added and removed in which
-/// order and on nothing else.
+/// The first vacant slot is reused, so that slots depend only on the order of additions and
+/// removals.
 
 #include "base/index.h"
 #include "base/memory.h"
@@ -21,7 +21,7 @@ class Places {
     [[nodiscard]] std::int32_t count() const noexcept {
         return static_cast<std::int32_t>(generation_.size());
     }
-    /// Whether a place exists and something is there.
+    /// True if a slot exists and is occupied.
     [[nodiscard]] bool holds(std::int32_t place) const noexcept {
         return place >= 0 && place < count() &&
                !std::binary_search(vacant_.begin(), vacant_.end(), place);
@@ -29,7 +29,7 @@ class Places {
     [[nodiscard]] std::int32_t generation(std::int32_t place) const noexcept {
         return place >= 0 && place < count() ? generation_[at(place)] : 0;
     }
-    /// Whether an id names what is at its place now.
+    /// True if an id names the present object of its slot.
     template <class Id>
     [[nodiscard]] bool names(const Id& id) const noexcept {
         return holds(id.index) && generation_[at(id.index)] == id.generation;
@@ -39,38 +39,39 @@ class Places {
         return Id{place, generation(place)};
     }
 
-    /// So that append() and vacate() do not throw. @throws std::bad_alloc.
+    /// Reserve capacity so that append() and vacate() do not throw. @throws std::bad_alloc.
     void make_room() {
         base::make_room(generation_, 1);
         if (vacant_.capacity() <= generation_.size()) vacant_.reserve(generation_.capacity());
     }
-    /// A new place behind all others.
+    /// Append a slot and return its index.
     std::int32_t append() {
         generation_.push_back(0);
         return count() - 1;
     }
-    /// First empty place that fits; −1: none. @param fits  Asked with a place.
+    /// Return the first vacant slot that fits; −1 if there is none. @param fits  Predicate of a
+    /// slot.
     template <class F>
     [[nodiscard]] std::int32_t find_vacant(F&& fits) const noexcept {
         const auto found = std::find_if(vacant_.begin(), vacant_.end(), fits);
         return found == vacant_.end() ? -1 : *found;
     }
-    /// An empty place is taken again.
+    /// Occupy a vacant slot again.
     void take(std::int32_t place) noexcept {
         vacant_.erase(std::lower_bound(vacant_.begin(), vacant_.end(), place));
     }
-    /// What was there is gone.
+    /// Mark a slot as vacant and increment its generation.
     void vacate(std::int32_t place) noexcept {
         vacant_.insert(std::lower_bound(vacant_.begin(), vacant_.end(), place), place);
         ++generation_[at(place)];
     }
-    /// A vacate() is taken back as far as generations go: nothing was there in the end.
+    /// Undo the increment of the generation by vacate().
     void step_back(std::int32_t place) noexcept { --generation_[at(place)]; }
-    /// Generations as elsewhere, of as many places.
+    /// Copy the generations of another list, for the slots that both lists have.
     void set_generations(const std::vector<std::int32_t>& from) noexcept {
         std::copy_n(from.begin(), std::min(from.size(), generation_.size()), generation_.begin());
     }
-    /// Take away the places from `kept` on.
+    /// Remove the slots from `kept` on.
     void truncate(std::int32_t kept) noexcept {
         generation_.resize(at(kept));
         vacant_.erase(std::lower_bound(vacant_.begin(), vacant_.end(), kept), vacant_.end());
@@ -85,8 +86,8 @@ class Places {
     }
 
   private:
-    std::vector<std::int32_t> generation_;  ///< How many had the place before.
-    std::vector<std::int32_t> vacant_;      ///< Empty places, ascending.
+    std::vector<std::int32_t> generation_;  ///< Number of earlier objects, by slot.
+    std::vector<std::int32_t> vacant_;      ///< Vacant slots, ascending.
 };
 
 }  // namespace hawser::base

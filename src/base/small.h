@@ -3,9 +3,9 @@
 /// @file small.h
 /// Three-vectors and 3×3 matrices for code that is compiled once per instruction set.
 ///
-/// Everything here lives in `hawser::HAWSER_ISA`, a namespace of its own for each instruction
-/// set, so that the linker can never pick an AVX version of a shared inline function for a
-/// machine without AVX. For the same reason this code uses neither Eigen nor containers.
+/// All definitions live in `hawser::HAWSER_ISA`, a separate namespace for each instruction set.
+/// Otherwise the linker could select an AVX version of a shared inline function on a machine
+/// without AVX. For the same reason this code uses neither Eigen nor containers.
 
 #ifndef HAWSER_ISA
 #define HAWSER_ISA generic
@@ -13,7 +13,7 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// T: double, or a vector with one lane a body or row (base/simd.h).
+/// T is double, or a vector with one lane per body or row (base/simd.h).
 template <class T>
 struct V3T {
     T x, y, z;
@@ -58,7 +58,7 @@ inline void add3(double* p, const V3& a) {
     p[2] += a.z;
 }
 
-/// Row-major 3×3 matrix; a rotation's columns are the body's axes in the world frame.
+/// Row-major 3×3 matrix. The columns of a rotation are the axes of the body in the world frame.
 template <class T>
 struct M3T {
     T a[9];
@@ -70,7 +70,7 @@ inline V3T<T> operator*(const M3T<T>& m, const V3T<T>& v) {
     return {m.a[0] * v.x + m.a[1] * v.y + m.a[2] * v.z, m.a[3] * v.x + m.a[4] * v.y + m.a[5] * v.z,
             m.a[6] * v.x + m.a[7] * v.y + m.a[8] * v.z};
 }
-/// Transpose times vector: world to body.
+/// Multiply the transpose by a vector: world to body.
 template <class T>
 inline V3T<T> tmul(const M3T<T>& m, const V3T<T>& v) {
     return {m.a[0] * v.x + m.a[3] * v.y + m.a[6] * v.z, m.a[1] * v.x + m.a[4] * v.y + m.a[7] * v.z,
@@ -79,7 +79,7 @@ inline V3T<T> tmul(const M3T<T>& m, const V3T<T>& v) {
 inline M3 load9(const double* p) {
     return {{p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8]}};
 }
-/// Rotation matrix of a unit quaternion q = (w, x, y, z).
+/// Return the rotation matrix of a unit quaternion q = (w, x, y, z).
 template <class T>
 inline M3T<T> rotation(const T* q, const T& unit) {
     const T w = q[0], x = q[1], y = q[2], z = q[3];
@@ -88,7 +88,7 @@ inline M3T<T> rotation(const T* q, const T& unit) {
              2.0 * (x * z - w * y), 2.0 * (y * z + w * x), unit - 2.0 * (x * x + y * y)}};
 }
 inline M3 rotation(const double* q) { return rotation(q, 1.0); }
-/// R S Rᵀ for a full symmetric S given row-major.
+/// Compute R S Rᵀ for a full symmetric S given row-major.
 template <class T>
 inline M3T<T> congruence(const M3T<T>& r, const T* s) {
     M3T<T> t{}, o{};

@@ -9,13 +9,13 @@
 
 namespace hawser::base {
 
-/// Add a value that may be there already; throws only where the list has to grow.
+/// Insert a value unless present. Throws only if the list has to grow.
 inline void insert_sorted(std::vector<std::int32_t>& list, std::int32_t value) {
     const auto place = std::lower_bound(list.begin(), list.end(), value);
     if (place == list.end() || *place != value) list.insert(place, value);
 }
 
-/// Take a value away that may not be there.
+/// Erase a value if present.
 inline void erase_sorted(std::vector<std::int32_t>& list, std::int32_t value) noexcept {
     const auto place = std::lower_bound(list.begin(), list.end(), value);
     if (place != list.end() && *place == value) list.erase(place);

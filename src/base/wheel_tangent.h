@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wheel_tangent.h
-/// The straight part of a line between two wheels whose axes are not parallel: what a tackle has
-/// whose block yaws or swings.
+/// Straight part of a line between two wheels whose axes are not parallel, such as a tackle whose
+/// block yaws or swings.
 ///
-/// Each wheel is left in its own plane, at s q from its centre, s the radius with the sense of
-/// passing, q a unit vector across the axis n. With S from the one point to the other the line is
-/// tangent to both where
+/// The line leaves each wheel in the plane of that wheel, at s q from its centre. Here s is the
+/// radius with the sense of passing, and q a unit vector perpendicular to the axis n. Let S be the
+/// vector from the first point to the second. Conditions of tangency to both wheels:
 /// ```
 ///     q₀·S = 0,   q₁·S = 0,   S = d + s₁ q₁ − s₀ q₀.
 /// ```
-/// What of S lies along an axis counts in its length but not in the tangent, as for one wheel.
-/// Source: Newton's method on the two angles, dq/dφ = n × q.
+/// A component of S along an axis counts in the length but not in the tangent, as for one wheel.
+/// Method: Newton's method on the two angles, dq/dφ = n × q.
 
 #include "base/small.h"
 
 namespace hawser::HAWSER_ISA {
 
-/// Whether two unit vectors are parallel but for rounding, either way round.
+/// True if two unit vectors are parallel or antiparallel up to rounding.
 inline bool are_parallel(const V3& a, const V3& b) {
     const V3 across = cross(a, b);
     return dot(across, across) < 1e-24;
 }
 
-/// @param d  From the first centre to the second [m]. @param n  Axes, unit vectors. @param s  Radii
-/// with their senses [m]. @param straight  About how the line lies, from the first wheel to the
-/// second. @param q  Out: as above. Where there is no tangent (a centre within the other's circle,
-/// a line along an axis) some unit vectors across the axes.
+/// Compute the tangent points of a line on two wheels. If a centre lies within the other circle, or
+/// the line along an axis, no tangent exists. Then q is set to unit vectors perpendicular to the
+/// axes. @param d  Vector from the first centre to the second [m]. @param n  Axes, unit vectors.
+/// @param s  Signed radii [m]. @param straight  Approximate direction of the line from the first
+/// wheel to the second. @param q  Output, see above.
 inline void tangent_between_wheels(const V3& d, const V3 (&n)[2], const double (&s)[2],
                                    const V3& straight, V3 (&q)[2]) {
     for (int k = 0; k < 2; ++k) {
@@ -37,7 +38,7 @@ inline void tangent_between_wheels(const V3& d, const V3 (&n)[2], const double (
         }
         q[k] = (1.0 / norm(q[k])) * q[k];
     }
-    // Quadratic from a few degrees on: three rounds, after which nothing but rounding changes.
+    // Quadratic convergence from a few degrees on: after three iterations only rounding changes.
     constexpr int kMost = 20;
     constexpr double kEnough = 1e-10, kFarthest = 0.5;  // [rad]
     for (int i = 0; i < kMost; ++i) {
