@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file bounds.h
-/// Boxes around shapes.
+/// Bounding boxes of shapes.
 
 #include "collide/geometry.h"
 
 namespace hawser::collide {
 
-/// Axis-aligned box around a placed shape [m]; a plane is unbounded (±1e30).
+/// Axis-aligned bounding box of a placed shape [m]. The box of a plane is unbounded (±1e30).
 struct Bounds {
     double low[3], high[3];
 };

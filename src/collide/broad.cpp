@@ -17,21 +17,22 @@ namespace {
 
 using generic::load3;
 using generic::V3;
-constexpr int kSweepChunk = 128;  ///< Places in the sweep of one task.
-constexpr int kLargeChunk = 256;  ///< Shapes that one task holds against all large ones.
-constexpr double kLarge = 8.0;    ///< Shapes above so many times the median size are large.
-constexpr double kStrip = 4.0;    ///< Width of a strip over the median size.
+constexpr int kSweepChunk = 128;  ///< Entries of the sweep per task.
+constexpr int kLargeChunk = 256;  ///< Shapes per task that are tested against all large ones.
+constexpr double kLarge = 8.0;  ///< Shapes larger than this multiple of the median size are large.
+constexpr double kStrip = 4.0;  ///< Width of a strip over the median size.
 constexpr int kMostStrips = 1024;
-constexpr std::size_t kRoom = 512;  ///< Pairs that a task finds without growing.
-constexpr int kSomeAnyway = 4;      ///< Fewer shapes than this are all large.
+constexpr std::size_t kRoom = 512;  ///< Capacity for the pairs of a task before it grows.
+constexpr int kSomeAnyway = 4;      ///< If there are fewer shapes than this, all are large.
 
 bool meet(const Bounds& a, const Bounds& b) noexcept {
     return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
            b.low[1] <= a.high[1] && a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
 }
 
-/// Can a shape come closer to a plane than the margin? What it reaches is in its swept box, with
-/// half of the margin; the other half and the plane's own motion come on top.
+/// True if a shape can come closer to a plane than the margin within the step. The swept box of the
+/// shape covers its own motion and half of the margin. The other half and the motion of the plane
+/// are added.
 bool meets_plane(const Placed& plane, const Placed& s, double h, double margin) noexcept {
     const double* r = plane.at.r;
     double least = 0.0;
@@ -45,8 +46,9 @@ bool meets_plane(const Placed& plane, const Placed& s, double h, double margin) 
     return !(least > 0.5 * margin + h * own);
 }
 
-/// What was removed or has parted. Such places have no size: wires that lose most of their nodes
-/// leave many of them, beside which every other shape would count as large.
+/// True if a shape was removed or its line has broken. Such slots have no size and must not count
+/// in the median. A wire that loses most of its nodes leaves many of them, and every other shape
+/// would count as large.
 bool nowhere(const Placed& p) noexcept { return p.swept.low[0] > p.swept.high[0]; }
 
 double extent(const Placed& p) noexcept {
@@ -55,7 +57,8 @@ double extent(const Placed& p) noexcept {
     return e;
 }
 
-/// Small shapes, in the order of the last sweep where they were small then: little is left to sort.
+/// List the small shapes, those that were small before in the order of the last sweep. Little
+/// sorting is then left.
 void list_small(std::vector<std::uint8_t>& is_large, std::vector<std::int32_t>& small) {
     constexpr std::uint8_t kListed = 2;
     std::size_t kept = 0;
@@ -71,7 +74,7 @@ void list_small(std::vector<std::uint8_t>& is_large, std::vector<std::int32_t>& 
     }
 }
 
-/// Run a task that may throw std::bad_alloc; workers may not.
+/// Run a task that may throw std::bad_alloc. Workers must not throw.
 template <class F>
 void run(base::Executor& pool, int count, F&& f) {
     std::atomic<bool> failed{false};
@@ -116,7 +119,7 @@ void Broad::prepare(const base::Array<Placed>& placed) {
         square = square + V3{c.x * c.x, c.y * c.y, c.z * c.z};
     }
     list_small(is_large_, small_);
-    // The axis along which the small shapes are spread most.
+    // Find the axis with the largest variance of the small shapes.
     n = std::max(n, 1.0);
     const double spread[3] = {square.x - sum.x * sum.x / n, square.y - sum.y * sum.y / n,
                               square.z - sum.z * sum.z / n};
@@ -133,7 +136,8 @@ void Broad::sort(const base::Array<Placed>& placed) {
     auto less = [](const Sorted& a, const Sorted& b) {
         return a.low[0] < b.low[0] || (a.low[0] == b.low[0] && a.shape < b.shape);
     };
-    // Insertion costs what moved since the last step; where that is much, sorting anew is cheaper.
+    // The cost of insertion grows with the motion since the last step. If it becomes too large,
+    // sort from the start.
     std::size_t moved = 0;
     const std::size_t most = 16 * small_.size();
     for (std::size_t i = 0; i < small_.size(); ++i) {
@@ -156,7 +160,7 @@ void Broad::sort(const base::Array<Placed>& placed) {
 void Broad::cut_into_strips() {
     double low = 1e300, high = -1e300;
     for (const Sorted& s : sorted_) {
-        if (s.low[0] > s.high[0]) continue;  // a box of nothing
+        if (s.low[0] > s.high[0]) continue;  // empty box
         low = std::min(low, s.low[1]);
         high = std::max(high, s.high[1]);
     }
@@ -181,14 +185,14 @@ void Broad::cut_into_strips() {
     }
 }
 
-/// Pairs found by all tasks, which each of them tells now and then.
+/// Number of pairs found by all tasks. Each task adds its pairs in batches of kNowAndThen.
 struct Broad::Count {
     static constexpr std::size_t kNowAndThen = 4096;
     std::atomic<std::int64_t> told{0};
     const std::int64_t most;
     base::Executor& pool;
-    /// @param found  By the task so far. @param own  Of these, told before. @return whether to go
-    /// on.
+    /// Add the pairs of a task. @param found  Pairs found by the task. @param own  Number of these
+    /// that are already added. @return true to continue.
     bool go_on(std::size_t found, std::size_t& own) noexcept {
         if (found - own < kNowAndThen) return !pool.stopping();
         const auto more = static_cast<std::int64_t>(found - own);

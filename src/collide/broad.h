@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file broad.h
-/// Broad phase: pairs of shapes whose swept boxes meet.
+/// Broad phase: pairs of shapes whose swept boxes intersect.
 ///
-/// Sort and sweep along one axis, by insertion into the order of the last step, in strips along a
-/// second axis: of a wide field of shapes only those of one strip are held against each other. A
-/// shape is in every strip that its box meets; a pair counts in the first strip that both are in.
-/// Shapes much larger than the others (seabed, decks, hulls) are kept out of it, since each would
-/// span the sweep, and are held against all shapes instead. What was sorted when, how wide strips
-/// are, and which shapes count as large, changes the time that this takes and nothing else: pairs
-/// are handed out in ascending order.
+/// Sort and sweep along one axis, by insertion into the order of the last step. Strips along a
+/// second axis limit the sweep: in a wide field only shapes of one strip are compared. A shape is
+/// in every strip that its box intersects. A pair counts in the first strip that contains both.
+///
+/// Shapes much larger than the others (seabed, decks, hulls) would span the sweep. They are
+/// excluded from it and compared with all shapes instead. Sorting history, width of strips and
+/// choice of large shapes change only the computing time: pairs are output in ascending order.
 
 #include "base/executor.h"
 #include "base/memory.h"
@@ -31,18 +31,19 @@ class Broad {
   public:
     /// Choose the large shapes by their boxes. @throws std::bad_alloc.
     void prepare(const base::Array<Placed>& placed);
-    /// All pairs that the filter allows, ascending. @param most  More are refused as soon as they
-    /// are counted. @throws std::bad_alloc, LimitError.
+    /// Find all pairs that the filter allows, ascending. @param most  Maximum number of pairs; the
+    /// search stops if it is exceeded. @throws std::bad_alloc, LimitError.
     void find(const base::Array<Placed>& placed, const Filter& filter, double h, double margin,
               std::int64_t most, base::Executor& pool, base::Array<Pair>& out);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     struct Sorted {
-        double low[3], high[3];  ///< The axis of the sweep comes first, that of the strips second.
+        /// Bounds; the axis of the sweep comes first, the axis of the strips second.
+        double low[3], high[3];
         std::int32_t shape;
         std::int32_t first,
-            strip;  ///< First strip of the shape, and the one that this entry is in.
+            strip;  ///< First strip of the shape, and the strip of this entry.
     };
     void sort(const base::Array<Placed>& placed);
     void cut_into_strips();
@@ -55,13 +56,14 @@ class Broad {
     std::vector<double> extents_, by_size_;  ///< Scratch of prepare().
     std::vector<std::uint8_t> is_large_;
     std::vector<std::int32_t> large_, small_;  ///< Shapes; large ones ascending.
-    int axis_[3] = {0, 1, 2};                  ///< Of the sweep, of the strips, the third.
-    double width_ = 1.0;                       ///< Of a strip, at least [m].
-    base::Array<Sorted> sorted_;               ///< Small shapes along the first axis.
-    base::Array<Sorted> entries_;  ///< Small shapes strip by strip, once for each that they reach.
-    std::vector<std::int32_t> strip_begin_;  ///< In entries_.
-    std::vector<base::Array<Pair>> found_;   ///< By task.
-    std::vector<std::int32_t> first_;        ///< Where the pairs of each shape begin.
+    int axis_[3] = {0, 1, 2};     ///< Axes of the sweep and of the strips, and the third one.
+    double width_ = 1.0;          ///< Minimum width of a strip [m].
+    base::Array<Sorted> sorted_;  ///< Small shapes along the first axis.
+    /// Small shapes by strip, one entry for each strip that they reach.
+    base::Array<Sorted> entries_;
+    std::vector<std::int32_t> strip_begin_;  ///< First entry of each strip.
+    std::vector<base::Array<Pair>> found_;   ///< Pairs found by each task.
+    std::vector<std::int32_t> first_;        ///< First pair of each shape.
 };
 
 }  // namespace hawser::collide

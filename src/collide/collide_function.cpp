@@ -8,7 +8,7 @@
 namespace hawser::collide {
 namespace {
 
-/// The function for the same pair given the other way round.
+/// Collide the same pair in reversed order.
 template <Collide kFunction>
 void swapped(const Geometry& a, const Placement& pa, const Geometry& b, const Placement& pb,
              double margin, Manifold& out) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file contacts.h
-/// What stage collide hands on: contact points in the order of their keys.
+/// Output of stage collide: contact points, ascending by their keys.
 
 #include <hawser/shapes.h>
 
@@ -10,39 +10,41 @@
 
 namespace hawser::collide {
 
-inline constexpr int kMaxContactBodies = 4;  ///< Two segments of two ends each.
+inline constexpr int kMaxContactBodies = 4;  ///< Two segments with two ends each.
 
-/// How two materials touch: what the mixing rules or a pair gave.
+/// Contact parameters of two materials, from the mixing rules or a material pair.
 struct Surface {
-    double friction;               ///< μ.
-    double restitution;            ///< e.
-    double compliance;             ///< ε_n of one point [m/N].
-    double tangential_compliance;  ///< ε_t [m/N].
-    double damping_time;           ///< τ [s].
-    double rolling, torsional;     ///< [m].
+    double friction;               ///< Coefficient of friction μ.
+    double restitution;            ///< Coefficient of restitution e.
+    double compliance;             ///< Normal compliance ε_n of one point [m/N].
+    double tangential_compliance;  ///< Tangential compliance ε_t [m/N].
+    double damping_time;           ///< Damping time τ [s].
+    double rolling, torsional;     ///< Friction lengths [m].
 };
 
-/// One contact point. Slots are the bodies that it acts on: those of side 0, then those of side 1.
-/// The velocity of side s at the point is Σ weight (v + ω × (point − x)) over its slots, that of a
-/// side with a lump and a body that holds the segment Σ weight v + ω × (point − Σ weight x). Bodies
-/// without freedom have slots too.
+/// One contact point. Slots name the bodies that it acts on: first the bodies of side 0, then the
+/// bodies of side 1. Bodies without freedom have slots too.
+///
+/// The velocity of side s at the point is Σ weight (v + ω × (point − x)) over its slots. If the
+/// side has a lump and a body that holds the segment, it is Σ weight v + ω × (point − Σ weight x).
 struct Contact {
-    std::int32_t shape[2];       ///< Side 0, side 1; shape[0] < shape[1].
+    std::int32_t shape[2];       ///< Shapes of side 0 and side 1; shape[0] < shape[1].
     std::uint32_t feature;       ///< Key within the pair of shapes.
-    std::int32_t previous;       ///< Index of the same contact in the last step's set, or −1.
+    std::int32_t previous;       ///< Index of this contact in the set of the last step, or −1.
     std::int32_t surface;        ///< Index of its Surface.
-    std::uint8_t slots, side_0;  ///< Number of slots; those of side 0 come first.
-    std::int32_t body[kMaxContactBodies];  ///< −1 behind the last.
-    double weight[kMaxContactBodies];      ///< > 0; they add up to 1 on each side.
-    double normal[3];                      ///< Unit, from side 0 to side 1, world frame.
-    double on[2][3];                       ///< On the surfaces, world frame [m].
-    double gap;                            ///< (on[1] − on[0]) · normal [m].
+    std::uint8_t slots, side_0;  ///< Number of slots; number of slots of side 0, which come first.
+    std::int32_t body[kMaxContactBodies];  ///< Body of each slot; −1 after the last one.
+    double weight[kMaxContactBodies];      ///< Weight of each slot, > 0; the sum is 1 on each side.
+    double normal[3];                      ///< Unit normal from side 0 to side 1, world frame.
+    double on[2][3];                       ///< Points on the two surfaces, world frame [m].
+    double gap;                            ///< Gap (on[1] − on[0]) · normal [m].
 };
 
 struct ContactSet {
-    /// Ascending by (shape 0, shape 1, feature): those that take part, then those that are asleep.
+    /// Contacts, ascending by (shape 0, shape 1, feature): first the active ones, then the sleeping
+    /// ones.
     std::vector<Contact> contacts;
-    std::size_t awake = 0;  ///< How many take part.
+    std::size_t awake = 0;  ///< Number of active contacts.
     std::vector<Surface> surfaces;
 };
 

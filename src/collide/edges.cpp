@@ -20,19 +20,19 @@ namespace {
 using collide::HullFace;
 using collide::ShapeData;
 
-/// Of directions that count as one.
+/// Tolerance of equal directions.
 constexpr double kSameDirection = 1e-6;
 
 Vec3 vector_of(const generic::V3& v) { return {v.x, v.y, v.z}; }
 
-/// A piece of an edge, by its vertices, in the frame of the shape.
+/// A part of an edge, by its vertices, in the frame of the shape.
 struct Piece {
     int vertex[2];
-    Vec3 normal[2];  ///< Of its faces.
+    Vec3 normal[2];  ///< Normals of its faces.
     double most_radius = std::numeric_limits<double>::infinity();
 };
 
-/// A box has the hull of its corners.
+/// Return the hull of the corners of a box.
 ShapeDef hull_of_box(const ShapeDef& box) {
     ShapeDef out = box;
     out.kind = ShapeKind::hull;
@@ -42,9 +42,10 @@ ShapeDef hull_of_box(const ShapeDef& box) {
     return out;
 }
 
-/// From the middle of an edge a cylinder of radius r has its axis at r/cos(turn/2) inside; it is as
-/// far from another face as it is thick where r (1 − n·outward/cos(turn/2)) is the way to that. Its
-/// ends may be cut by the faces at those of the edge.
+/// Return the largest radius of a cylinder along an edge. The axis of a cylinder of radius r is
+/// r/cos(turn/2) inside the middle of the edge. It is one radius from another face if r (1 −
+/// n·outward/cos(turn/2)) equals the distance to that face. Faces at the ends of the edge may cut
+/// the cylinder.
 double most_radius(const ShapeData& hull, const Piece& piece) {
     const Vec3 bisector = (piece.normal[0] + piece.normal[1]).normalized();
     const double half_turn = bisector.dot(piece.normal[0]);
@@ -91,7 +92,7 @@ std::vector<Piece> edges_of_mesh(const ShapeData& mesh) {
     return out;
 }
 
-/// Whether two pieces at a vertex are of one edge.
+/// True if two pieces at a vertex belong to one edge.
 bool goes_on(const ShapeData& data, const Piece& a, const Piece& b, int vertex) {
     const auto other = [&](const Piece& p) {
         const int v = p.vertex[0] == vertex ? p.vertex[1] : p.vertex[0];
@@ -104,7 +105,7 @@ bool goes_on(const ShapeData& data, const Piece& a, const Piece& b, int vertex) 
                           (same(a.normal[0], b.normal[1]) && same(a.normal[1], b.normal[0])));
 }
 
-/// Two pieces become one where an edge goes on straight.
+/// Join two pieces if an edge continues straight.
 void join(const ShapeData& data, std::vector<Piece>& pieces) {
     for (std::size_t i = 0; i < pieces.size(); ++i)
         for (std::size_t j = i + 1; j < pieces.size();) {

@@ -10,7 +10,7 @@ namespace {
 
 using Beside = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/// The lumps next to the guides whose parts of wires have segments, by slide.
+/// Find the lumps next to the guides whose elements have segments, sorted by slide.
 void find_beside(const std::vector<Shape>& shapes, const model::Interactions& interactions,
                  Beside& out) {
     out.clear();
@@ -21,7 +21,7 @@ void find_beside(const std::vector<Shape>& shapes, const model::Interactions& in
     std::sort(out.begin(), out.end());
 }
 
-/// f(a, b) of each two bodies that a segment, a joint or a guide holds together.
+/// Call f(a, b) for each two bodies that a segment, a joint or a guide holds together.
 template <class F>
 void each_joined(const std::vector<Shape>& shapes, const model::Interactions& interactions,
                  const Beside& beside, F&& f) {
@@ -42,7 +42,7 @@ void each_joined(const std::vector<Shape>& shapes, const model::Interactions& in
 
 void Filter::build(const std::vector<Shape>& shapes, int body_count,
                    const model::Interactions& interactions) {
-    // Dealt out body by body, then sorted there, each once.
+    // Count and store the neighbours by body, then sort and deduplicate each list.
     const auto n = static_cast<std::size_t>(body_count);
     find_beside(shapes, interactions, beside_);
     begin_.assign(n + 1, 0);

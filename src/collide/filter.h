@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file filter.h
-/// Which shapes may touch at all.
+/// Filter of pairs of shapes that may touch.
 ///
-/// Never: two shapes of one body (a segment is of both its lumps); shapes without freedom; shapes
-/// of bodies that a segment or one of the joints ball, hinge, prismatic, cylindrical, universal,
-/// lock holds together, which overlap as drawn. Along a wire that leaves out neighbours and their
-/// neighbours. Lines, distances and springs exclude nothing: two ships joined by a tow line touch.
+/// Excluded pairs are two shapes of one body (a segment belongs to both its lumps) and shapes
+/// without freedom. Also excluded are shapes of bodies that a segment or one of these joints holds
+/// together: ball, hinge, prismatic, cylindrical, universal, lock. Such shapes overlap by design.
+/// Along a wire this excludes neighbours and their neighbours. Lines, distances and springs exclude
+/// nothing: two ships joined by a tow line touch.
 ///
-/// A body that holds the end of a wire (Shape::held) is not the wire's: other wires that end on it
-/// touch this one, and so does what of the body is away from the end (touch()). Lumps on either
-/// side of a guide are neighbours.
+/// A body that holds the end of a wire (Shape::held) does not belong to the wire. Other wires that
+/// end on it touch this one, and so do parts of the body away from the end (touch()). Lumps on
+/// either side of a guide are neighbours.
 
 #include "collide/placing.h"
 #include "model/interactions.h"
@@ -37,8 +38,9 @@ class Filter {
                 if (x >= 0 && y >= 0 && (x == y || joined(x, y))) return false;
         return true;
     }
-    /// Whether one of two shapes is a segment that a body holds, and the other one of that body, of
-    /// one that a joint holds to it, or a segment held by either.
+    /// True if one of two shapes is a segment that a body holds, and the other belongs to that
+    /// body. The other shape may also belong to a body that a joint holds to it, or be a segment
+    /// held by either.
     [[nodiscard]] bool of_one_host(std::int32_t a, std::int32_t b) const noexcept {
         const Entry& p = entries_[static_cast<std::size_t>(a)];
         const Entry& q = entries_[static_cast<std::size_t>(b)];
@@ -51,7 +53,7 @@ class Filter {
 
   private:
     struct Entry {
-        std::int32_t body[2];  ///< Without the host.
+        std::int32_t body[2];  ///< Bodies without the host.
         std::int32_t host;     ///< Body that holds the segment; −1: none.
         std::uint32_t group, touches;
         bool moves, segment;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Segments and the wires that they lie along.
+/// Association of segments with the wires that they lie along.
 #include "base/index.h"
 #include "collide/collider.h"
 
@@ -9,7 +9,8 @@
 
 namespace hawser::collide {
 
-/// Owners of lumps, see is_duplicate(). Bodies that hold a segment hold those of other wires, too.
+/// Find the owners of lumps, see is_duplicate(). Bodies that hold a segment may also hold segments
+/// of other wires.
 void Collider::find_owners(int body_count) {
     std::vector<std::int32_t>& owner = of_body_;
     owner.assign(at(body_count), -1);
@@ -26,10 +27,11 @@ void Collider::find_owners(int body_count) {
     }
 }
 
-/// The stretch between the two ends of each segment: the one with the lowest id. A lump may have
-/// one body on both sides, so that where a body holds the segment the order of the ends counts.
+/// Find the stretch between the two ends of each segment; of several the one with the lowest id. A
+/// lump may have the same body on both sides. If a body holds the segment, the order of the ends
+/// therefore matters.
 void Collider::find_lines(const model::Interactions& interactions, int body_count) {
-    of_body_.assign(at(body_count), -1);  // last line whose lower end it is
+    of_body_.assign(at(body_count), -1);  // last line with this lower end
     lines_of_bodies_.clear();
     for (int k = 0; k < kInteractionKindCount; ++k) {
         if (!kind_info(static_cast<InteractionKind>(k)).is(kWireElement)) continue;

@@ -15,7 +15,7 @@ using generic::dot;
 using generic::load3;
 using generic::store3;
 using generic::V3;
-constexpr double kSamePoint = 1e-6;  ///< [m]; far below a wire's radius, far above round-off.
+constexpr double kSamePoint = 1e-6;  ///< [m]; far below the radius of a wire, far above rounding
 constexpr double kParallel = 1.0 - 1e-9;
 
 template <class C>
@@ -23,8 +23,8 @@ bool before(const C& c, std::int32_t a, std::int32_t b) noexcept {
     return c.shape[0] < a || (c.shape[0] == a && c.shape[1] < b);
 }
 
-/// First contact of shapes a, b or behind, looked for from `from` on in growing steps: what is
-/// wanted is nearly always near.
+/// Return the first contact of shapes (a, b) or later. Searches from `from` on in growing steps,
+/// because the result is usually near.
 std::size_t find(const std::vector<Contact>& contacts, std::size_t from, std::int32_t a,
                  std::int32_t b) noexcept {
     std::size_t low = from, high = from, step = 4;
@@ -48,13 +48,14 @@ std::size_t find(const std::vector<Contact>& contacts, std::size_t from, std::in
 
 struct Side {
     int slots;
-    std::int32_t body;  ///< First.
+    std::int32_t body;  ///< First body.
 };
 Side side_of(const Contact& c, int s) noexcept {
     return s == 0 ? Side{c.side_0, c.body[0]} : Side{c.slots - c.side_0, c.body[c.side_0]};
 }
 
-/// Is `o`, whose side t is the owner's, the same contact as `c`, whose side s is a segment's?
+/// True if `o`, whose side t belongs to the owner, is the same contact as `c`, whose side s is a
+/// segment.
 bool same_contact(const Contact& c, int s, const Contact& o, int t) noexcept {
     const Side mine = side_of(c, s), its = side_of(o, t);
     if (its.slots != 1 || its.body != mine.body) return false;
@@ -76,7 +77,7 @@ bool same_pair(const KeptContact& a, const KeptContact& b) noexcept {
     return a.shape[0] == b.shape[0] && a.shape[1] == b.shape[1];
 }
 
-/// Contacts [a, b) and those of the last step [p, q) of the same two shapes.
+/// Match the contacts [a, b) with the contacts [p, q) of the last step of the same two shapes.
 void match_pair(std::vector<Contact>& contacts, const base::Array<KeptContact>& now,
                 const base::Array<KeptContact>& last, std::size_t a, std::size_t b, std::size_t p,
                 std::size_t q, double radius, base::Array<std::uint8_t>& taken) noexcept {

@@ -11,7 +11,7 @@ double damping_time(const MaterialDef& m, double h) noexcept {
     return std::isnan(m.damping_time) ? 2.0 * h : m.damping_time;
 }
 
-/// √(ab), exactly a where both are equal.
+/// Return √(ab); exactly a if both are equal.
 double geometric(double a, double b) noexcept { return a == b ? a : std::sqrt(a * b); }
 
 Surface alone(const MaterialDef& m, double h) noexcept {

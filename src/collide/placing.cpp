@@ -14,7 +14,7 @@ namespace {
 using generic::load3;
 using generic::store3;
 using generic::V3;
-/// Half of what a plane's box has.
+/// Half of the bound of a plane's box.
 constexpr double kUnbounded = 0.5e30;
 
 void multiply(const double* a, const double* b, double* out) noexcept {
@@ -23,8 +23,8 @@ void multiply(const double* a, const double* b, double* out) noexcept {
             out[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
 }
 
-/// Rotation whose z is the unit vector `axis`. x and y are a function of it alone; they jump where
-/// its smallest component changes, which a capsule does not notice.
+/// Compute a rotation whose z is the unit vector `axis`. x and y depend on `axis` alone. They jump
+/// where its smallest component changes, which does not affect a capsule.
 void frame_of(const V3& axis, double* r) noexcept {
     const double ax = std::abs(axis.x), ay = std::abs(axis.y), az = std::abs(axis.z);
     V3 other{0.0, 0.0, 0.0};
@@ -40,7 +40,7 @@ void frame_of(const V3& axis, double* r) noexcept {
     }
 }
 
-/// Whether the element along a segment is there still: edits come before the next preparation.
+/// True if the element along a segment still exists. Edits happen before the next preparation.
 bool has_line(const Shape& s, const model::Interactions* lines) noexcept {
     if (lines == nullptr || s.line < 0 || s.line >= lines->count() || lines->gone(s.line))
         return false;
@@ -49,7 +49,8 @@ bool has_line(const Shape& s, const model::Interactions* lines) noexcept {
            kind_info(lines->kinds[at(s.line)]).is(kWireElement);
 }
 
-/// Where a body holds an end: a point of it, or where a part of the wire leaves its wheel.
+/// Return the point at which a body holds an end of a segment. This is a fixed point of the body,
+/// or the point at which a routed element leaves its wheel.
 V3 held_point(const Shape& s, const model::Bodies& bodies,
               const model::Interactions* lines) noexcept {
     const std::int32_t body = s.body[at(s.held)];

@@ -19,10 +19,11 @@ Placement local_frame(const ShapeDef& def) {
     return p;
 }
 
-/// Shape::thickness of a shape that is no segment: what lines may touch is wider than they are.
+/// Return Shape::thickness of a shape other than a segment. Shapes that lines may touch are wider
+/// than lines.
 double thickness_of(const Geometry& geometry) {
     switch (geometry.kind) {
-        case ShapeKind::capsule:  // links of lines, which come to lie across each other
+        case ShapeKind::capsule:  // links of lines, which may lie across each other
         case ShapeKind::plane:
         case ShapeKind::heightfield:
         case ShapeKind::mesh:

@@ -15,15 +15,16 @@ using generic::dot;
 using generic::load3;
 using generic::store3;
 using generic::V3;
-/// Place on a segment nearer than this to an end, of its length, is the end.
+/// A point on a segment nearer to an end than this fraction of the length is the end.
 constexpr double kAtEnd = 1e-9;
-/// Capsules of two wires made fast to one body do not touch each other nearer to both points of
-/// attachment than this, over the sum of their radii.
+/// Limit for two wires attached to one body, over the sum of the radii of two capsules. They do not
+/// touch if the contact is nearer than this to both attachment points.
 constexpr double kBeside = 2.0;
-constexpr double kSameNormal = 0.95;  ///< Cosine: 18°.
+constexpr double kSameNormal = 0.95;  ///< Cosine of 18°.
 
-/// Slots of one side from c.slots on. `on` is on the surface, `inward` the unit vector from there
-/// into the shape. @return the place on a segment, from −1 at its first end to 1; else 0.
+/// Add the slots of one side from c.slots on. @param on  Point on the surface. @param inward  Unit
+/// vector from there into the shape. @return position on a segment, from −1 at its first end to 1;
+/// else 0.
 double add_side(Contact& c, const Shape& s, const Placed& p, const double* on,
                 const V3& inward) noexcept {
     auto add = [&](std::int32_t body, double weight) {
@@ -34,13 +35,14 @@ double add_side(Contact& c, const Shape& s, const Placed& p, const double* on,
         add(s.body[0], 1.0);
         return 0.0;
     }
-    // On the axis, where the force is shared between the ends as on a beam on two supports.
+    // Use the point on the axis: the force is distributed to the ends as for a beam on two
+    // supports.
     const V3 from = load3(on) + p.geometry.radius * inward - load3(p.at.x);
     const double along = dot(from, {p.at.r[2], p.at.r[5], p.at.r[8]});
     const double half = p.geometry.half_length;
     double t = half > 0.0 ? 0.5 + 0.5 * along / half : 0.5;
-    // A body that holds an end has its share at the point on the surface (Contacts::set), and that
-    // is nothing like a contact of the body alone.
+    // The body that holds an end has its weight at the point on the surface (Contacts::set). This
+    // differs from a contact of the body alone.
     if (s.held == 0) t = std::max(t, 2.0 * kAtEnd);
     if (s.held == 1) t = std::min(t, 1.0 - 2.0 * kAtEnd);
     if (t <= kAtEnd) {
@@ -56,13 +58,13 @@ double add_side(Contact& c, const Shape& s, const Placed& p, const double* on,
     return 2.0 * t - 1.0;
 }
 
-/// Velocity of a shape at `point`; `place` is what add_side() returned.
+/// Return the velocity of a shape at `point`. @param place  Result of add_side().
 V3 velocity(const Placed& p, double place, const V3& point) noexcept {
     return load3(p.motion.v) + generic::cross(load3(p.motion.w), point - load3(p.origin)) +
            place * load3(p.stretch);
 }
 
-/// Whether a segment is held within the sphere around another shape, or near it.
+/// True if a segment is held within the sphere around another shape, or near it.
 bool is_at_hold(const Shape& s, const Placed& p, const Placed& other, double margin) noexcept {
     if (other.unbounded) return true;
     const V3 apart = load3(p.held) - load3(other.centre);
@@ -70,18 +72,19 @@ bool is_at_hold(const Shape& s, const Placed& p, const Placed& other, double mar
     return dot(apart, apart) <= reach * reach;
 }
 
-/// Way of a place on a segment, as add_side() returned it, from where the segment is held [m].
+/// Return the distance along a segment from its hold to a position that add_side() returned [m].
 double from_hold(const Shape& s, const Placed& p, double place) noexcept {
     return p.geometry.half_length * (s.held == 0 ? 1.0 + place : 1.0 - place);
 }
 
-/// Twice the area of triangle a b c.
+/// Return twice the area of triangle a b c.
 double area(const ManifoldPoint& a, const ManifoldPoint& b, const ManifoldPoint& c) noexcept {
     const V3 o = load3(a.on[0]);
     return generic::norm(generic::cross(load3(b.on[0]) - o, load3(c.on[0]) - o));
 }
 
-/// Choose kMaxPoints of the points `of` (more than that many); the first of equals wins.
+/// Choose kMaxPoints points from the list `of`, which has more than that many. In a tie the first
+/// one applies.
 void choose(const Manifold& m, const int* of, int count, bool* keep) noexcept {
     int chosen[kMaxPoints] = {of[0], -1, -1, -1};
     for (int i = 1; i < count; ++i)
@@ -99,7 +102,7 @@ void choose(const Manifold& m, const int* of, int count, bool* keep) noexcept {
             } else if (k == 2) {
                 gain = area(m.point[chosen[0]], m.point[chosen[1]], q);
             } else {
-                // What the point adds to a triangle: least where it is inside.
+                // Area that the point adds to a triangle; the minimum is reached if it is inside.
                 const double whole =
                     area(m.point[chosen[0]], m.point[chosen[1]], m.point[chosen[2]]);
                 gain = area(m.point[chosen[0]], m.point[chosen[1]], q) +
@@ -160,7 +163,7 @@ int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, do
         c = Contact{};
         std::fill_n(c.body, kMaxContactBodies, -1);
         const V3 n = load3(p.normal);
-        // Of shapes so far away that they are smaller than a rounding there.
+        // Skip contacts of shapes so far away that their size is below the rounding there.
         if (!(std::fabs(dot(n, n) - 1.0) < 1e-6) || !std::isfinite(p.gap)) continue;
         const double ta = add_side(c, a, pa, p.on[0], -n);
         c.side_0 = c.slots;
@@ -179,7 +182,7 @@ int touch(const Shape& a, const Placed& pa, const Shape& b, const Placed& pb, do
         c.gap = p.gap;
         ++count;
     }
-    // Stable, and of at most a handful.
+    // Stable insertion sort of a few contacts.
     for (int i = 1; i < count; ++i)
         for (int j = i; j > 0 && out[j].feature < out[j - 1].feature; --j)
             std::swap(out[j], out[j - 1]);

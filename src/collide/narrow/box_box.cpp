@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Box against box: the 15 separating axes (S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree", 1996).
-// Overlapping boxes: the axis of least penetration is exact. Boxes apart: the axis of largest
-// separation is that of the distance when a vertex faces a face or two edges cross; else GJK.
+// If the boxes overlap, the axis of least penetration is exact. If they are apart and a vertex
+// faces a face or two edges cross, the axis of largest separation is the normal of the distance.
+// Otherwise GJK is used.
 #include "collide/narrow/manifold.h"
 #include "collide/narrow/pairs.h"
 #include "collide/narrow/separate.h"
@@ -13,7 +14,7 @@ double reach(const V3& half, const V3& n) {
     return half.x * std::fabs(n.x) + half.y * std::fabs(n.y) + half.z * std::fabs(n.z);
 }
 
-/// Largest separation over the axes; stops when it exceeds `enough`.
+/// Return the largest separation over the axes. Stops if it exceeds `enough`.
 Separation best_axis(const Convex& a, const Convex& b, double enough) {
     const V3 d = b.c - a.c;
     const V3 da = tmul(a.r, d), db = tmul(b.r, d);
@@ -21,7 +22,7 @@ Separation best_axis(const Convex& a, const Convex& b, double enough) {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) across[i][j] = dot(axis(a.r, i), axis(b.r, j));
     Separation best{{0, 0, 1}, -1e300};
-    // Faces win ties against edges, and those of a against those of b.
+    // In a tie, faces precede edges, and faces of a precede faces of b.
     const double tie = 1e-9 * (a.size + b.size);
     const auto propose = [&](const V3& n, double along, double s) {
         if (s > best.s + tie) best = {along < 0.0 ? -n : n, s};
@@ -42,7 +43,7 @@ Separation best_axis(const Convex& a, const Convex& b, double enough) {
         for (int j = 0; j < 3; ++j) {
             const V3 m = cross(axis(a.r, i), axis(b.r, j));
             const double length = norm(m);
-            if (length < 1e-7) continue;  // Parallel: the faces have it.
+            if (length < 1e-7) continue;  // parallel: covered by the faces
             const V3 n = (1.0 / length) * m;
             const double along = dot(n, d);
             propose(n, along,
@@ -62,8 +63,8 @@ HAWSER_PAIR(box_box) {
     if (!(best.s < margin)) return;
     Points points;
     if (best.s > 1e-9 * size) {
-        // GJK finds the same normal again where it is one of the axes, and polishing keeps the
-        // axis itself.
+        // If the normal is one of the axes, GJK finds it again, and polishing keeps the axis
+        // itself.
         best = separate(p, q, margin);
         if (!(best.s < margin)) return;
     }

@@ -4,9 +4,10 @@
 // Capsules: the nearest points of two segments (C. Ericson, Real-Time Collision Detection, 5.1.9).
 // Nearly parallel ones also touch at the ends of their common length, each with its own normal.
 //
-// Box: the square of the distance from the point at t of the segment is convex and piecewise
-// quadratic in t; a safeguarded Newton iteration on its slope ends after a few pieces. A segment
-// that enters the box leaves along the least of six axes: faces, and edges with the segment.
+// Box: the squared distance from the point at t of the segment is convex and piecewise quadratic in
+// t. A safeguarded Newton iteration on its slope ends after a few pieces. A segment that enters the
+// box leaves along the axis of least depth. The candidates are three face normals and three normals
+// to an edge and the segment.
 #include "collide/narrow/manifold.h"
 #include "collide/narrow/pairs.h"
 #include "collide/narrow/segment.h"
@@ -21,7 +22,7 @@ Segment segment(const Geometry& g, const Placement& p, const double* origin) {
             g.half_length};
 }
 
-/// Contact of the points at s and t. `fallback`: normal where they coincide.
+/// Return the contact of the points at s and t. @param fallback  Normal if the points coincide.
 Point contact(const Segment& a, double ra, const Segment& b, double rb, double s, double t,
               const V3& fallback, std::uint32_t name) {
     const V3 p = a.at(s), q = b.at(t), d = q - p;
@@ -30,7 +31,7 @@ Point contact(const Segment& a, double ra, const Segment& b, double rb, double s
     return {p + ra * n, q - rb * n, n, dot(d, n) - ra - rb, name};
 }
 
-/// Normal for segments that meet: across both.
+/// Return the normal of intersecting segments, perpendicular to both.
 V3 crossing_normal(const Segment& a, const Segment& b) {
     V3 n = cross(a.d, b.d);
     const double length = norm(n);
@@ -41,7 +42,8 @@ V3 crossing_normal(const Segment& a, const Segment& b) {
     return dot(b.c - a.c, n) < 0.0 ? -n : n;
 }
 
-/// Where two segments that meet part most easily: across both, or along a past an end.
+/// Return the contact that separates two intersecting segments by the shortest way: perpendicular
+/// to both, or along a past an end.
 Point pushed_apart(const Segment& a, double ra, const Segment& b, double rb, double s, double t) {
     return contact(a, ra, b, rb, s, t, crossing_normal(a, b), 0);
 }
@@ -58,7 +60,7 @@ HAWSER_PAIR(capsule_capsule) {
     if (!(deepest.gap < margin)) return;
     const V3 across = cross(p.d, q.d);
     const double size = p.half + q.half + ra + rb;
-    // Within 6 degrees of parallel: both ends of the common length.
+    // Up to 6 degrees from parallel: add both ends of the common length.
     if (p.half == 0.0 || q.half == 0.0 || dot(across, across) > 0.01)
         return finish(deepest, pa.x, out);
     Points points;
@@ -68,7 +70,8 @@ HAWSER_PAIR(capsule_capsule) {
         has_deepest = has_deepest || c.gap <= deepest.gap + 1e-8 * size;
         if (c.gap < margin) points.add(c);
     };
-    // The common length along a; an end of b within 1e-6 of an end of a goes by the name of a.
+    // Ends of the common length along a. If an end of b is within 1e-6 of an end of a, the point
+    // has the name of a.
     const bool along = dot(p.d, q.d) >= 0.0;
     for (int end = 0; end < 2; ++end) {
         const double side = end ? 1.0 : -1.0, y = (along ? side : -side) * q.half;
@@ -92,7 +95,8 @@ HAWSER_PAIR(capsule_capsule) {
 
 namespace {
 
-/// Slope of half the square of the distance from c + t d to the box, and the slope's own.
+/// Return the slope at t of half the squared distance from c + t d to the box, and its derivative
+/// `rate`.
 double slope(const V3& c, const V3& d, const V3& half, double t, double& rate) {
     double sum = 0.0;
     rate = 0.0;
@@ -107,7 +111,7 @@ double slope(const V3& c, const V3& d, const V3& half, double t, double& rate) {
     return sum;
 }
 
-/// Parameter of a point of the segment nearest to the box.
+/// Return the parameter of a point of the segment nearest to the box.
 double nearest_to_box(const V3& c, const V3& d, double length, const V3& half) {
     double low = -length, high = length, rate = 0.0;
     if (slope(c, d, half, low, rate) >= 0.0) return low;
@@ -124,7 +128,8 @@ double nearest_to_box(const V3& c, const V3& d, double length, const V3& half) {
     return t;
 }
 
-/// Signed distance of a segment that meets the box, along six axes; normal out of the box.
+/// Compute the signed distance of a segment that intersects the box, along six axes. The normal
+/// points out of the box.
 Separation leave_box(const V3& c, const V3& d, double length, const V3& half) {
     Separation best{{0, 0, 1}, -1e300};
     const double tie = 1e-9 * norm(half);
@@ -156,7 +161,7 @@ HAWSER_PAIR(capsule_box) {
     const V3 half = generic::load3(b.half_size);
     const V3 c = tmul(r, generic::load3(pa.x) - generic::load3(pb.x));
     const V3 d = tmul(r, axis(generic::load9(pa.r), 2));
-    // Quick test along the box's axes.
+    // Reject early by the axes of the box.
     for (int k = 0; k < 3; ++k)
         if (std::fabs(component(c, k)) - component(half, k) -
                 a.half_length * std::fabs(component(d, k)) >=

@@ -8,7 +8,7 @@
 namespace hawser::collide::narrow {
 
 V3 any_across(const V3& v) {
-    // Across the axis that v has least of.
+    // Use the axis along which v has the smallest component.
     const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
     const V3 least = x <= y && x <= z ? V3{1, 0, 0} : (y <= z ? V3{0, 1, 0} : V3{0, 0, 1});
     return normalized(cross(v, least));
@@ -61,8 +61,8 @@ Convex make_triangle(const V3& a, const V3& b, const V3& c) {
 
 namespace {
 
-/// Vertex of a hull furthest along m: climbs from vertex to neighbour, which on a convex
-/// surface ends at the furthest one. Small hulls: looks at all.
+/// Return the vertex of a hull furthest along m. Climbs from vertex to neighbour: on a convex
+/// surface a local maximum is global. A hull of up to 32 vertices is searched completely.
 int furthest(const ShapeData& hull, const V3& m) {
     const int count = static_cast<int>(hull.vertices.size());
     int best = 0;
@@ -101,8 +101,8 @@ void add(Poly& out, const V3& p, int vertex, int edge) {
 }
 
 void box_facing(const Convex& s, const V3& m, double tilt, Poly& out) {
-    // Axes along which the facing part extends; vertices are named by the signs of their
-    // coordinates, edges by their axis and the signs of the other two.
+    // Axes along which the facing part extends. A vertex is named by the signs of its coordinates,
+    // an edge by its axis and the signs of the other two coordinates.
     int free[3], count = 0, base = 0;
     for (int k = 0; k < 3; ++k) {
         if (std::fabs(component(m, k)) <= tilt && count < 2) {
@@ -172,7 +172,7 @@ void hull_facing(const Convex& s, const V3& m, double tilt, Poly& out) {
     }
     if (face >= 0) {
         const HullFace& f = hull.faces[face];
-        // A face of very many corners is thinned out.
+        // Skip corners of a face that has too many.
         const int stride = (f.count + kMaxPoly / 2 - 1) / (kMaxPoly / 2);
         for (int i = 0; i < f.count; i += stride)
             add(out, place(hull.loop[f.first + i]), hull.loop[f.first + i],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any two convex shapes by their support functions.
+// Two convex shapes by their support functions.
 #include "collide/narrow/manifold.h"
 #include "collide/narrow/pairs.h"
 #include "collide/narrow/separate.h"

@@ -9,13 +9,13 @@ namespace {
 
 constexpr int kVertices = 192, kFaces = 2 * kVertices;
 
-/// Polytope inside the difference b − a. Faces are counter-clockwise from outside.
+/// Polytope inside the difference b − a. Faces are counter-clockwise seen from outside.
 struct Polytope {
     struct Face {
         std::int16_t v[3];
         bool alive;
-        V3 n;      ///< Unit, outward.
-        double d;  ///< Distance of the plane from the origin, along n.
+        V3 n;      ///< Unit normal, outward.
+        double d;  ///< Distance of the plane from the origin along n.
     };
     int vertices = 0, faces = 0;
     V3 w[kVertices];
@@ -36,8 +36,8 @@ struct Polytope {
         return true;
     }
 
-    /// Replace the faces that see `p` by a cone from it. Seeds at `start`, which sees it, and
-    /// grows over neighbours, so that what is cut out is one patch whatever rounding says.
+    /// Replace the faces that `p` is above by a cone from p. The patch grows from the face `start`
+    /// over neighbours, so that it is connected despite rounding. `p` must be above `start`.
     bool expand(const V3& p, int start, double tolerance);
     int nearest() const {
         int best = -1;
@@ -56,7 +56,7 @@ struct Polytope {
 bool Polytope::expand(const V3& p, int start, double tolerance) {
     if (vertices == kVertices) return false;
     if (faces > kFaces) return false;
-    // Directed edges of the patch whose reverse is not in it make its rim.
+    // A directed edge belongs to the rim of the patch if its reverse is not in the patch.
     std::int16_t edge[3 * kFaces][2];
     int edges = 0;
     const auto toggle = [&](std::int16_t i, std::int16_t j) {
@@ -99,11 +99,12 @@ V3 difference(const Convex& a, const Convex& b, const V3& m) {
     return support(b, m) - support(a, -m);
 }
 
-/// Four corners that are not flat: each is looked for across those before it.
+/// Find four corners that are not coplanar, each in directions perpendicular to the earlier ones.
+/// @return false if none exist.
 bool start(const Convex& a, const Convex& b, double size, Polytope& out) {
     const double flat = 1e-9 * size;
     V3 p[4];
-    // Furthest of what lies along the given directions and against them.
+    // Find the furthest difference point along and against the given directions.
     const auto find = [&](const V3* ways, int count, V3& best, auto&& measure) {
         double most = -1.0;
         for (int i = 0; i < 2 * count; ++i) {
@@ -140,7 +141,7 @@ V3 epa(const Convex& a, const Convex& b) {
         if (i < 0) return best;
         const V3 n = polytope.face[i].n;
         const V3 w = difference(a, b, n);
-        const double reach = dot(w, n);  // −s(−n)
+        const double reach = dot(w, n);  // Support −s(−n).
         if (reach < least) least = reach, best = -n;
         if (reach - polytope.face[i].d <= 1e-12 * size) return best;
         if (polytope.face[i].d >= least - 1e-12 * size) return best;

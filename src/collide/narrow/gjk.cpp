@@ -24,8 +24,9 @@ V3 nearest_on_segment(const V3& a, const V3& b, Simplex& out) {
     return a + (t / dd) * d;
 }
 
-/// Point of a triangle nearest to the origin (C. Ericson, Real-Time Collision Detection, 5.1.5),
-/// with the plane's own normal for the interior: no cancellation in the distance.
+/// Return the point of a triangle nearest to the origin (C. Ericson, Real-Time Collision Detection,
+/// 5.1.5). In the interior the normal of the plane is used, which avoids cancellation in the
+/// distance.
 V3 nearest_on_triangle(const V3& a, const V3& b, const V3& c, Simplex& out) {
     const V3 ab = b - a, ac = c - a, n = cross(ab, ac);
     const double nn = dot(n, n), longest = std::fmax(dot(ab, ab), dot(ac, ac));
@@ -45,8 +46,8 @@ V3 nearest_on_triangle(const V3& a, const V3& b, const V3& c, Simplex& out) {
     return best;
 }
 
-/// Nearest point of the simplex; the simplex shrinks to the part that it lies on. A tetrahedron
-/// that is kept holds the origin.
+/// Return the nearest point of the simplex and reduce the simplex to the part that contains it. A
+/// tetrahedron that is kept contains the origin.
 V3 nearest(Simplex& s) {
     const Simplex in = s;
     if (in.count == 1) return in.w[0];
@@ -65,8 +66,8 @@ V3 nearest(Simplex& s) {
         any = any || outside[i];
         weights += origin / other;
     }
-    // Barycentric coordinates of the origin add up to one, unless the tetrahedron is too flat to
-    // tell its inside.
+    // The barycentric coordinates of the origin add up to 1, unless the tetrahedron is too flat to
+    // determine its inside.
     if (!any && std::fabs(weights - 1.0) < 1e-6) return {0, 0, 0};
     bool first = true;
     V3 best{0, 0, 0};
@@ -105,7 +106,7 @@ GjkResult gjk(const Convex& a, const Convex& b, double enough) {
         const V3 next = nearest(s);
         const double now = norm(next);
         if (s.count == 4 || now <= touching) return result;
-        if (now >= last) return {true, n, length};  // As near as rounding lets it come.
+        if (now >= last) return {true, n, length};  // as near as rounding permits
         last = now;
         v = next;
     }

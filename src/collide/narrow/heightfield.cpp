@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heights on a grid. Each cell is two triangles, cut from node (i, j) to node (i + 1, j + 1). The
-// ground is solid: whatever is below the surface, however deep, is pushed up along the normal of
-// the triangle above it. Beyond the border there is nothing.
+// Heights on a grid. Each cell is two triangles, divided from node (i, j) to node (i + 1, j + 1).
+// The ground is solid: a shape below the surface, at any depth, is pushed up along the normal of
+// the triangle above it. There is no ground beyond the border.
 //
-// Below a sharp valley the spaces along the normals of its triangles leave a wedge free, and a
-// shape across a sharp ridge may have its deepest point of each triangle over another one. What
-// then no triangle claims goes along the normal of one that is above its middle, or that it cuts:
-// the nearest.
+// Below a sharp valley the prisms along the normals of its triangles do not cover a wedge. Across a
+// sharp ridge the deepest point of a shape for each triangle may lie over another one. In both
+// cases no triangle accepts a point. The shape is then pushed along the normal of the nearest
+// triangle that is above its middle or intersects it.
 #include "collide/bounds.h"
 #include "collide/narrow/pairs.h"
 #include "collide/narrow/separate.h"
@@ -21,12 +21,12 @@ namespace hawser::collide::narrow {
 namespace {
 
 constexpr long kMaxNodes = 16'777'216;
-/// The box of the ground reaches this far below the lowest node [m].
+/// Depth of the box of the ground below the lowest node [m].
 constexpr double kBelow = 100.0;
 
 struct Ground {
     const ShapeData& data;
-    V3 centre;  ///< Of the shape: the origin of what follows.
+    V3 centre;  ///< Centre of the shape: origin of the local coordinates.
 
     V3 node(int i, int j) const {
         return V3{(j - 0.5 * (data.columns - 1)) * data.cell[0],
@@ -41,7 +41,7 @@ int node_of(const Ground& g, int i, int j) { return i * g.data.columns + j; }
 
 int ring(const SurfaceTriangle& t, int corner, V3* out);
 
-/// Triangle of cell (i, j), and its neighbours' third corners.
+/// Return a triangle of cell (i, j) with the third corners of its neighbours.
 SurfaceTriangle triangle_of(const Ground& g, int i, int j, bool upper) {
     static constexpr int kCorner[2][3][2] = {{{0, 0}, {0, 1}, {1, 1}}, {{0, 0}, {1, 1}, {1, 0}}};
     static constexpr int kBeyond[2][3][2] = {{{-1, 0}, {1, 2}, {1, 0}}, {{0, 1}, {2, 1}, {0, -1}}};
@@ -75,12 +75,12 @@ int ring(const SurfaceTriangle& t, int corner, V3* out) {
     return count;
 }
 
-/// The cells under a shape, both ends included.
+/// Range of cells under a shape, both ends included.
 struct Cells {
     int i0, i1, j0, j1;
 };
 
-/// A shape in the ground that no triangle claimed: see the head of this file.
+/// Add the contact of a shape in the ground that no triangle accepted; see the head of this file.
 void claim(const Convex& shape, const Ground& g, const Cells& cells, Points& out) {
     const V3 local = middle_of(shape), middle = local + g.centre;
     const double u = middle.x / g.data.cell[0] + 0.5 * (g.data.columns - 1);
@@ -153,7 +153,7 @@ HAWSER_PAIR(convex_heightfield) {
     const Convex shape = make_convex(a, local, local.x);
     const double lowest = box.low[2] - margin - local.x[2];
     Points points;
-    Point nearest{};  // Not asked for of a solid.
+    Point nearest{};  // unused for a solid
     for (int i = i0; i <= i1; ++i)
         for (int j = j0; j <= j1; ++j) {
             const double top = std::max({ground.node(i, j).z, ground.node(i, j + 1).z,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Convex hull of points, with flat faces of any number of corners.
 //
-// Triangles first: Quickhull (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, ACM TOMS 22, 1996), where
-// the furthest point outside replaces the patch of triangles that see it. Points nearer than 1e-9
-// of the size count as inside. Then triangles in one plane, to 1e-8 of the size, become one face.
+// First step: triangles by Quickhull (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, ACM TOMS 22, 1996).
+// The furthest outside point replaces the patch of triangles that face it. Points nearer than 1e-9
+// of the size count as inside. Second step: coplanar triangles, to 1e-8 of the size, are merged
+// into one face.
 #include "collide/narrow/convex.h"
 #include "collide/narrow/shape_data.h"
 
@@ -21,7 +22,7 @@ struct Triangle {
     std::array<int, 3> v;
     V3 n;
     double d;
-    std::vector<int> outside;  ///< Points that see it and no earlier one.
+    std::vector<int> outside;  ///< Points above this triangle and above no earlier one.
     bool alive = true;
 };
 
@@ -48,7 +49,7 @@ class Builder {
         faces_.push_back(std::move(t));
         return true;
     }
-    /// Give each point to the first triangle from `first` on that sees it.
+    /// Assign each point to the first triangle from `first` on that it is above.
     void deal(const std::vector<int>& points, std::size_t first) {
         for (const int i : points)
             for (std::size_t f = first; f < faces_.size(); ++f)
@@ -102,7 +103,7 @@ void Builder::expand(std::size_t seed) {
     int apex = faces_[seed].outside[0];
     for (const int i : faces_[seed].outside)
         if (over(faces_[seed], i) > over(faces_[seed], apex)) apex = i;
-    // The patch that sees the apex grows from the seed over shared edges.
+    // Grow the patch below the apex from the seed over shared edges.
     std::map<std::pair<int, int>, int> rim;
     std::vector<int> loose;
     const auto remove = [&](Triangle& t) {
@@ -131,7 +132,7 @@ void Builder::expand(std::size_t seed) {
     deal(loose, first);
 }
 
-/// Faces of coplanar triangles, largest triangles first.
+/// Merge coplanar triangles into faces, largest triangles first.
 void Builder::merge(ShapeData& out) {
     std::map<std::pair<int, int>, int> owner;
     const int count = static_cast<int>(faces_.size());
@@ -185,7 +186,7 @@ void Builder::merge(ShapeData& out) {
     }
 }
 
-/// Edges between faces, and the edges of each vertex.
+/// Find the edges between faces, and the edges of each vertex.
 void link(const ShapeDef& def, ShapeData& out) {
     std::map<std::pair<int, int>, int> known;
     out.loop_edge.assign(out.loop.size(), 0);

@@ -8,17 +8,18 @@
 namespace hawser::collide::narrow {
 namespace {
 
-/// Closer than this part of the size to an edge: on it. Rounding and the noise of a body at rest
-/// are far below.
+/// A point closer to an edge than this fraction of the size counts as on it. Rounding and the noise
+/// of a body at rest are far smaller.
 constexpr double kSnap = 1e-6;
-/// Differences of gaps below this part of the size are not told apart.
+/// Gaps that differ by less than this fraction of the size count as equal.
 constexpr double kSame = 1e-7;
-/// A gap smaller than those at the corners by more than this part of the size is worth a point.
+/// A point is added if its gap is smaller than those at the corners by more than this fraction of
+/// the size.
 constexpr double kDeeper = 1e-8;
-/// Parts tilted by less face each other exactly: n is known to 1e-8 or better.
+/// Parts with a smaller tilt count as exactly parallel; n is accurate to 1e-8 or better.
 constexpr double kFlat = 1e-6;
 
-/// The point of smallest gap, where the parts that face each other exactly overlap.
+/// Return the point of smallest gap in the overlap of the parts that face each other exactly.
 Point deepest(const Convex& a, const Convex& b, const V3& n, double separation, double size) {
     Poly pa, pb;
     facing(a, n, kFlat, pa);
@@ -30,7 +31,8 @@ Point deepest(const Convex& a, const Convex& b, const V3& n, double separation, 
     for (int i = 0; i < found.count; ++i)
         if (!best || found.p[i].gap < best->gap) best = &found.p[i];
     if (best) return {best->on0, best->on1, n, best->gap, name};
-    // Parallel parts that rounding has moved past each other: between their nearest corners.
+    // Rounding has moved parallel parts past each other: use the point between their nearest
+    // corners.
     V3 on0 = pa.p[0], on1 = pb.p[0];
     double least = -1.0;
     for (int i = 0; i < pa.count; ++i)
@@ -44,7 +46,7 @@ Point deepest(const Convex& a, const Convex& b, const V3& n, double separation, 
     return {middle - half * n, middle + half * n, n, separation, name};
 }
 
-/// Index of the largest value; a later one must exceed it by `tie`.
+/// Return the index of the largest value. A later value must exceed it by `tie`.
 template <class Value>
 int largest(const Points& points, double tie, Value value) {
     int best = 0;
@@ -86,9 +88,9 @@ void reduce(Points& points, double size, bool row) {
     keep[2] = largest(points, tie, [&](const Point& p) { return std::fabs(side(p)); });
     const double turn = side(points.p[keep[2]]);
     if (row || std::fabs(turn) <= tie) {
-        keep[2] = keep[3] = keep[0];  // Points in a row need their ends alone.
+        keep[2] = keep[3] = keep[0];  // collinear points need only their ends
     } else {
-        // How far outside the triangle of the three.
+        // Return the distance outside the triangle of the three points.
         const V3 p2 = points.p[keep[2]].on0;
         const double sign = turn > 0.0 ? 1.0 : -1.0;
         const V3 from_1 = sign * cross(n, p2 - p1), from_2 = sign * cross(n, p0 - p2);
@@ -101,7 +103,7 @@ void reduce(Points& points, double size, bool row) {
     double least = 1e300;
     for (const int k : keep) least = std::fmin(least, points.p[k].gap);
     if (least > points.p[deep].gap + length_tie) {
-        // In the place of one that is there twice, or of the nearest.
+        // Replace a duplicate, or else the nearest point.
         int place = 0;
         double nearest = 1e300;
         for (int k = 0; k < 4; ++k) {
@@ -145,7 +147,7 @@ void add_points(const Convex& a, const Convex& b, const V3& n, double separation
 
 namespace {
 
-/// By name; of equal names the deeper one stays.
+/// Sort by name; of equal names keep the deeper point first.
 void sort(Points& points) {
     std::sort(points.p, points.p + points.count, [](const Point& p, const Point& q) {
         return p.feature != q.feature ? p.feature < q.feature : p.gap < q.gap;

@@ -3,17 +3,19 @@
 /// @file manifold.h
 /// From the normal of two convex shapes to the contact points between them.
 ///
-/// The parts of both cores that face each other (polygon, segment or point) are seen along the
-/// normal; the corners of where they overlap, lifted back onto both, are the contact points. The
-/// gap is a linear function on the overlap of two flat parts, so the smallest one is at a corner.
-/// Where the smallest gap of the cores is not there (a rim, a vertex of a part tilted by more than
-/// `kTilt`) the point that has it is added.
+/// Project the facing parts of both cores (polygon, segment or point) along the normal. The corners
+/// of their overlap, lifted back onto both parts, are the contact points. On the overlap of two
+/// flat parts the gap is linear, so that its minimum is at a corner. If the smallest gap of the
+/// cores is elsewhere (a rim, a vertex of a part with a tilt above `kTilt`), its point is added.
 ///
-/// Of more than four points four are kept: the one furthest from their middle, the one furthest
-/// from that, the one furthest from the line between those, and the one furthest outside the
-/// triangle of the three; the deepest one takes the place of the nearest of them where it is not
-/// among them. Ties within 1e-7 of the size go to the smaller feature, so that symmetric shapes do
-/// not flicker between equal choices. Of points in a row the ends are kept.
+/// At most four points are kept:
+/// 1. the point furthest from their middle;
+/// 2. the point furthest from point 1;
+/// 3. the point furthest from the line between points 1 and 2;
+/// 4. the point furthest outside the triangle of points 1 to 3.
+/// If the deepest point is not among them, it replaces the nearest of them. Ties within 1e-7 of the
+/// size go to the smaller feature, so that symmetric shapes do not alternate between equal choices.
+/// If the points are collinear, the ends are kept.
 
 #include "collide/narrow/convex.h"
 #include "collide/narrow/points.h"
@@ -23,20 +25,20 @@ namespace hawser::collide::narrow {
 /// Faces and edges tilted by up to 11.5 degrees take part in a manifold.
 inline constexpr double kTilt = 0.2;
 
-/// Contact points of two cores whose largest s(n) is `separation`, at the unit normal `n`; those
-/// with a gap (roundings taken off) below `margin`.
+/// Add the contact points of two cores at the unit normal `n`, along which their separation has its
+/// maximum `separation`. Only points with a gap (minus roundings) below `margin` are added.
 void add_points(const Convex& a, const Convex& b, const V3& n, double separation, double margin,
                 Points& out);
 
-/// Keep four of points of (nearly) one normal, in their order; with `row`, the ends of the row and
-/// the deepest.
+/// Keep four points of (nearly) one normal, in their order. If `row`, keep the ends of the row and
+/// the deepest point.
 void reduce(Points& points, double size, bool row = false);
-/// Sort by feature, keep the deeper one of equal names, write with `origin` added; at most
-/// kMaxManifold.
+/// Sort by feature, keep the deeper one of equal names, and write at most kMaxManifold points with
+/// `origin` added.
 void write_sorted(Points& points, const double* origin, Manifold& out);
 /// Reduce to four, sort by feature, and write with `origin` added.
 void finish(Points& points, const double* origin, double size, Manifold& out);
-/// As above, of a manifold of one point: write it with `origin` added.
+/// Write a manifold of one point, with `origin` added.
 void finish(const Point& point, const double* origin, Manifold& out);
 
 }  // namespace hawser::collide::narrow

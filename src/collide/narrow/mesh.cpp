@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangle meshes: checks, neighbours over edges, a tree of boxes, and the contact of a convex
-// shape with the triangles near it. Both sides of a triangle touch.
+// shape with the triangles near it. Both sides of a triangle can touch.
 #include "collide/bounds.h"
 #include "collide/narrow/pairs.h"
 #include "collide/narrow/shape_data.h"
@@ -56,7 +56,7 @@ struct TreeBuilder {
     }
 };
 
-/// Triangles in the order of the tree.
+/// Sort the triangles in the order of the tree.
 void plant(ShapeData& mesh) {
     const int count = static_cast<int>(mesh.triangles.size() / 3);
     TreeBuilder tree{mesh, std::vector<int>(count), std::vector<V3>(count)};
@@ -78,7 +78,7 @@ void plant(ShapeData& mesh) {
 void find_neighbours(ShapeData& mesh) {
     const int count = static_cast<int>(mesh.triangles.size() / 3);
     struct Sides {
-        int place[2], uses = 0;  ///< 3 triangle + edge.
+        int place[2], uses = 0;  ///< 3 · triangle + edge.
     };
     std::map<std::pair<int, int>, Sides> edges;
     for (int t = 0; t < count; ++t)
@@ -109,7 +109,7 @@ void find_neighbours(ShapeData& mesh) {
     }
 }
 
-/// What the contact of a triangle needs, from the shape's centre.
+/// Context for the contact of a triangle, relative to the centre of the shape.
 struct Seen {
     const ShapeData& mesh;
     V3 centre;
@@ -163,7 +163,7 @@ void make_mesh(const ShapeDef& def, ShapeData& out) {
         const V3 &a = out.vertices[corners[0]], &b = out.vertices[corners[1]],
                  &c = out.vertices[corners[2]];
         const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
-        // Thinner ones have no normal to speak of.
+        // Thinner triangles have no well-defined normal.
         if (!(norm(cross(b - a, c - a)) > 1e-9 * longest * longest))
             refuse(def, where + " has no area; leave it out");
     }
@@ -176,7 +176,7 @@ HAWSER_PAIR(convex_mesh) {
     const ShapeData& mesh = *b.data;
     const Placement local = seen_from(pa, pb);
     const Bounds box = bounds(a, local);
-    // Seen from the shape's centre, so that a large mesh costs no digits.
+    // Use coordinates relative to the centre of the shape, so that a large mesh loses no digits.
     const Convex shape = make_convex(a, local, local.x);
     const V3 centre = generic::load3(local.x);
     const Seen seen{mesh, centre};

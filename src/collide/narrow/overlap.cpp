@@ -11,7 +11,8 @@ struct Flat {
     double x, y;
 };
 
-/// Part seen along the normal: counter-clockwise, and its height over the plane seen.
+/// Projection of a part along the normal, counter-clockwise, with its height over the projection
+/// plane.
 struct Shadow {
     int count;
     Flat p[kMaxPoly];
@@ -22,7 +23,7 @@ struct Shadow {
 struct View {
     V3 n, u, v, centre;
     Flat flatten(const V3& p) const { return {dot(p - centre, u), dot(p - centre, v)}; }
-    /// Point over q at which the plane of a polygon lies.
+    /// Return the point over q on the plane of a polygon.
     V3 lift(const Flat& q, const Shadow& s) const {
         const V3 foot = centre + q.x * u + q.y * v;
         return foot + (dot(s.normal, s.base - foot) / dot(s.normal, n)) * n;
@@ -47,17 +48,17 @@ void project(const View& view, const Poly& poly, Shadow& out) {
     out.base = poly.p[0];
     out.normal = normalized(normal);
     if (area >= 0.0) return;
-    // Turn it around; edge i runs from i to i + 1.
+    // Reverse the order; edge i runs from i to i + 1.
     std::reverse(out.p, out.p + out.count);
     std::reverse(out.vertex, out.vertex + out.count);
     std::reverse(out.edge, out.edge + out.count - 1);
 }
 
-/// Corner of a polygon being clipped: where its two edges come from tells its name.
+/// Corner of a polygon during clipping. Its name is derived from its two edges.
 struct Corner {
     Flat p;
     std::uint32_t name;
-    int next_edge;  ///< Edge to the next corner: of a if ≥ 0, −1 − edge of b otherwise.
+    int next_edge;  ///< Edge to the next corner: edge of a if ≥ 0, else −1 − edge of b.
 };
 
 std::uint32_t crossing_name(int edge, int clip_edge) {
@@ -67,7 +68,7 @@ std::uint32_t crossing_name(int edge, int clip_edge) {
                    static_cast<unsigned>(std::max(other, clip_edge)));
 }
 
-/// Keep what lies left of the line from p to q.
+/// Keep the part left of the line from p to q.
 int clip(const Corner* in, int count, const Flat& p, const Flat& q, int clip_edge, double snap,
          Corner* out) {
     const double dx = q.x - p.x, dy = q.y - p.y, length = std::hypot(dx, dy);
@@ -117,12 +118,13 @@ void polygons(const View& view, const Shadow& a, const Shadow& b, double snap, P
         put(view.lift(now[i].p, a), view.lift(now[i].p, b), view.n, now[i].name, out);
 }
 
-/// Part of the segment s over the polygon; `first`: the segment belongs to shape 0.
+/// Add the part of the segment s over the polygon. @param first  True if the segment belongs to
+/// shape 0.
 void segment_polygon(const View& view, const Poly& s, const Shadow& polygon, bool first,
                      double snap, Points& out) {
     const Flat p = view.flatten(s.p[0]), q = view.flatten(s.p[1]);
     const unsigned own = first ? 0U : 1U;
-    // Cuts at a corner of the polygon, at equal places but for rounding, go by the first edge.
+    // Two cuts at one corner of the polygon differ only by rounding; the first edge applies.
     const double same = snap / norm(s.p[1] - s.p[0]);
     double t[2] = {0.0, 1.0};
     std::uint32_t name[2] = {feature(own, s.vertex[0], 0), feature(own, s.vertex[1], 0)};
@@ -160,7 +162,7 @@ void segments(const View& view, const Poly& a, const Poly& b, double snap, Point
     const double turn = d.x * e.y - d.y * e.x;
     if (!(dd > 0.0) || !(ee > 0.0)) return;
     const V3 da = a.p[1] - a.p[0], db = b.p[1] - b.p[0];
-    // Within 1 degree of parallel: the ends of the common length.
+    // Up to 1 degree from parallel: use the ends of the common length.
     if (turn * turn > 3e-4 * dd * ee) {
         const double s = (w.x * e.y - w.y * e.x) / turn, t = (w.x * d.y - w.y * d.x) / turn;
         const double ds = snap / std::sqrt(dd), dt = snap / std::sqrt(ee);
@@ -168,7 +170,7 @@ void segments(const View& view, const Poly& a, const Poly& b, double snap, Point
         return put(a.p[0] + clamp(s, 0.0, 1.0) * da, b.p[0] + clamp(t, 0.0, 1.0) * db, view.n,
                    feature(2, a.edge[0], b.edge[0]), out);
     }
-    // Ends of b along a.
+    // Project the ends of b on a.
     double s[2] = {0.0, 1.0};
     std::uint32_t name[2] = {feature(0, a.vertex[0], 0), feature(0, a.vertex[1], 0)};
     double r[2] = {(w.x * d.x + w.y * d.y) / dd, 0.0};

@@ -7,9 +7,9 @@
 
 namespace hawser::collide::narrow {
 
-/// Adds contacts of the cores (no rounding) at the corners of the overlap of `a` and `b` seen along
-/// `n`. Points within `snap` [m] of an edge count as on it, so that aligned boxes keep the names of
-/// their contacts. A point that meets anything lies `separation` from it.
+/// Add contacts of the cores (without rounding) at the corners of the overlap of `a` and `b`,
+/// projected along `n`. Points within `snap` [m] of an edge count as on it, so that aligned boxes
+/// keep the names of their contacts. @param separation  Gap of points that touch [m].
 void overlap(const Poly& a, const Poly& b, const V3& n, double separation, double snap,
              Points& out);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file pairs.h
-/// One function for each pair of kinds, in the order of the names; see Collide.
+/// One collision function per pair of kinds, in the order of the names; see Collide.
 
 #include "collide/geometry.h"
 
@@ -21,7 +21,7 @@ HAWSER_PAIR(capsule_box);
 HAWSER_PAIR(capsule_plane);
 HAWSER_PAIR(box_box);
 HAWSER_PAIR(convex_plane);   ///< Box, cylinder or hull.
-HAWSER_PAIR(convex_convex);  ///< Any two of capsule, box, cylinder, hull; sphere with hull.
+HAWSER_PAIR(convex_convex);  ///< Two of capsule, box, cylinder and hull, or a sphere with a hull.
 HAWSER_PAIR(convex_mesh);
 HAWSER_PAIR(convex_heightfield);
 HAWSER_PAIR(nothing);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Capsule, box, cylinder or hull against a half-space: the corners of what faces it.
+// Capsule, box, cylinder or hull against a half-space: the corners of the facing part.
 #include "collide/narrow/manifold.h"
 #include "collide/narrow/pairs.h"
 
 namespace hawser::collide::narrow {
 namespace {
 
-/// Contact of the point p of a core with rounding; n: normal of the plane, through the origin.
+/// Return the contact of the point p of a core with rounding. @param n  Normal of the plane through
+/// the origin.
 Point on_plane(const V3& p, const V3& n, double rounding, std::uint32_t name) {
     const double height = dot(n, p);
     return {p - rounding * n, p - height * n, -n, height - rounding, name};

@@ -6,7 +6,7 @@
 namespace hawser::collide::narrow {
 namespace {
 
-/// Normals of faces, and directions of edges, that a guess may stand for.
+/// Normals of faces and directions of edges that may be exact where the guess is approximate.
 struct Nearby {
     int faces = 0, edges = 0;
     V3 face[8], edge[16];
@@ -18,9 +18,10 @@ struct Nearby {
     }
 };
 
-constexpr double kNear = 0.05;  ///< A guess is this good [rad]; GJK and EPA give far better ones.
+/// Accuracy required of a guess [rad]; GJK and EPA are far more accurate.
+constexpr double kNear = 0.05;
 
-/// Faces of `s` with normals near n, edges near perpendicular to n.
+/// Collect the faces of `s` with normals near n, and the edges nearly perpendicular to n.
 void look_around(const Convex& s, const V3& n, Nearby& out) {
     const double near_cos = 1.0 - 0.5 * kNear * kNear;
     switch (s.kind) {
@@ -67,8 +68,8 @@ V3 gradient(const Convex& a, const Convex& b, const V3& n) {
     return support(b, -n) - support(a, n);
 }
 
-/// Largest s(n) over n perpendicular to e, near the guess: bisection on the slope along the
-/// circle, which also finds kinks. False: no maximum nearby.
+/// Find the maximum of s(n) over n perpendicular to e, near the guess. Bisection on the slope along
+/// the circle also finds kinks. @return false if no maximum is nearby.
 bool around(const Convex& a, const Convex& b, const V3& e, const V3& guess, V3& n) {
     const V3 across = guess - dot(guess, e) * e;
     const V3 u = normalized(across), v = cross(e, u);
@@ -76,7 +77,7 @@ bool around(const Convex& a, const Convex& b, const V3& e, const V3& guess, V3& 
         const double c = std::cos(x), s = std::sin(x);
         return dot(c * v - s * u, gradient(a, b, c * u + s * v));
     };
-    // Other maxima may be near: the bracket shrinks until it holds one.
+    // Other maxima may be near: shrink the bracket until it contains one.
     double low = 0.0, high = 0.0, at_low = 0.0, at_high = 0.0;
     for (double reach = 2.0 * kNear; at_low <= 0.0 || at_high >= 0.0; reach *= 0.1) {
         if (reach < 1e-7) return false;
@@ -85,8 +86,8 @@ bool around(const Convex& a, const Convex& b, const V3& e, const V3& guess, V3& 
         at_low = slope(low);
         at_high = slope(high);
     }
-    // False position, halving the weight of an end that stays (Illinois), with a bisection when
-    // it is slow.
+    // False position that halves the weight of an unchanged end (Illinois), with a bisection if
+    // convergence is slow.
     int kept = 0;
     for (int i = 0; i < 80 && high - low > 1e-15; ++i) {
         double x = low + (high - low) * at_low / (at_low - at_high);
@@ -111,7 +112,7 @@ bool around(const Convex& a, const Convex& b, const V3& e, const V3& guess, V3& 
     return true;
 }
 
-/// Adds the second derivative of the support function of a rim to a 2×2 matrix over (u, v).
+/// Add the second derivative of the support function of a rim to a 2×2 matrix over (u, v).
 void add_curvature(const Convex& s, const V3& n, const V3& u, const V3& v, double* h) {
     if (s.kind != ShapeKind::cylinder) return;
     const V3 z = axis(s.r, 2), tangent = cross(z, n);
@@ -124,19 +125,19 @@ void add_curvature(const Convex& s, const V3& n, const V3& u, const V3& v, doubl
     h[2] += k * tv * tv;
 }
 
-/// Newton's method for a maximum of s on the sphere where it is smooth.
+/// Find a maximum of s on the sphere by Newton's method, where s is smooth.
 V3 newton(const Convex& a, const Convex& b, V3 n) {
     for (int i = 0; i < 8; ++i) {
         const V3 u = any_across(n), v = cross(n, u), g = gradient(a, b, n);
         double h[3] = {0.0, 0.0, 0.0};
         add_curvature(a, n, u, v, h);
         add_curvature(b, n, u, v, h);
-        // Minus the second derivative of s along the sphere.
+        // Negative second derivative of s along the sphere.
         const double s = dot(g, n);
         h[0] += s;
         h[2] += s;
         const double det = h[0] * h[2] - h[1] * h[1];
-        if (!(det > 0.0) || !(h[0] > 0.0)) return n;  // No maximum here.
+        if (!(det > 0.0) || !(h[0] > 0.0)) return n;  // no maximum here
         const double gu = dot(g, u), gv = dot(g, v);
         const double x = (h[2] * gu - h[1] * gv) / det, y = (h[0] * gv - h[1] * gu) / det;
         if (!(x * x + y * y < 4.0 * kNear * kNear)) return n;
@@ -155,14 +156,14 @@ double separation_along(const Convex& a, const Convex& b, const V3& n) {
 Separation polish(const Convex& a, const Convex& b, const V3& guess, double most) {
     Separation best{guess, separation_along(a, b, guess)};
     const double size = a.size + b.size;
-    // Normals of faces win ties against those across edges, and these against iterated ones.
+    // In a tie, normals of faces precede normals of edges, and these precede iterated ones.
     const double tie = 1e-14 * size;
     bool exact = false;
     const auto propose = [&](const V3& n) {
         const double s = separation_along(a, b, n);
         if (s > best.s + (exact ? tie : -tie)) best = {n, s}, exact = true;
     };
-    // An exact normal as good as can be ends the search; an iterated one may still be 1e-6 off.
+    // An exact normal at the upper bound ends the search; an iterated one may still be 1e-6 off.
     const double enough = most - 1e-13 * size;
     Nearby of_a, of_b;
     look_around(a, guess, of_a);

@@ -6,7 +6,7 @@
 namespace hawser::collide::narrow {
 namespace {
 
-constexpr double kTouching = 1e-10;  ///< Of the size.
+constexpr double kTouching = 1e-10;  ///< Tolerance of touching, relative to the size.
 
 bool over(const Convex& t, const V3& p) {
     for (int k = 0; k < 3; ++k)
@@ -15,8 +15,8 @@ bool over(const Convex& t, const V3& p) {
     return true;
 }
 
-/// What a point is over the surface of a cylinder by, in its frame: from the nearest point of the
-/// solid. `rate`: second derivative of half its square along d.
+/// Return the vector from the nearest point of a solid cylinder to p, in its frame. @param rate
+/// Output: second derivative of half its square along d.
 V3 excess(const V3& p, const V3& d, double radius, double half_length, double& rate) {
     V3 by{0, 0, 0};
     rate = 0.0;
@@ -61,7 +61,7 @@ bool segment_triangle(const Segment& a, const Convex& t, Separation& out) {
         nearest(a, edge, s, u);
         const V3 d = edge.at(u) - a.at(s);
         const double distance = norm(d);
-        // A face wins ties: its normal is exact.
+        // In a tie use the face: its normal is exact.
         if (distance < best - 1e-14 * size) {
             best = distance;
             out = {distance > 0.0 ? (1.0 / distance) * d : t.face, distance};
@@ -72,7 +72,7 @@ bool segment_triangle(const Segment& a, const Convex& t, Separation& out) {
 
 bool segment_cylinder(const Segment& a, const Convex& cylinder, Separation& out) {
     const V3 c = tmul(cylinder.r, a.c - cylinder.c), d = tmul(cylinder.r, a.d);
-    // Half the square of the distance is convex along the segment; its slope is zero at the nearest
+    // Half of the squared distance is convex along the segment. Its slope is zero at the nearest
     // point. Newton's method within a bracket.
     double low = -a.half, high = a.half, t = clamp(-dot(c, d), low, high), rate = 0.0;
     V3 by = excess(c + t * d, d, cylinder.radius, cylinder.half_length, rate);
@@ -81,7 +81,7 @@ bool segment_cylinder(const Segment& a, const Convex& cylinder, Separation& out)
         if (slope == 0.0) break;
         (slope > 0.0 ? high : low) = t;
         double next = t - slope / rate;
-        // Where the distance has kinks it may go back and forth.
+        // Where the distance has kinks, the iteration may oscillate.
         if (i > 12 && i % 2 == 1) next = 0.5 * (low + high);
         if (!(next > low)) next = i > 0 && low > -a.half ? 0.5 * (low + high) : low;
         if (!(next < high)) next = i > 0 && high < a.half ? 0.5 * (low + high) : high;

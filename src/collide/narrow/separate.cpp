@@ -8,12 +8,13 @@
 namespace hawser::collide::narrow {
 namespace {
 
-/// Cores without volume that meet: normals of triangles, and across one edge of each.
+/// Separate two intersecting cores without volume along normals of triangles and normals to one
+/// edge of each.
 Separation part_flat(const Convex& a, const Convex& b) {
     V3 along = b.c - a.c;
     if (!(dot(along, along) > 0.0)) along = {0, 0, 1};
     Separation best{normalized(along), -1e300};
-    // Equal ones: the side on which the centres lie.
+    // In a tie, use the side on which the centres lie.
     const double tie = 1e-12 * (a.size + b.size);
     const auto propose = [&](V3 n) {
         if (dot(n, along) < 0.0) n = -n;
@@ -47,10 +48,10 @@ bool is_flat(const Convex& s) {
     return s.kind == ShapeKind::sphere || s.kind == ShapeKind::capsule || s.kind == ShapeKind::mesh;
 }
 
-/// Cores of which one has a volume, and which meet.
+/// Separate two intersecting cores, at least one of which has a volume.
 Separation part_solid(const Convex& a, const Convex& b) {
     Separation best = polish(a, b, epa(a, b), 0.0);
-    // Near the axis of a round body all ways out are nearly as short; try the one at hand too.
+    // Near the axis of a round body all exits are nearly equally short; also try the radial one.
     for (const Convex* round : {&a, &b}) {
         if (round->kind != ShapeKind::cylinder) continue;
         const V3 z = axis(round->r, 2), d = b.c - a.c, across = d - dot(d, z) * z;
@@ -76,7 +77,7 @@ Separation separate(const Convex& a, const Convex& b, double enough) {
     if (!apart.apart && is_flat(a) && is_flat(b)) return part_flat(a, b);
     if (!apart.apart) return part_solid(a, b);
     const Separation best = polish(a, b, apart.n, apart.distance);
-    // Where GJK could not tell apart from touching, its normal says little.
+    // If GJK could not distinguish separation from contact, its normal is inaccurate.
     const double size = a.size + b.size;
     if (best.s > apart.distance - 1e-6 * size || apart.distance > 1e-3 * size) return best;
     const Separation other = is_flat(a) && is_flat(b) ? part_flat(a, b) : part_solid(a, b);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file separate.h
-/// Signed distance of any two convex cores, and its normal.
+/// Signed distance of two convex cores, and its normal.
 
 #include "collide/narrow/convex.h"
 #include "collide/narrow/polish.h"
 
 namespace hawser::collide::narrow {
 
-/// The largest s(n). Cores further apart than `enough` [m]: some n with s(n) > enough.
+/// Find the largest s(n). If the cores are further apart than `enough` [m], return any n with s(n)
+/// > enough.
 Separation separate(const Convex& a, const Convex& b, double enough);
 
 }  // namespace hawser::collide::narrow

@@ -6,10 +6,10 @@
 namespace hawser::collide::narrow {
 namespace {
 
-/// Surface of a solid seen from a point: where it is nearest, and the outward normal there.
+/// Nearest point on the surface of a solid, and the outward normal there.
 struct Nearest {
     V3 on, n;
-    double distance;  ///< Negative inside.
+    double distance;  ///< Signed distance [m]; negative inside.
 };
 
 void emit(const V3& centre, double radius, const Nearest& to, double margin, const double* origin,
@@ -20,7 +20,8 @@ void emit(const V3& centre, double radius, const Nearest& to, double margin, con
     finish({centre - radius * to.n, to.on, -to.n, gap, 0}, origin, out);
 }
 
-/// From a core of no volume: where both coincide, the normal is the axis `fallback`.
+/// Compute the nearest point for a core without volume. If both points coincide, the normal is
+/// `fallback`.
 Nearest from_point(const V3& p, const V3& core, double radius, const V3& fallback) {
     const V3 d = p - core;
     const double length = norm(d);
@@ -34,7 +35,7 @@ Nearest from_box(const V3& p, const V3& half) {
     const V3 d = p - on;
     const double length = norm(d);
     if (length > 0.0) return {on, (1.0 / length) * d, length};
-    // Inside: the nearest face.
+    // The point is inside: use the nearest face.
     const double x = half.x - std::fabs(p.x), y = half.y - std::fabs(p.y),
                  z = half.z - std::fabs(p.z);
     if (x < y && x < z) {
@@ -66,7 +67,7 @@ Nearest from_cylinder(const V3& p, double radius, double half_length) {
     return {on, (1.0 / length) * d, length};
 }
 
-/// A sphere at p against a solid given in its own frame.
+/// Collide a sphere at p with a solid, in the frame of the solid.
 template <class Solid>
 void in_frame(const Geometry& a, const Placement& pa, const Placement& pb, double margin,
               Manifold& out, Solid solid) {

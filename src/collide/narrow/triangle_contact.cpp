@@ -10,12 +10,14 @@
 namespace hawser::collide::narrow {
 namespace {
 
-constexpr double kLean = 1e-6;        ///< A neighbour that rises by less is flat [rad].
-constexpr double kGroup = 0.99;       ///< Cosine between normals of one group.
-constexpr double kSamePlace = 1e-6;   ///< Of the size.
-constexpr double kDeeperFace = 1e-8;  ///< Of the size: a deeper point is worth adding.
+constexpr double kLean = 1e-6;       ///< A neighbour that rises by less counts as flat [rad].
+constexpr double kGroup = 0.99;      ///< Minimum cosine between normals of one group.
+constexpr double kSamePlace = 1e-6;  ///< Tolerance of equal points, relative to the size.
+/// Minimum additional depth of an added point, relative to the size.
+constexpr double kDeeperFace = 1e-8;
 
-/// Whether m (unit, out of the surface) is a normal at the part of the triangle that faces it.
+/// True if m (unit, out of the surface) is an admissible normal at the part of the triangle that
+/// faces it.
 bool allowed(const SurfaceTriangle& t, const V3& m) {
     Poly part;
     facing(t.triangle, m, 1e-5, part);
@@ -35,7 +37,7 @@ bool allowed(const SurfaceTriangle& t, const V3& m) {
 }
 
 std::uint32_t name_of(const SurfaceTriangle& t, std::uint32_t local) {
-    // Mixed (finaliser of MurmurHash3), as there is no room for both side by side.
+    // Mix the bits (finaliser of MurmurHash3), because 32 bits cannot store both names.
     std::uint32_t h = t.name * 0x9e3779b1U ^ local;
     h = (h ^ h >> 16) * 0x85ebca6bU;
     h = (h ^ h >> 13) * 0xc2b2ae35U;
@@ -50,13 +52,14 @@ bool over_triangle(const Convex& t, const V3& p, double snap) {
     return true;
 }
 
-/// What lies over the triangle along its normal n.
+/// Add the points that lie over the triangle along its normal n.
 void along_normal(const Convex& shape, const SurfaceTriangle& t, const V3& n, double margin,
                   Points& out) {
     Poly below, face;
     facing(t.triangle, n, kTilt, face);
     const double snap = kSamePlace * (shape.size + t.triangle.size);
-    // A facing part tilted further counts when nothing flat does: an edge deep across a ridge.
+    // If no flat part touches, accept a facing part with a larger tilt: an edge deep across a
+    // ridge.
     for (const double tilt : {kTilt, 0.5}) {
         facing(shape, -n, tilt, below);
         Points found;
@@ -68,7 +71,7 @@ void along_normal(const Convex& shape, const SurfaceTriangle& t, const V3& n, do
             overlap(below, face, -n, 0.0, snap, found);
         }
         if (found.count == 0) continue;
-        // Corners stand for a rim; its lowest point lies between two of them.
+        // The corners approximate a rim, whose lowest point may lie between two of them.
         const V3 deep = support(shape, -n);
         const double lowest = dot(n, deep - t.triangle.corner[0]);
         double least = found.p[0].gap;
@@ -111,7 +114,7 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
     const double height = dot(n, middle_of(shape) - triangle.c);
     if (height < 0.0 && !t.solid) n = -n;
     if (dot(n, support(shape, -n) - triangle.c) >= enough) return;
-    // Beyond an edge by more than that.
+    // Return if the shape lies beyond an edge by at least that distance.
     for (int k = 0; k < 3; ++k) {
         const V3& v = triangle.corner[k];
         const V3 e = triangle.corner[(k + 1) % 3] - v, outward = cross(e, triangle.face);
@@ -122,8 +125,8 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
     // A shape below the surface of a solid is pushed up, not down.
     const bool below = t.solid && dot(m, n) <= 0.0;
     if (best.s >= enough && !below) return;
-    // The side of the middle, unless the other one is clearly nearer: at an edge of the shape m may
-    // lie in the plane.
+    // Use the side of the middle, unless the other one is clearly nearer. At an edge of the shape m
+    // may lie in the plane.
     if (!t.solid && dot(m, n) < -0.5) n = -n;
     if (!t.solid && best.s < shape.rounding) {
         const Point p = along_face(shape, t, n);
@@ -135,12 +138,12 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
     else
         along_normal(shape, t, n, margin, found);
     const double same = 4.0 * kSamePlace * (shape.size + shape.rounding + triangle.size);
-    // What is apart from a triangle with two sides, and deep, is over the other side.
+    // A shape separated from a two-sided triangle but with deep points lies over its other side.
     if (!t.solid && best.s > shape.rounding + same && !none_overlaps(found)) return;
     for (int i = 0; i < found.count; ++i) {
         Point p = found.p[i];
         p.feature = name_of(t, p.feature);
-        // On an edge, the first of two triangles has the point.
+        // If two triangles share a point on an edge, only the first one adds it.
         bool known = false;
         for (int k = 0; k < out.count && !known; ++k) {
             const V3 d = out.p[k].on1 - p.on1;
@@ -152,7 +155,8 @@ void touch_triangle(const Convex& shape, const SurfaceTriangle& t, double margin
 
 namespace {
 
-/// Group of each point by its normal, in the order of the points.
+/// Assign each point to a group by its normal, in the order of the points. @return number of
+/// groups.
 int group(const Points& points, int* of) {
     int groups = 0, first[kMaxPoints];
     for (int i = 0; i < points.count; ++i) {
@@ -184,7 +188,8 @@ void thin(Points& points, const Convex& shape, int most) {
         if (members.count > 2 && most >= 4) {
             Points fewer = members;
             reduce(fewer, size, row);
-            // Of up to four only those in a row are dropped: an edge across several triangles.
+            // If a group has at most four points, only points in a row are dropped: an edge across
+            // several triangles.
             if (row || members.count > 4 || fewer.count == 2) members = fewer;
         }
         if (most < 4) {
@@ -199,7 +204,7 @@ void thin(Points& points, const Convex& shape, int most) {
 }  // namespace
 
 void make_room(Points& points, const Convex& shape) {
-    // One triangle adds at most a dozen.
+    // One triangle adds at most twelve points.
     if (points.count <= kMaxPoints - 16) return;
     thin(points, shape, 4);
     if (points.count > kMaxPoints / 2) thin(points, shape, 1);
