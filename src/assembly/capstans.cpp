@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which friction has its bound in the matrix, and where.
+/// Friction whose bound enters the matrix, and its entries.
 #include "assembly/system.h"
 #include "base/index.h"
 
@@ -7,7 +7,8 @@
 
 namespace hawser::assembly {
 
-/// Those of scalar bodies whose loads are spans of a line that runs through at the same body.
+/// Find friction of scalar bodies whose loads are spans of a line that runs through at the same
+/// body.
 void System::find_capstans(const model::Interactions& in, const WorldDef& def) {
     capstans.clear();
     capstan_entries.clear();
@@ -43,7 +44,7 @@ void System::place_capstans(const model::Interactions&) {
             const std::int32_t slide = node_of_body[at(c.body)],
                                load = node_of_interaction[at(entry->load)];
             if (slide < 0 || load < 0) continue;  // asleep
-            // The half that is written has rows of what is eliminated later.
+            // The written half contains the rows of nodes that are eliminated later.
             entry->upper = symbolic.position[at(load)] > symbolic.position[at(slide)];
             const auto target =
                 entry->upper ? symbolic.target(load, slide) : symbolic.target(slide, load);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What an analysis takes of the poses at hand: Jacobians, and by them shares of damping, forms and
-/// floors of rows.
+/// Values that an analysis derives from the present poses: Jacobians, and from them fractions of
+/// damping, forms and floors of rows.
 #include "assembly/mobility.h"
 #include "assembly/system.h"
 #include "base/index.h"
@@ -42,7 +42,7 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
     return sum;
 }
 
-/// The Jacobians at the current poses decide the forms.
+/// Compute the Jacobians at the present poses, which decide the forms.
 void System::evaluate(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def) {
     const View v = view(const_cast<model::Bodies&>(bodies), interactions, def);
@@ -61,7 +61,7 @@ void System::share_damping(const model::Bodies& bodies, model::Interactions& in,
             in.mobility[row] = mobility(bodies, in, i, r);
             in.share_damping(row, in.rest_length[at(i)] > 0.0, h);
         }
-    // What a cut row is to all of its bodies.
+    // Use the mobility of a cut row for all of its bodies.
     for (const Sides& s : sides)
         for (int r = 0; r < in.rows[at(s.first)]; ++r) {
             double whole = 0.0;
@@ -79,7 +79,7 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
                           const WorldDef& def) {
     kept_.assign(at(in.count()), 0);
     bounded_mobility.clear();
-    // share_damping() has that of dampers; of sides of cuts it is that of all.
+    // share_damping() computes the mobility of dampers; for sides of cuts it is the total one.
     auto knows = [&](std::size_t row) {
         return (in.row_flags[row] & model::kRowDamper) != 0 && sides.empty();
     };
@@ -90,21 +90,22 @@ void System::choose_forms(const model::Bodies& bodies, model::Interactions& in,
     const double h = def.step;
     for (int i = 0; i < in.count(); ++i) {
         if (rests(i)) continue;
-        // What runs through a place next to no mass holds back is stiff beyond all else there.
+        // A line that runs through a guide with nearly no mass is far stiffer than all other rows
+        // there.
         bool keep = def.form == Form::saddle || kind_info(in.kinds[at(i)]).is(kRouted);
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const auto row = at(in.row_begin[at(i)] + r);
             const double w = knows(row) ? in.mobility[row] : mobility(bodies, in, i, r);
-            // A rigid row may repeat others (closed loops): a floor keeps the pivots' signs.
+            // A rigid row may be redundant (closed loops). A floor keeps the signs of the pivots.
             const double needed = in.epsilon[row] == 0.0 ? kRigidShare * w : in.bare_sigma(row, h);
             const double sigma = std::max({needed, in.least_sigma[row], model::kTinySigma});
             in.sigma[row] = sigma;
-            // By the compliance as defined: a world restored with other lengths of its lines must
-            // choose as the one that was saved.
+            // Use the compliance as defined: a restored world with other line lengths must choose
+            // the same form as the saved one.
             const double defined = in.defined[row], epsilon = in.epsilon[row];
-            double ratio = 1.0;  // mostly, for which a quotient of equals need not be made
+            double ratio = 1.0;  // default without a division
             if (epsilon > 0.0 && defined != epsilon) ratio = defined / epsilon;
-            // And by the damping that it has when it does not recoil.
+            // Also consider the damping without recoil.
             if (in.row_flags[row] & model::kRowRecoils)
                 ratio /= in.recoil_share(row, in.rest_length[at(i)] > 0.0, h);
             static_assert(kRigidShare * kSafeRatio > 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Who touches whom: links, the blocks of the matrix that contacts add to, and the slots of bodies.
+/// Pairs in contact: links, the blocks of the matrix that contacts add to, and the slots of bodies.
 #include "assembly/contacts.h"
 
 #include "base/index.h"
@@ -12,7 +12,7 @@
 
 namespace hawser::assembly {
 
-/// Of bodies that touch nothing any more.
+/// Remove the links of bodies that no longer touch.
 void Contacts::drop_links() noexcept {
     const auto touches = [&](std::int32_t b) {
         return std::binary_search(touching_.begin(), touching_.end(), b);
@@ -38,7 +38,7 @@ void Contacts::relink(std::int64_t step) {
         links[kept] = links[i];
         link_used[kept++] = link_used[i];
     }
-    // Those that stay move back from the end, and the missing ones, which are none of them,
+    // Merge from the end: move the links that stay back, with the missing ones, which are disjoint,
     // between.
     std::size_t to = kept + missing_.size();
     links.resize(to);
@@ -67,7 +67,7 @@ void Contacts::list_blocks() {
 
 bool Contacts::has_blocks() const noexcept {
     const std::size_t own = touching_.size(), count = own + links.size();
-    // Memory may have ended between any two of them.
+    // An allocation may have failed between any two of them.
     if (blocks.size() != count || block_value.size() != count * kContactBlock + 8 ||
         block_used.size() != count || block_changed.size() != count || block_skew.size() != count ||
         cursor_.size() != count)
@@ -109,8 +109,8 @@ bool Contacts::same_bodies() noexcept {
     return same;
 }
 
-/// Each slot pair's block, and how many contacts add to each block. @return false: there are pairs
-/// without one, now among the missing.
+/// Find the block of each pair of slots, and count the contacts of each block. @return false if
+/// pairs without a block exist; these are then missing links.
 bool Contacts::find_blocks(std::int64_t step) noexcept {
     missing_.clear();
     for (ContactBlock& b : blocks) b.begin = b.end = 0;
@@ -136,7 +136,7 @@ bool Contacts::find_blocks(std::int64_t step) noexcept {
     return missing_.empty();
 }
 
-/// The contacts that add to each block, after find_blocks().
+/// List the contacts that add to each block, after find_blocks().
 void Contacts::list_terms() noexcept {
     std::int32_t sum = 0;
     for (std::size_t k = 0; k < blocks.size(); ++k) {
@@ -153,7 +153,7 @@ void Contacts::list_terms() noexcept {
                                                     static_cast<std::int8_t>(ij % 4)};
 }
 
-/// The slots of each body that has contacts.
+/// List the slots of each body with contacts.
 void Contacts::list_slots() noexcept {
     touched_before_.swap(touched_);
     touched_.clear();
@@ -185,7 +185,7 @@ void Contacts::list_slots() noexcept {
 }
 
 bool Contacts::connect(std::int64_t step) noexcept {
-    // Mostly the same bodies touch as in the last step.
+    // Usually the same bodies touch as in the last step.
     if (same_bodies() && connected_) {
         for (std::size_t i = 0; i < links.size(); ++i)
             if (block_used[touching_.size() + i]) link_used[i] = step;
@@ -210,7 +210,7 @@ void Contacts::mark_blocks() noexcept {
             if (const std::int32_t r = rows[contact].resistance; r >= 0)
                 skew |= generic::any3(resistances.laws[at(r)].column) ? 1 : 0;
         }
-        // One that became symmetric is written again as well.
+        // A block that became symmetric is written again as well.
         block_changed[k] = change;
         block_skew[k] = skew;
     }

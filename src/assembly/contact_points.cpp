@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Contact points one by one: rows and law from geometry and memory, and what is remembered.
+/// Single contact points: rows and law from geometry and memory, and the update of the memory.
 #include "assembly/contacts.h"
 
 #include "base/index.h"
@@ -15,12 +15,12 @@ namespace {
 
 using namespace hawser::generic;
 
-/// A point that wanders farther than this from its anchors [m] rolls: they are set anew.
+/// A point farther than this from its anchors [m] rolls: the anchors are reset.
 constexpr double kWander = 1e-3;
 
 V3 body_position(const model::Bodies& b, std::int32_t body) { return load3(&b.x[3 * at(body)]); }
 
-/// Two unit vectors that make a right-handed frame with n.
+/// Compute two unit vectors that form a right-handed frame with n.
 void tangents(const V3& n, V3& t1, V3& t2) {
     const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
     const V3 e = x <= y && x <= z ? V3{1, 0, 0} : (y <= z ? V3{0, 1, 0} : V3{0, 0, 1});
@@ -29,17 +29,18 @@ void tangents(const V3& n, V3& t1, V3& t2) {
     t2 = cross(n, t1);
 }
 
-/// Whether a body that holds a segment carries what is on it along as it turns. Fixed ones do not.
+/// True if a body that holds a segment carries points of the segment along as it turns. Fixed
+/// bodies do not.
 bool carries(const model::Bodies& b, std::int32_t body) {
     return b.turns(body) && b.kind[at(body)] != BodyKind::fixed;
 }
 
-/// Of the two ends of a segment the one that carries(); −1: both are lumps or fixed.
+/// Return the end of a segment that carries(); −1 if both are lumps or fixed.
 std::int32_t carrier_of(const model::Bodies& b, std::int32_t first, std::int32_t second) {
     return carries(b, first) ? first : carries(b, second) ? second : -1;
 }
 
-/// World position of an anchor.
+/// Return the world position of an anchor.
 V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
     const std::int32_t first = m.body[side][0], second = m.body[side][1];
     V3 local = load3(m.anchor[side]);
@@ -53,7 +54,7 @@ V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
     return body_position(b, first) + offset;
 }
 
-/// Anchor of a side at a point of the world.
+/// Set the anchor of a side to a point of the world.
 void set_anchor(const model::Bodies& b, ContactMemory& m, int side, const V3& p) {
     const std::int32_t first = m.body[side][0], second = m.body[side][1];
     if (second >= 0) {
@@ -68,7 +69,7 @@ void set_anchor(const model::Bodies& b, ContactMemory& m, int side, const V3& p)
     store3(m.anchor[side], b.turns(first) ? tmul(load9(&b.r[9 * at(first)]), offset) : offset);
 }
 
-/// Each side's bodies and shares, as they are now.
+/// Store the present bodies and weights of each side.
 void take_sides(const ContactRow& row, ContactMemory& m) {
     for (int side = 0; side < 2; ++side) {
         int found = 0;
@@ -85,9 +86,10 @@ void take_sides(const ContactRow& row, ContactMemory& m) {
 
 V3 tangential(const V3& v, const V3& n) { return v - dot(v, n) * n; }
 
-/// From the centre of the body of slot i to where it feels its share of a contact at p. A lump
-/// feels it at its place. A body that shares a side with a lump feels the rest of it, so that the
-/// side as a whole feels it at p: momentum and angular momentum are those of the force there.
+/// Return the arm of slot i, from the centre of its body to the point at which its part of a
+/// contact at p acts. For a lump this is its position. A body that shares a side with a lump has
+/// the remainder, so that the resultant of the side acts at p. Momentum and angular momentum are
+/// then those of the force at p.
 V3 arm_of(const collide::Contact& in, int i, const model::Bodies& bodies, const V3& p) {
     const std::int32_t body = in.body[i];
     const int begin = i < in.side_0 ? 0 : in.side_0, end = i < in.side_0 ? in.side_0 : in.slots;
@@ -98,7 +100,7 @@ V3 arm_of(const collide::Contact& in, int i, const model::Bodies& bodies, const 
     return (1.0 / in.weight[i]) * rest - body_position(bodies, body);
 }
 
-/// Mean over the axes of w² (1/m + (r × e)ᵀ I⁻¹ (r × e)).
+/// Return the mean over the axes of w² (1/m + (r × e)ᵀ I⁻¹ (r × e)).
 double slot_mobility(const model::Bodies& b, const ContactSlot& s) {
     if (s.dof == 0) return 0.0;
     double sum = 1.0 / b.mass[at(s.body)];
@@ -114,8 +116,8 @@ double slot_mobility(const model::Bodies& b, const ContactSlot& s) {
     return s.weight * s.weight * sum;
 }
 
-/// Anchors of a contact at the point p: those that it has, or new ones where it has none or has
-/// rolled away from them. @return g_t, the tangential part of anchor 1 minus anchor 0.
+/// Keep the anchors of a contact at the point p, or set new ones if it has none or has rolled away
+/// from them. @return g_t, the tangential part of anchor 1 minus anchor 0.
 V3 hold(const ContactRow& row, const model::Bodies& bodies, const V3& n, const V3& p,
         ContactMemory& m) {
     V3 gap_t{0, 0, 0};
@@ -133,7 +135,7 @@ V3 hold(const ContactRow& row, const model::Bodies& bodies, const V3& n, const V
     return gap_t;
 }
 
-/// N v, bodies with a prescribed velocity included: above 0 apart.
+/// Return N v, including bodies with a prescribed velocity; positive if separating.
 double normal_speed(const ContactRow& row, const model::Bodies& bodies, const V3& n) {
     double speed = row.carried[0];
     for (int i = 0; i < row.slots; ++i) {
@@ -183,7 +185,7 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
     }
     store3(row.carried, load9(row.axis) * carried);
 
-    // Memory: what the same contact had, else none.
+    // Copy the memory of the same contact of the last step, if any.
     m = in.previous >= 0 ? memory[at(in.previous)] : kNoMemory;
     const V3 gap_t = hold(row, bodies, n, p, m);
     store3(extra.tangent_gap, gap_t);
@@ -199,7 +201,7 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
     cone.b[0] = in.gap > 0.0 ? -in.gap / h : -4.0 / h * upsilon * in.gap;
     cone.b[1] = -4.0 / h * upsilon * dot(t1, gap_t);
     cone.b[2] = -4.0 / h * upsilon * dot(t2, gap_t);
-    // Of a point that moves apart already, the speed is kept in part (SPOOK's Υ N v).
+    // If a point is already separating, part of its speed is kept (Υ N v of SPOOK).
     const double speed = normal_speed(row, bodies, n);
     if (in.gap <= 0.0 && speed > 0.0) cone.b[0] += upsilon * speed;
 }
@@ -218,7 +220,7 @@ void Contacts::remember(const model::Bodies& bodies, double h, std::int32_t begi
             store3(m.rolled, load3(extra.tangent_gap) + move);
             continue;
         }
-        // Sliding: what the spring holds is what friction gives. Apart: nothing.
+        // Sliding: the spring deflection belongs to the friction force. Separate: zero.
         const double spring = c.touch == nonsmooth::Touch::slip ? -extra.epsilon_t / h : 0.0;
         const V3 held = tmul(e, V3{0.0, spring * c.lambda[1], spring * c.lambda[2]});
         store3(m.rolled, held);

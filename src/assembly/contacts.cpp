@@ -32,7 +32,7 @@ Contacts::Blocks Contacts::set_bodies(std::span<const std::int32_t> touching,
     const bool none_missing = missing_.empty();
     drop_links();
     const bool same_links = none_missing && links.size() == linked;
-    // What is in blocks that stay is as old as what any step finds there.
+    // The blocks stay, and their content is as old as at the start of any step.
     if (same_links && touching_ == touching_before_ && has_blocks()) {
         list_blocks();
         return Blocks::same;

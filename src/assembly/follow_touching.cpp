@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The list of contributions where one body more may touch, or one less.
+/// Update of the list of contributions if one more or one fewer body may touch.
 #include "assembly/system.h"
 #include "base/index.h"
 
@@ -10,7 +10,8 @@
 namespace hawser::assembly {
 namespace {
 
-/// The place at which one of two ascending lists has one entry more; −1: they differ otherwise.
+/// Return the index of the only additional entry of one of two ascending lists; −1 if they differ
+/// in another way.
 std::ptrdiff_t extra(std::span<const std::int32_t> more, std::span<const std::int32_t> less) {
     if (more.size() != less.size() + 1) return -1;
     const auto k = std::mismatch(less.begin(), less.end(), more.begin()).second - more.begin();
@@ -25,8 +26,8 @@ void System::list_skew_ops() {
         if (ops[i].kind == Op::contact) skew_ops_.push_back(static_cast<std::int32_t>(i));
 }
 
-/// The ops of pieces where ops from `from` on moved. What is there belongs to the piece of the op
-/// before it.
+/// Shift the op ranges of pieces if ops from `from` on moved. An inserted op belongs to the piece
+/// of the op before it.
 void System::shift_pieces(std::int64_t from, std::int64_t by) noexcept {
     for (auto* ranges : {&piece_ops_, &step_ops_})
         for (OpRange& r : *ranges) {
@@ -35,8 +36,8 @@ void System::shift_pieces(std::int64_t from, std::int64_t by) noexcept {
         }
 }
 
-/// The own block of a body whose column is that of an ordinary front: behind what interactions add
-/// to its column, before the links.
+/// Add the own block of a body whose column is in an ordinary front. Its op comes after those of
+/// interactions in the column and before those of links.
 void System::add_own_block(std::int32_t block, std::int32_t node) {
     const std::int64_t place = symbolic.column_address(symbolic.position[at(node)]);
     const std::int32_t body = member_of_node_[at(node)];
@@ -56,7 +57,7 @@ void System::drop_block(std::int32_t block) {
     const auto found = std::find_if(ops.begin(), ops.end(), [&](const Op& op) {
         return op.kind == Op::contact && op.id == block;
     });
-    if (found == ops.end()) return;  // of a body that sleeps
+    if (found == ops.end()) return;  // the body sleeps
     const auto k = found - ops.begin();
     ops.erase(found);
     op_place_.erase(op_place_.begin() + k);
@@ -69,12 +70,12 @@ void System::follow_touching(const model::Bodies& bodies, const model::Interacti
     const std::ptrdiff_t came = extra(now, before), went = extra(before, now);
     const std::int32_t body = came >= 0 ? now[at(came)] : went >= 0 ? before[at(went)] : -1;
     const std::int32_t node = body < 0 ? -1 : node_of_body[at(body)];
-    // Lanes of a batch share what they add.
+    // Lanes of a batch share their contributions.
     if (body < 0 || (node >= 0 && symbolic.fronts[at(symbolic.node_front[at(node)])].batch >= 0)) {
         build_ops(bodies, in);
         return;
     }
-    // Blocks are numbered by what may touch.
+    // Blocks are numbered by the bodies that may touch.
     const auto block = static_cast<std::int32_t>(came >= 0 ? came : went);
     history_.forget();
     if (went >= 0) drop_block(block);

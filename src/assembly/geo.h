@@ -3,56 +3,61 @@
 /// @file geo.h
 /// Geometric stiffness and relative-rotation damping of one interaction.
 ///
-/// *Line* (distance, stretch): a tension T along the unit vector u, length l, resists
-/// transverse motion of the end points: K_g = (T/l)(E − u uᵀ) on their relative displacement.
-/// Without it a taut wire is stable only while h √(T/ρ) ≤ element length. With s = h² T/(l m), m
-/// the lighter end, p = (s − ¼)/(s + ¼) for s > ¼ and 0 below, v̂ = 2 v − v₋ the velocity of the
-/// step before carried on,
-///   M̃ += (a + d) h² K,  a += h² K (a v + d v̂),   a = ¼ + p (A − ¼),  d = p D
-/// with A = ½, D = −0.1, or 1 and −0.2 for a wire that has gained energy lately (solve/wires.h):
-/// up to s = ¼ the trapezoidal rule; beyond, where it keeps swings for ever that the step does not
-/// resolve, d < 0 damps the second difference of the velocity, by about |d| (hω)³/2 of a swing ω.
+/// *Line* (distance, stretch). A tension T along the unit vector u, length l, resists transverse
+/// motion of the end points. K_g = (T/l)(E − u uᵀ) acts on their relative displacement. Without it
+/// a taut wire is stable only if h √(T/ρ) ≤ element length. Let s = h² T/(l m), m the mass of the
+/// lighter end. Let p = (s − ¼)/(s + ¼) for s > ¼, else 0. The extrapolated velocity is v̂ = 2 v −
+/// v₋. Then
+///   M̃ += (a + d) h² K,  a += h² K (a v + d v̂),   a = ¼ + p (A − ¼),  d = p D.
+/// A = ½, D = −0.1. For a wire that gained energy recently (solve/wires.h) A = 1, D = −0.2. Up to s
+/// = ¼ this is the trapezoidal rule, which never damps an unresolved vibration. Beyond, d < 0 damps
+/// the second difference of the velocity, by about |d| (hω)³/2 of a vibration ω.
 ///
-/// *Arms*: a force f on a body at arm r turns with the body: K = (f·r)E − r fᵀ on its rotation,
-/// symmetrised. In the plane of unit vectors r̂, f̂ at angle θ (c = cos θ) its eigenvalues, in
-/// units of |f||r|, are c (normal to the plane), (c + 1)/2 along d = r̂ − f̂ and (c − 1)/2 ≤ 0
-/// along s = r̂ + f̂. Projected to be positive semi-definite:
+/// *Arms*. A force f on a body at arm r turns with the body: K = (f·r)E − r fᵀ on its rotation,
+/// symmetrised. Let θ be the angle of the unit vectors r̂, f̂, and c = cos θ. The eigenvalues in
+/// units of |f||r| are
+///   c  normal to the plane of both,
+///   (c + 1)/2  along d = r̂ − f̂,
+///   (c − 1)/2 ≤ 0  along s = r̂ + f̂.
+/// The projection to positive semi-definite matrices is
 ///   c ≥ 0:  c (E − s sᵀ/|s|²) + d dᵀ/4        (regular at θ = 0, where d = 0)
 ///   c < 0:  (c + 1)/2 · d dᵀ/|d|²
-/// That of arms enters conservatively: M̃ += (h²/4) K, a += (h²/4) K v. Sources: Tournier, Nesme,
-/// Gilles, Faure, "Stable constrained dynamics" (2015); Andrews, Teichmann, Kry, "Geometric
-/// stiffness for real-time constrained multibody dynamics" (2017); the conservative form is
-/// that of the trapezoidal rule.
+/// The stiffness of arms enters in conservative form: M̃ += (h²/4) K, a += (h²/4) K v. Sources:
+/// Tournier, Nesme, Gilles, Faure, "Stable constrained dynamics" (2015); Andrews, Teichmann, Kry,
+/// "Geometric stiffness for real-time constrained multibody dynamics" (2017). The conservative form
+/// belongs to the trapezoidal rule.
 ///
-/// *Damping* of joints between two rigid bodies: c = k_b h |f| min(|r₀|, |r₁|) min(1, 16 s²) on
-/// the relative rotation, numerical; it leaves rigid rotation and angular momentum alone. M̃ += h c,
-/// a −= h c (ω₀ − ω₁). The number s = h² |f| max(|r₀|/I₀, |r₁|/I₁), I across the arm, is (hω)² for
-/// the swing of a body about the joint under f. Chains of links need the damping where that swing
-/// is not resolved (measured: without it they diverge from s = 2 to 3 on) and nowhere else; a
-/// motion that is resolved sees c of fifth order in h.
+/// *Damping* of joints between two rigid bodies. The coefficient c = k_b h |f| min(|r₀|, |r₁|)
+/// min(1, 16 s²) acts on the relative rotation. It is numerical and does not affect rigid rotation
+/// and angular momentum. It enters as M̃ += h c, a −= h c (ω₀ − ω₁). The number s = h² |f|
+/// max(|r₀|/I₀, |r₁|/I₁), with I across the arm, is (hω)² of the oscillation about the joint under
+/// f. Chains of links need the damping only if that oscillation is not resolved. Measured: without
+/// it they diverge from s = 2 to 3 on. For resolved motion c is of fifth order in h.
 ///
-/// *Swings far too fast for the step.* f is that of the step before, and where h c exceeds the
-/// inertia, half of the damping being explicit turns the relative velocity over instead of taking
-/// it away: chains diverged from s of some hundred on. With u = (s − 4)/(s + 4) for s > 4, else 0,
-/// c is (1 + 9 u) times as large, M̃ += (1 + u) h c, a −= (1 − u) h c (ω₀ − ω₁), from half explicit
-/// to implicit with the same sum; and the arms' stiffness is (1 + u/2) times as large, against a
-/// force that grows within a step. Measured on chains, tests/stepper/joint_damping_test.cpp.
+/// *Oscillations far too fast for the step.* f is the force of the step before. If h c exceeds the
+/// inertia, the explicit half of the damping reverses the relative velocity instead of reducing it.
+/// Chains diverged from s of some hundred on. With u = (s − 4)/(s + 4) for s > 4, else 0, c is
+/// multiplied by (1 + 9 u), M̃ += (1 + u) h c, a −= (1 − u) h c (ω₀ − ω₁). This changes from half
+/// explicit to implicit with the same sum. The stiffness of arms is multiplied by (1 + u/2),
+/// against a force that grows within a step. Measured on chains,
+/// tests/stepper/joint_damping_test.cpp.
 ///
-/// *Consistent mass.* Two lumps that hold half of an element's mass m each and nothing between
-/// them have another angular momentum than the element: a velocity that changes linearly along it
-/// has the kinetic energy (m/6)(|v₀|² + v₀·v₁ + |v₁|²), which is that of the lumps less
-/// (m/12)|v₀ − v₁|². So μ = m/6 (View::pair_mass) enters as M̃ −= μ [E −E; −E E], a −= the same on
-/// v; M̃ stays positive, since the lumps hold m/2 each. Then a node put on the element changes
-/// neither momentum nor energy. Lines with an end on a body that turns keep their mass in the lump.
+/// *Consistent mass.* Let two lumps have half of the mass m of an element each. Their angular
+/// momentum differs from that of the element. A velocity that changes linearly along the element
+/// has the kinetic energy (m/6)(|v₀|² + v₀·v₁ + |v₁|²). This is the energy of the lumps minus
+/// (m/12)|v₀ − v₁|². Therefore μ = m/6 (View::pair_mass) enters as M̃ −= μ [E −E; −E E], a −= μ [E
+/// −E; −E E] v. M̃ stays positive, because the lumps have m/2 each. A node inserted on the element
+/// then changes neither momentum nor energy. Lines with an end on a turning body keep their mass in
+/// the lump.
 ///
-/// Between two rigid bodies a line has a = ¼ and d = 0 always: what turns with it would lose its
-/// angular momentum to d.
+/// A line between two rigid bodies always has a = ¼ and d = 0: d would remove angular momentum of
+/// its rotation.
 ///
-/// Record (doubles): 0 w = (a + d) h² T/l; 1-3 u; 4-6 r₀; 7-9 r₁; 10-15 (h²/4) P₀ and 16-21
-/// (h²/4) P₁ as xx xy xz yy yz zz; 22 (1 + u) h c. 23: max(|r₀|/I₀, |r₁|/I₁) [1/(kg m)], constant,
-/// set by the analysis; 0 where one of the bodies does not turn. Between bodies without arms a
-/// record ends after u. Ball joints between two rigid bodies have an arms record instead
-/// (model/arms.h), and the stiffness of their arms is computed with the bodies' own terms.
+/// Record (doubles): 0 w = (a + d) h² T/l; 1-3 u; 4-6 r₀; 7-9 r₁; 10-15 (h²/4) P₀ and 16-21 (h²/4)
+/// P₁ as xx xy xz yy yz zz; 22 (1 + u) h c. 23: max(|r₀|/I₀, |r₁|/I₁) [1/(kg m)], constant, set by
+/// the analysis; 0 if one of the bodies does not turn. Between bodies without arms a record ends
+/// after u. Ball joints between two rigid bodies have an arms record instead (model/arms.h). The
+/// stiffness of their arms is computed with the own terms of the bodies.
 
 #include "assembly/view.h"
 #include "base/simd.h"
@@ -68,7 +73,8 @@ inline M3 full6(const double* s) {
     return {{s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5]}};
 }
 
-/// out (dof entries) = a body's block M + h D, arms' stiffness included, times u.
+/// Multiply the block M + h D of a body, including the stiffness of arms, by u. @param out  dof
+/// entries.
 inline void block_times(const double* block, int dof, const double* u, double* out) {
     if (dof == 1) {
         out[0] = block[0] * u[0];
@@ -78,7 +84,7 @@ inline void block_times(const double* block, int dof, const double* u, double* o
     if (dof == 6) store3(out + 3, mul6(block + 6, load3(u + 3)));
 }
 
-/// u of the text above. @param s4  4 s.
+/// Return u of the text above. @param s4  4 s.
 template <class T>
 inline T unresolved(const T& s4) {
     const T beyond = positive_part(T(s4 - constant(s4, 16.0)));
@@ -86,8 +92,8 @@ inline T unresolved(const T& s4) {
 }
 inline constexpr double kMoreStiffness = 0.5, kMoreDamping = 9.0;
 
-/// a and d of the text above. @param s  h² T/(l m). @param alert  1: the wire gained lately, else
-/// 0.
+/// Coefficients a and d of the text above. @param s  h² T/(l m). @param alert  1 if the wire gained
+/// energy recently, else 0.
 template <class T>
 struct AcrossShares {
     T late, ahead;
@@ -100,20 +106,20 @@ inline AcrossShares<T> across_shares(const T& s, const T& alert) {
             zero(s) - 0.1 * beyond * (unit + alert)};
 }
 
-/// Share of its geometric stiffness that a completed joint has: none while s ≤ 1, all from 2 on.
-/// At s of about one it would bend paths that the step resolves. @param s4  4 s.
+/// Return the fraction of the geometric stiffness that applies to a completed joint: 0 for s ≤ 1, 1
+/// for s ≥ 2. Near s = 1 the stiffness would distort motion that the step resolves. @param s4  4 s.
 template <class T>
 inline T completed_stiffness(const T& s4) {
     const T beyond = 0.25 * positive_part(T(s4 - constant(s4, 4.0)));
     return select_greater(beyond, one(s4), one(s4), beyond);
 }
 
-/// scale × projected arm stiffness of the force f, of size nf, at arm r, of length nr. Zero where
-/// either is.
+/// Compute scale × projected arm stiffness of the force f, magnitude nf, at arm r, length nr. Zero
+/// if either is zero.
 template <class T>
 inline void arm_stiffness(const V3T<T>& f, const T& nf, const V3T<T>& r, const T& nr,
                           const T& scale, T* out) {
-    constexpr double kTiny = 1e-300;  // against 0/0
+    constexpr double kTiny = 1e-300;  // prevents 0/0
     const V3T<T> fh = T(1.0 / (nf + kTiny)) * f, rh = T(1.0 / (nr + kTiny)) * r;
     const V3T<T> s = rh + fh, d = rh - fh;
     const T c = dot(rh, fh), k = scale * nf * nr, none = zero(c);
@@ -129,14 +135,15 @@ inline void arm_stiffness(const V3T<T>& f, const T& nf, const V3T<T>& r, const T
     out[5] = e - ss * s.z * s.z + dd * d.z * d.z;
 }
 
-/// What the force of a joint between two rigid bodies, of size nf, makes of it at arms of lengths
-/// n0, n1: the scale of the arms' stiffness, (1 + u) h c and (1 − u) h c. `swing`: 23 of a record.
+/// Terms of a joint between two rigid bodies, from the magnitude nf of its force at arms of lengths
+/// n0, n1. They are the scale of the stiffness of arms, (1 + u) h c, and (1 − u) h c. `swing`:
+/// entry 23 of a record.
 template <class T>
 struct JointTerms {
     T stiff, damping, back;
 };
-/// Of a completed joint, whose swing has its sign changed, the stiffness fades in and there is no
-/// damping.
+/// Compute the terms. The swing of a completed joint has a negative sign: its stiffness fades in,
+/// and it has no damping.
 template <class T>
 inline JointTerms<T> joint_terms(const assembly::View& view, const T& nf, const T& n0, const T& n1,
                                  const T& marked_swing) {
@@ -154,9 +161,10 @@ inline JointTerms<T> joint_terms(const assembly::View& view, const T& nf, const 
         half * (unit + fast), half * (unit - fast)};
 }
 
-/// Line and damping parts of M̃ v on both slots; `lin`, `ang` are the slots' velocities. With
-/// damping = −(1 − u)/(1 + u), of a for the velocities before the step. The arms' part acts on one
-/// body alone and is kept in that body's block. @param out0, out1  Six doubles for each slot.
+/// Compute the line and damping parts of M̃ v on both slots; `lin`, `ang` are the velocities of the
+/// slots. With damping = −(1 − u)/(1 + u), compute the parts of a for the velocities before the
+/// step. The part of arms acts on one body only and is stored in the block of that body. @param
+/// out0, out1  Six doubles for each slot.
 inline void geo_product(const double* rec, const V3* lin, const V3* ang, double damping,
                         double* out0, double* out1) {
     const V3 r0 = load3(rec + 4), r1 = load3(rec + 7), u = load3(rec + 1);

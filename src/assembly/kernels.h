@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file kernels.h
-/// The hot loops over bodies and interactions, compiled for each instruction set.
+/// Loops over bodies and interactions that are compiled for each instruction set.
 
 #include "assembly/view.h"
 
@@ -9,26 +9,27 @@
 
 namespace hawser::assembly {
 
-/// Hot loops. Ranges are of bodies or of interactions; a range writes only its own entries.
+/// Table of the compiled loops. A range of bodies or interactions writes only its own entries.
 struct Kernels {
-    /// Violation, Jacobian, c and geometric record of pool entries [begin, end); G v_start, M̃
-    /// v_start.
+    /// Compute violation, Jacobian, c and geometric record of pool entries [begin, end); also G
+    /// v_start and M̃ v_start.
     void (*evaluate)(const View&, InteractionKind kind, const std::int32_t* ids, const void* data,
                      std::int32_t begin, std::int32_t end) noexcept;
-    /// c of the completed ones among pool entries [begin, end), about the packed velocities u: as
-    /// the step's `first` into c, else into c_next.
+    /// Compute c of the completed ones of pool entries [begin, end), linearised about the packed
+    /// velocities u. `first`: write to c, else to c_next.
     Turning (*complete_rows)(const View&, InteractionKind kind, const std::int32_t* ids,
                              const void* data, std::int32_t begin, std::int32_t end,
                              const double* u, bool first) noexcept;
-    /// What spins of turning bodies give, about u: as the first one into a, else into spin_next.
+    /// Compute the terms from spins of turning bodies, linearised about u. First call: add to a;
+    /// else write to spin_next.
     Turning (*complete_spins)(const View&, std::int32_t begin, std::int32_t end, const double* u,
                               bool first) noexcept;
-    /// c becomes c_next, of the completed ones among ids[begin, end).
+    /// Copy c_next to c, for the completed ones of ids[begin, end).
     void (*adopt_completed)(const View&, const std::int32_t* ids, std::int32_t begin,
                             std::int32_t end) noexcept;
-    /// Right-hand sides a of turning bodies take spin_next.
+    /// Replace the spin terms in the right-hand sides a of turning bodies by spin_next.
     void (*adopt_spins)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-    /// Body blocks and a, geometric terms included.
+    /// Compute body blocks and a, including geometric terms.
     void (*body_terms)(const View&, std::int32_t begin, std::int32_t end) noexcept;
     /// Write blocks of the matrix into the panels.
     void (*gather_blocks)(const View&, const Op* ops, std::int64_t begin, std::int64_t end,
@@ -36,39 +37,40 @@ struct Kernels {
     /// Write blocks of the matrix into the panels, eight lanes at a time.
     void (*gather_lane_blocks)(const View&, const LaneOp* ops, std::int64_t begin, std::int64_t end,
                                double* panel) noexcept;
-    /// First residual, of λ = 0 and v₊ = 0 or, if `moving`, v₊ = v_start, for which evaluate() has
-    /// left G v₊ where residuals go; for kept interactions also in the solver's vector. λ itself,
-    /// that of the last step, stays until the first row_update().
+    /// Compute the first residual, for λ = 0 and v₊ = 0. If `moving`, v₊ = v_start, for which
+    /// evaluate() stored G v₊ in place of the residuals. For kept interactions also write to the
+    /// vector of the solver. λ keeps the values of the last step until the first row_update().
     void (*first_rhs)(const View&, std::int32_t begin, std::int32_t end, bool moving) noexcept;
-    /// Right-hand side of the solver from the residuals: bodies. The first one writes v₊, of which
-    /// it starts.
+    /// Compute the right-hand side of the solver from the residuals, for bodies. The first call
+    /// also writes the initial v₊.
     void (*first_body_rhs)(const View&, std::int32_t begin, std::int32_t end, bool moving) noexcept;
     void (*body_rhs)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-    /// v₊ += solution.
+    /// Add the solution to v₊.
     void (*add_solution)(const View&, std::int32_t begin, std::int32_t end) noexcept;
-    /// λ += the solution's part, then the residual of every row, for kept interactions also in the
-    /// solver's vector; then K v₊. `first`: λ is the solution itself.
+    /// Add the solution to λ, then compute the residual of every row, then K v₊. For kept
+    /// interactions also write the residual to the vector of the solver. `first`: set λ to the
+    /// solution.
     void (*row_update)(const View&, std::int32_t begin, std::int32_t end, bool first) noexcept;
-    /// Norms over bodies, with the momentum residual.
+    /// Compute norms over bodies, with the momentum residual.
     void (*body_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;
-    /// Norms over interactions.
+    /// Compute norms over interactions.
     void (*row_norms)(const View&, std::int32_t begin, std::int32_t end, Norms*) noexcept;
-    /// Energy that rows of at most kLossChunk interactions take in the step [J], see
-    /// solve/losses.cpp. `left`: those (`left_count`) that are not in the sum, since they need
-    /// more than their rows; room for kLossChunk.
+    /// Return the energy that rows of at most kLossChunk interactions absorb in the step [J], see
+    /// solve/losses.cpp. Interactions that need more data than their rows are excluded. They are
+    /// written to `left` (capacity kLossChunk), and their number to `left_count`.
     double (*row_losses)(const View&, std::int32_t begin, std::int32_t end, std::int32_t* left,
                          int* left_count) noexcept;
-    /// What lines hold more after the step than before, and than the bodies at their ends gave
-    /// them; and what they hold more or less. Added up.
+    /// Add up the energy that lines store beyond the work of the bodies at their ends, and the
+    /// absolute change of stored energy.
     void (*line_gains)(const View&, const std::int32_t* ids, std::int32_t count,
                        LineGain*) noexcept;
-    /// Energies of as many of `count` bodies from the first on as are rigid and stand in a row,
-    /// eight at a time. @param after  Packed velocities after the step. @param half  Half the step,
-    /// or 0. @return how many they are: a multiple of eight.
+    /// Sum the energies of the leading rigid bodies with consecutive indices among `count` bodies,
+    /// eight at a time. @param after  Packed velocities after the step. @param half  Half of the
+    /// step, or 0. @return their number, a multiple of eight.
     std::int32_t (*rigid_energies)(const View&, const std::int32_t* bodies, std::int32_t count,
                                    const double* after, double half, BodyEnergies*) noexcept;
-    /// The row of [begin, end) with the largest violation by its share, |g| share, if it is above
-    /// *most, which then is that; else −1.
+    /// Return the row of [begin, end) with the largest weighted violation |g| share, if it exceeds
+    /// *most; *most is then set to it. Otherwise return −1.
     std::int32_t (*widest_row)(const double* g, const double* share, std::int32_t begin,
                                std::int32_t end, double* most) noexcept;
     /// Move bodies by h v₊ and store v₊.

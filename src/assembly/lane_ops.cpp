@@ -10,8 +10,8 @@ namespace {
 constexpr std::uint32_t kAllLanes = 0xff;
 static_assert(factor::kLaneCount == 8);
 
-/// What ops of several lanes have in common, in one number; of a joint whose slots may change
-/// places (`turns`) whichever comes first.
+/// Encode the properties that ops of several lanes must share in one number. If a joint may
+/// exchange its slots (`turns`), the order of slots does not matter.
 std::uint64_t lane_key(const OpParts& op, int rows, bool turns) noexcept {
     const bool swap = turns && op.a > op.b;
     auto key = static_cast<std::uint32_t>(op.kind) << 8 |
@@ -47,8 +47,9 @@ void LaneSharer::begin(std::int64_t panel, std::size_t done) noexcept {
     first_.clear();
 }
 
-/// The first of keys_ that does the same and has this lane free; their number: none, and
-/// `key.again` is set. Chains are alike, so that it is mostly the one behind that of the op before.
+/// Find the first entry of keys_ with the same properties and this lane free. @return its index; if
+/// there is none, their number, with `key.again` set if the properties exist. Chains are alike, so
+/// that it is mostly the entry after the one of the previous op.
 std::size_t LaneSharer::find(Key& key, std::size_t lane) const noexcept {
     const auto same = [&](const Key& k) {
         return k.address == key.address && k.what == key.what && k.to_b == key.to_b;
@@ -70,7 +71,7 @@ void LaneSharer::add(const OpParts& op, std::int64_t address, std::int32_t step,
                      std::int32_t from, base::Array<LaneOp>& lane_ops) {
     const auto lane = static_cast<std::size_t>((address - panel_) % factor::kLaneCount);
     const std::int64_t base = address - static_cast<std::int64_t>(lane);
-    // A chain that is eliminated the other way round has its joints' slots changed.
+    // A chain eliminated in the other direction has the slots of its joints exchanged.
     const bool turns = op.kind == Op::condensed && op.width == 0 && op.a != op.b;
     Key key{base, lane_key(op, rows, turns), op.jac_b - op.jac_a, 0, 0, op.a, 0};
     const std::size_t found = find(key, lane);
@@ -99,7 +100,7 @@ void LaneSharer::end(base::Array<LaneOp>& lane_ops, base::Array<Op>& ops) {
         }
         LaneOp& l = lane_ops[done_ + i];
         l.used = static_cast<std::uint8_t>(k.used);
-        // A lane without one of its own repeats the latest.
+        // A lane without an op repeats the latest one.
         for (std::size_t lane = 0; lane < factor::kLaneCount && k.used != kAllLanes; ++lane) {
             if ((k.used >> lane & 1) != 0) continue;
             l.id[lane] = l.id[k.latest];

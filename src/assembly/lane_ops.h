@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lane_ops.h
-/// Ops of several lanes of one batch step become one.
+/// Merges ops of several lanes of one batch step.
 
 #include "assembly/view.h"
 #include "base/memory.h"
@@ -13,8 +13,8 @@
 
 namespace hawser::assembly {
 
-/// An op on its way into the list. Members are words: what is written byte by byte and read as a
-/// whole, or the other way round, waits for the stores.
+/// An op before it is added to the list. Members are words: byte-wise writes before a read of the
+/// whole, or the reverse, would wait for the stores.
 struct OpParts {
     std::int32_t id;
     Op::Kind kind;
@@ -38,39 +38,41 @@ struct OpParts {
     }
 };
 
-/// Collects the ops of one batch step after the other, column by column. A used one needs no
-/// memory.
+/// Collects the ops of one batch step at a time, column by column. After the first use it allocates
+/// nothing.
 class LaneSharer {
   public:
-    /// @param panel  Where the panel of the step begins. @param done  Lane ops of the steps before.
+    /// Begin a step. @param panel  Begin of the panel of the step. @param done  Number of lane ops
+    /// of earlier steps.
     void begin(std::int64_t panel, std::size_t done) noexcept;
-    /// One more of the step. @param rows  Of its interaction. @param from  Offset of what it reads.
-    /// @param step  Distance of rows. @throws std::bad_alloc.
+    /// Add an op of the step. @param rows  Rows of its interaction. @param from  Offset of its
+    /// input. @param step  Distance of rows. @throws std::bad_alloc.
     void add(const OpParts& op, std::int64_t address, std::int32_t step, int rows,
              std::int32_t from, base::Array<LaneOp>& lane_ops);
-    /// What several lanes do is behind `done` in `lane_ops`; what only one does goes to `ops`.
-    /// @throws std::bad_alloc.
+    /// End a step. Ops of several lanes follow `done` in `lane_ops`; ops of a single lane are moved
+    /// to `ops`. @throws std::bad_alloc.
     void end(base::Array<LaneOp>& lane_ops, base::Array<Op>& ops);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    /// What finds the lane op that an op belongs to.
+    /// Key of the lane op that an op belongs to.
     struct Key {
         std::int64_t address;
         std::uint64_t what;
         std::int32_t to_b;
         std::uint32_t used;
-        std::uint32_t latest;  ///< Lane that came last.
-        std::int32_t a;        ///< Slot of the first one.
-        std::int32_t again;    ///< 1: the same was there before, but not free in the lane.
+        std::uint32_t latest;  ///< Latest lane.
+        std::int32_t a;        ///< Slot a of the first op.
+        std::int32_t again;    ///< 1: the same op exists, but its lane was occupied.
     };
     [[nodiscard]] std::size_t find(Key& key, std::size_t lane) const noexcept;
 
     std::int64_t panel_ = 0;
     std::size_t done_ = 0;
-    std::size_t next_[factor::kLaneCount] = {};  ///< By lane: behind the one of the op before.
-    std::vector<Key> keys_;                      ///< Of the lane ops of the step.
-    std::vector<Op> first_;                      ///< The first op of each.
+    /// By lane: index after the entry of the previous op.
+    std::size_t next_[factor::kLaneCount] = {};
+    std::vector<Key> keys_;  ///< Keys of the lane ops of the step.
+    std::vector<Op> first_;  ///< First op of each key.
 };
 
 }  // namespace hawser::assembly

@@ -11,7 +11,7 @@ namespace {
 std::size_t body_key(std::int32_t body) noexcept { return 2 * at(body); }
 std::size_t interaction_key(std::int32_t id) noexcept { return 2 * at(id) + 1; }
 
-/// Of blocks as they are sorted: bodies' own come before links.
+/// True if a precedes b in the sort order: own blocks of bodies precede links.
 bool before(const ContactBlock& a, const ContactBlock& b) noexcept {
     const bool link_a = a.a != a.b, link_b = b.a != b.b;
     if (link_a != link_b) return link_b;
@@ -84,7 +84,7 @@ void OpHistory::compare_bodies(const OpSources& now) {
     }
 }
 
-/// Both lists are sorted: numbers of the blocks that stay stay in order.
+/// Compare two sorted lists: the numbers of blocks that stay keep their order.
 void OpHistory::compare_blocks(std::span<const ContactBlock> now) {
     block_now_.clear();
     const auto same = [](const ContactBlock& a, const ContactBlock& b) {
@@ -109,7 +109,7 @@ void OpHistory::renumber_blocks(std::span<const ContactBlock> blocks) {
     known_ = true;
 }
 
-/// Columns and rows behind them, batch by batch.
+/// List the columns and the rows behind them, by batch.
 void OpHistory::list_batches(const OpSources& now) {
     const factor::Symbolic& s = now.symbolic;
     batches_.steps.assign(s.batch_steps.begin(), s.batch_steps.end());
@@ -120,7 +120,7 @@ void OpHistory::list_batches(const OpSources& now) {
         const bool body = s.sign[at(s.node_offset[at(node)])] > 0;
         return static_cast<std::int32_t>(body ? body_key(member) : interaction_key(member));
     };
-    // Columns of batches are behind all others.
+    // Columns of batches follow all others.
     auto column = now.columns.begin();
     for (const factor::Batch& batch : s.batches) {
         const auto begin = static_cast<std::int32_t>(batches_.entries.size());
@@ -139,7 +139,7 @@ void OpHistory::list_batches(const OpSources& now) {
     }
 }
 
-/// Rows behind a chain, with the slots that they have at its end.
+/// List the rows behind a chain, with their slots at its end.
 template <class Key>
 void OpHistory::list_rows(const factor::Symbolic& s, std::int32_t front, int lane, Key&& key) {
     const factor::Front& f = s.fronts[at(front)];

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file op_history.h
-/// What the last list of contributions was made of, so that the next one takes over what stays.
+/// Sources of the last list of contributions, so that the next list can reuse the unchanged part.
 ///
-/// An edit, or a link of contacts, changes what few columns hold; most of the list is in batches
-/// (factor/batches.h), of which nothing changes but numbers: where panels, Jacobians and records
-/// begin, and which number a block of contacts has. A batch is taken over if
+/// An edit, or a link of contacts, changes few columns. Most of the list is in batches
+/// (factor/batches.h). Only their numbers change: offsets of panels, Jacobians and records, and
+/// numbers of contact blocks. A batch is reused under three conditions:
 ///
-/// - its steps have their sizes, and their columns the nodes, lanes and slots that they had;
-/// - rows behind the chains are in the slots that they were in;
-/// - none of its columns belongs to a body of an interaction, or of a block of contacts, that came,
-///   went or has other bodies, freedoms or another form now.
+/// 1. Its steps have the same sizes, and its columns the same nodes, lanes and slots.
+/// 2. Rows behind the chains are in the same slots.
+/// 3. None of its columns belongs to a body of a changed interaction or contact block. Changed
+///    means added, removed, or with other bodies, freedoms or form.
 ///
-/// Columns of ordinary fronts are few and always listed anew.
+/// Columns of ordinary fronts are few and always listed again.
 
 #include "assembly/contacts.h"
 #include "assembly/view.h"
@@ -30,12 +30,12 @@
 
 namespace hawser::assembly {
 
-/// What a list is made of.
+/// Sources of a list.
 struct OpSources {
     const factor::Symbolic& symbolic;
     const model::Bodies& bodies;
     const model::Interactions& interactions;
-    /// Columns by place in the panels: addresses, positions.
+    /// Columns by address in the panels: addresses, positions.
     std::span<const std::pair<std::int64_t, std::int32_t>> columns;
     std::span<const std::int32_t> member_of_node;  ///< Body or interaction.
     std::span<const std::int32_t> node_of_interaction;
@@ -46,16 +46,17 @@ struct OpSources {
 
 class OpHistory {
   public:
-    /// Find what stays, and remember what the next list is made of. @throws std::bad_alloc. The
-    /// next call finds nothing unless done() is called.
+    /// Find the unchanged part, and store the sources of the next list. @throws std::bad_alloc.
+    /// Without a call of done(), the next call finds nothing.
     void follow(const OpSources& now);
-    /// To be called when the new list has been made: the next follow() compares with it.
+    /// Report that the new list is complete: the next follow() compares with it.
     void done() noexcept { known_ = true; }
-    /// The list is about to change in its place.
+    /// Report that the list is about to be changed in place.
     void forget() noexcept { known_ = false; }
-    /// It has, and blocks of contacts have these numbers now. @throws std::bad_alloc.
+    /// Report that the list was changed, with these numbers of contact blocks. @throws
+    /// std::bad_alloc.
     void renumber_blocks(std::span<const ContactBlock> blocks);
-    /// The step of the last list that a step of a batch is, −1: none.
+    /// Return the step of the last list that corresponds to a step of a batch; −1 if there is none.
     [[nodiscard]] std::int32_t step_before(std::int32_t step) const noexcept {
         return step_before_[static_cast<std::size_t>(step)];
     }
@@ -63,17 +64,17 @@ class OpHistory {
         return std::count_if(step_before_.begin(), step_before_.end(),
                              [](std::int32_t step) { return step >= 0; });
     }
-    /// By how much the panel of such a step moved.
+    /// Return the displacement of the panel of such a step.
     [[nodiscard]] std::int64_t moved(std::int32_t step) const noexcept {
         return moved_[static_cast<std::size_t>(step)];
     }
-    /// An op of such a step, from the last list to the next one.
+    /// Convert an op of such a step from the last list to the next one.
     void carry(std::int64_t moved, Op& op) const noexcept;
     void carry(std::int64_t moved, LaneOp& op) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    /// What ops of an interaction depend on beside places.
+    /// Properties of an interaction on which its ops depend, apart from offsets.
     struct Traits {
         std::int32_t body[kMaxInteractionBodies];
         std::uint8_t bodies, rows, flags;
@@ -83,7 +84,8 @@ class OpHistory {
     struct Place {
         std::int32_t jacobian, record;
     };
-    /// A column of a batch, or a row behind it. `node`: of bodies 2 body, of interactions 2 id + 1.
+    /// A column of a batch, or a row behind it. `node`: 2 body for bodies, 2 id + 1 for
+    /// interactions.
     struct Entry {
         std::int32_t node, step, lane, slot;
         friend bool operator==(const Entry&, const Entry&) = default;
@@ -111,10 +113,10 @@ class OpHistory {
 
     bool known_ = false;
     std::vector<Traits> traits_;
-    std::vector<Place> places_, place_moved_;            ///< By interaction; and by how much.
+    std::vector<Place> places_, place_moved_;  ///< Offsets by interaction, and their changes.
     std::vector<std::int32_t> dof_begin_, block_moved_;  ///< By body.
     std::vector<ContactBlock> blocks_;
-    std::vector<std::int32_t> block_now_;  ///< New number of each block; empty: as it was.
+    std::vector<std::int32_t> block_now_;  ///< New number of each block; empty: unchanged.
     Batches batches_, before_;
     std::vector<std::uint8_t> changed_;  ///< By 2 body and 2 id + 1.
     std::vector<std::int32_t> step_before_;

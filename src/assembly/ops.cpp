@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The list of contributions to the matrix, ordered by where they go.
+/// The list of contributions to the matrix, ordered by destination.
 ///
-/// It is written from beginning to end: place by place in the panels, of each place column by
-/// column, of each column what its own body or rows give, then interactions by id, then contacts.
-/// Batches in which nothing changed are taken over (op_history.h).
+/// It is written sequentially: by address in the panels, then by column. Each column has the terms
+/// of its own body or rows, then interactions by id, then contacts. Unchanged batches are reused
+/// (op_history.h).
 #include "assembly/lane_ops.h"
 #include "assembly/system.h"
 #include "base/index.h"
@@ -18,7 +18,7 @@ constexpr int kSlots = kMaxInteractionBodies;
 
 }  // namespace
 
-/// What an interaction has in its slots, in every block that it adds to.
+/// Data of an interaction by slot that all of its blocks need.
 struct System::Slots {
     Slots(const System& s, const model::Interactions& in, std::int32_t id) noexcept
         : count(in.bodies[at(id)]) {
@@ -47,14 +47,15 @@ struct System::Slots {
     int dof[kSlots] = {}, width;
 };
 
-/// sink(row node, op) for what an interaction adds to the column of its body in slot `b`.
+/// Call sink(row node, op) for the contributions of an interaction to the column of its body in
+/// slot `b`.
 template <class Sink>
 void System::list_interaction(const model::Interactions& in, std::int32_t id, int b,
                               Sink&& sink) const {
     const Slots slots(*this, in, id);
     const std::int32_t own = node_of_interaction[at(id)], position = slots.position[b];
     const bool geometric = in.geo[at(id)] >= 0 && b < 2;
-    // Of a compact joint the condensed op has it in it.
+    // The condensed op of a compact joint includes its geometric terms.
     const bool apart = own >= 0 || in.arms[at(id)] == 0;
     for (int a = 0; a < slots.count; ++a) {
         if (a == b && own >= 0 && symbolic.position[at(own)] > position)
@@ -65,7 +66,7 @@ void System::list_interaction(const model::Interactions& in, std::int32_t id, in
     }
 }
 
-/// The same for its own column, of one that is kept.
+/// Call sink(row node, op) for the own column of a kept interaction.
 template <class Sink>
 void System::list_kept(const model::Interactions& in, std::int32_t id, Sink&& sink) const {
     const Slots slots(*this, in, id);
@@ -76,7 +77,7 @@ void System::list_kept(const model::Interactions& in, std::int32_t id, Sink&& si
             sink(slots.node[a], slots.op(id, Op::kept_columns, a, 0));
 }
 
-/// sink(row node, op) for all that is added to the column of a node.
+/// Call sink(row node, op) for all contributions to the column of a node.
 template <class Sink>
 void System::list_column(std::int32_t node, const model::Bodies& bodies,
                          const model::Interactions& in, Sink&& sink) const {
@@ -97,7 +98,7 @@ void System::list_column(std::int32_t node, const model::Bodies& bodies,
     }
 }
 
-/// Blocks of contacts by the node in whose column they are; those of bodies that sleep are in none.
+/// Sort blocks of contacts by the node of their column. Blocks of sleeping bodies have no column.
 void System::sort_contacts() {
     contact_begin_.assign(symbolic.order.size() + 2, 0);
     const auto awake = [&](const ContactBlock& b) {
@@ -114,8 +115,8 @@ void System::sort_contacts() {
                 static_cast<std::int32_t>(k);
 }
 
-/// Columns by place in the panels. Those of ordinary fronts stand in the order of elimination; the
-/// steps of batches come behind them, each with the columns of its lanes.
+/// Sort columns by address in the panels. Columns of ordinary fronts follow the order of
+/// elimination. Steps of batches come after them, each with the columns of its lanes.
 void System::place_columns() {
     const auto n = static_cast<std::int32_t>(symbolic.order.size());
     column_place_.clear();
@@ -136,8 +137,8 @@ void System::place_columns() {
             column_place_[at(step_begin_[at(step)]++)] = {symbolic.batch_steps[at(step)].panel, k};
 }
 
-/// Ops of the columns of an ordinary front that are at a place, from `column` on in
-/// column_place_. @return the first column behind them.
+/// List the ops of the columns of an ordinary front at one address, from `column` on in
+/// column_place_. @return the first column after them.
 std::size_t System::list_place(std::size_t column, const model::Bodies& bodies,
                                const model::Interactions& in) {
     const std::int64_t place = column_place_[column].first;
@@ -152,7 +153,8 @@ std::size_t System::list_place(std::size_t column, const model::Bodies& bodies,
     return column;
 }
 
-/// The same of a step of a batch: what several of its lanes do becomes one.
+/// List the ops of a step of a batch. Ops of several lanes are merged. @return the first column
+/// after them.
 std::size_t System::list_step(std::size_t column, const model::Bodies& bodies,
                               const model::Interactions& in) {
     const std::int64_t place = column_place_[column].first;
@@ -175,7 +177,8 @@ std::size_t System::list_step(std::size_t column, const model::Bodies& bodies,
     return column;
 }
 
-/// The same of a step that has the ops which `before` had in the last list.
+/// Copy the ops of a step from the step `before` of the last list. @return the first column after
+/// them.
 std::size_t System::carry_step(std::size_t column, std::int32_t step, std::int32_t before) {
     const OpRange& from = steps_before_[at(before)];
     const std::int64_t place = column_place_[column].first, moved = history_.moved(step);
@@ -187,7 +190,7 @@ std::size_t System::carry_step(std::size_t column, std::int32_t step, std::int32
     return column;
 }
 
-/// Ops of all columns that are at the place of one.
+/// List the ops of all columns at the address of `column`. @return the first column after them.
 std::size_t System::list_columns_at(std::size_t column, const model::Bodies& bodies,
                                     const model::Interactions& in) {
     if (symbolic.batches.empty()) return list_place(column, bodies, in);

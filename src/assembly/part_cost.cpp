@@ -6,7 +6,7 @@
 namespace hawser::assembly {
 namespace {
 
-/// The neighbour of a row node that is eliminated first: the row follows it.
+/// Return the neighbour of a row node that is eliminated first: the row follows it.
 std::int32_t body_of_rows(const factor::Pattern& pattern, const factor::Symbolic& symbolic,
                           std::int32_t node) {
     std::int32_t best = -1;
@@ -30,7 +30,7 @@ std::vector<std::int64_t> node_flops(const factor::Pattern& pattern,
             if (front.batch < 0) {
                 rows -= size;
                 flops[at(node)] = factor::front_flops(size, rows);
-            } else if (pattern.sign[at(node)] > 0) {  // a step has one body, with its rows
+            } else if (pattern.sign[at(node)] > 0) {  // a step contains one body with its rows
                 const factor::BatchStep& step =
                     symbolic.batch_steps[at(symbolic.node_step[at(node)])];
                 flops[at(node)] = factor::front_flops(step.p, step.q);

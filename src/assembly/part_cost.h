@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file part_cost.h
-/// Exact flops of a cached analysis, shared out to bodies.
+/// Exact flops of an analysis, distributed to bodies.
 
 #include "assembly/system.h"
 
@@ -10,11 +10,12 @@
 
 namespace hawser::assembly {
 
-/// By body: flops of eliminating its pivots, in fronts as they are (zeros of merged fronts
-/// included), and of the kept interactions that come right after it. Bodies without a node have 0.
+/// Return the flops of eliminating the pivots of each body in the present fronts, with zeros of
+/// merged fronts. Kept interactions directly after a body are included. Bodies without a node have
+/// 0.
 [[nodiscard]] std::vector<std::int64_t> body_flops(const System& system, int bodies);
 
-/// By node of the pattern: flops of its own pivots.
+/// Return flops of the own pivots of each node of the pattern.
 [[nodiscard]] std::vector<std::int64_t> node_flops(const factor::Pattern& pattern,
                                                    const factor::Symbolic& symbolic);
 

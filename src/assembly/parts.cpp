@@ -10,11 +10,12 @@
 namespace hawser::assembly {
 namespace {
 
-/// More interactions than a link of a wire has: two joints, three times bending, two of twist.
+/// Maximum number of interactions of a body with a row that may be cut. A link of a wire has fewer:
+/// two joints, three bending, two twist.
 constexpr std::int32_t kMostOfLink = 8;
 constexpr double kSpeed = 0.1;       // v₀ [m/s]
 constexpr double kViolation = 0.01;  // g₀ [m]
-constexpr double kMeanShare = 0.01;  // of the mean row force in F
+constexpr double kMeanShare = 0.01;  // fraction of the mean row force in F
 
 }  // namespace
 

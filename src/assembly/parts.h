@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file parts.h
-/// The model as a hypergraph of integers, and what physics says about cutting it.
+/// The model as a hypergraph of integers, with physical weights for cuts.
 ///
 /// Edges are the interactions in their order, then the pairs of bodies that touch. Only rows of
 /// wires may be cut: stretch, bending, twist, distance and ball joints between bodies of the same
@@ -10,8 +10,8 @@
 ///   node  α₁ ‖Σ_e G_eᵀλ_e‖ / (h F)     NET force: small in a taut steady wire, where Σ|λ| is not
 ///   edge  α₂ Σ|G v| / v₀ + α₅ Σ|g| / g₀
 /// ```
-/// F = m g + a hundredth of the root mean square of all row forces, v₀ = 0.1 m/s, g₀ = 0.01 m,
-/// α = 1. A body that touches something adds kTouchWeight.
+/// F = m g + 1 % of the root mean square of all row forces, v₀ = 0.1 m/s, g₀ = 0.01 m, α = 1.
+/// kTouchWeight is added for a body in contact.
 
 #include <hawser/def.h>
 
@@ -26,33 +26,34 @@
 
 namespace hawser::assembly {
 
-/// Weights that are not physical but forbid: touching bodies are cut apart last.
+/// Weight of a body in contact. It is not physical: touching bodies are separated only as a last
+/// resort.
 inline constexpr std::int32_t kTouchWeight = 1'000'000;
 
-/// A weight in thousandths, from 0 to a million, so that sums of a few do not overflow; what is no
-/// number is the largest one.
+/// Convert a weight to thousandths, between 0 and a million, so that sums of a few do not overflow.
+/// NaN becomes the maximum.
 [[nodiscard]] std::int32_t thousandths(double weight) noexcept;
 
 class PartGraph {
   public:
-    /// Nodes and edges. @param body_count, interaction_count  Those of the user, who knows nothing
-    /// of the images and copies behind them (split/cuts.h).
+    /// Build nodes and edges. @param body_count, interaction_count  Counts of the user, without the
+    /// ghost bodies and duplicated interactions behind them (split/cuts.h).
     void build(const model::Bodies& bodies, std::int32_t body_count,
                const model::Interactions& interactions, std::int32_t interaction_count,
                std::span<const Contacts::Link> links);
-    /// Interaction i must stay whole.
+    /// Forbid a cut of interaction i.
     void keep_whole(std::int32_t i) noexcept;
-    /// Weights from the last step's impulses, from velocities, and from rows as they were evaluated
-    /// last. @param cut  Interactions that are cut at present, ascending. Their violation comes of
-    /// the cut and does not count against it; it is the price of mending it, since a row that gets
-    /// its own compliance back pulls its bodies to where they belong.
+    /// Compute weights from the impulses of the last step, from velocities, and from the rows as
+    /// last evaluated. @param cut  Interactions that are cut at present, ascending. The cut causes
+    /// their violation, which therefore does not count against it. It is the cost of a repair: a
+    /// row that regains its own compliance pulls its bodies back into position.
     void weigh(const model::Bodies& bodies, const model::Interactions& interactions,
                std::span<const std::int32_t> cut, const WorldDef& def);
-    /// The body touches something: after weigh().
+    /// Add the weight of a body in contact. Call after weigh().
     void touch(std::int32_t body) noexcept;
-    /// Flops of each body's pivots, rows that follow it included; empty: none known.
+    /// Flops of the pivots of each body, including rows that follow it; empty if unknown.
     std::vector<std::int64_t> cost;
-    std::vector<std::int32_t> group;  ///< Part of each body by hand; may be empty.
+    std::vector<std::int32_t> group;  ///< Part of each body as set by the user; may be empty.
 
     [[nodiscard]] graph::Hypergraph view() const noexcept {
         return {size, begin, members, edge_weight, node_weight, group, cost, mend_weight};
@@ -66,8 +67,8 @@ class PartGraph {
 
   private:
     std::vector<std::int32_t> degree_;
-    std::vector<std::uint8_t> whole_;  ///< By edge: may not be cut.
-    std::vector<double> net_;          ///< Three a body [N s].
+    std::vector<std::uint8_t> whole_;  ///< By edge: 1 if it may not be cut.
+    std::vector<double> net_;          ///< Three per body [N s].
 };
 
 }  // namespace hawser::assembly

@@ -12,7 +12,7 @@ namespace hawser::assembly {
 std::vector<std::int32_t> pattern_parts(const factor::Pattern& pattern,
                                         const factor::Symbolic* known, int parts) {
     const std::int32_t n = pattern.nodes();
-    // A negative node is an edge that joins its positive neighbours; as a node it does not move.
+    // A negative node is a hyperedge that joins its positive neighbours; as a node it is fixed.
     std::vector<std::uint8_t> size(at(n));
     std::vector<std::int32_t> begin{0}, members;
     for (std::int32_t v = 0; v < n; ++v) {
@@ -44,7 +44,8 @@ std::vector<std::int32_t> pattern_parts(const factor::Pattern& pattern,
     graph::Partition partition;
     partitioner.read({size, begin, members, {}, {}, {}, cost});
     partitioner.separate({parts}, partition);
-    // Negative nodes that couple to each other (no mechanical system has them) stay between.
+    // Negative nodes with an edge between each other stay in the separator. No mechanical system
+    // has them.
     for (std::int32_t v = 0; v < n; ++v) {
         if (pattern.sign[at(v)] > 0) continue;
         std::int32_t part = graph::kSeparator;

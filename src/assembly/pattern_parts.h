@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file pattern_parts.h
-/// Parts and separators of a block pattern: for an order of elimination with a forced top.
+/// Parts and separators of a block pattern, for an order of elimination with a prescribed top.
 
 #include "factor/pattern.h"
 #include "factor/symbolic.h"
@@ -11,11 +11,11 @@
 
 namespace hawser::assembly {
 
-/// By node of the pattern: its part, or graph::kSeparator. No edge of the pattern joins two parts.
-/// Positive nodes are shared out by graph::Partitioner; a negative one goes with those of its
-/// positive neighbours that are in a part, and between parts if none is.
-/// @param known  Analysis of this pattern, whose exact flops then balance; null: by the model.
-/// @throws std::bad_alloc.
+/// Return the part of each node of the pattern, or graph::kSeparator. No edge of the pattern joins
+/// two parts. graph::Partitioner distributes the positive nodes. A negative node joins those of its
+/// positive neighbours that are in a part; if none is, it stays in the separator. @param known
+/// Analysis of this pattern, whose exact flops are then balanced; null: use the model. @throws
+/// std::bad_alloc.
 [[nodiscard]] std::vector<std::int32_t> pattern_parts(const factor::Pattern& pattern,
                                                       const factor::Symbolic* known, int parts);
 

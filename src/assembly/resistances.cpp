@@ -16,10 +16,10 @@ using namespace hawser::generic;
 using nonsmooth::Resistance;
 using nonsmooth::Touch;
 
-/// A turn beyond this [rad], about an axis without resistance, sets the reference anew.
+/// A rotation beyond this [rad] about an axis without resistance resets the reference.
 constexpr double kTurned = 1e-2;
 
-/// Quaternion: w, then the vector.
+/// Quaternion: scalar part w, vector part v.
 struct Q {
     double w;
     V3 v;
@@ -29,7 +29,7 @@ Q operator*(const Q& a, const Q& b) {
     return {a.w * b.w - dot(a.v, b.v), a.w * b.v + b.w * a.v + cross(a.v, b.v)};
 }
 Q conjugate(const Q& a) { return {a.w, -a.v}; }
-/// The rotation that the Cayley map makes of a small vector, and back.
+/// Return the rotation of a small vector by the Cayley map, and the inverse.
 Q turn_by(const V3& g) {
     const double s = 1.0 / std::sqrt(1.0 + 0.25 * dot(g, g));
     return {s, (0.5 * s) * g};
@@ -37,7 +37,7 @@ Q turn_by(const V3& g) {
 
 bool resists(const collide::Surface& s) { return s.rolling > 0.0 || s.torsional > 0.0; }
 
-/// Mean inverse inertia about the axes.
+/// Return the mean inverse inertia about the axes.
 double rotation_mobility(const model::Bodies& b, std::int32_t body) {
     const double* i = &b.inv_inertia[9 * at(body)];
     return (i[0] + i[4] + i[8]) / 3.0;
@@ -87,7 +87,7 @@ void Resistances::begin(const collide::ContactSet& set, base::Array<ContactRow>&
         for (std::size_t i = 0; i < 3; ++i)
             laws.back().b[i] = -4.0 / h * upsilon * rows.back().gap[i];
     }
-    // What sleeps keeps its memory.
+    // Sleeping contacts keep their memory.
     for (std::size_t k = contacts.size(); k < set.contacts.size(); ++k) {
         const ResistanceMemory* m = find(set.contacts[k].previous);
         if (m == nullptr) continue;
@@ -103,7 +103,7 @@ const ResistanceMemory* Resistances::find(std::int32_t contact) const noexcept {
     return contact >= 0 && found != memory.end() && found->contact == contact ? &*found : nullptr;
 }
 
-/// g of this step, and the reference that it is measured from.
+/// Compute g of this step, and the reference orientation for it.
 void Resistances::recall_turn(std::size_t index, std::int32_t previous, const ContactRow& contact,
                               const model::Bodies& bodies) noexcept {
     ResistanceMemory& m = next_[index];

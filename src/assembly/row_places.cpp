@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where Jacobians and geometric terms are kept, and how bodies find them.
+/// Layout of Jacobians and geometric terms, and their lookup by body.
 #include "assembly/system.h"
 #include "base/index.h"
 #include "model/arms.h"
@@ -9,7 +9,8 @@
 namespace hawser::assembly {
 namespace {
 
-/// |r|/I of one body of an interaction, I the mean moment of inertia across its arm r, see geo.h.
+/// Return |r|/I of one body of an interaction, I the mean moment of inertia across its arm r, see
+/// geo.h.
 double arm_rate(const model::Bodies& bodies, const model::Interactions& in, int id, int b) {
     const std::int32_t body = in.body[at(kMaxInteractionBodies * id + b)];
     const Vec3& arm = in.def[at(id)].point[at(b)];
@@ -20,18 +21,18 @@ double arm_rate(const model::Bodies& bodies, const model::Interactions& in, int 
     return 2.0 * length / (inertia.trace() - along);
 }
 
-/// The larger one of the two bodies of a joint. 0 unless both turn.
+/// Return the larger rate of the two bodies of a joint; 0 unless both turn.
 double swing_rate(const model::Bodies& bodies, const model::Interactions& in, int id) {
     for (int b = 0; b < 2; ++b)
         if (bodies.dof(in.body[at(kMaxInteractionBodies * id + b)]) != 6) return 0.0;
     return std::max(arm_rate(bodies, in, id, 0), arm_rate(bodies, in, id, 1));
 }
 
-/// How fast a joint or rod swings, see model::Interactions::swing: about its bodies' centres of
-/// mass; a rod between lumps also across itself, 1/(l m).
+/// Return the oscillation rate of a joint or rod, see model::Interactions::swing: about the centres
+/// of mass of its bodies. A rod between lumps also oscillates transversely, with 1/(l m).
 double swing_of(const model::Bodies& bodies, const model::Interactions& in, int id) {
     const KindInfo& kind = kind_info(in.kinds[at(id)]);
-    // What slides has no arm of its own along which a force would act.
+    // A sliding joint has no fixed arm on which a force acts.
     if (kind.is(kSlides)) return 0.0;
     double rate = std::max(arm_rate(bodies, in, id, 0), arm_rate(bodies, in, id, 1));
     if (!kind.is(kAlongLine) || kind.is(kElastic)) return rate;
@@ -50,7 +51,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
     constexpr std::size_t kSlack = 8;
     geo_place_.assign(at(in.count()), {});
     std::int32_t record = 0, force = 0, jacobian = 0;
-    // Compact Jacobians come first, each in a cache line.
+    // Compact Jacobians come first, one per cache line.
     for (int i = 0; i < in.count(); ++i) {
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
         const bool compact = kind_info(in.kinds[at(i)]).is(kCompact) && !rests(i) &&
@@ -99,8 +100,8 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
     }
 }
 
-/// Elements between points that have terms beside their rows: those of the others stay with the
-/// lumps.
+/// Find the elements between points with geometric terms. The masses of the other elements stay
+/// with the lumps.
 void System::place_masses(const model::Interactions& in) {
     pair_mass_.clear();
     if (!consistent_mass) return;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How soft a cut has to be. Two bodies that hold to each other by a row with Σ, Υ and recall R,
-/// each of which takes the other's last velocity for its next one, are stable if and only if
+/// Minimum compliance of a cut. Two bodies are coupled by a row with Σ, Υ and recall R, and each
+/// extrapolates the velocity of the other from the last step. They are stable if and only if
 /// ```
-///     A (1 + Υ (2 − R)) ≤ 2,   A = Σ over sides W/(W + Σ),   W = G M⁻¹ Gᵀ of the side's bodies
+///     A (1 + Υ (2 − R)) ≤ 2,   A = Σ over sides W/(W + Σ),   W = G M⁻¹ Gᵀ of the bodies of the
+///     side
 /// ```
-/// (docs/methods.md, 10). Rows at the same body act together: W counts as often as rows do that
-/// are stiff against it. Bodies that others hold are heavier than they look, which is on the safe
-/// side.
+/// (docs/methods.md, 10). Rows at the same body act together: W is multiplied by the number of rows
+/// that are stiff compared with the body. A body held by others has a larger effective mass, which
+/// is on the safe side.
 #include "assembly/mobility.h"
 #include "assembly/system.h"
 #include "base/index.h"
@@ -18,8 +19,8 @@
 namespace hawser::assembly {
 namespace {
 
-constexpr double kBoundaryShare = 0.9;  ///< Of the boundary.
-constexpr double kStiff = 0.05;         ///< W/(W + Σ) from which a row counts.
+constexpr double kBoundaryShare = 0.9;  ///< Fraction of the stability boundary.
+constexpr double kStiff = 0.05;         ///< Minimum W/(W + Σ) of a row that counts.
 
 double amplification(const std::vector<double>& w, double sigma) {
     double sum = 0.0;
@@ -27,7 +28,7 @@ double amplification(const std::vector<double>& w, double sigma) {
     return sum;
 }
 
-/// Least Σ at which A = `most`: A falls as Σ grows.
+/// Return the smallest Σ with A ≤ `most`. A decreases with Σ.
 double least_sigma(const std::vector<double>& w, double sigma, double most) {
     if (amplification(w, sigma) <= most) return 0.0;
     double high = std::max(sigma, *std::max_element(w.begin(), w.end()));

@@ -9,17 +9,17 @@
 namespace hawser::assembly {
 namespace {
 
-/// Bodies and interactions of a strip at least: some hundred kilobytes, a share of a core's own
-/// cache, and some twenty microseconds.
+/// Minimum number of bodies and interactions of a strip. They need some hundred kilobytes, a
+/// fraction of the cache of a core, and some twenty microseconds.
 constexpr std::int32_t kStripWork = 384;
-/// Large scenes have longer strips, if they have so many: 6 % less time there. Probably longer
-/// stretches of the forty arrays that a strip reads in turns come from memory ahead of their use,
-/// which counts for more than what is still in the cache at the next sweep.
+/// Large scenes with enough strips use longer ones: 6 % less time. The probable cause is
+/// prefetching of longer parts of the forty arrays that a strip reads in turn. It outweighs the
+/// data that remain in the cache for the next sweep.
 constexpr std::int32_t kLongStripWork = 1536, kStrips = 32;
-constexpr std::int32_t kGroup = 128;  ///< Shared bodies of a group.
+constexpr std::int32_t kGroup = 128;  ///< Shared bodies per group.
 
-/// f(bucket, range) for each stretch of indices in the same bucket. @param bucket  Of an index;
-/// −1: in none.
+/// Call f(bucket, range) for each run of indices with the same bucket. @param bucket  Bucket of an
+/// index; −1: none.
 template <class B, class F>
 void each_range(std::int32_t n, B&& bucket, F&& f) {
     for (std::int32_t a = 0, b = 0; a < n; a = b) {
@@ -44,7 +44,7 @@ void Strips::sort_into(const std::vector<std::int32_t>& bucket, std::int32_t buc
     each_range(n, of, [&](std::int32_t k, IndexRange r) { ranges[at(cursor_[at(k)]++)] = r; });
 }
 
-/// Pools, strip by strip, then kind by kind.
+/// Sort pools by strip, then by kind.
 void Strips::sort_pools(const model::Interactions& in, std::int32_t strips) {
     auto each = [&](auto&& f) {
         for (std::size_t kind = 0; kind < kInteractionKindCount; ++kind) {
@@ -68,7 +68,7 @@ void Strips::sort_pools(const model::Interactions& in, std::int32_t strips) {
 void Strips::build(std::span<const std::uint8_t> dof, std::span<const std::uint8_t> rests,
                    const model::Interactions& in) {
     const auto body_count = static_cast<std::int32_t>(dof.size());
-    // An interaction goes with the last of its bodies that move.
+    // An interaction belongs to the strip of the last of its bodies that move.
     last_.assign(at(in.count()), 0);
     work_.assign(dof.size(), 1);
     for (std::int32_t i = 0; i < in.count(); ++i) {

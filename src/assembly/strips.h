@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file strips.h
-/// Which rows and bodies are worked on together, while they are in the cache.
+/// Row blocks that are processed together while they are in the cache.
 ///
-/// A step sweeps over rows and over bodies by turns: a body's right-hand side needs the rows that
-/// touch it, a row's residual needs the new velocities of its bodies. Sweep by sweep, a large scene
-/// would pass through memory each time. A *strip* is a stretch of consecutive bodies with the
-/// interactions whose last body lies in it; bodies that no other strip's interaction touches are
-/// the strip's own. Two sweeps become one: rows of a strip, then its own bodies. The few *shared*
-/// bodies (hulls, and two or three of a wire at each border) wait for all strips.
+/// A step sweeps over rows and bodies in turn. The right-hand side of a body needs the rows of its
+/// interactions. The residual of a row needs the new velocities of its bodies. With separate sweeps
+/// a large scene would be read from memory each time.
+///
+/// A *strip* is a range of consecutive bodies with the interactions whose last body lies in it.
+/// Bodies without interactions of other strips are own bodies of the strip. Two sweeps become one:
+/// rows of a strip, then its own bodies. The few *shared* bodies (hulls, and two or three of a wire
+/// at each border) are processed after all strips.
 ///
 /// ```
-///   bodies        0 ······│·······│·······     strips are tasks: what one writes
-///   interactions    ─── ──┼── ────┼─ ─────     no other one reads before the shared
-///   shared        S      S S     S S           bodies' turn
+///   bodies        0 ······│·······│·······     strips are tasks: no other strip reads the output
+///   interactions    ─── ──┼── ────┼─ ─────     of a strip before the shared bodies are processed
+///   shared        S      S S     S S
 /// ```
-/// Strips depend on the scene alone, so sums that are merged strip by strip do not depend on
-/// threads. Numbering at random makes every body shared: the sweeps are then apart again.
+/// Strips depend on the scene alone, so that sums merged by strip do not depend on threads. If
+/// bodies are numbered at random, all are shared, and the sweeps are separate again.
 
 #include "model/bodies.h"
 #include "model/interactions.h"
@@ -38,8 +40,8 @@ struct PoolRange {
 
 class Strips {
   public:
-    /// @param dof  Degrees of freedom by body. @param rests  1 an interaction that is left out.
-    /// @throws std::bad_alloc.
+    /// Build the strips. @param dof  Degrees of freedom by body. @param rests  1 for each
+    /// interaction to leave out. @throws std::bad_alloc.
     void build(std::span<const std::uint8_t> dof, std::span<const std::uint8_t> rests,
                const model::Interactions& interactions);
 
@@ -53,7 +55,7 @@ class Strips {
     [[nodiscard]] std::span<const PoolRange> pools(int strip) const noexcept {
         return part(pools_, pool_begin_, strip);
     }
-    /// Shared bodies come in groups of some hundred.
+    /// Return the number of groups of shared bodies, with some hundred bodies each.
     [[nodiscard]] int groups() const noexcept { return static_cast<int>(group_begin_.size()) - 1; }
     [[nodiscard]] std::span<const IndexRange> shared(int group) const noexcept {
         return part(shared_, group_begin_, group);

@@ -9,7 +9,8 @@
 namespace hawser::assembly {
 namespace {
 
-/// Motors without a range stay out of the way, unless an input may give them one.
+/// True if the force of an interaction is bounded. Motors without a range do not count, unless an
+/// input may set a range.
 bool is_bounded(const model::Interactions& in, int id) {
     const int flags = in.flags[at(id)];
     if (flags & (model::kOneSided | model::kRange | model::kFriction)) return true;
@@ -63,7 +64,7 @@ void System::reserve(const model::Bodies& bodies, model::Interactions& in) {
     find_bounded(in);
 }
 
-/// Interactions with a bounded force, and those that break.
+/// Find the interactions with a bounded force, and those that can break.
 void System::find_bounded(const model::Interactions& in) {
     bounded.clear();
     breakable.clear();
@@ -96,7 +97,7 @@ void System::find_islands(const model::Interactions& in) {
 
 namespace {
 
-/// What a view shows of bodies.
+/// Set the pointers of a view to arrays of bodies.
 void show_bodies(model::Bodies& bodies, View& v) noexcept {
     v.body_count = bodies.count();
     v.dof_count = bodies.dofs;
@@ -122,7 +123,7 @@ void show_bodies(model::Bodies& bodies, View& v) noexcept {
     v.weight = bodies.weight.data();
 }
 
-/// What a view shows of interactions and their rows.
+/// Set the pointers of a view to arrays of interactions and their rows.
 void show_interactions(model::Interactions& in, View& v) noexcept {
     v.interaction_count = in.count();
     v.body = in.body.data();

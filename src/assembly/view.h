@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file view.h
-/// Raw view of the model and of the step's arrays for code compiled per instruction set.
+/// Raw view of the model and of the arrays of a step, for code compiled per instruction set.
 ///
-/// The step solves (paper, eq. (1); λ an impulse; unknown −λ makes the matrix symmetric)
+/// The step solves eq. (1) of the paper. λ is an impulse; the unknown −λ makes the matrix
+/// symmetric.
 /// ```
 ///   [ M̃  Gᵀ ] [ v₊ ]   [ a ]      M̃ = M + h θ D + (h²/4) K_g + h C
 ///   [ G  −Σ ] [ −λ ] = [ c ]      a = M v + h f + gyro + (h²/4) K_g v − h C v − h (1 − θ) D v
 /// ```
 /// M mass matrix, D drag, θ by model/damping.h, K_g geometric stiffness, C relative-rotation
-/// damping (part 4 of docs/methods.md); Σ, c from compliance, damping time and violation (SPOOK).
+/// damping (docs/methods.md, 4). The values Σ and c follow from compliance, damping time and
+/// violation (SPOOK).
 
 #include <hawser/interactions.h>
 
@@ -19,23 +21,23 @@
 
 namespace hawser::assembly {
 
-/// Doubles of a body's own block, one symmetric 3×3 for each three of its freedoms, and where it
-/// begins: at twice its first velocity.
+/// Doubles of the own block of a body: one symmetric 3×3 matrix per three freedoms. It starts at
+/// twice the offset of its first velocity.
 inline constexpr int kBodyBlock = 12;
 [[nodiscard, gnu::always_inline]] inline constexpr std::int64_t block_place(
     std::int32_t dof_begin) {
     return std::int64_t{2} * dof_begin;
 }
 inline constexpr int kGeoSize = 24;   ///< Doubles of one geometric-stiffness record, see geo.h.
-inline constexpr int kGeoSwing = 23;  ///< Its last one, which no step writes.
-inline constexpr int kGeoLine = 4;    ///< Of them, those between bodies without arms.
+inline constexpr int kGeoSwing = 23;  ///< Last entry of a record, which no step writes.
+inline constexpr int kGeoLine = 4;    ///< Entries of a record between bodies without arms.
 
-inline constexpr int kLossChunk = 64;  ///< Interactions of one call of row_losses().
-/// Of View::recall; below it c does not tell ġ.
+inline constexpr int kLossChunk = 64;  ///< Interactions per call of row_losses().
+/// Lower bound of View::recall, below which ġ cannot be derived from c.
 inline constexpr double kLeastRecall = 1e-2;
 
-/// One contribution to one block of the matrix. Of a compact joint (model/arms.h) `width` is 0,
-/// the offsets are those of its record, and `condensed` has the damping in it.
+/// One contribution to one block of the matrix. For a compact joint (model/arms.h) `width` is 0,
+/// the offsets are those of its record, and `condensed` includes the damping.
 struct Op {
     enum Kind : std::uint8_t {
         body_block,    ///< M + hD of body `id` on the diagonal.
@@ -44,71 +46,75 @@ struct Op {
         kept_sigma,    ///< −Σ on the diagonal of a kept interaction.
         kept_rows,     ///< G_b: the interaction is eliminated after body slot b.
         kept_columns,  ///< G_aᵀ: the interaction is eliminated before body slot a.
-        contact        ///< Block `id` of contacts; a: 1 where its second body has the rows.
+        contact        ///< Block `id` of contacts; a: 1 if its second body has the rows.
     };
     std::int64_t address;
     std::int32_t step, ld;  ///< Distance of rows and of columns, factor::BlockTarget.
     std::int32_t id;
     std::int32_t jac_a,
-        jac_b;  ///< Offsets of the slots' columns in the first row; of a body block.
+        jac_b;  ///< Offsets of the columns of the slots in the first row; offset of a body block.
     Kind kind;
     std::uint8_t a, b;
     std::uint8_t dof_a, dof_b, width;
 };
 
-/// Friction of a line on a place that it runs over, and what it presses with: the parts of the line
+/// Friction of a line at a turning point. The normal force follows from the parts of the line
 /// before and behind.
 struct Capstan {
     std::int32_t friction;  ///< An interaction of one row, on the slide alone.
-    std::int32_t body;      ///< The slide.
-    std::int32_t entries;   ///< How many of System::capstan_entries are its own.
-    double side;            ///< Sign of its force where that slides.
-    double was;             ///< That at the solution at hand, 0: it held (solve/runs.h).
+    std::int32_t body;      ///< Body of the slide.
+    std::int32_t entries;   ///< Number of its entries in System::capstan_entries.
+    double side;            ///< Sign of its force while sliding.
+    double was;             ///< Sign at the present solution; 0: sticking (solve/runs.h).
 };
 
-/// A load of a capstan in the matrix: the equation of its slide, the impulse of the load.
+/// A load of a capstan in the matrix: equation of its slide, impulse of the load.
 struct CapstanEntry {
-    std::int32_t load;  ///< Interaction.
-    double factor;      ///< Of its impulse in the bound.
-    double value;       ///< Added to the entry.
+    std::int32_t load;  ///< Interaction that is the load.
+    double factor;      ///< Factor of its impulse in the bound.
+    double value;       ///< Value added to the entry.
     std::int64_t address;
-    std::int32_t column;      ///< Node whose column holds it.
-    bool upper;               ///< It stands in the upper half, transposed.
-    std::uint8_t was_active;  ///< Whether the load acted at the solution at hand.
+    std::int32_t column;      ///< Node whose column contains the entry.
+    bool upper;               ///< True if the entry is in the upper half, transposed.
+    std::uint8_t was_active;  ///< 1 if the load was active at the present solution.
 };
 
-/// The same contribution in several lanes of one batch step (factor/batches.h): entry (i, j) of
-/// lane l at address + i step + 8 j + l. Lanes not in use repeat a used one with weight 0.
+/// The same contribution in several lanes of one batch step (factor/batches.h). Entry (i, j) of
+/// lane l is at address + i step + 8 j + l. Unused lanes repeat a used one with weight 0.
 struct LaneOp {
     std::int64_t address;
     std::int32_t step;
     Op::Kind kind;
     std::uint8_t a, b;
     std::uint8_t dof_a, dof_b, width, rows;
-    std::uint8_t used;    ///< One bit a lane.
-    std::uint8_t turned;  ///< One bit a lane: slots a and b change places, between compact joints.
-    std::int32_t to_b;    ///< From slot a's columns to slot b's.
+    std::uint8_t used;  ///< One bit per lane.
+    /// One bit per lane: slots a and b are exchanged, between compact joints.
+    std::uint8_t turned;
+    std::int32_t to_b;  ///< Offset from the columns of slot a to those of slot b.
     std::int32_t id[8];
-    std::int32_t from[8];  ///< Offsets of what op.kind reads: slot a's columns, record, block.
+    std::int32_t from[8];  ///< Offsets of the input of op.kind: columns of slot a, record, block.
 };
 
-/// One interaction as a body sees it: all that the gather loops need, without detours.
+/// One interaction of a body: all data that the gather loops need, without indirection.
 struct Incidence {
-    std::int32_t jacobian;   ///< Offset of this body's columns in the first row; of its arm.
-    std::int32_t row;        ///< First row.
-    std::int32_t geo_force;  ///< GeoPlace::slot() of this body, −1: none or not one of its two.
-    /// Offset of its arm's stiffness, −1: none (slot 1 has the force of slot 0, sign changed). Of a
-    /// compact joint: the interaction.
+    /// Offset of the columns of this body in the first row; offset of its arm.
+    std::int32_t jacobian;
+    std::int32_t row;  ///< First row.
+    /// GeoPlace::slot() of this body; −1: none, or not one of the first two bodies.
+    std::int32_t geo_force;
+    /// Offset of the stiffness of its arm; −1: none (slot 1 has the negative force of slot 0). For
+    /// a compact joint: the interaction.
     std::int32_t geo_arm;
     std::uint8_t rows;
-    std::uint8_t width;  ///< 0: a compact joint (model/arms.h); `slot` is this body's.
+    std::uint8_t width;  ///< 0: a compact joint (model/arms.h); `slot` is the slot of this body.
     std::uint8_t slot;
 };
 
-/// Where the geometric terms of one interaction are. A slot has 2 `dof` doubles: its part of M̃ v
-/// for the velocities of the latest loop over rows that had some, and its part of a. Where one
-/// slot's part is the other's with the sign changed, only that of slot 0 is kept: between bodies
-/// without arms, and of compact joints (model/arms.h), which have three torques of each.
+/// Location of the geometric terms of one interaction. A slot has 2 `dof` doubles: its parts of M̃
+/// v and of a. The velocities v are those of the latest loop over rows with nonzero velocities. If
+/// the part of one slot is the negative of the other, only slot 0 is stored. This is the case
+/// between bodies without arms, and for compact joints (model/arms.h), which have three torques of
+/// each.
 struct GeoPlace {
     std::int32_t record = -1;  ///< Offset of the record, kGeoSize or kGeoLine doubles; −1: none.
     std::int32_t force = 0;    ///< Offset of slot 0; slot 1, if any, follows.
@@ -131,27 +137,27 @@ struct View {
     double* q;
     double* r;
     double* v;
-    /// Packed like v: where the solution for v₊ starts, see model/bodies.h. Null for evaluate()
-    /// where it starts at 0.
+    /// Packed like v: initial values of the solution for v₊, see model/bodies.h. Null in evaluate()
+    /// if the solution starts at 0.
     double* v_start;
-    /// Packed like v: v₊ as expected, 2 v − v₋ of the velocities of the last two steps, also where
-    /// no solution starts there.
+    /// Packed like v: expected v₊ = 2 v − v₋ from the velocities of the last two steps, even if no
+    /// solution starts there.
     const double* v_ahead;
     const double* v_fixed;
-    const double* v_before;  ///< What v_fixed was at the last half step.
-    double* spin_free;       ///< 3 a body: ω₊ without torque, world frame.
-    double* spin_change;     ///< 3 a body: ω₊ − spin_free of the last step, body frame.
-    double* spin_momentum;   ///< 3 a body: what of `a` comes of the body's spin, world frame.
-    double* spin_next;       ///< 3 a body: the same about a later solution.
-    /// By body, 1: its spin's equation is solved as it is, not about the last step
-    /// (step/completion.h).
+    const double* v_before;  ///< v_fixed at the last half step.
+    double* spin_free;       ///< 3 per body: ω₊ without torque, world frame.
+    double* spin_change;     ///< 3 per body: ω₊ − spin_free of the last step, body frame.
+    double* spin_momentum;   ///< 3 per body: part of `a` from the spin of the body, world frame.
+    double* spin_next;       ///< 3 per body: spin_momentum linearised about a later solution.
+    /// By body, 1: the equation of its spin is solved at the end of the step, not linearised about
+    /// the last step (step/completion.h).
     const std::uint8_t* turning;
     const double* mass;
     const double* inertia;
     const double* inv_inertia;
     const double* principal;
     const double* force;
-    /// 6 a body: its drag on the velocity after the step, and before it. [N s/m, N m s]
+    /// 6 per body: drag on the velocity after and before the step [N s/m, N m s].
     const double* drag_after;
     const double* drag_before;
     const std::uint8_t* weight;
@@ -168,22 +174,21 @@ struct View {
     const std::int32_t* row_begin;
     const std::int32_t* jac_begin;
     const std::uint8_t* arms;  ///< model::Interactions::arms.
-    /// By interaction, 1: all its bodies are lumps, none so near the end that vector loads leave
-    /// the arrays.
+    /// By interaction, 1: all its bodies are lumps, and vector loads stay within the arrays.
     const std::uint8_t* among_lumps;
     const GeoPlace* geo;
     double* active;
-    const double* held;  ///< By interaction: impulse of its first row while idle.
+    const double* held;  ///< By interaction: impulse of its first row while inactive.
     const std::uint8_t* parted;
-    /// By interaction between points: 1/m of the lighter end [1/kg], and 1 where its wire gained
-    /// energy lately, else 0 (assembly/geo.h).
+    /// By interaction between points: 1/m of the lighter end [1/kg]; 1 if its wire gained energy
+    /// recently, else 0 (assembly/geo.h).
     const double* lightness;
     const double* alert;
     const std::uint8_t* completed;  ///< By interaction, see model::Interactions.
     const double* swing;            ///< By interaction, see model::Interactions.
-    const double* rest_length;      ///< l₀ of wire elements [m], 0 for all else.
-    /// By interaction: a sixth of the mass of an element between lumps that moves as a straight
-    /// piece (assembly/geo.h), else 0 [kg]; once it has parted it is none. Null: there is none.
+    const double* rest_length;      ///< l₀ of wire elements [m], 0 for others.
+    /// By interaction: one sixth of the mass of an element between lumps that moves as a straight
+    /// piece (assembly/geo.h) [kg]; 0 for others and for broken elements. Null: there are none.
     const double* pair_mass;
     const double* epsilon;
     const double* upsilon;
@@ -193,51 +198,52 @@ struct View {
     const std::uint8_t* row_flags;
     double* g;
     double* c;
-    double* c_next;  ///< By row: c about a later solution, of completed ones.
-    double* rate;    ///< By row: ġ at the step's start, of completed ones.
+    double* c_next;  ///< By row: c of completed rows, linearised about a later solution.
+    double* rate;    ///< By row: ġ of completed rows at the start of the step.
     double* residual;
     double* lambda;
-    double* multiplier;  ///< By row: λ + Σ⁻¹ residual where condensed, 0 where idle.
+    double* multiplier;  ///< By row: λ + Σ⁻¹ residual if condensed, 0 if inactive.
     double* force_of_row;
     double* jacobian;
     double* geo_record;  ///< See GeoPlace.
     double* geo_force;   ///< See GeoPlace.
 
-    // Incidence: which (interaction, slot) pairs touch a body.
+    // Incidence: pairs (interaction, slot) of a body.
     const std::int32_t* incident_begin;
     const Incidence* incident;
-    const std::uint8_t* links;  ///< By body: so many from it on are links of one chain, see System.
+    /// By body: number of bodies from it on that are links of one chain, see System.
+    const std::uint8_t* links;
 
     // Contacts, see contact_rows.h; null in a world without shapes.
     const double* contact_block;
     const std::uint8_t* contact_block_used;
     const double* contact_impulse;  ///< Packed like v: Jᵀλ of all contacts.
 
-    /// By body, place in `coupling` of the lower triangle of a 6×6 block that loads of systems put
-    /// on it and that couples translations and rotations; −1: none. Null: no body has one.
+    /// By body: offset in `coupling` of the lower triangle of a 6×6 block from loads of systems
+    /// that couples translations and rotations; −1: none. Null: no body has one.
     const std::int32_t* coupled;
     const double* coupling;
 
-    // The permuted vector of the solver.
+    // Permuted vector of the solver.
     const std::int32_t* body_offset;         ///< By body; −1 without freedom.
-    const std::int32_t* interaction_offset;  ///< By interaction; −1 when condensed.
+    const std::int32_t* interaction_offset;  ///< By interaction; −1 if condensed.
     double* solution;
 };
 
-/// μ of an interaction [kg], see View::pair_mass.
+/// Return μ of an interaction [kg], see View::pair_mass.
 [[nodiscard, gnu::always_inline]] inline double pair_mass_of(const View& view,
                                                              std::int32_t id) noexcept {
     return view.pair_mass == nullptr || view.parted[id] != 0 ? 0.0 : view.pair_mass[id];
 }
 
-/// The rows of interaction `id`, packed, in `room` if it is a compact joint.
+/// Return the packed rows of interaction `id`, in the buffer `room` if it is a compact joint.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(
     const View& view, std::int32_t id, double (&room)[model::kArmRoom]) noexcept {
     return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, room);
 }
 
-/// Add a row G v = c, and nothing else of its interaction, to the right-hand side in the solver's
-/// vector. @param jac  The packed row. @return the next one.
+/// Add a row G v = c without the rest of its interaction to the right-hand side in the vector of
+/// the solver. @param jac  Packed row. @return the next row.
 inline const double* ask_of_row(const View& v, std::int32_t id, int row, const double* jac,
                                 double c) noexcept {
     const std::int32_t kept = v.interaction_offset[id];
@@ -260,29 +266,30 @@ struct Norms {
     double stretch = 0.0;  ///< max |g + ε f| / length over wire elements.
     double work = 0.0;     ///< h f·(v + v₊)/2 of applied forces and torques [J].
     double drag = 0.0;     ///< h (θ v₊ + (1 − θ) v)ᵀ D (v + v₊)/2 [J].
-    double finite = 0.0;   ///< Sum of everything: not finite if anything is not.
+    double finite = 0.0;   ///< Sum of all values: not finite if any value is not.
 };
 
-/// See solve/wires.h [J].
+/// Energy gains of lines, see solve/wires.h [J].
 struct LineGain {
     double gain = 0.0, exchanged = 0.0, noise = 0.0;
-    double unbooked = 0.0;  ///< Lost beyond what row_losses() counts.
+    double unbooked = 0.0;  ///< Loss beyond that of row_losses().
 };
 
-/// Energies of bodies, added up [J], and which of them turns fastest.
+/// Sums of energies of bodies [J], and the fastest rotation.
 struct BodyEnergies {
-    double before = 0.0, after = 0.0;   ///< Kinetic, at the present pose, of two velocities.
-    double half_way = 0.0, pose = 0.0;  ///< Of gravity, half a step back and at the pose.
-    double turn = 0.0;                  ///< Largest square of an angular velocity [rad²/s²].
+    double before = 0.0, after = 0.0;  ///< Kinetic energies of two velocities at the present pose.
+    /// Potential energy of gravity half a step before, and at the present pose.
+    double half_way = 0.0, pose = 0.0;
+    double turn = 0.0;  ///< Largest squared angular velocity [rad²/s²].
     std::int32_t turn_body = -1;
 };
 
-/// How far a solution is from the equations at the step's end, see step/completion.h.
+/// Error of a solution in the equations at the end of the step, see step/completion.h.
 struct Turning {
     double change = 0.0;  ///< Largest change of a right-hand side [m/s or rad/s].
     double gap = 0.0;     ///< Largest violation at the end of the step [m or rad].
     double spin = 0.0;    ///< Largest spin of a turning body [rad/s].
-    /// Larger of both; what is not a number stays.
+    /// Keep the larger of both; NaN is kept.
     void add(const Turning& other) noexcept {
         if (!(other.change <= change)) change = other.change;
         if (!(other.gap <= gap)) gap = other.gap;
@@ -290,7 +297,7 @@ struct Turning {
     }
 };
 
-/// Interactions whose rows a step solves at its end, beside 0: all others (step/completion.h).
+/// Interactions whose rows are solved at the end of a step; 0 for all others (step/completion.h).
 enum Completed : std::uint8_t { kRigid = 1, kStiffDamper = 2 };
 
 }  // namespace hawser::assembly

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From the list of contributions into the panels.
+/// Writes the contributions of the list into the panels.
 #include "assembly/system.h"
 #include "base/index.h"
 
@@ -8,7 +8,7 @@
 namespace hawser::assembly {
 namespace {
 
-/// Indices of the places in [low, high), which are ascending.
+/// Return the index range of the addresses in [low, high), which are ascending.
 std::pair<std::int64_t, std::int64_t> between(const std::vector<std::int64_t>& places,
                                               std::int64_t low, std::int64_t high) {
     const auto a = std::lower_bound(places.begin(), places.end(), low);
@@ -32,7 +32,7 @@ void System::write_skew(const View& view, std::int64_t begin, std::int64_t end,
         if (contacts.block_skew[at(op.id)] == 0) continue;
         const double* lower =
             view.contact_block + static_cast<std::ptrdiff_t>(kContactBlock) * op.id;
-        // A body's own block is square: the other half is its transpose.
+        // The own block of a body is square: the other half is its transpose.
         const bool own = contacts.blocks[at(op.id)].a == contacts.blocks[at(op.id)].b;
         const double* other = own ? lower : lower + (op.a ? 0 : 36);
         const double* mine = own ? lower : lower + (op.a ? 36 : 0);
@@ -51,7 +51,7 @@ template <class F>
 void System::over_panels(const factor::DirtyParts& part, base::Executor& executor,
                          F&& work) const noexcept {
     const auto count = static_cast<int>(part.panels.size());
-    // Some pieces a thread, as panels differ in what is written to them.
+    // Use several pieces per thread, because the amount written to panels differs.
     const int pieces = executor.threads() == 1 ? 1 : std::min(count, 8 * executor.threads());
     auto piece = [&](int i, int) noexcept {
         for (int k = count * i / pieces; k < count * (i + 1) / pieces; ++k)

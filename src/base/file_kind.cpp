@@ -86,8 +86,8 @@ bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) 
 /// Scans JSON text, each string as a whole. Stops at the first comment or superfluous comma.
 struct JsonScan {
     std::optional<std::size_t> comment, comma;
-    std::vector<std::pair<std::string, char>>
-        keys;  ///< Keys at the top level, with the first character of their value.
+    /// Keys at the top level, with the first character of their value.
+    std::vector<std::pair<std::string, char>> keys;
     bool object = false, array = false;
 
     explicit JsonScan(std::string_view text) {

@@ -56,7 +56,7 @@ enum class FileKind : unsigned char {
 [[nodiscard]] std::string wrong_kind(std::string_view content, std::string_view expected,
                                      const std::string& file);
 
-/// Like wrong_kind(), but return `fallback` instead of "".
+/// Return wrong_kind(), with `fallback` instead of "".
 [[nodiscard]] std::string wrong_kind_or(std::string_view content, std::string_view expected,
                                         const std::string& file, const char* fallback);
 

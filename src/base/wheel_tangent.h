@@ -6,7 +6,7 @@
 ///
 /// The line leaves each wheel in the plane of that wheel, at s q from its centre. Here s is the
 /// radius with the sense of passing, and q a unit vector perpendicular to the axis n. Let S be the
-/// vector from the first point to the second. The line is tangent to both wheels if
+/// vector from the first point to the second. Conditions of tangency to both wheels:
 /// ```
 ///     q₀·S = 0,   q₁·S = 0,   S = d + s₁ q₁ − s₀ q₀.
 /// ```

@@ -39,8 +39,8 @@ class Broad {
 
   private:
     struct Sorted {
-        double low[3],
-            high[3];  ///< Bounds; the axis of the sweep comes first, the axis of the strips second.
+        /// Bounds; the axis of the sweep comes first, the axis of the strips second.
+        double low[3], high[3];
         std::int32_t shape;
         std::int32_t first,
             strip;  ///< First strip of the shape, and the strip of this entry.
@@ -59,8 +59,8 @@ class Broad {
     int axis_[3] = {0, 1, 2};     ///< Axes of the sweep and of the strips, and the third one.
     double width_ = 1.0;          ///< Minimum width of a strip [m].
     base::Array<Sorted> sorted_;  ///< Small shapes along the first axis.
-    base::Array<Sorted>
-        entries_;  ///< Small shapes by strip, one entry for each strip that they reach.
+    /// Small shapes by strip, one entry for each strip that they reach.
+    base::Array<Sorted> entries_;
     std::vector<std::int32_t> strip_begin_;  ///< First entry of each strip.
     std::vector<base::Array<Pair>> found_;   ///< Pairs found by each task.
     std::vector<std::int32_t> first_;        ///< First pair of each shape.

@@ -17,8 +17,8 @@ class Materials {
     Materials();
     /// Add a checked definition. @return its index.
     std::int32_t add(const MaterialDef& def);
-    void add_pair(const MaterialPairDef&
-                      def);  ///< Add a pair; a later one of the same two materials replaces it.
+    /// Add a pair; a later one of the same two materials replaces it.
+    void add_pair(const MaterialPairDef& def);
     [[nodiscard]] int count() const noexcept { return static_cast<int>(defs_.size()); }
     [[nodiscard]] const MaterialDef& def(int index) const {
         return defs_[static_cast<std::size_t>(index)];

@@ -21,16 +21,16 @@ struct Shape {
     /// centre of a fixed body. The point is where the element there (`line`) leaves the body;
     /// without an element it is `local.x` in the frame of the body.
     std::int32_t held;
-    std::int32_t
-        owner[2];       ///< Owner at each end, see is_duplicate() in match.h; −1: the shape itself.
-    std::int32_t line;  ///< Interaction that a segment lies along, or −1; the segment is removed if
-                        ///< it breaks.
+    /// Owner at each end, see is_duplicate() in match.h; −1: the shape itself.
+    std::int32_t owner[2];
+    /// Interaction that a segment lies along, or −1; the segment is removed if it breaks.
+    std::int32_t line;
     std::int32_t material;
     std::uint32_t group, touches;
-    double margin;     ///< Own margin [m]; applies if larger than the common one.
-    double thickness;  ///< Depth above which a shape inside it leaves on the far side [m];
-                       ///< infinite: never.
-    bool moves;        ///< True if at least one of its bodies has freedom.
+    double margin;  ///< Own margin [m]; applies if larger than the common one.
+    /// Depth above which a shape inside it leaves on the far side [m]; infinite: never.
+    double thickness;
+    bool moves;  ///< True if at least one of its bodies has freedom.
     [[nodiscard]] bool segment() const noexcept { return body[1] >= 0; }
     /// True if the shape was removed and its slot is vacant.
     [[nodiscard]] bool gone() const noexcept { return body[0] < 0; }
@@ -49,13 +49,13 @@ struct Motion {
 struct Placed {
     Geometry geometry;  ///< Geometry; a segment has the half_length of this step.
     Placement at;
-    Bounds box;        ///< Bounding box at the present pose; unbounded: ±1e30.
-    Bounds swept;      ///< Bounding box of all poses that the shape can reach within the step, see
-                       ///< place().
+    Bounds box;  ///< Bounding box at the present pose; unbounded: ±1e30.
+    /// Bounding box of all poses that the shape can reach within the step, see place().
+    Bounds swept;
     double centre[3];  ///< Centre of `box`; for an unbounded shape its origin.
     double radius;     ///< Radius of the sphere around `box`; 0 for an unbounded shape.
-    Motion
-        motion;  ///< Motion of the body at `origin`; for a segment the mean velocity of its ends.
+    /// Motion of the body at `origin`; for a segment the mean velocity of its ends.
+    Motion motion;
     double origin[3];   ///< Centre of mass of the body; for a segment its middle.
     double stretch[3];  ///< Velocity of end b of a segment relative to its middle [m/s]; else 0.
     double spread;      ///< Magnitude of `stretch`.

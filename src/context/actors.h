@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file actors.h
-/// The systems of a world (hawser/system.h) as a step sees them.
+/// The systems of a world (hawser/system.h) in the interface of a step.
 
 #include <hawser/stats.h>
 
@@ -11,12 +11,13 @@ struct StepContext;
 
 class Actors {
   public:
-    /// Each acts once, in order; loads and inputs go to the context. Before anything changes, their
-    /// states are kept. @return ok, or what ends the step.
+    /// Run each system once, in order. Loads and inputs go to the context. Before any change, the
+    /// states of systems are saved. @return ok, or the status that ends the step.
     [[nodiscard]] virtual Status act(StepContext& ctx) noexcept = 0;
-    /// The step is done: what was kept is no longer needed.
+    /// Discard the saved states after a successful step.
     virtual void accept(StepContext& ctx) noexcept = 0;
-    /// The step has failed: states of systems, inputs, and what waking disturbed are as they were.
+    /// Restore the states of systems, inputs, and sleeping bodies that were woken, after a failed
+    /// step.
     virtual void go_back(StepContext& ctx) noexcept = 0;
 
   protected:

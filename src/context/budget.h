@@ -1,53 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file budget.h
-/// Whether a solve that runs in iterations can afford another one, while it runs; deadline.h
+/// Budget of an iterative solve: decides during the solve if another iteration fits; deadline.h
 /// decides before it begins.
 ///
-/// The next iteration is taken to cost what deadline.h says, which learns it, else what the last
-/// one did, and what follows the last iteration (projection, refinement) what it did in the step
-/// before. Time differs from run to run; so that a run can be repeated, what it allowed is what
-/// gets recorded and imposed (Degradation).
+/// The next iteration is assumed to cost the prediction of deadline.h, or else as much as the last
+/// one. The rest of the solve (projection, refinement) is assumed to cost as much as in the step
+/// before. Times differ from run to run. To make a run repeatable, the resulting decision is
+/// recorded and imposed (Degradation).
 
 #include <hawser/stats.h>
 
 namespace hawser::stepper {
 
-/// Spent since the solver began.
+/// Consumption since the begin of the solver.
 struct Spent {
     double seconds = 0.0;  ///< CPU time of the slowest thread.
     double work = 0.0;     ///< [flop]
 };
 
-/// Limits of a step's solve for contacts; 0: none.
+/// Limits of the contact solve of a step; 0: none.
 struct Limits {
     double seconds = 0.0, work = 0.0;
-    int most = 0;           ///< Iterations.
-    double next = 0.0;      ///< What a further iteration takes; 0: what the last one did [s].
-    double foreseen = 0.0;  ///< With one more than `most` the solver would end at [s].
-    Degradation imposed{};  ///< Instead of all these.
+    int most = 0;       ///< Maximum number of iterations.
+    double next = 0.0;  ///< Cost of a further iteration; 0: as the last one [s].
+    /// Predicted end of the solver with one iteration more than `most` [s].
+    double foreseen = 0.0;
+    Degradation imposed{};  ///< Imposed degradation; replaces all limits.
 };
 
 class Budget {
   public:
-    /// @param spent  Until now, where the first iteration begins.
+    /// Begin a solve. @param spent  Consumption up to the first iteration.
     void begin(const Limits& limits, const Spent& spent) noexcept {
         limits_ = limits;
         last_ = spent;
         cause_ = DegradedBy::nothing;
         foreseen_ = 0.0;
     }
-    /// The solve has ended: nothing is limited until the next begin().
+    /// End a solve: there are no limits until the next begin().
     void end() noexcept { limits_ = {}; }
     [[nodiscard]] bool needs_time() const noexcept {
         return !limits_.imposed.any() && limits_.seconds > 0.0;
     }
-    /// Whether a solve that it ends ends with the factorisation at hand: one more would not fit.
+    /// True if a solve that the budget ends keeps the present factorisation, because another one
+    /// would not fit.
     [[nodiscard]] bool hasty() const noexcept {
         return limits_.imposed.any() ? limits_.imposed.hasty : limits_.seconds > 0.0;
     }
 
-    /// After each iteration. @param iterations  Made so far.
+    /// Decide after each iteration. @param iterations  Number of finished iterations.
     [[nodiscard]] bool another(const Spent& spent, int iterations) noexcept {
         if (limits_.imposed.any()) {
             const int most = limits_.imposed.iterations;
@@ -63,7 +65,8 @@ class Budget {
             return refuse(DegradedBy::prediction, limits_.foreseen);
         return true;
     }
-    /// The solve is done. @param seconds  Spent, with what followed the last another().
+    /// Report the end of the solve. @param seconds  Time spent, including the work after the last
+    /// another().
     void finished(double seconds) noexcept { finish_ = seconds - last_.seconds; }
 
     [[nodiscard]] DegradedBy cause() const noexcept { return cause_; }
@@ -77,7 +80,7 @@ class Budget {
     }
 
     Limits limits_;
-    double finish_ = 0.0;  ///< Time that ending the solve takes [s].
+    double finish_ = 0.0;  ///< Time to end the solve after the last iteration [s].
     Spent last_;
     DegradedBy cause_ = DegradedBy::nothing;
     double foreseen_ = 0.0;

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file coarsening.h
-/// By how much wires are coarser so that steps keep to their budget (docs/methods.md, 11): the
-/// first thing that is left out.
+/// Coarsening of wires so that steps meet their budget (docs/methods.md, 11). It is the first
+/// measure of degradation.
 ///
-/// A step demands x, what it took over what it may, more than 1 where it was cut. x is reckoned
-/// with as rates are (deadline.h): its mean and twice its deviation. Where that is above 1 wires
-/// become coarser by a level. Nodes go one by one: another level follows only where the mean is
-/// above 1 and has stopped falling; peaks above it are for iterations to be cut. Where the mean
-/// stays below kRoom they become finer again by one level. Steps that analysed something teach
-/// nothing: nodes that go do that.
+/// The demand x of a step is its requirement over its limit; it exceeds 1 if the step was cut. The
+/// estimate of x is its mean plus twice its deviation, as for rates (deadline.h). If the estimate
+/// exceeds 1, wires become coarser by one level. Nodes are removed one at a time. Another level
+/// follows only if the mean exceeds 1 and no longer decreases; for peaks, iterations are cut. If
+/// the mean stays below kRoom, wires become finer by one level. Steps with an analysis are not
+/// counted, because the removal of nodes causes them.
 ///
-/// While wires could be coarser and are not, and for kAct steps after, steps are solved whole.
+/// While wires could become coarser but have not, and for kAct steps after a change, steps are
+/// solved completely.
 ///
-/// Limits: what is learned is no part of the state. The level is recorded (Degradation::wires).
+/// Limits: the estimates are not part of the state. The level is recorded (Degradation::wires).
 
 #include "context/deadline.h"
 
@@ -21,19 +22,21 @@ namespace hawser::stepper {
 
 class Coarsening {
   public:
-    static constexpr int kMost = 4;         ///< Levels.
-    static constexpr int kAct = 60;         ///< Steps in which a mean that falls is seen to.
-    static constexpr double kFalls = 0.97;  ///< Of it, by then.
-    static constexpr int kStay = 240;       ///< Steps before a level gives way to the one below.
-    static constexpr double kRoom = 0.6;    ///< That takes up to 1.5 times as much.
+    static constexpr int kMost = 4;  ///< Levels.
+    static constexpr int kAct = 60;  ///< Steps in which a decreasing mean is awaited.
+    /// Maximum ratio of the mean after kAct steps that counts as a decrease.
+    static constexpr double kFalls = 0.97;
+    static constexpr int kStay = 240;  ///< Minimum steps at a level before the next lower one.
+    /// Limit of the mean for a finer level, which needs up to 1.5 times the time.
+    static constexpr double kRoom = 0.6;
 
-    bool possible = false;  ///< Some system would leave out more at a higher level.
+    bool possible = false;  ///< True if a system would remove more nodes at a higher level.
     [[nodiscard]] int level() const noexcept { return level_; }
-    /// Nothing else is to be left out yet.
+    /// True if no other measure may be used yet.
     [[nodiscard]] bool comes_first() const noexcept {
         return possible && (level_ == 0 || (level_ == 1 && rises_ && since_ < kAct));
     }
-    /// A step without analysis is done. @param demand  x.
+    /// Process a step without analysis. @param demand  x.
     void learn(double demand) noexcept {
         rate_.learn(demand);
         mean_ = rate_.samples() == 1 ? demand : mean_ + 0.125 * (demand - mean_);
@@ -60,7 +63,7 @@ class Coarsening {
     Rate rate_;
     double mean_ = 0.0, before_ = 0.0;
     int level_ = 0;
-    bool rises_ = true;  ///< It has come from the level below.
+    bool rises_ = true;  ///< True if the level was reached from the level below.
     int since_ = 0;      ///< Steps at this level.
 };
 

@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file completion_data.h
-/// Which joints hold at the end of a step (completion.h).
+/// Joints that hold at the end of a step (completion.h).
 
 #include <cstdint>
 #include <vector>
 
 namespace hawser::stepper {
 
-/// Where a joint's impulse and record are.
+/// Offsets of the impulse and the record of a joint.
 struct JointPlace {
-    std::int32_t row;     ///< Its first row; its force is that of three rows, or of fewer.
-    std::int32_t record;  ///< Its swing number's constant in a compact joint's record, else −1.
-    std::int32_t rows;    ///< Of its force.
+    std::int32_t row;  ///< Its first row; its force is that of three rows, or fewer.
+    /// Offset of the swing constant in the record of a compact joint, else −1.
+    std::int32_t record;
+    std::int32_t rows;  ///< Number of rows of its force.
 };
 
-/// What the analysis knows of joints, and what the step being taken chose.
+/// Joint data of the analysis, and the choice of the present step.
 struct Completion {
     std::vector<std::int32_t> joints;  ///< Interactions that may be completed, ascending.
-    std::vector<JointPlace> places;    ///< One a joint.
-    std::vector<std::int32_t> rigid;   ///< Of these, those that give by nothing, ascending.
-    std::vector<std::int32_t> looped;  ///< Of the rigid ones, those in closed loops of them.
+    std::vector<JointPlace> places;    ///< One per joint.
+    std::vector<std::int32_t> rigid;   ///< Rigid joints among these, ascending.
+    std::vector<std::int32_t> looped;  ///< Rigid joints in closed loops of rigid joints.
     std::vector<std::uint8_t>
-        coarse_next;                    ///< model::Interactions::coarse after the step, a joint.
-    std::vector<std::uint8_t> refused;  ///< 1 a joint: the step being taken does without it.
-    std::vector<double> lambda_with;  ///< By row: of whose forces the joints have their stiffness.
-    bool any = false;                 ///< The step completes some.
-    bool banned = false;              ///< The step is being solved again without.
+        coarse_next;                    ///< model::Interactions::coarse after the step, by joint.
+    std::vector<std::uint8_t> refused;  ///< By joint, 1: not completed in the present step.
+    /// By row: forces from which the stiffness of joints is computed.
+    std::vector<double> lambda_with;
+    bool any = false;     ///< True if the step completes some joints.
+    bool banned = false;  ///< True if the step is being solved again without completion.
 };
 
 }  // namespace hawser::stepper

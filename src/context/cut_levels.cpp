@@ -40,7 +40,7 @@ std::size_t CutLevels::wanted(const std::vector<double>& time, double seconds) n
 std::uint64_t CutLevels::choose(const Deadline& deadline, const Load& load, double seconds,
                                 std::uint64_t asked) noexcept {
     if (levels_.size() < 2) return 0;
-    // After a restore, or a step that was told what to cut, another one may be in force.
+    // After a restore, or a step with prescribed cuts, another level may be active.
     for (std::size_t l = 0; l < levels_.size(); ++l) {
         if (levels_[l].interfaces != asked || l == now_) continue;
         now_ = l;
@@ -49,7 +49,7 @@ std::uint64_t CutLevels::choose(const Deadline& deadline, const Load& load, doub
     if (!deadline.settled()) return asked;
     const double sweeps = kRowWork * load.rows;
     const double matrix = load.matrix - sweeps, change = matrix - levels_[now_].matrix;
-    // What comes and goes at the level in force (contacts) does so at the others.
+    // Contacts change the matrix at all levels by the same amount.
     for (Level& l : levels_)
         if (!fresh_) l.matrix = std::max(0.0, l.matrix + change);
     levels_[now_].matrix = matrix;

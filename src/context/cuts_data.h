@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file cuts_data.h
-/// Images, copies and cuts (cuts.h).
+/// Ghost bodies, duplicated interactions and cuts (cuts.h).
 
 #include <hawser/def.h>
 
@@ -13,39 +13,40 @@ namespace hawser::stepper {
 
 struct Clique;
 
-/// A body as other sides see it. `body` is the image, `of` the body.
+/// A ghost body: `body` is the ghost, `of` the original.
 struct Image {
     std::int32_t body, of;
 };
 
-/// Rows at the body of an image: slot `slot` of interaction `id`.
+/// Rows at the original of a ghost body: slot `slot` of interaction `id`.
 struct Pull {
-    std::int32_t image, id, slot;  ///< `image`: index in Cuts::images.
+    std::int32_t image, id, slot;  ///< Ghost body, as index in Cuts::images; interaction and slot.
 };
 
-/// A cut interaction, whose copies are the interactions [first, first + sides).
+/// A cut interaction. Its duplicates are the interactions [first, first + sides).
 struct Cut {
     std::int32_t id, first, sides;
-    bool open;              ///< In force, see open_cuts().
-    int interface = 0;      ///< Which bit of Degradation::cuts asks for it.
-    double defect = 0.0;    ///< ‖Σ of the impulses on its bodies‖ in the last step [N s].
-    double residual = 0.0;  ///< max |G v₊ + Σλ − c| there, λ the mean [m/s or rad/s].
+    bool open;            ///< True if the cut is active, see open_cuts().
+    int interface = 0;    ///< Bit of Degradation::cuts that requests it.
+    double defect = 0.0;  ///< Norm of the sum of the impulses on its bodies in the last step [N s].
+    /// Maximum of |G v₊ + Σλ − c| over its rows, λ the mean [m/s or rad/s].
+    double residual = 0.0;
 };
 
 struct Cuts {
-    std::vector<std::int32_t> group;              ///< By body of the user: its part.
-    std::vector<Coupling> coupling;               ///< By interaction of the user.
-    std::int32_t bodies = -1, interactions = -1;  ///< Of the user; −1: there are no cuts.
-    bool grouped = false;                         ///< Bodies of more than one group.
+    std::vector<std::int32_t> group;              ///< Part of each body of the user.
+    std::vector<Coupling> coupling;               ///< Coupling of each interaction of the user.
+    std::int32_t bodies = -1, interactions = -1;  ///< Counts of the user; −1: there are no cuts.
+    bool grouped = false;                         ///< True if there are bodies of several groups.
     std::vector<Cut> list;                        ///< Ascending by id.
-    std::vector<Image> images;                    ///< Ascending by body.
-    std::vector<Pull> pulls;                      ///< Ascending by image; of predictor forces.
-    std::vector<std::int32_t> of;                 ///< By copy: the interaction that it stands for.
+    std::vector<Image> images;                    ///< Ghost bodies, ascending by body.
+    std::vector<Pull> pulls;         ///< Pulls of predictor forces, ascending by image.
+    std::vector<std::int32_t> of;    ///< Original interaction of each duplicate.
     std::vector<double> touch;       ///< Packed like v: Jᵀλ of contacts in the last step [N s].
     std::vector<std::int32_t> part;  ///< Scratch: union-find over bodies.
-    std::shared_ptr<Clique> clique;  ///< Of predictor clique, see clique.h.
-    int interfaces = 0;              ///< Pairs of groups with a cut of Coupling::deadline.
-    std::uint64_t asked = 0;         ///< Of these, in force if they can be. Part of the state.
+    std::shared_ptr<Clique> clique;  ///< Data of predictor clique, see clique.h.
+    int interfaces = 0;       ///< Number of pairs of groups with a cut of Coupling::deadline.
+    std::uint64_t asked = 0;  ///< Requested interfaces; active if possible. Part of the state.
 };
 
 }  // namespace hawser::stepper

@@ -11,11 +11,11 @@ void Rate::learn(double sample) noexcept {
     samples_ = std::min(samples_ + 1, kSettled);
     if (samples_ == 1) {
         mean_ = sample;
-        deviation_ = 0.5 * sample;  // as Jacobson begins
+        deviation_ = 0.5 * sample;  // initial value of Jacobson's estimator
         return;
     }
     constexpr double kOutlier = 4.0;
-    // A mean of 0 says nothing of what to expect, and would stay.
+    // A mean of 0 gives no prediction and would stay 0.
     const double x = mean_ > 0.0 ? std::clamp(sample, mean_ / kOutlier, mean_ * kOutlier) : sample;
     deviation_ += 0.25 * (std::fabs(x - mean_) - deviation_);
     mean_ += 0.125 * (x - mean_);
@@ -59,7 +59,7 @@ double Deadline::predict(const Load& load, int iterations) const noexcept {
 }
 
 int Deadline::iterations_by(double seconds, const Load& load) const noexcept {
-    constexpr int kMost = 1000;  // as WorldDef::contact_iterations
+    constexpr int kMost = 1000;  // as in WorldDef::contact_iterations
     const double one = predict(load, 1), each = predict_next(load);
     if (!(each > 0.0)) return kMost;
     const double more = std::floor((seconds - one) / each);

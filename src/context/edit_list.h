@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file edit_list.h
-/// What edits leave for the next analysis (edits.h).
+/// Notes of edits for the next analysis (edits.h).
 
 #include <cstdint>
 #include <vector>
 
 namespace hawser::stepper {
 
-/// What the system has to follow to before the next step.
+/// Changes that the system has to follow before the next step.
 enum class Changed : std::uint8_t {
     nothing,
-    shapes,  ///< Shapes came or went: bodies and interactions are those that were analysed.
+    shapes,  ///< Shapes were added or removed; bodies and interactions are those of the analysis.
     all,
 };
 
-/// What has come since the last analysis that a step was taken with.
+/// Additions since the last analysis that a step used.
 struct Edits {
-    bool any = false;                        ///< The world had started by then.
-    std::vector<std::int32_t> interactions;  ///< Added.
+    bool any = false;                        ///< True if the world had already started.
+    std::vector<std::int32_t> interactions;  ///< Added interactions.
     void clear() noexcept {
         any = false;
         interactions.clear();

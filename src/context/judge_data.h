@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file judge_data.h
-/// What judges remember, and look at (judge.h).
+/// Memory and samples of the monitors (judge.h).
 
 #include <hawser/limits.h>
 #include <hawser/stats.h>
@@ -12,18 +12,19 @@
 
 namespace hawser::stepper {
 
-/// A sum with its extremes, forgetting.
+/// A sum with its decaying extrema.
 struct Tide {
     double least = 0.0, most = 0.0;
 };
 
-/// Energy that nothing accounts for, by what is counted in.
+/// Balances of unexplained energy, by the terms that are counted.
 enum Account : std::uint8_t {
-    kUnexplained,  ///< Mechanical energy, and all that works, drag and rows took and gave.
-    kWithGiven,    ///< The same, with what rows gave beyond what they had taken.
-    kBetween,      ///< Created energy half-way between poses, of lines by their true lengths.
-    kAtPoses,      ///< Created energy at the poses, between the velocities before and after.
-    kByForce,      ///< kBetween, with what springs hold by their force: ½ f² ε.
+    kUnexplained,  ///< Mechanical energy, all works, and the losses of drag and rows.
+    /// Like kUnexplained, with the energy that rows returned beyond their earlier losses.
+    kWithGiven,
+    kBetween,  ///< Created energy at the midpoint between poses, of lines by their true lengths.
+    kAtPoses,  ///< Created energy at the poses, with the mean of the velocities before and after.
+    kByForce,  ///< Like kBetween, with the energy of springs by their force: ½ f² ε.
     kAccounts
 };
 
@@ -38,65 +39,72 @@ enum WorkBy : std::uint8_t {
     kFriction,
     kContacts,
     kRows,
-    kGiven,     ///< By edits, see Edited.
-    kStrained,  ///< By nodes of wires that come and go: no work, and created where it lasts.
+    kGiven,  ///< Energy of edits, see Edited.
+    /// Elastic energy of added and removed nodes of wires: not work; counts as created if it lasts.
+    kStrained,
     kWorks
 };
 using Works = std::array<double, kWorks>;
 
 /// Part of the state of a world.
 struct JudgeState {
-    /// See JudgePart, at the last look [J].
+    /// Energies at the last sample, see JudgePart [J].
     double kinetic = 0.0, potential = 0.0, elastic = 0.0, by_length = 0.0, by_force = 0.0;
-    Works work{};              ///< At the last look.
-    ByAccount<double> mean{};  ///< Over kMean [J].
+    Works work{};              ///< Works at the last sample.
+    ByAccount<double> mean{};  ///< Mean over kMean [J].
     ByAccount<Tide> now_tide{}, mean_tide{};
-    double posed = 0.0;                 ///< Rise of kAtPoses, at the last look [J].
-    double held = 0.0, given = 0.0;     ///< By rows: what they may give back, and gave beyond [J].
-    double exchanged = 0.0;             ///< By bodies and springs, and by what drives them [J].
-    double counted = 0.0;               ///< The same with what rows took and gave [J].
-    double age = 0.0;                   ///< Since the sums began [s].
-    double closed = 0.0;                ///< Higher by closing poses, in the last step [J].
-    double closed_elastic = 0.0;        ///< held_by_closing() in the last step [J].
-    double unsolved = 0.0;              ///< For so long [s].
-    std::array<double, 2> risen{};      ///< Created energy at the last two looks [J].
-    std::array<double, 2> stretched{};  ///< Off the cable law at the last two looks, newest first.
-    /// Least rise by the lengths of lines, in this span of time and in the two before [J].
+    double posed = 0.0;  ///< Rise of kAtPoses at the last sample [J].
+    /// Energy that rows may return, and energy that they returned beyond it [J].
+    double held = 0.0, given = 0.0;
+    double exchanged = 0.0;  ///< Energy exchanged by bodies, springs and drives [J].
+    double counted = 0.0;    ///< Like `exchanged`, with the exchange of rows [J].
+    double age = 0.0;        ///< Time since the sums began [s].
+    /// Increase of potential energy by the position projection in the last step [J].
+    double closed = 0.0;
+    double closed_elastic = 0.0;    ///< held_by_closing() in the last step [J].
+    double unsolved = 0.0;          ///< Duration of unsolved equations [s].
+    std::array<double, 2> risen{};  ///< Created energy at the last two samples [J].
+    /// Deviation from the cable law at the last two samples, newest first.
+    std::array<double, 2> stretched{};
+    /// Least rise by the lengths of lines, in this interval and in the two before [J].
     std::array<double, 3> held_rise{};
-    double held_time = 0.0;  ///< Of this span [s].
-    /// Elements beyond their strength, and wound in beyond their length, at the last two steps.
+    double held_time = 0.0;  ///< Duration of this interval [s].
+    /// Elements above their strength, and with more than their length wound in, at the last two
+    /// steps.
     std::array<double, 2> overlong{}, wound{};
-    std::array<double, 5> beyond{}, deep{};  ///< See JudgePart, at the last looks, newest first.
-    double open_start = 0.0;                 ///< What still excuses joints that started open.
-    std::int64_t step = 0;                   ///< Of the last look.
-    std::int64_t begun = 0;                  ///< 0: the next look is the first one.
-    std::array<std::uint8_t, 8> told{};      ///< By judge: it has been said, and holds on.
+    std::array<double, 5> beyond{}, deep{};  ///< See JudgePart; at the last samples, newest first.
+    double open_start = 0.0;                 ///< Remaining tolerance for joints that started open.
+    std::int64_t step = 0;                   ///< Step of the last sample.
+    std::int64_t begun = 0;                  ///< 0: the next sample is the first one.
+    std::array<std::uint8_t, 8> told{};      ///< By monitor: 1 if reported and still present.
 };
 
-/// What a chunk of bodies or interactions adds.
+/// Contribution of a chunk of bodies or interactions.
 struct JudgePart {
     double kinetic = 0.0, potential = 0.0, elastic = 0.0;
-    double at_pose = 0.0;    ///< All three at the poses, between the velocities before and after.
-    double by_length = 0.0;  ///< Elastic energy, of lines by their true lengths half-way.
+    /// Sum of all three at the poses, with the mean of the velocities before and after.
+    double at_pose = 0.0;
+    double by_length = 0.0;  ///< Elastic energy, of lines by their true lengths at the midpoint.
     double by_force = 0.0;   ///< Elastic energy by the force of the last step, ½ f² ε.
     double open = 0.0, stretch = 0.0, turn = 0.0, twist = 0.0;
-    double beyond = 0.0;  ///< Outside of a range, over what is doubtful.
-    double deep = 0.0;    ///< In each other, over the thickness of the thinner shape.
+    double beyond = 0.0;  ///< Excess over a range, relative to the suspect limit.
+    double deep = 0.0;    ///< Penetration, relative to the thickness of the thinner shape.
     std::int32_t open_row = -1, stretch_id = -1, turn_body = -1, twist_id = -1;
     std::int32_t beyond_row = -1, deep_contact = -1;
 };
 
 struct JudgeData {
     JudgeState state;
-    std::vector<double> allowed;        ///< By row: 1 / what it may be open by, 0: anything.
-    std::vector<std::int32_t> elastic;  ///< Interactions with rows that hold energy.
-    std::vector<std::uint8_t> line;     ///< Of those: 1, a spring or wire between two points.
+    std::vector<double> allowed;        ///< By row: 1 / allowed gap, 0: unlimited.
+    std::vector<std::int32_t> elastic;  ///< Interactions with rows that store energy.
+    /// By entry of `elastic`, 1: a spring or wire between two points.
+    std::vector<std::uint8_t> line;
     std::vector<std::int32_t> lines;    ///< Wire elements.
-    std::vector<std::int32_t> ranges;   ///< Rows of ranges that are meant rigid.
-    std::vector<double> range_allowed;  ///< Of those: 1 / what they may be beyond by.
-    std::vector<JudgePart> part;        ///< One a chunk.
+    std::vector<std::int32_t> ranges;   ///< Rows of ranges that are rigid by intention.
+    std::vector<double> range_allowed;  ///< By entry of `ranges`: 1 / allowed excess.
+    std::vector<JudgePart> part;        ///< One per chunk.
     double nothing = 0.0;               ///< See limit::kNothingHigher [J].
-    std::int32_t every = 1;             ///< Steps from look to look.
+    std::int32_t every = 1;             ///< Number of steps between samples.
     Verdict verdict;
 };
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file ledger.h
-/// Sums of energy that a step goes on from.
+/// Sums of energy that a step continues.
 
 namespace hawser::stepper {
 
-/// Energy that edits of the world bring in [J], negative where they take it away.
+/// Energy that edits of the world add [J]; negative if they remove energy.
 struct Edited {
-    double given = 0.0;     ///< Bodies and interactions that come and go, masses that change.
-    double strained = 0.0;  ///< Elastic energy by nodes of wires that come and go.
+    /// Energy of added and removed bodies and interactions, and of changed masses.
+    double given = 0.0;
+    double strained = 0.0;  ///< Elastic energy of added and removed nodes of wires.
 
     Edited& operator+=(const Edited& other) noexcept {
         given += other.given;
@@ -25,7 +26,7 @@ struct Edited {
     [[nodiscard]] double sum() const noexcept { return given + strained; }
 };
 
-/// Since the start [J], see hawser::Energy.
+/// Sums since the start [J], see hawser::Energy.
 struct Ledger {
     double work = 0.0, drag = 0.0;
     double drive = 0.0;  ///< See Energy::driven.

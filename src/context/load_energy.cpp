@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Energy of loads. With the impulse of loads.h and v̄ = (v + v₊)/2, what a load does to a body,
-/// impulse · v̄, is h f·v̄ − (h²/4)(v₊ − v)ᵀK v̄, its work, less h (θ v₊ + (1 − θ) v)ᵀD v̄, which is
-/// lost, less ½ v₊ᵀA v₊ − ½ vᵀA v, which added mass holds: sums that close to rounding.
+/// Energy of loads. With the impulse of loads.h and v̄ = (v + v₊)/2, the effect of a load on a body
+/// is impulse · v̄. It is work − loss − change, exact up to rounding.
+///     Work   = h f·v̄ − (h²/4)(v₊ − v)ᵀK v̄.
+///     Loss   = h (θ v₊ + (1 − θ) v)ᵀD v̄.
+///     Change = ½ v₊ᵀA v₊ − ½ vᵀA v, in the energy of the added mass.
 #include "base/index.h"
 #include "context/judge_data.h"
 #include "context/load_matrix.h"
@@ -48,7 +50,7 @@ void LoadStore::works(const model::Bodies& bodies, double h, const double* v, co
         if (wf == nullptr) continue;
         const double *wa = wf + n, *wd = wa + size, *wk = wd + size;
         for (int i = 0; i < n; ++i) sum.water += h * wf[i] * mean[i];
-        const bool alone = wf == f;  // then its terms are those above
+        const bool alone = wf == f;  // its terms are then those above
         sum.water -= (alone ? sprung : 0.25 * h * h * product(wk, n, gain, mean)) +
                      (alone ? damped : h * product(wd, n, seen, mean)) + product(wa, n, gain, mean);
     }

@@ -11,8 +11,8 @@
 
 namespace hawser::stepper {
 
-/// Most bodies with loads are lumps: each of these is compiled once for three rows and once for any
-/// number, the same operations in the same order.
+/// Most bodies with loads are lumps. Therefore each function is compiled for three rows and for any
+/// number, with the same operations in the same order.
 #define HAWSER_ROWS [[gnu::always_inline]] inline
 
 namespace {
@@ -65,14 +65,14 @@ HAWSER_ROWS bool semidefinite_of(const double* m, int n) noexcept {
     return true;
 }
 
-/// With the largest pivot first, by which rounding grows by no more than a few times. In the order
-/// of the rows a small pivot d leaves 1e-16/d in the next ones: of E − t tᵀ, with which water takes
-/// a straight piece of wire along, the last one is 0, and of a wire that runs nearly in a plane of
-/// two axes comes out below 0 by 1e-12.
+/// Factorise with the largest pivot first, which limits the growth of rounding to a small factor.
+/// In the order of the rows, a small pivot d leaves 1e-16/d in later ones. Example: E − t tᵀ, the
+/// added mass of a straight piece of wire. Its last pivot is 0. For a wire nearly in a plane of two
+/// axes it would be −1e-12.
 ///
 /// Squares below the smallest normal number lose digits. For t = (1, 1e-160, 0) the diagonal entry
-/// 1e-320 has four digits, and the entry beside it has all of them. The diagonal is therefore
-/// raised by `floor`, which is too small to change a sum with any mass.
+/// 1e-320 has four digits, and its off-diagonal neighbour all of them. Therefore `floor` is added
+/// to the diagonal. It is too small to change a sum with any mass.
 bool semidefinite_by_pivots(const double* m, int n) noexcept {
     double a[6][6], scale[6], largest = 1.0;
     for (int i = 0; i < n; ++i) largest = std::max(largest, m[triangle(i, i)]);
@@ -135,8 +135,8 @@ HAWSER_ROWS double trace_of(double* m, const double* s, int n) noexcept {
     return sum;
 }
 
-/// trace_of() of three rows, two columns of the inverse at a time: each has its operations in the
-/// same order. What of the third column is 0 is left out.
+/// Apply trace_of() to three rows, two columns of the inverse at a time. Each column has the same
+/// operations in the same order. Zero entries of the third column are skipped.
 double trace_of_three(double* m, const double* s) noexcept {
     typedef double Two __attribute__((vector_size(16)));
     factor_of(m, 3);

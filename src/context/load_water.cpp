@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What of a body's loads is the water's (Energy::water). Loads of all systems add up in one entry
-/// a body. Where water alone loads it, the entry is the water's. Where others do as well, what
-/// water adds is the difference between what was there when it began and when the next one did.
+/// Part of the loads of a body that belongs to water (Energy::water). Loads of all systems are
+/// summed in one entry per body. If water alone loads it, the entry belongs to water. Otherwise the
+/// part of water is the difference of two sums. They are sampled when the water system begins and
+/// when the next one begins.
 #include "base/index.h"
 #include "context/load_matrix.h"
 #include "context/loads.h"
@@ -36,7 +37,8 @@ void LoadStore::note_source(std::size_t entry) noexcept {
         const int n = e.freedom + 3 * entries_of(e.freedom);
         const bool second = sources_[entry] == (kOther | kWater);
         if (!second) std::fill_n(s.water, n, 0.0);
-        if (!second && !water_now_) std::fill_n(s.before, n, 0.0);  // the water was the first
+        // the water system was the first
+        if (!second && !water_now_) std::fill_n(s.before, n, 0.0);
         if (water_now_)
             std::copy_n(all, n, s.before);
         else

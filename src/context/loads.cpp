@@ -22,7 +22,7 @@ void Loads::add_force(BodyId body, const Vec3& force, const Vec3& torque) noexce
 namespace stepper {
 namespace {
 
-/// Doubles of an entry: f, A, D, K, B.
+/// Return the number of doubles of an entry: f, A, D, K, B.
 constexpr int size_of(int freedom) { return freedom + 4 * entries_of(freedom); }
 
 bool all_finite(const double* v, int n) noexcept {
@@ -35,7 +35,7 @@ bool any_of(const double* v, int n) noexcept {
     return std::any_of(v, v + n, [](double x) { return x != 0.0; });
 }
 
-/// Places of a matrix of three rows in a body's block, which holds xx, xy, xz, yy, yz, zz.
+/// Positions of the entries of a 3×3 matrix in the block of a body, ordered xx, xy, xz, yy, yz, zz.
 constexpr int kInBlock[6] = {0, 1, 3, 2, 4, 5};
 
 }  // namespace
@@ -47,7 +47,7 @@ void LoadStore::prepare(const model::Bodies& bodies) {
     freedom_.resize(count);
     generation_.resize(count);
     part_.resize(at(load_chunks(bodies.count())));
-    // From here on nothing throws.
+    // The following code does not throw.
     for (std::size_t b = 0; b < count; ++b) {
         const auto body = static_cast<std::int32_t>(b);
         generation_[b] = bodies.places.holds(body) ? bodies.places.generation(body) : -1;
@@ -59,7 +59,7 @@ void LoadStore::prepare(const model::Bodies& bodies) {
             return at(e.body) < count && freedom_[at(e.body)] == e.freedom;
         }))
         return;
-    // Other bodies stand in the places of some.
+    // Some slots contain other bodies now.
     std::fill(entry_of_.begin(), entry_of_.end(), -1);
     std::fill(coupled_.begin(), coupled_.end(), -1);
     entries_.clear();

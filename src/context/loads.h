@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file loads.h
-/// Loads of systems: where they add up, and what the step takes them for.
+/// Loads of systems: their sums, and their terms in a step.
 ///
-/// Of a load f, A, D, K (hawser/system.h) a step has the impulse
+/// A load f, A, D, K (hawser/system.h) has this impulse.
 /// ```
 ///     h f − (A + (h²/4) K)(v₊ − v) − h D (θ v₊ + (1 − θ) v)
 /// ```
-/// so that B = A + h θ D + (h²/4) K joins the matrix and h f + (A + (h²/4) K − h (1 − θ) D) v the
-/// right-hand side. θ is that of model/damping.h with z = tr (M + A)⁻¹(h D + (h²/4) K), which is
-/// not less than what any motion of the body sees. Blocks of three translations and of three
-/// rotations join those of the body (View::body_block); what couples translations and rotations is
-/// kept here, as few bodies have some (View::coupled).
+/// The term in the matrix is B = A + h θ D + (h²/4) K, in the right-hand side h f + (A + (h²/4) K −
+/// h (1 − θ) D) v. The value θ follows from model/damping.h with z = tr (M + A)⁻¹(h D + (h²/4) K),
+/// an upper bound over all motions of the body. The 3×3 blocks of translations and of rotations are
+/// added to those of the body (View::body_block). The coupling of translations and rotations is
+/// stored here, because few bodies have one (View::coupled).
 
 #include <hawser/stats.h>
 #include <hawser/system.h>
@@ -34,7 +34,7 @@ inline constexpr std::int32_t kLoadChunk = 128;  ///< Bodies or entries of one t
     return (count + kLoadChunk - 1) / kLoadChunk;
 }
 
-/// f(begin, end) over chunks of [0, count).
+/// Call f(begin, end) for chunks of [0, count).
 template <class F>
 void over_loads(base::Executor& executor, std::int32_t count, F&& f) noexcept {
     auto task = [&](int i, int) noexcept {
@@ -45,121 +45,125 @@ void over_loads(base::Executor& executor, std::int32_t count, F&& f) noexcept {
 
 class LoadStore {
   public:
-    /// What loads do from one velocity to the next [J].
+    /// Energies of loads between two velocities [J].
     struct Works {
-        double work = 0.0;    ///< Of f, and of K by its change.
-        double damped = 0.0;  ///< Taken by D.
-        double added = 0.0;   ///< ½ vᵀA v afterwards.
-        double water = 0.0;   ///< Impulses of the water's loads · v̄.
+        double work = 0.0;    ///< Work of f, and of the change of K.
+        double damped = 0.0;  ///< Energy absorbed by D.
+        double added = 0.0;   ///< ½ vᵀA v after the step.
+        double water = 0.0;   ///< Impulses of water loads · v̄.
     };
 
-    /// For the bodies there are; loads stay. @throws std::bad_alloc.
+    /// Prepare for the present bodies; loads stay. @throws std::bad_alloc.
     void prepare(const model::Bodies& bodies);
-    /// Zeros, before systems act. Does nothing where no system did.
+    /// Set loads to zero before systems act. No effect if no system acted.
     void clear() noexcept;
 
-    // What systems call in their prestep().
+    // Functions that systems call in their prestep().
     BodyLoad of(BodyId id) noexcept;
     void reserve(std::span<const BodyId> bodies) noexcept;
-    /// Whose loads those to come are. Threads may be at work only where `parallel`.
-    /// @param of_water  They are those of water.
+    /// Set the system of the following loads. Several threads may add loads only after share(true).
+    /// @param of_water  True for loads of water.
     void begin_system(int number, bool of_water = false) noexcept {
         system_ = number + 1;
         water_now_ = of_water;
         touched_.store(false, std::memory_order_relaxed);
     }
     void share(bool parallel) noexcept { parallel_ = parallel; }
-    /// It has loaded some body.
+    /// True if the system has loaded a body.
     [[nodiscard]] bool touched() const noexcept { return touched_.load(std::memory_order_relaxed); }
     [[nodiscard]] bool out_of_memory() const noexcept { return out_of_memory_; }
 
-    /// What is wrong with the loads of the system that has just acted; reason "" if nothing. The
-    /// body with the smallest index.
+    /// Return the fault in the loads of the last system: the body with the smallest index, and a
+    /// reason; "" if none.
     [[nodiscard]] BadLoad fault(base::Executor& executor) noexcept;
-    /// θ and B, once all systems have acted; bodies that sleep wake.
+    /// Compute θ and B after all systems have acted. Wakes loaded bodies.
     void finish(model::Bodies& bodies, double h, base::Executor& executor) noexcept;
 
-    /// The step is done; or it has failed, and bodies that loads woke sleep on.
+    /// End a step. accept(): it succeeded. take_back(): it failed; bodies that loads woke sleep
+    /// again.
     void accept() noexcept;
     void take_back(model::Bodies& bodies) noexcept;
 
-    /// Some body has a load in this step.
+    /// True if any body has a load in this step.
     [[nodiscard]] bool any() const noexcept { return any_; }
     [[nodiscard]] bool loaded(std::int32_t body) const noexcept {
         return any_ && used(entry_of_[static_cast<std::size_t>(body)]);
     }
-    /// Point the kernels' view to the matrices of loads that couple bodies.
+    /// Set the pointers of a view to the coupling matrices of loads.
     void show(assembly::View& view) const noexcept;
-    /// Blocks and right-hand sides of bodies [begin, end) take their loads.
+    /// Add loads to the blocks and right-hand sides of bodies [begin, end).
     void add_terms(const assembly::View& view, std::int32_t begin, std::int32_t end) const noexcept;
-    /// What joins the right-hand side, h f + (A + (h²/4) K − h (1 − θ) D) v, and the matrix, of one
-    /// body. @return whether it has a load.
+    /// Return the terms of one body: for the right-hand side, h f + (A + (h²/4) K − h (1 − θ) D) v,
+    /// and for the matrix. @return true if it has a load.
     bool terms_of(std::int32_t body, double h, const double* v, double* impulse,
                   const double** block) const noexcept;
-    /// v += (M + B)⁻¹ (p + h f − h D v): where an impulse p and its load take a body that has one.
+    /// Add (M + B)⁻¹ (p + h f − h D v) to v of a loaded body: the effect of an impulse p and its
+    /// load.
     void push(const model::Bodies& bodies, std::int32_t body, double h, const double* p,
               double* v) const noexcept;
-    /// Load of a body of another world.
+    /// Copy the load of a body of another world.
     void copy_entry(const LoadStore& from, std::int32_t its, std::int32_t mine) noexcept;
 
-    /// ½ vᵀA v of all loads of the step [J].
+    /// Return ½ vᵀA v of all loads of the step [J].
     [[nodiscard]] double added_energy(const model::Bodies& bodies, const double* v,
                                       base::Executor& executor) noexcept;
-    /// What A has become since the last step changes the energy that is in it: work of systems.
+    /// Count the change of ½ vᵀA v due to the change of A since the last step as work of systems.
     void count_change(const model::Bodies& bodies, base::Executor& executor) noexcept;
-    /// What loads do from v to the velocities of a step that has been solved.
+    /// Measure the energies of loads from v to the velocities of the solved step.
     void measure(const model::Bodies& bodies, double h, const double* v, const double* next,
                  base::Executor& executor) noexcept;
-    /// Impulses h f of loads, times by how much velocities change in the step [J].
+    /// Return the impulses h f of loads times the change of velocities in the step [J].
     [[nodiscard]] double gain(const model::Bodies& bodies, double h, const double* v,
                               const double* next) const noexcept;
-    /// The step is good: what was measured joins the sums. @return what D took [J].
+    /// Add the measured energies to the sums after a successful step. @return energy absorbed by D
+    /// [J].
     double count() noexcept;
-    /// ½ vᵀA v after the step that has been solved, for the A of the last one [J].
+    /// Return ½ vᵀA v after the solved step, for A of the last step [J].
     [[nodiscard]] double added_after() const noexcept {
         return measured_ ? taken_.added - change_ : added;
     }
 
-    /// Bodies with loads, ascending. @throws std::bad_alloc.
+    /// Return the bodies with loads, ascending. @throws std::bad_alloc.
     [[nodiscard]] std::vector<LoadView> view() const;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
-    // State.
-    double work = 0.0;   ///< Since the start, see Energy::system [J].
-    double water = 0.0;  ///< Since the start, see Energy::water [J].
+    // State:
+    double work = 0.0;   ///< Sum since the start, see Energy::system [J].
+    double water = 0.0;  ///< Sum since the start, see Energy::water [J].
     double added = 0.0;  ///< ½ vᵀA v after the last step [J].
 
   private:
-    /// Sum of f(begin, end, works) over chunks of bodies, in their order.
+    /// Return the sum of f(begin, end, works) over chunks of bodies, in their order.
     template <class F>
     Works sum(base::Executor& executor, F&& f) noexcept;
     [[nodiscard]] double added_between(const model::Bodies& bodies, const double* v,
                                        std::int32_t begin, std::int32_t end) const noexcept;
-    /// Of bodies [begin, end) between v and u.
+    /// Add the energies of bodies [begin, end) between v and u.
     void works(const model::Bodies& bodies, double h, const double* v, const double* u,
                std::int32_t begin, std::int32_t end, Works& sum) const noexcept;
 
     struct Entry {
         std::int32_t body, place, freedom;
     };
-    /// Whose loads an entry has in this step.
+    /// Systems whose loads an entry has in this step.
     enum Source : std::uint8_t { kNobody = 0, kOther = 1, kWater = 2 };
-    /// Where water and another system load the same body: what of f, A, D, K is the water's. Room
-    /// for an entry's is made once.
+    /// Part of f, A, D, K that belongs to water, for a body loaded by water and another system. An
+    /// entry allocates it once.
     struct Shared {
-        double water[69] = {};   ///< The water's so far.
-        double before[69] = {};  ///< All there was when the water that acts now began.
+        double water[69] = {};   ///< Sum of the loads of water up to now.
+        double before[69] = {};  ///< Sum of all loads when the present water system began.
     };
-    // Of an entry, all in load_water.cpp.
-    /// Is the next load of the system that acts the first one that tells water from others?
+    // Functions on one entry, all in load_water.cpp.
+    /// True if the next load of the present system is the first one that requires separate sums of
+    /// water.
     [[nodiscard]] bool needs_shared(std::size_t entry) const noexcept;
-    /// Room for both parts. @return false: there is no memory.
+    /// Allocate both parts. @return false if allocation fails.
     bool make_shared(std::size_t entry) noexcept;
-    /// The system that acts begins to load it: what of the sum is the water's is set apart.
+    /// Note that the present system begins to load an entry, and separate the part of water.
     void note_source(std::size_t entry) noexcept;
-    /// All systems have acted: so is what water added last.
+    /// Complete the part of water after all systems have acted.
     void finish_water(std::size_t entry) noexcept;
-    /// f, A, D, K of the water's loads of an entry; null: none.
+    /// Return f, A, D, K of the water loads of an entry; null: none.
     [[nodiscard]] const double* water_of(std::size_t entry) const noexcept;
     [[nodiscard]] bool there(BodyId id) const noexcept {
         return id.index >= 0 && static_cast<std::size_t>(id.index) < generation_.size() &&
@@ -174,32 +178,33 @@ class LoadStore {
     [[nodiscard]] BodyLoad at_place(std::int32_t place, int freedom) noexcept;
     bool add_entry(std::int32_t body, int freedom) noexcept;
 
-    std::vector<Works> part_;  ///< One a chunk of bodies.
+    std::vector<Works> part_;  ///< One per chunk of bodies.
     std::vector<std::int32_t> woken_,
-        woken_quiet_;                       ///< Bodies that a load woke, and Bodies::quiet.
+        woken_quiet_;                       ///< Bodies that a load woke, and their Bodies::quiet.
     std::vector<std::int32_t> entry_of_;    ///< By body, −1: none.
-    std::vector<std::int32_t> generation_;  ///< By body, −1: none is there.
+    std::vector<std::int32_t> generation_;  ///< Generation of each body, −1: vacant slot.
     std::vector<std::uint8_t> freedom_;     ///< By body.
-    std::vector<std::int32_t> coupled_;     ///< By body: place of a B that couples, −1.
-    std::vector<Entry> entries_;            ///< In the order of their first loads.
+    std::vector<std::int32_t> coupled_;     ///< By body: offset of a coupling matrix B, −1: none.
+    std::vector<Entry> entries_;            ///< Entries in the order of their first loads.
     std::vector<std::int32_t> used_;        ///< By entry: last system + 1 in this step, 0: none.
     std::vector<double> late_;              ///< By entry: θ.
-    std::vector<std::uint8_t> sources_;     ///< By entry: Source, both bits where two load it.
-    std::vector<std::uint8_t> last_water_;  ///< By entry: who acted last on it is water.
-    std::vector<std::int32_t> shared_of_;   ///< By entry: into `shared_`, −1.
+    /// By entry: Source, both bits if water and another system load it.
+    std::vector<std::uint8_t> sources_;
+    std::vector<std::uint8_t> last_water_;  ///< By entry: 1 if the last system was water.
+    std::vector<std::int32_t> shared_of_;   ///< By entry: index in `shared_`, −1: none.
     std::vector<Shared> shared_;
-    std::vector<std::int32_t> fault_;  ///< Scratch, one a chunk of entries.
-    base::Array<double> data_;         ///< Of each entry f, A, D, K, B.
-    double scratch_[96] = {};          ///< For what cannot be loaded.
-    Works taken_;                      ///< By the step that has been solved, if `measured_`.
-    double change_ = 0.0;  ///< Of `added` by what A has become, in the step being taken [J].
+    std::vector<std::int32_t> fault_;  ///< Scratch, one per chunk of entries.
+    base::Array<double> data_;         ///< f, A, D, K, B of each entry.
+    double scratch_[96] = {};          ///< Target for loads of bodies that cannot be loaded.
+    Works taken_;                      ///< Energies of the solved step, if `measured_`.
+    double change_ = 0.0;  ///< Change of `added` by the change of A in the present step [J].
     int system_ = 0;
     std::int32_t coupled_count_ = 0;
     bool any_ = false, parallel_ = false, out_of_memory_ = false, measured_ = false;
-    bool water_now_ = false;  ///< The system that acts is water.
+    bool water_now_ = false;  ///< True if the present system is water.
     std::atomic<bool> touched_{false};
     std::atomic<bool> unreserved_{
-        false};  ///< Threads asked for a body that reserve() did not name.
+        false};  ///< True if a thread requested a body that reserve() did not name.
     std::atomic<bool> no_body_{false};
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file regroup_data.h
-/// Groups that the world makes itself (split/regroup.cpp).
+/// Groups that the world makes automatically (split/regroup.cpp).
 
 #include "assembly/parts.h"
 #include "graph/partition.h"
@@ -13,15 +13,18 @@
 namespace hawser::stepper {
 
 struct Regroup {
-    static constexpr std::int64_t kSettle = 10;  ///< Steps until forces are worth weighing.
+    static constexpr std::int64_t kSettle = 10;  ///< Steps until forces can be used as weights.
 
     // Part of the state:
-    graph::Partition parts;  ///< Followed; of it part, parts and worse_for. Empty: none are made.
-    std::int64_t made = 0;   ///< Step before which they were made from the model alone.
-    std::int64_t seen = -1;  ///< Step before which the last round was.
+    /// Partition that follows the state; of it part, parts and worse_for. Empty: no groups are
+    /// made.
+    graph::Partition parts;
+    std::int64_t made = 0;   ///< Step before which the groups were made from the model alone.
+    std::int64_t seen = -1;  ///< Step before which the last choice of groups was made.
 
-    std::vector<std::int32_t> by_hand;  ///< By body: number of its group's name; −1: none.
-    /// What parts were made for has changed; interactions they were made for.
+    std::vector<std::int32_t> by_hand;  ///< Index of the group name of each body; −1: none.
+    /// True if the input of the partition has changed; number of interactions at the last
+    /// partition.
     bool stale = true;
     std::int32_t interactions = 0;
 

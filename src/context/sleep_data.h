@@ -10,8 +10,8 @@ namespace hawser::stepper {
 
 /// Scratch of sleep.h, by body.
 struct Sleep {
-    std::vector<std::int32_t> island;  ///< Union-find: of what it holds to.
-    std::vector<std::uint8_t> mark;    ///< Of the first body of an island.
+    std::vector<std::int32_t> island;  ///< Union-find: parent of each body.
+    std::vector<std::uint8_t> mark;    ///< Mark of the first body of an island.
 };
 
 }  // namespace hawser::stepper

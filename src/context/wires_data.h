@@ -1,57 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wires_data.h
-/// Wires and what they did in a step (guard.h).
+/// Wires and their energies in a step (guard.h).
 
 #include <cstdint>
 #include <vector>
 
 namespace hawser::stepper {
 
-/// Elements and lumps of one wire that are looked at together.
+/// Elements and lumps of one wire that are processed together.
 struct WirePart {
     std::int32_t wire, element_begin, element_end, lump_begin, lump_end;
 };
 
-/// What a wire did in the step, or a part of it [J].
+/// Energy balance of a wire, or of a part of it, in the step [J].
 struct WireGain {
-    double gain = 0.0;       ///< Energy out of nothing; negative: lost.
+    double gain = 0.0;       ///< Created energy; negative: lost.
     double exchanged = 0.0;  ///< Sum of |changes|.
-    double noise = 0.0;      ///< What rounding of positions makes of it.
-    double unbooked = 0.0;   ///< Lost beyond what rows are counted to lose (losses.cpp).
+    double noise = 0.0;      ///< Effect of the rounding of positions.
+    double unbooked = 0.0;   ///< Loss beyond the counted loss of rows (losses.cpp).
 };
 
 struct Wires {
     static constexpr std::int32_t kBeginsToRecoil = -1;
 
-    // By topology.
-    std::vector<std::int32_t> wire_of;  ///< By interaction, −1: none.
-    std::vector<std::int32_t> place;    ///< By interaction: where in `element`.
-    std::vector<std::int32_t> element;  ///< Interactions, wire by wire.
-    std::vector<std::int32_t> lump;     ///< Bodies, wire by wire.
-    std::vector<WirePart> parts;        ///< Wire by wire.
+    // Data by topology.
+    std::vector<std::int32_t> wire_of;  ///< Wire of each interaction, −1: none.
+    std::vector<std::int32_t> place;    ///< Index of each interaction in `element`.
+    std::vector<std::int32_t> element;  ///< Interactions, by wire.
+    std::vector<std::int32_t> lump;     ///< Bodies, by wire.
+    std::vector<WirePart> parts;        ///< Parts, by wire.
 
-    // By wire. Part of the state:
-    std::vector<double> credit;       ///< Energy lost lately, that may come back [J].
-    std::vector<std::int32_t> alert;  ///< So many steps to come are stepped more calmly.
-    /// So many steps to come the wire recoils, since it parted; kBeginsToRecoil: to be found.
+    // Data by wire. Part of the state:
+    std::vector<double> credit;  ///< Energy allowance: energy lost recently that may return [J].
+    std::vector<std::int32_t> alert;  ///< Number of coming steps in which the wire is damped.
+    /// Number of coming steps in which the wire recoils after a break; kBeginsToRecoil: not
+    /// determined yet.
     std::vector<std::int32_t> recoil;
-    // Of the step being taken:
-    std::vector<std::uint8_t> fast;   ///< 1: its swing is not resolved.
-    std::vector<std::uint8_t> level;  ///< How often it has been refused.
+    // Data of the present step:
+    std::vector<std::uint8_t> fast;   ///< 1: its vibration is not resolved.
+    std::vector<std::uint8_t> level;  ///< Number of rejections.
     std::vector<WireGain> gain;
-    std::vector<WireGain> part_gain;  ///< By part.
+    std::vector<WireGain> part_gain;  ///< Energy balance of each part.
 
-    // By element, of the step being taken.
-    std::vector<double> pull;         ///< Tension that its stiffness is to reckon with [N].
-    std::vector<std::uint8_t> holds;  ///< Slack as it is, but taut in the bound.
+    // Data of the present step, by element.
+    std::vector<double> pull;         ///< Tension for the geometric stiffness [N].
+    std::vector<std::uint8_t> holds;  ///< 1: slack at present, but taut in the bound.
 
-    /// By interaction, 1: its row gives way to another force in this step. Empty without wires.
+    /// By interaction, 1: another force replaces its row in this step. Empty without wires.
     std::vector<std::uint8_t> replaced;
-    bool again = false;      ///< The step is being solved again.
-    bool replacing = false;  ///< Some are replaced.
-    bool measured = false;   ///< WireGain of fast wires is that of the step being taken.
-    bool stale = false;      ///< Alerts of elements are behind those of wires.
+    bool again = false;      ///< True if the step is being solved again.
+    bool replacing = false;  ///< True if some rows are replaced.
+    bool measured = false;   ///< True if WireGain of fast wires belongs to the present step.
+    bool stale = false;      ///< True if alerts of elements lag behind those of wires.
 
     [[nodiscard]] std::size_t count() const noexcept { return credit.size(); }
     [[nodiscard]] bool gives_way(std::int32_t id) const noexcept {
@@ -59,14 +60,14 @@ struct Wires {
     }
 };
 
-/// Memory to find wires in (make_wires()).
+/// Scratch of make_wires().
 struct WireWork {
-    std::vector<std::int32_t> joined;  ///< By interaction: the first element of its wire, −1: none.
-    std::vector<std::int32_t> of_body;  ///< By body: its first element, −1: none.
-    std::vector<std::int32_t> begin;    ///< By wire: where its elements begin.
-    std::vector<std::int32_t> cursor;   ///< By wire.
-    std::vector<std::int32_t> had;      ///< By wire of before: how many elements.
-    std::vector<std::uint8_t> seen;     ///< By body.
+    std::vector<std::int32_t> joined;  ///< First element of the wire of each interaction, −1: none.
+    std::vector<std::int32_t> of_body;  ///< First element of each body, −1: none.
+    std::vector<std::int32_t> begin;    ///< First element of each wire.
+    std::vector<std::int32_t> cursor;   ///< Write position of each wire.
+    std::vector<std::int32_t> had;      ///< Number of elements of each earlier wire.
+    std::vector<std::uint8_t> seen;     ///< 1: body already visited.
     Wires made;
 };
 

@@ -9,9 +9,9 @@
 namespace hawser::nonsmooth {
 namespace {
 
-/// A difference that says nothing beyond the later ones, to rounding.
+/// A difference with a smaller independent part is redundant up to rounding.
 constexpr double kDependent = 1e-10;
-/// Growth of the residual that ends a history.
+/// Growth of the residual that clears the history.
 constexpr double kWorse = 100;
 
 }  // namespace
@@ -27,14 +27,14 @@ void Anderson::reserve(std::size_t n) {
 const double* Anderson::next(double floor) noexcept {
     for (std::size_t i = 0; i < n_; ++i) {
         f_[i] = image_[i] - x_[i];
-        // Weights of the first iteration, so that norms can be compared.
+        // Use the weights of the first iteration, so that norms can be compared.
         if (count_ < 0) weight_[i] = 1.0 / (std::fabs(image_[i]) + floor);
         f_[i] *= weight_[i];
     }
     const double norm = std::sqrt(dot(f_.data(), f_.data(), n_));
     if (count_ >= 0 && norm > kWorse * norm_) count_ = -1;
     if (count_ >= 0) {
-        // The oldest goes.
+        // Drop the oldest difference.
         std::rotate(df_.begin(), df_.end() - static_cast<std::ptrdiff_t>(n_), df_.end());
         std::rotate(dg_.begin(), dg_.end() - static_cast<std::ptrdiff_t>(n_), dg_.end());
         for (std::size_t i = 0; i < n_; ++i) {
@@ -46,7 +46,7 @@ const double* Anderson::next(double floor) noexcept {
     norm_ = norm;
     last_f_ = f_;
     last_image_ = image_;
-    // Modified Gram-Schmidt from the latest on; dependent ones are left out.
+    // Modified Gram-Schmidt from the latest difference on; dependent ones are skipped.
     double r[kDepth][kDepth] = {}, rhs[kDepth] = {};
     int used = 0, index[kDepth];
     for (int j = 0; j < count_; ++j) {

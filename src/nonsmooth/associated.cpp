@@ -7,7 +7,7 @@
 namespace hawser::nonsmooth {
 namespace {
 
-/// In z = Σ^½ y the norm is the plain one, and the cone has another opening.
+/// Coordinates z = Σ^½ y: the norm is Euclidean, and the cone has another opening.
 struct Scaled {
     double root_n, root_t, friction;
     explicit Scaled(const Cone& c)
@@ -43,7 +43,8 @@ Law linearise_associated(const Cone& c, Touch& touch) noexcept {
     } else if (m * t <= -z[0]) {
         touch = Touch::open;
     } else {
-        // Onto the rim along a = (1, m ŷ); across it, the circle of radius m n' turns.
+        // Project onto the rim along a = (1, m ŷ); in the perpendicular direction the circle of
+        // radius m n' turns.
         touch = Touch::slip;
         const double yx = z[1] / t, yy = z[2] / t, share = 1.0 / (1.0 + m * m);
         const double turn = m * share * (z[0] + m * t) / t;

@@ -21,7 +21,7 @@ Law box_law(const Cone& c, const Bound rows[3], double limit) noexcept {
 
 int box_pivots(const Cone& c, const Bound rows[3], double limit, double floor,
                Bound wanted[3]) noexcept {
-    // Rounding of λ, which is a difference of large numbers where Σ is small.
+    // Rounding of λ, which is a difference of large numbers if Σ is small.
     const double noise = 1e-9 * (std::fabs(c.lambda[0]) + limit + floor);
     int count = 0;
     for (int i = 0; i < 3; ++i) {

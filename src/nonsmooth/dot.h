@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file dot.h
-/// Product of two vectors of n numbers.
+/// Scalar product of two vectors of n numbers.
 
 #include <cstddef>
 
 namespace hawser::nonsmooth {
 
 [[nodiscard]] inline double dot(const double* a, const double* b, std::size_t n) noexcept {
-    // Four sums: the compiler may not reorder one.
+    // Use four sums: the compiler may not reorder a single one.
     double s[4] = {};
     std::size_t i = 0;
     for (; i + 4 <= n; i += 4)

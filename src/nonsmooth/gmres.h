@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file gmres.h
-/// A x = b for an operator that is only applied (Y. Saad, M. H. Schultz, "GMRES: a generalized
-/// minimal residual algorithm for solving nonsymmetric linear systems", 1986), without restart:
-/// few iterations are wanted, else the caller factors anew. Modified Gram-Schmidt, Givens
-/// rotations; sums in one order, so that a result depends on nothing but its inputs.
+/// GMRES: solves A x = b for an operator that is only applied. Source: Y. Saad, M. H. Schultz,
+/// "GMRES: a generalized minimal residual algorithm for solving nonsymmetric linear systems", 1986.
+/// There is no restart: few iterations are intended, otherwise the caller factorises again.
+/// Modified Gram-Schmidt, Givens rotations. Sums have a fixed order, so that a result depends on
+/// its inputs alone.
 
 #include <cstddef>
 #include <vector>
@@ -13,16 +14,18 @@ namespace hawser::nonsmooth {
 
 class Gmres {
   public:
-    /// Room for vectors of n entries and so many iterations. @throws std::bad_alloc.
+    /// Reserve buffers for vectors of n entries and `iterations` iterations. @throws
+    /// std::bad_alloc.
     void reserve(std::size_t n, int iterations);
 
-    /// Start with x = 0. @param b  n entries; ‖b‖ is the residual then.
+    /// Start with x = 0. @param b  n entries; the initial residual is ‖b‖.
     void start(std::size_t n, const double* b) noexcept;
-    /// Vector that A is to be applied to next.
+    /// Return the vector that A is to be applied to next.
     [[nodiscard]] const double* direction() const noexcept { return basis(count_); }
-    /// Where to put A times it.
+    /// Return the buffer for A direction().
     [[nodiscard]] double* image() noexcept { return basis(count_ + 1); }
-    /// image() holds A direction(). @return residual over ‖b‖ with the directions so far.
+    /// Process image(), which must contain A direction(). @return residual over ‖b‖ with all
+    /// directions up to now.
     double take() noexcept;
     /// Combine the directions. @param x  n entries.
     void solution(double* x) noexcept;

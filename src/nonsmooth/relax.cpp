@@ -25,7 +25,7 @@ void relax_tangents(const Cone& c, double mobility, double out[2]) noexcept {
 Touch touch_by_impulse(const Cone& c) noexcept {
     if (!(c.lambda[0] > 0.0)) return Touch::open;
     const double length = std::sqrt(c.lambda[1] * c.lambda[1] + c.lambda[2] * c.lambda[2]);
-    // The projection onto the disk leaves this much rounding.
+    // The projection onto the disk leaves rounding of this size.
     return length >= (1.0 - 1e-12) * c.friction * c.lambda[0] ? Touch::slip : Touch::stick;
 }
 

@@ -7,8 +7,8 @@
 
 namespace hawser::stepper {
 
-/// Stage 5. Rows: violation, Jacobian; body terms; right-hand sides. Blocks of the matrix are
-/// written in stage 6, each piece just before it is factored.
+/// Run stage 5: violation and Jacobian of rows, body terms, right-hand sides. Blocks of the matrix
+/// are written in stage 6, each piece just before it is factorised.
 void assemble_rows(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

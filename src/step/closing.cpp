@@ -18,13 +18,14 @@ namespace {
 
 using assembly::View;
 
-constexpr double kOpen = 1e-3;    ///< Gap that is closed [m or rad].
-constexpr double kClosed = 1e-5;  ///< Where rounds end [m or rad].
-constexpr double kTurned = 0.03;  ///< Turn of a body in a step that may open one by kOpen [rad].
-constexpr double kFarTurn = 0.7;  ///< Beyond it directions have changed too far [rad].
+constexpr double kOpen = 1e-3;    ///< Gap above which a joint is closed [m or rad].
+constexpr double kClosed = 1e-5;  ///< Gap at which iterations end [m or rad].
+/// Rotation of a body in a step that may open a joint by kOpen [rad].
+constexpr double kTurned = 0.03;
+constexpr double kFarTurn = 0.7;  ///< Rotation beyond which directions have changed too much [rad].
 constexpr int kMostClosings = 12;
 
-/// Whether a joint that the step has linearised may stand open now.
+/// True if a joint that the step has linearised may be open.
 bool may_be_open(const Model& model, const StepStats& stats) noexcept {
     const model::Interactions& in = model.interactions;
     const std::vector<std::int32_t>& joints = model.completion.rigid;
@@ -42,7 +43,7 @@ bool may_be_open(const Model& model, const StepStats& stats) noexcept {
     return model.def.step * std::sqrt(most) > kTurned;
 }
 
-/// −g/h of rigid joints at the poses at hand, as right-hand side. @return largest |g|.
+/// Write −g/h of rigid joints at the present poses to the right-hand side. @return largest |g|.
 double write_gaps(const Model& model, const View& v) noexcept {
     std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
     const double per_h = 1.0 / v.h;
@@ -60,8 +61,8 @@ double write_gaps(const Model& model, const View& v) noexcept {
     return most;
 }
 
-/// Bodies go on by the solver's vector; their angular velocities turn with them, so that kinetic
-/// energy stays.
+/// Move bodies by the vector of the solver. Angular velocities turn with the bodies, so that
+/// kinetic energy stays.
 void move(Model& model, const View& v, double time) noexcept {
     for (const std::int32_t body : model.bodies.moving) {
         const int dof = v.dof[body];
@@ -78,7 +79,7 @@ void move(Model& model, const View& v, double time) noexcept {
     }
 }
 
-/// Potential energy of gravity [J].
+/// Return the potential energy of gravity [J].
 double height(const Model& model) noexcept {
     const model::Bodies& b = model.bodies;
     double sum = 0.0;
@@ -90,7 +91,7 @@ double height(const Model& model) noexcept {
     return sum;
 }
 
-/// Largest turn of a body under the solver's vector [rad/s].
+/// Return the largest rotation rate of a body in the vector of the solver [rad/s].
 double fastest_turn(const Model& model, const View& v) noexcept {
     double most = 0.0;
     for (const std::int32_t body : model.bodies.moving) {
@@ -101,7 +102,7 @@ double fastest_turn(const Model& model, const View& v) noexcept {
     return std::sqrt(most);
 }
 
-/// With the factorisation of the step. @return the gap left.
+/// Close gaps with the factorisation of the step. @return the remaining gap.
 double close_with_factor(Model& model, Work& work, runtime::Pool& pool, const View& v,
                          double gap) noexcept {
     constexpr double kConverges = 0.5;
@@ -109,7 +110,7 @@ double close_with_factor(Model& model, Work& work, runtime::Pool& pool, const Vi
         model.system.numeric.solve(model.system.symbolic, v.solution, pool);
         ++work.stats.substitutions;
         work.solve.rhs_ready = false;
-        // Far beyond what the step's directions say.
+        // The step is far beyond the range of the linearisation.
         if (!(v.h * fastest_turn(model, v) <= kFarTurn)) break;
         move(model, v, v.h);
         const double before = gap;
@@ -119,14 +120,14 @@ double close_with_factor(Model& model, Work& work, runtime::Pool& pool, const Vi
     return gap;
 }
 
-/// Poses go on by the solver's vector, by less of it while that opens what it is to close.
-/// @return the gap then; or that of before, where nothing closes it.
+/// Move poses by the vector of the solver, by a smaller fraction while the gap grows. @return the
+/// new gap; if no fraction reduces it, the earlier one.
 double move_some(Model& model, JointWork& joints, const View& v, double gap) noexcept {
     constexpr int kMostHalvings = 4;
     const double turn = v.h * fastest_turn(model, v);
     double share = turn > kFarTurn ? kFarTurn / turn : 1.0;
     if (!std::isfinite(turn)) return gap;
-    // write_gaps() overwrites the solution that a way back needs.
+    // write_gaps() overwrites the solution, which is needed to move back.
     double* const kept = joints.closing.data() + model.interactions.g.size();
     std::copy_n(v.solution, model.system.symbolic.scalars, kept);
     for (int half = 0; half <= kMostHalvings; ++half, share *= 0.5) {
@@ -139,9 +140,9 @@ double move_some(Model& model, JointWork& joints, const View& v, double gap) noe
     return gap;
 }
 
-/// With Jacobians and factors of the poses that have been reached: Newton's method, and more rounds
-/// with each factorisation while they close more than a tenth, since what light bodies between
-/// heavy ones add to Σ slows a round down.
+/// Close gaps with Jacobians and factors at the poses reached: Newton's method. Each factorisation
+/// is used for more iterations while they reduce the gap by more than 10 %. Light bodies between
+/// heavy ones slow an iteration down by their contribution to Σ.
 void close_anew(StepContext& ctx, const View& v) noexcept {
     constexpr int kMostFactors = 8, kMostRoundsEach = 8;
     constexpr double kGoesOn = 0.9;

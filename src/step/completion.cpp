@@ -27,16 +27,18 @@ namespace {
 
 using assembly::Turning;
 
-/// A round's change below which the step has ended [m/s or rad/s], of bodies that turn by up to
-/// kSlowTurn [rad/s]; of faster ones with the cube of that. Near singular poses of closed loops
-/// less would only add rounding, but who asks for solutions below kSolution gets it.
+/// Change of an iteration at which the step ends [m/s or rad/s], if bodies turn by up to kSlowTurn
+/// [rad/s]. For faster ones it is multiplied by the cube of the ratio. Near singular poses of
+/// closed loops a smaller limit would only add rounding. A user who requests solutions below
+/// kSolution gets it.
 constexpr double kTurning = 1e-7, kSlowTurn = 5.0, kSolution = 1e-10;
 constexpr int kMostRounds = 12;
-constexpr double kGap = 1e-4;  ///< Largest gap that a step may leave [m or rad].
-constexpr double kTooFast = 2.0 * kResolvedSwing;  ///< s by the step's own force that ends a trial.
+constexpr double kGap = 1e-4;  ///< Maximum gap that a step may leave [m or rad].
+/// Value of s from the force of the step itself that ends a trial.
+constexpr double kTooFast = 2.0 * kResolvedSwing;
 
-/// Rounds with the factorisation at hand. @return how the last one ended; not finite or too large:
-/// they did not converge.
+/// Iterate with the present factorisation. @return result of the last iteration; if it is not
+/// finite or too large, the iterations diverged.
 Turning make_rounds(StepContext& ctx) noexcept {
     double first = 0.0;
     const double enough = kTurning * std::min(1.0, ctx.model.def.solution_tolerance / kSolution);
@@ -62,7 +64,7 @@ Turning make_rounds(StepContext& ctx) noexcept {
     return t;
 }
 
-/// Solve the step again, with the joints that choose_completed() now chooses.
+/// Solve the step again, with a new selection by choose_completed().
 Status assemble_and_solve(StepContext& ctx) noexcept {
     if (ctx.model.collider.count() > 0)
         if (const Status s = start_contacts(ctx, Phase::regular); s != Status::ok) return s;
@@ -70,7 +72,7 @@ Status assemble_and_solve(StepContext& ctx) noexcept {
     return solve_linear(ctx);
 }
 
-/// The same with all joints linearised once.
+/// Solve the step again with all joints linearised once.
 Status solve_linearised(StepContext& ctx) noexcept {
     ctx.model.completion.banned = true;
     ++ctx.work.stats.completion_failures;
@@ -78,14 +80,14 @@ Status solve_linearised(StepContext& ctx) noexcept {
     return assemble_and_solve(ctx);
 }
 
-/// Whether the force of a joint has grown within the step beyond what it was solved with: that of a
-/// completed one that swings too fast now, which is refused, or of another whose stiffness was that
-/// of a much smaller force. @param k  Its place among the joints.
+/// True if the force of a joint has grown within the step beyond the value used in the solution.
+/// Either a completed joint oscillates too fast now and is rejected, or the stiffness of another
+/// one belongs to a much smaller force. @param k  Index of the joint.
 bool has_outgrown(Model& model, std::int32_t k) noexcept {
     Completion& c = model.completion;
     const model::Interactions& in = model.interactions;
     const std::int32_t id = c.joints[at(k)];
-    // The force of what repeats others is not known before the filter.
+    // The force of a redundant joint is not known before the filter.
     if (in.repeats[at(id)]) return false;
     if (in.completed[at(id)]) {
         if (squared_swing(model, k, in.lambda.data()) <= kTooFast * kTooFast) return false;
@@ -99,9 +101,9 @@ bool has_outgrown(Model& model, std::int32_t k) noexcept {
              squared_swing(model, k, in.lambda.data()) <= kResolvedSwing * kResolvedSwing);
 }
 
-/// @return whether there are such joints.
+/// Check all joints. @return true if any has outgrown its force.
 bool outgrown(StepContext& ctx) noexcept {
-    std::atomic<bool> found{false};  // no order: it is only ever set
+    std::atomic<bool> found{false};  // without order: it is only set
     const auto count = static_cast<std::int32_t>(ctx.model.completion.joints.size());
     over(ctx.pool, count, [&](std::int32_t a, std::int32_t b) {
         bool any = false;
@@ -111,8 +113,7 @@ bool outgrown(StepContext& ctx) noexcept {
     return found.load(std::memory_order_relaxed);
 }
 
-/// Solve the step again with the stiffness of the forces that have been found, where they are
-/// larger.
+/// Solve the step again with the stiffness of the new forces, if they are larger.
 Status solve_with_new_forces(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.model.interactions;
     Completion& c = ctx.model.completion;
@@ -132,7 +133,7 @@ Status solve_with_new_forces(StepContext& ctx) noexcept {
     return assemble_and_solve(ctx);
 }
 
-/// Refinement, and rows at their bounds that rounds have moved across.
+/// Refine, and treat rows that the iterations moved across their bounds.
 Status settle_free(StepContext& ctx) noexcept {
     constexpr int kMost = 4;
     Status status = Status::ok;
@@ -146,7 +147,7 @@ Status settle_free(StepContext& ctx) noexcept {
     return status;
 }
 
-/// The same where something touches.
+/// Refine with contacts, and treat rows across their bounds as in settle_free().
 Status settle_touching(StepContext& ctx) noexcept {
     constexpr int kMost = 4;
     Status status = settle_newton(ctx);
@@ -159,8 +160,8 @@ Status settle_touching(StepContext& ctx) noexcept {
     return status;
 }
 
-/// What follows the rounds: laws of contacts, rows at their bounds, refinement. What another round
-/// would change is measured again where that took substitutions.
+/// Finish the iterations: laws of contacts, rows at their bounds, refinement. If this needed
+/// substitutions, the change of a further iteration is measured again.
 Status settle(StepContext& ctx) noexcept {
     const std::int32_t before = ctx.work.stats.substitutions;
     const bool contacts = ctx.model.system.contacts.count() > 0;
@@ -174,7 +175,7 @@ Status settle(StepContext& ctx) noexcept {
 
 Status complete(StepContext& ctx) noexcept {
     Status status = Status::ok;
-    constexpr int kMostGrowths = 2;  // times that a step is solved again for them
+    constexpr int kMostGrowths = 2;  // number of repeated solves for new forces
     if (ctx.state.started)
         for (int i = 0; i < kMostGrowths && status == Status::ok && outgrown(ctx); ++i)
             status = solve_with_new_forces(ctx);

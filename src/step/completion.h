@@ -1,51 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file completion.h
-/// Rigid joints that hold at the end of a step, and spins that keep their angular momentum.
+/// End-of-step constraint iteration of rigid joints, and of spins, which preserve their angular
+/// momentum.
 ///
-/// One linear solution leaves a rigid row behind by the turning of its direction, h² v⊥²/L, and by
-/// different amounts on rows that say the same: over no compliance at all that is self-stress
-/// without limit. So the step goes on, with the factorisation at hand, until
+/// One linear solution leaves a rigid row open by the turning of its direction, h² v⊥²/L. Redundant
+/// rows have different gaps; without compliance this is unbounded self-stress. Therefore the step
+/// iterates with the present factorisation until
 /// ```
 ///     g(x_k ⊕ h v₊) = 0                                     of completed rows
 ///     μ₊(ω₊) = μ₋(ω) + h t + (Gᵀλ)                          of turning bodies, body frame
 ///     μ±(ω) = Iω ± (h/2) ω×Iω
 /// ```
-/// G taken at x_k. This is SHAKE with the Cayley rotation (Ryckaert, Ciccotti, Berendsen 1977;
-/// Bou-Rabee, Marsden 2009): variational, so that energy does not drift and momentum is exact.
-/// Each round writes what the linear equations lack into their right-hand sides,
+/// with G at x_k. This is SHAKE with the Cayley rotation (Ryckaert, Ciccotti, Berendsen 1977;
+/// Bou-Rabee, Marsden 2009). It is variational, so that energy does not drift and momentum is
+/// exact. Each iteration adds the error of the linear equations to their right-hand sides, with u
+/// the present v₊,
 /// ```
-///     c = G u − g(x_k ⊕ h u)/h,      a += μ₋(ω) − μ₊(ω_u) + I ω_u,       u = v₊ so far,
+///     c = G u − g(x_k ⊕ h u)/h,      a += μ₋(ω) − μ₊(ω_u) + I ω_u,
 /// ```
-/// and costs a substitution; the first one is about u = 2v − v₋, so that motion without jerk takes
-/// none but the first. Rounds end at a change of 1e-7 m/s or rad/s, of bodies that turn by ω with
-/// max(1, ω/5)³ of it as what the step itself leaves grows so, and later where solution_tolerance
-/// is below its default, in proportion.
+/// and costs a substitution. The first one uses u = 2v − v₋, so that motion without jerk needs no
+/// other. Iterations end at a change of 1e-7 m/s or rad/s. If bodies turn by ω, the limit is max(1,
+/// ω/5)³ of it, because the error of the step grows in the same way. If solution_tolerance is below
+/// its default, the limit is reduced in proportion.
 ///
-/// Springs with dampers that the step does not resolve are completed as well, about the same u:
-/// with d₊ = (g(x_k ⊕ h u) − g)/h and d₋ = (g − g(x_k ⊖ h v))/h, Υ and R = 1 − 4τ(1 − θ)/h of
-/// model/damping.h,
+/// Springs with dampers that the step does not resolve are completed as well, about the same u. The
+/// values Υ and R = 1 − 4τ(1 − θ)/h are those of model/damping.h. Let d₊ = (g(x_k ⊕ h u) − g)/h, d₋
+/// = (g − g(x_k ⊖ h v))/h. Then
 /// ```
 ///     c = G u − d₊ − (4Υ/h) g + ΥR d₋,      λ = −(h/ε)((g₋ + 2g + g₊)/4 + τ(θ d₊ + (1 − θ) d₋)).
 /// ```
 /// Linearised once, the damper would resist the speed h v⊥²/L with which its direction turns.
 ///
-/// *What is completed.* Rigid joints and rods (model::may_complete()) whose swing under their force
-/// f is resolved: s = h² f max(r/I) ≤ 1.5. Beyond that the rounds need not converge: such a joint,
-/// and for 60 steps after, is linearised once a step with numerical damping (assembly/geo.h).
+/// Selection. Rigid joints and rods (model::may_complete()) whose oscillation under their force f
+/// is resolved: s = h² f max(r/I) ≤ 1.5. Beyond that the iterations may diverge. Such a joint is
+/// linearised once a step with numerical damping (assembly/geo.h), also for 60 steps after.
 ///
-/// A force that comes within a step is seen once it is known: where a first solution has completed
-/// joints swing far too fast, or others with one and a half times the force of their stiffness, the
-/// step is solved again, with the former linearised once and the stiffness of the new forces. A
-/// chain that comes taut would else make energy.
+/// A force that arises within a step is known after a first solution. The step is then solved again
+/// in two cases:
+/// - Completed joints oscillate far too fast. They are then linearised once.
+/// - The force of other joints exceeds that of their stiffness by a factor of 1.5.
+/// The stiffness is computed from the new forces. Otherwise a chain that tightens would create
+/// energy.
 ///
-/// *Fallback.* Rounds that do not converge, or end with a gap of more than 0.1 mm, are given up:
-/// the step is solved again with every joint linearised once.
+/// Fallback. If the iterations diverge, or end with a gap of more than 0.1 mm, the step is solved
+/// again with every joint linearised once.
 ///
-/// *Filter.* Of joints in closed loops some impulses move nothing: Gᵀλ₀ = 0. What rounding and the
-/// last round leave in them over Σ is taken out, λ ← (W + Σ)⁻¹ W λ with W = G M⁻¹ Gᵀ, by one
-/// substitution: K [u; −λ] = [Gᵀλ; 0]. Only where that changes a joint's impulse by more than a
-/// hundredth: elsewhere it would take a thousandth off long chains between heavy bodies.
+/// Filter. Some impulses of joints in closed loops have no effect on bodies: Gᵀλ₀ = 0. Rounding and
+/// the error of the last iteration, divided by Σ, accumulate in them. They are removed by λ ← (W +
+/// Σ)⁻¹ W λ with W = G M⁻¹ Gᵀ, in one substitution: K [u; −λ] = [Gᵀλ; 0]. The filter applies only
+/// if it changes the impulse of a joint by more than 1 %. In long chains between heavy bodies it
+/// would otherwise remove 0.1 %.
 
 #include <hawser/stats.h>
 
@@ -57,12 +62,12 @@
 
 namespace hawser::stepper {
 
-/// Rounds until the equations hold at the step's end; then the filter. v₊ and λ solve the linear
-/// ones. Changes nothing where nothing is to be completed.
+/// Iterate until the equations hold at the end of the step; then filter. v₊ and λ must solve the
+/// linear equations. No effect if no joint is to be completed.
 [[nodiscard]] Status complete(StepContext& ctx) noexcept;
 
-/// Stages factor and nonsmooth for rows already assembled, repeated while the set of
-/// active rows changes; then rigid joints at the step's end (completion.h).
+/// Run stages factor and nonsmooth for assembled rows, repeated while the set of active rows
+/// changes. Then complete the rigid joints at the end of the step (completion.h).
 Status solve_assembled(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file edits.h
-/// Bodies, interactions and shapes that come and go between the steps of a world under way.
+/// Addition and removal of bodies, interactions and shapes between the steps of a running world.
 ///
-/// The arrays of the model keep a place for each (base/places.h), so that what stays keeps its
-/// index, its multipliers and its memory. What has to follow is here:
+/// The arrays of the model have a slot for each (base/places.h), so that objects that stay keep
+/// their index, multipliers and memory. The consequences of an edit are treated here:
 ///
-/// - *Contacts* of a shape that goes are forgotten, with their friction and the links of bodies
-///   that have no shape any more (assembly/contacts.h).
-/// - *Sleep.* Only the islands that an edit touches wake: those of the bodies of an interaction
-///   that comes or goes, of what lay on a shape that goes, of what is near one that comes.
-/// - *Energy* that comes with a thing, or goes with it, counts as edited (hawser::Energy), by what
-///   the thing holds half-way between two poses, where the ledger has its energies. So the judge
-///   goes on without a break.
-/// - *Wires* that an edit divides or joins keep what they remember, element by element
-///   (make_wires()).
+/// 1. Contacts of a removed shape are deleted, with their friction and the links of bodies
+///    without shapes (assembly/contacts.h).
+/// 2. Sleep. Only the islands near an edit wake. These contain the bodies of a changed
+///    interaction, bodies that lay on a removed shape, or bodies near an added one.
+/// 3. Energy of an added or removed object counts as edited (hawser::Energy). It is the energy
+///    at the midpoint between two poses, where the balance is evaluated. The monitors thus
+///    continue without a break.
+/// 4. Wires that an edit divides or joins keep their memory, element by element
+///    (make_wires()).
 ///
-/// The next step, or whatever needs the system before it, analyses: the order of elimination is
-/// repaired (factor/repair.h). Where shapes alone came or went, the collider and the contacts
-/// follow and the system stays, unless other bodies may touch by that (prepare.h).
+/// The next step, or an earlier use of the system, analyses it: the order of elimination is
+/// repaired (factor/repair.h). If only shapes changed, the collider and the contacts follow. The
+/// system then stays, unless other bodies may touch as a result (prepare.h).
 
 #include "context/ledger.h"
 
@@ -28,36 +28,37 @@ namespace hawser::stepper {
 
 struct StepContext;
 
-/// Before the set of bodies, interactions or shapes changes; with room to note one more.
-/// @throws std::bad_alloc.
+/// Prepare for a change of the set of bodies, interactions or shapes. reserve_edit() reserves
+/// capacity for one more note. @throws std::bad_alloc.
 void reserve_edit(StepContext& ctx);
 void begin_edit(StepContext& ctx) noexcept;
-/// The same before shapes alone come or go: bodies and interactions stay.
+/// Prepare for a change of shapes alone.
 void begin_shape_edit(StepContext& ctx) noexcept;
 
-/// Kinetic and gravity energy of a body at the half step before its pose [J].
+/// Return the kinetic and gravity energy of a body half a step before its pose [J].
 [[nodiscard]] double energy_of_body(const StepContext& ctx, std::int32_t body) noexcept;
-/// Elastic energy of an interaction there [J].
+/// Return the elastic energy of an interaction half a step before the poses [J].
 [[nodiscard]] double energy_of_interaction(const StepContext& ctx, std::int32_t id) noexcept;
 
-/// By how much an element that moves as a straight piece has less kinetic energy than the lumps at
-/// its ends [J]. Where it parts, these go on by themselves.
+/// Return the excess of the kinetic energy of two end lumps over that of an element that moves as a
+/// straight piece [J]. If the element breaks, the lumps move independently.
 [[nodiscard]] double piece_energy(const StepContext& ctx, std::int32_t id) noexcept;
-/// Of an element of a wire: what it holds, and what its mass takes off its lumps' motion.
+/// Return the elastic energy of an element of a wire, and the reduction of the kinetic energy of
+/// its lumps by its mass.
 [[nodiscard]] inline Edited energy_of_element(const StepContext& ctx, std::int32_t id) noexcept {
     return {-piece_energy(ctx, id), energy_of_interaction(ctx, id)};
 }
 
-/// What was added, after it was written into the model.
+/// Finish an addition after it was written into the model.
 void settle_body(StepContext& ctx, std::int32_t body) noexcept;
 void settle_interaction(StepContext& ctx, std::int32_t id) noexcept;
 void settle_shape(StepContext& ctx, std::int32_t shape) noexcept;
 
-/// Take away. A body must have no interactions and no shapes any more.
+/// Remove an object. A body must have no interactions and no shapes.
 void remove_body(StepContext& ctx, std::int32_t body) noexcept;
 void remove_interaction(StepContext& ctx, std::int32_t id) noexcept;
 void remove_shape(StepContext& ctx, std::int32_t shape) noexcept;
-/// Contacts of the last step in which a shape took part. Room was made by reserve_edit().
+/// Delete the contacts of a shape in the last step. reserve_edit() has reserved the capacity.
 void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept;
 
 }  // namespace hawser::stepper

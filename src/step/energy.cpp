@@ -18,7 +18,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// Take carriers with a prescribed velocity back by half a step; what they were goes to scratch.
+/// Move carriers with a prescribed velocity back by half a step; their poses are saved to scratch.
 void carriers_back(Model& model, Before& before) noexcept {
     model::Bodies& b = model.bodies;
     const double t = -0.5 * model.def.step;
@@ -62,12 +62,12 @@ Energy energy(StepContext& ctx) noexcept {
     const assembly::View v = row_view(ctx.model);
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);
-    // The rows' own bodies go back by −(h/2) G v below.
+    // The bodies of the rows move back by −(h/2) G v below.
     carriers_back(ctx.model, ctx.work.before);
     evaluate_rows(ctx.model, ctx.pool);
     carriers_forth(ctx.model, ctx.work.before);
     for (std::int32_t id = 0; id < interaction_count(ctx.model); ++id) {
-        // What a line holds follows from its length, not from whether the last step found it taut.
+        // The energy of a line follows from its length, not from its state in the last step.
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (v.flags[id] & model::kFriction) continue;  // counted as driven
         e.kinetic -= pair_energy(v, id, b.v.data());
@@ -80,7 +80,7 @@ Energy energy(StepContext& ctx) noexcept {
         }
         double room[model::kArmRoom];
         const double* jac = packed_rows(v, id, room);
-        const bool rests = ctx.model.system.rests(id);  // and has not been evaluated
+        const bool rests = ctx.model.system.rests(id);  // not evaluated in this case
         const model::RowState s =
             rests ? ctx.model.interactions.row_state(id, b) : model::RowState{};
         for (int r = 0; r < v.rows[id]; ++r) {

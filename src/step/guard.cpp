@@ -20,20 +20,20 @@ namespace {
 using assembly::View;
 
 constexpr int kMostRepeats = 7;    ///< See guard.h.
-constexpr double kMayGain = 1e-3;  ///< Of what was exchanged.
+constexpr double kMayGain = 1e-3;  ///< Limit of the gain relative to the exchanged energy.
 
 bool accepted(const Wires& w, std::size_t wire) noexcept {
     const WireGain& g = w.gain[wire];
     return !w.fast[wire] || g.gain <= kMayGain * g.exchanged + g.noise + w.credit[wire];
 }
 
-/// Multipliers as the step began with, which geometric stiffness goes by, and the state of lines
-/// but in refused wires, where it is as last found.
+/// Restore the initial multipliers, on which the geometric stiffness depends, and the state of
+/// lines. Lines of rejected wires keep their latest state.
 void restore_start(Model& model, Before& kept) noexcept {
     model::Interactions& in = model.interactions;
     Wires& w = model.wires;
     std::copy(kept.lambda.begin(), kept.lambda.end(), in.lambda.begin());
-    // Joints whose force has grown within the step go on with the stiffness of that.
+    // Joints whose force has grown within the step keep the stiffness of the larger force.
     for (const std::int32_t id : model.completion.joints)
         std::copy_n(&model.completion.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
                     &in.lambda[at(in.row_begin[at(id)])]);
@@ -44,7 +44,7 @@ void restore_start(Model& model, Before& kept) noexcept {
     }
 }
 
-/// Rows of wires that are to be bounded.
+/// Mark the rows of wires that are to be bounded.
 void replace(Model& model) noexcept {
     Wires& w = model.wires;
     constexpr int kFirstBound = 4;
@@ -74,7 +74,7 @@ Status solve_again(StepContext& ctx) noexcept {
     return status;
 }
 
-/// Refused wires get their next plan. @return whether there are any.
+/// Set the next plan of each rejected wire. @return true if there are any.
 bool refuse(Model& model, const Before& kept) noexcept {
     Wires& w = model.wires;
     bool any = false;

@@ -1,34 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file guard.h
-/// The guard over wires: no step leaves a wire with energy that nothing gave it.
+/// The guard over wires: no step may leave a wire with created energy.
 ///
-/// A *wire* is a connected set of elastic lines between points, coupled by lumps. A step holds the
-/// direction of each element, and the tension behind its geometric stiffness, as they were where it
-/// began. Where an element swings far within a step, that brings energy out of nothing, and a wire
-/// of lumps then shakes itself to pieces. So the energy of each wire is counted at the half steps
-/// before and after, where velocities live, from its true lengths (wire_energy.cpp); a step that
-/// gains more than a thousandth of what was exchanged, and more than lately was lost, is solved
-/// again for the wires that gained, each time more carefully (wire_plan.cpp):
+/// A *wire* is a connected set of elastic lines between points, coupled by lumps. A step uses the
+/// direction of each element, and the tension of its geometric stiffness, from its start. If an
+/// element turns far within a step, this creates energy, and a wire of lumps becomes unstable.
 ///
-///   1-3  with a tension as large as the refused step has brought about; from 2 on without the
-///        part of the stiffness that gives back what it held;
-///   4-7  by a force that holds no more energy than the elements do: the step cannot gain then.
+/// Therefore the energy of each wire is computed half a step before and after, where velocities are
+/// defined, from its true lengths (wire_energy.cpp). The limit of the gain is a thousandth of the
+/// exchanged energy plus the recent loss. Beyond it, the step is solved again for the wires
+/// concerned, with stronger measures each time (wire_plan.cpp):
 ///
-/// Source of the last: a convex quadratic bound of the elements' energy, as in
-/// majorise-minimise methods (Lange, *MM optimization algorithms*, SIAM 2016): docs/methods.md, 12.
-/// Wires whose swing the step resolves are not looked at.
+///   1-3  with a tension as large as that of the rejected step; from 2 on without the
+///        part of the stiffness that returns stored energy;
+///   4-7  by a force that stores no more energy than the elements do: then there is no gain.
+///
+/// The last measure is a convex quadratic bound of the energy of the elements, as in
+/// majorise-minimise methods (docs/methods.md, 12). Source: Lange, "MM optimization algorithms",
+/// SIAM 2016. Wires whose vibration the step resolves are not checked.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// After the step has been solved, and before bodies move: solve it again where wires gain energy.
+/// Solve the step again if wires gain energy. Call after the solution and before bodies move.
 [[nodiscard]] Status guard_wires(StepContext& ctx) noexcept;
 
-/// After the staggered start: lumps of fast wires begin with the velocity that they were given,
-/// which is half a step late. That of half a step before follows from a trial step, which does not
-/// resolve how fast elements swing along.
+/// Set the velocities of lumps of fast wires to the given ones after the staggered start, although
+/// these are half a step late. The velocity half a step earlier would come from a trial step, which
+/// does not resolve the axial vibration.
 void calm_start(Model& model, const Before& kept) noexcept;
 
 }  // namespace hawser::stepper

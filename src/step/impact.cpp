@@ -23,10 +23,10 @@ namespace {
 using assembly::View;
 using nonsmooth::Cone;
 
-constexpr double kStiff = 1e-6;   ///< Σ over W: an error of e by a millionth.
-constexpr double kSolved = 1e-8;  ///< Residual that rounding reaches with it.
+constexpr double kStiff = 1e-6;   ///< Σ over W: an error of e of 1e-6.
+constexpr double kSolved = 1e-8;  ///< Residual that rounding permits with kStiff.
 
-/// Slower than this things come to rest without a bounce [m/s].
+/// Return the speed below which bodies come to rest without a bounce [m/s].
 double threshold(const Model& model) noexcept {
     return std::max(1e-3, 2.0 * model.def.gravity.norm() * model.def.step);
 }
@@ -42,7 +42,7 @@ bool hits(const Model& model, const State& state, std::size_t k) noexcept {
            state.contacts.contacts[k].gap + model.def.step * speed < 0.0;
 }
 
-/// The stage's law for every contact.
+/// Set the law of every contact for this stage.
 void set_laws(Model& model, const State& state, double scale) noexcept {
     for (std::size_t k = 0; k < model.system.contacts.count(); ++k) {
         Cone& c = model.system.contacts.cones[k];
@@ -50,7 +50,7 @@ void set_laws(Model& model, const State& state, double scale) noexcept {
         const bool touches = state.contacts.contacts[k].gap <= 0.0;
         c.b[0] = e > 0.0 && hits(model, state, k) ? -e * c.u[0] : (touches ? 0.0 : -1e30);
         c.b[1] = c.b[2] = 0.0;
-        // An impact has no time to compress anything; enough stays for points that repeat others.
+        // An impact has no time for compression. A small Σ remains for redundant points.
         c.sigma_n = std::min(c.sigma_n, kStiff * c.mobility);
         c.sigma_t = std::min(c.sigma_t, kStiff * c.mobility);
         std::fill_n(c.lambda, 3, 0.0);
@@ -62,7 +62,7 @@ void set_laws(Model& model, const State& state, double scale) noexcept {
     }
 }
 
-/// Right-hand sides of rows and bodies such that without contacts nothing changes.
+/// Set right-hand sides of rows and bodies such that without contacts the motion does not change.
 void hold_motion(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const assembly::Kernels& k = assembly::kernels();
@@ -76,8 +76,8 @@ void hold_motion(StepContext& ctx) noexcept {
         over_interactions(ctx.model, ctx.pool,
                           [&](std::int32_t a, std::int32_t b) { k.row_update(v, a, b, false); });
     };
-    hold_bounds(ctx.model, ctx.work.newton, 0.0);  // forces with a bound make no impulse
-    update_rows();                                 // residual + Σλ = c − G v, and c becomes G v
+    hold_bounds(ctx.model, ctx.work.newton, 0.0);  // bounded forces have no impulse
+    update_rows();                                 // residual + Σλ = c − G v; then c is set to G v
     for (std::int32_t id = 0; id < v.interaction_count; ++id)
         for (std::int32_t r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
             v.c[r] -= v.active[id] != 0.0 ? v.residual[r] + v.sigma[r] * v.lambda[r] : 0.0;
@@ -90,7 +90,7 @@ void hold_motion(StepContext& ctx) noexcept {
             v.a[v.dof_begin[body] + j] = -v.solution[v.body_offset[body] + j];
 }
 
-/// One attempt. @return ok, and v_new holds v⁺; else velocities stay.
+/// Run one attempt. @return ok if v_new contains v⁺; otherwise velocities do not change.
 Status attempt(StepContext& ctx, double scale) noexcept {
     if (const Status s = start_contacts(ctx, Phase::impact); s != Status::ok) return s;
     set_laws(ctx.model, ctx.state, scale);
@@ -102,7 +102,7 @@ Status attempt(StepContext& ctx, double scale) noexcept {
     return solve_newton(ctx);
 }
 
-/// Not for the attempt, but for what it had to work with: the step goes back.
+/// True if a failure is not due to the attempt but to its resources: the step is undone.
 bool ends_step(Status status) noexcept {
     return status == Status::out_of_memory || status == Status::over_bound ||
            status == Status::cancelled;
@@ -145,11 +145,11 @@ Status impact(StepContext& ctx, bool& found) noexcept {
             ctx.state.ledger.contact += before - after;
             std::copy_n(v.v_new, v.dof_count, v.v);
         }
-        // Lines and multipliers go on from the last step.
+        // Lines and multipliers continue from the last step.
         recall(ctx);
         if (good) break;
     }
-    ctx.work.stats.flips_left = 0;  // the step's own solve is to come
+    ctx.work.stats.flips_left = 0;  // the solve of the step itself follows
     ctx.work.newton.iterations = 0;
     return Status::ok;
 }

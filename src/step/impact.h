@@ -3,25 +3,26 @@
 /// @file impact.h
 /// Impacts with restitution: a stage of velocities before the regular one.
 ///
-/// Where a contact with restitution e > 0 would close within the step, faster than gravity accounts
-/// for, velocities jump first: the same matrix, no forces, no time (C. Lacoursière, thesis, 2007)
+/// The stage applies if a contact with restitution e > 0 would close within the step, faster than
+/// by gravity alone. Velocities then jump first: the same matrix, no forces, no time (C.
+/// Lacoursière, thesis, 2007).
 /// ```
 ///   M̃ (v⁺ − v) = Gᵀλ + Jᵀλ_c,   G v⁺ + Σλ = G v,   0 ≤ λ_n ⊥ u_n⁺ + e u_n⁻ + Σλ_n ≥ 0
 /// ```
-/// with friction as ever, resting contacts at e = 0, and rows of lines and motors as they move.
-/// The regular stage then starts from v⁺. Newton's law with friction can create energy
-/// (T. R. Kane, 1984): should ½ vᵀM v grow, or the stage end uncertified, it is done again with e =
-/// 0, then left out.
+/// Friction acts as usual, resting contacts have e = 0, and rows of lines and motors keep their
+/// motion. The regular stage then starts from v⁺. Newton's law with friction can create energy (T.
+/// R. Kane, 1984). If ½ vᵀM v grows, or the stage is not certified, it is repeated with e = 0, and
+/// then skipped.
 ///
-/// Limits: a body bounces where it is at the start of the step in which it would touch, up to
-/// h |u_n| above the surface; contacts that meet within one step meet at once.
+/// Limits: a body bounces up to h |u_n| above the surface, at the start of the step in which it
+/// would touch. Contacts that close within one step act simultaneously.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Find impacts among the contacts of the step and change v by them. Contacts must be started
-/// again where any were. @param found  Whether there were any.
+/// Find impacts among the contacts of the step and change v by them. If there were any, contacts
+/// must be started again. @param found  Output: true if there were impacts.
 [[nodiscard]] Status impact(StepContext& ctx, bool& found) noexcept;
 
 }  // namespace hawser::stepper

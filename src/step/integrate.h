@@ -8,7 +8,7 @@
 
 namespace hawser::stepper {
 
-/// After the step has been solved and judged; it cannot fail.
+/// Integrate a step that has been solved and checked. Cannot fail.
 void integrate(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

@@ -1,27 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file judge.h
-/// Whether what steps come to can be: each state is judged in the step after it, by figures that
-/// this one has at hand. The limits and their reasons are in docs/limits.md.
+/// Monitors of the plausibility of states. Each state is checked in the step after it, with data of
+/// that step. The limits and their reasons are in docs/limits.md.
 ///
-/// Energy. Created is what kinetic, gravity and elastic energy together gained beyond the work of
-/// forces and drives, friction and contacts: half-way between poses, where velocities live, and at
-/// the poses, with the mean of the velocities before and after; and half-way with springs that hold
-/// what their force says, as one that the step does not resolve is left longer or shorter than it
-/// pulls by the turning of its direction. Each comes and goes where motion is fast; the smallest
-/// rise is taken. What drag and rows took may hide more: unexplained is
-/// the gain with that added, counted by rows linearised once a step, and so judged less closely.
-/// All of these are sums over the steps, so that a look every few steps misses nothing. What rows
-/// take is an explanation as long as it is more than nothing: joints do no work, and two that
-/// contradict each other put in energy as if they took less than nothing. A further sum therefore
-/// adds what rows gave beyond what they had taken within about a second, which may be held in an
-/// overlap or in an element that comes taut. Judged is how far each rises above its lowest value,
-/// and the unexplained falls below its highest, over what was exchanged: kinetic energy and half
-/// the changes of all that is in the sums. Both forget within kMemory. A result is doubtful by
-/// what three looks running have in common, as energy of a moment comes and goes where something
-/// whips round within two steps; a step is refused by means over kMean.
+/// Created energy is the gain of kinetic, gravity and elastic energy beyond the work of forces,
+/// drives, friction and contacts. It is computed in three ways.
+/// 1. At the midpoint between poses, where velocities are defined.
+/// 2. At the poses, with the mean of the velocities before and after.
+/// 3. At the midpoint, with the energy of springs from their force. The length of an unresolved
+///    spring does not match its force, because its direction turns.
+/// Each has momentary changes if motion is fast; the smallest rise is used.
 ///
-/// Limits. A rise in one place and a loss in another at the same time are not told apart.
+/// Unexplained energy adds the losses of drag and rows, which may hide a gain. It is counted by
+/// rows linearised once a step, and therefore has a wider limit. All of these are sums over the
+/// steps, so that sampling every few steps misses nothing.
+///
+/// Losses of rows are an explanation only if they are positive. Joints do no work; two inconsistent
+/// ones add energy, as a negative loss. A further sum therefore adds the energy that rows returned
+/// beyond their losses within about a second. That energy may be stored in an overlap or in an
+/// element that tightens.
+///
+/// The monitors check the rise of each sum above its minimum, and the fall of the unexplained
+/// energy below its maximum. Both are relative to the exchanged energy: kinetic energy plus half of
+/// the changes of all terms. Minima and exchange decay within kMemory. A result is suspect by the
+/// part that three consecutive samples have in common, because a whip within two steps changes
+/// energy only briefly. A step fails by means over kMean.
+///
+/// Limits. A gain at one location and a simultaneous loss at another are not distinguished.
 
 #include <hawser/limits.h>
 #include <hawser/stats.h>
@@ -35,11 +41,11 @@
 
 namespace hawser::stepper {
 
-/// Energy at the start, from velocities as given.
+/// Compute the energy at the start, from the given velocities.
 void begin_judge(StepContext& ctx) noexcept;
-/// Judge the state before the step being taken, whose rows have been evaluated.
+/// Check the state before the present step, whose rows have been evaluated.
 [[nodiscard]] Status judge(StepContext& ctx) noexcept;
-/// The verdict with the present state.
+/// Return the result of the monitors for the present state.
 [[nodiscard]] Verdict verdict(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

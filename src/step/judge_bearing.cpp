@@ -11,7 +11,7 @@
 namespace hawser::stepper {
 
 Finding strain_finding(Model& model, const State& state, JudgeState& memory) noexcept {
-    constexpr double kLonger = 1.25;  // Half a step's way and damping are within it.
+    constexpr double kLonger = 1.25;  // Includes the motion of half a step, and damping.
     const assembly::View v = row_view(model);
     Finding out{.value = 0.0,
                 .doubtful = 0.0,
@@ -24,7 +24,7 @@ Finding strain_finding(Model& model, const State& state, JudgeState& memory) noe
         const std::int32_t id = model.system.breakable[i], row = v.row_begin[id];
         const double length = v.rest_length[id];
         if (v.parted[id] != 0 || !(length > 0.0)) continue;
-        const double soft = v.epsilon[row] / length;  // strain a newton
+        const double soft = v.epsilon[row] / length;  // strain per newton
         const double bears = soft * model.system.breaking_load[i];
         const double stretched = v.g[row] / length, pulled = -soft * v.lambda[row] / v.h;
         longest = std::max(longest, stretched / (kLonger * bears));
@@ -42,7 +42,8 @@ Finding strain_finding(Model& model, const State& state, JudgeState& memory) noe
 }
 
 Finding wound_finding(const Model& model, const State& state, JudgeState& memory) noexcept {
-    constexpr double kSlack = 0.01;  // Of the element: its law goes on with that much.
+    // Fraction of the element length up to which its law continues.
+    constexpr double kSlack = 0.01;
     Finding out{.value = 0.0,
                 .doubtful = 0.0,
                 .wrong = 0.0,

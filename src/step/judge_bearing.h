@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file judge_bearing.h
-/// Checks in every step that lines are such as a material can be (judge.h): before an element parts
-/// in the step, since what has parted is not looked at any more.
+/// Checks of the material limits of lines in every step (judge.h). They run before an element
+/// breaks in the step, because broken elements are no longer checked.
 
 #include "context/context.h"
 #include "context/judge_data.h"
 
 namespace hawser::stepper {
 
-/// Strain of elements with a breaking load, by their tension in this step and by their length at
-/// its start. Wrong beyond kMostStrain and kMostBreaking times the strain at the breaking load;
-/// doubtful where an element is for three steps a quarter longer than it bears and does not part.
+/// Check the strain of elements with a breaking load, from the tension in this step and the length
+/// at its start. Failed: beyond kMostStrain and beyond kMostBreaking times the strain at the
+/// breaking load. Suspect: for three steps 25 % longer than at the breaking load without breaking.
 /// Finding::value is minus the strain.
 [[nodiscard]] Finding strain_finding(Model& model, const State& state, JudgeState& memory) noexcept;
 
-/// Wound elements of less than no length for three steps: a slide took in more than there is. The
-/// element of a drum does not come there (kLeastOfDrumElement). Finding::value is the length [m].
+/// Check for wound elements of negative length for three steps: a slide wound in more than there
+/// is. The element of a drum does not reach this state (kLeastOfDrumElement). Finding::value is the
+/// length [m].
 [[nodiscard]] Finding wound_finding(const Model& model, const State& state,
                                     JudgeState& memory) noexcept;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The ledger of judges: sums, their extremes, what was exchanged.
+/// Energy balance of the monitors: sums, their extrema, exchanged energy.
 #include "step/judge_energy.h"
 
 #include "context/judge_data.h"
@@ -10,7 +10,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// What nothing accounts for [J].
+/// Return the unexplained energy of each balance [J].
 ByAccount<double> unexplained(const JudgePart& p, const Works& w, double given) noexcept {
     const double left = p.kinetic + p.potential + p.elastic - w[kForces] - w[kDrives] + w[kDrag] +
                         w[kFriction] + w[kContacts] + w[kRows] - w[kGiven] - w[kStrained];
@@ -31,10 +31,11 @@ void set(JudgeState& state, std::size_t i, double now) noexcept {
     state.now_tide[i] = state.mean_tide[i] = {now, now};
 }
 
-/// That rows may hold what they took, in an overlap or in an element that comes taut [s].
+/// Time for which rows may store absorbed energy, in an overlap or in an element that tightens [s].
 constexpr double kHeldFor = 1.0;
 
-/// What rows gave beyond what they had taken lately, which they may hold for a while.
+/// Count the energy that rows returned beyond their recent losses, which they may store for a
+/// while.
 void count_given(double taken, double time, JudgeState& state) noexcept {
     state.held = (state.held + std::max(0.0, taken)) * std::exp(-time / kHeldFor);
     const double back = std::min(state.held, std::max(0.0, -taken));
@@ -67,20 +68,20 @@ Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
     count_given(w[kRows] - state.work[kRows], time, state);
     double moved = std::fabs(p.kinetic - state.kinetic) + std::fabs(p.potential - state.potential);
     for (std::size_t i = 0; i < kRows; ++i) moved += std::fabs(w[i] - state.work[i]);
-    // A spring that the step does not resolve holds by its length what it never exerts, and rows
-    // take and give that: where it comes from is counted.
+    // An unresolved spring stores energy by its length that its force never exerts; rows absorb and
+    // return it. The exchange at its source is counted.
     const double by_rows = std::fabs(p.elastic - state.elastic);
     const double sprung = std::min({by_rows, std::fabs(p.by_length - state.by_length),
                                     std::fabs(p.by_force - state.by_force)});
     const double taken = std::fabs(w[kRows] - state.work[kRows]);
-    // Nothing is forgotten before the memory is full.
+    // The sums do not decay before kMemory has passed.
     state.age += time;
     const double forgotten =
         state.age <= limit::kMemory ? 0.0 : std::min(1.0, time / limit::kMemory);
     state.exchanged += 0.5 * (moved + sprung) - forgotten * state.exchanged;
     state.counted += 0.5 * (moved + by_rows + taken) - forgotten * state.counted;
     const ByAccount<double> now = unexplained(p, w, state.given);
-    // Works are those from half a step before the start on: half of them is not of this motion.
+    // Works begin half a step before the start: half of them belongs to earlier motion.
     const bool first = state.begun++ == 1;
     ByAccount<double> early{};
     for (std::size_t i = 0; i < w.size(); ++i)
@@ -89,10 +90,10 @@ Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
                 early[k] += 0.5 * std::fabs(w[i] - state.work[i]);
     Unexplained out;
     for (std::size_t i = 0; i < now.size(); ++i) {
-        // Rows that close what stood open at the start put in energy by order of the scene.
+        // Rows that close gaps of the initial state add energy that the scene causes.
         if (i == kWithGiven && state.open_start > 1.0) set(state, i, now[i]);
         if (first) set(state, i, std::min(now[i], state.mean[i] + early[i]));
-        // Mechanical energy has to be gone again once they have closed.
+        // After they have closed, mechanical energy must be balanced again.
         constexpr std::int64_t kClosing = 3;  // steps
         if (i >= kBetween && state.open_start > 1.0 && state.begun <= kClosing + 1) continue;
         state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
@@ -101,7 +102,7 @@ Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
         const Tide& level = state.mean_tide[i];
         out.lasting[i] = {std::max(0.0, now[i] - level.least), std::max(0.0, level.most - now[i])};
     }
-    // Before the first look there is none.
+    // The first sample has no earlier value.
     out.posed = first ? out.now[kBetween].rise : state.posed;
     state.posed = out.now[kAtPoses].rise;
     keep(p, w, state);

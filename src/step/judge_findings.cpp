@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What each judge finds.
+/// Findings of each monitor.
 #include "step/judge_findings.h"
 
 #include "access/copies.h"
@@ -13,16 +13,16 @@
 namespace hawser::stepper {
 namespace {
 
-/// Interaction of a row.
+/// Return the interaction of a row.
 std::int32_t owner_of(const Model& model, std::int32_t row) noexcept {
     const auto& begin = model.interactions.row_begin;
     const auto end = begin.begin() + interaction_count(model);
     return static_cast<std::int32_t>(std::upper_bound(begin.begin(), end, row) - begin.begin()) - 1;
 }
 
-/// How far the step's equations and laws are from solved.
+/// Return the error of a step in its equations and laws.
 double certificate(const Model& model, const StepStats& stats) noexcept {
-    // The other methods end where they end, as does a step that keeps to a budget.
+    // Other methods, and steps with a reduced budget, have no certificate.
     if (model.def.nonsmooth != Nonsmooth::newton || stats.degradation.of_solve()) return 0.0;
     return std::max(stats.natural_map, stats.momentum_residual);
 }
@@ -36,14 +36,14 @@ Finding finding(double value, Limit by, double time) noexcept {
             .body = {}};
 }
 
-/// Tell the violation of a row and the interaction that has it. @param row  −1: none.
+/// Report the violation of a row and its interaction. @param row  −1: none.
 void name_row(const Model& model, std::int32_t row, Finding& out) noexcept {
     if (row < 0) return;
     out.value = std::fabs(model.interactions.g[at(row)]);
     out.interaction = model.interactions.id(owner_of(model, row));
 }
 
-/// The least of the looks remembered and this one.
+/// Return the minimum of the stored samples and the present one, and store the latter.
 template <std::size_t N>
 double lasting(double now, std::array<double, N>& before) noexcept {
     const double least = std::min(now, *std::min_element(before.begin(), before.end()));
@@ -52,7 +52,7 @@ double lasting(double now, std::array<double, N>& before) noexcept {
     return least;
 }
 
-/// The least rise of this span of time and the two whole ones before: of 0.2 to 0.3 s.
+/// Return the minimum rise of this interval and the two complete ones before: over 0.2 to 0.3 s.
 double held_rise(double now, double time, JudgeState& memory) noexcept {
     constexpr double kSpan = 0.1;
     std::array<double, 3>& least = memory.held_rise;
@@ -87,8 +87,8 @@ Finding energy_finding(const Model& model, const State& state, const JudgePart& 
     };
     const double exchanged = p.kinetic + memory.exchanged, counted = p.kinetic + memory.counted;
     const ByAccount<Swing>&now = u.now, &mean = u.mean;
-    // By each account energy comes and goes by different amounts: half-way between two poses, and
-    // at the one before, which is half a step away where the last look was a step ago.
+    // Each balance has other momentary changes: at the midpoint between two poses, and at the
+    // earlier pose. The latter is half a step away if the last sample is one step old.
     const bool close = time < 1.5 * model.def.step;
     const double posed = close ? u.posed : std::max(now[kAtPoses].rise, u.posed);
     const double created = std::min({now[kBetween].rise, now[kByForce].rise, posed});
@@ -96,12 +96,13 @@ Finding energy_finding(const Model& model, const State& state, const JudgePart& 
     memory.risen = {created, memory.risen[0]};
     const double lasting =
         std::min({mean[kBetween].rise, mean[kByForce].rise, mean[kAtPoses].rise});
-    // What lines hold by their lengths is the state, whatever they exert; it has to last, above a
-    // level that lasted: what strikes a stop puts into it what comes back within a few steps.
+    // The energy of lines by their lengths belongs to the state, independent of their forces. It
+    // has to last, above a level that lasted. An impact on a stop stores energy there that returns
+    // within a few steps.
     const double by_length =
         held_rise(std::min(u.lasting[kBetween].rise, u.lasting[kAtPoses].rise), time, memory);
     const double hidden = std::max(now[kUnexplained].rise, now[kWithGiven].rise);
-    // Below a level that lasted: what an element holds by its length for some steps goes again.
+    // Use a level that lasted: the energy of an element by its length disappears after some steps.
     const double lost = std::min(now[kUnexplained].fall, u.lasting[kUnexplained].fall);
     Finding out;
     const double by_created = share(stays, exchanged) / limit::kCreated.doubtful,
@@ -109,7 +110,7 @@ Finding energy_finding(const Model& model, const State& state, const JudgePart& 
                  by_hidden = share(hidden, counted) / limit::kHidden.doubtful,
                  gained = std::max({by_created, by_held, by_hidden});
     const double fell = share(lost, counted) / limit::kLost.doubtful;
-    // What is told is of the account that is nearest to its limit.
+    // Report the balance that is nearest to its limit.
     out.value = gained < fell         ? -lost
                 : by_hidden == gained ? hidden
                 : by_held == gained   ? by_length
@@ -120,7 +121,7 @@ Finding energy_finding(const Model& model, const State& state, const JudgePart& 
                           share(std::max(mean[kUnexplained].rise, mean[kWithGiven].rise), counted) /
                               limit::kHidden.wrong,
                           share(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
-    // A split is approximate by choice, and says itself what it does to momentum and forces.
+    // A split is approximate by choice; its errors of momentum and forces are reported separately.
     if (has_cuts(model)) out.wrong = 0.0;
     if (!std::isfinite(now[kUnexplained].rise)) out.doubtful = out.wrong = HUGE_VAL;
     out.time = state.time;
@@ -131,7 +132,7 @@ Finding open_finding(const Model& model, const State& state, const JudgePart& p,
                      double time) noexcept {
     memory.open_start *= std::exp(-time / (limit::kSettled * model.def.step));
     Finding out = finding(p.open * limit::kOpen.doubtful, limit::kOpen, state.time);
-    // What the scene opened may close without being refused; that it stood open is said.
+    // A joint that the scene opened may close without a failure; that it was open is reported.
     const double open = std::max(0.0, p.open - memory.open_start);
     out.wrong = open * limit::kOpen.doubtful / limit::kOpen.wrong;
     name_row(model, p.open_row, out);

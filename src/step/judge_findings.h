@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file judge_findings.h
-/// What each judge finds in a state (judge.h): how much, over its limits, where. Figures come from
-/// a look at the state (judge_look.h); what lasts from one look to the next is in `memory`.
+/// Findings of each monitor in a state (judge.h): value relative to its limits, and location.
+/// Values come from a sample of the state (judge_look.h). Data that last between samples are in
+/// `memory`.
 
 #include "context/context.h"
 #include "context/judge_data.h"
@@ -10,29 +11,30 @@
 
 namespace hawser::stepper {
 
-/// Works since the start, in the order of WorkBy.
+/// Return the works since the start, in the order of WorkBy.
 [[nodiscard]] Works works(const State& state) noexcept;
 
-/// Energy out of nothing, or gone. @param time  Since the last look [s].
+/// Check for created and lost energy. @param time  Time since the last sample [s].
 [[nodiscard]] Finding energy_finding(const Model& model, const State& state, const JudgePart& p,
                                      JudgeState& memory, double time) noexcept;
-/// A joint that stands open.
+/// Check for open joints.
 [[nodiscard]] Finding open_finding(const Model& model, const State& state, const JudgePart& p,
                                    JudgeState& memory, double time) noexcept;
-/// A range that does not hold. What strikes its end goes beyond by its way in a step, and comes
-/// back by 4/9 of that a step: six looks running leave 5 % of it.
+/// Check for violated ranges. A body that strikes the end of a range exceeds it by its motion in a
+/// step. The excess decreases to 4/9 per step: after six consecutive samples 5 % is left.
 [[nodiscard]] Finding range_finding(const Model& model, const State& state, const JudgePart& p,
                                     JudgeState& memory) noexcept;
-/// Bodies that lie in each other, for six looks running. The thinner one is named.
+/// Check for bodies that penetrate each other in six consecutive samples. Reports the thinner one.
 [[nodiscard]] Finding depth_finding(const Model& model, const State& state, const JudgePart& p,
                                     JudgeState& memory) noexcept;
-/// Equations that are left unsolved.
+/// Check for unsolved equations.
 [[nodiscard]] Finding solved_finding(const StepContext& ctx, JudgeState& state,
                                      double time) noexcept;
-/// A line that comes taut is off its law for a moment, one that rings is at every look.
+/// Check the cable law. A line that tightens deviates from it briefly; a line that vibrates does so
+/// in every sample.
 [[nodiscard]] Finding stretch_finding(const Model& model, const State& state, const JudgePart& p,
                                       JudgeState& memory) noexcept;
-/// A body or an element that turns by much in a step.
+/// Check for bodies or elements with a large rotation in a step.
 [[nodiscard]] Finding turn_finding(const Model& model, const State& state,
                                    const JudgePart& p) noexcept;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What judges look at.
+/// Samples for the monitors.
 #include "step/judge_look.h"
 
 #include "access/kinetic.h"
@@ -42,7 +42,7 @@ void look_at_body(const Model& model, std::int32_t body, const double* after, do
     }
 }
 
-/// Bodies [begin, end) of those that move.
+/// Sample moving bodies [begin, end).
 void look_at_bodies(const Model& model, const View& v, std::int32_t begin, std::int32_t end,
                     const double* after, double half, JudgePart& p) noexcept {
     const std::vector<std::int32_t>& moving = model.bodies.moving;
@@ -70,7 +70,7 @@ void look_at_rows(const State& state, const View& v, std::int32_t begin, std::in
     if (row >= 0) p.open_row = row;
 }
 
-/// Outside of its range a row has a violation, inside none.
+/// Sample ranges: a row has a violation outside of its range only.
 void look_at_ranges(const State& state, const View& v, JudgePart& p) noexcept {
     for (std::size_t i = 0; i < state.judge.ranges.size(); ++i) {
         const std::int32_t row = state.judge.ranges[i];
@@ -81,7 +81,7 @@ void look_at_ranges(const State& state, const View& v, JudgePart& p) noexcept {
     }
 }
 
-/// How deep contacts of the step are, over the thickness of the thinner shape.
+/// Sample the depth of contacts of the step, relative to the thickness of the thinner shape.
 void look_at_contacts(const Model& model, const State& state, JudgePart& p) noexcept {
     const std::vector<collide::Shape>& shapes = model.collider.shapes();
     for (std::size_t i = 0; i < state.contacts.awake; ++i) {
@@ -94,15 +94,15 @@ void look_at_contacts(const Model& model, const State& state, JudgePart& p) noex
     }
 }
 
-/// ½ f² ε by the force of the last step.
+/// Return ½ f² ε from the force of the last step.
 double held_by_force(const View& v, std::int32_t row) noexcept {
     return 0.5 * v.force_of_row[row] * v.force_of_row[row] * v.epsilon[row];
 }
 
-/// ½ g²/ε half a step before the poses, as energy() has it.
+/// Sample ½ g²/ε half a step before the poses, as in energy().
 void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_points, double half,
                      JudgePart& p) noexcept {
-    // Of a wire by its true length, as the guard counts it.
+    // For a wire use its true length, as the guard does.
     if (half > 0.0 && model.wires.wire_of[at(id)] >= 0 && !model.system.rests(id) &&
         !v.parted[id] && (v.flags[id] & model::kCarried) == 0) {
         const std::int32_t row = v.row_begin[id];
@@ -141,20 +141,21 @@ void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_
     }
 }
 
-/// What an element that moves as a straight piece has less than the lumps at its ends.
+/// Subtract the kinetic energy by which the end lumps exceed an element that moves as a straight
+/// piece.
 void look_at_piece(const View& v, std::int32_t id, const double* after, JudgePart& p) noexcept {
     const double before = pair_energy(v, id, v.v);
     p.kinetic -= before;
     p.at_pose -= 0.5 * (before + pair_energy(v, id, after));
 }
 
-/// Cable law, and how far an element turns.
+/// Sample the cable law and the rotation of an element.
 void look_at_line(const Model& model, const View& v, std::int32_t id, JudgePart& p) noexcept {
     if (v.parted[id] || model.system.rests(id)) return;
     const std::int32_t row = v.row_begin[id];
     const double length = v.rest_length[id];
     const std::int32_t* body = v.body + kMaxInteractionBodies * id;
-    // Of bodies with arms the end moves with them, which is judged by their own turn.
+    // An end on a body with arms moves with it; the rotation of the body is checked instead.
     if (v.dof[body[0]] == 3 && v.dof[body[1]] == 3) {
         double apart = 0.0;
         for (int k = 0; k < 3; ++k) {
@@ -168,9 +169,10 @@ void look_at_line(const Model& model, const View& v, std::int32_t id, JudgePart&
         }
     }
     if (v.active[id] == 0.0 || v.lambda[row] >= 0.0) return;
-    // Slack where the step began: it comes taut within it, and pulls for its end alone.
+    // The element was slack at the start of the step: it tightens within it, and its force belongs
+    // to the end of the step.
     if ((v.flags[id] & model::kOneSided) && v.g[row] < 0.0) return;
-    // What its damper adds at this speed, and half a step's way, is part of the law.
+    // The force of its damper at this speed, and the motion of half a step, are part of the law.
     double room[model::kArmRoom];
     const double* jac = packed_rows(v, id, room);
     const double speed = along_row(v, id, jac, v.v, v.dof_begin);
@@ -191,7 +193,7 @@ void take_worse(double value, std::int32_t which, double& most, std::int32_t& wh
 
 }  // namespace
 
-// Merged in order, so that nothing depends on threads.
+// Chunks are merged in order, so that the result does not depend on threads.
 JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcept {
     const View v = row_view(model);
     JudgeData& data = state.judge;
@@ -215,7 +217,7 @@ JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcep
     });
     JudgePart sum;
     look_at_ranges(state, v, sum);
-    if (when == At::half_step) look_at_contacts(model, state, sum);  // a start has found none
+    if (when == At::half_step) look_at_contacts(model, state, sum);  // no contacts at the start
     for (int i = 0; i < StepContext::chunks(most); ++i) {
         const JudgePart& p = data.part[at(i)];
         sum.kinetic += p.kinetic;
@@ -229,12 +231,13 @@ JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcep
         take_worse(p.turn, p.turn_body, sum.turn, sum.turn_body);
         take_worse(p.twist, p.twist_id, sum.twist, sum.twist_id);
     }
-    // What added mass holds; what it has become since the last step counts as work of this one.
+    // Energy of the added mass. Its change since the last step counts as work of this step.
     const double added = state.loads.added;
     sum.kinetic += added;
     sum.at_pose += when == At::pose ? added : 0.5 * (added + state.loads.added_after());
-    if (when == At::pose) sum.by_force = sum.elastic;  // no step has been taken
-    // Poses that were closed have moved by more than the velocity says: half-way, by half of it.
+    if (when == At::pose) sum.by_force = sum.elastic;  // no step has been taken yet
+    // Projected poses have moved further than by the velocity: at the midpoint, by half of the
+    // projection.
     if (when == At::half_step) {
         sum.potential -= 0.5 * data.state.closed;
         sum.by_length -= data.state.closed_elastic;
@@ -244,7 +247,7 @@ JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcep
 
 namespace {
 
-/// f(row, whether of a line, violation, its rate) of the rows of springs that are in force.
+/// Call f(row, true if a line, violation, its rate) for the active rows of springs.
 template <class F>
 void each_spring(const Model& model, const State& state, const View& v, F&& f) noexcept {
     for (const std::int32_t id : state.judge.elastic) {

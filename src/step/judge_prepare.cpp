@@ -12,14 +12,14 @@
 namespace hawser::stepper {
 namespace {
 
-/// Length of the edges of a cube with the same mass and inertia [m]; none for other bodies.
+/// Return the edge length of a cube with the same mass and inertia [m]; infinite for other bodies.
 double size_of(const model::Bodies& b, std::int32_t body) noexcept {
     if (b.dof(body) != 6) return std::numeric_limits<double>::infinity();
     const double* s = &b.inertia[9 * at(body)];
     return std::sqrt(2.0 * (s[0] + s[4] + s[8]) / b.mass[at(body)]);
 }
 
-/// What a row of a joint with bodies of this size may be open by, as its inverse.
+/// Return the inverse of the allowed gap of a row of a joint with bodies of this size.
 double allowance(double size, bool turns) noexcept {
     const double arm = std::isfinite(size) ? 0.5 * size : 0.0;
     return (turns ? arm : 1.0) / (limit::kOpen.doubtful * std::max(1.0, 2.0 * arm));
@@ -54,7 +54,7 @@ void prepare_judge(const Model& model, State& state) {
             soft |= holds;
             const bool stiff =
                 in.epsilon[row] <= limit::kMeantRigid && model::may_ever_complete(in, id);
-            // Of a wire element the cable law is asked.
+            // Wire elements are checked by the cable law instead.
             if ((!stiff && holds) || length != 0.0 || (in.flags[at(id)] & model::kMotor)) continue;
             const double allowed = allowance(size, kind.row_units[r] == 'r');
             if (in.flags[at(id)] & model::kRange) {
@@ -68,7 +68,7 @@ void prepare_judge(const Model& model, State& state) {
         d.elastic.push_back(id);
         d.line.push_back(kind.is(kAlongLine) && !kind.is(kWoundUp));
     }
-    // A joint that comes open is excused as one that a scene opens.
+    // A new joint that is open has the tolerance of one that the scene opens.
     for (const std::int32_t id : state.edits.interactions) {
         const model::RowState now = in.row_state(id, model.bodies);
         for (int r = 0; r < in.rows[at(id)]; ++r) {
@@ -80,14 +80,15 @@ void prepare_judge(const Model& model, State& state) {
         std::max({model.bodies.moving.size(), d.allowed.size(), d.elastic.size(), d.lines.size()}));
     d.part.resize(at(StepContext::chunks(most)));
     d.nothing = 0.0;
-    constexpr double kAtRest = 1e-5;  // [m/s]: weightless bodies that rest make rounding only
+    // [m/s]: resting bodies without weight have only rounding errors
+    constexpr double kAtRest = 1e-5;
     for (const std::int32_t b : model.bodies.moving) {
         d.nothing += 0.5 * model.bodies.mass[at(b)] * kAtRest * kAtRest;
         if (model.bodies.weight[at(b)])
             d.nothing +=
                 limit::kNothingHigher * model.bodies.mass[at(b)] * model.def.gravity.norm();
     }
-    // A look at a small scene costs next to nothing.
+    // Sampling a small scene costs almost nothing.
     constexpr std::size_t kSmall = 128;
     const bool small = model.bodies.moving.size() + d.elastic.size() <= kSmall;
     d.every =

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file judge_prepare.h
-/// What judges need to know of a model: how far each row may be open, which rows hold energy, and
-/// how often to look.
+/// Model data for the monitors: allowed gap of each row, rows that store energy, and the sampling
+/// interval.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Arrays for the interactions there are. @throws std::bad_alloc.
+/// Prepare arrays for the present interactions. @throws std::bad_alloc.
 void prepare_judge(const Model& model, State& state);
 
 }  // namespace hawser::stepper

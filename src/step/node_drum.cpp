@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The node next to a drum that goes, see nodes.h: the element at the drum takes over the piece f
+/// Removal of the node next to a drum, see nodes.h: the element at the drum takes over the piece f
 /// beyond.
 ///
 /// ```
 ///     fairlead ── e ── n ──── f ──── b        fairlead ────── e ────── b
 /// ```
-/// The tension of the whole is the mean of both by their lengths at rest, as the law is linear in
-/// the strain, and the rest length is the one that has it at the chord, dampers included: what
-/// leaves by the drum takes its stretch along, which they see as a rate. The half of f that b held
-/// becomes the winch's, as all the material of e is; velocities of others stay. What the motion of
-/// n across the chord held goes into the drum's foundation, and counts as driven. The node before a
-/// free end stays: the lump there has but its half of f. Where the next element is one that a drum
-/// or a guide loads, too, b keeps a hundredth of that half: a body needs some mass of its own.
+/// The tension of the whole is the mean of both, weighted by rest lengths, because the law is
+/// linear in the strain. The rest length is chosen to give it at the chord, dampers included.
+/// Material that leaves by the drum carries its stretch along; dampers treat this as a rate. The
+/// half of f at b is transferred to the winch, like all material of e. Velocities of others do not
+/// change. The energy of the motion of n across the chord goes into the foundation of the drum, and
+/// counts as driven.
+///
+/// The node before a free end stays, because the lump at the end has only its half of f. If a drum
+/// or a guide also loads the next element, b keeps 1 % of that half: a body needs some own mass.
 
 #include "step/nodes.h"
 
@@ -34,7 +36,7 @@ bool release_drum_node(StepContext& ctx, const NodePlace& place, double bend) no
     if (std::atan2(first.cross(second).norm(), first.dot(second)) > bend) return false;
     double half = 0.5 * mass_of_element(ctx, f);
     const std::int32_t b = end_of(ctx, f, far);
-    // A free end would be left without any mass of its own.
+    // A free end would have no mass of its own.
     if (is_lump(ctx, b) && !has_more_than(bodies.mass[at(b)], half)) {
         const std::int32_t beyond = at_first ? place.after[0] : place.before[0];
         if (beyond < 0 || !is_wound(ctx, beyond)) return false;
@@ -51,7 +53,7 @@ bool release_drum_node(StepContext& ctx, const NodePlace& place, double bend) no
     const double length = length_of(ctx, e);
     set_element(ctx, e, pull > 0.0 ? rest_for(ctx, e, pull, stiffness) : std::max(whole, length),
                 0.0, pull);
-    // The bend at b has the fairlead for its neighbour.
+    // The neighbour of the bend at b is then the fairlead.
     const std::int32_t beyond = place.bend[at_first ? 2 : 0];
     if (beyond >= 0) {
         const std::size_t slot = at_first ? 0 : 2;

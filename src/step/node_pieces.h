@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file node_pieces.h
-/// Elements and lumps about a node (nodes.h): what they are, and how they are changed.
+/// Elements and lumps near a node (nodes.h): their properties and changes.
 
 #include "base/memory.h"
 #include "context/context.h"
@@ -12,16 +12,16 @@
 
 namespace hawser::stepper {
 
-/// What a body has to do with wires.
+/// Connections of a body to wires.
 struct NodeLinks {
-    std::int32_t before = -1, after = -1;  ///< Element that ends, that begins there; −1: none.
-    bool plain = true;                     ///< No other interaction but bends acts on it.
+    std::int32_t before = -1, after = -1;  ///< Elements that end and begin at the body; −1: none.
+    bool plain = true;  ///< True if no other interaction except bends acts on it.
 };
 [[nodiscard]] NodeLinks links_of(const StepContext& ctx, std::int32_t body) noexcept;
-/// The bend in the middle of which a body is, with another one at a given side; −1: none.
+/// Return the bend with a body in its middle and another one on a given side; −1: none.
 [[nodiscard]] std::int32_t bend_at(const StepContext& ctx, std::int32_t middle, std::int32_t other,
                                    std::size_t side) noexcept;
-/// The bend with the lowest place above `after` that some of these bodies have, −1: none.
+/// Return the bend of these bodies with the lowest index above `after`, −1: none.
 [[nodiscard]] std::int32_t next_bend(const StepContext& ctx, std::span<const std::int32_t> bodies,
                                      std::int32_t after) noexcept;
 
@@ -29,70 +29,72 @@ struct NodeLinks {
                                   std::size_t slot) noexcept;
 [[nodiscard]] bool is_lump(const StepContext& ctx, std::int32_t body) noexcept;
 
-/// Mass of the material of an element [kg]; 0: it has none of its own.
+/// Return the mass of the material of an element [kg]; 0: it has none of its own.
 [[nodiscard]] double mass_of_element(const StepContext& ctx, std::int32_t element) noexcept;
-/// Whether its compliance is that of its length, and not one that was given or a drum's.
+/// True if its compliance follows from its length, and is neither given nor determined by a drum.
 [[nodiscard]] bool is_of_material(const StepContext& ctx, std::int32_t element) noexcept;
 
-/// Whether a drum pays it out; then which end is at the drum's fairlead, the one that no lump
+/// True if a drum pays the element out; drum_side() is then its end at the fairlead, which no lump
 /// holds.
 [[nodiscard]] bool is_wound(const StepContext& ctx, std::int32_t element) noexcept;
 [[nodiscard]] std::size_t drum_side(const StepContext& ctx, std::int32_t element) noexcept;
-/// Velocity by material that comes in at the fairlead, of a place that keeps a share of it beyond
-/// [m/s].
+/// Return the velocity due to material that enters at the fairlead, at a point with the fraction
+/// `beyond` of it behind [m/s].
 [[nodiscard]] Vec3 inflow_of(const StepContext& ctx, std::int32_t element, double beyond,
                              const base::Array<double>& packed) noexcept;
 
-/// Where an element is held [m], and how fast that moves [m/s].
+/// Return the position of an end of an element [m], and its velocity [m/s].
 [[nodiscard]] Vec3 point_of(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept;
 [[nodiscard]] Vec3 speed_of(const StepContext& ctx, std::int32_t id, std::size_t slot,
                             const base::Array<double>& packed) noexcept;
 
-/// From end to end, with what lies on a wheel [m]; over that of the straight part alone.
+/// Return the length between the ends, including the part on a wheel [m], and its excess over the
+/// straight part.
 [[nodiscard]] double length_of(const StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double beyond_straight(const StepContext& ctx, std::int32_t id) noexcept;
-/// Share of its straight part at which a share of an element ends.
+/// Return the fraction of the straight part at which a fraction of an element ends.
 [[nodiscard]] double straight_share(const StepContext& ctx, std::int32_t id, double share) noexcept;
-/// Where an element is held, in the frame of the body that holds it [m].
+/// Return the attachment point of an element in the frame of its body [m].
 [[nodiscard]] Vec3 held_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept;
 
-/// Force of the law at the present length [N], 0 while it is slack; and EA by its length at rest.
+/// Return the force of the law at the present length [N], 0 if slack; and EA from the rest length.
 [[nodiscard]] double tension_of(const StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double stiffness_of(const StepContext& ctx, std::int32_t id) noexcept;
 
-/// How fast an element is stretched, without what a drum pays out [m/s].
+/// Return the stretching speed of an element without the material paid out by a drum [m/s].
 [[nodiscard]] double rate_of(const StepContext& ctx, std::int32_t id) noexcept;
-/// What the step damps an element with [s].
+/// Return the damping time of an element in the step [s].
 [[nodiscard]] double damping_time_of(const StepContext& ctx, std::int32_t id) noexcept;
-/// Force of law and damper [N], 0 while it is slack; and the rest length with which it has a given
-/// one at the present length and rate [m].
+/// Return the force of law and damper [N], 0 if slack; and the rest length that gives a force at
+/// the present length and speed [m].
 [[nodiscard]] double force_of(const StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double rest_for(const StepContext& ctx, std::int32_t id, double force,
                               double stiffness) noexcept;
 
-/// Weight that a lump of some mass has on an element [N], with the forces that act on lumps at its
-/// ends by their mass (buoyancy).
+/// Return the weight of a lump of the given mass on an element [N]. Includes forces on lumps at its
+/// ends in proportion to mass (buoyancy).
 [[nodiscard]] Vec3 weight_of(const StepContext& ctx, std::int32_t id, double mass) noexcept;
-/// How far below the chord of an element forces balance a lump at the share σ of it [m].
+/// Return the distance below the chord of an element at which a lump at its fraction σ is in
+/// equilibrium [m].
 [[nodiscard]] Vec3 sag_of(const Vec3& chord, double share, const Vec3& weight,
                           double tension) noexcept;
 
-/// An element has another rest length and mass, and pulls with a tension. Of one at a drum the rest
-/// length is that at the drum's present coordinate; its mass and drag are its winch's.
+/// Set rest length, mass and tension of an element. At a drum the rest length is the one at the
+/// present coordinate of the drum; its winch has its mass and drag.
 void set_element(StepContext& ctx, std::int32_t id, double rest, double mass,
                  double tension) noexcept;
 
-/// What a lump holds of an element that changes; its drag follows its mass.
+/// Add mass and drag of a changed element to a lump.
 void add_mass(StepContext& ctx, std::int32_t body, double more, const Vec3& damping) noexcept;
 [[nodiscard]] Vec3 damping_of(const StepContext& ctx, std::int32_t body) noexcept;
 
-/// Whether an interaction resists bending of a wire.
+/// True if an interaction resists bending of a wire.
 [[nodiscard]] bool is_bend(const StepContext& ctx, std::int32_t id) noexcept;
 
-/// Length at the node of a bend: half of the pieces before and behind it.
+/// Set the length at the node of a bend: half of the pieces before and behind it.
 void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t other) noexcept;
 
-/// What elements about a place know of the masses at their ends.
+/// Update the data of elements near a node that depend on the masses at their ends.
 void follow_masses(StepContext& ctx, const NodePlace& place) noexcept;
 
 }  // namespace hawser::stepper

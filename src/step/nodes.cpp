@@ -14,7 +14,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// Elements about a place, none of them twice, and the bodies at their ends.
+/// Elements near a node, each listed once, and the bodies at their ends.
 struct About {
     std::array<std::int32_t, 2 * kNodeReach + 2> element{};
     std::array<std::int32_t, 2 * kNodeReach + 3> lump{};
@@ -40,7 +40,7 @@ About about(const StepContext& ctx, const NodePlace& place) noexcept {
     return out;
 }
 
-/// Kinetic, gravity and elastic energy of all that is about a place [J].
+/// Return the kinetic, gravity and elastic energy near a node [J].
 Edited energy_about(const StepContext& ctx, const NodePlace& place) noexcept {
     const About all = about(ctx, place);
     Edited sum;
@@ -67,7 +67,7 @@ bool find_place(const StepContext& ctx, NodePlace& place) noexcept {
         for (std::int32_t& id : out) {
             const NodeLinks links = is_lump(ctx, from) ? links_of(ctx, from) : NodeLinks{};
             const std::int32_t next = far == 0 ? links.before : links.after;
-            // A ring that is no longer than the reach comes back.
+            // A ring that is no longer than the reach returns to its start.
             const auto known = {place.first, last};
             if (next < 0 || !links.plain ||
                 std::find(known.begin(), known.end(), next) != known.end() ||
@@ -91,7 +91,8 @@ NodeDef node_on(const StepContext& ctx, std::int32_t element, double share, doub
     const Vec3 a = point_of(ctx, element, 0), b = point_of(ctx, element, 1);
     const bool wound = is_wound(ctx, element);
     const std::size_t drum = wound ? drum_side(ctx, element) : 0;
-    const double own = drum == 0 ? 1.0 - share : share;  // of the piece that a drum gives away
+    // fraction of the piece that a drum gives away
+    const double own = drum == 0 ? 1.0 - share : share;
     const double where = straight_share(ctx, element, share);
     out.mass = 0.5 * mass * (wound ? own : 1.0);
     out.velocity = (1.0 - where) * speed_of(ctx, element, 0, ctx.model.bodies.v) +

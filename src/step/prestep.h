@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file prestep.h
-/// Stage prestep: the systems of the world act (hawser/system.h), and what they do is kept or taken
-/// back.
+/// Stage prestep: the systems of the world act (hawser/system.h), and their changes are accepted or
+/// undone.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Systems act: loads, inputs. Without systems it does nothing.
+/// Run the systems: loads, inputs. No effect without systems.
 [[nodiscard]] Status prestep(StepContext& ctx) noexcept;
 
-/// After a good step: what they did stays.
+/// Accept the changes of systems after a successful step.
 void accept_systems(StepContext& ctx) noexcept;
 
-/// After a step that failed, wherever it did: what they did is taken back.
+/// Undo the changes of systems after a failed step.
 void take_back_systems(StepContext& ctx) noexcept;
 
-/// ½ vᵀA v of the added mass that systems load bodies with in this step [J].
+/// Return ½ vᵀA v of the added mass of loads in this step [J].
 [[nodiscard]] double added_energy(const Model& model, State& state, runtime::Pool& pool,
                                   const double* v) noexcept;
 

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file ready.h
-/// The system as the state needs it, before a step or between steps: what a failed step left is
-/// mended, what is new is prepared, all or nothing (undo.h).
+/// Preparation of the system for the state, before a step or between steps. The system is rebuilt
+/// after a failed step, and additions are analysed, all or nothing (undo.h).
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Analyse as ctx.state.mend says. The state stays as it is, whatever happens. @throws
+/// Analyse as ctx.state.mend requests. The state does not change in any case. @throws
 /// std::bad_alloc, LimitError.
 void mend(StepContext& ctx);
 
-/// Have the system be one for the state: mend what failed, prepare what is new. What changes is
-/// kept first. @throws std::bad_alloc, LimitError.
+/// Bring the analysed system up to date with the state: rebuild after a failed step, analyse
+/// additions. Saves an undo copy first. @throws std::bad_alloc, LimitError.
 void make_ready(StepContext& ctx);
 
-/// Goes back where it is left without done(); within another one, that one does.
+/// Restores the saved state on destruction without done(). If nested, the outer one does it.
 class Transaction {
   public:
     explicit Transaction(StepContext& ctx) noexcept;
@@ -30,7 +30,7 @@ class Transaction {
     bool done_;
 };
 
-/// make_ready(), all or nothing, between steps. @throws std::bad_alloc, LimitError.
+/// Call make_ready() between steps, all or nothing. @throws std::bad_alloc, LimitError.
 void ready(StepContext& ctx);
 
 }  // namespace hawser::stepper

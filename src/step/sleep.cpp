@@ -19,23 +19,23 @@
 namespace hawser::stepper {
 namespace {
 
-/// Islands are looked for every so many steps.
+/// Number of steps between searches for islands.
 constexpr std::int64_t kEvery = 8;
 
-/// A kinematic body that is under way.
+/// True for a kinematic body in motion.
 bool carries(const model::Bodies& b, std::int32_t body) noexcept {
     const double* v = &b.v_fixed[6 * at(body)];
     return b.kind[at(body)] == BodyKind::kinematic &&
            std::any_of(v, v + 6, [](double x) { return x != 0.0; });
 }
 
-/// First body of the island of a body that moves, by path halving.
+/// Return the first body of the island of a moving body, by path halving.
 std::int32_t island_of(std::vector<std::int32_t>& island, std::int32_t body) noexcept {
     while (island[at(body)] != body) body = island[at(body)] = island[at(island[at(body)])];
     return body;
 }
 
-/// Bodies of an interaction and of what loads it.
+/// Bodies of an interaction and of its loads.
 struct Members {
     std::int32_t body[kMaxInteractionBodies * (1 + kMaxFrictionLoads)];
     std::size_t count = 0;
@@ -45,8 +45,8 @@ struct Members {
     }
 };
 
-/// Call f with the bodies of each interaction, contact and segment: what holds together. Friction
-/// belongs to its loads, whether they share a body or not.
+/// Call f with the bodies of each interaction, contact and segment, which join islands. Friction
+/// belongs to its loads, even if they have no common body.
 template <class F>
 void each_bond(const Model& model, const State& state, F&& f) noexcept {
     const model::Interactions& in = model.interactions;
@@ -72,14 +72,15 @@ void find_islands(StepContext& ctx) noexcept {
         for (const std::int32_t b : bodies) {
             if (!moves(ctx.model.bodies, b)) continue;
             const std::int32_t r = island_of(island, b);
-            // The smallest index is the root, so that numbering does not matter.
+            // The smallest index is the root, so that the result does not depend on numbering.
             if (first >= 0 && r != first) island[at(std::max(r, first))] = std::min(r, first);
             first = first < 0 ? r : std::min(r, first);
         }
     });
 }
 
-/// Mark the islands of bodies for which `wanted` holds, and those that a body under way touches.
+/// Mark the islands of bodies for which `wanted` holds, and islands in contact with a kinematic
+/// body in motion.
 template <class F>
 void mark_islands(StepContext& ctx, F&& wanted) noexcept {
     Sleep& s = ctx.work.sleep;
@@ -98,7 +99,7 @@ void mark_islands(StepContext& ctx, F&& wanted) noexcept {
     });
 }
 
-/// A body sleeps from now on, or wakes. @return whether that is new.
+/// Set a body asleep or awake. @return true if this is a change.
 bool set_asleep(Model& model, StepStats& stats, std::int32_t body, bool asleep) noexcept {
     std::uint8_t& now = model.bodies.asleep[at(body)];
     if ((now != 0) == asleep) return false;
@@ -107,7 +108,7 @@ bool set_asleep(Model& model, StepStats& stats, std::int32_t body, bool asleep) 
     return true;
 }
 
-/// Whether an island has to wake.
+/// True if an island has to wake.
 bool disturbed(const Model& model, const State& state) noexcept {
     const model::Bodies& b = model.bodies;
     for (const std::int32_t body : b.moving)
@@ -124,8 +125,8 @@ bool disturbed(const Model& model, const State& state) noexcept {
     return found;
 }
 
-/// Islands with a body that is awake or disturbed wake whole: where one that sleeps and one that is
-/// awake have come close, they are one by now. @return whether any woke.
+/// Wake islands with a body that is awake or disturbed. If a sleeping body and an active one have
+/// come close, they belong to one island already. @return true if any island woke.
 bool wake_islands(StepContext& ctx) noexcept {
     model::Bodies& b = ctx.model.bodies;
     find_islands(ctx);
@@ -141,23 +142,23 @@ bool wake_islands(StepContext& ctx) noexcept {
     return woken;
 }
 
-/// The system without what sleeps. @throws std::bad_alloc, LimitError.
+/// Analyse the system without sleeping bodies. @throws std::bad_alloc, LimitError.
 void analyse_anew(StepContext& ctx) {
     const StageTimer timer(ctx, Stage::analyse);
-    // An analysis looks at which limits are met, which is for the step to find and to report.
+    // An analysis evaluates active limits; the step is to determine and report them.
     const base::Array<double> active = ctx.model.interactions.active;
     analyse(ctx);
     ctx.model.interactions.active = active;
 }
 
-/// The same after a step, which is done: where it fails it is left to the next one.
+/// Analyse after a finished step. If it fails, the next step does it.
 void analyse_after_step(StepContext& ctx) noexcept {
     ctx.state.analysed_x = ctx.model.bodies.x;
     ctx.state.analysed_r = ctx.model.bodies.r;
     ctx.state.mend = Mend::follow;
     const StageTimer timer(ctx, Stage::analyse);
     (void)guarded(ctx, [&] {
-        // Which joints the step has completed is read after it; the next one chooses anew.
+        // Completed joints of the step are read later; the next step chooses again.
         const base::Array<std::uint8_t> completed = ctx.model.interactions.completed;
         mend(ctx);
         ctx.model.interactions.completed = completed;
@@ -183,7 +184,7 @@ Status wake_disturbed(StepContext& ctx) noexcept {
 void fall_asleep(StepContext& ctx) noexcept {
     if (!(ctx.model.def.sleep_after > 0.0)) return;
     model::Bodies& b = ctx.model.bodies;
-    // The other methods end where they end.
+    // Other methods have no certificate.
     const bool certified = ctx.model.def.nonsmooth != Nonsmooth::newton ||
                            (!ctx.work.stats.cut && ctx.work.stats.flips_left == 0 &&
                             ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file solve_linear.h
-/// The equations of a step as they were linearised about its start, by the method of the world.
+/// Solution of the equations of a step linearised about its start, by the method of the world.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// solve_assembled() without rigid joints at the step's end: the equations linearised about its
-/// start.
+/// Run solve_assembled() without completion: the equations are linearised about the start of the
+/// step.
 Status solve_linear(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

@@ -22,7 +22,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// What the trial step says about the torques on a body, for its gyroscopic impulse.
+/// Store the effect of torques on a body in the trial step, for its gyroscopic impulse.
 void keep_spin_change(model::Bodies& bodies, const assembly::View& v, std::int32_t body) noexcept {
     const double* w = v.v_new + v.dof_begin[body] + 3;
     const double* r = &bodies.r[9 * at(body)];
@@ -33,7 +33,7 @@ void keep_spin_change(model::Bodies& bodies, const assembly::View& v, std::int32
             r[i] * change[0] + r[3 + i] * change[1] + r[6 + i] * change[2];
 }
 
-/// Violations of all rows with every body moved by time t at its velocity.
+/// Compute the violations of all rows with every body moved by time t at its velocity.
 void violations_at(Model& model, runtime::Pool& pool, double t, std::vector<double>& g) {
     model::Bodies& b = model.bodies;
     g.resize(model.interactions.g.size());
@@ -60,7 +60,7 @@ void violations_at(Model& model, runtime::Pool& pool, double t, std::vector<doub
     b.r = r;
 }
 
-/// Ġ v of every row [m/s² or rad/s²]: the second difference of g along the motion. Zero for
+/// Return Ġ v of every row [m/s² or rad/s²]: the second difference of g along the motion. Zero for
 /// velocity rows.
 std::vector<double> row_curvature(Model& model, runtime::Pool& pool) {
     std::vector<double> before, now, after;
@@ -73,7 +73,7 @@ std::vector<double> row_curvature(Model& model, runtime::Pool& pool) {
     return now;
 }
 
-/// h²W/4ε of a row that holds energy, (hω)²/4 of the swing that it makes with its bodies.
+/// Return h²W/4ε of a row that stores energy: (hω)²/4 of its vibration with its bodies.
 double swing_of(const Model& model, std::int32_t id, int r) {
     const model::Interactions& in = model.interactions;
     const auto row = at(in.row_begin[at(id)] + r);
@@ -84,21 +84,21 @@ double swing_of(const Model& model, std::int32_t id, int r) {
     return 0.25 * h * h * assembly::mobility(model.bodies, in, id, r) / in.epsilon[row];
 }
 
-/// Springs that the step does not resolve begin with the energy that they have.
+/// Correct the initial energy of springs that the step does not resolve.
 ///
-/// With z = h²W/4ε, a spring that stands right and is stretched at the speed w is half a step
-/// earlier by hw/2 off in the scheme: energy (1 + z) w²/2W, of which all but w²/2W comes from
-/// nothing. At the speed w/√(1 + z) it has what it should. Up to z = ¼ that is left to the
-/// staggered start, which is of second order.
+/// Let z = h²W/4ε. An unstretched spring with the stretching speed w is off by hw/2 half a step
+/// earlier in the scheme. Its energy is then (1 + z) w²/2W, of which only w²/2W is physical. At the
+/// speed w/√(1 + z) the energy is correct. Up to z = ¼ the staggered start suffices, which is of
+/// second order.
 ///
-/// `add`: to the right-hand side of a trial, so that half of what it changes brings v₋ there.
-/// @return whether there is such a spring.
+/// @param add  True to add to the right-hand side of a trial, so that half of the change gives v₋.
+/// @return true if there is such a spring.
 bool slow_springs(Model& model, bool add) noexcept {
     const assembly::View v = row_view(model);
     constexpr double kResolvedShare = 0.25;
     bool any = false;
     for (std::int32_t id = 0; id < interaction_count(model); ++id) {
-        // Of wires see calm_start().
+        // Wires are treated by calm_start().
         if (model.system.rests(id) || v.active[id] == 0.0 || model.wires.wire_of[at(id)] >= 0)
             continue;
         double room[model::kArmRoom];
@@ -115,7 +115,7 @@ bool slow_springs(Model& model, bool add) noexcept {
     return any;
 }
 
-/// v₊ and λ of a start at time 0.
+/// Compute v₊ and λ of a start at time 0.
 Status try_step(StepContext& ctx, const std::vector<double>& curvature, bool slower) noexcept {
     assemble_rows(ctx);
     for (std::size_t i = 0; i < curvature.size(); ++i)
@@ -125,7 +125,7 @@ Status try_step(StepContext& ctx, const std::vector<double>& curvature, bool slo
     return solve_assembled(ctx);
 }
 
-/// The trial steps; on success v₋ has replaced v₀.
+/// Run the trial steps. On success v₋ has replaced v₀.
 Status try_stagger(StepContext& ctx) noexcept {
     std::vector<double> curvature;
     base::Array<double> active, lambda;
@@ -136,7 +136,7 @@ Status try_stagger(StepContext& ctx) noexcept {
     });
     if (room != Status::ok) return room;
     const assembly::View v = row_view(ctx.model);
-    // The first trial finds λ without geometric stiffness, the second uses it.
+    // The first trial computes λ without geometric stiffness, the second uses it.
     for (int trial = 0; trial < 2; ++trial) {
         if (const Status s = try_step(ctx, curvature, false); s != Status::ok) return s;
         for (std::int32_t body : ctx.model.bodies.rigid)
@@ -150,19 +150,19 @@ Status try_stagger(StepContext& ctx) noexcept {
     }
     for (std::int32_t i = 0; i < ctx.model.bodies.dofs; ++i) v.v[i] -= 0.5 * (v.v_new[i] - v.v[i]);
     calm_start(ctx.model, ctx.work.before);
-    // Which lines are slack is for the first step to find, and to report.
+    // The first step determines and reports which lines are slack.
     std::copy(active.begin(), active.end(), ctx.model.interactions.active.begin());
     return Status::ok;
 }
 
 }  // namespace
 
-/// The acceleration at time 0 obeys g̈ = G a + Ġ v = 0 on a rigid row. A trial step at the
-/// velocity v₀ asks for G v₊ = G v₀ there, so h Ġ v is taken off its right-hand side; on a soft
-/// row that changes v₋ by O(h²) only.
+/// Start the world. The acceleration at time 0 satisfies g̈ = G a + Ġ v = 0 on a rigid row. A trial
+/// step at the velocity v₀ has the right-hand side G v₊ = G v₀. Therefore h Ġ v is subtracted; on a
+/// soft row this changes v₋ by O(h²) only.
 ///
-/// When it fails the world has not started: nothing of a trial remains, and the next step tries
-/// again.
+/// If it fails, the world has not started: all changes of a trial are undone, and the next step
+/// tries again.
 Status stagger(StepContext& ctx) noexcept {
     if (!ctx.model.def.staggered_start) {
         ctx.state.started = true;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file stagger.h
-/// The staggered start: velocities live half a step before poses (step.h), and begin there.
+/// The staggered start: velocities are half a step before poses (step.h) from the start on.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Take v₀ from time 0 to −h/2, which makes the scheme second order: v₋ = v₀ − (h/2) a, with
-/// the acceleration a at time 0 from a trial step (stagger.cpp). Also gives the first λ for
+/// Shift v₀ from time 0 to −h/2, which makes the scheme second order: v₋ = v₀ − (h/2) a. The
+/// acceleration a at time 0 comes from a trial step (stagger.cpp). Also computes the first λ for
 /// geometric stiffness.
 Status stagger(StepContext& ctx) noexcept;
 

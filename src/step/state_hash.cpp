@@ -16,7 +16,7 @@ std::uint64_t state_hash(const Model& model, const State& state) noexcept {
     auto add = [&](const auto& array) {
         hash = base::fnv1a(array.data(), array.size() * sizeof(array[0]), hash);
     };
-    // Images of bodies (cuts.h) follow from them.
+    // Ghost bodies (cuts.h) follow from the others and are left out.
     const auto bodies = at(body_count(model));
     auto front = [&](const base::Array<double>& array, std::size_t each) {
         hash = base::fnv1a(array.data(), each * bodies * sizeof(double), hash);
@@ -33,7 +33,7 @@ std::uint64_t state_hash(const Model& model, const State& state) noexcept {
     add(model.interactions.coarse);
     add(model.interactions.repeats);
     add(model.interactions.anchor);
-    // Not where there is nothing: there is no room for it before the first step is prepared.
+    // Skip wires without memory: before the first preparation there are no arrays.
     for (std::size_t k = 0; k < model.wires.count(); ++k) {
         const bool recoils = model.wires.recoil[k] != 0;
         if (model.wires.credit[k] == 0.0 && model.wires.alert[k] == 0 && !recoils) continue;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file state_hash.h
-/// One number for the bits of a state.
+/// Hash of the bits of a state.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Hash of the state: see World::state_hash.
+/// Compute the hash of the state: see World::state_hash.
 [[nodiscard]] std::uint64_t state_hash(const Model& model, const State& state) noexcept;
 
 }  // namespace hawser::stepper

@@ -16,7 +16,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// Rest length with which an element pulls as it did, now that its chord is another one.
+/// Set the rest length with which an element keeps its tension after its chord changed.
 void keep_tension(StepContext& ctx, std::int32_t id, double tension) noexcept {
     if (!(tension > 0.0) || kind_info(ctx.model.interactions.kinds[at(id)]).is(kWoundUp)) return;
     const double stiffness = stiffness_of(ctx, id);
@@ -139,7 +139,7 @@ std::int32_t bend_about(const StepContext& ctx, std::int32_t middle, std::int32_
 std::vector<std::int32_t> chain_from(const StepContext& ctx, std::int32_t element,
                                      std::size_t slot) {
     const model::Interactions& in = ctx.model.interactions;
-    // Whole elements of each body; −2: something else holds it, too.
+    // Unbroken elements of each body; −2: it has another interaction, too.
     std::vector<std::array<std::int32_t, 2>> held(at(ctx.model.bodies.count()), {-1, -1});
     for (std::int32_t id = 0; id < in.count(); ++id) {
         const KindInfo& kind = kind_info(in.kinds[at(id)]);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file arms.h
-/// Compact joints (model/arms.h), one or eight that follow each other: their records, their
-/// geometric terms and the speeds of their rows.
+/// Compact joints (model/arms.h), single or eight consecutive ones: records, geometric terms and
+/// speeds of rows.
 
 #include "assembly/geo.h"
 #include "base/lanes.h"
@@ -12,7 +12,7 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// An arms record; T: double, or eight joints in lanes.
+/// An arms record; T is double, or eight joints in lanes.
 template <class T>
 struct ArmsT {
     V3T<T> r0, r1;
@@ -24,14 +24,14 @@ inline ArmsT<double> load_arms(const double* record) {
             record[model::kArmsSwing]};
 }
 
-/// Of eight records, record l at record + from[l].
+/// Load eight records, record l from record + from[l].
 inline ArmsT<W8> lane_arms(const double* record, const std::int32_t* from) {
     V8 t[kLanes];
     load_lanes(record, from, t);
     return {{t[0], t[1], t[2]}, {t[3], t[4], t[5]}, t[6], t[7]};
 }
 
-/// Of eight records that follow each other.
+/// Load eight consecutive records.
 inline ArmsT<W8> next_arms(const double* record) {
     V8 t[kLanes];
     for (int l = 0; l < kLanes; ++l) t[l] = load(record + model::kArms * l);
@@ -39,7 +39,7 @@ inline ArmsT<W8> next_arms(const double* record) {
     return {{t[0], t[1], t[2]}, {t[3], t[4], t[5]}, t[6], t[7]};
 }
 
-/// r × e_i, the row i of the angular part of G on body 1.
+/// Compute r × e_i, row i of the angular part of G on body 1.
 template <class T>
 inline void arm_rows(const V3T<T>& r, T (&rows)[3][3]) {
     const T none = zero(r.x);
@@ -52,7 +52,7 @@ inline void arm_rows(const V3T<T>& r, T (&rows)[3][3]) {
     rows[2][1] = -r.x;
 }
 
-/// Whether the eight interactions from `id` on are compact joints with condensed rows.
+/// True if the eight interactions from `id` on are compact joints with condensed rows.
 inline bool eight_arms(const assembly::View& view, std::int32_t id) {
     static_assert(model::kCompactCondensed == 3);
     std::uint64_t flags;
@@ -60,7 +60,7 @@ inline bool eight_arms(const assembly::View& view, std::int32_t id) {
     return flags == 0x0303030303030303;
 }
 
-/// Torques of damping of eight joints that follow each other: of M̃ v, and of a.
+/// Load the damping torques of eight consecutive joints: the parts of M̃ v and of a.
 inline void load_damping(const double* force, V3T<W8>& momentum, V3T<W8>& start) {
     V8 t[kLanes];
     for (int l = 0; l < kLanes; ++l) t[l] = load_at_least(force + 6 * l, 6);
@@ -69,7 +69,7 @@ inline void load_damping(const double* force, V3T<W8>& momentum, V3T<W8>& start)
     start = {t[3], t[4], t[5]};
 }
 
-/// Velocities of body `slot` of eight joints, or what else is packed by body.
+/// Load the velocities of body `slot` of eight joints, or another vector packed by body.
 template <class Offset>
 inline void load_slots(const assembly::View& view, std::int32_t id, int slot, const double* packed,
                        Offset offset, V8 (&v)[kLanes]) {
@@ -79,18 +79,18 @@ inline void load_slots(const assembly::View& view, std::int32_t id, int slot, co
     transpose(v);
 }
 
-/// G u of eight joints for the u of their bodies, six of each.
+/// Return G u of eight joints for the u of their bodies, six entries per body.
 inline V3T<W8> joint_speeds(const V8 (&a)[kLanes], const V8 (&b)[kLanes], const V3T<W8>& r0,
                             const V3T<W8>& r1) {
     return V3T<W8>{b[0], b[1], b[2]} - V3T<W8>{a[0], a[1], a[2]} +
            cross(V3T<W8>{b[3], b[4], b[5]}, r1) - cross(V3T<W8>{a[3], a[4], a[5]}, r0);
 }
-/// ω₀ − ω₁ of eight joints for the u of their bodies, six of each.
+/// Return ω₀ − ω₁ of eight joints for the u of their bodies, six entries per body.
 inline V3T<W8> joint_turns(const V8 (&a)[kLanes], const V8 (&b)[kLanes]) {
     return V3T<W8>{a[3], a[4], a[5]} - V3T<W8>{b[3], b[4], b[5]};
 }
 
-/// G u of eight joints, three rows each, for a vector u packed by body; then ω₀ − ω₁ of it.
+/// Compute G u of eight joints, three rows each, for a vector u packed by body; also ω₀ − ω₁ of u.
 template <class Offset>
 inline void eight_products(const assembly::View& view, std::int32_t id, const ArmsT<W8>& arms,
                            const double* u, Offset offset, V8 (&rows)[3], V3T<W8>& turn) {
@@ -102,7 +102,7 @@ inline void eight_products(const assembly::View& view, std::int32_t id, const Ar
     turn = joint_turns(a, b);
 }
 
-/// first_rhs() of eight_arms().
+/// Apply first_rhs() to eight_arms().
 inline void first_joints_rhs(const assembly::View& view, std::int32_t id, bool moving) {
     const V8 active = load(view.active + id), none{};
     V8 on[3], idle[3];
@@ -117,7 +117,7 @@ inline void first_joints_rhs(const assembly::View& view, std::int32_t id, bool m
     }
 }
 
-/// row_update() of eight_arms(): all that is by row goes through 24 rows as they lie.
+/// Apply row_update() to eight_arms(): all values by row are processed as 24 consecutive rows.
 inline void eight_joints(const assembly::View& view, std::int32_t id, bool first) {
     const ArmsT<W8> arms = next_arms(view.jacobian + view.jac_begin[id]);
     const std::int32_t row = view.row_begin[id];
@@ -155,10 +155,10 @@ inline void eight_joints(const assembly::View& view, std::int32_t id, bool first
         for (int i = 0; i < 3; ++i) out[6 * l + i] = torque[3 * l + i];
 }
 
-/// row_norms() of eight_arms(). @return false where it does not: of rows without a limit, and where
-/// a number is not finite.
+/// Apply row_norms() to eight_arms(). @return false if not possible: rows without a limit, or a
+/// value that is not finite.
 inline bool add_joint_norms(const assembly::View& view, std::int32_t id, assembly::Norms& n) {
-    constexpr std::uint64_t kPositions = 0x0202020202020202;  // as row_norms() asks for them
+    constexpr std::uint64_t kPositions = 0x0202020202020202;  // flags as row_norms() tests them
     const std::int32_t row = view.row_begin[id];
     std::uint64_t flags[3];
     std::memcpy(flags, view.row_flags + row, sizeof flags);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Writes the blocks of the step's matrix into the solver's panels.
+/// Writes the blocks of the matrix of a step into the panels of the solver.
 ///
-/// Contributions are listed by column of the matrix (see assembly/system.h), so that a range
-/// of columns can be written by one thread without touching another's, and every block is
-/// summed in a fixed order. Sizes are dispatched to unrolled code.
+/// Contributions are listed by column of the matrix (see assembly/system.h). One thread can thus
+/// write a range of columns independently of the others, and every block is summed in a fixed
+/// order. Sizes are dispatched to unrolled code.
 #include "assembly/contact_rows.h"
 #include "assembly/geo.h"
 #include "assembly/isa/coupled.h"
@@ -25,11 +25,11 @@ struct Place {
     [[nodiscard]] Place at(int i, int j) const { return {&(*this)(i, j), step, ld}; }
 };
 
-/// out (DA × DB) += Σ_r w_r ja_r ᵀ jb_r.
+/// Add Σ_r w_r ja_rᵀ jb_r to out (DA × DB).
 template <int DA, int DB>
 inline void outer(const double* ja, const double* jb, int width, const double* w, int rows,
                   Place out) {
-    V8 acc[DB] = {};  // lanes from DA on hold the next slot's columns and are dropped
+    V8 acc[DB] = {};  // lanes from DA on contain the columns of the next slot and are dropped
     for (int r = 0; r < rows; ++r) {
         const V8 a = load(ja + r * width);
         for (int j = 0; j < DB; ++j) acc[j] += (w[r] * jb[r * width + j]) * a;
@@ -45,13 +45,13 @@ inline void outer(const double* ja, const double* jb, int width, const double* w
     }
 }
 
-/// Damping of a compact joint, which it has in the place of Op::geometric.
+/// Add the damping of a compact joint, which has no Op::geometric.
 void damp_arms(const View& view, const Op& op, Place out) {
     const double damping = view.jacobian[op.jac_a + model::kArmsDamping];
     for (int i = 3; i < 6; ++i) out(i, i) += op.a == op.b ? damping : -damping;
 }
 
-/// condense() of a compact joint, and its damping.
+/// Apply condense() to a compact joint, with its damping.
 void condense_arms(const View& view, const Op& op, Place out) {
     double room[model::kArmRoom], w[model::kArmRows];
     model::unpack_arms(view.jacobian + op.jac_a, room);
@@ -117,7 +117,7 @@ inline M3 product(const M3& p, const M3& q) {
     return o;
 }
 
-/// Blocks of geo.h: line part Aᵀ k A with A = ±[E, −r̂], and damping.
+/// Add the blocks of geo.h: line part Aᵀ k A with A = ±[E, −r̂], and damping.
 void geometric(const View& view, const Op& op, Place out) {
     if (op.width == 0) return damp_arms(view, op, out);
     const double* rec = view.geo_record + view.geo[op.id].record;
@@ -166,7 +166,7 @@ void kept(const View& view, const Op& op, Place out) {
         for (int r = 0; r < rows; ++r) out(r, r) -= view.sigma[row + r];
         return;
     }
-    const bool below = op.kind == Op::kept_rows;  // rows of G below the body's columns
+    const bool below = op.kind == Op::kept_rows;  // rows of G below the columns of the body
     const double* jac = view.jacobian + (below ? op.jac_b : op.jac_a);
     const int dof = below ? op.dof_b : op.dof_a;
     int width = op.width;
@@ -182,7 +182,7 @@ void kept(const View& view, const Op& op, Place out) {
         for (int j = 0; j < dof; ++j) g(r, j) += on * jac[r * width + j];
 }
 
-/// K_ab or K_ba of a pair of bodies in contact.
+/// Add K_ab or K_ba of a pair of bodies in contact.
 void contact(const View& view, const Op& op, Place out) {
     if (view.contact_block_used[op.id] == 0) return;
     const double* block =

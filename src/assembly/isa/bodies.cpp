@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Loops over bodies: right-hand sides of the solver, residuals, norms, and the motion.
+/// Loops over bodies: right-hand sides of the solver, residuals, norms, motion.
 #include "assembly/geo.h"
 #include "assembly/isa/coupled.h"
 #include "assembly/isa/links.h"
@@ -12,8 +12,8 @@ namespace {
 
 using assembly::View;
 
-/// r = a − M̃ v₊ + Jᵀ y, for the rows' multipliers y.
-/// kAtRest: v₊ = 0, as before the first solve.
+/// Compute r = a − M̃ v₊ + Jᵀ y for the multipliers y of the rows. kAtRest: v₊ = 0, as before the
+/// first solve.
 template <bool kAtRest>
 void momentum_rhs(const View& view, std::int32_t body, const double* y, double* out) {
     const int dof = view.dof[body];
@@ -47,13 +47,13 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
         acc += load_at_least(view.contact_impulse + view.dof_begin[body], dof);
     double sum8[8];
     store(sum8, acc);
-    // Entry by entry: reading mv as a vector would wait for its scalar stores.
+    // Process entry by entry: reading mv as a vector would wait for its scalar stores.
     for (int j = 0; j < dof; ++j) out[j] = sum8[j] - mv[j];
     if (kAtRest || view.coupled == nullptr) return;
     if (const double* b = coupled_block(view, body)) subtract_coupled(b, v, out);
 }
 
-/// Right-hand sides of eight links, into the solver's vector.
+/// Write the right-hand sides of eight links to the vector of the solver.
 template <bool kAtRest>
 void links_rhs(const View& view, std::int32_t body, const double* y) {
     V8 out[kLanes];
@@ -79,7 +79,7 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end, bool movi
         }
         const std::int32_t row = view.row_begin[id];
         const double on = view.active[id];
-        // Read only where it is not 0, like Σ: most rows are active.
+        // Read `held` only if the row is inactive, like Σ: most rows are active.
         const double held = on == 0.0 ? view.held[id] : 0.0;
         for (int r = 0; r < view.rows[id]; ++r) {
             const double idle = r == 0 ? held : 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Norms over bodies: residual of momentum, what forces and drag do. Rigid bodies that stand in a
-/// row go eight at a time.
+/// Norms over bodies: momentum residual, work of forces and drag. Consecutive rigid bodies are
+/// processed eight at a time.
 #include "assembly/geo.h"
 #include "assembly/isa/coupled.h"
 #include "assembly/isa/links.h"
@@ -15,15 +15,15 @@ using assembly::kBodyBlock;
 using assembly::Norms;
 using assembly::View;
 
-/// h (θ v₊ + (1 − θ) v)ᵀ D (v + v₊)/2 [J]: drag (model/damping.h) acts along the way between half
-/// steps.
+/// Return h (θ v₊ + (1 − θ) v)ᵀ D (v + v₊)/2 [J], the work of drag (model/damping.h) along the path
+/// between half steps.
 double drag_work(const View& view, std::int32_t body, const double* v, const double* u,
                  const double* mean) {
     const double *d = view.drag_after + 6 * body, *e = view.drag_before + 6 * body;
     const int dof = view.dof[body];
     if (dof == 1) return view.h * (d[0] * u[0] + e[0] * v[0]) * mean[0];
     double work = 0.0;
-    if (dof == 3) {  // a lump's axes are the world's
+    if (dof == 3) {  // the axes of a lump are the world axes
         for (int i = 0; i < 3; ++i) work += (d[i] * u[i] + e[i] * v[i]) * mean[i];
         return view.h * work;
     }
@@ -39,9 +39,9 @@ double drag_work(const View& view, std::int32_t body, const double* v, const dou
     return view.h * work;
 }
 
-/// pᵀ M⁻¹ p for an impulse p on a body. Of a scalar body M has what systems add: the slide of a
-/// guide weighs a millionth of a lump but for the wire that it moves, whose weight would be the
-/// scale of everything.
+/// Return pᵀ M⁻¹ p for an impulse p on a body. For a scalar body M includes the terms of systems.
+/// Reason: without the wire that it moves, the slide of a guide has a millionth of the mass of a
+/// lump. It would determine all norms.
 double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
     const int dof = view.dof[body];
     if (dof == 1) return p[0] * p[0] / view.body_block[assembly::block_place(view.dof_begin[body])];
@@ -54,7 +54,7 @@ double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
     return norm;
 }
 
-/// @param residual  Of the body's momentum.
+/// Add the norms of one body. @param residual  Its momentum residual.
 void one_body(const View& view, std::int32_t body, const double* residual, Norms& n) {
     const int dof = view.dof[body];
     const std::int32_t begin = view.dof_begin[body];
@@ -73,8 +73,7 @@ void one_body(const View& view, std::int32_t body, const double* residual, Norms
     n.impulse += inverse_mass_norm(view, body, diff);
 }
 
-/// The residuals of momentum of eight rigid bodies, in lanes and, if asked for, where they are
-/// kept.
+/// Compute the momentum residuals of eight rigid bodies in lanes; if requested, also store them.
 void eight_residuals(const View& view, std::int32_t body, V8 (&p)[kLanes]) {
     double* kept = view.momentum ? view.momentum + view.dof_begin[body] : nullptr;
     if (!eight_links(view, body)) {
@@ -107,7 +106,7 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
 
     V8 work{}, drag{}, finite{};
     const double* force = view.force + 6L * body;
-    for (int k = 0; k < 6 * kLanes; k += kLanes) {  // as they lie
+    for (int k = 0; k < 6 * kLanes; k += kLanes) {  // in memory order
         const V8 next = load(view.v_new + begin + k);
         work += load(force + k) * (0.5 * (load(view.v + begin + k) + next));
         finite += next;

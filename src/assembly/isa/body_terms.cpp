@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What bodies bring to the step's equations: their blocks M̃ and right-hand sides a. Rigid bodies
-/// that stand in a row go eight at a time.
+/// Terms of bodies in the equations of a step: their blocks M̃ and right-hand sides a. Consecutive
+/// rigid bodies are processed eight at a time.
 #include "assembly/geo.h"
 #include "assembly/isa/links.h"
 #include "assembly/isa/rows.h"
@@ -23,13 +23,13 @@ void store_sym(double* out, const M3& m) {
     out[5] = m.a[8];
 }
 
-/// Drag D of a body in the world frame: R diag(d) Rᵀ.
+/// Return the drag D of a body in the world frame: R diag(d) Rᵀ.
 M3 world_diagonal(const double* r, const double* d) {
     const double s[9] = {d[0], 0, 0, 0, d[1], 0, 0, 0, d[2]};
     return congruence(load9(r), s);
 }
 
-/// Block and right-hand side of one body on its own.
+/// Compute block and right-hand side of a single body.
 void own_terms(const View& view, std::int32_t body) {
     const double h = view.h;
     const int dof = view.dof[body];
@@ -45,7 +45,7 @@ void own_terms(const View& view, std::int32_t body) {
         return;
     }
     M3 lin{{m, 0, 0, 0, m, 0, 0, 0, m}};
-    if (dof == 3) {  // a lump's axes are the world's
+    if (dof == 3) {  // the axes of a lump are the world axes
         for (int i = 0; i < 3; ++i) lin.a[4 * i] += h * d[i];
     } else if (any3(d)) {
         const M3 drag = world_diagonal(view.r + 9 * body, d);
@@ -75,7 +75,7 @@ void own_terms(const View& view, std::int32_t body) {
     store_sym(block + 6, world);
 }
 
-/// What a compact joint adds to a body's own terms.
+/// Add the terms of a compact joint to the own terms of a body.
 void add_arm(const View& view, const assembly::Incidence& in, const double* v, double* block,
              double* a) {
     const ArmsT<double> arms = load_arms(view.jacobian + in.jacobian - 3 * in.slot);
@@ -90,7 +90,7 @@ void add_arm(const View& view, const assembly::Incidence& in, const double* v, d
     add3(a + 3, mul6(arm, load3(v + 3)) - sign * load3(view.geo_force + in.geo_force + 3));
 }
 
-/// What interactions' geometric stiffness adds to a body's own terms.
+/// Add the geometric stiffness of interactions to the own terms of a body.
 void add_geometric(const View& view, std::int32_t body) {
     const int dof = view.dof[body];
     double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
@@ -110,14 +110,14 @@ void add_geometric(const View& view, std::int32_t body) {
         const double* force = view.geo_force + in.geo_force + 6;
         add3(a, load3(force));
         if (dof < 6) continue;
-        // The arms' stiffness touches this body alone: it joins the body's own block.
+        // The stiffness of arms affects only this body and is added to its own block.
         const double* arm = view.geo_record + in.geo_arm;
         for (int i = 0; i < 6; ++i) block[6 + i] += arm[i];
         add3(a + 3, load3(force + 3) + mul6(arm, load3(v + 3)));
     }
 }
 
-/// spin_terms() of eight rigid bodies.
+/// Apply spin_terms() to eight rigid bodies.
 Spin<W8> eight_spins(const View& view, std::int32_t body, const WM3& r, const W3& w, const W8& h) {
     const W3 change = load_threes(view.spin_change + 3L * body);
     V8 p[kLanes];
@@ -129,7 +129,7 @@ Spin<W8> eight_spins(const View& view, std::int32_t body, const WM3& r, const W3
                       load_bodies9(view.inv_inertia + 9L * body), r, w, change, h);
 }
 
-/// Own blocks of eight rigid bodies: lower triangles of the linear and of the angular part.
+/// Store the own blocks of eight rigid bodies: lower triangles of the linear and the angular part.
 HAWSER_INLINE void store_blocks(const View& view, std::int32_t body, const WM3& lin,
                                 const WM3& world) {
     V8 low[kLanes] = {lin.a[0], lin.a[1], lin.a[2],   lin.a[4],
@@ -145,7 +145,7 @@ HAWSER_INLINE void store_blocks(const View& view, std::int32_t body, const WM3& 
     }
 }
 
-/// own_terms() of eight rigid bodies; of eight links also what their joints add.
+/// Apply own_terms() to eight rigid bodies. For eight links also add the terms of their joints.
 template <bool kLinks>
 void rigid_terms(const View& view, std::int32_t body) {
     const W8 h = W8{} + view.h, none{};
@@ -202,7 +202,8 @@ void rigid_terms(const View& view, std::int32_t body) {
     transpose(a);
     double* out = view.a + view.dof_begin[body];
     const double* force = view.force + 6L * body;
-    // Lane by lane, each overwriting the surplus of the one before; the last without surplus.
+    // Store lane by lane. Each store overwrites the surplus of the one before; the last one has no
+    // surplus.
     for (int l = 0; l + 1 < kLanes; ++l) store(out + 6 * l, a[l] + h * load(force + 6 * l));
     constexpr int kLast = kLanes - 1;
     const V8 last = a[kLast] + h * load_first(force + 6 * kLast, 6);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Right-hand sides with which spins hold at the end of a step (step/completion.h).
+/// Right-hand sides with which spins satisfy their equation at the end of a step
+/// (step/completion.h).
 #include "assembly/isa/rigid_lanes.h"
 #include "assembly/isa/rows.h"
 #include "assembly/isa/spin.h"
@@ -13,24 +14,23 @@ namespace {
 using assembly::Turning;
 using assembly::View;
 
-/// What a step asks of completed spins, and where that goes.
+/// Request for the terms of completed spins, and their destination.
 struct Asked {
-    const double* u;  ///< Packed velocities about which.
-    double* spin;     ///< 3 a body.
-    bool first;       ///< The step's first one: it goes into `a` too.
+    const double* u;  ///< Packed velocities of the linearisation.
+    double* spin;     ///< 3 per body.
+    bool first;       ///< True for the first call of a step, which also adds to `a`.
 };
 
-/// I w with the gyroscopic impulse of half a step before (half < 0) or behind, body frame. The
-/// Cayley map turns one into the other, so that angular momentum is exact; about a fixed axis both
-/// are I w.
+/// Return I w with the gyroscopic impulse of half a step before (half < 0) or after, body frame.
+/// The Cayley map relates both, so that angular momentum is exact. About a fixed axis both are I w.
 template <class T, class Inertia>
 V3T<T> half_step_momentum(const Inertia& inertia, const V3T<T>& w, const T& half) {
     const V3T<T> momentum = inertia * w;
     return momentum + half * cross(w, momentum);
 }
 
-/// What of `a` the spin gives, body frame: momentum before the step less what momentum after it
-/// has beyond the I ω₊ of the matrix.
+/// Return the part of `a` from the spin, body frame. This is the momentum before the step, minus
+/// the momentum after it, plus the I ω₊ of the matrix.
 template <class T, class Inertia>
 V3T<T> spin_impulse(const Inertia& inertia, const V3T<T>& before, const V3T<T>& now,
                     const T& half) {
@@ -48,7 +48,7 @@ Turning complete_spin(const View& view, std::int32_t body, const Asked& asked) {
     return {norm(load9(view.inv_inertia + 9 * body) * tmul(r, change)), 0.0, norm(now)};
 }
 
-/// complete_spin() of eight rigid bodies in a row.
+/// Apply complete_spin() to eight consecutive rigid bodies.
 Turning complete_eight_spins(const View& view, std::int32_t body, const Asked& asked) {
     const std::int32_t begin = view.dof_begin[body];
     const WM3 r = load_bodies9(view.r + 9L * body);

@@ -17,7 +17,7 @@ using assembly::View;
 
 constexpr int kSlots = kMaxInteractionBodies;
 
-/// The rotation by h ω as the step makes it, E + 2 (â + â²)/(1 + a²), a = h ω/2: the Cayley map.
+/// Return the rotation of a step by h ω: E + 2 (â + â²)/(1 + a²), a = h ω/2 (Cayley map).
 M3 step_rotation(const V3& a) {
     const double k = 2.0 / (1.0 + dot(a, a)), s = 1.0 - k * dot(a, a);
     return {{s + k * a.x * a.x, k * (a.x * a.y - a.z), k * (a.x * a.z + a.y), k * (a.x * a.y + a.z),
@@ -34,8 +34,8 @@ M3 product(const M3& a, const M3& b) {
     return out;
 }
 
-/// Pose of a body after `time` [s] with packed velocities u, those of fixed ones apart.
-/// @param room  For its rotation.
+/// Return the pose of a body after `time` [s] with packed velocities u. @param fixed  Velocities of
+/// fixed bodies. @param room  Buffer for its rotation.
 BodyRef moved_pose(const View& view, std::int32_t body, const double* u, const double* fixed,
                    double time, M3& room) {
     const int dof = view.dof[body];
@@ -49,7 +49,7 @@ BodyRef moved_pose(const View& view, std::int32_t body, const double* u, const d
     return {x + time * load3(v), room.a, true};
 }
 
-/// Violations at poses moved so.
+/// Compute the violations at poses moved in this way.
 template <class K>
 void moved_rows(const View& view, std::int32_t id, const typename K::Data& data, const double* u,
                 const double* fixed, double time, Rows<K::kBodies, K::kRows>& rows) {
@@ -60,7 +60,7 @@ void moved_rows(const View& view, std::int32_t id, const typename K::Data& data,
     K::evaluate(data, refs, rows);
 }
 
-/// G u of the rows of one interaction.
+/// Compute G u of the rows of one interaction.
 template <int R>
 void row_speeds(const View& view, std::int32_t id, const double* u, double (&speed)[R]) {
     double room[model::kArmRoom];
@@ -75,22 +75,24 @@ void row_speeds(const View& view, std::int32_t id, const double* u, double (&spe
     }
 }
 
-/// What a step asks of completed rows, and where that goes.
+/// Request for the right-hand sides of completed rows, and their destination.
 struct Asked {
-    const double* u;  ///< Packed velocities about which.
-    double* c;        ///< By row.
-    bool first;       ///< The step's first one: ġ at its start is still in c and is to be kept.
+    const double* u;  ///< Packed velocities of the linearisation.
+    double* c;        ///< Right-hand sides, by row.
+    /// True for the first call of a step: c still contains ġ at its start, which is saved.
+    bool first;
 };
 
-/// ġ at the step's start, of what c was evaluated with.
+/// Save ġ at the start of the step, derived from c.
 void keep_rate(const View& view, std::int32_t row) {
     view.rate[row] =
         (view.c[row] / view.upsilon[row] + 4.0 / view.h * view.g[row]) / view.recall[row];
 }
 
-/// Rows of a compact joint. With a = h ω/2 of a body, what its arm r ends at beyond h ω × r is
-///     (2/h) (a × (a × r) − a² a × r)/(1 + a²)    [m/s]
-/// so that c = −(g/h + that of body 1 − that of body 0) needs neither poses nor a difference.
+/// Compute the rows of a compact joint. Let a = h ω/2 of a body. The end of its arm r moves beyond
+/// h ω × r by
+///     (2/h) (a × (a × r) − a² a × r)/(1 + a²)    [m/s].
+/// Thus c = −(g/h + term of body 1 − term of body 0) needs neither poses nor a difference.
 void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turning& t) {
     const ArmsT<double> arms = load_arms(view.jacobian + view.jac_begin[id]);
     const std::int32_t* body = view.body + kSlots * id;
@@ -115,13 +117,13 @@ void complete_arms(const View& view, std::int32_t id, const Asked& asked, Turnin
     }
 }
 
-/// Whether the eight interactions from `id` on are completed compact joints.
+/// True if the eight interactions from `id` on are completed compact joints.
 bool eight_completed(const View& view, std::int32_t id) {
     std::uint64_t flags;
     std::memcpy(&flags, view.completed + id, sizeof flags);
     if (flags != 0x0101010101010101 || !eight_arms(view, id)) return false;
     if constexpr (kExactLoads) return true;
-    // Loads of six velocities read eight: not behind the last body's.
+    // Loads of six velocities read eight, which must not exceed the array.
     std::int32_t last = 0;
     for (int l = 0; l < kLanes; ++l)
         for (int b = 0; b < 2; ++b) {
@@ -131,7 +133,7 @@ bool eight_completed(const View& view, std::int32_t id) {
     return last + kLanes <= view.dof_count;
 }
 
-/// complete_arms() of eight of them.
+/// Apply complete_arms() to eight joints.
 void complete_eight(const View& view, std::int32_t id, const Asked& asked, Turning& t) {
     const ArmsT<W8> arms = next_arms(view.jacobian + view.jac_begin[id]);
     const W8 none{}, unit = one(none), half = none + 0.5 * view.h, two_per_h = none + 2.0 / view.h;

@@ -14,14 +14,15 @@ using assembly::ContactTerm;
 using assembly::kContactBlock;
 using assembly::ResistanceRow;
 
-/// Eᵀ S E: the linearised law in the world frame.
+/// Return Eᵀ S E: the linearised law in the world frame.
 M3 world_law(const ContactRow& row, const double* s) {
     const M3 e = load9(row.axis);
     const M3 transposed{{e.a[0], e.a[3], e.a[6], e.a[1], e.a[4], e.a[7], e.a[2], e.a[5], e.a[8]}};
     return congruence(transposed, s);
 }
 
-/// out += w [1; r̂_a] S [1, −r̂_b], 6×6 column-major, the parts that the slots have. (Aᵀ = [1; r̂].)
+/// Add w [1; r̂_a] S [1, −r̂_b], 6×6 column-major, to out, for the parts that the slots have. (Aᵀ =
+/// [1; r̂].)
 void add_block(const M3& s, const ContactSlot& a, const ContactSlot& b, double* out) {
     const double w = a.weight * b.weight;
     const V3 ra = load3(a.arm), rb = load3(b.arm);
@@ -39,8 +40,8 @@ void add_block(const M3& s, const ContactSlot& a, const ContactSlot& b, double* 
     }
 }
 
-/// out += J_aᵀ S J_b of the resistance that belongs to the contact: J of a slot is w E [0, 1], and
-/// of what is coupled to the normal velocity w n [1, −r̂].
+/// Add J_aᵀ S J_b of the resistance of the contact to out. J of a slot is w E [0, 1]; for the
+/// coupling to the normal velocity it is w n [1, −r̂].
 void add_resistance(const ContactRow& row, const nonsmooth::Resistance& law, const ContactSlot& a,
                     const ContactSlot& b, double* out) {
     const double w = a.weight * b.weight;

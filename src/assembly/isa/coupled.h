@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// What loads of systems couple of a rigid body's translations with its rotations (View::coupled):
-/// C = B(3…5, 0…2) of the 6×6 block B, which comes in beside the body's own two blocks of three.
+/// Coupling of translations and rotations of a rigid body by loads of systems (View::coupled): C =
+/// B(3…5, 0…2) of the 6×6 block B. It is stored separately from the two 3×3 blocks of the body.
 #include "assembly/isa/rows.h"
 
 namespace hawser::HAWSER_ISA {
 
-/// Lower triangle of B of a body, null: it couples nothing.
+/// Return the lower triangle of B of a body; null if it has no coupling.
 inline const double* coupled_block(const assembly::View& view, std::int32_t body) {
     if (view.coupled == nullptr || view.coupled[body] < 0) return nullptr;
     return view.coupling + view.coupled[body];
 }
-/// C(i, j) by the lower triangle of B.
+/// Return C(i, j) from the lower triangle of B.
 inline double coupled_entry(const double* b, int i, int j) { return b[(3 + i) * (4 + i) / 2 + j]; }
-/// out −= [0 Cᵀ; C 0] v. Six entries.
+/// Subtract [0 Cᵀ; C 0] v from the six entries of out.
 inline void subtract_coupled(const double* b, const double* v, double* out) {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
@@ -22,7 +22,7 @@ inline void subtract_coupled(const double* b, const double* v, double* out) {
             out[j] -= c * v[3 + i];
         }
 }
-/// Some of these bodies is coupled.
+/// True if any of these bodies has a coupling.
 inline bool any_coupled(const assembly::View& view, std::int32_t body, int count) {
     if (view.coupled == nullptr) return false;
     for (int l = 0; l < count; ++l)

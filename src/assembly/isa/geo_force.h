@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file geo_force.h
-/// Geometric terms of one interaction in the equations of its bodies (see assembly/geo.h).
+/// Geometric terms of one interaction in the equations of its bodies (assembly/geo.h).
 
 #include "assembly/geo.h"
 #include "base/simd.h"
 
 namespace hawser::HAWSER_ISA {
 
-/// Velocity of a slot from a packed array; bodies without freedom use v_fixed.
+/// Read the velocity of a slot from a packed array. Bodies without freedom use v_fixed.
 inline void slot_velocity(const assembly::View& view, const double* v, std::int32_t body, V3& lin,
                           V3& ang) {
     const int dof = view.dof[body];
@@ -18,7 +18,8 @@ inline void slot_velocity(const assembly::View& view, const double* v, std::int3
     ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
 }
 
-/// A line's part of a on its two bodies. @param share  Of K on v, the rest on v_ahead.
+/// Add the part of a of a line to its two bodies. @param share  Fraction of K that acts on v; the
+/// rest acts on v_ahead.
 inline void line_past(const assembly::View& view, std::int32_t id, double share) {
     const assembly::GeoPlace& place = view.geo[id];
     const double* rec = view.geo_record + place.record;
@@ -50,8 +51,8 @@ inline void line_past(const assembly::View& view, std::int32_t id, double share)
     geo_product(rec, lin, ang, 0.0, out[0], out[1]);
 }
 
-/// An interaction's part of M̃ v on its two bodies, see geo.h; with `damping`, as geo_product(), of
-/// a. @param from  0 or dof: which half of a slot, see GeoPlace.
+/// Compute the part of M̃ v of an interaction on its two bodies, see geo.h. With `damping` (see
+/// geo_product()), compute the part of a. @param from  0 or dof: half of the slot, see GeoPlace.
 inline void geo_force(const assembly::View& view, std::int32_t id, const double* v,
                       double damping = 1.0, int from = 0) {
     const assembly::GeoPlace& place = view.geo[id];

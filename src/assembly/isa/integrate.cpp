@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The motion of a step. Rigid bodies that stand in a row go eight at a time.
+/// Motion of a step. Consecutive rigid bodies are processed eight at a time.
 #include "assembly/isa/rigid_lanes.h"
 #include "assembly/isa/rows.h"
 #include "base/simd.h"
@@ -28,7 +28,7 @@ void move_body(const View& view, std::int32_t body) {
     if (dof < 6) return;
     store3(view.spin_change + 3 * body,
            tmul(load9(view.r + 9 * body), load3(v + 3) - load3(view.spin_free + 3 * body)));
-    // q₊ = (1, hω/2)/|·| ⊗ q, ω in the world frame: the Cayley map.
+    // q₊ = (1, hω/2)/|·| ⊗ q, ω in the world frame: Cayley map.
     double* q = view.q + 4 * body;
     const V3 w = (0.5 * h) * load3(v + 3), p = load3(q + 1);
     const V3 turned = p + q[0] * w + cross(w, p);
@@ -40,7 +40,7 @@ void move_body(const View& view, std::int32_t body) {
     for (int i = 0; i < 9; ++i) view.r[9 * body + i] = m.a[i];
 }
 
-/// move_body() of eight rigid bodies.
+/// Apply move_body() to eight rigid bodies.
 void move_eight(const View& view, std::int32_t body) {
     const std::int32_t begin = view.dof_begin[body];
     const W8 none{}, h = none + view.h;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file joint_rows.h
-/// evaluate() for eight compact joints (model/arms.h) whose indices are consecutive, one in each
-/// lane. Arrays by joint are then read without gathers. Those by body are, too, where the joints
-/// join consecutive bodies, as those of a chain do:
+/// Version of evaluate() for eight compact joints (model/arms.h) with consecutive indices, one per
+/// lane. Arrays by joint are then read without gathers. If the joints connect consecutive bodies,
+/// as in a chain, arrays by body are, too:
 /// ```
 ///   joint l:   body b + l ──●── body b + l + 1
 /// ```
-/// The lanes of the second bodies are those of the first ones shifted by one, with one body more.
+/// The lanes of the second bodies are those of the first ones shifted by one, with one more body.
 
 #include "assembly/isa/arms.h"
 #include "assembly/isa/rigid_lanes.h"
@@ -24,8 +24,8 @@ class JointRows {
   public:
     explicit JointRows(const assembly::View& view) : view_(view) {}
 
-    /// Eight compact joints from ids[0] on, with consecutive indices. @return false where
-    /// they are so near the end of the arrays that vector loads would leave them.
+    /// Select eight compact joints from ids[0] on, with consecutive indices. @return false if
+    /// vector loads would exceed the arrays.
     bool take(const std::int32_t* ids) {
         id_ = ids[0];
         const std::int32_t* body = view_.body + kMaxInteractionBodies * id_;
@@ -43,7 +43,8 @@ class JointRows {
                (last + 3 <= view_.body_count && view_.dof_begin[last] + kLanes <= view_.dof_count);
     }
 
-    /// @param data  Of the eight: a point of body 0 and one of body 1, body frames.
+    /// Evaluate the joints. @param data  Data of the eight joints: a point of body 0 and a point of
+    /// body 1, body frames.
     template <class Data>
     void evaluate(const Data* data) const {
         static_assert(sizeof(Data) == 6 * sizeof(double));
@@ -86,9 +87,9 @@ class JointRows {
   private:
     const assembly::View& view_;
     std::int32_t id_ = 0, body_[2][kLanes];
-    bool chain_ = false;  ///< See above.
+    bool chain_ = false;  ///< True for a chain, see above.
 
-    /// Centres of mass, and arms of the joints, world frame.
+    /// Load the centres of mass and the arms of the joints, world frame.
     HAWSER_INLINE void load_poses(const V8 (&point)[kLanes], W3 (&x)[2], W3 (&arm)[2]) const {
         WM3 r[2];
         if (chain_) {
@@ -110,7 +111,7 @@ class JointRows {
         for (int b = 0; b < 2; ++b)
             arm[b] = r[b] * W3{point[3 * b], point[3 * b + 1], point[3 * b + 2]};
     }
-    /// Of body b of each joint, which has `scale` doubles, as many as there are up to eight.
+    /// Load up to eight of the `scale` doubles of body b of each joint.
     void load_by_body(const double* base, int b, int scale, V8 (&v)[kLanes]) const {
         const int own = std::min(scale, kLanes);
         for (int l = 0; l < kLanes; ++l)
@@ -118,7 +119,7 @@ class JointRows {
         transpose(v);
     }
 
-    /// Six of each body, of what is packed like v.
+    /// Load six entries per body from a vector packed like v.
     HAWSER_INLINE void load_velocities(const double* packed, V8 (&v)[2][kLanes]) const {
         if (chain_) {
             const double* first = packed + view_.dof_begin[body_[0][0]];
@@ -131,7 +132,7 @@ class JointRows {
                 view_, id_, b, packed, [&](std::int32_t i) { return view_.dof_begin[i]; }, v[b]);
     }
 
-    /// One-sided joints that are slack. @param speed  As the rows lie.
+    /// Correct the rows of slack one-sided joints. @param speed  Speeds in the order of the rows.
     void slack(std::int32_t row, const V8 (&speed)[3]) const {
         std::uint64_t flags;
         std::memcpy(&flags, view_.flags + id_, sizeof flags);
@@ -143,7 +144,7 @@ class JointRows {
                                      view_.upsilon[r] * view_.recall[r], view_.h);
         }
     }
-    /// Write zeros into the rows of those of the eight joints that have parted.
+    /// Write zeros to the rows of broken joints among the eight.
     void part() const {
         std::uint64_t parted;
         std::memcpy(&parted, view_.parted + id_, sizeof parted);
@@ -152,7 +153,7 @@ class JointRows {
             if (view_.parted[id_ + l]) view_.active[id_ + l] = 0.0;
     }
 
-    /// Arms records of the eight. @return their geometric terms.
+    /// Write the arms records of the eight joints. @return their geometric terms.
     HAWSER_INLINE JointTerms<W8> record(const W3 (&arm)[2]) const {
         const W8 on = (1.0 / view_.h) * W8(load(view_.active + id_));
         const W3 f = on * load_threes(view_.lambda + view_.row_begin[id_]);

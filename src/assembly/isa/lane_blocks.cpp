@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Writes blocks of several chains at once into the lanes of a batch step. Same terms as
+/// Writes blocks of several chains at once into the lanes of a batch step, with the terms of
 /// blocks.cpp.
 #include "assembly/geo.h"
 #include "assembly/isa/arms.h"
@@ -27,12 +27,12 @@ struct LanePlace {
 
 inline V8 used_lanes(const LaneOp& op) { return bit_lanes(op.used); }
 
-/// One value of each lane's interaction or row.
+/// Gather one value of the interaction or row of each lane.
 inline V8 pick(const double* values, const std::int32_t* index, int offset = 0) {
     return gather_range(values + offset, index, 0, kLanes);
 }
 
-/// The first row of each lane's interaction.
+/// First row of the interaction of each lane.
 struct LaneRow {
     std::int32_t first[kLanes];
 
@@ -44,7 +44,7 @@ struct LaneRow {
     }
 };
 
-/// Rows [r, r + N) of Σ_r w_r ja_rᵀ jb_r; on the diagonal only the lower triangle.
+/// Add rows [r, r + N) of Σ_r w_r ja_rᵀ jb_r; on the diagonal only the lower triangle.
 template <bool kDiagonal, int DA, int DB, int N>
 inline void outer_rows(const View& view, const LaneOp& op, int r, LanePlace out) {
     V8 a[N][kLanes], b[N][kLanes];
@@ -83,7 +83,7 @@ inline void outer(const View& view, const LaneOp& op, LanePlace out) {
     outer_side<false, DA, DB>(view, op, out);
 }
 
-/// condense() of compact joints, with their damping: most of G is known.
+/// Apply condense() to compact joints with their damping. Most of G is constant.
 void condense_arms(const View& view, const LaneOp& op, LanePlace out) {
     const ArmsT<W8> arms = lane_arms(view.jacobian, op.from);
     const V8 used = used_lanes(op), on = used * pick(view.active, op.id);
@@ -156,7 +156,7 @@ void condense(const View& view, const LaneOp& op, LanePlace out) {
     }
 }
 
-/// Blocks of geo.h, see geometric() in blocks.cpp.
+/// Add the blocks of geo.h, see geometric() in blocks.cpp.
 void geometric(const View& view, const LaneOp& op, LanePlace out) {
     const bool rigid_a = op.dof_a == 6, rigid_b = op.dof_b == 6;
     const bool same = op.a == op.b;
@@ -225,7 +225,7 @@ void body_block(const View& view, const LaneOp& op, LanePlace out) {
     }
     for (int k = 0; k < 6; ++k) out.add(kLower[k][0], kLower[k][1], used * block[k]);
     if (op.dof_a < 6) return;
-    // The last eight of twelve: a vector must not end behind the array.
+    // Load the last eight of twelve entries: a vector must not end behind the array.
     load_lanes(view.body_block + 4, op.from, block);
     for (int k = 0; k < 6; ++k) out.add(3 + kLower[k][0], 3 + kLower[k][1], used * block[2 + k]);
     if (view.coupled == nullptr) return;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lane_rows.h
-/// evaluate() for eight interactions of one kind at once, lane by lane another one, where all of
-/// their bodies are lumps. Same formulas as for one: the kinds' evaluate() and geo.h are templates
-/// over the number type.
+/// Version of evaluate() for eight interactions of one kind at once, one per lane, if all of their
+/// bodies are lumps. The formulas are the scalar ones: evaluate() of the kinds and geo.h are
+/// templates over the number type.
 
 #include "assembly/geo.h"
 #include "assembly/isa/slack.h"
@@ -17,7 +17,7 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// A lump of each of eight interactions, as evaluate() sees it.
+/// One lump of each of eight interactions, in the interface that evaluate() needs.
 struct LumpLanes {
     V3T<W8> x;
     [[nodiscard]] V3T<W8> arm(const W8*) const { return {W8{}, W8{}, W8{}}; }
@@ -31,16 +31,16 @@ struct LaneRows {
 
     const assembly::View& view;
     std::int32_t id[kLanes], row[kLanes], body[B][kLanes];
-    bool in_a_row = false;  ///< Ids follow each other, and so do their rows.
+    bool in_a_row = false;  ///< True if ids and rows are consecutive.
 
-    /// Eight of View::among_lumps, from ids[0] on. @return true: they all go.
+    /// Select eight interactions of View::among_lumps from ids[0] on. @return true if all qualify.
     bool take(const std::int32_t* ids) {
         for (int l = 0; l < kLanes; ++l) {
             id[l] = ids[l];
             row[l] = view.row_begin[id[l]];
             for (int b = 0; b < B; ++b) body[b][l] = view.body[kMaxInteractionBodies * id[l] + b];
         }
-        in_a_row = id[kLanes - 1] - id[0] == kLanes - 1;  // they ascend
+        in_a_row = id[kLanes - 1] - id[0] == kLanes - 1;  // ids ascend
         return true;
     }
 
@@ -48,7 +48,7 @@ struct LaneRows {
         return gather_range(values + offset, index, 0, kLanes);
     }
 
-    /// A value of each row, by its number in the interaction.
+    /// Load a value of each row, by its number in the interaction.
     void load_rows(const double* values, V8 (&v)[R]) const {
         if constexpr (R <= 3)
             if (in_a_row) return load_every<R>(values + row[0], v);
@@ -60,19 +60,19 @@ struct LaneRows {
         for (int l = 0; l < kLanes; ++l)
             for (int r = 0; r < R; ++r) values[row[l] + r] = lane(v[r], l);
     }
-    /// A value of each interaction.
+    /// Load a value of each interaction.
     W8 load_each(const double* values) const {
         return in_a_row ? W8(load(values + id[0])) : pick(values, id, 0);
     }
-    /// Is one of the flags set anywhere?
+    /// True if the flag is set in any interaction.
     bool any_flag(const std::uint8_t* flags, std::uint8_t mask) const {
         std::uint8_t all = 0;
         for (int l = 0; l < kLanes; ++l) all |= flags[id[l]];
         return (all & mask) != 0;
     }
 
-    /// What evaluate() needs. Lumps have no attachment points: lengths alone are read, and that
-    /// of a wire element is kept by itself.
+    /// Load the data that evaluate() needs. Lumps have no attachment points: only lengths are read.
+    /// The length of a wire element is stored separately.
     void load_data(const typename K::Data* data, typename K::template DataT<W8>& fields) const {
         const auto of_each = [&](auto member) {
             double value[kLanes];
@@ -115,7 +115,7 @@ struct LaneRows {
         if constexpr (K::kGeometry == Geometry::line) line(refs, rows, v, start);
     }
 
-    /// G u, a row each, of u by body.
+    /// Compute G u, one entry per row, for u by body.
     HAWSER_INLINE static void products(const Rows<B, R, W8>& rows, const V8 (&u)[B][D],
                                        V8 (&out)[R]) {
         for (int r = 0; r < R; ++r) {
@@ -149,8 +149,8 @@ struct LaneRows {
         store_rows(view.residual, speed);
     }
 
-    /// The packed Jacobians, eight entries of each at a time; the last eight overlap, so that no
-    /// vector is cut short.
+    /// Write the packed Jacobians, eight entries of each at a time. The last eight overlap with
+    /// others, so that all vectors are complete.
     void write_jacobian(const Rows<B, R, W8>& rows) const {
         constexpr int size = R * W;
         [&]<int... I>(std::integer_sequence<int, I...>) {
@@ -158,7 +158,7 @@ struct LaneRows {
         }(std::make_integer_sequence<int, (size + kLanes - 1) / kLanes>());
     }
 
-    /// Entries from `Begin` on, eight or as many as there are.
+    /// Write eight entries from `Begin` on, or the remaining ones.
     template <int Begin>
     void write_entries(const Rows<B, R, W8>& rows) const {
         constexpr int count = std::min(R * W - Begin, kLanes);
@@ -169,7 +169,7 @@ struct LaneRows {
         put<Begin, count>(view.jacobian, [&](std::int32_t k) { return view.jac_begin[k]; }, t);
     }
 
-    /// Entries [Begin, Begin + Count) of what starts at base + start(id).
+    /// Write entries [Begin, Begin + Count) to base + start(id).
     template <int Begin, int Count, class Start>
     void put(double* base, Start start, V8 (&t)[kLanes]) const {
         transpose(t);
@@ -190,7 +190,7 @@ struct LaneRows {
         put<Begin, Count>(view.geo_force, [&](std::int32_t i) { return view.geo[i].force; }, t);
     }
 
-    /// Record of a line between lumps, and its parts of M̃ v and of a.
+    /// Compute the record of a line between lumps, and its parts of M̃ v and of a.
     void line(const LumpLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][D],
               const V8 (&start)[B][D]) const {
         const double scale = view.h * view.h * view.geometric_stiffness;

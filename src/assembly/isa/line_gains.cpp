@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Energy that lines hold more than the bodies at their ends gave them, see solve/wires.h.
+/// Energy that lines store beyond the work of the bodies at their ends, see solve/wires.h.
 #include "assembly/isa/geo_force.h"
 #include "assembly/isa/rows.h"
 #include "base/lanes.h"
@@ -11,18 +11,22 @@ namespace {
 using assembly::LineGain;
 using assembly::View;
 
-/// Both ends of an element: points, velocities before and after, and the impulse on the second.
+/// Both ends of an element: points, velocities before and after the step, and the impulse on the
+/// second end.
 template <class T>
 struct Ends {
-    V3T<T> apart;        ///< Distance of the points where the step began.
-    V3T<T> back, ahead;  ///< Distance of the points half a step before and after.
-    V3T<T> mean;         ///< Relative velocity, mean of before and after.
+    V3T<T> apart;        ///< Vector between the points at the begin of the step [m].
+    V3T<T> back, ahead;  ///< Vectors between the points half a step before and after [m].
+    V3T<T> mean;         ///< Relative velocity, mean of before and after [m/s].
     V3T<T> along;        ///< Direction of the row.
-    T rate[2], lambda;   ///< Of the row, before and after.
-    T acts;              ///< 1: row_losses() counts it.
-    V3T<T> impulse;      ///< But for that of View::pair_mass, which is kinetic energy of the piece.
-    T g, stiffness, pulls;  ///< pulls: 1, holds nothing while it is short.
-    T size;                 ///< Of the coordinates: their rounding is that of lengths.
+    T rate[2], lambda;   ///< Speed of the row before and after, and its multiplier.
+    T acts;              ///< 1: row_losses() counts the row.
+    /// Impulse on the second end without the part of View::pair_mass, which is kinetic energy of
+    /// the element.
+    V3T<T> impulse;
+    /// Violation, stiffness; pulls: 1 if the element stores nothing while short.
+    T g, stiffness, pulls;
+    T size;  ///< Magnitude of the coordinates; lengths have the rounding of coordinates.
 };
 
 template <class T>
@@ -35,7 +39,7 @@ inline T size_of(const T& x) {
     return select_greater(x, zero(x), x, -x);
 }
 
-/// What row_losses() takes the row to lose.
+/// Return the loss of the row as row_losses() computes it.
 template <class T>
 inline T booked_loss(const Ends<T>& e, double half) {
     const T old = e.g - half * e.rate[0], now = e.g + half * e.rate[1];
@@ -50,7 +54,7 @@ inline void gain_of(const Ends<T>& e, double half, T& gain, T& exchanged, T& noi
     const T rest = root(dot(e.apart, e.apart)) - e.g;
     const T before = longer_by(e, e.back, rest), after = longer_by(e, e.ahead, rest);
     const T change = 0.5 * e.stiffness * (after * after - before * before);
-    constexpr double kRounding = 1e-15;  // of a few sums
+    constexpr double kRounding = 1e-15;  // rounding of a few sums
     const T one = change + dot(e.impulse, e.mean);
     gain += one;
     unbooked -= one + e.acts * booked_loss(e, half);
@@ -58,7 +62,7 @@ inline void gain_of(const Ends<T>& e, double half, T& gain, T& exchanged, T& noi
     noise += kRounding * e.stiffness * (size_of(before) + size_of(after)) * e.size;
 }
 
-/// A vector turned by the Cayley map of the angle 4b.
+/// Rotate a vector by the Cayley map of the angle 4b.
 inline V3 turned(const V3& r, const V3& b) {
     const V3 c = cross(b, r);
     return r + (2.0 / (1.0 + dot(b, b))) * (c + cross(b, c));
@@ -85,11 +89,12 @@ void one_gain(const View& view, std::int32_t id, LineGain* sum) {
         speed_after[b] = lin_after + cross(ang_after, r);
         mean[b] = 0.5 * (speed[b] + speed_after[b]);
     }
-    const V3 across = load3(f + (place.dof == 3 ? 3 : 6)) - load3(f);  // of slot 0
+    // geometric impulse on slot 0
+    const V3 across = load3(f + (place.dof == 3 ? 3 : 6)) - load3(f);
     const V3 gained = speed_after[1] - speed_after[0] - (speed[1] - speed[0]);
     const double* jac = view.jacobian + view.jac_begin[id];
     const V3 n = view.dof[body[1]] > 0 ? load3(jac + view.dof[body[0]]) : -load3(jac);
-    // What gave way to another force is idle, and counts where it only pulls.
+    // An interaction replaced by another force is inactive, but counts if it is tension-only.
     const bool acts = view.active[id] != 0.0 || (view.flags[id] & 1);
     const Ends<double> e{point[1] - point[0],
                          before[1] - before[0],
@@ -107,7 +112,7 @@ void one_gain(const View& view, std::int32_t id, LineGain* sum) {
     gain_of(e, 0.5 * h, sum->gain, sum->exchanged, sum->noise, sum->unbooked);
 }
 
-/// Eight of View::among_lumps. @return false where one has parted.
+/// Add the gains of eight interactions of View::among_lumps. @return false if one is broken.
 bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     std::int32_t x[2][kLanes], v[2][kLanes], row[kLanes], jac[kLanes], force[kLanes];
     double pulls[kLanes], acts[kLanes];
@@ -145,7 +150,7 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     };
     const W8 half = constant(W8(f[0]), 0.5 * view.h), lambda = of_rows(view.lambda);
     const V3T<W8> across{f[3] - f[0], f[4] - f[1], f[5] - f[2]};
-    const V3T<W8> n{line[3], line[4], line[5]};  // of the second lump
+    const V3T<W8> n{line[3], line[4], line[5]};  // Jacobian of the second lump
     V3T<W8> impulse = lambda * n - across;
     if (view.pair_mass) {
         double pair[kLanes];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file links.h
-/// Eight links of a chain at once (View::links): rigid bodies that two ball joints touch, lane by
-/// lane another one. Joint l is the first of link l, joint l + 1 its second one:
+/// Eight links of a chain at once (View::links): rigid bodies with two ball joints each, one per
+/// lane. Joint l is the first joint of link l, joint l + 1 its second:
 /// ```
 ///      joint l   ┌────────┐  joint l + 1
 ///   ──────●──────┤ link l ├──────●──────      r₁ of joint l and r₀ of joint l + 1 end here
@@ -17,7 +17,8 @@ namespace hawser::HAWSER_ISA {
 /// Both joints of each link.
 struct LinkJoints {
     ArmsT<W8> first, second;
-    const assembly::Incidence* place;  ///< Of joint 0 at link 0: what is by joint stands in a row.
+    /// Incidence of joint 0 at link 0; arrays by joint are consecutive.
+    const assembly::Incidence* place;
 
     LinkJoints(const assembly::View& view, std::int32_t body)
         : place(view.incident + view.incident_begin[body]) {
@@ -30,14 +31,14 @@ struct LinkJoints {
     }
 };
 
-/// Do eight links of a chain stand from `body` on?
+/// True if at least eight links of a chain begin at `body`.
 inline bool eight_links(const assembly::View& view, std::int32_t body) {
     return view.links[body] >= kLanes;
 }
 
-/// Where the eight links begin that `body` goes with: there, or, where fewer of its chain follow in
-/// [begin, end), so early that they end with the last of these, some of them being done twice, with
-/// the same result. −1: it goes alone.
+/// Return the first of the eight links that include `body`. If fewer links of the chain follow in
+/// [begin, end), the group starts earlier and ends with the last of them. Some links are then
+/// processed twice, with the same result. −1: process the body alone.
 inline std::int32_t links_with(const assembly::View& view, std::int32_t begin, std::int32_t body,
                                std::int32_t end) {
     const std::int32_t run = view.links[body];
@@ -47,7 +48,8 @@ inline std::int32_t links_with(const assembly::View& view, std::int32_t begin, s
     return from >= begin && eight_links(view, from) ? from : -1;
 }
 
-/// Is `body` no link, with eight links so near behind it that it should not go with some of them?
+/// True if `body` is no link and eight links begin so close behind it that it should not be grouped
+/// with some of them.
 inline bool before_links(const assembly::View& view, std::int32_t body, std::int32_t end) {
     if (view.links[body] > 0) return false;
     for (std::int32_t next = body + 1; next < body + kLanes && next + kLanes <= end; ++next)
@@ -55,7 +57,7 @@ inline bool before_links(const assembly::View& view, std::int32_t body, std::int
     return false;
 }
 
-/// Gᵀ y for the rows' multipliers y.
+/// Gᵀ y for the multipliers y of the rows.
 struct LinkPush {
     W3 linear, turn;
 };
@@ -65,7 +67,7 @@ inline LinkPush push_links(const LinkJoints& joints, const double* y) {
     return {in - out, cross(joints.first.r1, in) - cross(joints.second.r0, out)};
 }
 
-/// Arms' stiffness of a link, as a record has it.
+/// Arm stiffness of a link, in the form of a record.
 struct LinkArms {
     W8 first[6], second[6];
 };
@@ -82,7 +84,7 @@ inline void stiffen_links(const assembly::View& view, const LinkJoints& joints, 
                   out.second);
 }
 
-/// r = a − M̃ v₊ + Jᵀ y of eight links, as momentum_rhs(). @param out  Six vectors.
+/// Compute r = a − M̃ v₊ + Jᵀ y of eight links, like momentum_rhs(). @param out  Six vectors.
 template <bool kAtRest>
 inline void eight_rhs(const assembly::View& view, std::int32_t body, const double* y,
                       V8 (&out)[kLanes]) {

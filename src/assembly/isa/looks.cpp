@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the judges look at (step/judge.h), eight at a time: energies of rigid bodies that stand in
-/// a row, and violations.
+/// Samples for the monitors (step/judge.h), eight at a time: energies of consecutive rigid bodies,
+/// and violations.
 #include "assembly/isa/rigid_lanes.h"
 #include "assembly/isa/rows.h"
 #include "assembly/isa/spin.h"
@@ -12,14 +12,14 @@ namespace {
 using assembly::BodyEnergies;
 using assembly::View;
 
-/// Twice the kinetic energy at the velocities u of eight bodies.
+/// Return twice the kinetic energy of eight bodies at the velocities u.
 template <class Inertia>
 V8 twice_kinetic(const V8& mass, const Inertia& inertia, const WM3& r, const V8 (&u)[kLanes]) {
     const W3 move{u[0], u[1], u[2]}, spin = tmul(r, W3{u[3], u[4], u[5]});
     return mass * dot(move, move) + dot(spin, inertia * spin);
 }
 
-/// Adds up what sum() folds at the end of a row of bodies.
+/// Sums in lanes; sum() adds the lanes at the end of a run of bodies.
 struct Sums {
     V8 before{}, after{};  ///< Twice the kinetic energies.
     V8 half_way{}, pose{};
@@ -27,12 +27,12 @@ struct Sums {
     std::int32_t turn_body;
 };
 
-/// Is any lane not below the limit? What is no number counts, as it does one at a time.
+/// True if any lane is ≥ limit or NaN, like the scalar path.
 bool any_not_below(const V8& some, double limit) {
     return any(select_greater(V8{} + limit, some, V8{}, one(some)));
 }
 
-/// Masses of eight bodies where gravity acts, 0 elsewhere.
+/// Return the masses of eight bodies on which gravity acts, 0 for others.
 V8 heavy_masses(const View& view, std::int32_t body, const V8& mass) {
     std::uint64_t weight;
     std::memcpy(&weight, view.weight + body, sizeof weight);

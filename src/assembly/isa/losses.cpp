@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Energy that rows take in a step, eight rows at a time; formulas in solve/losses.cpp.
+/// Energy that rows absorb in a step, eight rows at a time; formulas in solve/losses.cpp.
 #include "assembly/isa/rows.h"
 #include "base/lanes.h"
 #include "base/simd.h"
@@ -11,24 +11,26 @@ using assembly::View;
 
 constexpr double kElastic = 1e-11;  // model::kElasticCompliance
 
-/// Compliance above which rows hold energy, as model::holds_energy() has it.
+/// Return the compliance above which rows store energy, as in model::holds_energy().
 inline double rigid_up_to(const View& view, std::int32_t id) {
     return view.rest_length[id] > 0.0 ? 0.0 : kElastic;
 }
 
-// model::InteractionFlag and RowFlag.
+// Values of model::InteractionFlag and RowFlag.
 constexpr int kPullsOnly = 1, kRange = 2, kByInput = 16, kCarried = 32, kFriction = 128;
 constexpr int kVelocityRow = 1, kTurns = 16;
-/// As model::half_step_gap() has it.
+/// Values as in model::half_step_gap().
 constexpr double kMostTurn = 2.0, kUnbounded = 1e300;
 
-/// Rows of some interactions in a row: which count, only pull, and are completed; the compliance
-/// above which they hold energy, and the largest violation there is of a difference of directions.
+/// Properties of the rows of consecutive interactions: counted, tension only, completed. Also the
+/// compliance above which they store energy, and the largest possible violation of a difference of
+/// directions.
 struct Marks {
     static constexpr int kRoom = assembly::kLossChunk * kMaxInteractionRows + kLanes;
     double counts[kRoom], pulls[kRoom], rigid[kRoom], completed[kRoom], most[kRoom];
 
-    /// The same for eight rows from one on: the next interaction's rows overwrite what is beyond.
+    /// Set the properties of eight rows from one on. The rows of the next interaction overwrite the
+    /// surplus.
     HAWSER_INLINE void set(int row, double count, double pull, double least, double complete,
                            double largest) {
         const V8 none{};
@@ -59,8 +61,8 @@ int any_bits(const std::uint8_t* some, std::int32_t count) {
     return bits;
 }
 
-/// Are all of them joints that act both ways, none completed, without drives and differences of
-/// directions: such rows need no marks.
+/// True if all interactions are plain: two-sided joints, none completed, without drives and
+/// differences of directions. Such rows need no marks.
 bool all_plain(const View& view, std::int32_t begin, std::int32_t end, std::int32_t first,
                std::int32_t rows) {
     const std::int32_t n = end - begin;
@@ -76,7 +78,8 @@ bool all_plain(const View& view, std::int32_t begin, std::int32_t end, std::int3
     return marked == 0;
 }
 
-/// @param faded  Rows may have no recall. @return Interactions left to the caller.
+/// Set the properties of rows of interactions [begin, end). @param faded  True if rows may have a
+/// small recall. @param left  Output: interactions left to the caller. @return their number.
 int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t first, bool faded,
          Marks& marks, std::int32_t* left) {
     int count = 0;
@@ -106,14 +109,15 @@ int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t fi
     return count;
 }
 
-/// @return a, but at most that size.
+/// Limit a to [−most, most].
 inline V8 within(const V8& a, const V8& most) {
     const V8 below = select_greater(a, most, most, a);
     return select_greater(-most, below, -most, below);
 }
 
-/// Of `rows` rows from one on. @param marks  Of kPlain rows: none; else those of lines that were
-/// slack become 1 in `pulls`. @return whether there are such lines.
+/// Add the losses of `rows` rows from `first` on. @param marks  Unused for kPlain rows. Otherwise
+/// `pulls` is set to 1 for lines that were slack and to 0 for the others. @return true if there are
+/// such lines.
 template <bool kPlain>
 HAWSER_INLINE bool add_losses(const View& view, std::int32_t first, std::int32_t rows, Marks* marks,
                               V8& taken) {
@@ -132,13 +136,13 @@ HAWSER_INLINE bool add_losses(const View& view, std::int32_t first, std::int32_t
             now = g + half * after;
             used = first_lanes(none + 1.0, n);
         } else {
-            // The c of a completed row is not that of its speed before.
+            // c of a completed row does not follow from its earlier speed.
             const V8 completed = load(marks->completed + i);
             if (any(completed)) before = select_greater(completed, none, of(view.rate), before);
             const V8 most = load(marks->most + i), pulls = load(marks->pulls + i);
             old = within(g - half * before, most);
             now = within(g + half * after, most);
-            // A line that was slack at the last half step has another c (when_slack()).
+            // A line that was slack at the last half step has a modified c (when_slack()).
             const V8 size = select_greater(g, none, g, -g);
             const V8 slack = select_greater(old, 1e-9 * size, none, pulls);
             used = load(marks->counts + i) * (none + 1.0 - slack);

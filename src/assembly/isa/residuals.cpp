@@ -13,7 +13,8 @@ using assembly::View;
 
 constexpr int kSlots = kMaxInteractionBodies;
 
-/// G u of one interaction for a packed vector u by body, R rows: one a lane, 0 in the others.
+/// Compute G u of one interaction for a packed vector u by body: R rows, one per lane, 0 in the
+/// other lanes.
 template <int R, class Offset>
 inline V8 row_products(const View& view, std::int32_t id, const double* u, Offset offset) {
     const std::int32_t* body = view.body + kSlots * id;
@@ -38,7 +39,7 @@ inline V8 row_products(const View& view, std::int32_t id, const double* u, Offse
     return sums<R>(acc);
 }
 
-/// λ and the residuals of one interaction, a row in each lane.
+/// Update λ and the residuals of one interaction, one row per lane.
 template <int R>
 inline void row_update_one(const View& view, std::int32_t id, bool first) {
     const std::int32_t row = view.row_begin[id], offset = view.interaction_offset[id];
@@ -53,7 +54,7 @@ inline void row_update_one(const View& view, std::int32_t id, bool first) {
         total = on * (load_first(view.c + row, R) -
                       row_products<R>(view, id, view.v_new,
                                       [&](std::int32_t b) { return view.dof_begin[b]; }));
-    // The first residual is that of the velocities at the start and of λ = 0.
+    // The first residual is that of the initial velocities and λ = 0.
     const auto left = [&](const V8& lambda) {
         return first ? last - on * change - sigma * lambda : total - sigma * (lambda - kept);
     };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file rigid_lanes.h
-/// Eight rigid bodies that stand in a row, a body a lane.
+/// Eight rigid bodies with consecutive indices, one per lane.
 
 #include "assembly/view.h"
 #include "base/lanes.h"
@@ -11,7 +11,8 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// Eight rigid bodies in a row, none of them so near the end that vector loads leave the arrays.
+/// True if eight consecutive bodies from `body` on are rigid and vector loads stay within the
+/// arrays.
 inline bool eight_rigid(const assembly::View& view, std::int32_t body) {
     if (body + kLanes > view.body_count) return false;
     if (!kExactLoads && (body + kLanes + 2 > view.body_count || view.dof[body + kLanes] < 3))
@@ -24,32 +25,32 @@ inline bool eight_rigid(const assembly::View& view, std::int32_t body) {
 using W3 = V3T<W8>;
 using WM3 = M3T<W8>;
 
-/// Eight vectors that follow each other, one a lane.
+/// Load eight consecutive three-vectors, one per lane.
 inline W3 load_threes(const double* p) {
     V8 v[3];
     load_threes(p, v);
     return {v[0], v[1], v[2]};
 }
 
-/// Lane by lane the next one: v without its first, and what stands at p behind its last.
+/// Shift lanes by one: v without its first lane, followed by the vector at p.
 inline W3 shift_in(const W3& v, const double* p) {
     return {shift_in(v.x, p[0]), shift_in(v.y, p[1]), shift_in(v.z, p[2])};
 }
-/// Write eight vectors one after another, as load_threes() reads them.
+/// Store eight consecutive three-vectors in the layout of load_threes().
 inline void store_threes(double* p, const W3& v) { store_every<3>(p, {v.x, v.y, v.z}); }
 
-/// `stride` doubles a body: the first eight of each of eight bodies, turned into lanes; what there
-/// is beyond `stride` may be anything.
+/// Load the first eight of `stride` doubles of each of eight bodies, transposed into lanes. Entries
+/// beyond `stride` are unspecified.
 inline void load_bodies(const double* first, int stride, V8 (&v)[kLanes]) {
     const int own = stride < kLanes ? stride : kLanes;
     for (int l = 0; l < kLanes; ++l) v[l] = load_at_least(first + l * stride, own);
     transpose(v);
 }
-/// Are the axes of all eight bodies those of their inertias? @param moment  Bodies::principal.
+/// True if the axes of all eight bodies are principal axes. @param moment  Bodies::principal.
 inline bool all_principal(const V8& moment) {
     return !any(select_greater(moment, V8{}, V8{}, one(moment)));
 }
-/// Is any of six a body not zero?
+/// True if any of the six values of eight bodies is not zero.
 inline bool any_of_six(const double* first) {
     V8 size{};
     for (int k = 0; k < 6; ++k) {
@@ -58,7 +59,8 @@ inline bool any_of_six(const double* first) {
     }
     return any(size);
 }
-/// Writes the first `count` entries of each of eight bodies, `stride` doubles a body; turns v.
+/// Store the first `count` entries of each of eight bodies, `stride` doubles per body. Transposes
+/// v.
 inline void store_bodies(double* first, int stride, int count, V8 (&v)[kLanes]) {
     transpose(v);
     for (int l = 0; l < kLanes; ++l) store_lanes(first + l * stride, v[l], 0, count);

@@ -19,27 +19,26 @@ using assembly::View;
 
 constexpr int kSlots = kMaxInteractionBodies;
 
-/// Whether a joint of the kind may have a record of its arms in the place of its Jacobian
-/// (model/arms.h).
+/// True if joints of the kind may have an arms record instead of a Jacobian (model/arms.h).
 template <class K>
 constexpr bool kCompactKind = requires { requires K::kMayBeCompact; };
 
-/// Share of the geometric stiffness that an interaction with the force nf has.
+/// Return the fraction of the geometric stiffness that applies to an interaction with the force nf.
 double fade(const View& view, std::int32_t id, double nf) {
     if (!view.completed[id]) return 1.0;
     return completed_stiffness(4.0 * view.h * view.h * nf * view.swing[id]);
 }
 
-/// Share of the geometric stiffness that a line has between bodies that turn, without lumps: none
-/// where the swing is resolved, for it is right to second order in angular momentum only.
-/// @param s  As in across_shares().
+/// Return the fraction of the geometric stiffness of a line between turning bodies without lumps.
+/// It vanishes if the vibration is resolved, because the stiffness preserves angular momentum to
+/// second order only. @param s  As in across_shares().
 double line_fade(const View& view, const std::int32_t* body, double s) {
     for (int b = 0; b < 2; ++b)
         if (view.dof[body[b]] == 3 || view.dof[body[b]] == 1) return 1.0;
     return s < 0.25 ? 16.0 * s * s : 1.0;
 }
 
-/// From the centres of the first two bodies to where the interaction acts on them.
+/// Vectors from the centres of the first two bodies to the points at which the interaction acts.
 template <class K>
 struct Arms {
     V3 at[2];
@@ -51,9 +50,10 @@ struct Arms {
     }
 };
 
-/// Force on slot b at the joint's point: the first three rows are translations along ±E. @return of
-/// a joint: by how much less the damping of the record acts on the velocity before the step; of a
-/// line: which share of K in its record acts on that velocity, the rest on the one ahead.
+/// Compute the geometric record. The force on slot b acts at the point of the joint: the first
+/// three rows are translations along ±E. @return for a joint: factor by which the damping of the
+/// record is reduced for the velocity before the step. For a line: fraction of K in its record that
+/// acts on that velocity; the rest acts on the extrapolated one.
 template <class K>
 double geometry(const View& view, const typename K::Data& data, const BodyRef* refs,
                 std::int32_t id, const Rows<K::kBodies, K::kRows>& rows) {
@@ -84,13 +84,13 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     if constexpr (K::kGeometry == Geometry::line) {
         const V3 u = load3(rows.J[1][0]);
         const double tension = -lambda[0] * per_h;
-        // Compression has a negative geometric stiffness: left out, so that M̃ stays positive.
+        // Compression has a negative geometric stiffness. It is omitted, so that M̃ stays positive.
         if (!(tension > 0.0)) return 1.0;
         const double length = norm(refs[1].x + r1 - refs[0].x - r0);
         const double full =
             4.0 * scale * fade(view, id, tension) * tension / (length > 1e-9 ? length : 1e-9);
         const double s = full * view.lightness[id];
-        // What turns with a line between two rigid bodies would lose its momentum to the rest.
+        // Bodies that turn with a line between two rigid bodies would lose momentum.
         const auto [late, ahead] = across_shares(rigid0 && rigid1 ? 0.0 : s, view.alert[id]);
         resolved = line_fade(view, body, s);
         rec[0] = resolved * (late + ahead) * full;
@@ -117,7 +117,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     return joint && t.damping > 0.0 ? t.back / t.damping : 1.0;
 }
 
-/// Record and torques of damping of a compact joint.
+/// Compute the record and the damping torques of a compact joint.
 template <class K>
 void evaluate_arms(const View& view, const typename K::Data& data, const BodyRef* refs,
                    std::int32_t id) {
@@ -138,12 +138,12 @@ void evaluate_arms(const View& view, const typename K::Data& data, const BodyRef
     store3(force + 3, -t.back * turn(view.v));
 }
 
-/// Those from ids[0] on, of `count`, that go eight at a time, lane by lane another one: the last
-/// few with some before them, which get the same results once more. @return how many.
+/// Process leading entries of `count` ids eight at a time, one per lane. The last group may overlap
+/// the one before, with the same results. @return number of processed entries.
 template <class Lanes, class Data, class Goes>
 std::int32_t by_eights(const View& view, const std::int32_t* ids, const Data* data,
                        std::int32_t count, Goes goes) {
-    // So many at a time: a run that is refused now and then is not looked at over and over.
+    // Limit a run, so that entries rejected in one run are not tested repeatedly.
     constexpr std::int32_t kMost = 16 * kLanes;
     std::int32_t run = 0;
     while (run < std::min(count, kMost) && goes(run)) ++run;
@@ -172,15 +172,15 @@ std::int32_t evaluate_lanes(const View& view, const std::int32_t* ids, const typ
     }
 }
 
-/// Speeds of the rows of one interaction: G v of the bodies that move, at the velocity before the
-/// step and at the one that the solve starts from; G v of those that are moved, in this step and in
+/// Speeds of the rows of one interaction. For bodies with freedom: G v at the velocity before the
+/// step and at the initial velocity of the solve. For prescribed bodies: G v in this step and in
 /// the one before.
 template <int R>
 struct Speeds {
     double now[R] = {}, start[R] = {}, prescribed[R] = {}, before[R] = {};
 };
 
-/// Violations and right-hand sides, and whether the interaction acts.
+/// Write violations, right-hand sides and the active flag of the interaction.
 template <class K>
 HAWSER_INLINE void write_rows(const View& view, std::int32_t id,
                               const Rows<K::kBodies, K::kRows>& rows, const Speeds<K::kRows>& s) {
@@ -196,7 +196,7 @@ HAWSER_INLINE void write_rows(const View& view, std::int32_t id,
             view.g[row + r] = rows.g[r];
             view.c[row + r] =
                 recalled * (s.now[r] + s.before[r]) - ups * inv_h4 * rows.g[r] - s.prescribed[r];
-            // What slid has no memory of its speed: it is to stop.
+            // A sliding friction row does not recall its speed: it is to stop.
             if (view.flags[id] & 128)
                 view.c[row + r] -= (1.0 - view.active[id]) * recalled * s.now[r];
             if (view.flags[id] & 1) {
@@ -208,7 +208,7 @@ HAWSER_INLINE void write_rows(const View& view, std::int32_t id,
     if (view.parted[id]) view.active[id] = 0.0;
 }
 
-/// Records of geometric stiffness and damping, and their forces at the velocities there are.
+/// Write records of geometric stiffness and damping, and their forces at the present velocities.
 template <class K>
 HAWSER_INLINE void write_geometry(const View& view, const typename K::Data& data,
                                   const BodyRef* refs, std::int32_t id,
@@ -251,7 +251,7 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         Rows<B, R> rows;
         K::evaluate(data[k], refs, rows);
 
-        // Speeds of the rows, and the packed Jacobian.
+        // Compute the speeds of the rows and the packed Jacobian.
         Speeds<R> speed;
         int width = 0;
         for (int b = 0; b < B; ++b) width += view.dof[body[b]];

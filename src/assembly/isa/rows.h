@@ -30,7 +30,7 @@ void first_rhs(const assembly::View&, std::int32_t, std::int32_t, bool) noexcept
 void first_body_rhs(const assembly::View&, std::int32_t, std::int32_t, bool) noexcept;
 void body_rhs(const assembly::View&, std::int32_t, std::int32_t) noexcept;
 void add_solution(const assembly::View&, std::int32_t, std::int32_t) noexcept;
-/// a − M̃ v₊ + Gᵀλ of a body, into its `dof` entries of out.
+/// Compute a − M̃ v₊ + Gᵀλ of a body, `dof` entries of the output.
 void momentum_residual(const assembly::View&, std::int32_t, double*) noexcept;
 void body_norms(const assembly::View&, std::int32_t, std::int32_t, assembly::Norms*) noexcept;
 std::int32_t rigid_energies(const assembly::View&, const std::int32_t*, std::int32_t, const double*,

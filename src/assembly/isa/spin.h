@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file spin.h
-/// The rotation of a rigid body within a step, body frame: without torque, and what torques add.
-/// The inertia is a matrix, or Principal where the body's axes are those of its inertia, as mostly.
+/// Rotation of a rigid body within a step, body frame: free rotation and the effect of torques. The
+/// inertia is a matrix, or Principal if the body axes are principal axes, as usual.
 
 #include "base/simd.h"
 
@@ -17,7 +17,7 @@ template <class T>
 HAWSER_INLINE V3T<T> operator*(const Principal<T>& i, const V3T<T>& v) {
     return {i.moment[0] * v.x, i.moment[1] * v.y, i.moment[2] * v.z};
 }
-/// R I Rᵀ.
+/// Return R I Rᵀ.
 template <class T>
 HAWSER_INLINE M3T<T> in_world(const M3T<T>& r, const M3T<T>& inertia) {
     return congruence(r, inertia.a);
@@ -34,7 +34,7 @@ HAWSER_INLINE M3T<T> in_world(const M3T<T>& r, const Principal<T>& inertia) {
     }
     return o;
 }
-/// (E + û) I.
+/// Return (E + û) I.
 template <class T>
 HAWSER_INLINE M3T<T> turned(const M3T<T>& inertia, const V3T<T>& u) {
     const T* i = inertia.a;
@@ -50,11 +50,13 @@ HAWSER_INLINE M3T<T> turned(const Principal<T>& inertia, const V3T<T>& u) {
     return {{i[0], -z * i[1], y * i[2], z * i[0], i[1], -x * i[2], -y * i[0], x * i[1], i[2]}};
 }
 
-/// Angular velocity after h without torque, body frame: the Cayley form of the discrete
-/// Euler equations (Bou-Rabee, Marsden, "Hamilton-Pontryagin integrators on Lie groups", 2009)
+/// Return the angular velocity after h without torque, body frame. Source: the Cayley form of the
+/// discrete Euler equations in Bou-Rabee, Marsden, "Hamilton-Pontryagin integrators on Lie groups",
+/// 2009.
 ///   F(ω₊; +h) = F(ω; −h),  F(ω; s) = Iω + (s/2) ω × Iω + (s²/4)(ω·Iω) ω.
-/// Newton from the explicit step; its Jacobian is well conditioned while h|ω| < 1. The next
-/// correction is about h|ω| times the square of one, so that slow bodies need one iteration.
+/// Newton's method starts from the explicit step; its Jacobian is well conditioned if h|ω| < 1.
+/// Each correction is about h|ω| times the square of the one before, so that slow bodies need one
+/// iteration.
 template <class T, class Inertia>
 HAWSER_INLINE V3T<T> free_rotation(const Inertia& inertia, const Inertia& inverse, const V3T<T>& w,
                                    const T& h) {
@@ -77,21 +79,21 @@ HAWSER_INLINE V3T<T> free_rotation(const Inertia& inertia, const Inertia& invers
                         m.a[8] + (qe + qu.z * iu.z)}};
         const V3T<T> du = solve3(j, f);
         u = u - du;
-        // h|ω| (|δ|/|ω|)² below 1e-17, squared.
+        // Stop if h|ω| (|δ|/|ω|)² is below 1e-17; here squared.
         const T square = dot(u, u), change = dot(du, du);
         if (!any(positive_part(4.0 * quarter * square * change * change -
                                1e-34 * (square * square))))
             break;
     }
-    // Where h|ω| is far above one that may not have come to an end, and energy would grow without
-    // bound: such a spin stays as it is.
+    // If h|ω| is far above 1, the iteration may not converge and energy could grow without bound.
+    // Such a spin stays unchanged.
     return select_greater(1.5 * dot(w, iw), dot(u, inertia * u), u, w);
 }
 
-/// Gyroscopic impulse between the spin and the change δ that torques make to it in this step,
-/// −(h/2)(δ × Iω + ω × Iδ): the mean of both ends of the step instead of its start, without
-/// which a spinning body under torque (a top) is of first order only. δ is that of the last
-/// step: explicit, so damped where h|ω| is large.
+/// Return the gyroscopic impulse between the spin and the change δ due to torques in this step,
+/// −(h/2)(δ × Iω + ω × Iδ). It is the mean of both ends of the step. With the value at the start
+/// only, a spinning body under torque (a top) would be of first order. δ is taken from the last
+/// step. The term is explicit and therefore damped if h|ω| is large.
 template <class T, class Inertia>
 HAWSER_INLINE V3T<T> forced_gyro(const Inertia& inertia, const V3T<T>& w, const V3T<T>& change,
                                  const T& h) {
@@ -100,14 +102,15 @@ HAWSER_INLINE V3T<T> forced_gyro(const Inertia& inertia, const V3T<T>& w, const 
     return V3T<T>{zero(h), zero(h), zero(h)} - limit * sum;
 }
 
-/// What spinning brings to a body's own terms, world frame.
+/// Spin terms in the own terms of a body, world frame.
 template <class T>
 struct Spin {
     M3T<T> inertia;
     V3T<T> free;      ///< ω₊ without torque.
-    V3T<T> momentum;  ///< I ω₊ of that, with the gyroscopic impulse.
+    V3T<T> momentum;  ///< I ω₊ of `free`, with the gyroscopic impulse.
 };
-/// @param r, w, change  Rotation, ω in the world frame, δ in the body's.
+/// Compute the spin terms. @param r, w, change  Rotation, ω in the world frame, δ in the body
+/// frame.
 template <class T, class Inertia>
 HAWSER_INLINE Spin<T> spin_terms(const Inertia& inertia, const Inertia& inverse, const M3T<T>& r,
                                  const V3T<T>& w, const V3T<T>& change, const T& h) {

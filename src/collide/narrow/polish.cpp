@@ -18,8 +18,8 @@ struct Nearby {
     }
 };
 
-constexpr double kNear =
-    0.05;  ///< Accuracy required of a guess [rad]; GJK and EPA are far more accurate.
+/// Accuracy required of a guess [rad]; GJK and EPA are far more accurate.
+constexpr double kNear = 0.05;
 
 /// Collect the faces of `s` with normals near n, and the edges nearly perpendicular to n.
 void look_around(const Convex& s, const V3& n, Nearby& out) {

@@ -40,11 +40,11 @@ struct ShapeData {
     std::vector<std::int32_t> loop;       ///< Vertices of the faces.
     std::vector<std::int32_t> loop_edge;  ///< Edge from loop[i] to the next vertex of its face.
     std::vector<HullEdge> edges;
-    std::vector<std::int32_t> star,
-        star_edge;  ///< Edges of vertex v: star_edge[star[v]] to star_edge[star[v + 1] − 1].
+    /// Edges of vertex v: star_edge[star[v]] to star_edge[star[v + 1] − 1].
+    std::vector<std::int32_t> star, star_edge;
     // Data of a mesh. Edge k of a triangle runs from corner k to the next.
-    std::vector<std::int32_t>
-        triangles;                    ///< Three vertices per triangle, in the order of the tree.
+    /// Three vertices per triangle, in the order of the tree.
+    std::vector<std::int32_t> triangles;
     std::vector<std::int32_t> names;  ///< Index in the definition, by triangle.
     /// Third vertex of the neighbour across each edge, by triangle and edge. −1 at the border and
     /// if more than two triangles share the edge.

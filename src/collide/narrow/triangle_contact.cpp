@@ -13,8 +13,8 @@ namespace {
 constexpr double kLean = 1e-6;       ///< A neighbour that rises by less counts as flat [rad].
 constexpr double kGroup = 0.99;      ///< Minimum cosine between normals of one group.
 constexpr double kSamePlace = 1e-6;  ///< Tolerance of equal points, relative to the size.
-constexpr double kDeeperFace =
-    1e-8;  ///< Minimum additional depth of an added point, relative to the size.
+/// Minimum additional depth of an added point, relative to the size.
+constexpr double kDeeperFace = 1e-8;
 
 /// True if m (unit, out of the surface) is an admissible normal at the part of the triangle that
 /// faces it.

@@ -19,8 +19,8 @@
 
 namespace hawser::collide::narrow {
 
-inline constexpr int kMaxRing =
-    32;  ///< Maximum number of vertices around a vertex; further ones are ignored.
+/// Maximum number of vertices around a vertex; further ones are ignored.
+inline constexpr int kMaxRing = 32;
 
 struct SurfaceTriangle {
     Convex triangle;
