@@ -11,9 +11,9 @@
 
 namespace hawser::session {
 
-/// Values that a control file may contain: of inputs of the world by their index, then of those
-/// that signal_names() lists. Inputs of the world are clamped to narrower ranges of their own as
-/// the run goes on.
+/// Return the ranges of values that a control file may contain. First come the world's inputs by
+/// index, then the signals of signal_names(). The world also clamps its inputs to their own
+/// narrower ranges during the run.
 [[nodiscard]] std::vector<record::ControlRange> control_ranges(const scene::Scene& scene,
                                                                std::size_t places);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file run_notes.h
-/// Tells a recording what a run has been told beside inputs of the world, for pictures.
+/// Write the signals and operations of a run, other than inputs of the world, to a recording, for
+/// pictures.
 
 #include <hawser/timeline.h>
 #include <hawser/world.h>
@@ -15,12 +16,12 @@ namespace hawser::session {
 
 class RunNotes {
   public:
-    /// Another recording, or another state: what signals have is not known.
+    /// Forget all values of signals. Call after a change of the recording or of the state.
     void clear() noexcept { told_.clear(); }
-    /// A signal that has been set to a value; nothing where it has been told so.
+    /// Write the new value of a signal. Do nothing if the same value was written last.
     void signal(const World& world, record::RecordingWriter& to, const std::string& name,
                 double value);
-    /// What a timeline has just done.
+    /// Write the operations that the timeline performed last.
     void operations(const World& world, record::RecordingWriter& to,
                     std::span<const scene::Operation> done);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file timeline.h
-/// Does what a scene's timeline says.
+/// Perform the operations of a scene's timeline.
 
 #include <hawser/timeline.h>
 
@@ -10,28 +10,29 @@
 
 namespace hawser::session {
 
-/// What is due by it was done before the step that led to the present state [s].
+/// Return the time up to which all operations were performed before the step that led to the
+/// present state [s].
 [[nodiscard]] double last_done(const World& world) noexcept;
 
 class Timeline {
   public:
-    /// Operations before the step that led to the present state have been done.
+    /// Skip the operations that were performed before the step that led to the present state.
     void skip(std::span<const scene::Operation> all, const World& world) noexcept;
-    /// Those that are due, in order. @throws DefError with time and operation where one cannot be
-    /// done.
+    /// Perform the operations that are due, in order. @throws DefError with time and operation if
+    /// one of them fails.
     void take(std::span<const scene::Operation> all, World& world);
-    /// Whether one of those that have been done has set an input or signal after a time [s].
+    /// True if a performed operation later than a time [s] has set the input or signal `name`.
     [[nodiscard]] bool sets(std::span<const scene::Operation> all, const std::string& name,
                             double after) const;
-    /// Those that the last take() has done.
+    /// Return the operations that the last take() has performed.
     [[nodiscard]] std::span<const scene::Operation> done(
         std::span<const scene::Operation> all) const noexcept {
         return all.subspan(begun_, next_ - begun_);
     }
 
   private:
-    std::size_t next_ = 0;   ///< The first that is not done yet.
-    std::size_t begun_ = 0;  ///< That was so before the last take().
+    std::size_t next_ = 0;   ///< Index of the first operation that is not performed yet.
+    std::size_t begun_ = 0;  ///< Value of next_ before the last take().
 };
 
 }  // namespace hawser::session
