@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file change_fields.h
-/// The fields of definitions in the order in which a recording has them: said once, for writing
-/// and for reading. A field is added at the end of its list, with another ChangeKind.
+/// List the fields of definitions in the order of a recording, once for writing and reading. A new
+/// field goes to the end of its list and needs a new ChangeKind.
 
 #include <hawser/hawser.h>
 
@@ -175,7 +175,7 @@ void visit_fields(D& d, F&& f) {
     f.list(d.shapes);
     f(d.owns);
     f(d.trim.EI);
-    // Of its capsules: none, between lumps, to its ends.
+    // Extent of the wire's capsules: none, between nodes, or to its ends.
     enum class Capsules : std::uint8_t { none, lumps, ends };
     Capsules capsules = !d.trim.segment   ? Capsules::none
                         : !d.trim.to_ends ? Capsules::lumps

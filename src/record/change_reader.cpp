@@ -11,8 +11,8 @@ namespace hawser::record {
 
 namespace {
 
-/// Has the mass of an element as the system had that carried it when its end was let go: replays
-/// have none.
+/// Replay of the mass that a system added to an element when its end was released: replays have no
+/// systems.
 class Carrier final : public System {
   public:
     Carrier(InteractionId element, double mass) : element_(element), mass_(mass) {}

@@ -8,7 +8,7 @@
 
 namespace hawser::record {
 
-/// Nothing is left of a change that does not fit into memory.
+/// Write one change. If allocation fails, remove its bytes.
 template <class F>
 void ChangeBytes::write(F&& fields) noexcept {
     try {

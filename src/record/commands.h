@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file commands.h
-/// What is commanded in a run beside inputs of the scene, as recordings keep it for pictures.
+/// Texts of the commands of a run, other than inputs of the scene, as recordings store them for
+/// pictures.
 
 #include <hawser/hawser.h>
 #include <hawser/recording.h>
@@ -13,26 +14,27 @@
 
 namespace hawser::record {
 
-/// Kinds of notes (RecordedNote) whose bytes are a text: what was done to the world, "cut tow at
-/// 120 m", and a signal of a system that was set, "winch.speed 0.5".
+/// Kinds of notes (RecordedNote) whose bytes are a text. "done": a change of the world, "cut tow at
+/// 120 m". "set": a signal of a system with its value, "winch.speed 0.5".
 inline constexpr char kDoneNote[] = "done";
 inline constexpr char kSetNote[] = "set";
 
-/// The text of such a note.
+/// Return the text of such a note.
 [[nodiscard]] std::string text_of(const RecordedNote& note);
 
-/// Whether an input of a recording, by its place, is a part of a system, which drives it.
+/// True if the input at index `place` of a recording is part of a system, which drives it.
 [[nodiscard]] bool is_inner_input(const Recording& recording, std::size_t place);
 
-/// Whether an input is a part of a system, which drives it: its name begins with the system's, as
-/// "winch/motor/speed" of a winch.
+/// True if an input is part of a system, which drives it. Its name then begins with the system's
+/// name, as "winch/motor/speed" of a winch.
 [[nodiscard]] bool is_inner_input(const World& world, std::string_view name);
 
-/// Words of a winch's mode, in the order of WinchMode; nothing of other signals.
+/// Return the words of a winch's mode, in the order of WinchMode. Return an empty list for other
+/// signals.
 [[nodiscard]] std::vector<std::string> signal_words(const World& world, const SystemSignal& signal);
 
-/// A value that a signal has been given, "winch.speed 0.5" or "winch.mode render"; "" where there
-/// is no such signal. @param words  Set to whether the value has a word.
+/// Return a signal with its new value, "winch.speed 0.5" or "winch.mode render", or "" if there is
+/// no such signal. @param words  Set to true if the value has a word, else to false.
 [[nodiscard]] std::string signal_text(const World& world, std::string_view name, double value,
                                       bool& words);
 

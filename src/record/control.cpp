@@ -17,7 +17,7 @@ namespace {
 
 struct Field {
     std::string_view text;
-    std::size_t column = 1;  // Of its first character, from 1.
+    std::size_t column = 1;  // Column of its first character, from 1.
 };
 
 std::vector<Field> split(std::string_view line) {
@@ -127,7 +127,7 @@ class Parser {
     [[nodiscard]] double number(const Field& field) const {
         double value = 0.0;
         const char* end = field.text.data() + field.text.size();
-        // NOLINTNEXTLINE(bugprone-suspicious-stringview-data-usage): the end is given.
+        // NOLINTNEXTLINE(bugprone-suspicious-stringview-data-usage): the call passes the end.
         const auto [at, error] = std::from_chars(field.text.data(), end, value);
         if (error != std::errc() || at != end || !std::isfinite(value))
             fail(field.column, fmt::format("\"{}\" is not a finite number", field.text));

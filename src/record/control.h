@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file control.h
-/// Input values over time from a CSV file.
+/// Read input values over time from a CSV file.
 ///
 /// First line `time,<input name>,<input name>,…`; then one line per moment, times ascending.
-/// A value holds from its time on until the next. An empty field leaves the input as it is.
+/// A value applies from its time until the next one. An empty field leaves the input unchanged.
 /// Lines that are empty or begin with # are skipped.
 
 #include <cstdint>
@@ -17,25 +17,26 @@
 
 namespace hawser::record {
 
-/// what() = "file:line:column: message".
+/// `what()` = "file:line:column: message".
 struct ControlError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// What an input takes.
+/// Range of the values that an input accepts.
 struct ControlRange {
     double min = -1e300, max = 1e300;
     std::string unit{};  ///< For messages.
 };
 
 struct ControlChange {
-    double time = 0.0;  ///< [s]
+    double time = 0.0;  ///< Time from which the value applies [s].
     std::int32_t input = 0;
     double value = 0.0;
 };
 
-/// @param inputs Names of the world's inputs in their order.
-/// @param ranges Of each; empty: none has one. @throws ControlError, for what is not within it too.
+/// Read the values of a control file. @param inputs Names of the world's inputs in their order.
+/// @param ranges Range of each input; empty: no input has a range. @throws ControlError, also if a
+/// value is outside its range.
 [[nodiscard]] std::vector<ControlChange> read_control(const std::filesystem::path& file,
                                                       std::span<const std::string> inputs,
                                                       std::span<const ControlRange> ranges = {});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file csv.h
-/// Results over time as comma-separated values: tensions at both ends of every cable,
-/// position and Euler angles of the plotted bodies, then the outputs that the world has. What is
-/// removed later leaves "nan" in its columns; what is added has none.
+/// Write results over time as comma-separated values. Columns: tensions at both ends of every
+/// cable, positions and Euler angles of the plotted bodies, then the outputs of the world. Columns
+/// of removed objects contain "nan" from then on; added objects have no columns.
 
 #include "record/scene_info.h"
 
@@ -19,7 +19,7 @@ namespace hawser::record {
 
 class CsvWriter {
   public:
-    /// Writes the line of names. @throws std::runtime_error when the file cannot be written.
+    /// Write the line of names. @throws std::runtime_error if the file cannot be written.
     CsvWriter(const std::filesystem::path& file, const SceneInfo& scene, const World& world);
     void add_row(const World& world);
     void finish();
@@ -32,7 +32,8 @@ class CsvWriter {
 
     std::filesystem::path file_;
     std::unique_ptr<std::FILE, CloseFile> out_;
-    /// Of a cable: a wire, whose elements come and go, or a row of links.
+    /// Ends of a cable. A cable is a wire, whose elements may be added and removed, or a row of
+    /// links.
     struct Ends {
         WireId wire;
         InteractionId first, last;

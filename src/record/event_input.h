@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file event_input.h
-/// Where events are, in words: inputs that were asked for more than their range, lines, bodies.
+/// Describe the source of events in words: inputs whose requested value was out of range, lines,
+/// bodies.
 
 #include <hawser/hawser.h>
 #include "record/scene_info.h"
@@ -12,8 +13,9 @@
 
 namespace hawser::record {
 
-/// The input that an event tells of, of a system as "winch.mode": Event::input is then −2 less its
-/// place in World::system_signals(). "": of none, or of one that is no more.
+/// Return the name of an event's input. For an input of a system, as "winch.mode", Event::input is
+/// −2 minus its index in World::system_signals(). Return "" if the event has no input or the input
+/// was removed.
 [[nodiscard]] inline std::string input_label(const World& world, const Event& event) {
     if (event.input.valid())
         return world.alive(event.input) ? world.input_def(event.input).name : std::string();
@@ -24,8 +26,8 @@ namespace hawser::record {
     return signal.system + "." + signal.name;
 }
 
-/// Where an event is: its input; of a line that parts, where along its wire; else as place_label()
-/// has it.
+/// Return the source of an event: its input; for a line that breaks the position along its wire;
+/// else the result of place_label().
 [[nodiscard]] inline std::string event_label(const World& world, const Event& event) {
     if (std::string input = input_label(world, event); !input.empty()) return input;
     if (event.kind == EventKind::line_break && event.interaction.valid())

@@ -16,7 +16,7 @@
 
 namespace hawser::record {
 
-/// Puts fields of a definition.
+/// Write the fields of a definition.
 struct PutFields {
     ByteWriter& out;
 
@@ -67,7 +67,7 @@ struct PutFields {
     }
 };
 
-/// Gets them in the same order. What a value may be is for the world to say.
+/// Read fields in the order in which they were written. The world checks the values.
 struct GetFields {
     ByteReader& in;
 
@@ -116,7 +116,8 @@ struct GetFields {
     }
     template <class T>
     void list(std::vector<T>& all) {
-        // Of what a name begins the least are the sizes of its texts and lists, and its numbers.
+        // Least size of an entry. For a class it is the size of its numbers and of the counts of
+        // its texts and lists.
         constexpr std::size_t kLeast = std::is_arithmetic_v<T> ? sizeof(T)
                                        : sizeof(T) < 64        ? 8
                                                                : 32;

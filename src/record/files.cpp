@@ -14,7 +14,7 @@
 namespace hawser::record {
 namespace {
 
-/// Closes at the end.
+/// File descriptor that is closed by the destructor.
 class Descriptor {
   public:
     explicit Descriptor(int value) : value_(value) {}
@@ -24,7 +24,7 @@ class Descriptor {
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     [[nodiscard]] int get() const noexcept { return value_; }
-    /// @return whether all has been written.
+    /// Close the file. @return true if all data was written.
     [[nodiscard]] bool close() noexcept { return ::close(std::exchange(value_, -1)) == 0; }
 
   private:
@@ -33,7 +33,7 @@ class Descriptor {
 
 std::string reason(int error) { return std::strerror(error); }
 
-/// What something is that is no plain file.
+/// Describe a file that is not a plain file.
 const char* kind_of(mode_t mode) {
     if (S_ISDIR(mode)) return "a folder";
     if (S_ISFIFO(mode)) return "a pipe";
@@ -44,7 +44,7 @@ const char* kind_of(mode_t mode) {
 
 template <class Out>
 std::string read_to(const std::filesystem::path& file, Out& out, std::size_t most) {
-    // Without O_NONBLOCK a pipe that nobody writes would be waited for.
+    // Without O_NONBLOCK, open() would wait for the writer of a pipe.
     const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat about{};
     if (in.get() < 0 || ::fstat(in.get(), &about) != 0) return "cannot open: " + reason(errno);
@@ -62,7 +62,7 @@ std::string read_to(const std::filesystem::path& file, Out& out, std::size_t mos
         const ssize_t n = ::read(in.get(), out.data() + done, size - done);
         if (n < 0 && errno == EINTR) continue;
         if (n < 0) return "cannot read: " + reason(errno);
-        if (n == 0) break;  // it became shorter meanwhile
+        if (n == 0) break;  // The file became shorter while it was read.
         done += static_cast<std::size_t>(n);
     }
     out.resize(done);
@@ -79,7 +79,7 @@ bool write_all(int to, std::span<const std::byte> bytes) {
     return true;
 }
 
-/// Where a name leads to: the end of its links, whether there is something or not.
+/// Return the end of a name's symbolic links, also if no file exists at that end.
 std::filesystem::path target(const std::filesystem::path& file) {
     constexpr int kMostLinks = 40;  // as many as Linux follows
     std::error_code failure;
@@ -87,7 +87,7 @@ std::filesystem::path target(const std::filesystem::path& file) {
     for (int links = 0; !failure && links < kMostLinks; ++links) {
         const auto out = std::filesystem::weakly_canonical(at, failure);
         if (failure) break;
-        // What exists has been followed; a link to what does not is left as it stands.
+        // weakly_canonical() follows existing links; it leaves a link to a missing file unchanged.
         if (!std::filesystem::is_symlink(std::filesystem::symlink_status(out, failure))) return out;
         at = out.parent_path() / std::filesystem::read_symlink(out, failure);
     }
@@ -99,7 +99,8 @@ bool is_device(const std::filesystem::path& file) {
     return ::stat(file.c_str(), &about) == 0 && S_ISCHR(about.st_mode);
 }
 
-/// A file beside `to`, open for writing, with the rights that `to` has or would get.
+/// Open a new file in the folder of `to` for writing, with the permissions that `to` has or would
+/// get.
 int open_beside(const std::filesystem::path& to, std::string& name) {
     name = to.string() + ".XXXXXX";
     const int out = ::mkostemp(name.data(), O_CLOEXEC);
@@ -108,7 +109,8 @@ int open_beside(const std::filesystem::path& to, std::string& name) {
     const mode_t mask = ::umask(0);
     ::umask(mask);
     const mode_t rights = ::stat(to.c_str(), &about) == 0 ? about.st_mode & 07777U : 0666U & ~mask;
-    (void)::fchmod(out, rights);  // an owner's wish; the file serves without
+    (void)::fchmod(out,
+                   rights);  // A failure is ignored: the file is usable without these permissions.
     return out;
 }
 
@@ -152,7 +154,8 @@ std::string write_file(const std::filesystem::path& file, std::span<const std::b
     std::string name;
     Descriptor out(open_beside(to, name));
     if (out.get() < 0) return reason(errno);
-    // On the disk before it gets the name: else a crash could leave an empty file for the old one.
+    // Flush the data before the rename: otherwise a crash could replace the old file by an empty
+    // one.
     if (write_all(out.get(), bytes) && (flush == Flush::later || ::fsync(out.get()) == 0) &&
         out.close() && std::rename(name.c_str(), to.c_str()) == 0)
         return {};

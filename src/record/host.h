@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file host.h
-/// The machine a run was made on.
+/// Describe the machine of a run.
 
 #include <array>
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace hawser::record {
 
-/// As the processor names itself; "unknown" where that cannot be read.
+/// Return the processor's own name; "unknown" if it cannot be read.
 [[nodiscard]] std::string processor_model();
-/// Processors this process may use.
+/// Return the number of processors that this process may use.
 [[nodiscard]] int processor_count();
-/// Mean number of running tasks over 1, 5 and 15 minutes; −1 where unknown.
+/// Return the mean number of running tasks over 1, 5 and 15 minutes; −1 if unknown.
 [[nodiscard]] std::array<double, 3> load_average();
-/// Largest resident size of this process so far [bytes].
+/// Return the largest resident size of this process since its start [bytes].
 [[nodiscard]] std::int64_t peak_memory();
 
 }  // namespace hawser::record

@@ -23,7 +23,7 @@ void put_joints(ByteWriter& out, const SceneInfo& scene, const World& world) {
     }
 }
 
-// Point of the first or last body that the cable holds.
+// Return the point of the first or last body to which the cable is attached.
 Vec3 end_point(const CableInfo& cable, const World& world, bool last) {
     if (cable.elements.empty() || cable.nodes.empty()) return Vec3::Zero();
     const BodyId body = last ? cable.nodes.back() : cable.nodes.front();
@@ -45,7 +45,7 @@ std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world)
     std::vector<InteractionId> joints;
     for (const InteractionId id : world.interactions()) {
         const KindInfo& kind = kind_info(world.interaction_def(id).kind);
-        // Lines that drums pay out and parts of routes have their drums and slides behind them.
+        // Lines of drums and parts of routes have two bodies, followed by their drum or slide.
         const bool two = kind.bodies == 2 || kind.scalar_slot == 2;
         if (two && kind.uses_points && !in_cable[static_cast<std::size_t>(id.index)])
             joints.push_back(id);
@@ -65,7 +65,8 @@ void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose) {
 
 void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world) {
     out.put(static_cast<std::uint32_t>(world.body_count()));
-    // By place: what is empty counts too, since all else names bodies by theirs.
+    // Write bodies by index. Empty slots are written too, because all other entries refer to bodies
+    // by index.
     std::int32_t place = 0;
     for (const BodyId id : world.bodies()) {
         for (; place < id.index; ++place) put_body(out, BodyDef{}, Pose{});

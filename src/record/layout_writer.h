@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file layout_writer.h
-/// What a recording says of a scene before its first frame: bodies, cables, joints
-/// (docs/recording.md).
+/// Write the description of a scene that precedes the first frame of a recording: bodies, cables,
+/// joints (docs/recording.md).
 
 #include "record/bytes.h"
 #include "record/scene_info.h"
@@ -13,10 +13,11 @@
 
 namespace hawser::record {
 
-/// Joints and rods between two bodies that are not elements of a cable, as a layout has them.
+/// Return joints and rods between two bodies that are not elements of a cable, in the order of a
+/// layout.
 [[nodiscard]] std::vector<InteractionId> joints_of(const SceneInfo& scene, const World& world);
 void put_body(ByteWriter& out, const BodyDef& def, const Pose& pose);
-/// Names of inputs by place, "" where one was removed; and which of them systems drive.
+/// Write the names of inputs by index, "" for a removed input, and the inputs that systems drive.
 void put_input_names(ByteWriter& out, const World& world);
 void put_layout(ByteWriter& out, const SceneInfo& scene, const World& world);
 

@@ -10,7 +10,7 @@ namespace hawser::record {
 
 namespace {
 
-// Levenshtein's distance, one row at a time.
+// Compute the Levenshtein distance, one row at a time.
 std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -29,7 +29,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
-    // A name longer than any sensible one would only cost time.
+    // Longer names are no typing errors and would only cost time.
     const std::string_view asked = name.substr(0, 200);
     std::string best;
     std::size_t least = std::numeric_limits<std::size_t>::max();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file names.h
-/// The name that was probably meant.
+/// Find the existing name that is most similar to a misspelled one.
 
 #include <span>
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace hawser::record {
 
-/// The candidate with the fewest insertions, deletions and replacements of characters; empty
-/// when there is no candidate.
+/// Return the candidate with the fewest insertions, deletions and replacements of characters; empty
+/// if there is no candidate.
 [[nodiscard]] std::string nearest_name(std::string_view name,
                                        std::span<const std::string> candidates);
 

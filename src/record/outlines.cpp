@@ -10,7 +10,7 @@
 namespace hawser::record {
 namespace {
 
-constexpr int kMostLines = 64;  ///< Of a ground along each side.
+constexpr int kMostLines = 64;  ///< Largest number of lines along each side of a ground.
 constexpr std::size_t kMostTriangles = 4096;
 
 std::vector<Vec3> rim(double radius, double z) {
@@ -22,7 +22,7 @@ std::vector<Vec3> rim(double radius, double z) {
     return out;
 }
 
-/// Rows and columns of a heightfield, every k-th, the last one included.
+/// Add every k-th row and column of a heightfield, including the last one.
 void ground_lines(const ShapeDef& def, RecordedOutline& out) {
     const auto some = [](int count) {
         std::vector<int> at;
@@ -42,7 +42,7 @@ void ground_lines(const ShapeDef& def, RecordedOutline& out) {
                             static_cast<std::size_t>(j)]);
 }
 
-/// Outline of a shape in the shape's own frame.
+/// Return the outline of a shape in the shape's own frame.
 RecordedOutline in_shape(const ShapeDef& def) {
     RecordedOutline out;
     out.body = def.body.index;

@@ -21,7 +21,7 @@ constexpr double kRampShare = 0.4;
 constexpr double kLimitShare = 0.3;
 constexpr double kRestShare = 0.2;
 
-/// Values of one input: by line of the file, counted in intervals from time 0.
+/// Random values of one input, by line of the file. Lines are counted in intervals from time 0.
 class RandomSequence {
   public:
     RandomSequence(const RandomInput& input, const RandomControlDef& def)
@@ -56,7 +56,7 @@ class RandomSequence {
         value = std::clamp(value, input_.min, input_.max);
         return input_.whole ? std::round(value) : value;
     }
-    /// In [0, 1). std::uniform_real_distribution differs between libraries.
+    /// Return a random number in [0, 1). std::uniform_real_distribution differs between libraries.
     [[nodiscard]] double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
     [[nodiscard]] double pause() { return def_.period * (0.25 + 1.5 * uniform()); }
     [[nodiscard]] std::int64_t line(double time) const {
@@ -78,7 +78,7 @@ class RandomSequence {
     std::mt19937_64 random_;
 };
 
-/// Six digits, or all of them where rounding leaves the range.
+/// Format a number with six digits, or with all digits if rounding leaves the range.
 std::string number(double value, const RandomInput& input) {
     std::string text = fmt::format("{:.6g}", value);
     const double rounded = std::strtod(text.c_str(), nullptr);

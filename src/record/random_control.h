@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_control.h
-/// Generates random input values over time as a control file (record/control.h).
+/// Generate random input values over time as a control file (record/control.h).
 ///
-/// Each input has a random sequence of its own, from the seed and its name: adding an input to a
-/// scene leaves the values of the others. The generator is std::mt19937_64, whose numbers the C++
-/// standard fixes, and the text depends on nothing else.
+/// Each input has its own random sequence, from the seed and its name. An additional input
+/// therefore does not change the values of the others. The generator is std::mt19937_64, whose
+/// numbers the C++ standard fixes, and the text depends on no other source.
 
 #include <cstdint>
 #include <span>
@@ -28,8 +28,9 @@ struct RandomControlDef {
     double interval = 0.1;  ///< Time between the lines of a ramp, and unit of all times [s].
 };
 
-/// Text of a control file: steps (60 %) and ramps (40 %) to a limit of the range (30 %), to `rest`
-/// (20 %) or to any value between. The first line of values has the start of all inputs.
+/// Return the text of a control file. It has steps (60 %) and ramps (40 %). Their targets are a
+/// limit of the range (30 %), `rest` (20 %) or any value between. The first line of values contains
+/// the start of all inputs.
 [[nodiscard]] std::string random_control(std::span<const RandomInput> inputs,
                                          const RandomControlDef& def);
 

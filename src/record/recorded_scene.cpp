@@ -18,7 +18,7 @@ scene::Scene recorded_scene(const Recording& recording, int threads) {
     scene::Scene scene =
         scene::load_text(recording.scene_text, recording.file + " (embedded scene)", options);
     World& world = scene.world;
-    // What systems of the scene did is in the recording.
+    // The recording contains the effects of the scene's systems.
     while (world.system_count() > 0) (void)world.remove_system(world.system(0));
     const auto bad_input = [&](const record::RecordedInput& input) {
         return input.input < 0 || input.input >= world.input_count();

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file recorded_scene.h
-/// The world that a recording is repeated in.
+/// Build the world in which a recording is repeated.
 
 #include <hawser/recording.h>
 #include <hawser/scene.h>
 
 namespace hawser::record {
 
-/// The scene in a recording, without systems, in the state in which the recording began: what a
-/// Repeater needs. @throws RecordingError where it has none that fits, scene::SceneError, DefError.
+/// Return the scene in a recording, without systems, in the state at the start of the recording, as
+/// a Repeater needs it. @throws RecordingError if the recording has no valid scene,
+/// scene::SceneError, DefError.
 [[nodiscard]] scene::Scene recorded_scene(const Recording& recording, int threads);
 
 }  // namespace hawser::record

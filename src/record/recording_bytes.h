@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file recording_bytes.h
-/// Values of a recording with their ranges. Each function throws BadBytes for another one: a
-/// checksum is right in whatever was written with it.
+/// Read values of a recording and check their ranges. Each function throws BadBytes for a value out
+/// of range. A checksum does not replace these checks: it is valid for any bytes written with it.
 
 #include "record/bytes.h"
 
@@ -15,8 +15,8 @@
 namespace hawser::record {
 
 inline constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;  ///< Times are doubles.
-inline constexpr double kMostStep = 1.0;                           ///< As WorldDef::step [s].
-inline constexpr std::int32_t kMostStride = 1'000'000;             ///< As --record-every.
+inline constexpr double kMostStep = 1.0;                ///< Largest step, as in WorldDef::step [s].
+inline constexpr std::int32_t kMostStride = 1'000'000;  ///< Largest stride, as in --record-every.
 
 template <class Enum>
 Enum get_enum(ByteReader& in, int count) {
@@ -32,7 +32,7 @@ T get_finite(ByteReader& in) {
     return value;
 }
 
-/// A step from `least` on.
+/// Read a step ≥ `least`.
 inline std::int64_t get_step(ByteReader& in, std::int64_t least) {
     const auto value = in.get<std::int64_t>();
     if (value < least || value > kMostSteps) throw BadBytes("a step is out of range");
@@ -54,7 +54,7 @@ inline Vec3 get_vector(ByteReader& in) {
     return {x, y, z};
 }
 
-/// w, x, y, z.
+/// Read a quaternion in the order w, x, y, z.
 template <class T>
 Quat get_quaternion(ByteReader& in) {
     const double w = get_finite<T>(in), x = get_finite<T>(in), y = get_finite<T>(in),

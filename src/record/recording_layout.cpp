@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a recording says of settings, bodies and cables before its first frame.
+/// Read settings, bodies and cables, which precede the first frame of a recording.
 #include <hawser/recording.h>
 #include "record/recording_bytes.h"
 #include "record/recording_format.h"
@@ -98,7 +98,7 @@ void Recording::read_layout(ByteReader in) {
         for (Vec3& end : cable.end) end = get_vector(in);
         const auto count = in.get<std::uint32_t>();
         cable.first_element = static_cast<std::int32_t>(elements);
-        // Between two nodes, or one more where an end is fast to the world.
+        // Elements lie between two nodes; an end that is attached to the world adds one.
         if (count > cable.nodes.size() + 1) throw BadBytes("more elements than nodes");
         cable.elements = static_cast<std::int32_t>(count);
         elements += count;
@@ -118,7 +118,7 @@ void Recording::read_layout(ByteReader in) {
     element_count = static_cast<std::int32_t>(elements);
 }
 
-/// Steps may go back where a state was restored: whose notes they are knows.
+/// Read a note. Steps may decrease after a restored state; the reader of the notes handles that.
 void Recording::read_note(ByteReader in) {
     RecordedNote note;
     note.step = get_step(in, 0);

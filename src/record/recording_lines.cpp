@@ -11,7 +11,7 @@
 namespace hawser::record {
 namespace {
 
-/// Ascending.
+/// Return all interactions in ascending order.
 std::vector<InteractionId> all_of(const World& world) {
     return {world.interactions().begin(), world.interactions().end()};
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file recording_lines.h
-/// Lines that are no wires and have come since the recording began: links between ends of wires,
-/// legs of hooks, slings; and joints and lines of the start that have gone (docs/recording.md).
+/// Lines that are no wires and were added after the start of the recording. Examples are links
+/// between ends of wires, legs of hooks and slings. Also joints and lines of the start that were
+/// removed since (docs/recording.md).
 ///
-/// A chunk LINE names them from a frame on, a chunk LPUL behind each frame from then on has their
-/// tensions, as WIRE and PULL do of wires (recording_wires.h).
+/// A chunk LINE names them from a frame on. A chunk LPUL after each later frame contains their
+/// tensions, as WIRE and PULL do for wires (recording_wires.h).
 
 #include "record/bytes.h"
 
@@ -19,19 +20,19 @@ namespace hawser::record {
 
 class LineFollower {
   public:
-    /// @param joints  Of the layout, in its order.
+    /// Start to follow. @param joints  Joints of the layout, in its order.
     LineFollower(const World& world, std::vector<InteractionId> joints);
-    /// Whether other lines have come or gone than when it was asked last.
+    /// True if lines were added or removed since the last call.
     [[nodiscard]] bool changed(const World& world);
-    /// Contents of LINE. @param bodies  Those of a frame, ascending.
+    /// Write the contents of LINE. @param bodies  Bodies of a frame, ascending.
     void put_lines(ByteWriter& out, const World& world, std::span<const BodyId> bodies) const;
-    /// Contents of LPUL.
+    /// Write the contents of LPUL.
     void put_pulls(ByteWriter& out, const World& world) const;
 
   private:
     std::vector<InteractionId> joints_, at_start_, all_;
     std::vector<InteractionId> lines_;
-    std::vector<std::int32_t> gone_;  ///< Numbers of joints.
+    std::vector<std::int32_t> gone_;  ///< Numbers of the removed joints.
 };
 
 }  // namespace hawser::record

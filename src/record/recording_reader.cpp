@@ -39,7 +39,7 @@ std::vector<bool> cable_interior(const Recording& recording) {
         return recording.bodies[static_cast<std::size_t>(body)].kind == BodyKind::lump;
     };
     for (const RecordedCable& cable : recording.cables) {
-        // A hull that lumps run over is none of the cable's own.
+        // The cable does not own a hull on which its nodes slide.
         const bool lumps = std::any_of(cable.nodes.begin(), cable.nodes.end(), is_lump);
         for (std::size_t i = 1; i + 1 < cable.nodes.size(); ++i)
             interior[static_cast<std::size_t>(cable.nodes[i])] = !lumps || is_lump(cable.nodes[i]);
@@ -57,7 +57,7 @@ Recording Recording::open(const std::filesystem::path& file) {
 Recording Recording::read(std::vector<std::byte> bytes, const std::string& name) {
     Recording r;
     r.file = name;
-    r.bytes_ = std::move(bytes);  // Spans into it stay valid when the recording moves.
+    r.bytes_ = std::move(bytes);  // Spans into the bytes stay valid when the recording moves.
     ByteReader in(r.bytes_);
     if (r.bytes_.size() < sizeof kMagic + 4 ||
         std::memcmp(in.take(sizeof kMagic).data(), kMagic, sizeof kMagic) != 0)
@@ -201,7 +201,8 @@ void Recording::read_event(ByteReader in) {
     events.push_back(std::move(event));
 }
 
-/// The end belongs to the last frame or comes less than a stride behind it: replay steps there.
+/// Read the end. It belongs to the last frame or follows it by less than a stride; replay steps to
+/// it.
 void Recording::read_end(ByteReader in) {
     const auto how = get_enum<Ending>(in, static_cast<int>(Ending::unknown));
     end_step = get_step(in, 0);
@@ -225,7 +226,7 @@ void Recording::add_frame(std::span<const std::byte> payload) {
     frames_.push_back(payload);
 }
 
-/// Poses and tensions of a frame, as add_frame() has to find them.
+/// Check the poses and tensions of a frame for add_frame().
 void Recording::check_floats(ByteReader in) const {
     for (const std::int32_t index : layouts_.back().bodies) {
         const int floats = pose_floats(bodies[static_cast<std::size_t>(index)].kind);

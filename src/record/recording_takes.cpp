@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Order of what a recording holds. Steps ascend; where the run went to another state of its own a
-/// take ends, and they begin anew with those of that state.
+/// Check the order of a recording's entries. Steps ascend within a branch. If the run restored one
+/// of its own states, a branch ends and the next one starts at the step of that state.
 #include <hawser/recording.h>
 
 #include "record/recording_bytes.h"
@@ -9,7 +9,7 @@
 
 namespace hawser::record {
 
-/// The least step that the next one of `all` may have: that of the last one of the same take.
+/// Return the least step of the next entry of `all`: the step of the last entry of the same branch.
 template <class T>
 std::int64_t Recording::least_step(const std::vector<T>& all,
                                    std::size_t RecordedTake::* before) const {
@@ -18,7 +18,7 @@ std::int64_t Recording::least_step(const std::vector<T>& all,
     return takes.empty() ? start_step : takes.back().to;
 }
 
-/// What the bytes say is for the world to judge that they are done to.
+/// Read changes. The world that they are applied to checks their contents.
 void Recording::read_changes(ByteReader in) {
     RecordedChanges out;
     out.step = get_step(in, least_step(changes, &RecordedTake::changes));
@@ -58,8 +58,8 @@ void Recording::add_cut(const RecordedCut& cut) {
     cuts.push_back(cut);
 }
 
-/// Steps from the last frame to one that comes now, and whether a gap that long may be: a replay
-/// takes no more of them than frames of a stride explain.
+/// Check the number of steps from the last frame to the new one. A replay does not accept a longer
+/// gap than frames of one stride explain.
 void Recording::check_gap(std::int64_t step, bool frame) const {
     const bool begins = frames_.size() == (takes.empty() ? 0 : takes.back().frames);
     const std::int64_t before = !begins         ? frame_head(frames_.size() - 1).step

@@ -13,14 +13,14 @@
 namespace hawser::record {
 namespace {
 
-/// Bytes of a piece: two places and two points.
+/// Size of a piece: two indices and two points.
 constexpr std::size_t kPieceBytes = 2 * (4 + 24);
 
 }  // namespace
 
 WireFollower::WireFollower(const World& world) {
-    // Cables of a layout know no wheels: where there are some, frames say from the first one on how
-    // wires lie.
+    // Cables of a layout contain no wheels. If the world has wheels, frames describe the wires from
+    // the first frame on.
     for (const WireId wire : world.wires())
         for (const InteractionId id : world.elements(wire))
             if (world.alive(id) && kind_info(world.interaction_def(id).kind).is(kRouted)) return;
@@ -103,7 +103,8 @@ std::vector<RecordedWire> get_wires(ByteReader& in, std::span<const std::int32_t
     return out;
 }
 
-/// From the next frame on. @param joints  Whether those of the start that have gone follow.
+/// Read the wires that apply from the next frame on. @param joints  True if the removed joints of
+/// the start follow.
 void Recording::read_wires(ByteReader in, WireTables& tables, bool joints_follow) {
     auto next = std::make_unique<Wires>();
     next->first_frame = frames_.size();
@@ -142,7 +143,8 @@ std::vector<bool> Recording::wire_lumps() const {
     return out;
 }
 
-/// @return null: none has come, or the recording ends before they are whole.
+/// Return the pieces that apply at a frame. @return null: no pieces apply, or the recording ends
+/// before they are complete.
 const Recording::Wires* Recording::find_wires(std::size_t index, const WireTables& tables,
                                               std::vector<float>& pulls) {
     const auto behind =

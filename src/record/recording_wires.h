@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file recording_wires.h
-/// What wires are made of from a frame on: written where nodes have come or gone since the start.
+/// Pieces of wires from a frame on, written if nodes were added or removed since the start.
 ///
-/// A chunk WIRE names the pieces of each wire by the places that their ends have in a frame, with
-/// the points where they are held; a chunk PULL behind each frame from then on has their tensions,
-/// −1 of what has parted.
+/// A chunk WIRE lists the pieces of each wire by the indices of their end bodies in a frame, with
+/// the points of attachment. A chunk PULL after each later frame contains their tensions, −1 for a
+/// broken piece.
 
 #include "record/bytes.h"
 
@@ -17,30 +17,31 @@
 
 namespace hawser::record {
 
-/// Follows the elements of a world's wires.
+/// Detects changes of the elements of a world's wires.
 class WireFollower {
   public:
     explicit WireFollower(const World& world);
-    /// Whether other elements make them up than when it was asked last.
+    /// True if the elements of the wires changed since the last call.
     [[nodiscard]] bool changed(const World& world);
-    /// Contents of WIRE. @param bodies  Those of a frame, ascending.
+    /// Write the contents of WIRE. @param bodies  Bodies of a frame, ascending.
     void put_wires(ByteWriter& out, const World& world, std::span<const BodyId> bodies) const;
-    /// Contents of PULL.
+    /// Write the contents of PULL.
     void put_pulls(ByteWriter& out, const World& world) const;
 
   private:
-    std::vector<std::vector<InteractionId>> elements_;  ///< Of each wire, what there is.
+    std::vector<std::vector<InteractionId>>
+        elements_;  ///< Elements of each wire at the last call of changed().
 };
 
-/// Both ends of an element: the body of each by its place in a frame, and where it is held [m].
-/// @param bodies  Those of a frame, ascending.
+/// Write both ends of an element: the index of each body in a frame and the point of attachment
+/// [m]. @param bodies  Bodies of a frame, ascending.
 void put_piece(ByteWriter& out, const World& world, InteractionId element,
                std::span<const BodyId> bodies);
-/// Its tension [N], −1: parted.
+/// Write the tension of an element [N]; −1: broken.
 void put_pull(ByteWriter& out, const World& world, InteractionId element);
 
-/// @param bodies  Of a frame, as numbers of the recording. @param pieces  How many there are.
-/// @throws BadBytes
+/// Read wires. @param bodies  Bodies of a frame, as indices of the recording. @param pieces  Set to
+/// the number of pieces. @throws BadBytes
 [[nodiscard]] std::vector<RecordedWire> get_wires(ByteReader& in,
                                                   std::span<const std::int32_t> bodies,
                                                   std::size_t& pieces);

@@ -15,17 +15,17 @@
 
 namespace hawser::record {
 
-/// Puts the loads of a recorded step on the same bodies.
+/// Applies the loads of a recorded step to the same bodies.
 class Repeater::Loader final : public System {
   public:
-    static constexpr int kMost = 21;  ///< Entries of a matrix of a rigid body.
+    static constexpr int kMost = 21;  ///< Number of entries of a symmetric 6 × 6 matrix.
     struct Load {
         BodyId body;
         std::size_t freedom = 0;
         std::array<double, 6> force{};
-        std::array<std::array<double, kMost>, 3> matrix{};  ///< A, D, K.
+        std::array<std::array<double, kMost>, 3> matrix{};  ///< Matrices A, D, K.
     };
-    std::vector<Load> next;  ///< Of the step that comes next.
+    std::vector<Load> next;  ///< Loads of the next step.
 
     [[nodiscard]] std::string_view name() const noexcept override { return "recorded loads"; }
     void prestep(Prestep&, Loads& loads) noexcept override {
@@ -58,7 +58,7 @@ std::size_t freedom_of(BodyKind kind) {
 
 }  // namespace
 
-/// What a load may be is for the step to judge (Status::bad_load).
+/// Apply the loads of the next step. The step checks their values (Status::bad_load).
 void Repeater::repeat_loads(World& world) {
     const auto& loads = recording_.loads;
     if (loads.empty()) return;
@@ -85,12 +85,13 @@ void Repeater::repeat_loads(World& world) {
     in.expect_end();
 }
 
-/// Of entries of the recording, where those of the present take end.
+/// Return the end of the entries of the present branch in a list of `all` entries.
 std::size_t Repeater::end_of(std::size_t all, std::size_t RecordedTake::* before) const {
     return take_ < recording_.takes.size() ? recording_.takes[take_].*before : all;
 }
 
-/// States in recordings are those of worlds without systems, and fit such worlds alone.
+/// Remove the loader before a state is restored: states in recordings belong to worlds without
+/// systems.
 void Repeater::drop_loader(std::span<const std::byte> change, World& world) {
     if (loader_ == nullptr || change.empty()) return;
     const auto kind = static_cast<ChangeKind>(change.front());
@@ -99,7 +100,8 @@ void Repeater::drop_loader(std::span<const std::byte> change, World& world) {
     loader_ = nullptr;
 }
 
-/// The last change of a take is the state that the next one begins with.
+/// Enter the next branch. The last change of a branch restores the state at which the next one
+/// starts.
 void Repeater::enter_take(World& world) {
     const RecordedTake& take = recording_.takes[take_];
     if (world.step_count() != take.to)

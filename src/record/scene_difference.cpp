@@ -13,11 +13,11 @@ namespace {
 
 using DocumentJson = nlohmann::json;
 
-/// Keys of the document that no state depends on.
+/// Keys of the document that do not influence a state.
 constexpr std::array<std::string_view, 6> kNoMatter = {
     "/name", "/description", "/plot", "/settings/duration", "/state", "/settings/threads"};
 
-/// Numbers that a state is made for: another one is another structure.
+/// Numbers that belong to the structure: a state does not fit if they differ.
 constexpr std::array<std::string_view, 1> kFixed = {"/settings/step"};
 
 class DocumentComparison {

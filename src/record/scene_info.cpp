@@ -56,7 +56,7 @@ std::vector<BodyId> watched_bodies(const SceneInfo& scene, const World& world) {
 
 namespace {
 
-/// The wire that has a lump as a node; invalid where none does.
+/// Return the wire that has a body as a node; invalid if there is none.
 WireId wire_at(const World& world, BodyId body) {
     if (world.body_def(body).kind != BodyKind::lump) return {};
     for (const WireId wire : world.wires()) {

@@ -27,8 +27,8 @@ std::vector<std::int32_t> chosen_bodies(const Recording& recording, std::size_t 
     return out;
 }
 
-/// Tensions of the elements that a wire of this name has in a frame; those of the start where none
-/// has come or gone.
+/// Return the tensions of the elements of a wire in a frame. If no element was added or removed,
+/// these are the elements of the start.
 std::span<const float> pulls_of(const Recording& recording, const CableSeries& s,
                                 const Frame& frame) {
     if (frame.wires != nullptr)
@@ -46,7 +46,7 @@ void append(CableSeries& s, const Recording& recording, const Frame& frame) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const std::span<const float> pulls = pulls_of(recording, s, frame);
     const bool none = pulls.empty();
-    const auto put = [&](std::vector<double>& to, float value) {  // of what has parted −1
+    const auto put = [&](std::vector<double>& to, float value) {  // a broken element has −1
         to.push_back(none ? kNone : std::max(0.0, static_cast<double>(value)));
     };
     put(s.first, none ? 0.0F : pulls.front());
@@ -56,7 +56,7 @@ void append(CableSeries& s, const Recording& recording, const Frame& frame) {
     if (!none) s.peak = std::max(s.peak, s.highest.back());
 }
 
-/// Pieces that have been cut off cables since the frames before.
+/// Add the pieces that were cut off cables since the previous frames.
 void add_pieces(Series& series, const Recording& recording, const Frame& frame) {
     if (frame.wires == nullptr) return;
     for (const RecordedWire& wire : *frame.wires) {
@@ -77,7 +77,7 @@ void add_pieces(Series& series, const Recording& recording, const Frame& frame) 
     }
 }
 
-// Angles jump by a turn at ±180°; curves must not.
+// Append an angle without the jump by a turn at ±180° [deg].
 void append_angle(std::vector<double>& values, double angle) {
     const double before = values.empty() ? 0.0 : values.back();
     angle -= 360.0 * std::round((angle - before) / 360.0);
@@ -122,7 +122,8 @@ Series collect_series(const Recording& recording, std::size_t limit) {
     }
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
         Frame frame = recording.frame(i);
-        // Before the first step no tension is known: the curves begin with the next frame's.
+        // Before the first step there are no tensions: the curves begin with those of the next
+        // frame.
         if (i == 0 && frame.step == 0 && recording.frame_count() > 1) {
             const Frame next = recording.frame(1);
             frame.tensions = next.tensions;

@@ -18,7 +18,7 @@ namespace hawser::record {
 namespace {
 
 constexpr char kSnapshotMagic[8] = {'H', 'A', 'W', 'S', 'E', 'R', 'S', 'T'};
-/// 5: with a structure before the state. Both hold the scene.
+/// Version 5 has a structure before the state. Both versions contain the scene.
 constexpr std::uint32_t kVersion = 4, kWithStructure = 5;
 
 std::uint32_t checksum_of(std::span<const std::byte> file) {
@@ -27,14 +27,15 @@ std::uint32_t checksum_of(std::span<const std::byte> file) {
     return sum;
 }
 
-/// A text that is no JSON is that of a world without a scene.
+/// Compare two scenes. A text that is not JSON belongs to a world without a scene.
 SceneDifferences differences(const std::string& before, const std::string& now) {
     if (before.empty() || now.empty() || before == now)
         return {{}, "a world that no scene file made"};
     return compare_scenes(before, now);
 }
 
-/// Numbers may change what a scene is made of, such as the elements of a cable.
+/// Restore a state of a scene with other numbers. They may change the objects of a scene, such as
+/// the elements of a cable.
 void restore_other(World& world, std::span<const std::byte> state,
                    const std::vector<std::string>& numbers) {
     try {
@@ -108,7 +109,7 @@ std::vector<std::string> restore_snapshot(const std::filesystem::path& file, con
         GetFields get{in};
         if (version == kWithStructure) get(made_of);
         const auto state = in.take(in.left() - 4);
-        // What does not fit leaves the world as it is.
+        // If the state does not fit, the world stays unchanged.
         const std::vector<std::byte> before = world.save();
         const bool other = version == kWithStructure;
         const Structure was = other ? world.structure() : Structure{};

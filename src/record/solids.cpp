@@ -11,20 +11,22 @@
 namespace hawser::record {
 namespace {
 
-constexpr double kFlat = 1e-9;                  ///< Of the extent: no volume, or in a face.
-constexpr std::size_t kMostSolidPoints = 1024;  ///< Each costs as much as there are faces.
-constexpr std::size_t kFewPoints = 24;          ///< With a ball of 42 corners each.
+constexpr double kFlat =
+    1e-9;  ///< Relative to the extent: limit of a zero volume, and of a point in a face.
+constexpr std::size_t kMostSolidPoints =
+    1024;  ///< Limit of points, because the cost of a point grows with the number of faces.
+constexpr std::size_t kFewPoints = 24;  ///< Limit of points for balls of 42 corners each.
 
 using Corner = std::array<std::uint32_t, 3>;
 
 struct Face {
     Corner corner;
-    Vec3 normal;  ///< Outwards, unit.
+    Vec3 normal;  ///< Unit vector, outwards.
     double offset = 0.0;
     bool gone = false;
 };
 
-/// Grows the surface around points.
+/// Builds the surface around points.
 class Hull {
   public:
     explicit Hull(std::span<const Vec3> points) : p_(points) {}
@@ -112,7 +114,7 @@ class Hull {
     std::vector<Face> faces_;
 };
 
-/// Corners of an icosahedron and the middles of its edges, on the unit sphere.
+/// Return the corners of an icosahedron and the middles of its edges, on the unit sphere.
 std::vector<Vec3> ball_corners() {
     const double g = 0.5 * (1.0 + std::sqrt(5.0));
     std::vector<Vec3> out;
@@ -177,7 +179,7 @@ std::vector<Triangles> body_surfaces(const Recording& recording, std::size_t bod
         if (static_cast<std::size_t>(o.body) != body) continue;
         if (Triangles t = outline_surface(o); !t.empty()) out.push_back(std::move(t));
     }
-    // A hull in the water mostly touches with small parts of it only: its box shows it.
+    // A hull in the water usually has contact shapes for small parts only: add its box.
     if (b.half_size.minCoeff() > 0.0) {
         Vec3 reach = Vec3::Zero();
         for (const Triangles& t : out)

@@ -13,7 +13,7 @@ Unit readable_unit(double largest, const std::string& unit) {
     static constexpr std::array<std::pair<double, const char*>, 6> kPrefixes{
         {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""}, {1e-3, "m"}, {1e-6, "µ"}}};
     if (!std::isfinite(largest) || largest == 0.0) return {unit, 1.0};
-    // Of the kilogram the gram has the prefixes, and beyond a thousand the tonne.
+    // Masses: prefixes below a kilogram belong to the gram, those from 1000 kg on to the tonne.
     if (unit == "kg" && std::abs(largest) < 1.0) {
         const Unit grams = readable_unit(largest * 1e3, "g");
         return {grams.name, grams.factor * 1e3};
@@ -23,7 +23,7 @@ Unit readable_unit(double largest, const std::string& unit) {
         return {tonnes.name, tonnes.factor * 1e-3};
     }
     if (unit == "kg") return {unit, 1.0};
-    // Metres stay metres up to kilometres of scene: nobody reads ship motions in km.
+    // Lengths stay in metres up to scenes of kilometres: motions of ships are not read in km.
     for (const auto& [size, prefix] : kPrefixes) {
         if (unit == "m" && size > 1.0) continue;
         if (std::abs(largest) >= size || size == 1e-6) return {prefix + unit, 1.0 / size};

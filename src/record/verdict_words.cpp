@@ -16,7 +16,7 @@ namespace hawser::record {
 
 namespace {
 
-/// Of the rows of a joint; some have rows of both.
+/// Return the unit of the opening of a joint's rows; a joint may have rows of both units.
 const char* opening_unit(const World& world, InteractionId id) {
     if (!world.alive(id)) return "m or rad";
     const KindInfo& kind = kind_info(world.interaction_def(id).kind);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file verdict_words.h
-/// What a judge found, in the same words wherever it is told.
+/// Sentences about the findings of a monitor, shared by all outputs.
 
 #include <hawser/stats.h>
 #include <hawser/world.h>
@@ -10,12 +10,12 @@
 
 namespace hawser::record {
 
-/// E.g. "joint 'l' stood open by 1.2 m at 0.4 s".
-/// @param where  Its joint, element or body; "": the whole scene.
+/// Return a sentence such as "joint 'l' stood open by 1.2 m at 0.4 s". @param where  Joint, element
+/// or body; "": the whole scene.
 [[nodiscard]] std::string sentence(const World& world, Judge judge, const Finding& finding,
                                    const std::string& where);
 
-/// remedy(judge), with the budget of a step only where the world has one.
+/// Return remedy(judge). The budget of a step is included only if the world has one.
 [[nodiscard]] const char* remedy_for(const World& world, Judge judge);
 
 }  // namespace hawser::record

@@ -13,7 +13,7 @@ double rest_length(const World& world, InteractionId element) {
     if (kind_info(def.kind).is(kRouted))
         return def.params[0] +
                def.get("radius") * (world.pose(def.body[2]).position.x() - def.get("drum_zero"));
-    // A drum changes it: what the element is longer than at rest is its violation.
+    // The drum changes the rest length. It equals the distance of the ends minus the violation.
     const double apart = (world.world_point(def.body[1], def.point[1]) -
                           world.world_point(def.body[0], def.point[0]))
                              .norm();

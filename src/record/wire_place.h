@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wire_place.h
-/// Where along its wire an element is.
+/// Position of an element along its wire.
 
 #include <hawser/hawser.h>
 
@@ -13,16 +13,17 @@ namespace hawser::record {
 struct WirePlace {
     std::string wire;
     double s = 0.0;       ///< Material coordinate of the element's middle [m].
-    double length = 0.0;  ///< Of the wire, unstretched [m].
+    double length = 0.0;  ///< Unstretched length of the wire [m].
 };
 
-/// Unstretched length of an element that is there, as its drum has it now [m].
+/// Return the unstretched length of an existing element at the present angle of its drum [m].
 [[nodiscard]] double rest_length(const World& world, InteractionId element);
 
-/// Of the first wire that has it; nothing where none does.
+/// Return the position of an element in the first wire that contains it; null if there is none.
 [[nodiscard]] std::optional<WirePlace> wire_place(const World& world, InteractionId element);
 
-/// Of a line that parts, `wire/s39 (wire at 197.5 m)`; else as interaction_label() has it.
+/// Return the label of a broken line, `wire/s39 (wire at 197.5 m)`, or else the result of
+/// interaction_label().
 [[nodiscard]] std::string parted_label(const World& world, InteractionId element);
 
 }  // namespace hawser::record
