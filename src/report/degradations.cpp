@@ -31,7 +31,7 @@ void extend(DegradedSpan& span, const StepStats& s) {
 }  // namespace
 
 void Degradations::after_step(const StepStats& s) {
-    // What is asked for and held shut by contacts is exact.
+    // Requested cuts that contacts keep closed are exact.
     if (s.degradation.iterations == 0 && s.compliant == 0 && s.degradation.wires == 0) return;
     const bool goes_on = all.steps > 0 && all.last == s.step - 1;
     extend(all, s);

@@ -29,7 +29,7 @@ EliminationCounts count_elimination(const SystemView& view,
             take(view.edges[at(k)]);
         for (std::int32_t c = head[at(v)]; c >= 0; c = next[at(c)]) {
             for (const std::int32_t u : below[at(c)]) take(u);
-            below[at(c)] = {};  // needed by its parent alone
+            below[at(c)] = {};  // only its parent needs it
         }
         std::int64_t scalars = 0;
         std::int32_t parent = -1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file elimination.h
-/// What an order of elimination costs: entries of L, flops, and the longest path, exactly.
+/// Compute the exact cost of an elimination order: entries of L, flops, and the longest path.
 
 #include <hawser/inspect.h>
 
@@ -11,14 +11,15 @@
 namespace hawser::report {
 
 struct EliminationCounts {
-    std::int64_t nnz = 0;    ///< Scalars of L, diagonal included, without zeros of merged fronts.
-    std::int64_t flops = 0;  ///< Multiply and add counted apart.
+    std::int64_t nnz =
+        0;  ///< Scalars of L, including the diagonal, without the zeros of merged fronts.
+    std::int64_t flops = 0;  ///< Number of flops; multiply and add count as two.
     std::int64_t path = 0;   ///< Flops on the longest path from a leaf to a root.
 };
 
-/// Block by block: struct(v) = neighbours of v after it and struct of its children, less v (Liu,
-/// "The role of elimination trees in sparse factorization", 1990).
-/// @param order  order[k] = node of the view eliminated k-th.
+/// Count block by block: struct(v) = neighbours of v after it and struct of its children, less v.
+/// Source: Liu, "The role of elimination trees in sparse factorization", 1990. @param order
+/// order[k] = node of the view eliminated k-th.
 [[nodiscard]] EliminationCounts count_elimination(const SystemView& view,
                                                   const std::vector<std::int32_t>& order);
 

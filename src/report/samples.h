@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file samples.h
-/// Median, quantiles and maximum of many numbers in bounded memory.
+/// Compute median, quantiles and maximum of many numbers in bounded memory.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,14 +9,15 @@
 
 namespace hawser::report {
 
-/// Keeps every number up to `capacity`; beyond, every second of them, then every fourth, and
-/// so on. The maximum is that of all numbers.
+/// Stores every number up to `capacity`; beyond, every second number, then every fourth, and so on.
+/// The maximum covers all numbers.
 class Samples {
   public:
     Samples() = default;
     explicit Samples(std::size_t capacity) : capacity_(capacity) {}
     void add(double value);
-    /// @param q 0 = smallest, 0.5 = median, 1 = largest of those kept. 0 when there are none.
+    /// Return a quantile of the stored samples; 0 if there are none. @param q 0 = smallest, 0.5 =
+    /// median, 1 = largest.
     [[nodiscard]] double quantile(double q) const;
     [[nodiscard]] double median() const { return quantile(0.5); }
     [[nodiscard]] double max() const noexcept { return max_; }

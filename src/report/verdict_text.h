@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file verdict_text.h
-/// World::verdict() in words.
+/// Describe World::verdict() in words.
 
 #include <hawser/hawser.h>
 
@@ -10,15 +10,17 @@
 
 namespace hawser::report {
 
-/// A verdict with the names of what it is about.
+/// A verdict with the names of the affected objects.
 struct VerdictText {
     Verdict verdict{};
-    std::array<std::string, kJudgeCount> where{};  ///< Of each judge; "" : the whole scene.
-    std::string said;  ///< What is wrong or doubtful, where, when, and a remedy; "" where good.
+    std::array<std::string, kJudgeCount>
+        where{};       ///< Affected object of each monitor; "": the whole scene.
+    std::string said;  ///< Description of a failed or suspect result with place, time and remedy;
+                       ///< "" if good.
 };
 [[nodiscard]] VerdictText in_words(const World& world, const Verdict& verdict);
 
-/// The judges with the shares of their limits, for a report.
+/// Return the monitors with their fractions of the limits, for a report.
 [[nodiscard]] std::string margins(const VerdictText& text);
 
 }  // namespace hawser::report

@@ -65,7 +65,7 @@ void WireWatch::look(const World& world, Watched& w, bool first) {
     w.share.assign(elements.size(), -1);
     const auto n = static_cast<double>(w.figures.along.size());
     double s = 0.0, shortest = HUGE_VAL, longest = 0.0, mass = 0.0;
-    constexpr double kNeverParts = 1e30;  // the default of elements [N]
+    constexpr double kNeverParts = 1e30;  // default breaking load of elements [N]
     double weakest = kNeverParts;
     for (std::size_t i = 0; i < elements.size(); ++i) {
         if (!world.alive(elements[i])) continue;
@@ -87,7 +87,7 @@ void WireWatch::look(const World& world, Watched& w, bool first) {
     follow(w.figures.mass, mass, first);
 }
 
-/// How fine wires are now. Every other of the times goes where there would be too many.
+/// Record the present resolution of wires. If the list is full, remove every other time.
 void WireWatch::note_times(const World& world) {
     for (Watched& w : wires_) {
         if (!world.alive(w.id)) continue;
@@ -121,7 +121,7 @@ void WireWatch::add(const World& world, WireId id, bool came) {
     wires_.push_back(std::move(one));
 }
 
-/// Those that have come since: the pieces of wires that were cut.
+/// Add the pieces of wires that were cut since the last call.
 void WireWatch::add_pieces(const World& world) {
     const auto now = world.wires();
     if (std::equal(now.begin(), now.end(), known_.begin(), known_.end())) return;
@@ -148,7 +148,7 @@ void WireWatch::after_step(const World& world, std::span<const Event> events) {
             if (w.share[i] < 0 || !world.alive(elements[i])) continue;
             const auto k = static_cast<std::size_t>(w.share[i]);
             TensionAlong& along = w.figures.along[k];
-            // Of what has parted it is 0, of what is slack maybe -0.
+            // The force of a broken element is 0, that of a slack one maybe -0.
             const double tension = 0.0 - world.force(elements[i])[0];
             along.least = std::min(along.least, tension);
             along.greatest = std::max(along.greatest, tension);
@@ -204,7 +204,7 @@ std::string wires_in_words(const std::vector<WireFigures>& wires,
     if (parted.size() > kShownParted)
         fmt::format_to(out, "  {:<11}  and {} more (see --summary)\n", "",
                        parted.size() - kShownParted);
-    // Wires of which nothing changes are told of in the table of cables.
+    // Wires without changes are reported in the table of cables.
     std::size_t shown = 0;
     for (const WireFigures& w : wires) {
         const bool changes =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wires_json.h
-/// What `--summary` has of wires (docs/cli.md).
+/// Figures of wires in `--summary` (docs/cli.md).
 
 #include "report/wires.h"
 

@@ -12,15 +12,16 @@ namespace hawser::report::start {
 
 namespace {
 
-/// Between foamed plastic with much air around it and platinum [kg/m³].
+/// Range of plausible densities, from foamed plastic with much air around it to platinum [kg/m³].
 constexpr double kLightest = 1.0, kDensest = 25'000.0;
-/// A chain weighs 22 kg/m for each cm² of its bar, by the diameter of which it is called: 28,000.
-/// Least density of a line [kg/m³]. Floating hose of foam has 300; below 100 a mass in t/m is
-/// likely.
+/// Range of plausible densities of a line [kg/m³]. Largest: a chain has 28,000 (22 kg/m for each
+/// cm² of its bar, whose diameter is its nominal size). Least: floating hose of foam has 300; below
+/// 100 a mass in t/m is likely.
 constexpr double kLightestLine = 100.0, kDensestLine = 40'000.0;
-/// Twice as large as it is, or all mass within a thirtieth of it: not the inertia of this body.
+/// Limits of an inertia that fits the body: the body twice as large, or all mass within a thirtieth
+/// of it.
 constexpr double kTooWide = 4.0, kTooNarrow = 1e-3;
-/// Turn in a step beyond which a rotation is not followed [rad].
+/// Rotation in a step above which it is under-resolved [rad].
 constexpr double kTurn = 0.5;
 
 double volume_of(const ShapeDef& def) {
@@ -41,7 +42,8 @@ double volume_of(const ShapeDef& def) {
                 low = low.cwiseMin(v);
                 high = high.cwiseMax(v);
             }
-            return (high - low).prod();  // No hull fills its box: this errs to the light side.
+            return (high - low)
+                .prod();  // A hull does not fill its box, so the density is underestimated.
         }
         case ShapeKind::plane:
         case ShapeKind::heightfield:

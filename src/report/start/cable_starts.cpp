@@ -13,7 +13,7 @@
 namespace hawser::report::start {
 namespace {
 
-/// Strain of an element that is as long as it should be, to the last digits of its nodes.
+/// Strain that is round-off of the coordinates of its nodes.
 constexpr double kDigits = 1e-11;
 
 bool is_stretch(const World& world, InteractionId id) {
@@ -43,7 +43,7 @@ std::string words(const CableStart& c) {
 }  // namespace
 
 std::vector<CableStart> cable_starts(const record::SceneInfo& scene, const World& world) {
-    std::unique_ptr<StartForces> forces;  // of a whole scene: only where links need them
+    std::unique_ptr<StartForces> forces;  // for the whole scene, computed only if links need them
     std::vector<CableStart> out;
     for (const record::CableInfo& cable : scene.cables) {
         CableStart c;
@@ -83,7 +83,7 @@ std::string to_text(const std::vector<CableStart>& starts, std::size_t most) {
             return a->largest > b->largest;
         });
         order.resize(most);
-        std::sort(order.begin(), order.end());  // as the scene has them: one array
+        std::sort(order.begin(), order.end());  // restore the order of the scene
         shown = std::move(order);
     }
     std::string out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Warnings about numbers of a scene's document: line types whose stiffness does not fit their
-/// diameter, and winches whose brake holds nothing.
+/// Warn about numbers of a scene's document: line types whose stiffness does not fit their
+/// diameter, and winches whose brake has no holding force.
 #include "record/units.h"
 #include "report/start/parts.h"
 
@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// EA over the square of the diameter. Nylon rope has 1.2e8 to 1e9, polyester 1e10, wire 4e10,
-/// chain 1e11 N/m², a bar of steel 1.65e11: kN for N, or the reverse, leaves this range by far.
+/// Range of EA over the square of the diameter. Nylon rope has 1.2e8 to 1e9, polyester 1e10, wire
+/// 4e10, chain 1e11 N/m², a bar of steel 1.65e11. A confusion of kN and N leaves this range by far.
 constexpr double kSoftest = 1.1e8, kStiffest = 5e12;
 
 double number_in(const Json& object, const char* key) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Warnings about bare drums that feed no elements: cables with the key "winch" in version 1.
+/// Warn about bare drums that feed no elements: cables with the key "winch" in version 1.
 #include "record/units.h"
 #include "report/start/parts.h"
 

@@ -9,7 +9,8 @@
 namespace hawser::report::start {
 namespace {
 
-/// Names of line types that are made for water, of a scene's text; none where it is no scene.
+/// Return the names of the line types for use in water in a scene's text; empty if the text is no
+/// scene.
 std::vector<std::string> wet_types(const std::string& text) {
     std::vector<std::string> out;
     const auto scene = nlohmann::json::parse(text, nullptr, false);
@@ -19,7 +20,7 @@ std::vector<std::string> wet_types(const std::string& text) {
     return out;
 }
 
-/// Of several line types the names stand between " + ".
+/// True if a list of line types, separated by " + ", contains a name.
 bool has(const std::string& line_types, const std::string& name) {
     return (" + " + line_types + " + ").find(" + " + name + " + ") != std::string::npos;
 }

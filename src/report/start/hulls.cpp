@@ -14,16 +14,16 @@
 namespace hawser::report::start {
 namespace {
 
-/// Share of what it carries by which a hull's displacement may be off.
+/// Allowed relative difference between a hull's displacement and the carried mass.
 constexpr double kDisplacementOff = 0.01;
 
 struct Carried {
-    BodyId body{};  ///< That of its first hull.
+    BodyId body{};  ///< Body of its first hull.
     int hulls = 0;
-    bool judged = true;   ///< Nothing holds it, and its statics are not those of a table.
-    double weight = 0.0;  ///< Mass, and down what lines pull, over gravity [kg].
-    double water = 0.0;   ///< That it displaces [kg].
-    bool alone = true;    ///< The weight is the mass of that body.
+    bool judged = true;   ///< True if it floats freely and its statics do not come from a table.
+    double weight = 0.0;  ///< Mass plus the downward pull of lines over gravity [kg].
+    double water = 0.0;   ///< Displaced mass of water [kg].
+    bool alone = true;    ///< True if the weight is the mass of that body alone.
 };
 
 using Floats = std::map<std::size_t, Carried>;
@@ -41,7 +41,7 @@ Floats floats_of(const World& world, const SeaDef& sea, const base::HeldTogether
     return out;
 }
 
-/// What it carries: masses, and forces that lines and the scene put on them.
+/// Add the carried weight: masses, and forces of lines and of the scene.
 void weigh(const World& world, const base::HeldTogether& afloat, double gravity, Floats& floats) {
     for (const BodyId id : world.bodies()) {
         const auto found = floats.find(afloat.group(id));
@@ -69,7 +69,7 @@ void weigh(const World& world, const base::HeldTogether& afloat, double gravity,
     }
 }
 
-/// A small body in the water that a hull carries.
+/// Add the displacement of small bodies in the water that belong to a floating group.
 void lift_small_bodies(const World& world, const SeaDef& sea, const base::HeldTogether& afloat,
                        double level, Floats& floats) {
     for (const WaterBody& small : sea.bodies) {
@@ -79,14 +79,14 @@ void lift_small_bodies(const World& world, const SeaDef& sea, const base::HeldTo
     }
 }
 
-/// A spring against the water.
+/// True if a kind is a hydrostatic spring.
 bool floats_by_itself(const KindInfo& kind) {
     return std::any_of(kind.params.begin(), kind.params.end(), [](const ParamInfo& param) {
         return std::string_view(param.name) == "heave_stiffness";
     });
 }
 
-/// Springs that make it float a second time.
+/// Warn about hydrostatic springs on a body that already floats by its hull.
 void check_hydrostatics(const World& world, const Floats& floats, const base::HeldTogether& afloat,
                         Findings& out) {
     for (const InteractionId id : world.interactions()) {
@@ -102,10 +102,10 @@ void check_hydrostatics(const World& world, const Floats& floats, const base::He
     }
 }
 
-/// What a rod displaces by itself [m³].
+/// Return the volume that a rod displaces [m³].
 double volume_of(const WaterRod& rod) { return rod.water.area() * (rod.to - rod.from).norm(); }
 
-/// Water that a hull and rods of one body both displace, once a body.
+/// Warn once for each body about water that both its hull and its rods displace.
 void check_rods(const World& world, const SeaDef& sea, Findings& out) {
     std::vector<BodyId> told;
     for (const WaterHull& hull : sea.hulls) {

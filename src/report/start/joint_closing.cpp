@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Moves the bodies to where their joints are shut as far as they can be: Levenberg-Marquardt.
+// Move the bodies to the least sum of squared violations: Levenberg-Marquardt.
 namespace hawser::report::start {
 
 double JointRows::open() const {

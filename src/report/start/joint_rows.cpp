@@ -13,17 +13,17 @@ namespace hawser::report::start {
 
 namespace {
 
-/// Below this part of what moves a row in a step, its compliance is not felt.
+/// Compliance below this fraction of a row's mobility over a step has no effect.
 constexpr double kFelt = 1e-4;
 
 std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// A range is a joint where it has no width.
+/// True if a range has a width. A range without width is a joint.
 bool is_open_range(const InteractionDef& def) {
     return kind_info(def.kind).is(kRangeKind) && def.get("max") - def.get("min") > 1e-9;
 }
 
-/// G M⁻¹ Gᵀ of one row with the bodies' masses [1/kg or 1/(kg m²)].
+/// Return G M⁻¹ Gᵀ of one row with the bodies' masses [1/kg or 1/(kg m²)].
 double mobility(const World& world, const InteractionDef& def, const RowsView& view,
                 std::size_t row) {
     double sum = 0.0;
@@ -105,7 +105,8 @@ void JointRows::find_bodies(const World& world) {
         pattern_.size.push_back(
             static_cast<std::int8_t>(freedoms(world.body_def(bodies_[n]).kind)));
         pattern_.sign.push_back(1);
-        if (!(length_[n] > 1e-6)) length_[n] = 1.0;  // Held at its centre: any length will do.
+        if (!(length_[n] > 1e-6))
+            length_[n] = 1.0;  // The joint is at the body's centre: any length will do.
     }
     edge_of_slot_.assign(kMaxInteractionBodies * joints_.size(), -1);
     for (std::size_t j = 0; j < joints_.size(); ++j) {
@@ -149,7 +150,7 @@ void JointRows::write_row(const World& world, const Joint& joint) {
         for (std::size_t b = 0; b < index(view.bodies); ++b) {
             const auto& jac = view.jacobian[b][r];
             const std::int32_t edge = edge_of_slot_[kMaxInteractionBodies * j + b];
-            if (edge < 0) {  // What a prescribed velocity does is not for others to do.
+            if (edge < 0) {  // Other bodies cannot change a prescribed velocity: subtract its rate.
                 const Twist v = world.velocity(def.body[b]);
                 for (std::size_t i = 0; i < 3; ++i)
                     speeds_[row] -= jac[i] * v.linear[static_cast<int>(i)] +
@@ -215,7 +216,7 @@ std::vector<double> JointRows::out_of_reach(std::span<const double> b) {
 }
 
 Eigen::MatrixXd JointRows::repetitions(std::span<const std::int32_t> rows) const {
-    // Columns of G D^-1/2 by the place of each body among those that these rows touch.
+    // Columns of G D^-1/2, by the index of each body among the bodies of these rows.
     std::vector<std::int32_t> column(bodies_.size(), -1);
     std::int32_t columns = 0;
     const auto nodes = static_cast<std::int32_t>(pattern_.size.size());
@@ -244,7 +245,8 @@ Eigen::MatrixXd JointRows::repetitions(std::span<const std::int32_t> rows) const
     });
     const Eigen::MatrixXd gram = g * g.transpose();
     const auto eigen = base::symmetric_eigen(gram);
-    constexpr double kSame = 1e-10;  // Squares of singular values: rows alike to 1e-5.
+    constexpr double kSame =
+        1e-10;  // Limit of the squares of singular values: rows equal to 1e-5 count as equal.
     Eigen::Index count = 0;
     while (count < eigen.values.size() && eigen.values[count] < kSame) ++count;
     return eigen.vectors.leftCols(count);

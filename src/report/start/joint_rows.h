@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file joint_rows.h
-/// The rows of a world that hold rigidly or drive, by themselves: which of them repeat each other,
-/// and how near they can all be brought to what they ask for.
+/// Rigid and driving rows of a world: find redundant rows, and the least possible distance of all
+/// rows from their required values.
 ///
-/// Whether rows repeat each other is a matter of geometry, so bodies have no mass here: a metric in
-/// which a turn counts as the way it moves the body's joints. With D its matrix, G the rows and S a
-/// billionth of the diagonal of W = G D⁻¹ Gᵀ, one factor of [D Gᵀ; G −S] gives
-/// S (W + S)⁻¹ b: the part of b that no motion of the bodies reaches, to first order.
+/// Redundancy is a matter of geometry, so bodies have no mass here. The metric weights a rotation
+/// by the displacement of the body's joints. Let D be its matrix, G the rows and S a billionth of
+/// the diagonal of W = G D⁻¹ Gᵀ. One factor of [D Gᵀ; G −S] then gives S (W + S)⁻¹ b.
+/// This is, to first order, the part of b that no motion of the bodies reaches.
 
 #include <hawser/factor.h>
 #include <hawser/hawser.h>
@@ -20,44 +20,45 @@
 
 namespace hawser::report::start {
 
-/// One interaction with rows that hold or drive.
+/// One interaction with rigid or driving rows.
 struct Joint {
     InteractionId id{};
-    std::int32_t row_begin = 0;  ///< Of its rows in the lists of JointRows.
+    std::int32_t row_begin = 0;  ///< Index of its first row in the lists of JointRows.
     std::int32_t rows = 0;
-    std::array<std::int8_t, kMaxInteractionRows> row{};  ///< Which of its rows these are.
+    std::array<std::int8_t, kMaxInteractionRows>
+        row{};  ///< Indices of these rows within the interaction.
     bool motor = false;
-    double size = 0.0;  ///< The longest arm from a body's centre to it [m].
+    double size = 0.0;  ///< Longest arm from a body's centre to the joint [m].
 };
 
 class JointRows {
   public:
-    /// Rows whose compliance a step does not feel hold rigidly.
+    /// Collect the rows. A row is rigid if its compliance has no effect in a step.
     explicit JointRows(const World& world);
 
     [[nodiscard]] const std::vector<Joint>& joints() const { return joints_; }
     [[nodiscard]] std::size_t rows() const { return rows_; }
 
-    /// Take rows and metric at the poses of this world, which has the same definitions.
-    /// @return false where the factor failed.
+    /// Compute rows and metric at the poses of a world with the same definitions. @return false if
+    /// the factorisation failed.
     [[nodiscard]] bool update(const World& world);
-    /// g of all rows; 0 of those that drive.
+    /// Return g of all rows; 0 for driving rows.
     [[nodiscard]] const std::vector<double>& violations() const { return violations_; }
-    /// G v that the bodies that move have to come to: the speed of a motor, less what prescribed
-    /// velocities do.
+    /// Return the value of G v that the moving bodies must reach: the speed of a motor minus the
+    /// rate of prescribed velocities.
     [[nodiscard]] const std::vector<double>& speeds() const { return speeds_; }
-    /// G v at present [m/s or rad/s].
+    /// Return G v at present [m/s or rad/s].
     [[nodiscard]] const std::vector<double>& rates() const { return rates_; }
-    /// √W_ii of each row: by it rows compare.
+    /// Return √W_ii of a row, which makes rows comparable.
     [[nodiscard]] double scale(std::size_t row) const { return scale_[row]; }
 
-    /// The part of b that no motion reaches. update() first.
+    /// Return the part of b that no motion reaches. Call update() first.
     [[nodiscard]] std::vector<double> out_of_reach(std::span<const double> b);
-    /// Move the bodies of `world`, whose rows these are, to where the squares of the violations
-    /// have their least sum (Levenberg and Marquardt); rows and metric follow.
+    /// Move the bodies of `world` to the least sum of squared violations (Levenberg and Marquardt).
+    /// `world` must be the one of these rows. Rows and metric follow.
     void close(World& world);
-    /// Kernel of Wᵀ of these rows, in the scale of scale(): columns of a matrix, one a repetition.
-    /// update() first.
+    /// Return the kernel of Wᵀ of these rows, in the scale of scale(): a matrix with one column for
+    /// each repetition. Call update() first.
     [[nodiscard]] Eigen::MatrixXd repetitions(std::span<const std::int32_t> rows) const;
 
   private:
@@ -65,27 +66,29 @@ class JointRows {
     void build_pattern();
     void write_row(const World& world, const Joint& joint);
     void move(World& world);
-    /// Σ (g/scale)², scales as they were at the first call of update().
+    /// Return Σ (g/scale)² with the scales of the first call of update().
     [[nodiscard]] double open() const;
     [[nodiscard]] std::vector<double> solve(std::span<const double> b);
 
     std::vector<Joint> joints_;
     std::size_t rows_ = 0;
-    std::vector<std::int32_t> node_of_body_;  ///< −1: it does not move, or no joint holds it.
-    std::vector<BodyId> bodies_;              ///< By node.
-    std::vector<double> length_;              ///< By node: of the metric [m].
-    std::vector<std::int32_t> edge_of_slot_;  ///< kMaxInteractionBodies a joint; −1: none.
+    std::vector<std::int32_t>
+        node_of_body_;            ///< Node of each body; −1: it is fixed, or has no joint.
+    std::vector<BodyId> bodies_;  ///< Body of each node.
+    std::vector<double> length_;  ///< Length of each node in the metric [m].
+    std::vector<std::int32_t> edge_of_slot_;  ///< Edge of each body of a joint,
+                                              ///< kMaxInteractionBodies per joint; −1: none.
     BlockPattern pattern_;
     BlockFactor factor_;
     std::vector<double> values_, violations_, speeds_, rates_, scale_, first_scale_;
-    double small_ = kSmall;  ///< S over the diagonal of W.
+    double small_ = kSmall;  ///< Ratio of S to the diagonal of W.
 
-    /// Rows closer than this to each other count as the same. Of a chain of n links between two
-    /// fixed points the nearest is about 1/n².
+    /// Rows whose difference is below this count as equal. In a chain of n links between two fixed
+    /// points the smallest difference is about 1/n².
     static constexpr double kSmall = 1e-9;
 };
 
-/// Freedoms of a body of this kind.
+/// Return the number of degrees of freedom of a body of this kind.
 [[nodiscard]] int freedoms(BodyKind kind) noexcept;
 
 }  // namespace hawser::report::start

@@ -16,12 +16,13 @@ namespace hawser::report::start {
 
 namespace {
 
-/// Coordinates are written with six decimals and chains of them add up; a gap this small closes in
-/// two steps without anyone noticing. Of the reach of the joint; of an angle [rad].
+/// Tolerated gap, relative to the reach of the joint; for an angle [rad]. Coordinates have six
+/// decimals, and their errors add up along chains. A gap of this size closes in two steps without
+/// visible effect.
 constexpr double kOpen = 1e-4, kTurned = 1e-3;
 
-/// A speed that a joint takes away in the first step: what gravity gives in a hundredth of a second
-/// [m/s].
+/// Tolerated speed that a joint removes in the first step: the effect of gravity in a hundredth of
+/// a second [m/s].
 constexpr double kTearing = 0.1;
 
 bool is_angle(const KindInfo& kind, int row) { return kind.row_units[row] == 'r'; }
@@ -89,7 +90,7 @@ struct Range {
     [[nodiscard]] std::string text() const { return fmt::format("[{:.4g}, {:.4g}]", min, max); }
 };
 
-/// Ranges that are meant rigid, with the order of bodies that they measure by.
+/// Return the rigid ranges with their order of bodies.
 std::vector<Range> rigid_ranges(const World& world) {
     std::vector<Range> out;
     for (const InteractionId id : world.interactions()) {
@@ -102,7 +103,8 @@ std::vector<Range> rigid_ranges(const World& world) {
     return out;
 }
 
-/// Whether two ranges measure the same: bodies, and axes in the first one's frame.
+/// True if two ranges measure the same coordinate: equal bodies, and equal axes in the frame of the
+/// first body.
 bool same_coordinate(const World& world, const Range& a, const Range& b) {
     if (a.bodies != b.bodies || a.coordinate != b.coordinate) return false;
     const double apart = std::abs(world.coordinate(a.id) - world.coordinate(b.id));
@@ -126,7 +128,7 @@ void check_ranges(const World& world, Findings& out) {
                     fmt::format("{} starts at {:.4g} {}, outside of its range {}; the first steps "
                                 "close that with a blow: start inside",
                                 record::interaction_in_words(world, r.id), q, unit, r.text()));
-        // A hinge's angle does not count turns. Ends far away are no ends.
+        // The angle of a hinge excludes full turns. Larger limits do not limit.
         constexpr double kTurn = std::numbers::pi, kNoEnd = 1e3;
         for (const double end : {r.min, r.max})
             if (r.coordinate == KindCoordinate::about && std::abs(end) > kTurn &&

@@ -10,15 +10,15 @@ namespace hawser::report::start {
 
 namespace {
 
-/// Stretch that wires, chains and most ropes do not survive, where no breaking load is given.
+/// Strain beyond which wires, chains and most ropes break, used if no breaking load is specified.
 constexpr double kStrain = 0.05;
 
-/// As good as no breaking load [N].
+/// Breaking load from which a line counts as unbreakable [N].
 constexpr double kUnbreakable = 1e29;
 
 struct Tightest {
     double tension = 0.0, most = 1.0;
-    bool strain = false;  ///< `most` is that of kStrain.
+    bool strain = false;  ///< True if `most` is derived from kStrain.
     InteractionId at{};
 };
 

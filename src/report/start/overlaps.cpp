@@ -14,22 +14,23 @@ namespace hawser::report::start {
 
 namespace {
 
-/// Of the narrower of two things, above which it counts as lying in the other at the start.
+/// Depth relative to the narrower shape, above which shapes overlap at the start.
 constexpr double kInside = 0.05;
 
-/// What lies still on soft ground, or under others, presses its contact in by its weight and theirs
-/// over the stiffness, a line on a roller by its tension: no more than so many times the weight of
-/// the lighter one at a point, and twice the tension.
+/// Largest plausible force at a contact at rest. A body on soft ground, or below others, compresses
+/// its contact by the weights over the stiffness; a line on a roller by its tension. The limit is
+/// this multiple of the lighter body's weight at a point, and twice the tension.
 constexpr double kWeights = 4.0;
 
-/// A wire laid out by straight lines cuts into the rollers that it runs over; contact lifts it out
-/// where it is nearest, on the right side up to the middle of the roller. Diameters.
+/// Tolerated depth of a wire in a roller, in wire diameters. A wire placed by straight lines cuts
+/// into its rollers. Contact moves it out on the shortest way, which is the right side up to the
+/// middle of the roller.
 constexpr double kWireDeep = 4.0;
 
-/// Errors that get a text each: a heap of thousands has one cause.
+/// Largest number of errors with a text each: a heap of thousands has one cause.
 constexpr std::size_t kMostPairs = 1000;
 
-/// How far a shape reaches along a direction, from its lowest to its highest point [m].
+/// Interval that a shape covers along a direction, from its lowest to its highest point [m].
 struct Reach {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -39,7 +40,8 @@ struct Reach {
     }
 };
 
-/// @param n  Unit, world frame. Infinite for what has no other side.
+/// Add the interval of a shape; infinite if the shape is unbounded. @param n  Unit vector, world
+/// frame.
 void add_reach(const World& world, const ShapeDef& def, const Vec3& n, Reach& reach) {
     const Pose pose = world.pose(def.body);
     const Vec3 at = pose.position + pose.orientation * def.position;
@@ -106,10 +108,12 @@ class Overlaps {
     }
 
   private:
-    /// A body, or the segment of a wire: −1 − shape.
+    /// Index of a body, or −1 − shape for the segment of a wire.
     using Owner = std::int32_t;
     struct Pair {
-        double depth = 0.0, width = 1.0;  ///< Of the point that is deepest by its width [m].
+        double depth = 0.0,
+               width =
+                   1.0;  ///< Depth and width of the point with the largest depth over width [m].
         ShapeId shape[2];
     };
 
@@ -131,7 +135,8 @@ class Overlaps {
         return reach.high - reach.low;
     }
 
-    /// What may press the bodies of a shape against others at rest [N]; infinite where none moves.
+    /// Return the largest plausible force of a shape's bodies against others at rest [N]; infinite
+    /// if no body moves.
     [[nodiscard]] double press(ShapeId shape) const {
         const ShapeDef& def = world_.shape_def(shape);
         double mass = 0.0, pull = 0.0;
@@ -140,7 +145,7 @@ class Overlaps {
             mass += world_.body_def(body).mass;
             pull = std::max(pull, pull_[static_cast<std::size_t>(body.index)]);
         }
-        // A line that turns back on itself presses with twice its tension.
+        // A line that reverses its direction presses with twice its tension.
         return mass > 0.0 ? kWeights * mass * world_.settings().gravity.norm() + 2.0 * pull
                           : HUGE_VAL;
     }
@@ -159,7 +164,8 @@ class Overlaps {
 
     void take(const ContactView& contact, double depth, double narrower, double wider) {
         const bool wires[2] = {is_wire(contact.shape[0]), is_wire(contact.shape[1])};
-        // Half of this is too deep: of the narrower thing, but of what a wire lies in.
+        // Half of this width is too deep. It is the width of the narrower shape; for a wire against
+        // another shape it depends on the other one.
         double width = narrower;
         if (wires[0] != wires[1]) width = std::min(wider, 2.0 * kWireDeep * narrower);
         std::pair<Owner, Owner> key(owner(contact.shape[0]), owner(contact.shape[1]));
@@ -176,7 +182,8 @@ class Overlaps {
         return !def.name.empty() ? def.name : record::body_label(world_, def.body);
     }
 
-    /// " (FILE: /cables/0 and FILE: /shapes/3)" of two shapes; "" where no file has them.
+    /// Return " (FILE: /cables/0 and FILE: /shapes/3)" for two shapes; "" if they come from no
+    /// file.
     [[nodiscard]] std::string places(const ShapeId (&shape)[2]) const {
         std::string out;
         for (const ShapeId id : shape) {
@@ -201,7 +208,7 @@ class Overlaps {
     }
 
     const World& world_;
-    const std::vector<std::string>& places_;     ///< By shape.
+    const std::vector<std::string>& places_;     ///< Places in the scene file for each shape.
     std::vector<double> pull_;                   ///< Largest tension at each body [N].
     std::vector<std::vector<ShapeId>> of_body_;  ///< Shapes of each body, without segments.
     std::map<std::pair<Owner, Owner>, Pair> pairs_;

@@ -10,7 +10,7 @@
 namespace hawser::report::start {
 namespace {
 
-/// Names of posts in a scene's text; none where it is no scene.
+/// Return the names of posts in a scene's text; empty if the text is no scene.
 std::vector<std::string> post_names(const std::string& text) {
     std::vector<std::string> out;
     const auto scene = nlohmann::json::parse(text, nullptr, false);
@@ -20,7 +20,8 @@ std::vector<std::string> post_names(const std::string& text) {
     return out;
 }
 
-/// Whether its lumps touch things, and its elements have no mass of which nodes take a share.
+/// True if the cable's nodes have contact shapes and its elements have no mass to distribute to
+/// nodes.
 bool touches_alone(const World& world, const record::CableInfo& cable) {
     for (const InteractionId id : cable.elements) {
         const InteractionDef& def = world.interaction_def(id);
@@ -37,7 +38,7 @@ bool touches_alone(const World& world, const record::CableInfo& cable) {
     });
 }
 
-/// From a post's middle to the nearest node [m].
+/// Return the distance from a post's middle to the nearest node [m].
 double apart(const World& world, const ShapeDef& post, const record::CableInfo& cable) {
     const Vec3 at = world.world_point(post.body, post.position);
     double least = HUGE_VAL;
@@ -49,7 +50,7 @@ double apart(const World& world, const ShapeDef& post, const record::CableInfo& 
 }  // namespace
 
 void check_posts(const record::SceneInfo& scene, const World& world, Findings& out) {
-    constexpr double kBeside = 0.1;  // of the length of a cable
+    constexpr double kBeside = 0.1;  // fraction of the cable's length
     const std::vector<std::string> names = post_names(scene.text);
     if (names.empty()) return;
     for (const record::CableInfo& cable : scene.cables) {

@@ -10,11 +10,11 @@ namespace hawser::report::start {
 
 namespace {
 
-/// Share of a repetition, of a unit vector over its rows, below which a row is not part of it. A
-/// loop of a million rows has a thousandth in each.
+/// Fraction of a repetition, as a unit vector over its rows, below which a row does not belong to
+/// it. In a loop of a million rows each has a thousandth.
 constexpr double kPart = 1e-3;
 
-/// Rows of joints that are compared with each other one by one: some tenths of a second.
+/// Largest number of joint rows that are compared one by one, which takes some tenths of a second.
 constexpr std::size_t kMostDense = 500;
 
 /// Disjoint sets of joints.
@@ -54,7 +54,8 @@ class GroupFinder {
     }
 
   private:
-    /// Random vectors, as far as no motion reaches them: a row that repeats nothing has no part.
+    /// Find repeating rows by the unreachable part of random vectors: this part is zero in a row
+    /// that repeats no other.
     void find_repeating_rows() {
         std::vector<double> part(rows_.rows(), 0.0);
         std::uint64_t state = 0x9e3779b97f4a7c15U;
@@ -76,7 +77,7 @@ class GroupFinder {
             if (part[r] > kPart) repeating_.push_back(static_cast<std::int32_t>(r));
     }
 
-    /// Joints with repeating rows that share a body that moves.
+    /// Unite joints with repeating rows that share a moving body.
     void join_by_bodies() {
         std::vector<std::int64_t> first(static_cast<std::size_t>(world_.body_count()), -1);
         for (const std::int32_t row : repeating_) {
@@ -91,8 +92,8 @@ class GroupFinder {
         }
     }
 
-    /// Of each set of moderate size which rows belong to the same repetition; two doors on one
-    /// wall have nothing to do with each other.
+    /// Split each set of moderate size by repetition. Two doors on one wall share a body, but no
+    /// repetition.
     void split_by_rows() {
         std::vector<std::vector<std::int32_t>> by_set(rows_.joints().size());
         for (const std::int32_t row : repeating_)
@@ -150,7 +151,7 @@ class GroupFinder {
     Sets sets_;
     std::vector<std::size_t> joint_of_row_;
     std::vector<std::int32_t> repeating_;  ///< Rows, ascending.
-    std::vector<double> repetitions_;      ///< By joint: its share of the rank.
+    std::vector<double> repetitions_;      ///< Fraction of the rank for each joint.
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file repeating.h
-/// Groups of joints whose rows follow from each other's.
+/// Find groups of joints with redundant rows.
 
 #include "report/start/joint_rows.h"
 
@@ -10,13 +10,13 @@
 
 namespace hawser::report::start {
 
-/// Joints that say the same thing of their bodies.
+/// Joints with redundant rows.
 struct Group {
-    std::vector<std::int32_t> joints;  ///< Indices, ascending.
-    int repetitions = 0;               ///< Rows that follow from the others; 0: not counted.
+    std::vector<std::int32_t> joints;  ///< Indices in JointRows::joints(), ascending.
+    int repetitions = 0;               ///< Number of redundant rows; 0: not counted.
 };
 
-/// The groups at the poses that the rows are of, by their first joints.
+/// Return the groups at the poses of `rows`, ordered by their first joints.
 [[nodiscard]] std::vector<Group> find_groups(const World& world, JointRows& rows);
 
 }  // namespace hawser::report::start

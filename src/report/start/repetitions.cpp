@@ -14,14 +14,15 @@ namespace hawser::report::start {
 
 namespace {
 
-/// What remains open is a contradiction above this part of the reach of a joint; of an angle [rad];
-/// of the largest speed asked for. Below it steps put up with it.
+/// Tolerance of a remaining violation: a fraction of a joint's reach; for an angle [rad]; for a
+/// speed a fraction of the largest required speed. A larger violation is a contradiction; steps
+/// tolerate smaller ones.
 constexpr double kApart = 1e-3, kAngleApart = 1e-3, kSpeedApart = 1e-3;
 
-/// A speed that no one asks for: round-off of others [m/s or rad/s].
+/// Speed that counts as zero: round-off of other speeds [m/s or rad/s].
 constexpr double kStill = 1e-6;
 
-/// A motor whose force is less than this can be held [N or N m].
+/// Force limit from which a motor counts as unlimited [N or N m].
 constexpr double kUnlimited = 1e29;
 
 class Search {
@@ -48,8 +49,8 @@ class Search {
   private:
     [[nodiscard]] const Joint& joint(std::size_t j) const { return rows_.joints()[j]; }
 
-    /// Close what starts open. Where something stays open, rows that repeat each other there are
-    /// what cannot all hold.
+    /// Close the rows that start open. If some stay open, report the redundant rows among them as
+    /// inconsistent.
     void find_contradictions() {
         if (!any_apart()) return;
         World moved = world_.twin(Coupling::exact);
@@ -135,7 +136,7 @@ class Search {
             report_repetition(group, names, in_quotes(names), drives);
     }
 
-    /// Of the rate of a joint's k-th row; a scalar body has metres or radians.
+    /// Return the unit of the rate of a joint's k-th row; a scalar body has metres or radians.
     [[nodiscard]] const char* unit_of(const Joint& one, std::int32_t k) const {
         const KindInfo& kind = kind_info(world_.interaction_def(one.id).kind);
         if (kind.coordinate == KindCoordinate::scalar) return "m/s or rad/s";
@@ -201,7 +202,7 @@ class Search {
     JointRows& rows_;
     Findings& out_;
     std::vector<double> speeds_;
-    std::vector<bool> contradicts_;  ///< By joint: said already.
+    std::vector<bool> contradicts_;  ///< For each joint, true if a contradiction was reported.
     std::vector<std::size_t> joint_of_row_;
 };
 

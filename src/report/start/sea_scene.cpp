@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Warnings about a scene in the sea: depth and seabed, wires without drag, hulls in short waves
-/// and memories that are cut too early.
+/// Warn about a scene in the sea: depth and seabed, wires without drag, hulls in short waves, and
+/// truncated memory functions.
 #include "record/units.h"
 #include "report/start/parts.h"
 
@@ -15,14 +15,15 @@
 namespace hawser::report::start {
 namespace {
 
-/// Difference of two depths that is no rounding and no thickness of a wire.
+/// Return the smallest significant difference of two depths. Smaller ones are rounding or the
+/// thickness of a wire.
 double depth_digits(double depth) { return std::max(0.1, 0.005 * depth); }
 
-/// Wavelength over length of the hull below which added mass and damping by constants need
-/// coefficients.
+/// Ratio of wavelength to hull length, below which added mass and damping need coefficients that
+/// depend on frequency.
 constexpr double kShortWaves = 3.0;
 
-/// Part of K(0) that may be left where a memory ends.
+/// Allowed fraction of K(0) at the end of a memory function.
 constexpr double kMemoryLeft = 0.01;
 
 /// Depth below still water from which a wire counts as in the sea [m].
@@ -64,7 +65,7 @@ void check_depth(const record::SceneInfo& scene, const World& world, const SeaDe
     });
 }
 
-/// True if the scene gives the cable a linear drag of its own.
+/// True if the scene specifies a linear drag for the cable.
 bool has_linear_drag(const World& world, const record::CableInfo& cable) {
     return std::any_of(cable.nodes.begin(), cable.nodes.end(), [&](BodyId id) {
         const BodyDef& def = world.body_def(id);

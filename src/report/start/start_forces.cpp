@@ -17,13 +17,13 @@ namespace {
 
 std::size_t index_of(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// What takes the force of a row away: a line that pushes.
+/// Diagonal value that removes the force of a row, for a line that would push.
 constexpr double kSlack = 1e30;
 
-/// Part of G M⁻¹ Gᵀ that keeps rigid rows apart that repeat each other.
+/// Fraction of G M⁻¹ Gᵀ that regularises redundant rigid rows.
 constexpr double kFloor = 1e-9;
 
-/// M a + Gᵀ y = f, G a − (ε/h²) y = −g/h²: y is the pull of each row after a step from rest.
+/// Solves M a + Gᵀ y = f, G a − (ε/h²) y = −g/h². y is the pull of each row after a step from rest.
 class Statics {
   public:
     explicit Statics(const World& world) : world_(world), h_(world.settings().step) {
@@ -53,7 +53,7 @@ class Statics {
         for (std::size_t n = 0; n < bodies_.size(); ++n) write_body(n);
         std::int32_t edge = 0;
         for (std::int32_t i = 0; i < count(); ++i) edge = write_rows(i, edge);
-        constexpr int kRounds = 4;  // Lines that turn out to push let go.
+        constexpr int kRounds = 4;  // Iterations in which lines that push are released.
         for (int round = 0; round < kRounds; ++round) {
             if (factor_.factor(values_) != Status::ok) return false;
             x_ = rhs_;
@@ -73,7 +73,8 @@ class Statics {
     }
 
   private:
-    // Interactions by their number among those there are.
+    // Return the number of interactions. The functions below refer to an interaction by its index
+    // among these.
     [[nodiscard]] std::int32_t count() const {
         return static_cast<std::int32_t>(world_.interactions().size());
     }
@@ -119,7 +120,7 @@ class Statics {
         }
     }
 
-    /// Diagonal of G M⁻¹ Gᵀ, by the largest mass or moment that a column meets.
+    /// Write the diagonal of G M⁻¹ Gᵀ, with the largest mass or moment of each column.
     std::int32_t write_rows(std::int32_t i, std::int32_t edge) {
         const RowsView view = world_.rows(id_of(i));
         const InteractionDef& def = world_.interaction_def(id_of(i));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file start_forces.h
-/// About the forces with which a scene starts: those that hold still what rows hold, let elements
-/// pull as they are stretched, and let all else fall. Contacts, damping and centrifugal forces are
-/// left out; so it tells the size of a force, not its third digit.
+/// Estimate the forces at the start of a scene. Rows keep their violation, elements pull by their
+/// stretch, and all other bodies fall freely. Contacts, damping of rows, and the change of the
+/// Jacobian with the motion are neglected. Only the magnitude of a force is therefore reliable, not
+/// three digits.
 
 #include <hawser/hawser.h>
 
@@ -14,10 +15,10 @@ namespace hawser::report::start {
 
 class StartForces {
   public:
-    /// At the present poses. @throws std::bad_alloc.
+    /// Compute the forces at the present poses. @throws std::bad_alloc.
     explicit StartForces(const World& world);
     [[nodiscard]] bool known() const { return known_; }
-    /// Norm of the force in the rows of an interaction that are in metres [N].
+    /// Return the norm of the force in the rows of an interaction that are in metres [N].
     [[nodiscard]] double push(InteractionId id) const;
 
   private:

@@ -16,11 +16,11 @@ namespace hawser::report::start {
 
 namespace {
 
-/// h √(T/ρ)/l from which the sway of single elements is faster than the step, and h² f r/I from
-/// which the swing of a body about a joint is.
+/// Limits of under-resolved motion. First: h √(T/ρ)/l, for the transverse vibration of single
+/// elements. Second: h² f r/I, for the rotation of a body about a joint.
 constexpr double kWire = 2.0, kSwing = 1.5;
 
-/// Largest r·(r×)ᵀI⁻¹(r×)/r²: how readily a force at this arm turns the body against itself
+/// Return the largest r·(r×)ᵀI⁻¹(r×)/r²: the angular response of the body to a force at this arm
 /// [1/(kg m)].
 double swing(const World& world, BodyId id, const Vec3& arm) {
     const BodyDef& def = world.body_def(id);
@@ -31,7 +31,7 @@ double swing(const World& world, BodyId id, const Vec3& arm) {
     return base::symmetric_eigenvalues(turning)[2] / arm.norm();
 }
 
-/// Cables that end at each body.
+/// Number of cables that end at each body.
 using CablesAt = std::vector<double>;
 
 struct Fastest {
@@ -71,7 +71,7 @@ void report_swing(const World& world, std::vector<std::string> about, const std:
                     6.283 / std::sqrt(worst.s), worst.s, 1e3 * h * std::sqrt(kSwing / worst.s)));
 }
 
-/// Joints in no cable: those that hang together are told of once.
+/// Check joints that are in no cable. Connected joints are reported once.
 void check_other_joints(const World& world, const std::vector<Fastest>& fast, Findings& out) {
     std::vector<std::int32_t> set(fast.size());
     std::iota(set.begin(), set.end(), 0);
@@ -79,7 +79,7 @@ void check_other_joints(const World& world, const std::vector<Fastest>& fast, Fi
         while (set[static_cast<std::size_t>(i)] != i) i = set[static_cast<std::size_t>(i)];
         return i;
     };
-    std::map<std::int32_t, std::int32_t> first;  // By body.
+    std::map<std::int32_t, std::int32_t> first;  // Index for each body.
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(fast.size()); ++i) {
         const InteractionDef& def = world.interaction_def(fast[static_cast<std::size_t>(i)].joint);
         for (std::size_t b = 0; b < 2; ++b) {
@@ -107,7 +107,8 @@ void check_other_joints(const World& world, const std::vector<Fastest>& fast, Fi
     }
 }
 
-/// What pulls at the ends of a cable, shared with other cables there, as far as it stretches it.
+/// Return the largest pull at an end of a cable in its direction, divided by the number of cables
+/// at that end.
 double pull_at_ends(const World& world, const record::CableInfo& cable, const CablesAt& cables_at) {
     double pull = 0.0;
     const BodyId ends[2] = {cable.nodes.front(), cable.nodes.back()};
@@ -150,7 +151,7 @@ void check_wire(const World& world, const record::CableInfo& cable, const StartF
         if (lumps == 0) continue;
         mass /= lumps;
         const double length = def.get("length");
-        // A step from rest knows no buoyancy: in the sea the start is at rest, or slack.
+        // A step from rest neglects buoyancy: in the sea the start is at rest, or slack.
         const double at_start = start_tension(world, cable.elements[i]);
         const double step = wet && at_start > 0.0 ? 0.0 : forces.push(cable.elements[i]);
         const double pull = std::max({at_start, step, at_ends});
