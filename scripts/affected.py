@@ -51,20 +51,20 @@ ALWAYS_SANITIZED = {"files", "scene", "record", "live", "exercise", "model", "ru
                     "graph"}
 # Tests that start the program. The gate does not build an instrumented one; check-full does.
 PROGRAM_TESTS = {"cli", "validate", "golden"}
-# Folders of which no test is quick: see HAWSER_FULL_TESTS in cmake/HawserTests.cmake.
+# Folders without quick tests: see HAWSER_FULL_TESTS in cmake/HawserTests.cmake.
 FULL_ONLY = {"bench", "slow"}
 DATA = {"scenes", "exercises", "schema", "docs"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
 
 
 def git(*arguments: str) -> list[str]:
-    """Lines that git prints; none if it fails."""
+    """Return the lines that git prints; none if it fails."""
     done = subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True)
     return done.stdout.splitlines() if done.returncode == 0 else []
 
 
 def base_commit(given: str | None = None) -> str | None:
-    """First commit of the comparison, see above. None: there is no such commit."""
+    """Return the first commit of the comparison, see above. None: there is no such commit."""
     if given:
         found = git("rev-parse", "--verify", "--quiet", f"{given}^{{commit}}")
         if not found:
@@ -82,7 +82,7 @@ def base_commit(given: str | None = None) -> str | None:
 
 
 def changed_files(base: str | None) -> list[str] | None:
-    """Files changed since the base commit, uncommitted ones included. None: all."""
+    """Return the files changed since the base commit, uncommitted ones included. None: all."""
     if base is None:
         return None
     names = git("diff", "--name-only", "--no-renames", base)
@@ -98,14 +98,14 @@ def texts(folder: str) -> dict[str, str]:
 
 
 def included(sources: dict[str, str]) -> tuple[set[str], set[str]]:
-    """Names that the texts include: own headers "ROOM/FILE.h", public headers <hawser/NAME>."""
+    """Return names that texts include: own headers "ROOM/FILE.h", public headers <hawser/NAME>."""
     found = {match for text in sources.values() for match in INCLUDE.findall(text)}
     return ({name for kind, name in found if kind == '"' and "/" in name},
             {name.removeprefix("hawser/") for kind, name in found if name.startswith("hawser/")})
 
 
 def with_support(sources: dict[str, str]) -> dict[str, str]:
-    """The texts of a test folder and those of the files of tests/support that they include."""
+    """Return the texts of a test folder and of the files of tests/support that they include."""
     support = texts("tests/support")
     taken = dict(sources)
     while True:
@@ -124,7 +124,7 @@ def rooms() -> set[str]:
 
 @functools.cache
 def umbrella() -> frozenset[str]:
-    """Public headers that hawser/hawser.h includes, directly or through others."""
+    """Return the public headers that hawser/hawser.h includes, directly or through others."""
     found: set[str] = set()
     front = {"hawser.h"}
     while front:
@@ -137,7 +137,7 @@ def umbrella() -> frozenset[str]:
 
 @functools.cache
 def implementers(header: str) -> frozenset[str]:
-    """Rooms that implement a public header."""
+    """Return the rooms that implement a public header."""
     library = [rooms() - SYSTEMS.union(*CLIENTS), SYSTEMS]
     for group in library if header in umbrella() else [*library, *CLIENTS]:
         found = {room for room in group if header in included(texts(f"src/{room}"))[1]}
@@ -148,7 +148,7 @@ def implementers(header: str) -> frozenset[str]:
 
 @functools.cache
 def used_by_including(header: str) -> frozenset[str]:
-    """Rooms that implement a public header or one that it includes, directly or through others."""
+    """Return rooms that implement a public header or one that it includes, also through others."""
     path = ROOT / "include/hawser" / header
     found = set(implementers(header)) if path.exists() else set()
     for kind, name in INCLUDE.findall(path.read_text(encoding="utf-8")) if path.exists() else []:
@@ -158,7 +158,7 @@ def used_by_including(header: str) -> frozenset[str]:
 
 
 def test_folders() -> list[str]:
-    """Folders of tests/ that become test executables."""
+    """Return the folders of tests/ that become test executables."""
     return sorted(path.name for path in (ROOT / "tests").iterdir()
                   if path.is_dir() and path.name not in ("support", "consumer", "scripts")
                   and any(path.rglob("*.cpp")))
@@ -198,7 +198,7 @@ def uses() -> dict[str, set[str]]:
 
 
 def folders_of(files: list[str] | None) -> set[str]:
-    """Changed folders; {EVERYTHING} if all tests are affected."""
+    """Return the changed folders; {EVERYTHING} if all tests are affected."""
     if files is None:
         return {EVERYTHING}
     found = set()
@@ -232,7 +232,7 @@ def distances(changed: set[str]) -> dict[str, int]:
 
 
 def tests_of(changed: set[str], most: int | None = None) -> list[str]:
-    """Test folders that the changed folders reach within `most` uses (None: any), nearest first.
+    """Return the test folders within `most` uses (None: any) of changed folders, nearest first.
 
     The folder tests/X of a changed room X comes first.
     """

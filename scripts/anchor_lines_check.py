@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Printed checks of the scene anchor_lines; see make_anchor_lines.py."""
+"""Print checks of the scene anchor_lines; see make_anchor_lines.py."""
 
 import json
 
@@ -40,7 +40,7 @@ def report(vessels, thrust, st, index, springs, sc, lines):
 
 
 def count(sc, templates, lines):
-    """Sizes as the engine has to report them."""
+    """Return the sizes that the engine must report."""
     groups, queue = [sc], list(sc["instances"])
     while queue:
         groups.append(templates[queue.pop()["template"]])
@@ -61,7 +61,7 @@ def count(sc, templates, lines):
 
 
 def site_tow(st, rig, line, span, length):
-    """Tension of the line between two sites and how far it moves the rig at the end of a row."""
+    """Return the tension of the line between two sites and its displacement of the last rig."""
     w, ea, _ = line
     low, high = 1e3, 1e6
     for _ in range(60):  # the longer the line, the smaller the tension
@@ -79,7 +79,7 @@ def site_tow(st, rig, line, span, length):
 
 
 def compare(st, index, springs, file):
-    """Statics against the state to which the engine settled."""
+    """Compare the statics with the settled state of the engine."""
     state = json.loads(file.read_text())["bodies"]
     for name, i in index.items():
         x, r = st.bodies[i]["x"], st.bodies[i]["R"]
@@ -95,7 +95,7 @@ def compare(st, index, springs, file):
 
 
 def quaternion(r):
-    """[w, x, y, z] of a rotation matrix: the eigenvector of Bar-Itzhack (2000), any angle."""
+    """Return [w, x, y, z] of a rotation matrix: eigenvector of Bar-Itzhack (2000), any angle."""
     k = np.array([
         [r[0, 0] + r[1, 1] + r[2, 2], r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]],
         [0, r[0, 0] - r[1, 1] - r[2, 2], r[1, 0] + r[0, 1], r[0, 2] + r[2, 0]],
@@ -110,11 +110,11 @@ def turn(euler_deg):
 
 
 def write_start(file, sc, st, index, springs, templates):
-    """The static equilibrium as a state from which the engine settles in a few seconds."""
+    """Write the static equilibrium as a state, from which the engine settles in a few seconds."""
     bodies = {}
 
     def put(owner, name, position, r):
-        """A body at a place of its owner's frame."""
+        """Place a body at a point of its owner's frame."""
         b = st.bodies[owner]
         bodies[name] = {"p": (b["x"] + b["R"] @ position).tolist(),
                         "q": quaternion(b["R"] @ r).tolist()}

@@ -68,7 +68,7 @@ class Recording:
         return struct.unpack_from("<d", self.frames[i], 8)[0]
 
     def frame(self, i):
-        """Time, {body: (position, quaternion w x y z)}, [tension of each element]."""
+        """Return time, {body: (position, quaternion w x y z)}, [tension of each element]."""
         r = Reader(self.frames[i])
         _step, time = r.get("q"), r.get("d")
         r.get("Q3d")

@@ -14,7 +14,7 @@ import sys
 
 
 def allowed(isa: str, name: str) -> bool:
-    """True for names in namespace hawser::ISA, and data about them (guards, type names)."""
+    """True if a name is in namespace hawser::ISA, or data about such a name (guard, type name)."""
     if name == "DW.ref.__gxx_personality_v0":
         return True  # not code: the address of a function, for unwinding
     inside = f"hawser::{isa}::"

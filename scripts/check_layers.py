@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Check who includes whom, and a few rules that hold for every file.
+"""Check the includes of rooms, and a few rules for every file.
 
-The table of layers is read from docs/architecture.md, section "Layers": each row names folders
-and the rooms of src/ that they may include besides themselves, or of a room the one header that
-they may include of it. Further rules:
-  - include/hawser includes the standard library, Eigen and itself only;
-  - rooms of the library include no foreign library but Eigen (and AMD in factor);
-  - in src/, own headers are spelled "room/file.h";
-  - every C++, Python, shell and CMake file names its licence in the first lines;
-  - no C++ file is longer than 600 lines (aim: 400, unless it is one algorithm);
-  - modules of a room (a header with its source) include each other in no circle; rooms in which
-    they do so today are listed in CIRCLES, with how many take part, and may only get fewer;
-  - no file names a path of somebody's machine, and none asks for -march=native.
+The table of layers is in docs/architecture.md, section "Layers". Each row names folders and the
+rooms of src/ that they may include in addition to themselves. A header in place of a room is the
+only header of that room that they may include. Further rules follow.
+  - The folder include/hawser includes the standard library, Eigen and itself only.
+  - Rooms of the library include no foreign library except Eigen (and AMD in factor).
+  - In src/, own headers are spelled "room/file.h".
+  - Every C++, Python, shell and CMake file names its licence in the first lines.
+  - No C++ file is longer than 600 lines (aim: 400, unless it is one algorithm).
+  - Modules of a room (a header with its source) do not include each other in circles. Rooms with
+    circles are in CIRCLES with the number of modules in them, which may only decrease.
+  - No file contains a path of a private machine, or the option -march=native.
 """
 import pathlib
 import re
@@ -30,10 +30,10 @@ LICENCE = "SPDX-License-Identifier: Apache-2.0"
 USERS = {"scene", "record", "verify", "session", "report", "draw", "validate", "live", "export",
          "exercise", "debrief"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
-# Modules that take part in circles within their room.
+# Number of modules in circles within their room.
 CIRCLES: dict[str, int] = {}
 LONG_FUNCTION, LONG_FILE = 70, 400  # lines
-# The verifier asks for kinds by itself: it shares no code with what it checks.
+# The verifier compares kinds itself, because it shares no code with the solver.
 ASKING = {"src/model/", "src/verify/"}
 # Headers of the C++ library have no dot and no slash.
 STANDARD = re.compile(r"^[a-z_0-9]+$")
@@ -43,7 +43,7 @@ MACHINE_PATH = re.compile(r"(?<![\w.)}])/(?:work|home/\w+|root)/")
 
 
 def read_table() -> dict[str, set[str]]:
-    """Folder -> rooms, and headers of rooms, that it may include, from the table under "## Layers"."""
+    """Return folder -> rooms, and headers of rooms, that it may include, from "## Layers"."""
     section = TABLE.read_text(encoding="utf-8").split("\n## Layers\n", 1)[1].split("\n## ", 1)[0]
     table: dict[str, set[str]] = {}
     for line in section.splitlines():
@@ -64,7 +64,7 @@ def layer_of(path: str) -> str:
 
 
 def check_include(path: str, kind: str, name: str, allowed: set[str], rooms: set[str]) -> str:
-    """What is wrong with one include, or the empty string."""
+    """Return the fault of one include, or the empty string."""
     layer, top = layer_of(path), name.split("/")[0]
     if path.startswith("include/"):
         if kind == '"':
@@ -130,14 +130,14 @@ def check_file(path: str, table: dict[str, set[str]]) -> list[str]:
 
 
 def read_sources(files: list[str]) -> dict[str, str]:
-    """Text of the C++ sources of the library and the program."""
+    """Return the texts of the C++ sources of the library and the program."""
     return {path: (ROOT / path).read_text(encoding="utf-8") for path in files
             if path.endswith((".cpp", ".h")) and path.startswith(("src/", "apps/", "include/"))
             and (ROOT / path).is_file()}
 
 
 def check_circles(sources: dict[str, str]) -> tuple[list[str], int]:
-    """Rooms with more modules in circles than allowed; how many circles there are."""
+    """Return the rooms with more modules in circles than allowed, and the number of circles."""
     rooms: dict[str, dict[str, str]] = {}
     for path, text in sources.items():
         if path.startswith("src/"):
@@ -155,7 +155,7 @@ def check_circles(sources: dict[str, str]) -> tuple[list[str], int]:
 
 
 def print_shape(sources: dict[str, str], circles: int, listed: bool) -> None:
-    """The figures that a redesign is held to."""
+    """Print the structure figures with limits."""
     kinds = structure.kinds_of(sources["include/hawser/interactions.h"])
     long = [f"{path}:{line}: {name} has {lines} lines" for path, text in sources.items()
             for name, line, lines in structure.functions(text) if lines > LONG_FUNCTION]

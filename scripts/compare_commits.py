@@ -81,7 +81,7 @@ def run(command: list[str], where: pathlib.Path = ROOT, what: str = "") -> str:
 
 
 def source_of(commit: str) -> tuple[str, pathlib.Path]:
-    """Name and folder of the sources of a commit."""
+    """Return the name and the folder of the sources of a commit."""
     if commit == ".":
         return "working tree", ROOT
     name = run(["git", "rev-parse", "--short=12", commit + "^{commit}"]).strip()
@@ -92,7 +92,7 @@ def source_of(commit: str) -> tuple[str, pathlib.Path]:
 
 
 def build(name: str, source: pathlib.Path) -> pathlib.Path:
-    """The program that prints hashes, linked with the library of these sources."""
+    """Build the program that prints hashes with the library of these sources."""
     print(f"building {name} ...", flush=True)
     tree = FOLDER / (source.name + ".build")
     run(["cmake", "-S", str(source), "-B", str(tree), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
@@ -120,7 +120,7 @@ def motion(program: pathlib.Path, scene: pathlib.Path, steps: int, threads: int,
 
 def describe(before: pathlib.Path, after: pathlib.Path, scenes: list[pathlib.Path], step: int,
              threads: int) -> str:
-    """Which body is off most in a step."""
+    """Describe the body with the largest difference in a step."""
     def places(program: pathlib.Path, scene: pathlib.Path) -> dict[int, tuple[str, list[float]]]:
         lines = [line.rsplit(" ", 3) for line in motion(program, scene, step, threads, step)
                  if line.startswith("body ")]

@@ -16,7 +16,7 @@ import pathlib
 
 
 def series(path, name):
-    """Values of the one column whose name begins with `name`, by time in microseconds."""
+    """Return the column whose name begins with `name`, by time in microseconds."""
     with path.open() as file:
         rows = csv.reader(file)
         header = next(rows)
@@ -42,7 +42,7 @@ def main():
         times = [t for t in sorted(one.keys() & other.keys())
                  if given.begin <= 1e-6 * t <= given.end]
         if given.every:
-            # Times of steps miss those asked for by less than a microsecond.
+            # Times of steps differ from the requested ones by less than a microsecond.
             each = round(1e6 * given.every)
             times = [t for t in times if min(t % each, -t % each) <= 1]
         if not times:

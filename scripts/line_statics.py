@@ -4,12 +4,12 @@
 Two independent tools, neither of which uses the engine:
 
 * `hang` / `solve_line`: closed form of the elastic catenary (Irvine, Cable Structures, 1981,
-  ch. 1), for lines that may consist of several segments and point weights. Used to design
-  line lengths for wanted tensions.
+  ch. 1), for lines that may consist of several segments and point weights. It gives line
+  lengths for required tensions.
 * `Statics`: Newton's method on the lumped model itself (point masses joined by linear springs,
   rigid bodies with six degrees of freedom), with the full geometric stiffness. Its result is
-  the equilibrium that the engine's own settled state has to agree with. Bending is left out:
-  with EI / (T a²) below 1e-6 it moves no node by more than millimetres.
+  the reference for the engine's settled state. Bending is neglected: with EI / (T a²) below 1e-6
+  it moves no node by more than millimetres.
 """
 
 import numpy as np
@@ -22,7 +22,7 @@ def skew(a):
 
 
 def rotation(v):
-    """Rotation matrix of a rotation vector [rad]."""
+    """Return the rotation matrix of a rotation vector [rad]."""
     angle = np.linalg.norm(v)
     if angle < 1e-12:
         return np.eye(3) + skew(v)
@@ -31,9 +31,9 @@ def rotation(v):
 
 
 def hang(segments, h, v):
-    """End point (x, z) of a line that starts with horizontal tension h and upward vertical
-    component v [N] along its tangent. A segment is (weight per length [N/m], EA [N], length [m])
-    or a point weight [N]. Returns x, z and the vertical component at the end."""
+    """Return the end point (x, z) of a line that starts with horizontal tension h and upward
+    vertical component v [N] along its tangent. A segment is (weight per length [N/m], EA [N],
+    length [m]) or a point weight [N]. Returns x, z and the vertical component at the end."""
     x = z = 0.0
     for s in segments:
         if np.isscalar(s):
@@ -48,7 +48,7 @@ def hang(segments, h, v):
 
 
 def solve_line(make_segments, span, height, h, length, v=0.0):
-    """Length and start slope for a wanted horizontal tension: unknowns (length, v) such that
+    """Find length and start slope for a given horizontal tension: unknowns (length, v) such that
     hang(make_segments(length), h, v) ends at (span, height)."""
     for _ in range(100):
         f = np.array(hang(make_segments(length), h, v)[:2]) - (span, height)
@@ -118,7 +118,7 @@ class Statics:
         return ea * (np.linalg.norm(self.point(b) - self.point(a)) / length - 1)
 
     def _columns(self, end):
-        """Index of the first unknown and the matrix d(point)/d(unknowns), or None."""
+        """Return the index of the first unknown and the matrix d(point)/d(unknowns), or None."""
         if end[0] == "fixed":
             return None
         if end[0] == "node":
@@ -127,7 +127,7 @@ class Statics:
         return 6 * end[1], np.hstack([np.eye(3), -skew(arm)])
 
     def _push(self, force, stiffness, end, f):
-        """Apply force f at an end, with the stiffness of its own lever arm."""
+        """Apply force f at an end, with the stiffness of its arm."""
         cols = self._columns(end)
         if cols is None:
             return
@@ -194,7 +194,7 @@ class Statics:
         return dx
 
     def solve(self, tolerance=1e-3, report=lambda s: None):
-        """Newton with limited steps; residual in N (forces) and N m (moments)."""
+        """Apply Newton's method with limited steps; residual in N (forces) and N m (moments)."""
         for it in range(200):
             force, stiffness = self.assemble()
             worst = np.abs(force).max()

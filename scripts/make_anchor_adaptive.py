@@ -36,7 +36,7 @@ G, DECK_Z, DECK_K = 9.81, 1.2, 1e7
 ROLLER = (-40.0, -0.2)  # x and z of the stern roller, on the hull
 ROLLER_R, ROLLER_MU = 1.788, 0.2  # to the middle of a wire [m]; as of wires on rollers in contact
 CLEAR = 0.29  # straight wire from a guide to the next node at least, in elements
-GUIDED = 20  # nodes behind a guide that share what a polygon is shorter than the wire on its roller
+GUIDED = 20  # nodes behind a guide; they compensate that a polygon is shorter than the wire
 
 
 def rotated(q, p):
@@ -48,14 +48,14 @@ def rotated(q, p):
 
 
 def placed(state, end):
-    """World point of an end of a cable."""
+    """Return the world point of an end of a cable."""
     body = state[end["body"]]
     turned = rotated(body.get("q", [1, 0, 0, 0]), end.get("point", [0, 0, 0]))
     return [a + b for a, b in zip(body["p"], turned)]
 
 
 def between(nodes, elements):
-    """The same line in another number of elements, evenly along its material."""
+    """Divide a line into another number of elements of equal length."""
     out, last = [], len(nodes) - 1
     for k in range(1, elements):
         at = k * last / elements
@@ -65,7 +65,7 @@ def between(nodes, elements):
 
 
 def resampled(cable, state, elements):
-    """Elements of a cable, with its nodes in the state."""
+    """Set the elements of a cable, with its nodes in the state."""
     name, n = cable["name"], cable["elements"]
     nodes = [placed(state, cable["from"])] + [state[f"{name}/{i}"]["p"] for i in range(1, n)]
     nodes.append(placed(state, cable["to"]))
@@ -79,7 +79,7 @@ def resampled(cable, state, elements):
 
 
 class Ship:
-    """Where an anchor handler is in a state, and about the axis of its stern roller."""
+    """Position of an anchor handler in a state, and points about the axis of its stern roller."""
 
     def __init__(self, scene, state, name, y):
         self.hull = state[f"{name}/hull"]
@@ -92,7 +92,7 @@ class Ship:
         return [sum((p[k] - origin[k]) * axis[k] for k in range(3)) for axis in self.axes]
 
     def defined(self, p):
-        """The same place on the ship where the scene defines it to be."""
+        """Return the point on the ship at its position in the scene definition."""
         x, y, z = self.local(p, self.hull["p"])
         yaw = math.radians(self.instance.get("euler_deg", [0, 0, 0])[2])
         c, s = math.cos(yaw), math.sin(yaw)
@@ -101,12 +101,12 @@ class Ship:
 
 
 def straight(p):
-    """Of a wire from a roller to a point about its axis; 0 within it."""
+    """Return the straight length from a roller to a point about its axis; 0 within the roller."""
     return math.sqrt(max(0.0, p[0]**2 + p[2]**2 - ROLLER_R**2))
 
 
 def over_roller(a, b):
-    """Length of wire from a over the roller to b, points about its axis, in its plane."""
+    """Return the length of wire from a over the roller to b, points about its axis in its plane."""
     ra, rb = math.hypot(a[0], a[2]), math.hypot(b[0], b[2])
     between_them = math.acos((a[0] * b[0] + a[2] * b[2]) / (ra * rb))
     lies = between_them - math.acos(ROLLER_R / ra) - math.acos(ROLLER_R / rb)
@@ -114,13 +114,13 @@ def over_roller(a, b):
 
 
 def passing(nodes, ship):
-    """Places about the roller's axis, and the first node abaft it."""
+    """Return the positions about the roller's axis, and the first node abaft it."""
     about = [ship.local(p, ship.centre) for p in nodes]
     return about, next(i for i, p in enumerate(about) if p[0] < 0.0)
 
 
 def clear_of_roller(cable, state, ship, count):
-    """A number of elements near `count` with which no node lies at the roller."""
+    """Return a number of elements near `count` for which no node is at the roller."""
     nodes = [placed(state, cable["from"])]
     nodes += [state[f"{cable['name']}/{i}"]["p"] for i in range(1, cable["elements"])]
     nodes.append(placed(state, cable["to"]))
@@ -134,7 +134,7 @@ def clear_of_roller(cable, state, ship, count):
 
 
 def guide(cable, state, ship, name, friction):
-    """A guide on the roller, and the wire laid round it, as long as it was: nodes behind move up."""
+    """Add a guide on the roller. The wire keeps its length around it: nodes behind move up."""
     wire = cable["name"]
     nodes = [placed(state, cable["from"])]
     nodes += [list(state[f"{wire}/{i}"]["p"]) for i in range(1, cable["elements"])]
@@ -151,17 +151,17 @@ def guide(cable, state, ship, name, friction):
         p = state[f"{wire}/{i}"]["p"]
         where = ship.defined(p) if i < behind + 6 else p
         cable["shape"][i - 1] = [round(x, 4) for x in where]
-    # What passes a guide is as long as its way there, whatever is asked of an element.
+    # An element at a guide has the length of its path there, at any requested resolution.
     cable["length"] = round(cable["length"] - more, 4)
     state[f"{wire}_roller/slide"] = {"p": [0, 0, 0]}
-    # On the hull: two wires hold a roller, which does not turn with either.
+    # On the hull: a roller with two wires does not turn.
     return {"name": f"{wire}_roller", "cable": wire, "on": f"{name}/hull",
             "point": [ROLLER[0], cable["from"]["point"][1], ROLLER[1]], "axis": [0, 1, 0], "radius": -ROLLER_R,
             "friction": friction}
 
 
 def zigzag(x, y, z, side):
-    """Nodes of a line laid to and fro along x, each row beside the last."""
+    """Return the nodes of a line in parallel rows along x."""
     nodes, way = [[x, y, z]], -1
     for _ in range(DECK_COUNT):
         px, py, _ = nodes[-1]
@@ -195,7 +195,7 @@ def deck_lines(template, lines, state):
 
 
 def handler(template):
-    """The anchor handler without bare drums: its winches are those of the scene."""
+    """Return the anchor handler without bare drums, because the scene defines its winches."""
     t = copy.deepcopy(template)
     t["bodies"] = [b for b in t["bodies"] if b["name"] not in ("tow_drum", "work_drum")]
     t["interactions"] = [i for i in t["interactions"]
@@ -213,7 +213,7 @@ def handler(template):
 
 
 def winch(cable, end_element):
-    """Wire leaves it in the fourth layer, at about the radius of anchor_contact's."""
+    """Return a winch with wire in the fourth layer, at about the radius in anchor_contact."""
     return {"name": f"{cable}_winch", "cable": cable, "core_radius": CORE_R, "width": 2.4,
             "stored": STORED, "inertia": 80000,
             "element": end_element, "mode": "speed", "speed": 0, "torque_haul": 5e6,
@@ -223,7 +223,7 @@ def winch(cable, end_element):
 def resolution(name):
     out = {"min_length": LEAST, "max_length": 4 * LEAST, "patience": 3}
     if name.startswith("mooring"):
-        out["contact_length"] = 0  # a level bed asks for none
+        out["contact_length"] = 0  # not required on a horizontal bed
     return out
 
 
@@ -236,7 +236,7 @@ def elements_of(cable, element):
 
 
 def dump(data):
-    """JSON with lists of numbers on one line."""
+    """Return JSON with lists of numbers on one line."""
     text = json.dumps(data, indent=1)
     return re.sub(r"\[\s+([-\d.e+,\s]+?)\s+\]",
                   lambda m: "[" + re.sub(r"\s+", " ", m.group(1)) + "]", text) + "\n"
@@ -263,7 +263,7 @@ def main():
         if count != cable["elements"]:
             resampled(cable, state, count)
         if guided:
-            # A start settles without friction there, in which any tension within e^±μθ may rest.
+            # Settle without friction there: with it any tension within e^±μθ would be at rest.
             guides.append(guide(cable, state, ship, name, 0 if given.start else ROLLER_MU))
         cable["consistent_mass"] = True
         if not given.start:

@@ -1,18 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Write scenes/anchor_contact.json: the site of anchor_lines with what touches (numpy only).
+"""Write scenes/anchor_contact.json: the site of anchor_lines with contact (numpy only).
 
-Moorings go on along the seabed to embedded anchors; the lines of the anchor handlers run from
-their winches over the stern roller; spare chain, wire and anchors lie on deck; a barge lies
-alongside the first anchor handler, on fenders. docs/anchor_contact.md explains the numbers.
+Moorings continue along the seabed to embedded anchors. The lines of the anchor handlers run from
+their winches over the stern roller. Spare chain, wire and anchors lie on deck. A barge lies
+alongside the first anchor handler, on fenders. The numbers: docs/anchor_contact.md.
+
+Usage:
 
     scripts/make_anchor_contact.py            write the scene
     scripts/make_anchor_contact.py --start    also write a start near its equilibrium as the state,
-                                              for `hawser settle` to finish
+                                              for `hawser settle` to finish.
 
-The start is made from the settled state of anchor_lines: hanging parts of the lines stay where
-they are, and the chain on the seabed is laid with the tension that it has at the touch-down, at
-the depth at which the bed carries its weight.
+The start comes from the settled state of anchor_lines. Hanging parts of the lines keep their
+positions. The chain on the seabed has the tension of the touch-down, at the depth at which the
+bed carries its weight.
 """
 
 import copy
@@ -48,8 +50,9 @@ def numbered(state, name, count):
 
 
 def mooring_shape(rig_end, nodes, anchor, length, elements):
-    """Interior nodes of the lengthened mooring. The chain leaves the old anchor point with its
-    tension there, sheds its weight node by node until it is horizontal, then lies straight."""
+    """Return the interior nodes of the lengthened mooring. The chain leaves the old anchor point
+    with its tension there. The tension loses the weight of each node until it is horizontal; then
+    the chain lies straight."""
     element = length / elements
     last = anchor - nodes[-1]
     stretched = np.linalg.norm(last)
@@ -112,7 +115,7 @@ def moorings(scene, state, cables, bodies, interactions):
 
 
 def flakes(x, y, z, step, rows=ROWS):
-    """Nodes of a line laid to and fro along x, its flakes side by side."""
+    """Return the nodes of a line in parallel flakes along x."""
     nodes = []
     for r in range(rows):
         row = [[x - k * PITCH, y + r * step, z] for k in range(FLAKE + 1)]
@@ -131,7 +134,7 @@ def deck_line(name, line, material, mass, d, x, y, step, end):
 
 
 def handler(template):
-    """The anchor handler with a deck, a roller that touches, and what lies on deck."""
+    """Return the anchor handler with a deck, a roller with contact, and the objects on deck."""
     t = copy.deepcopy(template)
     t["description"] = "Anchor handler of anchor_lines with deck, roller and deck cargo that touch."
     body = {b["name"]: b for b in t["bodies"]}
@@ -173,8 +176,8 @@ def turned(q):
 
 
 def over_roller(cable, state, ship, deck_y):
-    """The line of an anchor handler from its winch over the roller: the part astern is that of
-    anchor_lines, lifted at the roller from its axis to its top."""
+    """Return the line of an anchor handler from its winch over the roller. The part astern is that
+    of anchor_lines, raised at the roller from its axis to its top."""
     hull = state[f"{ship}/hull"]
     r = turned(hull["q"])
     place = lambda p: np.array(hull["p"]) + r @ np.array(p, float)
@@ -182,7 +185,7 @@ def over_roller(cable, state, ship, deck_y):
     nodes = numbered(state, cable["name"], n)
     lift = place([0, 0, WIRE_Z]) - place([0, 0, ROLLER_AT[1]])
     astern = [p + lift * (1 - (k + 1) / n) for k, p in enumerate(nodes)]
-    # On deck with the tension that there is at the roller, up to about the winch.
+    # On deck with the tension at the roller, up to about the winch.
     first = np.linalg.norm(nodes[1] - nodes[0])
     at = np.array(hull["p"])
     local = r.T @ (astern[0] - at)
@@ -201,7 +204,7 @@ def over_roller(cable, state, ship, deck_y):
 
 
 def barge(state):
-    """Alongside the first anchor handler to port, pressed on three fenders that it carries."""
+    """Return the barge alongside the first anchor handler to port, pressed on three fenders."""
     hull = np.array(state["ahts1/hull"]["p"])
     squeeze = PRESS / 3 / FENDER_K
     y = hull[1] + 9 + 2 * FENDER_R - squeeze + BARGE_HALF[1]
@@ -225,7 +228,7 @@ def barge(state):
 
 
 def start(state, text):
-    """Places of all bodies: those of anchor_lines, on deck with the hull, the rest as designed."""
+    """Return the positions of all bodies: of anchor_lines, on deck with the hull, or designed."""
     out = {n: {"p": b["p"]} | ({"q": b["q"]} if "q" in b else {}) for n, b in state.items()
            if not n.endswith("deck_anchors")}
     for c in text["cables"]:

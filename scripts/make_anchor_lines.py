@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Design and write scenes/anchor_lines.json (numpy only).
 
-The scene: a semi-submersible on eight mooring chains; two anchor handlers, each towing at the
-rig with a tow wire and holding one more of its chains, with the anchor still on the work wire.
-Line lengths are chosen for wanted tensions with the closed-form elastic catenary, the thrusts
-balance the lines, and Newton's method on the lumped model gives the static equilibrium, with
-which the engine's settled state can be compared. Line types, crane, anchor handler and windlass
-are read from scenes/parts/. docs/anchor_lines.md explains every number.
+The scene: a semi-submersible on eight mooring chains and two anchor handlers. Each of them tows
+the rig with a tow wire and holds one more of its chains, with the anchor still on the work wire.
+The closed-form elastic catenary gives line lengths for the required tensions, and the thrusts
+balance the lines. Newton's method on the lumped model gives the static equilibrium, the reference
+for the engine's settled state. Line types, crane, anchor handler and windlass come from
+scenes/parts/. The numbers: docs/anchor_lines.md.
 
+Usage:
     scripts/make_anchor_lines.py            print the design and write the scene
     scripts/make_anchor_lines.py --check    print the design; compare with the scene as stored
                                             and with the state that the engine settled to
@@ -78,7 +79,7 @@ def mirrored(p, sx, sy):
 
 
 def carried(template, position=(0, 0, 0), yaw_deg=0.0):
-    """Weight [N] and place of what a template puts on its hull."""
+    """Return weight [N] and position of a template's bodies on its hull."""
     t, r = TEMPLATES[template], rotation([0, 0, np.radians(yaw_deg)])
     value = lambda m: t["parameters"][m[2:-1]] if isinstance(m, str) else m
     loads = [(value(b["mass"]) * G, np.array(position) + r @ b["position"])
@@ -89,7 +90,7 @@ def carried(template, position=(0, 0, 0), yaw_deg=0.0):
 
 
 def design():
-    """Lengths and end points of all lines, rounded to what is written in the scene."""
+    """Return the lengths and end points of all lines, rounded to the digits in the scene."""
     d = {"moorings": []}
     # Mooring: given tension and lift at the anchor, the height fixes the length.
     height = DEPTH + RIG_CM_Z + FAIRLEAD[2]
@@ -126,7 +127,7 @@ def design():
 
 
 def rig_hydrostatics(d):
-    """GM = KB + I/V − KG from pontoons and columns; rest height from all that hangs on it."""
+    """Return GM = KB + I/V − KG from pontoons and columns, and the rest height under all loads."""
     columns = np.pi * COLUMN_D**2
     pontoons = 2 * np.prod(PONTOON)
     above = columns * (DRAUGHT - PONTOON[2])
@@ -155,7 +156,7 @@ def ship_hydrostatics(d):
 
 
 def water(v, zeta):
-    """The `hydrostatic` interaction; zeta: fraction of critical damping."""
+    """Return the `hydrostatic` interaction; zeta: fraction of critical damping."""
     tilt = [2 * zeta * np.sqrt(k * i) for k, i in zip(v["tilt"], v["inertia"])]
     return {"heave_stiffness": v["heave"], "roll_stiffness": v["tilt"][0],
             "pitch_stiffness": v["tilt"][1],
@@ -165,7 +166,7 @@ def water(v, zeta):
 
 
 def require_ahts(ship):
-    """The anchor handler's template is written by hand: its numbers must be the designed ones."""
+    """Check the anchor handler's handwritten template: its numbers must be those of the design."""
     wanted = {"mass": ship["mass"], "inertia": ship["inertia"]} | water(ship, 0.2)
     stored = AHTS["hull"] | TEMPLATES["ahts"]["interactions"][0]
     for key, value in wanted.items():
@@ -190,7 +191,7 @@ def cable(name, line, start, to, length, n, drum, radius):
 
 
 def ship_lines(d, i, s):
-    """Chain in hand, work wire and tow wire of anchor handler i."""
+    """Return chain in hand, work wire and tow wire of anchor handler i."""
     chain = cable(f"chain{i}", "chain76", {"body": "rig", "point": mirrored(CHAIN_POINT, s, s)},
                   {"body": f"anchor{i}", "point": mirrored(ANCHOR_ARM, -1, 1)},
                   CHAIN_LENGTH, CHAIN_N, f"windlass{8 + i}/drum", 0.6)
@@ -248,7 +249,7 @@ def scene(d, rig):
 
 
 def to_statics(sc, d, rig, ship):
-    """The scene as points, bodies and springs; carried bodies are dead weights on their hull."""
+    """Convert the scene to points, bodies and springs; carried bodies are weights on their hull."""
     st = Statics()
     loads = [(DERRICK_MASS * G, DERRICK_AT)]
     for p, slew in RIG_CRANES.values():
@@ -278,7 +279,7 @@ def to_statics(sc, d, rig, ship):
 
 
 def lay_site_tow(join, st, rig):
-    """Equilibrium of the line between two sites whose rigs lie where this one does. Given as
+    """Find the equilibrium of the line between two sites with this rig's position. Given as
     points: a catenary of rigid elements would start slack and fall 1 m."""
     b = st.bodies[rig]
     ends = [b["x"] + b["R"] @ join[e]["point"] for e in ("from", "to")]
@@ -291,7 +292,7 @@ def lay_site_tow(join, st, rig):
 
 
 def plain(v):
-    """Numbers as people write them: 950000, not 950000.0."""
+    """Write whole numbers without a fraction: 950000, not 950000.0."""
     if isinstance(v, dict):
         return {k: plain(x) for k, x in v.items()}
     if isinstance(v, (list, tuple)):
@@ -302,7 +303,7 @@ def plain(v):
 
 
 def dump(value, indent=0, width=100):
-    """JSON with short lists and objects on one line."""
+    """Return JSON with short lists and objects on one line."""
     flat = json.dumps(value, ensure_ascii=False)
     if not isinstance(value, (dict, list)) or len(flat) + indent <= width:
         return flat

@@ -32,7 +32,7 @@ DECK_Z, PIN_TOP = 1.2, 3.0
 WORK_Y, WORK_ELEMENT = 1.0, 2.5  # [m]
 JAW = [-36.5, WORK_Y, 2.1]  # place of the shark jaw, where chain leads from anchor to roller [m]
 JAW_LOAD = 7.35e6  # 750 t [N]
-ANCHOR_HALF = [2.5, 1.9, 0.8]  # what touches of the anchor: it passes the pins of the tow wire [m]
+ANCHOR_HALF = [2.5, 1.9, 0.8]  # contact box of the anchor: it passes the pins of the tow wire [m]
 PENDANT_Y, PENDANT, PENDANT_ELEMENTS = -1.9, 6.0, 3  # along the anchor's side [m]
 CROSS_Y, CROSS_END, ABOVE = -2.6, -24.0, 0.12  # second tow wire: fairlead, rig; over the first [m]
 TOW_TENSION, EA = 3.6e5, 2.33e8  # of tow2 at rest [N]
@@ -42,7 +42,7 @@ SPRING_EA = 2.76e7  # polyester of 80 mm, as in parts/lines.json [N]
 STROP = {"EA": 2.76e7, "breaking_load": 1.971e6}  # polyester of 80 mm, too [N]
 # Most of a mooring lies on the bed: elements of its start, 6.2 m, by fours, and waves of 3.5 s.
 MOORING = {"max_length": 25.0, "wave_period": 3.5}
-FLANGE = 1.5  # room for what comes in [m]
+FLANGE = 1.5  # free height for incoming wire [m]
 
 
 def step(at, what, **done):
@@ -54,7 +54,7 @@ def let_go(at, wire, what, end="last"):
 
 
 def ends_with_lumps():
-    """Lines end in a lump at the anchor, so that all of them touches."""
+    """End lines in a node at the anchor, so that their whole length has contact."""
     out = []
     for wire, x in (("work1", ANCHOR_HALF[0]), ("chain1", -ANCHOR_HALF[0])):
         out += [let_go(0, wire, f"{wire} is let go, to get a shackle"),
@@ -99,8 +99,8 @@ def timeline():
 
 
 def with_gear(template):
-    """ahts1: guide pins of the work wire are pins of the scene, which go down; no spare wire lies
-    where the anchor comes to stand."""
+    """Change ahts1: guide pins of the work wire become movable pins of the scene. Remove the spare
+    wire at the final position of the anchor."""
     t = copy.deepcopy(template)
     hull = next(b for b in t["bodies"] if b["name"] == "hull")
     hull["shapes"] = [s for s in hull["shapes"] if not s["name"].startswith("work_pin")]
@@ -109,7 +109,7 @@ def with_gear(template):
 
 
 def with_two_tows(template):
-    """ahts2: guide pins for the second tow wire, as for the first one."""
+    """Change ahts2: add guide pins for the second tow wire, like those of the first one."""
     t = copy.deepcopy(template)
     hull = next(b for b in t["bodies"] if b["name"] == "hull")
     for k in (1, 2):
@@ -121,7 +121,7 @@ def with_two_tows(template):
 
 
 def along(line, count):
-    """Inner nodes of a line in equal elements."""
+    """Return the inner nodes of a line in equal elements."""
     ways = [0.0]
     for a, b in zip(line, line[1:]):
         ways.append(ways[-1] + math.dist(a, b))
@@ -136,7 +136,7 @@ def along(line, count):
 
 
 def crossing_wire(scene, state):
-    """Beside tow2 to its pins, from there to the other corner of the rig, as high as tow2."""
+    """Return a wire parallel to tow2 up to its pins, then to the other corner of the rig."""
     tow = next(c for c in scene["cables"] if c["name"] == "tow2")
     n, hull = tow["elements"], state["ahts2/hull"]
     place = lambda p: [a + b for a, b in zip(hull["p"], rotated(hull["q"], p))]
@@ -164,7 +164,7 @@ def crossing_wire(scene, state):
 
 
 def pendant(scene, state):
-    """Slack along the anchor, from where its wire is to where its chain is."""
+    """Return the slack pendant along the anchor, from its wire to its chain."""
     x, z = ANCHOR_HALF[0], 0.6
     each = PENDANT / PENDANT_ELEMENTS
     aside = x - each / 2
@@ -192,7 +192,7 @@ def deck_gear(scene):
 
 
 def lashed_barge(scene):
-    """Springs to the barge, which friction on fenders alone would not take along."""
+    """Connect the barge by springs, because friction on fenders alone would not move it."""
     for k, (ship, barge) in enumerate(SPRINGS):
         scene["interactions"].append(
             {"name": f"barge_spring{k + 1}", "kind": "stretch", "bodies": ["ahts1/hull", "barge"],
@@ -230,8 +230,8 @@ def changed_bodies(scene):
 
 
 def made(start, fine, elements=()):
-    """The scene and where its bodies are. Its site is that of anchor_adaptive when this scene was
-    frozen: wires touch the rollers, as yet without guides."""
+    """Return the scene and the positions of its bodies. Its site is an old version of
+    anchor_adaptive: wires touch the rollers without guides."""
     scene = json.loads((ROOT / "parts" / "anchor_run.site.json").read_text())
     state = json.loads((ROOT / "parts" / "anchor_run.site.settled.json").read_text())["bodies"]
     work = next(c for c in scene["cables"] if c["name"] == "work1")

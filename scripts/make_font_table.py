@@ -7,9 +7,9 @@ Needs the Debian packages python3-fonttools and fonts-roboto-unhinted (Roboto, C
 Google Inc., Apache-2.0). Run only to add glyphs; the result is kept in the repository.
 
 One glyph is a line {code point, advance, outline}. Lengths are in 1/1024 em. The outline is a
-string of points, each four characters of a base-64 alphabet that begins at '#': x + 512 (plus
-2048 when the point is a control point of a quadratic curve) in two characters, y + 512 (plus
-2048 when it ends its contour) in two.
+string of points, each four characters of a base-64 alphabet that begins at '#'. Two characters
+are x + 512, plus 2048 if the point is a control point of a quadratic curve. Two characters are
+y + 512, plus 2048 if the point ends its contour.
 """
 import sys
 

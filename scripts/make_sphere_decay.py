@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Write scenes/sphere_decay.json: a floating sphere let go 1 m above rest.
+"""Write scenes/sphere_decay.json: a floating sphere released 1 m above rest.
 
 Sphere of IEA OES Task 10 (F. Wendt and others, 2019): radius 5 m, half of it under water of
-1000 kg/m3, centre of mass 2 m below its centre. Coefficients of heave: A. Hulme, "The wave forces
-acting on a floating hemisphere undergoing forced periodic oscillations", Journal of Fluid
-Mechanics 121 (1982), table 1: added mass and damping over (2/3) pi rho a^3 and that times omega.
+1000 kg/m3, centre of mass 2 m below its centre. Coefficients of heave: added mass over
+(2/3) pi rho a^3, and damping over that times omega. Source: A. Hulme, "The wave forces acting on a
+floating hemisphere undergoing forced periodic oscillations", Journal of Fluid Mechanics 121
+(1982), table 1.
 """
 import json
 import math

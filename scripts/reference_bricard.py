@@ -23,7 +23,7 @@ def skew(a):
 
 
 def acceleration(p, R, v, w):
-    """Accelerations of five bodies that satisfy six hinges, multipliers of least norm."""
+    """Return accelerations of five bodies that satisfy six hinges, multipliers of least norm."""
     rows, bias = np.zeros((30, 30)), np.zeros(30)
     for j in range(6):
         axis = AXES[j]

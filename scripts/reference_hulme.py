@@ -27,7 +27,7 @@ from make_sphere_decay import ADDED, DAMPING, KA
 
 
 def bessel(x):
-    """J0, J1, Y0, Y1 and Struve's H0, H1 by their power series (x below some 12)."""
+    """Return J0, J1, Y0, Y1 and Struve's H0, H1 by their power series (x below some 12)."""
     q = x * x / 4
     j0 = j1 = y0 = y1 = 0.0
     term, harmonic = 1.0, 0.0  # (-q)^k/(k!)^2, sum of 1/k
@@ -57,7 +57,7 @@ GAUSS = np.polynomial.legendre.leggauss(60)
 
 
 def source(K, R, z):
-    """phi_0 and its derivatives by R and z."""
+    """Return phi_0 and its derivatives by R and z."""
     r = math.hypot(R, z)
     j0, j1, y0, y1, h0, h1 = bessel(K * R)
     # s = R sinh u makes the integrands smooth.
@@ -76,7 +76,7 @@ def source(K, R, z):
 
 
 def heave(K, terms=40, points=160):
-    """mu and lambda: A and B/omega over the mass of the displaced water, radius 1."""
+    """Return mu and lambda: A and B/omega over the mass of the displaced water, radius 1."""
     x, w = np.polynomial.legendre.leggauss(points)
     theta = math.pi / 4 * (x + 1)
     w = math.pi / 4 * w

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Reference values of the pendulum-like cases by extrapolated midpoint integration.
+"""Compute reference values of the pendulum-like cases by extrapolated midpoint integration.
 
 The integrator is the Gragg-Bulirsch-Stoer method at a fixed macro step (Hairer, Norsett,
-Wanner, "Solving Ordinary Differential Equations I", II.9); the values are computed at two
-macro steps and printed with their difference. Standard library only.
+Wanner, "Solving Ordinary Differential Equations I", II.9). Values are computed at two macro
+steps and printed with their difference. Standard library only.
 """
 
 import math
 
 
 def gbs_step(f, t, y, step, columns=8):
-    """One macro step of the extrapolated modified midpoint rule of order 2 * columns."""
+    """Perform one macro step of the extrapolated modified midpoint rule of order 2 * columns."""
     table = []
     for k in range(columns):
         n = 2 * (k + 1)
@@ -30,7 +30,7 @@ def gbs_step(f, t, y, step, columns=8):
 
 
 def integrate(f, y, times, macro):
-    """States at the given ascending times, starting from time 0."""
+    """Return the states at the given ascending times, starting from time 0."""
     t, out = 0.0, []
     for target in times:
         count = max(1, math.ceil((target - t) / macro - 1e-9))
@@ -43,21 +43,21 @@ def integrate(f, y, times, macro):
 
 
 def a01(macro):
-    """Positions of the simple pendulum of IFToMM A01 at 1, 2, 5, 10 s."""
+    """Return positions of the simple pendulum of IFToMM A01 at 1, 2, 5, 10 s."""
     states = integrate(lambda t, y: [y[1], -9.81 * math.sin(y[0])], [-math.pi / 2, 0.0],
                        (1, 2, 5, 10), macro)
     return [c for s in states for c in (math.sin(s[0]), -math.cos(s[0]))]
 
 
 def a02(macro, n=2):
-    """B0 of the N-four-bar mechanism at 1, 5, 10 s; angle from the upright pose."""
+    """Return B0 of the N-four-bar mechanism at 1, 5, 10 s; angle from the upright pose."""
     rate = ((n + 1) / 2 + n) * 9.81 / ((n + 1) / 3 + n)
     states = integrate(lambda t, y: [y[1], rate * math.sin(y[0])], [0.0, 1.0], (1, 5, 10), macro)
     return [c for s in states for c in (math.sin(s[0]), math.cos(s[0]))]
 
 
 def dzhanibekov(macro):
-    """Body-frame angular velocity at 2 s and the time of the first zero of its middle part."""
+    """Return the body-frame angular velocity at 2 s and the first zero of its middle component."""
     def f(t, w):
         return [(2 - 3) / 1 * w[1] * w[2], (3 - 1) / 2 * w[2] * w[0], (1 - 2) / 3 * w[0] * w[1]]
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The time stepper on the pendulum, written a second time in thirty lines.
+"""Implement the time stepper for a pendulum independently, in thirty lines.
 
-Prints the energy that the pendulum of 1 m, 1 kg, released from the horizontal, has lost
-after 10 s (scale 9.81 J), and its largest length error, for steps h and damping times n h. The rod
-is a spring with a damper that no step resolves: its row holds at the end of the step
+The pendulum of 1 m, 1 kg is released from the horizontal. Prints its energy loss after 10 s
+(scale 9.81 J) and its largest length error, for steps h and damping times n h. The rod is a
+spring with a damper that no step resolves: its row is satisfied at the end of the step
 (docs/methods.md, 2). Geometric stiffness off. Standard library only.
 """
 

@@ -34,7 +34,7 @@ SLOWEST = 10
 
 
 class Clock:
-    """Wall and processor time since it was made, child processes included."""
+    """Wall and processor time since its creation, including child processes."""
 
     def __init__(self) -> None:
         self.wall, self.processor = time.monotonic(), self.used()
@@ -49,14 +49,14 @@ class Clock:
 
 
 def targets(folders: list[str] | None, tier: str) -> list[str]:
-    """Targets that the tests need. Tests of larger tiers start hawser-bench, too."""
+    """Return the targets for the tests. Tests of larger tiers start hawser-bench, too."""
     if folders is None:
         return ["hawser_quick_tests" if tier == "quick" else "hawser_full_tests"]
     return [f"hawser_test_{f}" for f in folders]
 
 
 def slowest_suites(path: pathlib.Path) -> list[str]:
-    """Lines of a table of the suites that took most processor time."""
+    """Return the lines of a table of the suites with the largest processor time."""
     wall: dict[str, float] = collections.defaultdict(float)
     processor: dict[str, float] = collections.defaultdict(float)
     for line in path.read_text(encoding="utf-8").splitlines() if path.exists() else []:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes a scene document as JSON with one body, interaction or cable a line."""
+"""Write a scene document as JSON with one body, interaction or cable per line."""
 
 import json
 import math
@@ -9,7 +9,7 @@ SCENES = pathlib.Path(__file__).resolve().parent.parent / "scenes"
 
 
 def clean(value):
-    """Whole numbers without a fraction, no negative zero; everything else as it is."""
+    """Return whole numbers without a fraction, no negative zero; other values unchanged."""
     if isinstance(value, dict):
         return {key: clean(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
@@ -42,12 +42,12 @@ def write(document):
 
 
 def rotation(axis, angle):
-    """Quaternion [w, x, y, z] of a rotation by `angle` [rad] about a unit axis."""
+    """Return the quaternion [w, x, y, z] of a rotation by `angle` [rad] about a unit axis."""
     s = math.sin(angle / 2.0)
     return [math.cos(angle / 2.0), axis[0] * s, axis[1] * s, axis[2] * s]
 
 
 def cylinder(mass, radius, length):
-    """Inertia [kg m²] of a solid cylinder along x, about its centre."""
+    """Return the inertia [kg m²] of a solid cylinder along x, about its centre."""
     across = mass * (3.0 * radius**2 + length**2) / 12.0
     return [mass * radius**2 / 2.0, across, across]

@@ -69,7 +69,7 @@ def tow_zigzag():
     n, mass, heave = 200, 4e6, 80 * 18 * 1025 * 9.81
     y = [0.0] + [0.05 * math.sin(math.pi * i / n) + 0.001 * (-1) ** i for i in range(1, n)] + [0.0]
     x = [40.0]
-    for i in range(n):  # every link is 2 m long, whatever its slope
+    for i in range(n):  # every link is 2 m long at any slope
         x.append(x[-1] + math.sqrt(4 - (y[i + 1] - y[i]) ** 2))
     ship = {"mass": mass, "box": [40, 9, 4], "gravity": False}
     write({
@@ -97,8 +97,8 @@ SEABED, ON_SEABED = -100.1, 186.8  # height of the floor, length of line that li
 
 
 def on_seabed(x, y):
-    """Nodes of a mooring line that lies straight on the floor, its axis at -100 m, then hangs as
-    a catenary of a = 100 m up to its end (±35, ±35, 0)."""
+    """Return the nodes of a mooring line that lies straight on the floor, its axis at -100 m. It
+    then hangs as a catenary of a = 100 m up to its end (±35, ±35, 0)."""
     end_x, end_y = math.copysign(35, x), math.copysign(35, y)
     span = math.hypot(end_x - x, end_y - y)
     nodes = []

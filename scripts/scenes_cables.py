@@ -24,7 +24,7 @@ def catenary():
 
 
 def hanging_chain():
-    """20 elements of 0.5 m hang from the origin, each stretched by what hangs below it."""
+    """20 elements of 0.5 m hang from the origin, each stretched by the weight below it."""
     n, length, density, stiffness, g = 20, 10.0, 1.0, 1e6, 9.81
     l = length / n
     z, points = 0.0, []
@@ -135,7 +135,7 @@ def cable_momentum():
 
 
 def cable_spin():
-    """A ring of 12 masses, radius 2 m, thrown with a spin about a tilted axis."""
+    """A ring of 12 masses, radius 2 m, with an initial rotation about a tilted axis."""
     n, radius, tilt = 12, 2.0, math.radians(30)
     spin = (0.0, 1.5 * math.sin(tilt), 1.5 * math.cos(tilt))
     bodies, elements = [], []

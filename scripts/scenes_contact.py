@@ -10,7 +10,7 @@ GROUND = {"name": "ground", "kind": "fixed", "shapes": [{"kind": "plane"}]}
 
 
 def rock(stiffness, friction, **more):
-    """How all of a scene touches: `stiffness` [N/m] of one point."""
+    """Return the contact material of a scene: `stiffness` [N/m] of one point."""
     return {"material_pairs": [{"between": ["default", "default"], "friction": friction,
                                 "stiffness": stiffness, **more}]}
 
@@ -52,7 +52,7 @@ def inclines():
 def wall(name, rows, friction, pushed, text):
     """Bricks of 2 t without joints between neighbours of a row. `rows`: (number of bricks, x of
     the first) from below. `pushed`: {(row, brick): (direction, times mu m g)}; a pushed brick has
-    drag, so that it goes on at some 2 to 10 cm/s."""
+    drag, so that it moves at about 2 to 10 cm/s."""
     mass, half, pitch, k = 2000.0, (0.75, 0.375, 0.37), 1.6, 1e8 / 0.7
     limit = friction * mass * G
     above, bodies = 0, [GROUND]
@@ -105,8 +105,9 @@ def stacks():
 
 
 def trapezium(inner, outer, half_angle, depth, density):
-    """A wedge between two radii, about its centre of mass: distance of that from the centre of the
-    arch, vertices (z away from it), mass, inertia. Exact: polygon moments by Green's theorem."""
+    """Return a wedge between two radii: distance of its centre of mass from the centre of the arch.
+    Further vertices (z outwards), mass and inertia about its centre of mass. Exact: polygon moments
+    by Green's theorem."""
     s, c = math.sin(half_angle), math.cos(half_angle)
     corner = [(-inner * s, inner * c), (inner * s, inner * c), (outer * s, outer * c),
               (-outer * s, outer * c)]
@@ -157,8 +158,8 @@ def belt():
 
 
 def wedge():
-    """Half angle 10°; its faces lie on the two slopes. Pushed by 5 times its weight, it holds
-    part of that when let go, because mu > tan(half angle)."""
+    """Half angle 10°; its faces lie on the two slopes. Pushed by 5 times its weight, it keeps
+    a part of that force after its release, because mu > tan(half angle)."""
     a, height, width, mass = math.radians(10), 1.0, 0.5, 100.0
     bottom, top = 0.1, 0.1 + height * math.tan(a)
     vertices = [[sx * x, sy * width, z] for x, z in ((bottom, -height / 2), (top, height / 2))
@@ -180,7 +181,7 @@ def wedge():
 
 
 def painleve():
-    """tan(angle) = 2, where the paradox needs the least friction: 4/3."""
+    """tan(angle) = 2, at which the paradox needs the least friction: 4/3."""
     length, radius, mass = 2.0, 0.01, 1.0
     c, s = 1 / math.sqrt(5), 2 / math.sqrt(5)
     along = mass * length**2 / 12

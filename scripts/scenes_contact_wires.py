@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scenes of wires and chains that touch (docs/validation.md)."""
+"""Scenes of wires and chains with contact (docs/validation.md)."""
 
 import math
 
@@ -9,7 +9,7 @@ from scenes_contact import G, STEP
 
 def wire_cylinder():
     """The wire touches at the middles of its elements, which are tangents of the cylinder 180°/32
-    apart; the first and the last of these are vertical and go on as the straight parts."""
+    apart. The first and the last tangent are vertical and continue as the straight parts."""
     turns, straight, touch, load, EA = 32, 24, 1.02, 1e3, 1e6
     angle = math.pi / turns
     corner, element = touch / math.cos(angle / 2), 2 * touch * math.tan(angle / 2)
@@ -36,14 +36,14 @@ def wire_cylinder():
                     "velocity": [0, 0, -0.05]}],
         "cables": [{"name": "wire", "line_type": "wire", "from": {"body": "load"},
                     "to": {"body": "pull"}, "shape": nodes,
-                    # In tension of the load all along, so that nothing falls at the start.
+                    # The tension of the load along the whole wire avoids a fall at the start.
                     "length": (len(nodes) + 1) * element / (1 + load / EA), "contact": {}}],
         "plot": {"tensions": ["wire"], "motions": ["load"]},
     })
 
 
 def chain_pile():
-    """Flakes of chain on deck, the second layer across the first, let fall from 5 cm."""
+    """Flakes of chain on deck, the second layer across the first, dropped from 5 cm."""
     flakes, per, l, d = 6, 8, 0.25, 0.1
     k, weight = 2e5, 20 * l * G
     low, high = d / 2 - weight / k, 3 * d / 2 + 0.05
@@ -56,7 +56,7 @@ def chain_pile():
     for i in range(flakes):
         row = [[x + (i - flakes / 2) * l, (j - per / 2) * l, high] for j in range(per, -1, -1)]
         nodes += row if i % 2 == 0 else row[::-1]
-    # The layers lie over each other: x of the second one about zero.
+    # The layers are stacked: x of the second one about zero.
     shift = sum(n[0] for n in nodes[-flakes * (per + 1):]) / (flakes * (per + 1))
     for n in nodes[-flakes * (per + 1):]:
         n[0] -= shift
@@ -80,7 +80,7 @@ def chain_pile():
 def anchor_drag():
     """A chain lies on sand from an anchor to a tug at the height of the chain's end."""
     l, n, d, m, w = 2.0, 60, 0.137, 126.5, 0.87
-    k_soil = 1e5 * d * l  # of a lump [N/m]
+    k_soil = 1e5 * d * l  # of a node [N/m]
     depth = m * l * w * G / k_soil
     mass, half = 15000.0, (2.5, 2.5, 0.8)
     sunk = 0.87 * mass * G / (4 * 1e6)

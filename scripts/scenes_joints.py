@@ -9,7 +9,7 @@ RESTLESS = {"step": 1 / 240, "duration": 4}
 
 
 def on_slide(name, y, slope, velocity=0.0, kind="slide_friction", **parameters):
-    """A block of 100 kg on a slide that falls by `slope` along x, and what acts on the slide."""
+    """A block of 100 kg on a slide that falls by `slope` along x, with an interaction on it."""
     along = [math.cos(slope), 0, -math.sin(slope)]
     body = {"name": name, "position": [0, y, 0], "velocity": [velocity * a for a in along],
             "mass": 100, "inertia": [2, 2, 2], "half_size": [0.2, 0.1, 0.1]}
@@ -22,7 +22,7 @@ def on_slide(name, y, slope, velocity=0.0, kind="slide_friction", **parameters):
 
 
 def flywheel(name, y, spin, kind, **parameters):
-    """A wheel of 3 kg m² on a hinge about x, and what acts on it."""
+    """A wheel of 3 kg m² on a hinge about x, with an interaction on it."""
     body = {"name": name, "position": [0, y, 2], "angular_velocity": [spin, 0, 0], "mass": 20,
             "inertia": [3, 2, 2], "half_size": [0.05, 0.4, 0.4]}
     at, axis = [0, y, 2], [1, 0, 0]
@@ -42,7 +42,7 @@ def gather(parts):
 
 
 def joint_friction():
-    """Friction by itself, by the force of the joint, by the ends of a line round a bollard."""
+    """Constant friction, by the force of the joint, by the ends of a line round a bollard."""
     slope = math.atan(0.4)
     bodies, joints = gather([
         on_slide("held", 0, slope, loads=[{"interaction": "held_slide", "factor": 0.42}]),

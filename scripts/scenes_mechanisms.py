@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Scenes of rigid bodies: the IFToMM benchmark mechanisms, spinning bodies, a slider-crank.
 
-The relative-rotation damping of joints is off in these scenes: it is of first order in the
-step, and the scenes measure the convergence of the scheme without it.
+The relative-rotation damping of joints is off in these scenes. It is of first order in the step,
+and the scenes measure the convergence of the scheme without it.
 """
 
 import math
@@ -16,7 +16,7 @@ def hinge(name, a, b, at, axis):
 
 def n_four_bar(windows):
     """IFToMM A02: parallelogram windows of links of 1 m, 1 kg; upright, top at 1 m/s."""
-    across, along = 1 / 12, 1e-3  # slender rods; the second plays no part in plane motion
+    across, along = 1 / 12, 1e-3  # slender rods; the second has no effect on plane motion
     bodies, joints = [], []
     for i in range(windows + 1):
         bodies.append({"name": f"v{i}", "position": [i, 0, 0.5], "velocity": [0.5, 0, 0],
@@ -124,7 +124,7 @@ def andrews_squeezer():
                        "spring and a constant driving torque, with the constants of the Test Set "
                        "for IVP Solvers.",
         "settings": {"step": 2e-6, "duration": 0.03, "gravity": [0, 0, 0]},
-        # The published joints are rigid: at 1e-12 the give of these small parts would be 1e-7.
+        # The published joints are rigid: at 1e-12 these small parts would deform by 1e-7.
         "defaults": {"compliance": 1e-15},
         "bodies": bodies, "interactions": joints, "plot": {"motions": ["k1", "k3"]},
     })

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Winches whose wire runs out far: an anchor that is lowered and heaved, and a tug that pays out
-its tow line over the stern roller."""
+"""Winches that pay out much wire: an anchor is lowered and heaved, a tug pays out its tow line."""
 
 from math import asinh, hypot, sqrt
 
@@ -13,14 +12,14 @@ PARTS = ["parts/lines.json"]
 
 
 def ramp(begin, before, after, steps=20):
-    """Speed of the winch in small steps over 2 s: the wire stays taut."""
+    """Change the speed of the winch in small steps over 2 s, so that the wire stays taut."""
     return [{"at": round(begin + 2 * k / steps, 3),
              "set": {"winch.speed": round(before + (after - before) * k / steps, 4)}}
             for k in range(1, steps + 1)]
 
 
 def payout():
-    """The anchor is let down by 600 m at 1 m/s and heaved again."""
+    """The anchor is lowered by 600 m at 1 m/s and heaved again."""
     start, element, anchor = 40.0, 10.0, 13000
     pull = anchor * G + 0.5 * start * WEIGHT
     write({
@@ -52,7 +51,7 @@ ROLLER_X, ROLLER_Z, ROLLER_RADIUS = -28.0, 1.5, 1.0  # in the tug's frame [m]
 
 
 def floating(name, at, mass, half, radii, area, gm, gml, drag, **more):
-    """A hull and what holds it at the surface; a tenth of critical damping in heave, roll, pitch."""
+    """Return a hull and its hydrostatic spring; a tenth of critical damping."""
     inertia = [mass * r * r for r in radii]
     heave, roll, pitch = 1025 * G * area, mass * G * gm, mass * G * gml
     damping = [round(0.2 * sqrt(k * m), -3)
@@ -68,8 +67,8 @@ def floating(name, at, mass, half, radii, area, gm, gml, drag, **more):
 
 
 def line_at(h, s, whole):
-    """Distances astern and up of the wire s [m] of `whole` behind its top at the roller: elastic
-    catenary between two ends of one height, h its horizontal tension [N]."""
+    """Return distances astern and up of the wire s [m] of `whole` behind the roller. It is an
+    elastic catenary between two ends of equal height, h its horizontal tension [N]."""
     v0 = -0.5 * WEIGHT * whole
     v = v0 + WEIGHT * s
     x = h / WEIGHT * (asinh(v / h) - asinh(v0 / h)) + h * s / WIRE["EA"]
@@ -84,7 +83,7 @@ def tow_payout():
     height = 0.5
     top_x, top_z = ROLLER_X, height + ROLLER_Z + ROLLER_RADIUS + 0.5 * WIRE["diameter"]
     winch_x, winch_z = top_x + ON_DECK * ELEMENT, top_z - 0.4
-    # Lower on deck than the roller's top, which it bends about by 5 degrees.
+    # On deck it is lower than the roller's top, so that it turns by 5 degrees there.
     nodes = [(winch_x + (top_x - winch_x) * k / ON_DECK, winch_z + (top_z - winch_z) * k / ON_DECK)
              for k in range(1, ON_DECK + 1)]
     astern = [line_at(pull, k * ELEMENT, OUTBOARD * ELEMENT) for k in range(1, OUTBOARD + 1)]

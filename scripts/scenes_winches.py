@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Six winches on one deck, each in a mode of its own, with a weight on its wire, and a windlass
+"""Six winches on one deck, each in its own mode, with a weight on its wire, and a windlass
 whose chain jumps."""
 
 from scene_writer import write
@@ -12,7 +12,7 @@ LENGTH = 11.2 / (1 + (WEIGHT + 0.5 * 11.2 * 9.81 * WIRE["mass_per_length"]) / WI
 
 
 def lift(name, y, **winch):
-    """A weight of 8 t that hangs 12 m below a winch on deck, and what of it differs."""
+    """A weight of 8 t that hangs 12 m below a winch on deck, with changed keys."""
     body = {"name": name, "position": [0, y, 8], "mass": 8000, "box": [0.8, 0.8, 0.8]}
     cable = {"name": f"{name}_wire", "line_type": "wire32", "from": {"at": [0, y, 20]},
              "to": {"body": name, "point": [0, 0, 0.8]}, "elements": 4,
@@ -23,7 +23,7 @@ def lift(name, y, **winch):
                          "brake_static": 6e4, "band_friction": 0.3, "band_angle": 4.7, **winch}
 
 
-BAR = 0.076  # Of stud link chain [m].
+BAR = 0.076  # Bar diameter of the stud link chain [m].
 CHAIN = {"mass_per_length": round(21.9e3 * BAR ** 2, 3), "EA": round(1.01e11 * BAR ** 2),
          "diameter": BAR, "link": 4 * BAR, "breaking_load": 4.88e6, "axial_damping": 2,
          "drag": 100, "submerged_factor": 0.87, "color": "#445566",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A wire that is hauled until it parts in its middle, and a pulse that runs along another one."""
+"""A wire that is hauled until it breaks in its middle, and a pulse along another wire."""
 
 import math
 
@@ -9,7 +9,7 @@ WIRE = {"mass_per_length": 23, "EA": 2.33e8, "diameter": 0.076}
 
 
 def wire_part():
-    """400 m between two decks; the winch hauls until the middle of the wire parts at 1 MN."""
+    """400 m between two decks; the winch hauls until the middle of the wire breaks at 1 MN."""
     write({
         "name": "wire_part",
         "description": "A winch hauls a wire of 404 m between two decks at 0.5 m/s. At 1 MN it "

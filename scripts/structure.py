@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the shape of the C++ sources tells: include circles, long functions, who asks for a kind.
+"""Measure the structure of the C++ sources: include circles, long functions, tests of kinds.
 
-A module is a header with the source of the same name: include circles are looked for between
-modules of one room, since those between rooms are refused by the table of layers. Functions are
-found by their braces, not by a compiler: a brace opens a function where what stands before it ends
-like a signature, and all braces within belong to it.
+A module is a header with the source of the same name. Include circles are detected between modules
+of one room, because the table of layers rejects circles between rooms. Functions are found by
+their braces, not by a compiler. A brace opens a function if the preceding text ends like a
+signature; all inner braces belong to it.
 """
 import re
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
-# What else than code has to be blanked out, at the same length: comments, strings, characters.
+# Text to blank at equal length: comments, strings, characters.
 HIDDEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"\((?:.|\n)*?\)"|"(?:\\.|[^"\\\n])*"|'
                     r"'(?:\\.|[^'\\\n])+'", re.DOTALL)
 PREPROCESSOR = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE)
@@ -21,14 +21,14 @@ KINDS = re.compile(r"#define HAWSER_INTERACTION_KINDS\(X\)((?:[^\n]*\\\n)*[^\n]*
 
 
 def blank(text: str) -> str:
-    """The text with comments, strings and directives replaced by spaces."""
+    """Replace comments, strings and directives by spaces."""
     def spaces(match: re.Match) -> str:
         return re.sub(r"[^\n]", " ", match.group(0))
     return PREPROCESSOR.sub(spaces, HIDDEN.sub(spaces, text))
 
 
 def functions(text: str) -> list[tuple[str, int, int]]:
-    """Name, first line and number of lines of each function with a body."""
+    """Return name, first line and number of lines of each function with a body."""
     code = blank(text)
     found, scopes, start, depth = [], [], 0, 0
     for match in re.finditer(r"[{};]", code):
@@ -59,7 +59,7 @@ def module_of(path: str) -> str:
 
 
 def module_edges(sources: dict[str, str]) -> dict[str, set[str]]:
-    """Module -> modules that it includes. @param sources  "room/file.h" or deeper -> text."""
+    """Return module -> included modules. @param sources  "room/file.h" or deeper -> text."""
     modules = {module_of(path) for path in sources}
     edges: dict[str, set[str]] = {module: set() for module in modules}
     for path, text in sources.items():
@@ -71,7 +71,7 @@ def module_edges(sources: dict[str, str]) -> dict[str, set[str]]:
 
 
 def circles(edges: dict[str, set[str]]) -> list[list[str]]:
-    """Strongly connected components of more than one module (Tarjan 1972), each sorted."""
+    """Return strongly connected components of more than one module (Tarjan 1972), each sorted."""
     index: dict[str, int] = {}
     low: dict[str, int] = {}
     stack: list[str] = []
@@ -106,13 +106,13 @@ def circles(edges: dict[str, set[str]]) -> list[list[str]]:
 
 
 def kinds_of(header: str) -> list[str]:
-    """The kinds of interactions in the list that include/hawser/interactions.h is made from."""
+    """Return the kinds of interactions in the list behind include/hawser/interactions.h."""
     body = KINDS.search(header)
     return re.findall(r"\bX\((\w+)", body.group(1)) if body else []
 
 
 def asks_for_kind(text: str, kinds: list[str]) -> bool:
-    """Whether code compares the kind of an interaction or branches on it. Making one is no question."""
+    """True if code compares the kind of an interaction or branches on it. Creation is allowed."""
     name = r"(?:hawser::)?(?:InteractionKind::)?(?:" + "|".join(kinds) + r")\b(?!::)"
     asked = rf"[!=]=\s*{name}|\bcase\s+{name}|{name}\s*[!=]="
     return re.search(asked, blank(text)) is not None

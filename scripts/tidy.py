@@ -28,7 +28,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def changed_files(base: str | None) -> list[str]:
-    """Changed files that still exist, the latest change first."""
+    """Return changed files that still exist, the latest change first."""
     if base is None:
         return git("ls-files")
     names = git("diff", "--name-only", "HEAD")
@@ -38,7 +38,7 @@ def changed_files(base: str | None) -> list[str]:
 
 
 def sources_to_check(changed: list[str], compiled: list[str]) -> list[str]:
-    """Compiled sources that changed, or whose direct includes or own header changed."""
+    """Return compiled sources that changed, or whose direct includes or own header changed."""
     headers = {name for name in changed if name.endswith(".h")}
     spelled = {h.split("/", 1)[1] for h in headers if "/" in h}
     chosen = []

@@ -36,7 +36,8 @@ int bench(std::vector<std::string> arguments) {
         argv.push_back(argument.data());
     }
     argv.push_back(nullptr);
-    for (const int ignored : {SIGPIPE, SIGXFSZ}) std::signal(ignored, SIG_DFL);  // see streams.h
+    for (const int ignored : {SIGPIPE, SIGXFSZ})
+        std::signal(ignored, SIG_DFL);  // signals that streams.h ignores
     execv(name.c_str(), argv.data());
     throw std::runtime_error(fmt::format("{}: cannot run: {}", name, std::strerror(errno)));
 }

@@ -35,7 +35,7 @@ than half in each other are errors, all else warnings. Of a single scene, and wi
 what tension each cable starts. Exit codes: 0 all scenes are good, with
 warnings or without, 1 at least one is not.)";
 
-/// Of a scene that are told line by line.
+/// Largest number of cables of a scene that are listed line by line.
 constexpr std::size_t kMostCables = 40;
 
 struct CheckOptions {
@@ -43,21 +43,22 @@ struct CheckOptions {
     std::vector<std::string> files;
     bool json = false, signals = false, cables = false;
 
-    /// Lines for each cable and operation of many scenes would bury what is wrong with one.
+    /// True if cables and operations are listed. With many scenes such a list would hide the
+    /// mistakes.
     [[nodiscard]] bool one_scene() const { return files.size() == 1; }
     [[nodiscard]] bool says_cables() const { return json || cables || one_scene(); }
 };
 
 struct Checked {
     std::vector<scene::SceneError> mistakes;
-    std::optional<scene::Scene> scene;  ///< None where there are mistakes.
+    std::optional<scene::Scene> scene;  ///< Empty if there are mistakes.
     report::start::Findings start;
     std::vector<report::start::CableStart> cables;
 
     [[nodiscard]] bool good() const { return scene && start.errors() == 0; }
 };
 
-/// Read an exercise: its scene, and points that cannot be reached.
+/// Read an exercise: check its scene, and find points that cannot be reached.
 void read_exercise(const SceneOptions& options, Checked& out) {
     try {
         exercise::Loaded loaded = exercise::load_file(options.file, options.options());

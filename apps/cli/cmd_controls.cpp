@@ -50,7 +50,7 @@ struct Candidate {
     double nominal = 0.0;
 };
 
-/// Signals of systems that are rounded to whole numbers or compared with a half.
+/// True for signals of systems that are rounded to whole numbers or compared with a half.
 bool is_whole_signal(std::string_view signal) {
     constexpr std::array<std::string_view, 4> kWhole = {"mode", "take", "close", "up"};
     const std::string_view name = signal.substr(signal.rfind('.') + 1);
@@ -73,7 +73,7 @@ Candidate candidate_of(const World& world, InputId id) {
             def.nominal};
 }
 
-/// Range of the signal over the factor, narrowed by that of the input.
+/// Return the range of the signal over the factor, narrowed by that of the input.
 Candidate candidate_of(const World& world, const scene::SignalInput& lever) {
     Candidate out{{.name = lever.name,
                    .min = lever.min,
@@ -118,7 +118,7 @@ std::vector<Candidate> candidates_of(const scene::Scene& scene, bool with_signal
     return out;
 }
 
-/// Inputs that a station of the exercise has: others are refused by `hawser exercise`.
+/// Return the inputs of the exercise's stations. `hawser exercise` rejects others.
 std::vector<Candidate> candidates_of(const exercise::Loaded& loaded) {
     std::vector<Candidate> all = candidates_of(loaded.scene, true);
     std::erase_if(all, [&](const Candidate& c) {
@@ -140,7 +140,7 @@ double limit_of(const std::string& option, const std::string& text) {
     return value;
 }
 
-/// --range narrows the range of an input; it does not widen it.
+/// Apply --range, which narrows the range of an input and never widens it.
 void apply_range(const std::string& option, std::vector<Candidate>& candidates) {
     const std::size_t equals = option.rfind('='), colon = option.rfind(':');
     if (equals == std::string::npos || colon == std::string::npos || colon < equals)
@@ -168,7 +168,7 @@ void apply_range(const std::string& option, std::vector<Candidate>& candidates) 
     input.max = max;
 }
 
-/// Inputs with a finite range; the others are named on standard error.
+/// Return the inputs with a finite range; name the others on standard error.
 std::vector<record::RandomInput> limited(const std::vector<Candidate>& candidates,
                                          const std::string& file) {
     std::vector<record::RandomInput> out;

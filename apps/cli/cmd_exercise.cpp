@@ -39,7 +39,7 @@ struct ExerciseOptions {
     bool quiet = false, verify = false;
 };
 
-/// Levers and faults over time, each set by a role that may.
+/// Inputs and faults over time. Each is set by a role with permission.
 class Controls {
   public:
     Controls(const std::string& file, const exercise::Exercise& exercise) {
@@ -138,7 +138,8 @@ void check_files(const ExerciseOptions& options, const scene::Scene& scene) {
                            {"--summary", options.summary}});
 }
 
-/// Print why the step failed, or why --verify refuses it, and end the exercise as failed.
+/// Print the reason of a failed step, or of the rejection by --verify, and end the exercise as
+/// failed.
 int fail(exercise::Run& run, const Session& session) {
     if (!session.objection().empty()) {
         fmt::print(stderr, "hawser: --verify: the step to {:.6g} s is wrong: {}\n", session.time(),
@@ -152,7 +153,7 @@ int fail(exercise::Run& run, const Session& session) {
     return kFailed;
 }
 
-/// @return how it ended, kOk where the exercise did.
+/// Run the exercise. @return kOk if it ended by itself, else the exit code of the failure.
 int drive(exercise::Run& run, Session& session, Controls& controls, Progress& progress) {
     constexpr double kSlack = 1e-6;  // Times are multiples of the step up to rounding.
     catch_signals();

@@ -51,7 +51,7 @@ exporting::Frames frames_of(const record::Recording& recording, const ExportOpti
                     recording.frame_head(n - 1).time));
 }
 
-/// What of a run that went back to another state is not in the file.
+/// Report the branches of a recording that are not in the file.
 void say_takes(const record::Recording& recording) {
     if (recording.takes.empty()) return;
     fmt::print(stderr,
@@ -90,7 +90,7 @@ int export_recording(const ExportOptions& options) {
         exporting::write_gltf(recording, frames, file, tell);
     } else if (options.contacts) {
         RepeatedContacts contacts(recording, options.threads);
-        std::size_t next = 0;  // frames are asked for in their order
+        std::size_t next = 0;  // frames are requested in their order
         exporting::write_vtk(
             recording, frames, file,
             [&](const record::Frame& frame) -> const auto& {

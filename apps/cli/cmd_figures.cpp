@@ -41,8 +41,8 @@ struct FiguresOptions {
     double most_gflop = 20.0;
 };
 
-/// The scene of the figures, seen from here or from where the program stands: in a folder above it
-/// (built) or in share/hawser beside it (installed).
+/// Return the scene of the figures. It is searched in the current folder, in all folders above the
+/// program (built), and in their share/hawser (installed).
 std::string default_scene() {
     std::vector<std::filesystem::path> places{"."};
     std::error_code error;
@@ -61,7 +61,7 @@ std::string default_scene() {
                     kDefaultScene));
 }
 
-/// Everything that all panels have in common.
+/// Return the common data of all panels.
 nlohmann::ordered_json origin_of(const scene::Scene& scene, const FiguresOptions& options) {
     return {{"scene", scene.name},
             {"scene_file", scene.path},
@@ -79,7 +79,7 @@ nlohmann::ordered_json origin_of(const scene::Scene& scene, const FiguresOptions
 /// Step until `at`. @return the status of the last step.
 Status run_to(World& world, double at) {
     Status status = Status::ok;
-    // Half a step early: time is a sum of steps.
+    // Stop half a step early, because time is a sum of steps.
     do status = world.step();
     while (status == Status::ok && world.time() < at - 0.5 * world.settings().step);
     return status;
@@ -122,7 +122,7 @@ class Writer {
     std::string parameters_;
 };
 
-/// The partitions of a state: for approximate couplings and for the exact solution.
+/// Partitions of a state: for approximate couplings and for the exact solution.
 struct Parts {
     PartitionView cuts, separators;
 };

@@ -61,14 +61,14 @@ std::size_t frame_at(const record::Recording& recording, std::optional<double> t
     return best;
 }
 
-/// Pixels a point that make text readable in a picture of the given size.
+/// Return the pixels per point for readable text in a picture of the given size.
 double pixels_of(const PlotOptions& options) {
-    constexpr double kUsualWidth = 1280.0;  // [points]
+    constexpr double kUsualWidth = 1280.0;  // Usual width [points]
     const int width = options.size.empty() ? 2560 : std::atoi(options.size.c_str());
     return std::clamp(width / kUsualWidth, 0.6, 4.0);
 }
 
-/// What the options say of views. @throws std::runtime_error where they make no sense.
+/// Return the options for views. @throws std::runtime_error if they are invalid.
 draw::ViewOptions view_of(const PlotOptions& options) {
     draw::ViewOptions out = options.scene;
     if (options.view == "side") out.shown = draw::Shown::side;
@@ -107,7 +107,7 @@ void check_pictures(const PlotOptions& options) {
 
 std::string frame_name(std::size_t i) { return fmt::format("frame_{:04}.png", i); }
 
-/// Pictures of the scene for a film, with the same axes: frame_0000.png and on.
+/// Write pictures of the scene for a film, with equal axes: frame_0000.png and later numbers.
 int plot_frames(const PlotOptions& options, const record::Recording& recording,
                 const record::Series& series) {
     const std::size_t n = recording.frame_count(), count = std::min(options.frames, n);
@@ -133,7 +133,7 @@ int plot_frames(const PlotOptions& options, const record::Recording& recording,
     return kOk;
 }
 
-/// No picture takes the place of the recording, whatever name that has.
+/// Check that no picture would replace the recording.
 void check_names(const PlotOptions& options) {
     const std::filesystem::path folder = options.folder;
     const auto check = [&](const std::filesystem::path& file) {

@@ -55,7 +55,8 @@ void describe_difference(const record::Recording& recording, const record::Frame
     for (std::size_t i = 0; i < frame.poses.size(); ++i) {
         const Pose pose = world.pose({static_cast<std::int32_t>(i)});
         const double distance = (pose.position - frame.poses[i].position).norm();
-        // Frames hold distances from the start in single precision; less means nothing.
+        // Frames contain distances from the start in single precision; smaller differences are
+        // rounding.
         const double moved = (pose.position - recording.bodies[i].start.position).norm();
         if (distance > 2e-7 * moved + 1e-12 && distance > worst) {
             worst = distance;
@@ -109,7 +110,7 @@ class Replay {
     }
 
   private:
-    /// Of all takes.
+    /// Return the number of steps over all branches.
     [[nodiscard]] std::int64_t steps_to(std::int64_t last) const {
         std::int64_t steps = 0, begun = recording_.start_step;
         for (const record::RecordedTake& take : recording_.takes) {
@@ -119,15 +120,15 @@ class Replay {
         return steps + last - begun;
     }
 
-    /// To the end, with what was done to the world behind the last step.
+    /// Advance to the end and apply the changes after the last step.
     int conclude(std::int64_t last, Progress& progress) {
         const int code = advance(last, recording_.takes.size(), progress);
         if (code == kOk) repeater_.before_step(world_);
         return code;
     }
 
-    /// How the recorded run ended, if not well. @return kUsageError where the recording does not
-    /// say so: what is missing was not repeated.
+    /// Report the end of the recorded run, unless it finished. @return kUsageError if the recording
+    /// is incomplete: the missing part was not repeated.
     int say_end() const {
         if (recording_.ending == record::Ending::interrupted)
             fmt::print("the recorded run was interrupted at {:.6g} s\n", world_.time());
@@ -145,7 +146,7 @@ class Replay {
         while (world_.step_count() < to || repeater_.take() < take) {
             if (stop_requested()) return kInterrupted;
             repeater_.before_step(world_);
-            // A take may begin with a frame, before its first step.
+            // A branch may begin with a frame, before its first step.
             if (world_.step_count() == to && repeater_.take() == take) break;
             ++taken_;
             if (const Status status = world_.step(); status != Status::ok) {

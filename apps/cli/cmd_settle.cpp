@@ -40,7 +40,7 @@ struct SettleOptions {
 struct Motion {
     double fastest = 0.0;  ///< Largest speed of a centre of mass, or of a rotation times the
                            ///< body's radius of gyration [m/s] …
-    BodyId where{};        ///< … and of which body.
+    BodyId where{};        ///< … and its body.
 };
 
 Motion motion_of(const World& world) {
@@ -60,8 +60,9 @@ Motion motion_of(const World& world) {
     return out;
 }
 
-/// Heavy drag first, which lays the lines; then less and less, because drag also holds up slow
-/// motion: a mode of frequency ω under drag of stop time T creeps at the rate ω² T.
+/// Settles the scene with large drag first, which brings lines to rest. The drag then decreases in
+/// stages, because it also delays slow motion. A mode of frequency ω under drag of stop time T
+/// creeps at the rate ω² T.
 class Settler {
   public:
     Settler(scene::Scene& scene, const SettleOptions& options) : scene_(scene), options_(options) {}
@@ -88,7 +89,7 @@ class Settler {
                 return code;
             }
         }
-        return kFailed;  // Not reached: the last stage has no end of its own.
+        return kFailed;  // Unreachable: the last stage has no end of its own.
     }
 
     [[nodiscard]] double time() const {
@@ -100,7 +101,8 @@ class Settler {
     }
 
   private:
-    // Slow for so long: one slow moment may be the turning point of a swing.
+    // Required time of slow motion [s]. A single slow moment may be the turning point of an
+    // oscillation.
     static constexpr double kQuietTime = 20.0;
 
     int run_stage(World& world, double duration, bool last, std::int64_t steps,
@@ -139,8 +141,9 @@ class Settler {
         return kOk;
     }
 
-    /// Of what parts and of nodes that come and go, at a drum or where a wire becomes finer, a
-    /// state file knows nothing. @return which, in words; empty: the world is made as the scene is.
+    /// Compare the world with the contents of a state file. A state file cannot store broken
+    /// elements, and nodes added or removed at a drum or by refinement. @return the difference in
+    /// words; empty: none.
     [[nodiscard]] std::string other_than_stored(const World& world) const {
         if (const EventExtremes part = world.event_extremes(EventKind::line_break); part.count > 0)
             return "the element " + record::interaction_label(world, part.first.interaction) +
@@ -172,7 +175,7 @@ int settle(const SettleOptions& options) {
         options.output.empty()
             ? std::filesystem::path(options.scene.file).replace_extension(".settled.json")
             : std::filesystem::path(options.output);
-    // A scene's own state may be written: it begins where it came to rest the last time.
+    // The scene's own state file may be written: settling starts from the last state of rest.
     std::vector<NamedFile> inputs;
     for (const std::filesystem::path& file : scene.files)
         if (file != scene.state_file) inputs.push_back({"a file of the scene", file.string()});

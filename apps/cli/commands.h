@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file commands.h
-/// The commands of the program and what they return (docs/cli.md).
+/// The commands of the program and their exit codes (docs/cli.md).
 
 #include <CLI/CLI.hpp>
 
@@ -16,15 +16,16 @@ inline constexpr int kFailed = 2;      ///< A step did not succeed.
 inline constexpr int kMismatch = 3;    ///< Replay or validation differs.
 inline constexpr int kInterrupted = 130;
 
-/// What main() runs once the command line has been read; returns the exit code.
+/// Function that main() calls after the command line was read; returns the exit code.
 using Command = std::function<int()>;
 
-/// As typed, the program without its folder; main() sets it. For files that say what made them.
+/// Return the command line as typed, with the program's name without folder. main() sets it. Files
+/// state it as their origin.
 [[nodiscard]] std::string& command_line();
 
-inline constexpr int kMostThreads = 256;  ///< As WorldDef::threads.
+inline constexpr int kMostThreads = 256;  ///< Limit of WorldDef::threads.
 
-/// Checks of options; their messages say what was expected.
+/// Checks of options; their messages state the expected values.
 [[nodiscard]] CLI::Validator positive();
 [[nodiscard]] CLI::Validator not_negative();
 [[nodiscard]] CLI::Validator finite();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file elimination_orders.h
-/// Orders of elimination that figures compare.
+/// Elimination orders for the comparison in figures.
 
 #include <hawser/factor.h>
 
@@ -12,16 +12,17 @@
 namespace hawser::cli {
 
 enum class Ordering : std::uint8_t {
-    natural,  ///< As the nodes come: bodies, then rows.
+    natural,  ///< Order of the nodes: bodies, then rows.
     amd,      ///< Approximate minimum degree.
     metis,    ///< Nested dissection of METIS (Karypis and Kumar 1998).
 };
 [[nodiscard]] const char* name_of(Ordering ordering);
 
-/// Whether METIS was there when the program was built.
+/// True if the program was built with METIS.
 [[nodiscard]] bool metis_available();
 
-/// All with rows after bodies. @throws std::runtime_error for METIS where it is not available.
+/// Return an order with rows after their bodies. @throws std::runtime_error for METIS if it is not
+/// available.
 [[nodiscard]] std::vector<std::int32_t> order_of(const BlockPattern& pattern, Ordering ordering);
 
 }  // namespace hawser::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file failure.h
-/// Why a step failed, in words.
+/// Describe a failed step.
 
 #include <hawser/world.h>
 
@@ -9,9 +9,9 @@
 
 namespace hawser::cli {
 
-/// Why the last step of a world failed: the status; of a load, an input or an edit of a system the
-/// system, the body and what is wrong with it; or the bound that was met with its value and the
-/// remedy.
+/// Describe the failure of a world's last step. The text contains the status. For a load, an input
+/// or an edit of a system it names the system, the body and the error. For a limit it states the
+/// value and the remedy.
 [[nodiscard]] std::string failure(const World& world);
 
 }  // namespace hawser::cli

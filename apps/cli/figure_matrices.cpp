@@ -20,7 +20,8 @@ double thread_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Diagonally dominant with the right signs, so that every pivot is a good one.
+/// Return random values, diagonally dominant with the right signs, so that all pivots are
+/// acceptable.
 std::vector<double> draw_values(const BlockPattern& p, const BlockFactor& f) {
     std::vector<double> values(at(f.value_count()));
     std::uint64_t state = 0x9E3779B97F4A7C15ull;
@@ -45,12 +46,12 @@ std::vector<double> draw_values(const BlockPattern& p, const BlockFactor& f) {
 struct Job {
     std::unique_ptr<BlockFactor> factor = std::make_unique<BlockFactor>();
     std::vector<double> values, seconds;
-    double spent = 0.0;  ///< [s]
+    double spent = 0.0;  ///< Time used [s]
     double* median = nullptr;
     int* samples = nullptr;
 };
 
-// No further samples of a matrix after this [s]: in their natural order some take seconds.
+// Time for samples of one matrix [s]: in natural order some factorisations need seconds.
 constexpr double kLongest = 0.5;
 
 }  // namespace

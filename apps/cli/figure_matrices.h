@@ -16,28 +16,28 @@ namespace hawser::cli {
 struct OrderedMatrix {
     Ordering ordering = Ordering::natural;
     const draw::BlockGraph* graph = nullptr;
-    std::string missing;              ///< Why there is no order; "": there is.
+    std::string missing;              ///< Reason why there is no order; "": there is one.
     std::vector<std::int32_t> order;  ///< order[k] = node eliminated k-th.
     draw::FactorBlocks factor;
     draw::MatrixCounts counts;
-    /// Of the solver, summed over parts: fronts merged, their zeros counted.
+    /// Figures of the solver, summed over parts: fronts are merged, and their zeros count.
     std::int64_t solver_nnz = 0, solver_matrix_nnz = 0, solver_flops = 0;
-    std::vector<double> part_seconds;  ///< Of each part, a whole matrix being one; median.
-    int samples = 0;                   ///< Behind the medians, at least.
+    std::vector<double> part_seconds;  ///< Median time of each part; a whole matrix is one part.
+    int samples = 0;                   ///< Least number of samples of the medians.
 
-    [[nodiscard]] double seconds() const;          ///< All parts, one after the other.
-    [[nodiscard]] double longest_seconds() const;  ///< Of the part that takes longest.
+    [[nodiscard]] double seconds() const;  ///< Return the time of all parts, one after the other.
+    [[nodiscard]] double longest_seconds() const;  ///< Return the largest time of a part.
 };
 
-/// @param parts  Parts of the graph, each ordered by itself; 0: the whole as one.
+/// Order a matrix. @param parts  Number of parts of the graph, each with its own order; 0: the
+/// graph as a whole.
 [[nodiscard]] OrderedMatrix order_matrix(const draw::BlockGraph& graph, std::int32_t parts,
                                          Ordering ordering);
 
-/// Measure factorisations in turns, so that whatever disturbs meets all of them: writing the
-/// values and factoring, on one thread, by its processor time. Values are drawn; times do not
-/// depend on them. A matrix that takes long gets fewer samples. @throws std::runtime_error where a
-/// factorisation fails.
-/// @param most_flops  Orders that need more are not factored: samples stays 0.
+/// Measure factorisations in turns, so that disturbances affect all matrices. A sample writes the
+/// values and factors on one thread, and is measured by processor time. Values are random; times do
+/// not depend on them. A matrix with long times gets fewer samples. @throws std::runtime_error if a
+/// factorisation fails. @param most_flops  Orders that need more are not factored: samples stays 0.
 void time_matrices(std::vector<OrderedMatrix*> matrices, int samples, double most_flops);
 
 }  // namespace hawser::cli

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// 12345 as 12,345.
+/// Format 12345 as 12,345.
 std::string grouped(std::int64_t value) {
     std::string digits = std::to_string(value);
     for (auto k = static_cast<std::ptrdiff_t>(digits.size()) - 3; k > 0; k -= 3)
@@ -83,8 +83,7 @@ Panel fill_panel(const std::string& name, const std::string& title, const Ordere
         ordered_json parts = ordered_json::array();
         for (const double seconds : m.part_seconds) parts.push_back(1e3 * seconds);
         d["part_factor_ms"] = std::move(parts);
-        // Fronts of the solver are merged where that is faster; their zeros are stored and
-        // multiplied.
+        // The solver merges fronts if that is faster; their zeros are stored and multiplied.
         d["solver"] = {
             {"nnz", m.solver_matrix_nnz}, {"factor_nnz", m.solver_nnz}, {"flops", m.solver_flops}};
     }

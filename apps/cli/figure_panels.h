@@ -16,18 +16,19 @@
 namespace hawser::cli {
 
 struct Panel {
-    std::string name;  ///< Of its files.
+    std::string name;  ///< Name of its files.
     draw::Drawing drawing;
     nlohmann::ordered_json data;
 };
 
-/// A matrix without fill.
+/// Return a panel of a matrix without fill.
 [[nodiscard]] Panel matrix_panel(const std::string& name, const std::string& title,
                                  const OrderedMatrix& matrix);
-/// A matrix with the fill of its factor, sizes, work and time; where there is no order, why.
+/// Return a panel of a matrix with the fill of its factor, sizes, work and time. If there is no
+/// order, it shows the reason.
 [[nodiscard]] Panel fill_panel(const std::string& name, const std::string& title,
                                const OrderedMatrix& matrix);
-/// @param parts  Colour by part, mark cuts and separators.
+/// Return a panel of a graph. @param parts  Colour by part, mark cuts and separators.
 [[nodiscard]] Panel graph_panel(const std::string& name, const std::string& title,
                                 const std::vector<std::string>& notes,
                                 const draw::InteractionGraph& graph, bool parts);

@@ -10,10 +10,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kTracedSteps = 61;                      // of which the one of median length is shown
-constexpr std::size_t kSpans = std::size_t{1} << 17;  // of each thread: they hold so many steps
+constexpr int kTracedSteps = 61;  // the one of median duration is shown
+constexpr std::size_t kSpans = std::size_t{1}
+                               << 17;  // capacity of each thread, enough for all steps
 
-/// Step to a time, then trace.
+/// Step to a time, then trace some steps.
 TraceView trace_steps(World& world, double at) {
     const auto step = [&] {
         if (const Status status = world.step(); status != Status::ok)
@@ -61,7 +62,7 @@ std::vector<draw::NamedTimeline> run_timelines(SceneOptions options, const Timel
                            {"settings.coupling=kinematic", "settings.predictor=clique",
                             fmt::format("settings.parts={}", run.parts)});
         add(split, traced(1));
-    } catch (const std::exception& e) {  // the scene cannot be split; what is exact can be shown
+    } catch (const std::exception& e) {  // the scene cannot be split; show the exact timelines only
         out.push_back({split, {}, fmt::format("not run: {}", e.what())});
     }
     options = exact;

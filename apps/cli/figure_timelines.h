@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file figure_timelines.h
-/// Steps of a scene run in the ways that the paper's Fig. 2 compares.
+/// Run a scene in the variants of the paper's Fig. 2 and trace its steps.
 
 #include "draw/figures/timelines.h"
 #include "figure_panels.h"
@@ -12,13 +12,13 @@
 namespace hawser::cli {
 
 struct TimelineRun {
-    double at = 1.0;    ///< From here on steps are traced [s].
-    int threads = 2;    ///< Of the parallel runs.
-    int simulated = 4;  ///< Threads that are simulated.
-    int parts = 4;      ///< Of the split.
+    double at = 1.0;    ///< Time from which steps are traced [s].
+    int threads = 2;    ///< Number of threads of the parallel runs.
+    int simulated = 4;  ///< Number of simulated threads.
+    int parts = 4;      ///< Number of parts of the split.
 };
 
-/// Each runs the scene anew. @throws std::runtime_error where a step fails.
+/// Run the scene once for each timeline. @throws std::runtime_error if a step fails.
 [[nodiscard]] std::vector<draw::NamedTimeline> run_timelines(SceneOptions options,
                                                              const TimelineRun& run);
 

@@ -11,7 +11,7 @@
 namespace hawser::cli {
 namespace {
 
-/// Nanometres, and no −0 of less.
+/// Round to nanometres, without −0.
 double without_sign(double length) { return std::round(1e9 * length) / 1e9 + 0.0; }
 
 void print_hull(const World& world, const SeaDef& sea, const WaterHull& hull) {

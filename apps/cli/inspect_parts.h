@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file inspect_parts.h
-/// Tables of `hawser inspect`: orders of elimination beside each other, and parts.
+/// Tables of `hawser inspect`: comparison of elimination orders, and parts.
 
 #include <hawser/inspect.h>
 #include <hawser/world.h>
 
 namespace hawser::cli {
 
-/// nnz(L), flops and critical path of AMD, METIS nested dissection (where built in) and our order,
-/// on the same block matrix.
+/// Print nnz(L), flops and critical path of AMD, METIS nested dissection (if built in) and our
+/// order, on the same block matrix.
 void print_orders(const SystemView& view);
 
-/// Groups that are in force in a world that is coupled in parts; else nothing.
+/// Print the groups of a world that is coupled in parts; print no text for other worlds.
 void print_groups(const World& world);
 
-/// Parts with separators, and parts with cuts, of the present state.
+/// Print parts with separators, and parts with cuts, of the present state.
 void print_parts(const World& world, int parts);
 
 }  // namespace hawser::cli

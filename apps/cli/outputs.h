@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file outputs.h
-/// Files that a command reads and writes, looked at before anything is opened.
+/// Check the files that a command reads and writes before any is opened.
 
 #include <filesystem>
 #include <string>
@@ -11,19 +11,19 @@
 namespace hawser::cli {
 
 struct NamedFile {
-    std::string what;  ///< As the user knows it: "--record", "the scene".
+    std::string what;  ///< Name for the user: "--record", "the scene".
     std::string file;
 };
 
-/// Each output can be written, none is an input or another output: a file that a run has begun to
-/// write over is gone. Those without a name are left out.
-/// @throws std::runtime_error that names file and options.
+/// Check that each output can be written, and is neither an input nor another output, because a run
+/// overwrites it. Empty names are skipped. @throws std::runtime_error that names file and options.
 void check_outputs(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
-/// Write a whole file beside and rename it. @throws std::runtime_error that begins with the file.
+/// Write a whole file under a temporary name and rename it. @throws std::runtime_error that begins
+/// with the file.
 void write_output(const std::string& file, const std::string& text, const char* what);
 
-/// A file that goes when it is no longer needed.
+/// A file that the destructor removes.
 struct TemporaryFile {
     std::filesystem::path path;
     TemporaryFile() = default;
@@ -35,8 +35,9 @@ struct TemporaryFile {
     }
 };
 
-/// Where a run with a report is recorded: `record`, else a file beside the report that goes with
-/// `temporary`, since pictures come from recordings; "": nowhere.
+/// Return the file to which a run with a report is recorded; "": none. It is `record`. If that is
+/// empty, it is a file beside the report that `temporary` removes later, because pictures need a
+/// recording.
 [[nodiscard]] inline std::string recording_for(const std::string& record, const std::string& report,
                                                TemporaryFile& temporary) {
     if (!record.empty() || report.empty()) return record;

@@ -13,7 +13,7 @@ namespace hawser::cli {
 namespace {
 
 constexpr auto kBarInterval = std::chrono::milliseconds(100);
-// A run of a moment needs no lines for each tenth.
+// A short run needs no line for each tenth.
 constexpr auto kTenthInterval = std::chrono::milliseconds(250);
 constexpr auto kLineInterval = std::chrono::seconds(5);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file progress.h
-/// Shows how far a run is: a bar on a terminal, plain lines elsewhere. Written to standard
-/// error, so that standard output holds the report alone.
+/// Show the progress of a run: a bar on a terminal, plain lines elsewhere. It goes to standard
+/// error, so that standard output contains the report alone.
 
 #include <chrono>
 #include <cstdint>
@@ -12,17 +12,16 @@ namespace hawser::cli {
 
 class Progress {
   public:
-    /// @param steps    Steps of the whole run.
-    /// @param step     Simulated time of one [s].
+    /// Start. @param steps    Steps of the whole run. @param step     Simulated time of one [s].
     /// @param enabled  False: silent.
     Progress(std::int64_t steps, double step, bool enabled);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Cheap: looks at the clock and writes only now and then.
+    /// Update the progress. Cheap: reads the clock and writes rarely.
     void at(std::int64_t done, const std::string& note = {});
-    /// Ends the bar's line.
+    /// End the bar's line.
     void close();
 
   private:

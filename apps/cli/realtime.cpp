@@ -13,7 +13,7 @@ namespace hawser::cli {
 
 namespace {
 
-// A run that fell behind by more than this starts its clock anew instead of racing.
+// Delay after which a run restarts its clock instead of catching up.
 constexpr double kGiveUp = 0.25;  // [s]
 
 // Above ordinary threads, below the kernel's own real-time threads at 50.
@@ -44,7 +44,7 @@ std::string request_realtime(int threads) {
     cpu_set_t allowed;
     CPU_ZERO(&allowed);
     if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
-        // The last processors: the first ones serve most interrupts.
+        // Use the last processors: the first ones serve most interrupts.
         cpu_set_t mine;
         CPU_ZERO(&mine);
         int taken = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file realtime.h
-/// Keeps a run in step with the wall clock.
+/// Synchronise a run with the wall clock.
 
 #include <chrono>
 #include <cstdint>
@@ -13,10 +13,11 @@ namespace hawser::cli {
 class Pacer {
   public:
     explicit Pacer(double step);
-    /// Call after each step.
+    /// Wait until the next frame is due. Call after each step.
     void wait();
     [[nodiscard]] std::int64_t missed() const noexcept { return missed_; }
-    [[nodiscard]] double lateness_max() const noexcept { return lateness_max_; }  ///< [s]
+    /// Return the largest delay [s].
+    [[nodiscard]] double lateness_max() const noexcept { return lateness_max_; }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -26,9 +27,8 @@ class Pacer {
     double lateness_max_ = 0.0;
 };
 
-/// Ask for real-time scheduling (SCHED_FIFO) and keep to `threads` processors. Threads made
-/// afterwards inherit both.
-/// @return What was granted and what was not, as text.
+/// Request real-time scheduling (SCHED_FIFO) and restrict the process to `threads` processors.
+/// Later threads inherit both. @return a text about the granted and rejected requests.
 [[nodiscard]] std::string request_realtime(int threads);
 
 }  // namespace hawser::cli

@@ -19,7 +19,7 @@ const exporting::ContactForces& RepeatedContacts::at(const record::Frame& frame,
     const std::size_t take = recording_.take_of(index);
     while (world.step_count() < frame.step || repeater_.take() < take) {
         repeater_.before_step(world);
-        // A take may begin with a frame, before its first step.
+        // A branch may begin with a frame, before its first step.
         if (world.step_count() == frame.step && repeater_.take() == take) break;
         if (world.step() != Status::ok)
             throw record::RecordingError(fmt::format("{}: the step from {:.6g} s failed: {}",
@@ -35,7 +35,7 @@ const exporting::ContactForces& RepeatedContacts::at(const record::Frame& frame,
     out_.points.clear();
     out_.forces.clear();
     for (const ContactView& contact : contacts_) {
-        if (contact.force.isZero(0.0)) continue;  // near without touching
+        if (contact.force.isZero(0.0)) continue;  // near, but not touching
         for (int k = 0; k < 3; ++k) {
             out_.points.push_back(contact.point[k]);
             out_.forces.push_back(contact.force[k]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file repeated_contacts.h
-/// Contact forces of a recording, from repeating it: recordings do not hold them.
+/// Compute the contact forces of a recording by replay: recordings do not contain them.
 
 #include <hawser/repeater.h>
 #include <hawser/scene.h>
@@ -16,9 +16,9 @@ namespace hawser::cli {
 class RepeatedContacts {
   public:
     RepeatedContacts(const record::Recording& recording, int threads);
-    /// Steps on to a frame, which is not before the last one asked for. @throws
-    /// record::RecordingError where a step fails, or comes to another state than the recorded one.
-    /// @param index  Of the frame in the recording, whose takes before it are repeated as well.
+    /// Step to a frame, which must not precede the last requested one. @throws
+    /// record::RecordingError if a step fails, or reaches another state than the recorded one.
+    /// @param index  Index of the frame in the recording; branches before it are repeated, too.
     const exporting::ContactForces& at(const record::Frame& frame, std::size_t index);
 
   private:

@@ -26,7 +26,7 @@ namespace {
 constexpr double kRecordingBytes = 128e6;
 
 // Times are multiples of the step up to rounding.
-constexpr double kTimeSlack = 1e-6;  // [steps]
+constexpr double kTimeSlack = 1e-6;  // Slack of times [steps]
 
 // Times are doubles: beyond this a step is lost in rounding.
 constexpr double kMostRunSteps = 0x1p53;
@@ -47,7 +47,7 @@ Session RunSession::open() {
     scene::Scene scene = options_.scene.load();
     check_files(scene);
     scene.world.prepare();
-    // A restored state is no start: what touches presses, and lines carry what they carry.
+    // Check only a start: in a restored state contacts press and lines are under load.
     if (options_.restore.empty()) check_start(scene);
     if (options_.verify) verifier_ = std::make_unique<verify::Verifier>(scene.world);
     return Session(std::move(scene),
@@ -168,7 +168,7 @@ int RunSession::run() {
     return finish(interrupted, std::chrono::duration<double>(Clock::now() - start).count());
 }
 
-/// An operation of the timeline that cannot be done ends the run, with all files complete.
+/// Perform a step. An operation of the timeline that fails ends the run, with all files complete.
 Status RunSession::take_step(Progress& progress) {
     try {
         const Status status = session_.step();
@@ -197,7 +197,7 @@ void RunSession::save_if_due() {
 int RunSession::finish(bool interrupted, double wall_seconds) {
     const World& world = session_.world();
     report::Summary summary = collector_->result(world);
-    // The last state is judged here: no step after it does.
+    // Check the verdict on the last state here, because no step follows.
     const bool wrong = summary.verdict.verdict.grade == Grade::wrong &&
                        world.settings().on_diverged == OnDiverged::stop;
     summary.wall_seconds = wall_seconds;

@@ -26,19 +26,19 @@ struct RunOptions {
     SceneOptions scene;
     std::optional<double> duration;  ///< Time at which the run ends [s].
     bool realtime = false, rt = false, quiet = false, verify = false;
-    bool unchecked = false;  ///< Runs whatever check_start() finds.
+    bool unchecked = false;  ///< Run even if check_start() finds mistakes.
     std::string record, csv, summary, restore, save_file;
-    std::optional<double> save_time;  ///< [s]
-    std::int32_t stride = 0;          ///< Steps from frame to frame; 0 = chosen by size.
+    std::optional<double> save_time;  ///< Time of the state to save [s]
+    std::int32_t stride = 0;          ///< Steps between frames; 0 = chosen by size.
     TraceOptions trace;
 };
 
-/// Steps a Session and prints what there is to say.
+/// Steps a Session and prints its results.
 class RunSession {
   public:
-    /// Reads the scene, restores the state, opens the outputs. @throws std::exception.
+    /// Read the scene, restore the state, open the outputs. @throws std::exception.
     explicit RunSession(const RunOptions& options);
-    /// Steps until the end, a failure or a signal. @return the exit code.
+    /// Step until the end, a failure or a signal. @return the exit code.
     int run();
 
   private:
@@ -54,15 +54,16 @@ class RunSession {
     int finish(bool interrupted, double wall_seconds);
 
     const RunOptions& options_;
-    std::vector<std::string> warnings_;                 ///< Of the start.
-    std::unique_ptr<verify::Verifier> verifier_;        ///< Made at the start of the scene.
-    std::unique_ptr<verify::SampledVerifier> sampled_;  ///< Without --verify.
+    std::vector<std::string> warnings_;           ///< Warnings about the start.
+    std::unique_ptr<verify::Verifier> verifier_;  ///< Verifier, created at the start of the scene.
+    std::unique_ptr<verify::SampledVerifier> sampled_;  ///< Verifier without --verify.
     Session session_;
     record::SceneInfo info_;
     double end_time_ = 0.0;
     std::int64_t steps_ = 0;
     std::unique_ptr<report::SummaryCollector> collector_;
-    std::unique_ptr<verify::CouplingObserver> coupling_;  ///< Where something is cut.
+    std::unique_ptr<verify::CouplingObserver>
+        coupling_;  ///< Observer of the coupling; null if there are no cuts.
     std::unique_ptr<Pacer> pacer_;
     bool saved_ = false;
     std::vector<std::string> written_;

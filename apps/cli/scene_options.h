@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file scene_options.h
-/// Options that change a scene while it is read, common to several commands.
+/// Common options of several commands that change a scene while it is read.
 
 #include <hawser/scene.h>
 
@@ -15,7 +15,7 @@
 
 namespace hawser::cli {
 
-/// Parts that a scene is shown in where --parts does not say.
+/// Default number of parts for showing a scene, without --parts.
 inline constexpr int kParts = 4;
 
 struct SceneOptions {
@@ -23,28 +23,29 @@ struct SceneOptions {
     std::optional<double> step;
     std::optional<std::string> form, nonsmooth, coupling, predictor;
     std::optional<int> sweeps, parts;
-    std::optional<double> sleep;  ///< [s]
+    std::optional<double> sleep;  ///< Value of --sleep [s]
     int threads = 1;
-    double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none. `run` has options for them.
+    double budget_ms = 0.0, budget_mflop = 0.0;  ///< Budgets; 0: none. `run` has options for them.
     int scale = 1;
     std::vector<std::string> set;
     std::vector<std::string> controls;  ///< Files of --control; `run` and `view` have it.
 
-    /// @param required  Whether the scene must be named.
+    /// Add the options of a scene. @param required  True if the scene must be named.
     void add_to(CLI::App& command, bool required = true);
-    /// Options that change the scene, as far as its start depends on them.
+    /// Add options that change the scene, if its start depends on them.
     void add_changes_to(CLI::App& command);
-    /// @throws scene::SceneError of the first mistake, which says how many more there are.
+    /// Load the scene. @throws scene::SceneError of the first mistake, with the number of further
+    /// mistakes.
     [[nodiscard]] scene::Scene load() const;
-    /// All mistakes in place of the first; nothing where there are any.
+    /// Load the scene and collect all mistakes. @return null if there are any.
     [[nodiscard]] std::optional<scene::Scene> load(std::vector<scene::SceneError>& mistakes) const;
-    /// --control: inputs over time, as CSV, and operations, as JSON.
+    /// Add --control: inputs over time, as CSV, and operations, as JSON.
     void add_control_to(CLI::App& command);
-    /// The file of inputs over time among them; "": none. @throws std::runtime_error of two.
+    /// Return the file of inputs over time; "": none. @throws std::runtime_error for two.
     [[nodiscard]] std::string control() const;
-    /// The file of operations; "": none. @throws std::runtime_error of two.
+    /// Return the file of operations; "": none. @throws std::runtime_error for two.
     [[nodiscard]] std::string operations() const;
-    /// As the readers of scenes and exercises take them.
+    /// Return the options in the form for the readers of scenes and exercises.
     [[nodiscard]] scene::Options options() const;
 };
 

@@ -16,7 +16,7 @@ namespace hawser::cli {
 
 namespace {
 
-/// Drag on all that moves, in proportion to its mass and moments of inertia.
+/// Drag on all moving bodies, in proportion to their masses and moments of inertia.
 class Drag final : public System {
   public:
     explicit Drag(double stop_time) : rate_(1.0 / stop_time) {}
@@ -33,7 +33,7 @@ class Drag final : public System {
                 const Mat3 turn = now.world.pose(id).orientation.toRotationMatrix();
                 drag.bottomRightCorner<3, 3>() = rate_ * (turn * def.inertia * turn.transpose());
             }
-            loads.add_damping(id, drag);  // of what a body has no freedom for nothing counts
+            loads.add_damping(id, drag);  // components without a freedom of the body have no effect
         }
     }
 
@@ -45,7 +45,7 @@ class Drag final : public System {
     double rate_;
 };
 
-/// The sea of a world without what never rests.
+/// Replace the sea by one at rest: no waves, gusts and tide.
 void still_sea(World& world) {
     const SeaDef* found = find_sea(world);
     if (found == nullptr) return;
@@ -66,8 +66,9 @@ void still_sea(World& world) {
     world.set_system_signal("sea.level", in.level);
 }
 
-/// A drum that pays out would not come to rest, and wire that it takes in is in no state file. What
-/// a motor holds in the scene may be more than its brake can, or it may have none.
+/// Fix all drums. A drum that pays out would not come to rest, and a state file does not contain
+/// the wire on drums. A winch with an active motor keeps it at zero speed, because its brake may be
+/// too weak. Others use the brake.
 void hold_winches(World& world) {
     for (const SystemSignal& s : world.system_signals()) {
         if (!s.input || record::signal_words(world, s).empty()) continue;
@@ -81,8 +82,8 @@ void hold_winches(World& world) {
     }
 }
 
-/// Of a world without systems: drag belongs to the bodies, for any method of solving contacts.
-/// Nothing has been removed from the world of a scene file: ids are the same in both.
+/// Return a copy of a world without systems, with drag on its bodies, for any method of solving
+/// contacts. No object of a scene file's world has been removed, so that ids are equal in both.
 World with_dragged_bodies(const World& from, double stop_time) {
     World world(from.settings());
     for (const BodyId id : from.bodies()) {
@@ -102,15 +103,15 @@ World with_dragged_bodies(const World& from, double stop_time) {
     for (const InteractionId id : from.interactions()) {
         InteractionDef def = from.interaction_def(id);
         if (kind_info(def.kind).is(kWireElement)) {
-            def.set("breaking_load", 1e30);  // Nothing parts on the way to rest.
-            // A compliance from EA goes on following the length that a drum pays out.
+            def.set("breaking_load", 1e30);  // No element breaks while the scene settles.
+            // A compliance derived from EA continues to follow the length that a drum pays out.
             if (def.compliance[0] == def.get("length") / def.get("EA"))
                 def.compliance[0] = kDefault;
         }
         world.add_interaction(def);
     }
     for (std::int32_t i = 1; i < from.material_count(); ++i)
-        world.add_material(from.material_def({i}));  // 0, the default, is there
+        world.add_material(from.material_def({i}));  // material 0, the default, exists already
     for (const MaterialPairDef& pair : from.material_pairs()) world.add_material_pair(pair);
     for (const ShapeId id : from.shapes()) world.add_shape(from.shape_def(id));
     return world;

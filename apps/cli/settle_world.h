@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file settle_world.h
-/// The world in which a scene comes to rest (`hawser settle`).
+/// Build the world in which a scene comes to rest (`hawser settle`).
 
 #include <hawser/world.h>
 
 namespace hawser::cli {
 
-/// Whether it moves by forces: rigid bodies, lumps, scalar ones.
+/// True if forces move the body: rigid bodies, nodes, scalar bodies.
 [[nodiscard]] bool moves(const World& world, BodyId body);
 
-/// The scene as it stands, at rest, with all its systems: the sea without waves and gusts and at
-/// the level of now, with its mean current and wind; winches hold by what holds them in the scene,
-/// motors at no speed or brakes. @throws DefError where a system has no copy.
+/// Return the scene at rest, with all its systems. The sea has no waves and gusts, its present
+/// level, and its mean current and wind. Winches with an active motor hold at zero speed, others by
+/// their brakes. @throws DefError if a system cannot be cloned.
 [[nodiscard]] World still_world(const World& from);
 
-/// Such a world with drag on every body that would stop it alone within `stop_time` [s]. Drag is
-/// implicit in the step and takes nothing from the equilibrium, which has no motion. (Scaling or
-/// zeroing velocities between steps instead makes stiff rows unstable: the scheme keeps half of
-/// their force in the velocity of the step before.) Contacts forget what friction held, so that a
-/// scene settles to where little friction is needed. Without systems no element parts by its load;
-/// with them one may, and tells of it by an event. @throws DefError
+/// Return such a world with drag on every body, which alone would stop it within `stop_time` [s].
+/// Drag is implicit in the step and does not change the equilibrium, which has no motion. Scaling
+/// or zeroing velocities between steps instead would make stiff rows unstable. The scheme keeps
+/// half of their force in the velocity of the previous step. Contacts lose their stored friction
+/// forces, so that a scene settles to a state with little friction. Without systems no element
+/// breaks. With systems one may, and an event reports it. @throws DefError
 [[nodiscard]] World with_drag(const World& still, double stop_time);
 
 }  // namespace hawser::cli

@@ -11,10 +11,12 @@
 
 namespace hawser::cli {
 
-/// One line each, inputs first: name, unit, what it sets with its range, or what it is taken from.
+/// Return one line for each signal, inputs first: name, unit, and its target with its range or its
+/// source.
 [[nodiscard]] std::string signal_lines(const World& world);
 
-/// {"inputs": [{name, unit, min, max, value, sets}], "outputs": [{name, unit, kind, component}]}
+/// Return {"inputs": [{name, unit, min, max, value, sets}], "outputs": [{name, unit, kind,
+/// component}]}
 [[nodiscard]] nlohmann::ordered_json signal_report(const World& world);
 
 }  // namespace hawser::cli

@@ -35,8 +35,8 @@ bool stop_requested() noexcept { return g_stop != 0; }
 
 CancelledBySignal::CancelledBySignal(World& world) noexcept { g_world = &world; }
 
-// A handler that read the pointer before has run to its end: worker threads take no signals
-// (runtime/tasks.cpp), so that it was on this thread.
+// A handler that read the pointer earlier has finished: worker threads block signals
+// (runtime/tasks.cpp), so it ran on this thread.
 CancelledBySignal::~CancelledBySignal() { g_world = nullptr; }
 
 }  // namespace hawser::cli

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file signals.h
-/// Ctrl-C and termination as a request that long work checks between steps, and that ends the step
-/// under way.
+/// Convert Ctrl-C and termination to a request. Long tasks check it between steps, and it cancels
+/// the present step.
 
 namespace hawser {
 class World;
@@ -10,12 +10,12 @@ class World;
 
 namespace hawser::cli {
 
-/// From now on SIGINT and SIGTERM only set a flag. A second one ends the program at once.
+/// Let SIGINT and SIGTERM only set a flag from now on. A second signal ends the program at once.
 void catch_signals() noexcept;
 [[nodiscard]] bool stop_requested() noexcept;
 
-/// While it lives, such a signal also cancels the step of this world (World::cancel()). One at a
-/// time; the world stays where it is.
+/// During its lifetime such a signal also cancels the step of this world (World::cancel()). Only
+/// one object may exist, and the world must not move.
 class CancelledBySignal {
   public:
     explicit CancelledBySignal(World& world) noexcept;

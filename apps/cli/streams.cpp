@@ -19,12 +19,12 @@ namespace {
 
 struct Stream {
     int descriptor;
-    int lost = 0;  ///< Error of the first write that failed; 0: none did.
+    int lost = 0;  ///< Error of the first failed write; 0: none failed.
 };
 
 Stream g_out{STDOUT_FILENO}, g_error{STDERR_FILENO};
 
-/// Always takes all, so that no print fails.
+/// Write to the stream. Always report all bytes as written, so that no print fails.
 extern "C" ssize_t take(void* cookie, const char* from, std::size_t size) {
     auto& stream = *static_cast<Stream*>(cookie);
     for (std::size_t done = 0; done < size && stream.lost == 0;) {
@@ -57,7 +57,7 @@ void open_streams() noexcept {
     std::signal(SIGXFSZ, SIG_IGN);
     for (int number = 0; number <= STDERR_FILENO; ++number)
         if (::fcntl(number, F_GETFD) < 0 && errno == EBADF) {
-            // Input is opened for writing, outputs for reading, so that the loss shows.
+            // Open input for writing and outputs for reading, so that their use fails visibly.
             const int flags = number == STDIN_FILENO ? O_WRONLY : O_RDONLY;
             if (::open("/dev/null", flags) != number) _exit(kUsageError);
         }

@@ -3,19 +3,19 @@
 /// @file streams.h
 /// Standard output and error that may be closed, full or gone.
 ///
-/// A file opened by a program whose standard output is closed gets its number, and what is printed
-/// ends up in it; and a print that fails throws. From open_streams() on the three numbers are
-/// taken, and prints succeed: what could not be written is remembered until the end.
+/// If standard output is closed, the next file that a program opens gets its number, and printed
+/// text ends up in that file. A failed print throws. After open_streams() the three numbers are in
+/// use, and prints succeed: a write failure is recorded until the end.
 
 namespace hawser::cli {
 
-/// First of all in main(). SIGPIPE is ignored: a run goes on where nobody reads its report. So is
-/// SIGXFSZ: a file that may not grow further (ulimit -f) fails like one on a full disk, with a
-/// message.
+/// Prepare the streams. Call first in main(). SIGPIPE is ignored: a run continues if nobody reads
+/// its report. SIGXFSZ is ignored, too: a file at its size limit (ulimit -f) fails like one on a
+/// full disk, with a message.
 void open_streams() noexcept;
 
-/// Last of all. @param code  What the program would return. @return that, or kUsageError where it
-/// is success and standard output has not taken all that was printed.
+/// Finish the streams. Call last. @param code  Exit code of the program. @return the code, or
+/// kUsageError if it is success and standard output failed.
 [[nodiscard]] int close_streams(int code) noexcept;
 
 }  // namespace hawser::cli

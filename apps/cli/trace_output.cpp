@@ -14,12 +14,13 @@ namespace hawser::cli {
 
 namespace {
 
-// Spans of each thread: a step of a thousand bodies leaves some hundreds. 12 MB a thread.
+// Capacity of spans for each thread: a step of a thousand bodies has some hundreds. 12 MB per
+// thread.
 constexpr std::size_t kTraceSpans = std::size_t{1} << 18;
 
 bool is_picture(const std::string& file) { return file.ends_with(".svg"); }
 
-/// What more threads would bring, where one has run: the median over the steps.
+/// Predict the speed-up by more threads after a run with one thread: the median over the steps.
 std::string predict_more_threads(const TraceView& trace) {
     const PoolCosts costs = measure_pool_costs();
     std::string line = "  simulated   ";
@@ -68,7 +69,7 @@ std::string TraceOptions::finish(const World& world, const std::string& scene) c
     if (files.empty()) return {};
     const TraceView all = world.trace(), last = world.trace(steps);
     const bool any = all.steps > 0;
-    // A step that is gone, or has not come, gives way to the typical one.
+    // If the requested step is not in the trace, show the typical one.
     const bool held = std::any_of(all.spans.begin(), all.spans.end(), [&](const TraceSpan& s) {
         return s.kind == SpanKind::step && s.step == step;
     });

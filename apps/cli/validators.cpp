@@ -15,7 +15,7 @@ bool to_number(const std::string& text, double& value) {
     return end != text.c_str() && *end == '\0' && std::isfinite(value);
 }
 
-/// Why `text` is no finite number of at least (or above) zero; empty if it is one.
+/// Return the reason why `text` is no finite number ≥ 0 (or > 0); empty if it is one.
 std::string fault(const std::string& text, bool zero_too) {
     double value = 0.0;
     if (to_number(text, value) && (value > 0.0 || (zero_too && value == 0.0))) return {};

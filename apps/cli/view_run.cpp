@@ -29,14 +29,14 @@ namespace hawser::cli {
 
 namespace {
 
-/// By its first bytes: docs/recording.md.
+/// True if the first bytes are those of a recording: docs/recording.md.
 bool is_recording(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
     std::string head(8, '\0');
     return in.read(head.data(), 8) && head == "HAWSERRC";
 }
 
-/// The desktop's own program for addresses; where there is none the address above is enough.
+/// Open an address with the desktop's program. If there is none, the printed address is enough.
 void open_browser(const std::string& address) {
     std::string program = "xdg-open", argument = address;
     char* const argv[] = {program.data(), argument.data(), nullptr};
@@ -80,19 +80,18 @@ Session open_session(const ViewOptions& options) {
                                       .every = options.stride});
 }
 
-/// Steps a session for clients until a signal, and closes it.
-/// @param then  What is written at the end: before clients are said goodbye to, so that whatever
-///              they do does not cost it.
+/// Step a session for clients until a signal, and close it. @param then  Writes the final outputs.
+/// It runs before connections are closed, so that clients cannot prevent it.
 void serve(const ViewOptions& options, Session& session, const live::DriverOptions& how,
            std::vector<live::Role> roles, const std::function<void()>& then) {
     live::Hub hub;
     live::Driver driver(session, hub, how);
     const live::ServerOptions to_serve = server_options(options, std::move(roles), false);
     live::Server server(hub, to_serve);
-    catch_signals();  // before the addresses: who reads them may end the program at once
+    catch_signals();  // before the addresses: a reader of these may end the program at once
     print_addresses(server, to_serve);
     if (options.open) open_browser(server.address_of(to_serve.roles.front()));
-    // The server's thread is there: it is not to have what this one asks for now.
+    // The server's thread already runs and therefore does not inherit this request.
     if (options.rt) fmt::print(stderr, "--rt: {}\n", request_realtime(options.scene.threads));
     const CancelledBySignal cancelled(session.world());
     driver.run([] { return stop_requested(); });
@@ -127,7 +126,7 @@ void check_exercise_files(const ViewOptions& options, const scene::Scene& scene)
                            {"--summary", options.summary}});
 }
 
-/// Score, summary and report.
+/// Write score, summary and report.
 void close_exercise(const ViewOptions& options, const std::string& recording,
                     const exercise::Exercise& exercise, const exercise::Run& run) {
     const exercise::Result& result = run.result();

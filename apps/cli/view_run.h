@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file view_run.h
-/// `hawser view`: a session, an exercise or a recording, a server, and the addresses of its roles.
+/// `hawser view`: serve a session, an exercise or a recording, and print the addresses of its
+/// roles.
 
 #include "scene_options.h"
 
@@ -11,15 +12,15 @@
 namespace hawser::cli {
 
 struct ViewOptions {
-    SceneOptions scene;  ///< Its file may be a recording or an exercise.
+    SceneOptions scene;  ///< Options of the scene; its file may be a recording or an exercise.
     std::string listen = "127.0.0.1", record, restore;
-    std::string report, summary;  ///< Of an exercise.
+    std::string report, summary;  ///< Files of an exercise.
     int port = 8080, clients = 16;
     std::int32_t stride = 1;
     bool rt = false, paused = false, open = false;
 };
 
-/// Until a signal. @return the exit code. @throws std::exception
+/// Serve until a signal. @return the exit code. @throws std::exception
 int view(const ViewOptions& options);
 
 }  // namespace hawser::cli

@@ -16,7 +16,7 @@ namespace {
 struct Word {
     CommandKind kind;
     const char* name;
-    const char* keys;  ///< Beside type and id, with blanks around each.
+    const char* keys;  ///< Keys in addition to type and id, with blanks around each.
 };
 
 constexpr Word kWords[] = {
@@ -79,7 +79,7 @@ void read_set(const Json& from, const Command& begun, std::vector<Command>& out)
     out.back().answer = true;
 }
 
-/// The body, wire or joint that a message is about.
+/// Read the body, wire or joint that a message names.
 void read_place(const Json& from, bool joints, bool names, Command& out) {
     constexpr double kMostPlaces = 2147483647.0;
     const int given = static_cast<int>(from.contains("body")) +
@@ -108,7 +108,7 @@ void read_place(const Json& from, bool joints, bool names, Command& out) {
 }
 
 void read_drag(const Json& from, Command& out) {
-    constexpr double kMostStiffness = 1e9;  // [N/m]
+    constexpr double kMostStiffness = 1e9;  // Largest stiffness [N/m].
     read_place(from, false, false, out);
     if (from.contains("point")) {
         if (out.by_wire) throw Refused("point goes with a body");
@@ -200,7 +200,7 @@ void read_message(std::string_view text, Request& out) {
         const Json& id = from["id"];
         if (id.is_number_unsigned() && id.get<std::uint64_t>() <= kLargestId)
             out.id = static_cast<std::int64_t>(id.get<std::uint64_t>());
-        // As a double, 2^53 + 1 would be 2^53.
+        // As a double, 2^53 + 1 would become 2^53.
         if (id.is_number_unsigned() && id.get<std::uint64_t>() > kMostId)
             throw Refused("id is to be from 0 to 9007199254740992");
         out.id = static_cast<std::int64_t>(whole(from, "id", 0.0, kMostWhole));
@@ -232,7 +232,7 @@ bool parse(std::string_view text, Request& out, std::string& reason) {
         return true;
     } catch (const Refused& refused) {
         reason = refused.what();
-    } catch (const Json::exception&) {  // a rule of the reader's that nothing above asks for
+    } catch (const Json::exception&) {  // a check of the JSON reader that no check above covers
         reason = "the message cannot be read";
     }
     out.commands.clear();

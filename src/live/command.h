@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file command.h
-/// What a client asks for, as it goes to the thread that steps: of fixed size, so that neither
-/// thread allocates or frees for the other (docs/live.md has the messages).
+/// A client's command for the stepping thread. It has a fixed size, so that neither thread
+/// allocates or frees memory for the other (docs/live.md lists the messages).
 
 #include <array>
 #include <cstddef>
@@ -27,19 +27,19 @@ enum class CommandKind : std::uint8_t {
     restore,
     pick,
     seek,
-    fault,  ///< Of an exercise: begin it, or with value 0 end it.
-    end,    ///< Of an exercise.
-    left,   ///< The client has gone: what it held is let go.
+    fault,  ///< Start a fault of an exercise, or end it if the value is 0.
+    end,    ///< End an exercise.
+    left,   ///< The client has disconnected: release its drags.
 };
-/// The word that messages of the protocol have for a command.
+/// Return the word for a command in messages of the protocol.
 [[nodiscard]] const char* to_string(CommandKind kind) noexcept;
 
-/// A text of limited length in place.
+/// A text of limited length without heap memory.
 template <std::size_t N>
 class ShortText {
   public:
     static constexpr std::size_t kMost = N;
-    /// @return false: it is too long, and nothing is taken.
+    /// Assign a text. @return false if it is too long; the old text then stays.
     bool assign(std::string_view text) noexcept {
         if (text.size() > N) return false;
         size_ = static_cast<std::uint16_t>(text.size());
@@ -57,36 +57,38 @@ inline constexpr std::int64_t kNoId = -1;
 
 struct Command {
     CommandKind kind = CommandKind::none;
-    bool answer = true;     ///< Of several that came in one message only the last is answered.
-    bool by_wire = false;   ///< Of drag, part, pick: `target_id` or `name` is a wire's …
-    bool by_joint = false;  ///< … or a joint's; else a body's.
+    bool answer = true;  ///< True if the command gets an answer. If a message has several commands,
+                         ///< only the last one does.
+    bool by_wire =
+        false;  ///< True if `target_id` or `name` of drag, part, pick belongs to a wire …
+    bool by_joint = false;  ///< … or to a joint; otherwise it belongs to a body.
     bool by_name = false;
     std::uint32_t client = 0;
-    std::int64_t id = kNoId;  ///< Of the message.
+    std::int64_t id = kNoId;  ///< Number of the message.
     std::int32_t target_id = -1;
     double value = 0.0;              ///< set, rate, step, seek, fault; s of drag, part, pick.
-    double stiffness = 0.0;          ///< [N/m]
+    double stiffness = 0.0;          ///< Stiffness [N/m].
     std::array<double, 3> point{};   ///< In the body's frame [m].
     std::array<double, 3> target{};  ///< World frame [m].
     ShortText<160> name;             ///< Input, restore point, wire, fault.
-    ShortText<40> role;              ///< Of whom it is.
+    ShortText<40> role;              ///< Role of the sender.
 };
 
-/// What one message of a client is.
+/// Contents of one message of a client.
 struct Request {
     bool hello = false;
-    std::string token;  ///< Of hello.
+    std::string token;  ///< Token of hello.
     double version = 0.0;
     CommandKind kind = CommandKind::none;
     std::int64_t id = kNoId;
     std::vector<Command> commands;  ///< Several of `set`.
 };
 
-inline constexpr std::size_t kMostMessage = 16 * 1024;  ///< [bytes]
-inline constexpr std::size_t kMostInputs = 64;          ///< Of one message.
+inline constexpr std::size_t kMostMessage = 16 * 1024;  ///< Largest message [bytes].
+inline constexpr std::size_t kMostInputs = 64;  ///< Largest number of inputs in one message.
 
-/// Read a message. Nothing that it says makes it throw but std::bad_alloc.
-/// @param reason  Why it is refused, in words. @return whether it is one.
+/// Read a message. No content of the message makes this throw, except std::bad_alloc. @param reason
+/// Set to the reason of a rejection, in words. @return true if the message is valid.
 [[nodiscard]] bool parse(std::string_view text, Request& out, std::string& reason);
 
 }  // namespace hawser::live

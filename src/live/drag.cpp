@@ -7,14 +7,15 @@
 namespace hawser::live {
 namespace {
 
-/// Mass that a point of a body shows to a force, at least [kg].
+/// Return a lower bound of the effective mass at a point of a body [kg].
 double mass_at(const BodyDef& def, const Vec3& point) {
     double inverse = 1.0 / def.mass;
     if (def.kind == BodyKind::rigid) inverse += point.squaredNorm() * def.inertia.inverse().trace();
     return 1.0 / inverse;
 }
 
-/// A spring that one feels: a body swings in some six seconds, a node of a wire follows at once.
+/// Return a stiffness with a visible response: a body oscillates with a period of about six
+/// seconds, a node of a wire follows at once.
 double usual_stiffness(BodyKind kind, double mass, double most) {
     return kind == BodyKind::lump ? most : std::min(most, mass);  // ω = 1 rad/s
 }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file drag.h
-/// A pointer pulls at a body by a damped spring.
+/// Pull at a body by a damped spring between a point of the body and a pointer.
 ///
 /// ```
 ///     point of the body ●/\/\/\/● target        F = k (target − p) − c v
 /// ```
-/// The force goes in as an applied force between steps, so that a recording has it as a change like
-/// any other and a replay needs none of this. It is explicit: it stays stable where k h² and c h
-/// are small against the mass m that the point shows, 1/m = 1/M + ‖r‖² tr I⁻¹ at least, so that
-/// both are limited to a quarter and a half of it (a free mass would stand k h² < 4 m, c h < 2 m).
+/// The force is an applied force that is set between steps. A recording stores it like any other
+/// change, so a replay does not need this file. The force is explicit: it is stable if k h² and c h
+/// are small against the effective mass m at the point. A bound is 1/m = 1/M + ‖r‖² tr I⁻¹.
+/// Therefore k h² is limited to m/4 and c h to m/2. A free mass would be stable for
+/// k h² < 4 m, c h < 2 m.
 
 #include "live/command.h"
 
@@ -22,15 +23,15 @@ namespace hawser::live {
 
 class Drags {
   public:
-    /// Begin one of a client, or go on with another target. @throws DefError where the body cannot
-    /// be pulled.
+    /// Begin a drag of a client, or change its target. @throws DefError if the body cannot be
+    /// moved.
     void begin(World& world, std::uint32_t client, BodyId body, const Vec3& point,
                const Vec3& target, double stiffness);
     void end(World& world, std::uint32_t client);
     void end_all(World& world);
-    /// Forces of the step to come.
+    /// Apply the forces for the next step.
     void before_step(World& world);
-    /// Take the forces away until the next step: so that a state that is saved has none.
+    /// Remove the forces until the next step, so that a saved state does not contain them.
     void lift(World& world);
     [[nodiscard]] bool any() const noexcept { return !drags_.empty(); }
 
@@ -41,7 +42,7 @@ class Drags {
         Vec3 point, target;
         double stiffness;
     };
-    /// What acted on a body before it was pulled at.
+    /// Force and torque on a body before it was dragged.
     struct Base {
         BodyId body;
         Vec3 force, torque;
@@ -53,8 +54,8 @@ class Drags {
     std::vector<Base> bases_;
 };
 
-/// The node of a wire nearest to a share of its length, 0 to 1, that is a lump. @throws DefError
-/// where it has none.
+/// Return the node of a wire nearest to a fraction of its length, 0 to 1. @throws DefError if the
+/// wire has no node.
 [[nodiscard]] BodyId node_near(const World& world, WireId wire, double share);
 
 }  // namespace hawser::live

@@ -11,10 +11,11 @@
 namespace hawser::live {
 namespace {
 
-constexpr double kFarFromOrigin = 2000.0;  // [m] where single precision begins to show
-constexpr int kLookAtOrigin = 300;         // steps
+constexpr double kFarFromOrigin =
+    2000.0;                         // [m] distance from which single precision becomes visible
+constexpr int kLookAtOrigin = 300;  // steps
 
-/// Near what moves, rounded so that it has few digits.
+/// Return a point near the moving bodies, rounded to few digits.
 Vec3 middle_of(const World& world, const FramePlan& plan) {
     Vec3 sum = Vec3::Zero();
     const std::vector<BodyId>& bodies = !plan.rigid.empty() ? plan.rigid : plan.lumps;
@@ -76,7 +77,7 @@ void Driver::tell_state() {
     told_ = out_.flush();
 }
 
-/// Pieces that came or went with the last step, or were changed by hand.
+/// Update the plan after objects were added or removed, by the last step or by commands.
 void Driver::follow_pieces() {
     if (plan_.current(session_.world())) return;
     FramePlan next = FramePlan::of(session_.scene());
@@ -105,7 +106,7 @@ void Driver::publish() {
     notes_.late_ms = 1e3 * playing_.late();
     ++notes_.number;
     if (lesson_) notes_.shown = lesson_->frozen(world, plan_);
-    // Without their scene frames are of no use to anyone.
+    // Clients cannot use frames without the scene.
     if (!told_) told_ = out_.flush();
     if (!told_) return;
     Bytes& frame = hub_.frames.back();
@@ -137,7 +138,7 @@ void Driver::step() {
     Status status = Status::ok;
     try {
         status = lesson_ ? lesson_->step() : session_.step();
-    } catch (const DefError& error) {  // an operation of the timeline that cannot be done
+    } catch (const DefError& error) {  // an operation of the timeline failed
         return fail({.time = world.time(),
                      .status = "timeline",
                      .element = {},
@@ -192,7 +193,7 @@ void Driver::run(const std::function<bool()>& stop) {
         advance();
         playing_.wait([this] {
             take_commands();
-            return false;  // the step to come shows what they changed
+            return false;  // the next step shows the changes
         });
     }
 }

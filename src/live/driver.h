@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file driver.h
-/// Steps a session for clients: what they ask for between two steps, a frame after each.
+/// Step a session for clients: perform their commands between steps, publish a frame after each.
 ///
 /// ```
 ///     commands ─► drag forces ─► Session::step() ─► events, frame ─► wait until the next is due
 ///         ▲                                                               │
 ///         └───────────────────────────────────────────────────────────────┘
 /// ```
-/// All of it is one thread, which waits for the clock alone. What clients do goes through the
-/// session, so that a recording repeats it; of an exercise through its run (lesson.h). A step that
-/// fails pauses the run, with a message that says when, where and what to do.
+/// One thread does all of this, and it waits only for the clock. Commands of clients go through the
+/// session, so that a recording repeats them; in an exercise they go through its run (lesson.h). A
+/// failed step pauses the run, with a message about the time, the cause and the remedy.
 
 #include "live/drag.h"
 #include "live/frame_plan.h"
@@ -35,34 +35,35 @@ namespace hawser::live {
 struct DriverOptions {
     std::string recording{};  ///< File that the session records to, for clients; "": none.
     bool paused = false;      ///< At the start.
-    /// An exercise that the session is of, and its run; null: it is of none.
+    /// Exercise of the session, and its run; null: none.
     const exercise::Exercise* exercise = nullptr;
     exercise::Run* run = nullptr;
 };
 
-/// What a run came to.
+/// Figures of a run.
 struct DriverFigures {
     std::int64_t steps = 0, frames = 0;
-    std::size_t frame_bytes = 0;  ///< Of the largest frame.
+    std::size_t frame_bytes = 0;  ///< Size of the largest frame.
 };
 
 class Driver {
   public:
     Driver(Session& session, Hub& hub, const DriverOptions& options);
 
-    /// Until `stop` says so. @throws std::exception where a recording cannot be written.
+    /// Run until `stop` returns true. @throws std::exception if a recording cannot be written.
     void run(const std::function<bool()>& stop);
-    /// What is waiting, one step where the run is not paused, and a frame; without a clock.
+    /// Perform pending commands, one step if the run is not paused, and publish a frame; without a
+    /// clock.
     void advance();
     [[nodiscard]] bool paused() const noexcept { return playing_.paused(); }
     [[nodiscard]] const DriverFigures& figures() const noexcept { return figures_; }
 
   private:
-    /// A state to go back to.
+    /// A state that can be restored.
     struct Point {
         std::string name;
         double time = 0.0;
-        int mark = 0;  ///< Of the exercise.
+        int mark = 0;  ///< Mark of the exercise.
         Structure made_of;
         std::vector<std::byte> state;
     };
@@ -74,7 +75,8 @@ class Driver {
     void part(const Command& command);
     void save(const std::string& name);
     void restore(const Command& command);
-    /// @throws DefError while saving and restoring would take more than a fifth of the time.
+    /// Check the time that saving and restoring need. @throws DefError if it would exceed a fifth
+    /// of all time.
     void afford_states(const char* what) const;
     void count_states(double begun);
     Lesson& lesson();
@@ -99,11 +101,11 @@ class Driver {
     Drags drags_;
     Playing playing_;
     std::vector<Point> points_;
-    double states_took_ = 0.0;  ///< Saving or restoring, last [s].
-    double states_free_ = 0.0;  ///< Time of clock_now() from which another one may come [s].
+    double states_took_ = 0.0;  ///< Time of the last saving or restoring [s].
+    double states_free_ = 0.0;  ///< Time of clock_now() from which the next one is allowed [s].
     std::optional<Failure> failure_;
     bool told_ = false, changed_ = true;
-    bool over_ = false;  ///< The exercise had ended when it was last looked at.
+    bool over_ = false;  ///< True if the exercise had ended at the last check.
     int clients_ = 0;
     DriverFigures figures_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What clients ask for, done between two steps.
+/// Perform the commands of clients between two steps.
 #include "live/driver.h"
 #include "live/pick.h"
 
@@ -17,10 +17,10 @@
 namespace hawser::live {
 namespace {
 
-constexpr std::size_t kMostPoints = 17;   // restore points, that of the start included
-constexpr int kMostCommands = 512;        // of one gap between steps
-constexpr double kRestoresShare = 0.2;    // most of the time that saving and restoring takes
-constexpr double kRestoresAllowed = 0.1;  // [s] of it that is never refused
+constexpr std::size_t kMostPoints = 17;   // restore points, including the start
+constexpr int kMostCommands = 512;        // performed between two steps
+constexpr double kRestoresShare = 0.2;    // largest fraction of time for saving and restoring
+constexpr double kRestoresAllowed = 0.1;  // [s] time for it that is always allowed
 
 }  // namespace
 

@@ -50,7 +50,7 @@ WireSource wire_of(const World& world, WireId id) {
     return out;
 }
 
-/// Rows of rigid links, whose joints are points of a frame.
+/// Return a row of rigid links, whose joints are points of a frame.
 WireSource links_of(const World& world, const scene::Cable& cable) {
     WireSource out{.kind = WireKind::links, .name = cable.name};
     for (std::size_t j = 0; j + 1 < cable.stretch.size(); ++j) {
@@ -64,7 +64,7 @@ WireSource links_of(const World& world, const scene::Cable& cable) {
     return out;
 }
 
-/// Nodes of wires: lumps that elements of a wire hold. Ends that are free are lumps, too.
+/// Return the nodes of wires: nodes to which elements of a wire connect, including free ends.
 std::vector<bool> nodes_of_wires(const World& world) {
     std::vector<bool> node(at(world.body_count()), false);
     for (const WireId wire : world.wires())
@@ -156,7 +156,7 @@ void add_inputs(const scene::Scene& scene, FramePlan& plan) {
         plan.inputs.push_back({.name = def.name,
                                .unit = unit_of(world, def),
                                .group = def.group,
-                               // What a winch or crane is made of is driven by it, not by hand.
+                               // The winch or crane drives its own parts; users do not.
                                .kind = record::is_inner_input(world, def.name) ? "inner" : "lever",
                                .min = def.min,
                                .max = def.max,
@@ -175,7 +175,7 @@ void add_inputs(const scene::Scene& scene, FramePlan& plan) {
                                    .words = record::signal_words(world, s),
                                    .id = {},
                                    .signal = s.value});
-    // A lever without a group belongs to what its name begins with.
+    // The group of an input without group is the first part of its name.
     for (InputSource& input : plan.inputs)
         if (const auto slash = input.name.rfind('/');
             input.group.empty() && slash != std::string::npos)
@@ -226,7 +226,7 @@ bool FramePlan::current(const World& world) const {
 
 bool FramePlan::same_scene(const FramePlan& other) const {
     const auto same_joint = [](const JointSource& a, const JointSource& b) { return a.id == b.id; };
-    // A line is one piece, which is what it is; of wires the pieces may be others.
+    // A line has one piece, which identifies it. The pieces of a wire may differ.
     const auto same_wire = [](const WireSource& a, const WireSource& b) {
         return a.kind == b.kind && a.wire == b.wire && a.name == b.name;
     };

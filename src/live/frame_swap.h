@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file frame_swap.h
-/// The newest frame, from the thread that makes frames to the one that sends them.
+/// Transfer the newest frame from the stepping thread to the sending thread.
 ///
-/// Three buffers: the writer fills one, the reader reads one, the third is in the middle. Whoever
-/// is done exchanges his own for the middle one by one atomic operation, so that the writer never
-/// waits and the reader always gets the newest complete frame; older ones are overwritten.
+/// Three buffers: the writer fills one, the reader reads one, the third is in the middle. When the
+/// writer or the reader has finished, it exchanges its buffer for the middle one by one atomic
+/// operation. The writer never waits, and the reader always gets the newest complete frame; older
+/// ones are overwritten.
 
 #include <array>
 #include <atomic>
@@ -19,12 +20,14 @@ using Bytes = std::vector<std::byte>;
 
 class FrameSwap {
   public:
-    /// The writer's buffer. Its capacity stays, so that filling it allocates nothing once warm.
+    /// Return the writer's buffer. Its capacity stays, so that filling it does not allocate after
+    /// the first frames.
     [[nodiscard]] Bytes& back() noexcept { return buffers_[writing_]; }
     void publish() noexcept {
         writing_ = middle_.exchange(writing_ | kFresh, std::memory_order_acq_rel) & kIndex;
     }
-    /// @return the newest frame, the reader's until the next call; null: none since the last call.
+    /// Return the newest frame. It belongs to the reader until the next call. @return null if there
+    /// is no new frame since the last call.
     [[nodiscard]] const Bytes* take() noexcept {
         if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return nullptr;
         reading_ = middle_.exchange(reading_, std::memory_order_acq_rel) & kIndex;

@@ -82,7 +82,8 @@ float* put_signals(const World& world, const FramePlan& plan, float* to) {
 
 void FrameWriter::add_wire(const World& world, const WireSource& wire, const StateView& state,
                            const Vec3& origin) {
-    constexpr double kTogether = 1e-3;  // [m] two elements that end closer than this end together
+    constexpr double kTogether =
+        1e-3;  // [m] ends of two elements that are closer than this coincide
     const std::size_t before = points_.size() / 3;
     Vec3 last = Vec3::Zero();
     float pull_before = 0.0F;
@@ -100,7 +101,7 @@ void FrameWriter::add_wire(const World& world, const WireSource& wire, const Sta
         if (points_.size() / 3 == before) {
             put(points_, ends[0] - origin);
         } else if ((ends[0] - last).squaredNorm() > kTogether * kTogether) {
-            // On a wheel the line goes on; elsewhere an element between has gone.
+            // On a wheel the line continues; otherwise an element between was removed.
             put(points_, ends[0] - origin);
             tensions_.push_back(routed_before && piece.routed ? std::max(pull, pull_before)
                                                               : -1.0F);
@@ -140,7 +141,7 @@ void FrameWriter::add_stats(const World& world, const FrameNotes& notes, float* 
                             FrameHeader& head) {
     constexpr double kMilli = 1e3;
     const StepStats& s = world.stats();
-    // What a solution has to keep to count as exact (docs/methods.md, 8).
+    // Conditions of a solution that counts as exact (docs/methods.md, 8).
     constexpr double kMomentum = 1e-8;
     const bool solved = s.status == Status::ok && s.flips_left == 0 && !s.cut &&
                         s.natural_map <= world.settings().contact_tolerance &&
@@ -152,7 +153,7 @@ void FrameWriter::add_stats(const World& world, const FrameNotes& notes, float* 
     head.cuts = s.degradation.cuts;
     head.coarser = s.degradation.wires;
     head.hasty = s.degradation.hasty ? 1U : 0U;
-    // It takes twice as long as all else of a frame: once a second is enough for a plot.
+    // The energy costs twice as much as the rest of a frame: once a second is enough for a plot.
     constexpr std::int64_t kEnergyEvery = 60;
     const std::int64_t step = world.step_count();
     if (energy_of_ < 0 || step < energy_of_ || step - energy_of_ >= kEnergyEvery) {

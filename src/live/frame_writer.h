@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file frame_writer.h
-/// Fills a frame with the present state of a world (docs/live.md, "Frames").
+/// Fill a frame with the present state of a world (docs/live.md, "Frames").
 ///
-/// Poses come from the world's own arrays (hawser/state.h), tensions and forces element by element.
-/// Positions are differences from an origin near the scene, taken in double precision, so that
-/// single precision is enough for what is left of them: 0.06 mm at 1 km.
+/// Poses come from the world's own arrays (hawser/state.h), tensions and forces from each element.
+/// Positions are differences from an origin near the scene, computed in double precision. Single
+/// precision is enough for the differences: 0.06 mm at 1 km.
 
 #include "live/frame_plan.h"
 #include "live/frame_swap.h"
@@ -18,13 +18,13 @@
 
 namespace hawser::live {
 
-/// An output of a frame that shows something else than the world has: displays of an exercise.
+/// An output whose value in a frame differs from that of the world: displays of an exercise.
 struct ShownOutput {
     std::size_t output = 0;  ///< Index in FramePlan::outputs.
     double value = 0.0;      ///< SI units.
 };
 
-/// What of a frame the world does not know.
+/// Data of a frame that the world does not have.
 struct FrameNotes {
     std::uint32_t epoch = 0, number = 0, skipped = 0;
     std::uint16_t flags = 0;
@@ -34,10 +34,10 @@ struct FrameNotes {
 
 class FrameWriter {
   public:
-    /// Into `out`, whose memory is kept. @param world  That of the plan.
+    /// Write a frame to `out`, whose capacity is reused. @param world  World of the plan.
     void write(const World& world, const FramePlan& plan, const Vec3& origin,
                const FrameNotes& notes, Bytes& out);
-    /// Time that the last one took [s].
+    /// Return the time for the last frame [s].
     [[nodiscard]] double seconds() const noexcept { return seconds_; }
 
   private:
@@ -51,7 +51,7 @@ class FrameWriter {
     std::vector<float> points_, tensions_, forces_;
     std::vector<ContactView> contacts_;
     double seconds_ = 0.0, energy_ = 0.0;
-    std::int64_t energy_of_ = -1;  ///< Step that it is of.
+    std::int64_t energy_of_ = -1;  ///< Step of the last energy.
 };
 
 }  // namespace hawser::live

@@ -21,7 +21,7 @@ Hub::~Hub() { close(descriptor_); }
 
 void Hub::wake() noexcept {
     const std::uint64_t one = 1;
-    // Where the count is full the other one has been told already.
+    // If the counter is full, the other thread has been notified already.
     [[maybe_unused]] const auto written = ::write(descriptor_, &one, sizeof one);
 }
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hub.h
-/// What the thread that steps and the thread that sends share.
+/// Data that the stepping thread and the sending thread share.
 ///
 /// ```
 ///     steps                                                     sends
 ///     frame of each step ──── FrameSwap ───────────────────────► newest to all clients
 ///     scenes, states, events, answers ── Ring of Message ──────► text to one or all
-///     between two steps ◄──── Ring of Command ────────────────── what clients ask for
+///     between two steps ◄──── Ring of Command ────────────────── requests of clients
 /// ```
-/// Neither waits for the other. A descriptor of the kernel (eventfd) wakes the one that sends.
+/// Neither waits for the other. A descriptor of the kernel (eventfd) wakes the sending thread.
 
 #include "live/command.h"
 #include "live/frame_swap.h"
@@ -22,24 +22,24 @@
 namespace hawser::live {
 
 enum class MessageKind : std::uint8_t {
-    text,      ///< To one or all.
-    scene,     ///< To all, and to who comes later. Without its opening brace: the role goes first.
-    state,     ///< To all, and to who comes later.
-    timeline,  ///< To who comes later, behind the state.
-    exercise,  ///< To all, and to who comes later.
-    faults,    ///< To roles with control, also those who come later.
+    text,   ///< Text for one client or all.
+    scene,  ///< For all clients, also later ones. Without its opening brace: the role goes first.
+    state,  ///< For all clients, also later ones.
+    timeline,  ///< For later clients, after the state.
+    exercise,  ///< For all clients, also later ones.
+    faults,    ///< For roles with control, also later clients.
 };
 
 struct Message {
     MessageKind kind = MessageKind::text;
     std::uint32_t to = 0;  ///< Number of a client; 0: all.
-    bool control = false;  ///< Only to roles with control.
+    bool control = false;  ///< True: only for roles with control.
     std::string text{};    ///< JSON.
 };
 
 class Hub {
   public:
-    /// @throws std::runtime_error where the kernel has no descriptor left.
+    /// Create the descriptor. @throws std::runtime_error if the kernel has no free descriptor.
     Hub();
     ~Hub();
     Hub(const Hub&) = delete;
@@ -48,19 +48,19 @@ class Hub {
     FrameSwap frames;
     Ring<Command> commands{2048};
     Ring<Message> messages{8192};
-    std::atomic<int> clients{0};  ///< Who have said hello.
+    std::atomic<int> clients{0};  ///< Number of clients after hello.
 
-    /// Tell the one that sends that there is something.
+    /// Notify the sending thread that data is available.
     void wake() noexcept;
     [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
-    /// By the one that was woken.
+    /// Clear the notification. Called by the sending thread.
     void clear() noexcept;
 
   private:
     int descriptor_ = -1;
 };
 
-/// Seconds of CLOCK_MONOTONIC, as in frames.
+/// Return the seconds of CLOCK_MONOTONIC, as in frames.
 [[nodiscard]] double clock_now() noexcept;
 
 }  // namespace hawser::live

@@ -12,7 +12,7 @@ namespace {
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// A tally as far as it says more than its name.
+/// Convert a tally to JSON, without empty fields.
 Json tally_json(const exercise::Tally& tally) {
     return {{"name", tally.name}, {"text", tally.text}, {"points", tally.points}};
 }
@@ -109,7 +109,7 @@ void Lesson::end(const Command& command) {
 
 void Lesson::back_to(int mark) {
     run_.back_to(mark);
-    // The last entry says that it went back, which everybody is told as a command.
+    // The last entry records the restored state. Clients receive it as a command instead.
     told_ = run_.result().entries.size();
 }
 

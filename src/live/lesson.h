@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lesson.h
-/// An exercise as clients of `hawser view` drive and see it (docs/live.md, "Exercises").
+/// Connect an exercise to the clients of `hawser view` (docs/live.md, "Exercises").
 ///
 /// ```
 ///     set, fault, end ──► exercise::Run ──► levers, faults ──► Session::step() ──► score
 ///                                                                                   │
 ///     all: score, goals, penalties, alarms, end      roles with control: faults ◄───┘
 /// ```
-/// Who has a station does not hear of faults but by what they do: outputs that are frozen are
-/// frozen in frames, too.
+/// A station notices faults by their effects only: outputs that are frozen are frozen in frames,
+/// too.
 
 #include "live/command.h"
 #include "live/frame_plan.h"
@@ -25,33 +25,34 @@
 
 namespace hawser::live {
 
-/// The instructor, each station with its inputs, the watcher. @throws exercise::Refused where a
-/// station's name does not fit into messages.
+/// Return the roles: the instructor, each station with its inputs, the watcher. @throws
+/// exercise::Refused if a station's name is too long for messages.
 [[nodiscard]] std::vector<Role> roles_of(const exercise::Exercise& exercise);
 
 class Lesson {
   public:
-    /// @param exercise, run  Have to outlive it; `run` is of this exercise.
+    /// Connect an exercise. @param exercise, run  Must outlive this object; `run` belongs to this
+    /// exercise.
     Lesson(const exercise::Exercise& exercise, exercise::Run& run) noexcept
         : exercise_(exercise), run_(run) {}
 
     Status step() { return run_.step(); }
     /// Set an input for a role. @throws exercise::Refused, DefError
     void set_input(const Command& command);
-    /// Begins or ends one. @throws exercise::Refused, DefError
+    /// Begin or end a fault. @throws exercise::Refused, DefError
     void fault(const Command& command);
-    /// The instructor ends the exercise. @throws DefError where it has ended.
+    /// End the exercise for the instructor. @throws DefError if it has ended.
     void end(const Command& command);
     [[nodiscard]] bool ended() const noexcept { return run_.ended(); }
 
     [[nodiscard]] int mark() { return run_.mark(); }
     void back_to(int mark);
 
-    /// What is new: entries at once; points, seconds and what is active four times a second.
+    /// Report news: entries at once; points, seconds and active items four times a second.
     void tell(const World& world, Outbox& out);
-    /// All of it, after commands.
+    /// Report everything, after commands.
     void tell_now(Outbox& out);
-    /// Outputs of frames that are to show what displays show.
+    /// Return the outputs whose frame values are those of frozen displays.
     [[nodiscard]] const std::vector<ShownOutput>& frozen(const World& world, const FramePlan& plan);
 
   private:
@@ -61,9 +62,9 @@ class Lesson {
 
     const exercise::Exercise& exercise_;
     exercise::Run& run_;
-    std::size_t told_ = 0;        ///< Entries of the result.
-    std::int64_t told_step_ = 0;  ///< When the last message was made.
-    std::string last_;            ///< It.
+    std::size_t told_ = 0;        ///< Number of reported entries of the result.
+    std::int64_t told_step_ = 0;  ///< Step of the last message.
+    std::string last_;            ///< The last message.
     std::vector<ShownOutput> frozen_;
 };
 

@@ -10,12 +10,12 @@
 namespace hawser::live {
 
 namespace {
-constexpr double kMostPlace = 1e7;  // [m], as World::set_pose() has it
+constexpr double kMostPlace = 1e7;  // [m], as in World::set_pose()
 }  // namespace
 
 std::string_view shortened(std::string_view text, std::size_t most) {
     if (text.size() <= most) return text;
-    // Bytes 10xxxxxx go on with a character: the cut is before the first byte of one.
+    // Bytes 10xxxxxx continue a character: cut before its first byte.
     while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0u) == 0x80u) --most;
     return text.substr(0, most);
 }
@@ -74,7 +74,7 @@ std::array<double, 3> vector(const Json& from, const char* key) {
 }
 
 Json parsed(std::string_view text) {
-    std::vector<std::set<std::string>> open;  // keys of the objects around
+    std::vector<std::set<std::string>> open;  // keys of the enclosing objects
     std::string twice;
     Json out = Json::parse(
         text,

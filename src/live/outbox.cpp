@@ -8,7 +8,7 @@
 namespace hawser::live {
 namespace {
 
-/// Names of a scene may be anything; what is no UTF-8 is replaced.
+/// Write compact JSON. Names of a scene may contain any bytes; invalid UTF-8 is replaced.
 std::string compact(const Json& message) {
     return message.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file outbox.h
-/// Text messages of the thread that steps, to all clients or one (docs/live.md).
+/// Text messages from the stepping thread to all clients or one (docs/live.md).
 
 #include "live/hub.h"
 
@@ -15,19 +15,18 @@ namespace hawser::live {
 
 using Json = nlohmann::json;
 
-/// What stays to be told until it has been: the newest of its kind counts.
+/// Keeps unsent messages until they are sent. Only the newest of each kind is kept.
 class Outbox {
   public:
     explicit Outbox(Hub& hub) noexcept : hub_(hub) {}
 
-    /// Where there is no room they are left out and counted: a client that is told nothing of a
-    /// few events still shows the right picture.
-    /// @param control  Only roles with control are told.
+    /// Send an event. If the queue is full, the event is omitted and counted: without a few events
+    /// a client still shows the correct state. @param control  True: only for roles with control.
     void event(double time, const std::string& kind, const std::string& name, double value,
                const std::string& words, bool control = false);
-    /// What a client did, for all of them.
+    /// Send a client's command to all clients.
     void command(double time, const Command& of, const std::string& words, bool control = false);
-    void answer(const Command& to);  ///< `ok`, where the message had an id.
+    void answer(const Command& to);  ///< Send `ok` if the message had an id.
     void refuse(const Command& to, const std::string& reason);
     void send(std::uint32_t client, const Json& message);
 
@@ -36,7 +35,7 @@ class Outbox {
     void timeline(const Json& message);
     void exercise(const Json& message);
     void faults(const Json& message);
-    /// Try again what found no room. @return whether clients have the newest scene.
+    /// Retry unsent messages. @return true if clients have the newest scene.
     bool flush();
 
   private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file pace.h
-/// When the next step is due, at a rate of simulated over wall time.
+/// Compute when the next step is due, at a rate of simulated over wall time.
 
 #include <chrono>
 
@@ -10,10 +10,10 @@ namespace hawser::live {
 class Pace {
   public:
     using Clock = std::chrono::steady_clock;
-    /// Begin anew: the next step is due at once.
+    /// Restart: the next step is due at once.
     void begin() noexcept { due_ = Clock::now(); }
-    /// A step of so much time [s] has been taken. One that fell behind by more than a quarter of a
-    /// second starts its clock anew instead of racing.
+    /// Record a step of this length [s]. If it is late by more than a quarter of a second, restart
+    /// the clock. Steps therefore never follow each other at full speed to catch up.
     void took(double step, double rate) noexcept {
         due_ +=
             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(step / rate));
@@ -22,7 +22,7 @@ class Pace {
         if (late_ > 0.25) due_ = now;
     }
     [[nodiscard]] Clock::time_point due() const noexcept { return due_; }
-    /// How late the last step ended, below 0: early [s].
+    /// Return the delay of the last step's end; negative: early [s].
     [[nodiscard]] double late() const noexcept { return late_; }
 
   private:

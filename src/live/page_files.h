@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file page_files.h
-/// The files of the page, inside the program: what is served comes from here and from nowhere else.
+/// Files of the page inside the program. The server serves these files only.
 ///
 /// `make view` builds the page with node and writes build/page/page_files.cpp, which defines
-/// page_files(); a program that was configured without it has fallback/page_files.cpp.
+/// page_files(). A program that was configured without it has fallback/page_files.cpp.
 
 #include <span>
 #include <string_view>
@@ -12,9 +12,9 @@
 namespace hawser::live {
 
 struct PageFile {
-    std::string_view path;  ///< As in a request: "/", "/view.js".
+    std::string_view path;  ///< Path as in a request: "/", "/view.js".
     std::string_view type;  ///< Content-Type.
-    /// Contents, compressed by gzip; what does not begin with 1f 8b is not compressed.
+    /// Contents, compressed by gzip. Contents that do not begin with 1f 8b are not compressed.
     std::span<const unsigned char> gzip;
 };
 

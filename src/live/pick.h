@@ -10,13 +10,13 @@
 
 namespace hawser::live {
 
-/// The body of a scene by its number in messages. @throws DefError where there is none.
+/// Return the body of a scene by its number in messages. @throws DefError if there is none.
 [[nodiscard]] BodyId body_of(const World& world, std::int32_t number);
-/// The wire of a plan that a command names, by number or name. @throws DefError with the nearest
-/// name.
+/// Return the wire of a plan that a command names, by number or name. @throws DefError with the
+/// nearest name.
 [[nodiscard]] const WireSource& wire_of(const FramePlan& plan, const Command& command);
 
-/// The message `picked` (docs/live.md). @throws DefError where there is no such thing.
+/// Return the message `picked` (docs/live.md). @throws DefError if the object does not exist.
 [[nodiscard]] nlohmann::json picked(const World& world, const FramePlan& plan,
                                     const Command& command);
 

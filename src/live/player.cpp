@@ -31,7 +31,7 @@ void Player::tell_timeline() {
                           {"value", 0.0},
                           {"words", text}});
     }
-    // What happens seldom is worth a mark on the line.
+    // Rare events have priority for marks on the time line.
     for (const bool often : {false, true})
         for (const record::RecordedEvent& event : recording_.events) {
             const bool frequent = event.kind == EventKind::slack || event.kind == EventKind::taut;
@@ -94,7 +94,7 @@ std::size_t Player::frame_at(double time) const {
 double Player::gap() const {
     if (frame_ + 1 >= recording_.frame_count()) return recording_.settings.step;
     const double gap = recording_.frame_head(frame_ + 1).time - recording_.frame_head(frame_).time;
-    return gap > 0.0 ? gap : recording_.settings.step;  // where a take begins
+    return gap > 0.0 ? gap : recording_.settings.step;  // start of a branch
 }
 
 void Player::publish() {

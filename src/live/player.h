@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file player.h
-/// Shows a recording to clients: plays, pauses, steps, seeks. All clients see the same.
+/// Show a recording to clients: play, pause, step, seek. All clients see the same frame.
 
 #include "live/hub.h"
 #include "live/outbox.h"
@@ -16,16 +16,18 @@ namespace hawser::live {
 
 class Player {
   public:
-    /// @param recording  Has to outlive it. @throws RecordingError where it has no frame.
+    /// Create a player. @param recording  Must outlive the player. @throws RecordingError if it has
+    /// no frame.
     Player(const record::Recording& recording, Hub& hub);
 
     /// Serve the recording to the clients of the hub until `stop` returns true.
     void run(const std::function<bool()>& stop);
-    /// What is waiting, the next frame where it plays, and a frame; without a clock.
+    /// Perform pending commands, move to the next frame during playback, and publish a frame;
+    /// without a clock.
     void advance();
-    /// The frame at or before a time, of the last take that has one.
+    /// Return the frame at or before a time, in the last branch that has one.
     [[nodiscard]] std::size_t frame_at(double time) const;
-    /// What was wrong with the scene in the recording; "": nothing.
+    /// Return the fault of the recording's scene; "": none.
     [[nodiscard]] const std::string& fault() const noexcept { return scene_.fault(); }
 
   private:
@@ -34,7 +36,7 @@ class Player {
     void publish();
     void tell_state();
     void tell_timeline();
-    [[nodiscard]] double gap() const;  ///< To the next frame [s].
+    [[nodiscard]] double gap() const;  ///< Return the time to the next frame [s].
 
     const record::Recording& recording_;
     Hub& hub_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file playing.h
-/// The clock of what is shown, a live run (driver.h) or a recording (player.h): whether steps are
-/// taken, at which rate, and when the next one is due.
+/// Clock of a live run (driver.h) or a recording (player.h). It stores whether it is paused, its
+/// rate, and the time of the next step.
 
 #include "live/command.h"
 #include "live/pace.h"
@@ -18,22 +18,24 @@ class Playing {
     explicit Playing(bool paused = false) : paused_(paused) {}
 
     [[nodiscard]] bool paused() const noexcept { return paused_; }
-    /// Whether steps are taken: it is not paused, or some were asked for one by one.
+    /// True if steps are due: not paused, or single steps were requested.
     [[nodiscard]] bool runs() const noexcept { return !paused_ || to_go_ > 0; }
-    [[nodiscard]] double rate() const noexcept { return rate_; }  ///< Simulated over wall time.
-    /// How late the last step ended, below 0: early [s].
+    [[nodiscard]] double rate() const noexcept {
+        return rate_;
+    }  ///< Return the rate of simulated over wall time.
+    /// Return the delay of the last step's end; negative: early [s].
     [[nodiscard]] double late() const noexcept { return pace_.late(); }
 
     void pause() noexcept {
         paused_ = true;
         to_go_ = 0;
     }
-    /// The next step is due at once.
+    /// Restart the clock: the next step is due at once.
     void begin_clock() noexcept { pace_.begin(); }
-    /// Steps that were asked for are forgotten.
+    /// Discard requested single steps.
     void forget_steps() noexcept { to_go_ = 0; }
 
-    /// Does pause, resume, step and rate; other commands are nothing to it.
+    /// Perform pause, resume, step and rate; ignore other commands.
     void perform(const Command& command) noexcept {
         switch (command.kind) {
             case CommandKind::pause:
@@ -56,18 +58,18 @@ class Playing {
         pace_.begin();
     }
 
-    /// A step of so much time [s] has been taken, or failed: the next one is due behind it.
+    /// Record a step of this length [s], also a failed one. The next step is due after it.
     void took(double step) noexcept { pace_.took(step, rate_); }
-    /// One of the steps that were asked for. @return whether it was the last of them.
+    /// Count a requested single step. @return true if it was the last one.
     bool count_step() noexcept {
         if (to_go_ <= 0) return false;
         --to_go_;
         return to_go_ == 0;
     }
 
-    /// Until the next step is due, in slices, so that at low rates, too, commands are taken at
-    /// once; a slice where none is. `take` takes what is waiting and says whether that ends the
-    /// waiting.
+    /// Wait until the next step is due. The wait has slices, so that commands are performed at once
+    /// also at low rates. If no step is due, wait one slice. `take` performs pending commands and
+    /// returns true to end the wait.
     template <class Take>
     void wait(Take&& take) {
         if (!runs()) {
@@ -84,7 +86,8 @@ class Playing {
 
     /// Note that a frame has just been shown.
     void showed() noexcept { shown_ = Pace::Clock::now(); }
-    /// What stands still is shown ten times a second, so that who comes late sees it, too.
+    /// True if 100 ms have passed since the last frame. A paused scene is sent ten times a second,
+    /// so that new clients receive it.
     [[nodiscard]] bool due_to_show() const noexcept {
         return Pace::Clock::now() - shown_ >= std::chrono::milliseconds{100};
     }
@@ -94,7 +97,7 @@ class Playing {
 
     Pace pace_;
     bool paused_;
-    int to_go_ = 0;  ///< Steps that were asked for one by one and are left.
+    int to_go_ = 0;  ///< Number of remaining single steps.
     double rate_ = 1.0;
     Pace::Clock::time_point shown_{};
 };

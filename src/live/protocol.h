@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file protocol.h
-/// Places of a frame's header and the order of its statistics: docs/live.md, "Frames".
+/// Offsets in a frame's header and the order of its statistics: docs/live.md, "Frames".
 
 #include <cstddef>
 #include <cstdint>
@@ -10,16 +10,16 @@ namespace hawser::live {
 
 inline constexpr int kProtocolVersion = 1;
 inline constexpr std::uint32_t kFrameMagic = 0x564C5748;  ///< "HWLV"
-inline constexpr std::size_t kFrameHeader = 128;          ///< [bytes]
-inline constexpr std::size_t kMostContacts = 4096;        ///< Of a frame.
+inline constexpr std::size_t kFrameHeader = 128;          ///< Size of the header [bytes].
+inline constexpr std::size_t kMostContacts = 4096;  ///< Largest number of contacts in a frame.
 
-/// As it lies in a frame; little-endian, which all machines that Hawser runs on are.
+/// Layout of the header in a frame; little-endian, as all machines on which Hawser runs.
 struct FrameHeader {
     std::uint32_t magic = kFrameMagic;
     std::uint16_t version = kProtocolVersion, flags = 0;
     std::uint32_t length = 0, epoch = 0, number = 0, skipped = 0;
     std::int64_t step = 0;
-    double time = 0.0;   ///< [s]
+    double time = 0.0;   ///< Time [s].
     double clock = 0.0;  ///< clock_now() when it was complete [s].
     std::uint32_t rigid = 0, lumps = 0, scalars = 0;
     std::uint32_t wires = 0, points = 0, pieces = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Frames of recordings, as clients get them.
+/// Write frames of recordings in the form for clients.
 #include "live/recorded_scene.h"
 
 #include "base/index.h"
@@ -12,7 +12,7 @@
 namespace hawser::live {
 namespace {
 
-constexpr double kTogether = 1e-3;  // [m] what ends closer than this ends together
+constexpr double kTogether = 1e-3;  // [m] ends closer than this coincide
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 void put_point(std::vector<float>& to, const Vec3& v) {
@@ -25,7 +25,7 @@ Vec3 on_body(const Pose& pose, const Vec3& point) {
 
 }  // namespace
 
-/// @return whether it is one of these, and has been put.
+/// Add a wire if it is one of `wires`. @return true if it was added.
 bool RecordedScene::add_recorded(const record::Frame& frame, std::string_view name,
                                  const std::vector<record::RecordedWire>* wires,
                                  const std::vector<float>& pulls, std::vector<float>& points,
@@ -56,7 +56,7 @@ bool RecordedScene::add_recorded(const record::Frame& frame, std::string_view na
     return false;
 }
 
-/// Of a wire whose nodes came and went what the frame itself says, else what its cable says.
+/// Add a wire: from the frame if its nodes were added or removed, else from its cable.
 void RecordedScene::add_wire(const record::Frame& frame, std::size_t wire,
                              std::vector<float>& points, std::vector<float>& tensions) const {
     const WireSource& source = plan_.wires[wire];
@@ -79,7 +79,7 @@ void RecordedScene::add_wire(const record::Frame& frame, std::size_t wire,
         }
         return;
     }
-    // Ropes over sheaves and rods: between their points, tension not recorded.
+    // Ropes over sheaves and rods: straight between their points; tension is not recorded.
     for (const PieceSource& piece : source.pieces) {
         for (const HeldPoint& held : piece.end)
             put_point(points, on_body(frame.poses[at(held.body)], held.point) - origin_);
@@ -87,8 +87,8 @@ void RecordedScene::add_wire(const record::Frame& frame, std::size_t wire,
     }
 }
 
-/// Values in force: those that were set before, in this take or, where the state that it began with
-/// had them already, in the one before.
+/// Return the values of inputs at a step. They were set before in this branch. If the state at the
+/// start of the branch had them, they were set in the branch before.
 std::vector<float> RecordedScene::inputs_at(std::size_t index, std::int64_t step) const {
     std::vector<float> out;
     for (const InputSource& input : plan_.inputs)

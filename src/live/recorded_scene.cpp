@@ -17,7 +17,7 @@ namespace {
 
 using Rec = record::Recording;
 
-/// Outlines that a recording has for pictures, as shapes.
+/// Return the outlines of a recording as shapes.
 Json outlines_json(const Rec& recording) {
     Json out = Json::array();
     for (const record::RecordedOutline& outline : recording.outlines) {
@@ -95,7 +95,7 @@ void RecordedScene::build_from_list() {
         BodyDef def{.kind = body.kind,
                     .position = body.start.position,
                     .orientation = body.start.orientation,
-                    .mass = 1.0,  // which recordings do not have
+                    .mass = 1.0,  // recordings do not contain masses
                     .inertia = Mat3::Identity(),
                     .half_size = body.half_size};
         if (names.insert(body.name).second) def.name = body.name;
@@ -108,7 +108,7 @@ void RecordedScene::build_from_list() {
     std::erase_if(plan_.rigid, is_node);
 }
 
-/// Wires of the scene, those that cuts have made, and lines that came while it ran.
+/// Find the wires of the scene, pieces from cuts, and lines that were added during the run.
 void RecordedScene::find_wires() {
     std::set<std::string> known;
     for (const WireSource& wire : plan_.wires) known.insert(wire.name);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file recorded_scene.h
-/// What a recording shows: its scene as clients know scenes, and frames of it.
+/// The scene of a recording in the form for clients, and frames of it.
 ///
-/// The recording has the text of its scene; the world that it builds tells shapes, joints and
-/// names, while poses and tensions are those that were recorded. Where there is no text, or this
-/// program does not read it, the recording's own list of bodies and outlines has to do.
+/// The recording contains the text of its scene. The world built from it provides shapes, joints
+/// and names; poses and tensions come from the recording. If there is no text, or this program
+/// cannot read it, the recording's own list of bodies and outlines is used.
 
 #include "live/frame_plan.h"
 #include "live/frame_swap.h"
@@ -23,15 +23,16 @@ namespace hawser::live {
 
 class RecordedScene {
   public:
-    /// @param recording  Has to outlive it. @throws RecordingError where it has no frame.
+    /// Read the scene. @param recording  Must outlive this object. @throws RecordingError if it has
+    /// no frame.
     explicit RecordedScene(const record::Recording& recording);
 
-    /// The message `scene` of the protocol: bodies, shapes and cables that frames move.
+    /// Return the message `scene` of the protocol: bodies, shapes and cables that frames move.
     [[nodiscard]] nlohmann::json json() const;
-    /// A frame as it was recorded, in single precision: forces of contacts and joints, outputs and
-    /// times of stages are not in recordings.
+    /// Write a recorded frame in single precision. Forces of contacts and joints, outputs and times
+    /// of stages are not in recordings.
     void write(std::size_t index, std::uint16_t flags, std::uint32_t number, Bytes& out) const;
-    /// What was wrong with the text of the scene; "": nothing.
+    /// Return the fault of the scene's text; "": none.
     [[nodiscard]] const std::string& fault() const noexcept { return fault_; }
 
   private:
@@ -48,18 +49,18 @@ class RecordedScene {
     void add_wire(const record::Frame& frame, std::size_t wire, std::vector<float>& points,
                   std::vector<float>& tensions) const;
 
-    /// Where tensions and points of a wire of the plan come from.
+    /// Source of the tensions and points of a wire of the plan.
     struct Source {
-        std::int32_t cable = -1;  ///< Of the recording.
-        std::int32_t joint = -1;  ///< Of the recording, that a line or rod of the scene is.
+        std::int32_t cable = -1;  ///< Cable of the recording.
+        std::int32_t joint = -1;  ///< Joint of the recording, for a line or rod of the scene.
     };
 
     const record::Recording& recording_;
     scene::Scene scene_;
     FramePlan plan_;
-    bool own_list_ = false;  ///< Bodies and outlines are those of the recording.
+    bool own_list_ = false;  ///< True if bodies and outlines are those of the recording.
     std::vector<Source> sources_;
-    std::vector<std::int32_t> input_of_;  ///< Of the recording's inputs, which of the plan's.
+    std::vector<std::int32_t> input_of_;  ///< Input of the plan for each input of the recording.
     Vec3 origin_{0.0, 0.0, 0.0};
     std::string fault_;
 };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file ring.h
-/// A bounded queue from one thread to one other: neither waits, neither locks.
+/// A bounded queue between two threads without waiting and locks.
 ///
 /// ```
-///     ┌───┬───┬───┬───┬───┬───┐     head: where the reader takes, tail: where the writer puts;
-///     │   │ a │ b │ c │   │   │     both only grow, a place is their value modulo the size.
+///     ┌───┬───┬───┬───┬───┬───┐     head: the next slot to read, tail: the next slot to write;
+///     │   │ a │ b │ c │   │   │     both only grow, a slot is their value modulo the size.
 ///     └───┴───┴───┴───┴───┴───┘     The writer publishes an entry by storing tail, the reader
-///           head        tail        gives its place back by storing head.
+///           head        tail        releases its slot by storing head.
 /// ```
 /// Source: L. Lamport, "Specifying concurrent program modules" (1983).
 
@@ -23,7 +23,8 @@ class Ring {
   public:
     explicit Ring(std::size_t capacity) : slots_(capacity) {}
 
-    /// By the writer. @return false: it is full, and `value` is as it was.
+    /// Append a value. Called by the writer. @return false if the ring is full; `value` is then
+    /// unchanged.
     bool push(T&& value) noexcept {
         const std::size_t tail = tail_.load(std::memory_order_relaxed);
         if (tail - head_.load(std::memory_order_acquire) == slots_.size()) return false;
@@ -31,7 +32,7 @@ class Ring {
         tail_.store(tail + 1, std::memory_order_release);
         return true;
     }
-    /// By the reader. @return false: it is empty.
+    /// Remove the first value. Called by the reader. @return false if the ring is empty.
     bool pop(T& value) noexcept {
         const std::size_t head = head_.load(std::memory_order_relaxed);
         if (head == tail_.load(std::memory_order_acquire)) return false;
@@ -39,7 +40,7 @@ class Ring {
         head_.store(head + 1, std::memory_order_release);
         return true;
     }
-    /// Places that are free at least, as the writer sees it.
+    /// Return a lower bound of the free slots. Called by the writer.
     [[nodiscard]] std::size_t room() const noexcept {
         return slots_.size() -
                (tail_.load(std::memory_order_relaxed) - head_.load(std::memory_order_acquire));

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kTokenDigits = 32;
 
-/// Without a branch or an index that depends on what is compared.
+/// Compare tokens in constant time: no branch or index depends on their contents.
 bool same_token(std::string_view a, std::string_view b) noexcept {
     if (a.size() != kTokenDigits || b.size() != kTokenDigits) return false;
     unsigned differ = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file roles.h
-/// Who may do what. A role is a set of permissions and a list of inputs, with a token that proves
-/// it: a station of an exercise is a role without control and with its own inputs.
+/// Permissions of clients. A role is a set of permissions and a list of inputs, with a token as its
+/// proof. A station of an exercise is a role without control and with its own inputs.
 
 #include "live/command.h"
 
@@ -16,7 +16,7 @@ namespace hawser::live {
 struct Role {
     std::string name;         ///< At most 40 bytes; "instructor", "watcher", that of a station.
     bool control = false;     ///< Pause, step, rate, drag, part, save, restore.
-    bool all_inputs = false;  ///< Else those listed.
+    bool all_inputs = false;  ///< True: all inputs. False: those listed.
     std::vector<std::string> inputs{};
     std::string token{};  ///< 32 hexadecimal digits.
 };
@@ -24,18 +24,18 @@ struct Role {
 [[nodiscard]] Role instructor();
 [[nodiscard]] Role watcher();
 
-/// 128 bits of the kernel's randomness in hexadecimal digits. @throws std::runtime_error
+/// Return 128 bits of the kernel's randomness in hexadecimal digits. @throws std::runtime_error
 [[nodiscard]] std::string make_token();
 
-/// The role whose token it is; null: none. All tokens are looked at whole, so that the time tells
-/// nothing about them.
+/// Return the role with this token; null: none. All tokens are compared completely, so that the
+/// time does not depend on them.
 [[nodiscard]] const Role* role_of(std::span<const Role> roles, std::string_view token) noexcept;
 
-/// Why a role may not do this; "": it may. @param recording  Whether a recording is shown, through
-/// which everybody may seek.
+/// Return the reason why a role may not perform a command; "": it may. @param recording  True if a
+/// recording is shown, in which all roles may seek.
 [[nodiscard]] std::string forbidden(const Role& role, const Command& command, bool recording);
 
-/// As in the message `scene`.
+/// Return the text of a role, as in the message `scene`.
 [[nodiscard]] std::string role_text(const Role& role);
 
 }  // namespace hawser::live

@@ -10,8 +10,8 @@
 namespace hawser::live {
 namespace {
 
-constexpr double kLength = 1e-4;     // [m] what a picture can show
-constexpr double kDirection = 1e-7;  // [1] of unit vectors
+constexpr double kLength = 1e-4;     // [m] resolution of a picture
+constexpr double kDirection = 1e-7;  // [1] for components of unit vectors
 
 Json heights_of(const std::vector<double>& heights) {
     Json out = Json::array();

@@ -34,7 +34,7 @@ Json bodies_of(const World& world, const FramePlan& plan) {
     return out;
 }
 
-/// Bodies at both ends; −1: an end that is free, a node.
+/// Return the bodies at both ends; −1: a free end, which is a node.
 Json ends_of(const World& world, const WireSource& wire) {
     if (wire.pieces.empty()) return {-1, -1};
     const PieceSource &first = wire.pieces.front(), &last = wire.pieces.back();
@@ -56,7 +56,7 @@ double parameter(const InteractionDef& def, std::string_view name) {
     return 0.0;
 }
 
-/// Diameter of a wire that no cable of the scene tells: that of what touches along it.
+/// Return the diameter of the contact shapes along a wire, for a wire without a cable in the scene.
 double touching_diameter(const World& world, const WireSource& wire) {
     if (wire.pieces.empty()) return 0.0;
     const HeldPoint& held = wire.pieces[wire.pieces.size() / 2].end[0];
@@ -99,11 +99,11 @@ Json wire_json(const scene::Scene& scene, const WireSource& wire, int id) {
     return out;
 }
 
-/// Elements that a drum pays out.
+/// Add the drum that pays out an element.
 void add_drum(const World& world, const PieceSource& piece, int wire, Json& out) {
     const InteractionDef& def = world.interaction_def(piece.element);
     if (!kind_info(def.kind).is(kWoundUp) || kind_info(def.kind).is(kRouted)) return;
-    // The end that is no node lies at the fairlead.
+    // The end that is not a node is at the fairlead.
     const std::size_t k = world.body_def(def.body[0]).kind == BodyKind::lump ? 1 : 0;
     out.push_back({{"name", record::interaction_label(world, piece.element)},
                    {"wire", wire},
@@ -113,7 +113,7 @@ void add_drum(const World& world, const PieceSource& piece, int wire, Json& out)
                    {"radius", parameter(def, "radius")}});
 }
 
-/// Sheaves, rollers and posts that a line runs over.
+/// Add the sheaves, rollers and posts of a line.
 void add_wheels(const World& world, const PieceSource& piece, Json& out) {
     const InteractionDef& def = world.interaction_def(piece.element);
     const KindInfo& kind = kind_info(def.kind);
@@ -121,7 +121,7 @@ void add_wheels(const World& world, const PieceSource& piece, Json& out) {
     for (std::size_t k = 0; k < 2; ++k) {
         double radius = 0.0;
         std::size_t slide = 2;
-        if (kind.is(kWoundUp)) {  // of its ends one is a place
+        if (kind.is(kWoundUp)) {  // one of its ends is a fixed point
             const bool first = parameter(def, "radius") > 0.0;
             if (first == (k == 0)) radius = parameter(def, "wheel");
         } else {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file scene_text.h
-/// The message `scene`: what a client has to know to show frames (docs/live.md).
+/// The message `scene`: data that a client needs to show frames (docs/live.md).
 ///
 /// It is JSON without its first brace: the server puts the role of each client in front.
 
@@ -16,31 +16,31 @@ namespace hawser::live {
 
 using Json = nlohmann::json;
 
-/// What of the message does not come from the scene.
+/// Data of the message that does not come from the scene.
 struct SceneNotes {
     std::uint32_t epoch = 1;
     Vec3 origin{0.0, 0.0, 0.0};
     bool recording = false;
 };
 
-/// @param plan  Of this scene as it is. @return the message for text_of().
+/// Return the message for text_of(). @param plan  Plan of the present scene.
 [[nodiscard]] Json scene_json(const scene::Scene& scene, const FramePlan& plan,
                               const SceneNotes& notes);
 
 // --- Pieces of it, also for recordings --------------------------------------------------------
-/// Numbers with the digits that matter: of lengths 0.1 mm, of directions 1e-7.
+/// Numbers with significant digits: lengths to 0.1 mm, directions to 1e-7.
 [[nodiscard]] Json lengths(const Vec3& v);
 [[nodiscard]] Json turn(const Quat& q);
 [[nodiscard]] double shorter(double value, double unit);
-/// null where it stands for no limit.
+/// Return null if the value stands for no limit.
 [[nodiscard]] Json limit(double value);
 [[nodiscard]] Json vertices_of(const std::vector<Vec3>& points);
 [[nodiscard]] Json triangles_of(const std::vector<std::array<std::int32_t, 3>>& triangles);
 [[nodiscard]] const char* to_string(BodyKind kind) noexcept;
 [[nodiscard]] Json shape_json(const World& world, ShapeId id);
-/// Waves, depth and wetted hulls of the world's sea, where it has one.
+/// Add waves, depth and wetted hulls of the world's sea, if there is one.
 void add_sea(const World& world, Json& out);
-/// As the message goes out: compact, without its first brace; what is no UTF-8 is replaced.
+/// Return the text to send: compact, without its first brace; invalid UTF-8 is replaced.
 [[nodiscard]] std::string text_of(const Json& message);
 
 }  // namespace hawser::live

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// All of the network is compiled here: Boost.Beast takes long.
+/// All network code is compiled here, because Boost.Beast takes long to compile.
 #include "live/server.h"
 
 #include "live/beast/connection.h"
@@ -19,15 +19,16 @@ namespace {
 
 using namespace net;
 
-constexpr std::size_t kMostConnections = 96;  // beside those of clients
-constexpr double kGoodbye = 0.5;              // [s] for the last words
+constexpr std::size_t kMostConnections = 96;  // in addition to the slots of clients
+constexpr double kGoodbye = 0.5;              // [s] time for the last messages
 
 std::string machine_name() {
     std::array<char, 256> name{};
     return gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : "";
 }
 
-/// Below the thread that steps; not on processors that are kept for it, and deaf to signals.
+/// Lower the priority below that of the stepping thread. Keep off its reserved processors, and
+/// block signals.
 void lower_this_thread() {
     sigset_t all;
     sigfillset(&all);
@@ -64,7 +65,8 @@ struct Server::Impl final : Floor {
     ~Impl() override {
         asio::post(context, [this] { goodbye(); });
         thread.join();
-        // Who has not hung up holds timers of the context, which ends before the base class.
+        // Clients that are still connected use timers of the context, which is destroyed before the
+        // base class.
         clients_.clear();
     }
 
@@ -88,7 +90,7 @@ struct Server::Impl final : Floor {
         port = acceptor.local_endpoint().port();
     }
 
-    /// One of the next twenty, else any.
+    /// Return one of the next twenty ports if one is free, else any free port.
     [[nodiscard]] std::uint16_t free_port(const asio::ip::address& address) {
         for (int next = 1; next <= 21; ++next) {
             Error error;
@@ -130,7 +132,7 @@ struct Server::Impl final : Floor {
         Message message;
         while (hub_.messages.pop(message)) {
             auto text = std::make_shared<const std::string>(std::move(message.text));
-            // Clients may leave while they are told.
+            // Clients may leave during the loop.
             const auto all = clients_;
             switch (message.kind) {
                 case MessageKind::scene:

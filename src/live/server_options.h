@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file server_options.h
-/// How a server begins (server.h), and what it counts.
+/// Options of a server (server.h), and its counters.
 
 #include "live/roles.h"
 
@@ -13,20 +13,21 @@
 
 namespace hawser::live {
 
-/// The server cannot begin: an address that makes no sense, a port that is taken.
+/// The server cannot start: an invalid address, or a port that is in use.
 struct ServerError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 struct ServerOptions {
     std::string address = "127.0.0.1";
-    std::uint16_t port = 8080;  ///< 0: any that is free.
-    int clients = 16;           ///< At a time.
+    std::uint16_t port = 8080;  ///< Port; 0: any free port.
+    int clients = 16;           ///< Largest number of clients.
     std::vector<Role> roles{};
-    bool recording = false;          ///< A recording is shown.
-    double slow_seconds = 10.0;      ///< A client takes something within it [s].
-    double handshake_seconds = 5.0;  ///< A request, and a hello, comes within it [s].
-    /// Told what was refused, one line each, at most 20 in 10 s. From the server's thread.
+    bool recording = false;          ///< True if a recording is shown.
+    double slow_seconds = 10.0;      ///< Time within which a client must read data [s].
+    double handshake_seconds = 5.0;  ///< Time within which a request, and a hello, must arrive [s].
+    /// Called with one line for each rejected request, at most 20 in 10 s. Runs in the server's
+    /// thread.
     std::function<void(const std::string&)> log{};
 };
 

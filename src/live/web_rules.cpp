@@ -31,7 +31,7 @@ HostNames host_names(const std::string& address, std::uint16_t port, const std::
             hosts.push_back(address.find(':') == std::string::npos ? address : "[" + address + "]");
         if (!host_name.empty()) hosts.push_back(host_name);
     }
-    constexpr std::uint16_t kUsualPort = 80;  // which browsers leave out
+    constexpr std::uint16_t kUsualPort = 80;  // browsers omit this port
     for (const std::string& host : hosts) {
         out.names.push_back(small_letters(host) + ":" + std::to_string(port));
         if (port == kUsualPort) out.names.push_back(small_letters(host));

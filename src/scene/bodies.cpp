@@ -32,7 +32,8 @@ Vec3 damping_of(const Json& body, const char* key) {
     return entry->is_array() ? vector_of(*entry) : Vec3::Constant(entry->get<double>());
 }
 
-/// Moments of a solid cylinder of mass m and half sizes for pictures, axis along x, y or z.
+/// Set the moments of a solid cylinder of mass m, and its half sizes for pictures. @param axis
+/// Axis of the cylinder: x, y or z.
 void set_cylinder(BodyDef& def, double radius, double length, char axis) {
     const int along = axis == 'x' ? 0 : axis == 'y' ? 1 : 2;
     const double across = def.mass * (3.0 * radius * radius + length * length) / 12.0;
@@ -85,7 +86,7 @@ void set_extent(BodyDef& def, const Json& body, const Place& place) {
     def.half_size = vector_or(body, "half_size", def.half_size);
 }
 
-/// Keys that would be read and then have no effect.
+/// Reject keys that would have no effect on a body of this kind.
 void refuse_useless(const Json& body, BodyKind kind, const Place& place) {
     std::vector<const char*> useless;
     if (kind == BodyKind::lump || kind == BodyKind::scalar) {
@@ -104,7 +105,7 @@ void refuse_useless(const Json& body, BodyKind kind, const Place& place) {
     }
 }
 
-/// A scalar body has a coordinate, not a place: the frame leaves it alone.
+/// Read a scalar body. It has a coordinate instead of a position, so the frame does not apply.
 void set_scalar(BodyDef& def, const Json& body, const Place& place) {
     for (const char* key : {"position", "velocity", "force"}) {
         const Vec3 value = vector_or(body, key, Vec3::Zero());

@@ -12,8 +12,8 @@
 namespace hawser::scene {
 namespace {
 
-/// How much the distance of two nodes of a chain of rigid links may differ from the length of
-/// a link: room for a small initial zig-zag, not for another length.
+/// Largest relative difference between the distance of two nodes and the length of a rigid link. It
+/// allows a small initial zig-zag, but no other length.
 constexpr double kLinkMismatch = 0.01;
 
 CableEnd read_end(Description& out, const Scope& scope, const Json& json, bool links,
@@ -52,7 +52,8 @@ CableEnd read_end(Description& out, const Scope& scope, const Json& json, bool l
     return end;
 }
 
-/// With a winch the cable starts at the fairlead; "from" may then name the drum.
+/// Read the ends of a cable. With a winch the cable starts at the fairlead; "from" may then name
+/// the drum.
 void read_ends(CableLayout& c, Description& out, const Scope& scope, const Scope& to_scope,
                const Json& cable, const Place& place) {
     const Json* from = cable.contains("from") ? &cable["from"] : nullptr;
@@ -84,7 +85,7 @@ void read_ends(CableLayout& c, Description& out, const Scope& scope, const Scope
     c.to = read_end(out, to_scope, cable["to"], c.links, place / "to");
 }
 
-/// Element at a material coordinate.
+/// Return the index of the element at a material coordinate.
 std::size_t element_at(const CableLayout& c, double at) {
     std::size_t before = 0;
     for (const LayoutSection& section : c.sections) {
@@ -97,7 +98,7 @@ std::size_t element_at(const CableLayout& c, double at) {
     return before;
 }
 
-/// The weak element, once it is known how long elements are.
+/// Read the weak element. The lengths of the elements must be known.
 void read_weak(CableLayout& c, const Json& cable, const Place& place) {
     const auto weak = cable.find("weak");
     if (weak == cable.end()) return;
@@ -207,7 +208,7 @@ CableLayout lay_out_cable(Description& out, const Scope& scope, const Scope& to_
     read_groups(c, cable);
     read_ends(c, out, scope, to_scope, cable, place);
     read_elements(c, out, cable, place);
-    if (c.fed) {  // nodes that come and go need elements with mass
+    if (c.fed) {  // added and removed nodes need elements with mass
         c.consistent_mass = true;
         if (c.elements == 1 && c.to.kind == CableEnd::Kind::free)
             refuse(place / "elements",

@@ -22,13 +22,14 @@ double along(const std::vector<Vec3>& nodes) {
     return length;
 }
 
-/// The lengths of links must not change: their strain by their own weight is this.
+/// Strain of links by their own weight, so small that their lengths do not change.
 constexpr double kLinkStrain = 1e-8;
 
-/// How far from where it rests a free end may be said to start, of the length.
+/// Largest distance between the given start of a free end and its rest position, relative to the
+/// length.
 constexpr double kFreeEnd = 1e-3;
 
-/// A cable in balance.
+/// Computes the shape of a cable in equilibrium.
 class AtRest {
   public:
     AtRest(CableLayout& c, const Description& out, const Scope& scope, const Json& cable,
@@ -51,7 +52,7 @@ class AtRest {
             }
             parts_.push_back(part);
         }
-        // It is laid out from an end that is held.
+        // The shape is computed from an attached end.
         turned_ = c.from.kind == CableEnd::Kind::free;
         if (turned_ && c.to.kind == CableEnd::Kind::free) {
             refuse(place / "shape", "a cable at rest needs an end that is held");
@@ -60,14 +61,15 @@ class AtRest {
         def_.to = turned_ ? c.from.world : c.to.world;
         if (const auto bed = cable.find("seabed"); bed != cable.end()) {
             const Vec3 point = scope.frame.point({0.0, 0.0, (*bed)["height"].get<double>()});
-            // Its nodes are the middles of what touches.
+            // The seabed for nodes is higher by the contact radius, because nodes are centres of
+            // contact shapes.
             const double radius = c.touches ? c.contact.radius : 0.0;
             def_.seabed = FlatSeabed{height(point) + radius, number_or(*bed, "friction", 0.0)};
         }
     }
 
-    /// Hanging straight down to the bottom from ends over it, and straight along it: the longest
-    /// that is not too long to lie straight.
+    /// Return the largest length with a straight shape. The cable then hangs vertically from ends
+    /// above the bottom, and lies straight along it.
     [[nodiscard]] double laid_length() const {
         const Vec3 d = def_.to - def_.from;
         const double up = height(def_.to) - height(def_.from);
@@ -136,7 +138,8 @@ class AtRest {
         }
     }
 
-    /// Held by friction where it lies on the bottom, else hanging from the other end.
+    /// Return the shape of a cable with a free end. The end is on the bottom, where friction fixes
+    /// it, or the cable hangs from the other end.
     [[nodiscard]] Catenary free_end_at_rest() const {
         if (def_.seabed &&
             std::abs(height(def_.to) - def_.seabed->height) <= kFreeEnd * c_.length) {
@@ -159,11 +162,11 @@ class AtRest {
     CableLayout& c_;
     Place place_;
     CatenaryDef def_;
-    std::vector<CatenarySection> parts_;  ///< Of the sections, without their length.
+    std::vector<CatenarySection> parts_;  ///< Properties of the sections, without their lengths.
     bool turned_ = false;
 };
 
-/// The chain of equal rigid elements.
+/// Compute the shape of a chain of equal rigid elements.
 void hang_rigid(CableLayout& c, const Description& out, const Place& place) {
     if (out.settings.gravity.isZero(0.0)) {
         refuse(place / "shape", "a catenary needs gravity");
@@ -186,7 +189,7 @@ void hang_rigid(CableLayout& c, const Description& out, const Place& place) {
     c.nodes = std::move(*hanging);
 }
 
-/// Evenly along a line through some points.
+/// Place nodes at equal distances along a polyline.
 void follow(CableLayout& c, const std::vector<Vec3>& corners, const Place& place) {
     const double total = along(corners);
     if (!(total > 0.0)) {
@@ -272,7 +275,7 @@ void place_nodes(CableLayout& c, const Description& out, const Scope& scope, con
     if (cable.contains("path") != (kind == "path")) {
         refuse(place / "path", "the shape \"path\" goes with the key \"path\"");
     }
-    // In the sea a part may be wet, which the chain of rigid elements has no weights for.
+    // In the sea a part may be wet; the chain of rigid elements has no buoyancy.
     const bool at_rest = kind == "hanging" || kind == "laid";
     if (at_rest || (kind == "catenary" && (seabed || (sea && in_water(c))))) {
         AtRest rest(c, out, scope, cable, sea, place);

@@ -15,10 +15,10 @@ std::optional<StillSea> still_sea(const Document& document) {
     out.density = number_or(*sea, "density", out.density);
     const auto list = sea->find("level");
     if (list == sea->end() || !list->is_array() || list->empty()) return out;
-    // The tide at the time 0, as Sea::tide().
+    // Compute the tide at time 0, as Sea::tide().
     std::vector<SeaLevel> tide;
     for (const Json& l : *list) {
-        if (!l.is_object()) return out;  // refused where the sea is read
+        if (!l.is_object()) return out;  // rejected by the reader of the sea
         tide.push_back({l["time"].get<double>(), l["level"].get<double>()});
     }
     out.level = tide.front().level;

@@ -7,7 +7,7 @@
 namespace hawser::scene {
 namespace {
 
-/// Bodies and interactions of one laid-out cable.
+/// Adds the bodies and interactions of one cable with a layout.
 class Builder {
   public:
     Builder(Description& out, const CableLayout& layout, const Place& place)
@@ -53,22 +53,22 @@ class Builder {
         return c_.name + "/" + what + std::to_string(i);
     }
 
-    /// Velocity of node i: between the velocities of the ends.
+    /// Return the velocity of node i, interpolated between the velocities of the ends.
     [[nodiscard]] Vec3 node_velocity(std::size_t i) const {
         const double s = c_.share(i);
         return (1.0 - s) * c_.from.velocity + s * c_.to.velocity;
     }
 
-    /// Group of part i of `count`.
+    /// Return the group of part i of `count`.
     [[nodiscard]] std::string group(std::size_t i, std::size_t count) const {
         return c_.groups[i * c_.groups.size() / count];
     }
 
-    /// Buoyancy as a constant force: the world has one gravity for all.
+    /// Return buoyancy as a constant force, because the world has one gravity for all bodies.
     [[nodiscard]] Vec3 buoyancy(const LayoutSection& of, double mass) const {
         return mass * (of.submerged_factor - 1.0) * out_.settings.gravity;
     }
-    /// What a body has of a piece of a section.
+    /// Add the mass, drag and buoyancy of a piece of a section to a body.
     void add_share(BodyDef& def, const LayoutSection& of, double length) const {
         const double mass = of.line.mass_per_length * length;
         const Vec3 drag = Vec3::Constant(of.drag * length), force = buoyancy(of, mass);
@@ -78,7 +78,7 @@ class Builder {
         def.force = only ? force : Vec3(def.force + force);
     }
 
-    // --- Lumps -------------------------------------------------------------------------------
+    // --- Nodes -------------------------------------------------------------------------------
 
     BodyId node(std::size_t i) {
         const bool first = i == 0;
@@ -98,11 +98,11 @@ class Builder {
         def.group = group(i, c_.elements + 1);
         def.velocity = node_velocity(i);
         def.mass = 0.0;
-        // A free end carries half an element.
+        // A free end has half of an element's mass.
         const LayoutSection &before = c_.of(first ? 0 : i - 1), &after = c_.of(last ? i - 1 : i);
         if (first || last) {
             add_share(def, first ? after : before, 0.5 * (first ? after : before).element);
-        } else if (i == 1 && c_.fed) {  // the feed loads it with its half of the first element
+        } else if (i == 1 && c_.fed) {  // the feed adds its half of the first element
             add_share(def, after, 0.5 * after.element);
         } else if (&before == &after) {
             add_share(def, after, after.element);
@@ -152,7 +152,7 @@ class Builder {
         def.kind = InteractionKind::Bend;
         def.body = {cable_.nodes[i - 1], cable_.nodes[i], cable_.nodes[i + 1]};
         def.point = {point(i - 1), point(i), point(i + 1), Vec3::Zero()};
-        // About the node both halves bend in a row: the mean of their flexibilities.
+        // Both halves at the node bend in series: use the mean of their flexibilities.
         const LayoutSection &before = c_.of(i - 1), &after = c_.of(i);
         const bool same = &before == &after;
         const double length = same ? after.element : 0.5 * before.element + 0.5 * after.element;
@@ -172,7 +172,7 @@ class Builder {
         }
         for (std::size_t i = 1; i < c_.elements; ++i) {
             if (!(c_.of(i - 1).line.EI > 0.0 && c_.of(i).line.EI > 0.0)) continue;
-            // Both ends of a loop of two elements on one body: nothing to bend.
+            // If both ends of a loop of two elements are on one body, there is no bend.
             if (cable_.nodes[i - 1] != cable_.nodes[i + 1]) {
                 add_bend(i);
             }
@@ -243,8 +243,8 @@ class Builder {
 
     // --- Shapes ------------------------------------------------------------------------------
 
-    /// Segments of all elements; of those that end on a body, which have no lump there, only where
-    /// the cable touches to its ends. The centre of a fixed body always counts as a lump.
+    /// Add contact segments for all elements. An end that is no node gets a segment only if the
+    /// cable has contact up to its ends. The centre of a fixed body always counts as a node.
     void add_segments() {
         const auto kind = [&](std::size_t i) { return out_.body(cable_.nodes[i]).kind; };
         const auto is_lump = [&](std::size_t i) { return kind(i) == BodyKind::lump; };
@@ -262,7 +262,7 @@ class Builder {
         }
     }
 
-    /// A capsule along each link.
+    /// Add a capsule along each link.
     void add_link_shapes() {
         for (std::size_t i = 0; i < links_.size(); ++i) {
             ShapeDef def = c_.contact;

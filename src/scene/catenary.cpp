@@ -7,7 +7,8 @@
 namespace hawser::scene {
 namespace {
 
-/// Chain with slopes t_0 + i k: span and rise in units of the element, and their derivatives.
+/// Sums over a chain with slopes t_0 + i k: span and rise in units of the element, and their
+/// derivatives.
 struct Sums {
     double span = 0.0, rise = 0.0;
     double span_t = 0.0, span_k = 0.0;
@@ -44,7 +45,7 @@ struct Slopes {
     double t0, k;
 };
 
-/// Root x > 0 of sinh(x)/x = ratio > 1, by bisection in the logarithm of the left side.
+/// Return the root x > 0 of sinh(x)/x = ratio > 1, by bisection in the logarithm of the left side.
 double sinh_ratio_root(double ratio) {
     double low = 0.0;
     double high = 1.0;
@@ -69,7 +70,7 @@ Slopes smooth_guess(const CatenaryProblem& p) {
     return {start + 0.5 / a, 1.0 / a};
 }
 
-/// Newton with halved steps. @return false when it does not arrive.
+/// Apply Newton's method with halved steps. @return false if it does not converge.
 bool newton(const CatenaryProblem& p, Slopes& at) {
     Sums s = add_up(at.t0, at.k, p.n);
     double error = p.residual(s);
@@ -104,7 +105,8 @@ bool newton(const CatenaryProblem& p, Slopes& at) {
     return error <= p.tolerance();
 }
 
-/// First slope for which the chain of curvature k has the right rise, which grows with it.
+/// Return the first slope for which the chain of curvature k has the right rise. The rise grows
+/// with this slope.
 double match_rise(const CatenaryProblem& p, double k) {
     double low = -30.0;  // asinh of the slope of the middle element: slopes up to 5e12.
     double high = 30.0;
@@ -118,7 +120,7 @@ double match_rise(const CatenaryProblem& p, double k) {
     return std::sinh(0.5 * (low + high)) - half;
 }
 
-/// Nested bisection: slower, needs no starting point.
+/// Apply nested bisection: slower, but needs no starting point.
 bool bisect(const CatenaryProblem& p, Slopes& at) {
     double low = -30.0;
     double high = 30.0;

@@ -57,7 +57,7 @@ std::vector<std::string> tokens_of(const std::string& path) {
     return tokens;
 }
 
-/// Take an entry out of a list and remember that it was there.
+/// Remove an entry from a list and record its loss.
 void drop_entry(Json& list, const std::string& index, const std::vector<Lost>& kinds,
                 const std::string& prefix, Mistakes& mistakes) {
     std::size_t i = 0;
@@ -96,7 +96,7 @@ void drop(Json& root, const std::string& path, const std::string& prefix, Mistak
     }
 }
 
-/// @param above  Path from `root` to `value`.
+/// Check a part of the document. @param above  Path from `root` to `value`.
 void check_part(Json& root, const Json& value, const Shape& shape, const Place& place,
                 const std::string& above, const std::string& prefix, Mistakes& mistakes) {
     const std::vector<Problem> problems = find_problems(value, shape, Mistakes::kMost);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file checks.h
-/// Compares documents with shapes, and takes out what holds a mistake where all are listed.
+/// Compare documents with shapes. If all mistakes are listed, remove the parts with mistakes.
 
 #include "scene/mistakes.h"
 #include "scene/shape.h"
@@ -10,8 +10,9 @@
 
 namespace hawser::scene {
 
-/// As check_shape(). Where there is a list, all mistakes go to it, and what holds one leaves the
-/// document: an entry of a list becomes null, of a map goes, as does a key of the settings.
+/// Check a document as check_shape() does. With a list, all mistakes go to it, and the faulty part
+/// leaves the document. An entry of a list becomes null; an entry of a map or a key of the settings
+/// is removed.
 void check_document(Json& root, const Shape& shape, const Place& place, Mistakes* mistakes);
 
 /// check_document() of one list, content[key], whose entries have names that begin with `prefix`.

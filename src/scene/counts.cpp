@@ -12,7 +12,8 @@
 namespace hawser::scene {
 namespace {
 
-/// Least numbers of what a part of a document becomes; as doubles, which do not overflow.
+/// Least numbers of bodies and interactions for a part of a document. They are doubles, which do
+/// not overflow.
 struct Count {
     double bodies = 0.0, interactions = 0.0;
     void add(const Count& other, double times = 1.0) {
@@ -54,7 +55,8 @@ class PartCounter {
     explicit PartCounter(const Json& root)
         : templates_(root.find("templates")), lines_(root.find("line_types")), end_(root.end()) {}
 
-    /// @param largest  Path of the entry that asks for most.
+    /// Count a part of a document. @param largest  Set to the path of the entry with the largest
+    /// count.
     Count of(const Json& part, int depth, std::string* largest = nullptr) {
         Count out{size_of(part, "bodies"), size_of(part, "interactions")};
         double most = out.bodies + out.interactions;
@@ -69,8 +71,8 @@ class PartCounter {
                 const Json& cable = (*cables)[i];
                 if (!cable.is_object()) continue;
                 const double elements = elements_of_cable(cable);
-                // Nodes between the ends and fixed ends; a joint or a stretch an element, a bend a
-                // node.
+                // Bodies: nodes between the ends, and fixed ends. Interactions: a joint or a
+                // stretch for each element, a bend for each node.
                 const Count count{elements - 1.0 + fixed_ends(cable),
                                   elements + (bends(cable) ? elements - 1.0 : 0.0)};
                 add(count, "/cables/" + std::to_string(i) +
@@ -98,7 +100,7 @@ class PartCounter {
         return line != lines_->end() && line->is_object() && number_or(*line, "EI", 0.0) > 0.0;
     }
 
-    /// Each template once. One that holds itself is refused where it is expanded.
+    /// Count each template once. A template that contains itself is rejected during expansion.
     Count of_template(const std::string& name, int depth) {
         if (const auto known = counted_.find(name); known != counted_.end()) return known->second;
         if (depth > kMaxNesting || templates_ == end_ || !templates_->is_object()) return {};

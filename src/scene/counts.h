@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file counts.h
-/// Counts bodies and interactions that a document asks for, before any of them is made.
+/// Count the bodies and interactions of a document before they are created.
 #include "scene/document.h"
 
 namespace hawser::scene {
 
-/// @throws SceneError if the document's bodies, or elements of its cables, instances and copies
-/// included, exceed settings.max_bodies or settings.max_interactions. Elements given by a parameter
-/// of a template count as one.
+/// Check the counts. @throws SceneError if the document has more bodies than settings.max_bodies,
+/// or more interactions than settings.max_interactions. Elements of cables, instances and copies
+/// count. Elements given by a parameter of a template count as one.
 void check_counts(const Document& document, std::int64_t max_bodies, std::int64_t max_interactions);
 
 }  // namespace hawser::scene

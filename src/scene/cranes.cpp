@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Cranes: their parts become bodies and interactions of the scene, which inputs, outputs and
-/// cables find by their names; what drives them comes once there is a world.
+/// Cranes of a scene. Their parts become bodies and interactions, which inputs, outputs and cables
+/// find by name. Their drives are added after the world is built.
 #include "scene/cranes.h"
 
 #include "scene/deck.h"
@@ -57,7 +57,7 @@ CraneLoad read_load(Description& out, const Scope& scope, const Json& json, cons
     return load;
 }
 
-/// Which of its loads a crane takes at the start.
+/// Return the number of the load that a crane carries at the start; 0: none.
 int first_load(const Description& out, const Scope& scope, const std::vector<CraneLoad>& loads,
                const Json& json, const Place& place) {
     const auto take = json.find("take");
@@ -112,7 +112,8 @@ class SceneSite final : public CraneSite {
     int at_;
 };
 
-/// The library says mount/point, boom_angle [rad] where a scene has point, boom_angle_deg.
+/// Convert field names of the library, mount/point and boom_angle [rad], to those of a scene, point
+/// and boom_angle_deg.
 [[noreturn]] void refuse_at(const Place& place, const DefError& error) {
     FieldWords said = field_words(error);
     constexpr std::string_view kMount = "mount/";

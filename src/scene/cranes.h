@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file cranes.h
-/// The numbers and points of a crane in a scene: format and reader go by one table. Keys that end
-/// in _deg are degrees here and radians in definitions.
+/// Numbers and points of a crane in a scene. Format and reader use one table. Keys that end in _deg
+/// are degrees here and radians in definitions.
 
 #include <hawser/crane.h>
 
@@ -13,16 +13,17 @@ struct CraneNumber {
     const char* key;
     double T::* value;
     const char* unit;
-    const char* fallback;  ///< In words; "" where it must be given.
+    const char* fallback;  ///< Default in words; "" if the key is required.
     const char* doc;
-    double least, most;  ///< `least` itself only where there is a default, or it is below 0.
+    double least,
+        most;  ///< Range. `least` is included only if there is a default, or if it is negative.
 };
 
 template <class T>
 struct CranePoint {
     const char* key;
     Vec3 T::* value;
-    const char* fallback;  ///< As above.
+    const char* fallback;  ///< Default in words; "" if the key is required.
     const char* doc;
 };
 

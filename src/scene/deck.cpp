@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Deck gear: what takes cables on deck and holds them, and pins that go up and down
-/// (hawser/stopper.h, hawser/pin.h); hooks that take loads (hawser/hook.h),
-/// chasers (hawser/chaser.h).
+/// Read deck gear. Stoppers hold cables and pins move vertically (hawser/stopper.h, hawser/pin.h).
+/// Hooks carry loads (hawser/hook.h). Chasers move along cables (hawser/chaser.h).
 #include "scene/deck.h"
 
 #include <string>

@@ -7,13 +7,14 @@
 
 namespace hawser::scene {
 
-/// Stoppers, pins, hooks and chasers of one scope, when all bodies are there.
+/// Read the stoppers, pins, hooks and chasers of one scope. All bodies must exist.
 void expand_deck(Description& out, const Scope& scope);
-/// After shapes, winches and posts. @throws SceneError where the world refuses some.
+/// Add deck gear to the world, after shapes, winches and posts. @throws SceneError if the world
+/// rejects some.
 void add_deck(World& world, const Description& from);
 
-/// What the hook of a crane or a wire may take, and which of it at the start; 0: none (cranes.cpp).
-/// @throws SceneError.
+/// Read the allowed loads of a hook of a crane or a wire, and the load at the start; 0: none
+/// (cranes.cpp). @throws SceneError.
 void read_loads(Description& out, const Scope& scope, const Json& json, const Place& place,
                 std::vector<CraneLoad>& loads, int& take);
 

@@ -213,7 +213,7 @@ std::string text_or(const Json& object, const char* key, const char* fallback) {
 Quat quaternion_of(const Json& value, const Place& place) {
     const Quat q(value[0].get<double>(), value[1].get<double>(), value[2].get<double>(),
                  value[3].get<double>());
-    // Hand-written quaternions are near unit length; anything else is a slip.
+    // Hand-written quaternions have nearly unit length; other lengths are mistakes.
     if (std::abs(q.norm() - 1.0) > 1e-2) {
         refuse(place, fmt::format("expected a unit quaternion [w, x, y, z], found one of length "
                                   "{}",

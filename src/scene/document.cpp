@@ -15,8 +15,8 @@ class Includer {
     Includer(Document& document, std::filesystem::path root_folder)
         : document_(document), root_folder_(std::move(root_folder)) {}
 
-    /// Merge what `content`, read from `file`, includes; the entries of `content` itself too
-    /// unless it is the scene.
+    /// Merge the files that `content` includes. `content` was read from `file`. Also merge its own
+    /// entries, unless it is the scene.
     void merge(const Json& content, const std::filesystem::path& file, int depth) {
         const Place place{file.string(), ""};
         if (depth > 0) {
@@ -56,7 +56,7 @@ class Includer {
                               "others");
         }
         if (!done_.insert(key).second) {
-            return;  // Reached twice by different routes: its entries are there already.
+            return;  // The file was included before by another route.
         }
         document_.files.push_back(file);
         Json content =
@@ -104,7 +104,7 @@ class Includer {
     std::set<std::string> done_;
 };
 
-/// Operations of a file go behind those of the scene. They are checked where they stand.
+/// Append the operations of a file to those of the scene. They are checked in that file.
 void add_operations(Document& document, const std::string& file) {
     document.operations = {file, ""};
     document.files.emplace_back(file);
@@ -123,7 +123,7 @@ void apply_options(Document& document, const Options& options) {
     const bool changed = !options.set.empty() || options.step || options.form || options.scale != 1;
     if (!options.operations.empty())
         (void)attempt(document.mistakes, [&] { add_operations(document, options.operations); });
-    // What is left of a document with mistakes is not what the options were meant for.
+    // Options were meant for the whole document: skip them if parts with mistakes were removed.
     if (!changed || (document.mistakes != nullptr && !document.mistakes->none())) {
         return;
     }

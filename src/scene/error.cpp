@@ -51,7 +51,7 @@ void refuse(const Place& place, const std::string& message) {
 
 std::string own_words(const DefError& error) {
     const std::string text = error.what();
-    // "kind 'NAME': ", or "kind: " of what has no name.
+    // Skip "kind 'NAME': ", or "kind: " if the object has no name.
     const std::string_view ends = text.find(" '") < text.find(": ") ? "': " : ": ";
     const auto at = text.find(ends);
     return at == std::string::npos ? text : text.substr(at + ends.size());
@@ -94,7 +94,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string suggestion(std::string_view name, std::span<const std::string> known) {
     const std::string* best = nullptr;
-    // About half of the letters may differ; a name further away is more likely another thing.
+    // About half of the letters may differ; a more different name probably means another object.
     std::size_t best_distance = std::max<std::size_t>(2, (name.size() + 2) / 2) + 1;
     if (name.size() <= kLongestCompared) {
         for (const std::string& candidate : known) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file error.h
-/// Where a value stands in a file, how a mistake is reported, and the nearest valid name.
+/// Locate values in files, report mistakes, and find the nearest valid name.
 
 #include <hawser/def.h>
 #include <hawser/scene.h>
@@ -14,7 +14,7 @@
 
 namespace hawser::scene {
 
-/// A place in a file: the file and a JSON pointer into it.
+/// A position in a file: the file and a JSON pointer into it.
 struct Place {
     std::string file;
     std::string path;  ///< JSON pointer; "" is the document.
@@ -23,35 +23,36 @@ struct Place {
     [[nodiscard]] Place operator/(std::size_t index) const;
 };
 
-/// One reference token of a JSON pointer, with its leading slash (RFC 6901, section 3).
+/// Return one reference token of a JSON pointer, with its leading slash (RFC 6901, section 3).
 [[nodiscard]] std::string pointer_token(std::string_view key);
 
 /// @throws SceneError always.
 [[noreturn]] void refuse(const Place& place, const std::string& message);
 
-/// What the library says against a definition, "hook 'NAME': loads/0/eyes: why": without the name,
-/// which the place in the file tells.
+/// Return the reason in an error of the library, "hook 'NAME': loads/0/eyes: why". The result has
+/// no name, because the place in the file identifies the object.
 [[nodiscard]] std::string own_words(const DefError& error);
 
-/// own_words() that begin with the path of a field, "loads/0/eyes: why", taken apart.
+/// Parts of own_words() that begin with the path of a field, "loads/0/eyes: why".
 struct FieldWords {
-    std::string path;  ///< Empty: they name no field.
+    std::string path;  ///< Path of the field; empty: the message names none.
     std::string words;
 };
 [[nodiscard]] FieldWords field_words(const DefError& error);
 
-/// Refuses below the place, at the field that the library names. @throws SceneError always.
+/// Report an error below the place, at the field in the message of the library. @throws SceneError
+/// always.
 [[noreturn]] void refuse_field(const Place& place, const FieldWords& said);
 
-/// Smallest number of insertions, deletions, replacements and swaps of neighbours that turns
-/// one text into the other (optimal string alignment).
+/// Return the smallest number of insertions, deletions, replacements and swaps of neighbours that
+/// turns one text into the other (optimal string alignment).
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// Ending of a message about a name that does not exist: `; did you mean "x"?` where a known
-/// name is near, else the list of known names when it is short, else nothing.
+/// Return the end of a message about an unknown name. It is `; did you mean "x"?` if a known name
+/// is near. Else it is the list of known names if that is short, else "".
 [[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> known);
 
-/// Text in double quotes, shortened when long, for messages.
+/// Return a text in double quotes, shortened if it is long, for messages.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace hawser::scene

@@ -54,7 +54,7 @@ ShapePtr rating_shape() {
           "In step 2 of the alarm no motion goes on that raises the moment."}});
 }
 
-/// What cranes of all kinds have, in the order of the reference.
+/// Return the fields of cranes of all kinds, in the order of the reference.
 std::vector<Field> common_fields_of_cranes(const char* kind) {
     return {{"kind", literal(word("the kind", {kind})), true, "", "", "The kind."},
             {"name", name("a name"), true, "", "",

@@ -9,8 +9,9 @@ namespace {
 using namespace make;
 
 constexpr double kMostShapeLength = 1e6;
-constexpr std::size_t kMostHull = 4096;         ///< Vertices of a hull.
-constexpr std::size_t kMostPoints = 1'000'000;  ///< Of a mesh or heightfield.
+constexpr std::size_t kMostHull = 4096;  ///< Vertices of a hull.
+constexpr std::size_t kMostPoints =
+    1'000'000;  ///< Largest number of points of a mesh or heightfield.
 
 ShapePtr group_names(const char* what) {
     const ShapePtr one = name("a group name");
@@ -50,7 +51,7 @@ std::vector<Field> values_of_material() {
 ShapePtr length(const char* what) { return positive(what, kMostShapeLength); }
 ShapePtr axis() { return word("an axis", {"x", "y", "z"}); }
 
-/// One kind of shape: `fields` besides what all have.
+/// Describe one kind of shape: `fields` in addition to the common fields.
 std::pair<std::string, ShapePtr> shape_kind(const std::string& kind, const std::string& what,
                                             const std::string& doc, std::vector<Field> fields,
                                             bool turns = true, bool placed = true) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Inputs and outputs of a scene. What outputs there are comes from the table of kinds
-/// (hawser/outputs.h).
+/// Inputs and outputs of a scene. The table of kinds defines the outputs (hawser/outputs.h).
 #include "scene/format.h"
 
 #include <fmt/format.h>
@@ -14,7 +13,7 @@ namespace {
 
 using namespace make;
 
-/// What a client shows of an input or output.
+/// Add the display fields of an input or output for clients.
 void add_display(std::vector<Field>& fields, const char* unit_fallback) {
     fields.push_back({"unit", text("a unit"), false, unit_fallback, "",
                       "Shown beside the value, which is in SI units whatever this says."});
@@ -24,7 +23,7 @@ void add_display(std::vector<Field>& fields, const char* unit_fallback) {
     fields.push_back({"description", text("a text"), false, "", "", "Remarks."});
 }
 
-/// What an output of a kind is taken from.
+/// Add the fields of an output's source.
 void add_target(std::vector<Field>& fields, std::vector<std::vector<std::string>>& alternatives,
                 const OutputKindInfo& kind) {
     const bool drum = kind.kind == OutputKind::drum;

@@ -16,7 +16,7 @@ Field end_field(const char* key, const char* doc) {
     return {key, word("an end", {"first", "last"}), false, "last", "", doc};
 }
 
-/// Add the fields that say by which gear an end is held.
+/// Add the fields for the gear that connects an end.
 void add_gear(std::vector<Field>& fields, bool plate) {
     std::vector<std::string> words{gear_words().begin(), gear_words().end()};
     if (!plate) std::erase(words, "triplate");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hulls and coefficients in files become part of the document, which is then whole by itself.
+/// Copy hulls and coefficients from files into the document, which is then self-contained.
 #include <hawser/hull.h>
 #include <hawser/hydro_files.h>
 

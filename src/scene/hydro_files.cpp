@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which reader a file of coefficients has, and what text files have in common.
+/// Select the reader of a file of coefficients, and read the common parts of text files.
 #include "scene/hydro_read.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ std::string text_of(const Path& file) {
 
 namespace {
 
-/// A number as Fortran writes it, D for E included.
+/// Read a number as Fortran writes it, with D for E.
 bool fortran_number(std::string word, double& out) {
     std::replace(word.begin(), word.end(), 'D', 'E');
     std::replace(word.begin(), word.end(), 'd', 'e');
@@ -83,7 +83,7 @@ std::vector<NumberLine> number_lines(const Path& file, std::size_t most) {
     std::istringstream lines(text_of(file));
     std::vector<NumberLine> out;
     std::string row;
-    // A line costs as much memory as some eight numbers.
+    // A line needs as much memory as about eight numbers.
     constexpr std::size_t kLine = 8;
     std::size_t total = 0;
     for (std::size_t line = 1; std::getline(lines, row); ++line) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// HDF5 files of BEMIO (WEC-Sim, M. Lawson and others): without dimensions,
+/// Read HDF5 files of BEMIO (WEC-Sim, M. Lawson and others). Dimensionless values:
 /// ```
 ///     added_mass/all A/ρ, radiation_damping/all B/ρω      (6, all motions, frequencies)
 ///     excitation/re, im and excitation/scattering/re, im  X/ρg (6, directions, frequencies)
 ///     linear_restoring_stiffness C/ρg
 /// ```
-/// of each body, phases of e^{+iωt}; where `scaled` is 1, A, B and X have their dimensions.
+/// for each body, with phases of e^{+iωt}. If `scaled` is 1, A, B and X have dimensions.
 #include "scene/hydro_read.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ constexpr hsize_t kMostHdf5 = 20'000'000;
 class Hdf5File {
   public:
     explicit Hdf5File(const Path& path) : path_(path) {
-        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are told by us
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // our messages replace those of the library
         id_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
         if (id_ < 0) refuse_hydro(path, "it is no HDF5 file");
     }
@@ -43,13 +43,13 @@ class Hdf5File {
         }
     };
     [[nodiscard]] bool has(const std::string& name) const {
-        // Each part of the path by itself: the library asks so.
+        // H5Lexists() needs each part of the path separately.
         for (std::size_t end = name.find('/');; end = name.find('/', end + 1)) {
             if (H5Lexists(id_, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
             if (end == std::string::npos) return true;
         }
     }
-    /// An array of `rank` dimensions, 0: of any.
+    /// Return an array of `rank` dimensions; 0: any number of dimensions.
     [[nodiscard]] Array read(const std::string& name, int rank) const {
         if (!has(name)) refuse_hydro(path_, "data set '" + name + "' is missing");
         const hid_t set = H5Dopen2(id_, name.c_str(), H5P_DEFAULT);
@@ -168,7 +168,7 @@ class Bemio {
                 refuse_hydro(path_, "data set '" + at_ + name + "': not 6 x " +
                                         std::to_string(out_.heading.size()) + " x " +
                                         std::to_string(frequencies));
-        // BEMIO writes what a program did not give as numbers that are none.
+        // BEMIO writes NaN for values that a program did not compute.
         if (std::all_of(re.value.begin(), re.value.end(), [](double x) { return std::isnan(x); }))
             return;
         for (std::size_t h = 0; h < out_.heading.size(); ++h)

@@ -16,17 +16,17 @@
 
 namespace hawser::scene {
 
-/// Most bytes of a message. The tables that coefficients_fault() accepts fit.
+/// Largest size of a message. All tables that coefficients_fault() accepts fit.
 inline constexpr std::size_t kMostHydroMessage = std::size_t{512} << 20;
 
 [[nodiscard]] std::vector<char> message_of(const WaveCoefficients& c);
 [[nodiscard]] std::vector<char> message_of_error(const std::string& text);
 
 struct HydroMessage {
-    std::string error{};  ///< Printable; empty: `value` is valid.
+    std::string error{};  ///< Printable text; empty: `value` is valid.
     WaveCoefficients value{};
 };
-/// @return nullopt if the bytes are no message, whatever they are.
+/// Decode a message. Any bytes are safe. @return nullopt if the bytes are no message.
 [[nodiscard]] std::optional<HydroMessage> read_message(std::span<const char> bytes);
 
 }  // namespace hawser::scene

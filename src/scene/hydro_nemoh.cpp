@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Tecplot files of NEMOH 2 (A. Babarit and G. Delhommeau, 2015), in SI units, phases of e^{−iωt}:
-/// a zone a motion that radiates, or a direction; lines of ω and pairs A B, or |F| and its angle.
+/// Read Tecplot files of NEMOH 2 (A. Babarit and G. Delhommeau, 2015), in SI units, with phases of
+/// e^{−iωt}. A zone is a radiating motion, or a direction. Its lines contain ω and pairs A B, or
+/// |F| and its angle.
 #include "scene/hydro_read.h"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ struct Zone {
     std::vector<NumberLine> rows;
 };
 
-/// Zones of a file, each of the same lines.
+/// Return the zones of a file. All zones have equal numbers of lines.
 std::vector<Zone> zones_of(const Path& file) {
     std::vector<Zone> out;
     std::istringstream lines(text_of(file));

@@ -37,7 +37,7 @@ class NetcdfFile {
         std::vector<std::size_t> size;
         std::vector<double> value;
 
-        /// By the names of axes; those that are not named have index 0.
+        /// Return the value at indices given by axis names; other axes have index 0.
         [[nodiscard]] double at(
             std::initializer_list<std::pair<const char*, std::size_t>> index) const {
             std::size_t flat = 0;
@@ -104,7 +104,7 @@ void need_axis(const Path& file, const NetcdfFile::Array& of, const char* variab
     refuse_hydro(file, std::string("variable '") + variable + "' has no dimension '" + axis + "'");
 }
 
-/// Which frequencies are ordinary ones, by ascending ω.
+/// Return the indices of positive finite frequencies in ascending order of ω.
 std::vector<std::size_t> ordinary(const std::vector<double>& omega) {
     std::vector<std::size_t> out;
     for (std::size_t i = 0; i < omega.size(); ++i)
@@ -162,7 +162,7 @@ WaveCoefficients read_capytaine(const Path& path, const HydroUnits& units) {
                     {{"omega", w}, {"radiating_dof", first + j}, {"influenced_dof", first + i}});
         return to;
     };
-    // Capytaine stores runs that failed as matrices of numbers that are none.
+    // Capytaine stores failed runs as matrices of NaN.
     std::erase_if(order, [&](std::size_t w) {
         return matrix(a, w).array().isNaN().all() && matrix(b, w).array().isNaN().all();
     });

@@ -16,7 +16,7 @@ using Path = std::filesystem::path;
 
 /// Largest file that is read [bytes].
 inline constexpr std::uintmax_t kLargestHydroFile = 256u << 20u;
-/// Most numbers that number_lines() reads of a text file.
+/// Largest number of values that number_lines() reads from a text file.
 inline constexpr std::size_t kMostHydroNumbers = 20'000'000;
 
 [[noreturn]] void refuse_hydro(const Path& file, const std::string& what);
@@ -26,19 +26,19 @@ struct NumberLine {
     std::size_t line = 0;
     std::vector<double> value;
 };
-/// Lines that begin with a number; others are passed over, a word among numbers is refused.
-/// @param most  Numbers of a line.
+/// Return the lines that begin with a number. Other lines are skipped; a word among numbers is
+/// rejected. @param most  Largest number of values in a line.
 [[nodiscard]] std::vector<NumberLine> number_lines(const Path& file, std::size_t most);
-/// All of a text file.
+/// Return the content of a text file.
 [[nodiscard]] std::string text_of(const Path& file);
 
-/// Values by index along one axis, ascending, those within 1e-6 of each other as one.
+/// Ascending values along one axis. Values within 1e-6 of each other count as one.
 class Axis {
   public:
     void add(double value) { all_.push_back(value); }
     void sort();
     [[nodiscard]] const std::vector<double>& values() const { return all_; }
-    /// @return its number; size() where it is not there.
+    /// Return the index of a value; size() if there is none.
     [[nodiscard]] std::size_t find(double value) const;
     [[nodiscard]] std::size_t size() const { return all_.size(); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Reads netCDF and HDF5 files in a program of their own: forged files crash, block or exhaust
+/// Read netCDF and HDF5 files in a separate program: forged files crash, block or exhaust
 /// their libraries.
 /// ```
 ///     read_apart ─ posix_spawn ─► reader: limits, then library ─ message on descriptor 3 ─► check
@@ -70,7 +70,7 @@ void limit_this_process(double seconds, double memory) {
 
 std::vector<char> reply_to(const char* file, const HydroUnits& units) {
     try {
-        return message_of(read_here(file, units));  // checked by who receives it
+        return message_of(read_here(file, units));  // the receiver checks it
     } catch (const std::bad_alloc&) {
         return message_of_error("coefficients '" + std::string(file) +
                                 "': reading it needs more memory than its reader may use; raise "
@@ -101,7 +101,7 @@ int serve(char** argv) {
     return 0;
 }
 
-/// Path of the reader program; empty: there is none.
+/// Return the path of the reader program; empty: there is no such program.
 std::string reader_program(const ReaderLimits& limits) {
     if (!limits.program.empty()) return limits.program;
     if (const char* named = std::getenv("HAWSER_READER"); named && *named) return named;
@@ -161,7 +161,7 @@ WaveCoefficients read_apart(const Path& file, const HydroUnits& units, const Rea
         refuse_hydro(file,
                      "there is no reader program; let HAWSER_READER name the program hawser, or "
                      "call serve_coefficients_reader() first in main()");
-    // An absolute path is no address of a network and no option.
+    // An absolute path cannot be a network address or an option.
     std::error_code error;
     const Path whole = std::filesystem::absolute(file, error);
     if (error) refuse_hydro(file, "its folder is gone");

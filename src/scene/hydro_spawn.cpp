@@ -98,7 +98,7 @@ bool collect(int from, SpawnClock::time_point deadline, std::size_t most, SpawnR
     }
 }
 
-/// Wait for the child up to the deadline, then kill it. @return its status; -1: not known.
+/// Wait for the child up to the deadline, then kill it. @return its status; -1: unknown.
 int status_of(pid_t child, SpawnClock::time_point deadline, bool kill_now, bool& late) {
     int status = -1;
     for (bool killed = false;;) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hydro_spawn.h
-/// Starts a program, collects what it writes to a descriptor, and ends it at a time limit.
+/// Start a program, collect its output on a descriptor, and kill it at a time limit.
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ enum class SpawnEnd {
     exited,       ///< `code` is its exit code.
     killed,       ///< `code` is the signal.
     too_long,     ///< Killed at the time limit.
-    too_large,    ///< Killed since it wrote more than `most` bytes.
+    too_large,    ///< Killed because it wrote more than `most` bytes.
     not_started,  ///< `code` is errno.
 };
 struct SpawnResult {
@@ -24,10 +24,9 @@ struct SpawnResult {
     std::vector<char> output{};
 };
 
-/// Start `program` by posix_spawn: memory and locks of this process stay out of it. Its standard
-/// streams are /dev/null. Returns after it has ended.
-/// @param seconds  Wall time after which it is killed [s].
-/// @param most     Bytes of output.
+/// Start `program` by posix_spawn, so that it does not share memory and locks of this process. Its
+/// standard streams are /dev/null. Returns after it has ended. @param seconds  Wall time after
+/// which it is killed [s]. @param most     Largest output [bytes].
 [[nodiscard]] SpawnResult spawn_reader(const std::string& program,
                                        const std::vector<std::string>& arguments, double seconds,
                                        std::size_t most);

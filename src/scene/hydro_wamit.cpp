@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// WAMIT's numeric output (WAMIT User Manual, version 7, chapter 4). Without dimensions:
+/// Read the numeric output of WAMIT (WAMIT User Manual, version 7, chapter 4). Dimensionless
+/// values:
 /// ```
-///     .1    A/ρL^k, B/ρL^k ω          k = 3, 4 where one, 5 where both are rotations
+///     .1    A/ρL^k, B/ρL^k ω          k = 3; 4 if one, 5 if both are rotations
 ///     .3    X/ρgaL^m, .4  ξ/(a/L^n)   m = 2, 3; n = 0, 1
-///     .9    D/ρga²L^m                 m = 1, 2 (.8: the same)
+///     .9    D/ρga²L^m                 m = 1, 2 (also .8)
 ///     .hst  C/ρgL^k                   k = 2, 3, 4
 /// ```
-/// by periods: a negative one stands for ω = 0, 0 for ω = ∞. Phases are those of e^{+iωt}.
+/// by periods: a negative one means ω = 0, and 0 means ω = ∞. Phases are those of e^{+iωt}.
 #include "scene/hydro_read.h"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi, kDegree = std::numbers::pi / 18
 
 std::string line_text(const NumberLine& row) { return "line " + std::to_string(row.line) + ": "; }
 
-/// Motion 0 to 5 of the body asked for, −1 of another one.
+/// Return the motion 0 to 5 of the requested body; −1 for another body.
 int motion_of(const Path& file, const NumberLine& row, std::size_t column, int body) {
     const double value = std::abs(row.value[column]);
     if (!(value >= 1.0 && value <= 6000.0) || value != std::floor(value))
@@ -88,7 +89,7 @@ class Wamit {
         if (n == 0) refuse_hydro(file_, "it has no line of a period above 0");
         out_.added_mass.assign(n, Matrix6::Zero());
         out_.damping = out_.added_mass;
-        // Which pairs there are: the same at each frequency.
+        // Count the entries of each pair at each frequency.
         std::vector<int> given(n * 36, 0);
         for (const NumberLine& row : rows) {
             const int i = motion_of(file_, row, 1, body_), j = motion_of(file_, row, 2, body_);
@@ -126,7 +127,8 @@ class Wamit {
         return w;
     }
 
-    /// Directions of the rows of a table; the first table decides.
+    /// Set the directions from the rows of a table. Later tables must have directions of the first
+    /// one.
     void take_headings(const Path& file, const std::vector<NumberLine>& rows) {
         Axis found;
         for (const NumberLine& row : rows) found.add(row.value[1] * kDegree);
@@ -171,7 +173,7 @@ class Wamit {
             const int k = motion_of(file, row, 2, body_);
             if (k < 0) continue;
             const std::size_t at = out_.index(h, w, k);
-            // Of e^{+iωt} the conjugate.
+            // Conjugate, because the file has phases of e^{+iωt}.
             table[at] = scale(k) * std::complex<double>(row.value[5], -row.value[6]);
             ++given[at];
         }
@@ -189,7 +191,8 @@ class Wamit {
         out_.drift.assign(out_.heading.size() * out_.frequency.size() * 6, 0.0);
         std::vector<int> given(out_.drift.size(), 0);
         for (const NumberLine& row : rows) {
-            // Of two directions at once; moments in axes that turn with the body, as 4 to 6 again.
+            // Skip rows of two different directions, and moments about body-fixed axes (negative
+            // numbers), which repeat components 4 to 6.
             if (row.value[1] != row.value[2] || row.value[3] < 0.0) continue;
             const std::size_t w = frequency_of(file, row);
             const std::size_t h = heading_.find(row.value[1] * kDegree);

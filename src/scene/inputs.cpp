@@ -43,7 +43,7 @@ int component_of(const std::string& word) {
     return word.starts_with("torque") ? 3 + axis : axis;
 }
 
-/// Within the range, which has been read.
+/// Read the spring's value, which must be within the range. The range must be known.
 template <class Def>
 void read_spring(Def& def, const Json& json, const Place& place) {
     const auto spring = json.find("spring");
@@ -94,7 +94,7 @@ InputDef read_input(Description& out, const Scope& scope, const Json& json, cons
     return def;
 }
 
-/// An input of a signal, which is there once the world is.
+/// Read an input of a signal. The signal exists only after the world is built.
 SignalInput read_lever(const Scope& scope, const Json& json, const Place& place) {
     SignalInput out;
     out.name = scope.prefix + json["name"].get<std::string>();

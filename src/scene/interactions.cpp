@@ -8,22 +8,22 @@
 namespace hawser::scene {
 namespace {
 
-/// How far a lump may lie from the point at which it is attached [m]. Room for coordinates
-/// written with six decimals.
+/// Largest distance of a node from its point of attachment [m]. It allows for coordinates with six
+/// decimals.
 constexpr double kLumpTolerance = 2e-6;
 
-/// Joints hold two points together: where is not something to leave to a default.
+/// True if the kind joins two points. A joint's point has no default.
 bool needs_points(const KindInfo& kind) {
     return kind.uses_points && kind.bodies == 2 && kind.rows >= 3;
 }
 
-/// A lock keeps the orientation that the bodies have, a span has an axis where it has wheels; every
-/// other kind has one.
+/// True if the kind has an axis. A lock keeps the orientations of the bodies, and a span has axes
+/// only at wheels; all other kinds with frames have an axis.
 bool needs_axis(const KindInfo& kind) {
     return kind.uses_frames && !kind.is(kAxisFree) && !kind.is(kRouted);
 }
 
-/// Rows that hold exactly unless told otherwise, as against motors and springs.
+/// True if the rows are rigid by default, unlike those of motors and springs.
 bool is_constraint(const KindInfo& kind) {
     if (std::string_view(kind.row_units).find('v') != std::string_view::npos) {
         return false;
@@ -37,7 +37,7 @@ bool is_constraint(const KindInfo& kind) {
 }
 
 Quat with_z_along(const Vec3& direction) {
-    // About the shortest arc from z; for −z half a turn about x.
+    // Rotate about the shortest arc from z; for −z by half a turn about x.
     const Vec3 z = direction.normalized();
     const double w = 1.0 + z.z();
     if (w < 1e-9) {
@@ -54,7 +54,7 @@ Vec3 world_direction(const Json& value, const Scope& scope, const Place& place) 
     return scope.frame.direction(axis);
 }
 
-/// One interaction on its way from JSON to InteractionDef.
+/// Reads one interaction from JSON to InteractionDef.
 class Reader {
   public:
     Reader(Description& out, const Scope& scope, const Json& json, Place place)
@@ -107,7 +107,7 @@ class Reader {
         for (std::size_t i = 0; i < bodies(); ++i) {
             const BodyDef& body = out_.body(def_.body[i]);
             if (body.kind == BodyKind::scalar) {
-                continue;  // A drum has a coordinate, not a place.
+                continue;  // A scalar body has no position.
             }
             const Place where = at ? place_ / "at" : place_ / "points" / i;
             if (at) {
@@ -198,7 +198,8 @@ class Reader {
         }
     }
 
-    /// Read off where the scene describes the bodies, so that a stored state changes nothing.
+    /// Return the default of a parameter from the poses in the scene's text. A stored state
+    /// therefore does not change it.
     double value_of_pose(std::string_view param) {
         if (param == "rest_height") {
             return out_.body(def_.body[0]).position.z();
@@ -209,7 +210,7 @@ class Reader {
         const double length = (out_.world_point(def_.body[1], def_.point[1]) -
                                out_.world_point(def_.body[0], def_.point[0]))
                                   .norm();
-        // The smallest length that the kinds accept.
+        // Least length that the kinds accept.
         if (length < 1e-9) {
             refuse(place_, "the two points coincide; give \"length\"");
         }

@@ -9,7 +9,7 @@
 namespace hawser::scene {
 namespace {
 
-/// @param of  A cable or a section of one.
+/// Return the line type of an object. @param of  A cable or a section of one.
 const Json& line_type_of(const Json& of, const Document& document, const Place& place) {
     const Json& line = of["line_type"];
     if (line.is_object()) {
@@ -29,7 +29,7 @@ const Json& line_type_of(const Json& of, const Document& document, const Place& 
                    "there is no line type " + in_quotes(name) + suggestion(name, known));
 }
 
-/// @throws SceneError.
+/// Read the water coefficients of a line type. @throws SceneError.
 LineWater water_of(const Json& line, const Place& place) {
     LineWater w;
     if (!line.contains("cd_normal")) return w;
@@ -70,7 +70,8 @@ LayoutSection read_section(const Json& of, bool links, const Document& document,
     return s;
 }
 
-/// Elements of a piece of chain that are as near as can be to those asked for, of whole links each.
+/// Return the number of elements nearest to the requested number, so that each has a whole number
+/// of links.
 std::size_t nearest_count(std::size_t links, std::size_t asked) {
     for (std::size_t off = 0; off < links; ++off)
         for (const std::size_t n : {asked - std::min(off, asked - 1), asked + off})
@@ -81,7 +82,7 @@ std::size_t nearest_count(std::size_t links, std::size_t asked) {
 }  // namespace
 
 bool of_whole_links(double length, double link) noexcept {
-    constexpr double kDigits = 1e-6;  // of a file
+    constexpr double kDigits = 1e-6;  // round-off of the decimals of a file
     const double each = length / link;
     return each > 0.5 && std::abs(each - std::round(each)) <= kDigits * each;
 }

@@ -6,7 +6,7 @@ namespace {
 
 using Type = Shape::Type;
 
-// Coordinates, velocities and forces beyond this are mistakes of unit or damage.
+// Limit of coordinates, velocities and forces; larger ones are mistakes of unit or damage.
 constexpr double kLargestComponent = 1e12;
 
 Shape plain(Type type, std::string what) {

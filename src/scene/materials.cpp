@@ -31,7 +31,7 @@ MaterialId find_material(const Description& out, const std::string& name, const 
                    "there is no material " + in_quotes(name) + suggestion(name, known));
 }
 
-/// Call f(name, place) for a word or each of a list of words.
+/// Call f(name, place) for a word or for each word of a list.
 template <class F>
 void each_name(const Json& names, const Place& place, const F& f) {
     if (names.is_string()) {
@@ -140,7 +140,7 @@ std::uint32_t Description::touched(const Json& names, const Place& place) {
         touched_at_.emplace_back(bit, at);
         bits |= bit;
     });
-    named_groups_ = before;  // Naming a group here puts nothing into it.
+    named_groups_ = before;  // A group named here gets no members.
     return bits;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file mistakes.h
-/// All mistakes of a document in one go. Reading is the same with and without a list: without one
-/// the first mistake is thrown, with one it is taken down and what it is in is left out. What then
-/// is missing is no mistake of its own: an interaction of a body with a wrong mass names a body
-/// that is there, as far as the writer is concerned.
+/// List all mistakes of a document. Reading is the same with and without a list. Without a list the
+/// first mistake is thrown. With a list it is added to the list, and the faulty part is omitted.
+/// References to an omitted part are no additional mistakes. Example: an interaction may name a
+/// body that was omitted because of its mass.
 
 #include "scene/error.h"
 
@@ -16,32 +16,33 @@
 
 namespace hawser::scene {
 
-/// What can be left out, and be named from elsewhere.
+/// Kinds of omitted parts that other parts may name.
 enum class Lost { body, interaction, cable, line_type, instance_template, material };
 
-/// Something cannot be read because something else was left out.
+/// A part cannot be read because another part was omitted.
 struct Consequence : SceneError {
     using SceneError::SceneError;
 };
 
 class Mistakes {
   public:
-    /// Nobody corrects more in one go.
+    /// Capacity of the list.
     static constexpr std::size_t kMost = 1000;
 
     [[nodiscard]] const std::vector<SceneError>& list() const { return list_; }
     [[nodiscard]] bool none() const { return list_.empty(); }
     void take(const SceneError& error);
 
-    /// Left out: this name and all that begin with it and a slash (parts of a cable, an instance).
+    /// Record an omitted name. It covers all names that begin with it and a slash (parts of a
+    /// cable, an instance).
     void lose(Lost what, const std::string& name) { lost_.emplace(what, name); }
-    /// Left out, and no one knows its name.
+    /// Record an omitted part with unknown name.
     void lose_any(Lost what) { lost_.emplace(what, "*"); }
     [[nodiscard]] bool is_lost(Lost what, const std::string& name) const;
-    /// Shapes, bodies or cables are missing.
+    /// True if shapes, bodies or cables are missing.
     [[nodiscard]] bool incomplete() const { return !lost_.empty(); }
 
-    std::string note;  ///< Ending of messages met now: " (in the instance …)".
+    std::string note;  ///< End of new messages: " (in the instance …)".
 
   private:
     std::vector<SceneError> list_;
@@ -49,8 +50,8 @@ class Mistakes {
     std::set<std::pair<Lost, std::string>> lost_;
 };
 
-/// Run `work`. A mistake in it is taken down where there is a list, else thrown on.
-/// @return false where it was taken down.
+/// Run `work`. Add its mistake to the list, or throw it if there is no list. @return false if a
+/// mistake was added.
 template <class Work>
 bool attempt(Mistakes* mistakes, const Work& work) {
     if (mistakes == nullptr) {
@@ -68,7 +69,7 @@ bool attempt(Mistakes* mistakes, const Work& work) {
     }
 }
 
-/// What is named is not there. @throws Consequence where it was left out, else SceneError.
+/// Report a name that does not exist. @throws Consequence if it was omitted, else SceneError.
 [[noreturn]] void refuse_missing(const Mistakes* mistakes, Lost what, const std::string& name,
                                  const Place& place, const std::string& message);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Operations of a timeline, done to a world through its public interface.
+/// Perform the operations of a timeline on a world through its public interface.
 #include <hawser/hawser.h>
 #include <hawser/timeline.h>
 

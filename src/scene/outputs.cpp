@@ -23,7 +23,7 @@ const Cable& resolve_cable(const Description& out, const Scope& scope, const std
                    "there is no cable " + in_quotes(name) + suggestion(name, known));
 }
 
-/// What it is taken from.
+/// Read the source of an output.
 void read_target(OutputDef& def, Description& out, const Scope& scope, const Json& json,
                  const Place& place) {
     if (json.contains("body")) {
@@ -51,7 +51,7 @@ void read_target(OutputDef& def, Description& out, const Scope& scope, const Jso
     }
 }
 
-/// "cable" of a tension or a drum.
+/// Read "cable" of a tension or a drum.
 void read_cable(OutputDef& def, const Description& out, const Scope& scope, const Json& json,
                 const Place& place) {
     const Cable& cable =

@@ -19,12 +19,12 @@ Json value_of(const std::string& text) {
     return text;
 }
 
-/// Anything else would not survive being written into the resolved text.
+/// True for printable ASCII. Other characters would change when the text is resolved.
 bool is_plain(const std::string& text) {
     return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
 
-/// Entry of a list by the value of its "name", or by its index.
+/// Return the entry of a list by the value of its "name", or by its index.
 Json* find_entry(Json& list, const std::string& word) {
     for (Json& entry : list) {
         if (entry.is_object() && entry.contains("name") && entry["name"] == word) {
@@ -67,7 +67,7 @@ void apply_override(Json& root, const std::string& option, const Place& place) {
     Json* here = &root;
     Place at = place;
     while (!rest.empty()) {
-        // A name may hold dots: take the longest run of words that names something here.
+        // A name may contain dots: use the longest sequence of words that is a name.
         Json* next = nullptr;
         std::size_t end = rest.size();
         while (true) {
@@ -95,7 +95,7 @@ void apply_override(Json& root, const std::string& option, const Place& place) {
                     at, option,
                     "there is no " + in_quotes(word) + " here" + suggestion(word, names_in(*here)));
             }
-            // A key that the file leaves out; the check of the shape refuses unknown ones.
+            // The file does not contain this key; the check of the shape rejects unknown keys.
             next = &(*here)[word];
         }
         const std::string word = rest.substr(0, end);

@@ -13,16 +13,17 @@
 namespace hawser::scene {
 namespace {
 
-constexpr std::size_t kMostEdges = 64;  ///< Of one post.
-constexpr double kNear = 0.1;           ///< Of the way between two points: so near is their edge.
-constexpr double kAnyTurn = 1e-3;       ///< Of an edge that two points name [rad].
+constexpr std::size_t kMostEdges = 64;  ///< Largest number of edges of one post.
+constexpr double kNear =
+    0.1;  ///< Largest distance of an edge from two points, relative to their distance.
+constexpr double kAnyTurn = 1e-3;  ///< Least angle of an edge that two points define [rad].
 
 bool has_edges(const ShapeDef& shape) {
     return shape.kind == ShapeKind::box || shape.kind == ShapeKind::hull ||
            shape.kind == ShapeKind::mesh;
 }
 
-/// The shape that is named, or the only one that has edges.
+/// Return the named shape, or the only one with edges.
 const ShapeDef& shape_with_edges(const Description& out, BodyId body, const Json& json,
                                  const Place& place) {
     const std::string on = out.body(body).name, lead = on + "/";
@@ -58,7 +59,7 @@ std::string words(const Vec3& v) {
     return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x(), v.y(), v.z());
 }
 
-/// The edge that two points lie at.
+/// Return the edge next to two points.
 ShapeEdge edge_near(const std::vector<ShapeEdge>& edges, const Vec3& a, const Vec3& b,
                     const Place& place) {
     if (!((b - a).norm() > 0.0)) refuse(place, "give two points that are apart");

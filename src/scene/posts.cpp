@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Posts: a cylinder on a body, and what takes cables that touch it (hawser/post.h).
+/// Read posts: cylinders on bodies, which touching cables engage (hawser/post.h).
 #include <hawser/post.h>
 
 #include "scene/description.h"
@@ -26,8 +26,8 @@ PostDef read_post(const Scope& scope, const Json& json) {
     return def;
 }
 
-/// Within the box of the body, so that a cylinder of the radius lies against both faces that meet
-/// at the edge, over all its length.
+/// Return the axis of a cylinder along an edge of the body's box. It lies within the box, so that
+/// the cylinder touches both faces of the edge over its whole length.
 EdgeAxis edge_of(const BodyDef& body, const Json& json, const Place& place) {
     const Vec3 toward = vector_of(json["edge"]), half = body.half_size;
     int along = -1;
@@ -53,7 +53,7 @@ EdgeAxis edge_of(const BodyDef& body, const Json& json, const Place& place) {
     return {centre - end, centre + end};
 }
 
-/// One, or of an "edge_of" all that it names.
+/// Return the axis, or all axes that "edge_of" names.
 std::vector<EdgeAxis> axes_of(const Description& out, BodyId body, const Json& json,
                               const Place& place) {
     for (const char* edge : {"edge", "edge_of"})
@@ -94,7 +94,7 @@ void expand_post(Description& out, const Scope& scope, const Json& json, const P
     const PostDef def = read_post(scope, json);
     const BodyId body = resolve_body(out, scope, json["on"].get<std::string>(), place / "on");
     const std::vector<EdgeAxis> axes = axes_of(out, body, json, place);
-    // Of several edges each is a post of its own, with a number.
+    // If there are several edges, each is a post with its own number.
     const auto of = json.find("edge_of");
     const bool several = of != json.end() && of->contains("sharper_than");
     for (std::size_t k = 0; k < axes.size(); ++k) {

@@ -14,7 +14,7 @@ using Type = Shape::Type;
 
 constexpr std::size_t kMaxText = 4096;
 
-/// Gathers the mistakes in a value, up to a number of them.
+/// Collects the mistakes in a value, up to a given number.
 class Finder {
   public:
     explicit Finder(std::size_t most) : most_(most) {}
@@ -179,8 +179,8 @@ void Finder::map(const Json& value, const Shape& shape, bool placeholders) {
     }
 }
 
-/// Report the mistakes in the option that the writer most likely meant: the one that fits
-/// furthest into the value.
+/// Report the mistakes in the option that the author most likely meant: the option whose first
+/// mistake is deepest in the value.
 void Finder::choice(const Json& value, const Shape& shape, bool placeholders) {
     const Shape* best = nullptr;
     std::ptrdiff_t best_depth = -1;
@@ -195,7 +195,7 @@ void Finder::choice(const Json& value, const Shape& shape, bool placeholders) {
         auto depth = 2 * std::count(problem->path.begin(), problem->path.end(), '/');
         if (value.is_array() && !value.empty() && option->item &&
             is_of_type(value[0], *option->item)) {
-            ++depth;  // A list of the right sort of entries.
+            ++depth;  // The list has entries of the right type.
         }
         if (depth > best_depth) {
             best_depth = depth;

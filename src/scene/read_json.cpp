@@ -18,11 +18,11 @@ void refuse_text_of_other_kind(std::string_view text, const std::string& file,
     const std::string other = base::wrong_kind(text, expected, file);
     if (!other.empty()) refuse({file, ""}, other);
 }
-constexpr std::size_t kMostEntries = 2'000'000;  ///< Of an array; the largest that has a use.
-constexpr std::size_t kMostValues = 10'000'000;  ///< Of a file.
-constexpr std::size_t kMostUnknown = 10'000;     ///< Values of a key that no file has.
+constexpr std::size_t kMostEntries = 2'000'000;  ///< Largest number of entries of an array.
+constexpr std::size_t kMostValues = 10'000'000;  ///< Largest number of values of a file.
+constexpr std::size_t kMostUnknown = 10'000;     ///< Largest number of values below an unknown key.
 
-/// First pass over the text: everything that the parser alone would let through.
+/// First pass over the text. Checks everything that the parser alone would accept.
 class LimitChecker : public nlohmann::json_sax<Json> {
   public:
     LimitChecker(std::string file, const std::set<std::string>& keys, Mistakes* mistakes,
@@ -70,12 +70,12 @@ class LimitChecker : public nlohmann::json_sax<Json> {
   private:
     struct Level {
         bool object = false;
-        std::size_t index = 0;  ///< Entries begun, of an array.
+        std::size_t index = 0;  ///< Number of entries started, for an array.
         std::string key;
         std::set<std::string> keys;
     };
 
-    /// Counts before anything is kept: a value of the document takes some 20 bytes.
+    /// Count a value before it is stored, because each value of the document needs some 20 bytes.
     bool next() {
         if (levels_.empty()) return true;
         Level& level = levels_.back();
@@ -123,7 +123,8 @@ class LimitChecker : public nlohmann::json_sax<Json> {
     std::vector<Level> levels_;
     const std::set<std::string>& keys_;
     std::size_t values_ = 0;
-    std::size_t unknown_ = 0;  ///< 0: within a known key; else one more than the values counted.
+    std::size_t unknown_ =
+        0;  ///< 0: within a known key; else the number of values below the unknown key plus 1.
 };
 
 }  // namespace
@@ -133,7 +134,7 @@ Json parse_json(std::string_view text, const std::string& file, const std::set<s
     if (text.size() > kMaxFileBytes) {
         refuse({file, ""}, "larger than 64 MiB");
     }
-    // The parser takes a NUL byte for the end and would not see what follows.
+    // The parser would stop at a NUL byte and ignore the following text.
     if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
         refuse_text_of_other_kind(text, file, expected);
         refuse({file, ""}, "a NUL byte at offset " + std::to_string(nul));
@@ -151,7 +152,7 @@ Json read_json_file(const std::filesystem::path& file, const std::set<std::strin
                     Mistakes* mistakes, const char* expected) {
     const Place place{file.string(), ""};
     std::error_code failure;
-    // Before it is opened: a pipe that nobody writes would be waited for.
+    // Check before the file is opened: opening a pipe would wait for its writer.
     if (!std::filesystem::is_regular_file(file, failure)) {
         refuse(place, std::filesystem::exists(file, failure) ? "is no plain file" : "no such file");
     }

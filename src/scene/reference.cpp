@@ -11,7 +11,7 @@ namespace {
 
 using Type = Shape::Type;
 
-/// In a table cell a bar would end the cell.
+/// Escape bars, which would end a cell of a table.
 std::string cell(std::string text) {
     for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) {
         text.replace(at, 1, "\\|");
@@ -98,7 +98,7 @@ class Page {
         }
     }
 
-    /// Objects inside: below the one that holds them, in the order of their keys.
+    /// Write the objects inside an object below it, in the order of their keys.
     void inner(const Shape& shape) {
         if (shape.type == Type::object) {
             std::string title = shape.what.substr(shape.what.find(' ') + 1);

@@ -43,7 +43,7 @@ constexpr ResolutionCount kWholes[] = {
     {"interval", &ResolutionDef::interval, "4", "Steps from one look at the cable to the next.",
      1.0, 1e4}};
 
-/// Limits that cross are refused at the key that is too small or too large.
+/// Check the limits. Inconsistent limits are reported at the key that is too small or too large.
 void check_limits(const ResolutionDef& def, const Place& place) {
     if (def.max_length < 2.0 * def.min_length)
         refuse(place / "max_length",

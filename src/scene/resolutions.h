@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file resolutions.h
-/// The numbers of a cable's resolution in a scene: format and reader go by one table.
+/// Numbers of a cable's resolution in a scene. Format and reader use one table.
 
 #include <hawser/resolution.h>
 

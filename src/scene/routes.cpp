@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines over posts and sheaves: what they are made of becomes bodies and interactions of the
-/// scene, which inputs and outputs find by their names.
+/// Lines over posts and sheaves. Their parts become bodies and interactions of the scene, which
+/// inputs and outputs find by name.
 #include "scene/description.h"
 
 #include <hawser/route.h>
@@ -56,7 +56,7 @@ void read_route(Description& out, const Scope& scope, const Json& json, const Pl
     const int at = out.keep(place);
     try {
         std::vector<BodyId> slides;
-        // All of it is planned before anything is added.
+        // Plan all parts before any is added.
         const std::vector<BodyDef> made = route_slides(def, bodies);
         RoutePlan plan = plan_route(def, bodies, std::vector<BodyId>(made.size(), BodyId{0}));
         for (const BodyDef& slide : made) slides.push_back(out.add_body(slide, at));

@@ -23,7 +23,7 @@ class Writer {
         }
         const std::string name = shape.id + (placeholders ? "_in_template" : "");
         if (!definitions_.contains(name)) {
-            definitions_[name] = nullptr;  // Taken, should the shape meet itself.
+            definitions_[name] = nullptr;  // Reserves the name for a shape that contains itself.
             Ordered definition = with_placeholder(shape, body(shape, placeholders), placeholders);
             definitions_[name] = std::move(definition);
         }
@@ -35,7 +35,7 @@ class Writer {
   private:
     static constexpr int kMaxText = 4096;
 
-    /// In a template a scalar or a list may be a string with "${parameter}".
+    /// Allow a placeholder: in a template a scalar or a list may be a string with "${parameter}".
     static Ordered with_placeholder(const Shape& shape, Ordered plain, bool placeholders) {
         const bool container = shape.type == Type::object || shape.type == Type::map ||
                                shape.type == Type::switched || shape.type == Type::any;
@@ -113,7 +113,7 @@ class Writer {
         Ordered properties = Ordered::object();
         for (const Field& field : shape.fields) {
             Ordered entry = write(*field.shape, placeholders);
-            // Beside "$ref", draft 07 ignores every other key: wrap it.
+            // Draft 07 ignores other keys of an object with "$ref": wrap it.
             Ordered property = entry.contains("$ref") ? Ordered{{"allOf", {entry}}} : entry;
             property["description"] = description(field);
             properties[field.name] = std::move(property);
@@ -143,7 +143,7 @@ class Writer {
         return text;
     }
 
-    /// At most one of each group: no two together.
+    /// Exclude pairs of fields in each group, so that at most one is present.
     static Ordered exclusions(const Shape& shape) {
         Ordered result = Ordered::array();
         for (const auto& group : shape.alternatives) {
@@ -164,7 +164,7 @@ class Writer {
         return {{"anyOf", std::move(options)}};
     }
 
-    /// if kind is … then …: an editor reports against the right case only.
+    /// Write "if kind is … then …", so that an editor reports errors of the matching case only.
     Ordered switched(const Shape& shape, bool placeholders) {
         Ordered words = Ordered::array();
         Ordered cases = Ordered::array();

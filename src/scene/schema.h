@@ -9,16 +9,16 @@
 
 namespace hawser::scene {
 
-/// schema/scene-1.json: JSON Schema, draft 07. The root describes a scene; the definitions
+/// Return schema/scene-1.json: JSON Schema, draft 07. The root describes a scene; the definitions
 /// "part" and "state_file" describe included files and state files.
 [[nodiscard]] std::string schema_text();
 
 struct Shape;
-/// The same of another format that is described so.
+/// Return the schema of another format with a description of this type.
 [[nodiscard]] std::string schema_of(const Shape& root, const std::string& title,
                                     const std::string& source);
 
-/// docs/scenes_reference.md.
+/// Return docs/scenes_reference.md.
 [[nodiscard]] std::string reference_text();
 
 }  // namespace hawser::scene

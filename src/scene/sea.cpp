@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The sea of a scene: from its key to a definition, whose bodies and wires are found by name.
+/// Convert the key "sea" of a scene to a definition. Its bodies and wires are found by name.
 #include <hawser/sea.h>
 
 #include "scene/description.h"
@@ -18,7 +18,7 @@ double radians(const Json& object, const char* key) {
     return number_or(object, key, 0.0) * std::numbers::pi / 180.0;
 }
 
-/// One number for all axes, or three.
+/// Read one number for all axes, or three.
 Vec3 axes_of(const Json& object, const char* key) {
     const auto value = object.find(key);
     if (value == object.end()) return Vec3::Zero();
@@ -55,7 +55,7 @@ WindDef wind_of(const Json& json) {
     return wind;
 }
 
-/// But for its body.
+/// Read a rod, except its body.
 WaterRod rod_of(const Json& json) {
     WaterRod rod;
     rod.from = vector_of(json["from"]);
@@ -66,7 +66,7 @@ WaterRod rod_of(const Json& json) {
     return rod;
 }
 
-/// What of copy 0 also stands in the others.
+/// Reads the sea. Objects on bodies of copy 0 are repeated for the other copies.
 class SeaReader {
   public:
     SeaReader(Description& out, const Document& document, const Json& sea)
@@ -104,7 +104,7 @@ class SeaReader {
         return found == json_.end() ? none : *found;
     }
 
-    /// The body of this name in all copies.
+    /// Return the bodies of this name in all copies.
     std::vector<BodyId> bodies(const Json& json, const Place& place) {
         const std::string name = json["body"].get<std::string>();
         std::vector<BodyId> found{resolve_body(out_, scope_, name, place / "body")};
@@ -217,7 +217,8 @@ void add_sea(World& world, const Description& from) {
     try {
         world.add(def);
     } catch (const SeaError& error) {
-        // "bodies/3/volume" is of the list in the definition: where it stands in the scene.
+        // "bodies/3/volume" refers to the list in the definition: convert it to the place in the
+        // scene.
         Place at = from.sea_place;
         std::string field = error.field;
         const auto moved = [&](const std::string& list, const auto& place_of, std::size_t count) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file shape.h
-/// The format as data: one description from which the checker, the JSON Schema and the
-/// reference page are made, so that the three cannot disagree.
+/// Describe the format as data. The checker, the JSON Schema and the reference page use this one
+/// description, so that they cannot disagree.
 
 #include "scene/read_json.h"
 
@@ -25,11 +25,11 @@ struct Field {
     ShapePtr shape;
     bool required = false;
     std::string fallback;  ///< Default, in words or digits, for the documents.
-    std::string unit;      ///< SI; "" = none.
+    std::string unit;      ///< Unit in SI; "" = none.
     std::string doc;
 };
 
-/// What a value must look like.
+/// Description of the valid values of one kind.
 struct Shape {
     enum class Type {
         any,      ///< Anything.
@@ -37,7 +37,7 @@ struct Shape {
         integer,  ///< Written without a decimal point, in [min, max].
         boolean,
         text,      ///< A string of 1 to 4096 bytes.
-        name,      ///< A name that the scene defines: is_valid_name().
+        name,      ///< A name defined by the scene: is_valid_name().
         word,      ///< One of `words`.
         list,      ///< Array of `item`, between min_items and max_items.
         object,    ///< `fields` and no others.
@@ -46,13 +46,13 @@ struct Shape {
         switched,  ///< Object whose field `key` selects one of `cases`.
     };
     Type type = Type::any;
-    std::string id;    ///< Name of the definition in the schema; "" = written in place.
-    std::string what;  ///< In words, for messages: "a length in metres".
+    std::string id;    ///< Name of the definition in the schema; "" = inline.
+    std::string what;  ///< Description in words, for messages: "a length in metres".
     std::string doc;
 
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
-    bool above_min = false;  ///< min itself is refused.
+    bool above_min = false;  ///< True if min itself is rejected.
 
     std::vector<std::string> words;
 
@@ -61,7 +61,7 @@ struct Shape {
     std::size_t max_items = std::numeric_limits<std::size_t>::max();
 
     std::vector<Field> fields;
-    /// Sets of fields of which at most one may be given.
+    /// Sets of fields; at most one field of a set may be present.
     std::vector<std::vector<std::string>> alternatives;
 
     std::vector<ShapePtr> options;
@@ -69,9 +69,9 @@ struct Shape {
     std::string key;
     std::vector<std::pair<std::string, ShapePtr>> cases;
 
-    /// Inside, any scalar or list may be a string with "${parameter}" (templates).
+    /// True if any scalar or list inside may be a string with "${parameter}" (templates).
     bool holds_placeholders = false;
-    /// Not replaced by a placeholder even in a template.
+    /// True if a placeholder may not replace the value, even in a template.
     bool literal = false;
 };
 
@@ -81,29 +81,29 @@ struct Problem {
     std::string message;
 };
 
-/// Compare a value with a shape. @return its mistakes in the order of the value, at most so many.
+/// Compare a value with a shape. @return its mistakes in the order of the value, at most `most`.
 [[nodiscard]] std::vector<Problem> find_problems(const Json& value, const Shape& shape,
                                                  std::size_t most);
 
-/// The first of them; nothing when it fits.
+/// Return the first problem of a value; null if the value fits.
 [[nodiscard]] std::optional<Problem> find_problem(const Json& value, const Shape& shape,
                                                   bool placeholders = false);
 
-/// @throws SceneError naming the place of the first mistake.
+/// Check a value. @throws SceneError with the place of the first mistake.
 void check_shape(const Json& value, const Shape& shape, const Place& place);
 
-/// Letters, digits and `_ . + -`, starting with a letter, digit or `_`, at most 100.
-/// (`/` and `:` are kept for generated names.)
+/// True for letters, digits and `_ . + -`, starting with a letter, digit or `_`, at most 100. (`/`
+/// and `:` are reserved for generated names.)
 [[nodiscard]] bool is_valid_name(const std::string& name);
 inline constexpr const char* kNamePattern = "^[A-Za-z0-9_][A-Za-z0-9_.+-]{0,99}$";
 
-/// Whether a value is of the sort that a shape asks for, whatever it holds.
+/// True if a value has the JSON type of a shape, with any content.
 [[nodiscard]] bool is_of_type(const Json& value, const Shape& shape);
 
-/// True for a string that holds "${".
+/// True for a string that contains "${".
 [[nodiscard]] bool is_placeholder(const Json& value);
 
-/// The same shape with the insides of a template.
+/// Return the shape for use inside a template, where values may be placeholders.
 [[nodiscard]] ShapePtr with_placeholders(const ShapePtr& shape);
 
 }  // namespace hawser::scene

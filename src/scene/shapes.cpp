@@ -11,7 +11,7 @@
 namespace hawser::scene {
 namespace {
 
-/// From the shape's z, along which the world has cylinders, to the axis that is named.
+/// Return the rotation from the shape's z, the axis of cylinders in the world, to the named axis.
 Quat to_axis(const std::string& axis) {
     return axis == "z"   ? Quat::Identity()
            : axis == "y" ? turn_between(Vec3::UnitZ(), Vec3::UnitY())
@@ -121,7 +121,7 @@ ShapeDef read_shape(const Json& json, const Place& place) {
 
 bool is_segment(const Json& shape) { return shape["kind"] == "segment"; }
 
-/// What of a body may be an end of a segment.
+/// Check that a body may be an end of a segment.
 void check_end(const BodyDef& body, const Place& place) {
     if (body.kind != BodyKind::lump && body.kind != BodyKind::fixed) {
         refuse(place, "a segment lies between two lumps, or a lump and a fixed body; " +
@@ -190,7 +190,7 @@ void expand_shape(Description& out, BodyId body, const Json& json, std::set<std:
         refuse(at / "name", "the body has a shape " + in_quotes(name) + " already");
     }
     if (is_segment(json)) {
-        return;  // Its other end may not be there yet: expand_segments().
+        return;  // The other end may not exist yet: expand_segments().
     }
     ShapeDef def = read_shape(json, at);
     def.body = body;

@@ -21,8 +21,8 @@ void set_state(BodyDef& def, const Json& state, const Place& place) {
     }
 }
 
-/// Names in a state that a scene of one copy does not have: "3:rig", or the nodes of a cable
-/// that joins copies.
+/// True if a name of a state exists only in scenes of several copies: "3:rig", or the nodes of a
+/// cable between copies.
 bool belongs_to_copies(const std::string& name, const Json& root) {
     const auto repeat = root.find("repeat");
     if (repeat == root.end()) {
@@ -43,7 +43,8 @@ bool belongs_to_copies(const std::string& name, const Json& root) {
     return false;
 }
 
-/// A pin stands where its scene says, on a body that the state moves: it comes with the world.
+/// True if the body is a pin. Its scene defines its position on a body that the state moves, so the
+/// state does not contain it.
 bool is_pin(const std::string& name, const Description& out) {
     return std::any_of(out.deck.pins.begin(), out.deck.pins.end(),
                        [&](const auto& pin) { return pin.def.name == name; });

@@ -37,7 +37,7 @@ JoinDef gear_of(const Json& json) {
     return def;
 }
 
-/// Reads operations in their order, and knows which wires and hooks there are by then.
+/// Reads operations in their order. Tracks the wires and hooks that exist at each operation.
 class Reader {
   public:
     Reader(const World& world, const InputWords& words, std::span<const SignalInput> levers)
@@ -84,7 +84,8 @@ class Reader {
                "there is no wire " + in_quotes(name) + " then" + suggestion(name, known));
     }
 
-    /// A number, or for a winch's mode its word, for what a crane takes the load's body.
+    /// Return a number. Words are valid for a winch's mode, and for the load of a crane, given by
+    /// the body's name.
     [[nodiscard]] double value_of(const std::string& input, const Json& json,
                                   const Place& place) const {
         if (json.is_number()) return json.get<double>();
@@ -118,7 +119,8 @@ class Reader {
         }
     }
 
-    /// What sets an input: of one that sets a signal, the signal and its value.
+    /// Return the name and value that set an input. For an input that sets a signal, return the
+    /// signal and its value.
     [[nodiscard]] std::pair<std::string, double> by_signal(const std::string& name,
                                                            const Json& json,
                                                            const Place& place) const {
@@ -135,7 +137,7 @@ class Reader {
         return {lever->signal, lever->factor * value};
     }
 
-    /// What a signal would be clamped to is not what was meant.
+    /// Reject a value that a signal would clamp, because it is probably a mistake.
     static void check_range(double value, double min, double max, const Place& place) {
         if (!(value >= min && value <= max))
             refuse(place, fmt::format("{:.6g} is not within the input's range, {:.6g} to {:.6g}",
@@ -154,15 +156,16 @@ class Reader {
                 place / "s",
                 fmt::format("the wire {} is {:.6g} m long then{}", in_quotes(out.wire), length.most,
                             stored > 0.0 ? ", with all that its winches have stored" : ""));
-        // The first piece keeps the drum at the first end, the other one that at the last.
+        // The first piece keeps the drum at the first end, the second piece the drum at the last
+        // end.
         Length rest{.most = length.most - out.s, .stored = {0.0, length.stored[1]}};
         length.most = std::min(length.most, out.s + length.stored[0]);
         length.stored[1] = 0.0;
         wires_[next_piece(out.wire)] = rest;
     }
 
-    /// What a drum can pay out still by the end of a wire [m]; of one without an account more than
-    /// there can be.
+    /// Return the length that the drum at the end of a wire can still pay out [m]. For a drum
+    /// without this account, return a length above any possible one.
     [[nodiscard]] double stored_at(InteractionId element) const {
         const InteractionDef& def = world_.interaction_def(element);
         if (!kind_info(def.kind).is(kWoundUp)) return 0.0;
@@ -173,7 +176,8 @@ class Reader {
         return 1e30;
     }
 
-    /// Name that World::cut() gives the next piece of a wire: "tow/2", "tow/3" …
+    /// Return the name that World::cut() will assign to the next piece of a wire: "tow/2", "tow/3"
+    /// …
     [[nodiscard]] std::string next_piece(const std::string& of) const {
         std::string base = of;
         const std::size_t slash = of.rfind('/');
@@ -252,8 +256,8 @@ class Reader {
     const InputWords& words_;
     const std::span<const SignalInput> levers_;
     struct Length {
-        double most = 0.0;              ///< That it can have by then [m].
-        double stored[2] = {0.0, 0.0};  ///< Of it what drums have at its ends, or had [m].
+        double most = 0.0;              ///< Largest possible length at that time [m].
+        double stored[2] = {0.0, 0.0};  ///< Part of it on drums at its ends, now or before [m].
     };
     std::map<std::string, Length> wires_;
     std::vector<std::string> hooks_, named_;

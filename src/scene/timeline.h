@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file timeline.h
-/// Reads what is done to a scene at times.
+/// Read the operations of a scene at given times.
 
 #include "scene/document.h"
 
@@ -14,19 +14,19 @@
 
 namespace hawser::scene {
 
-/// Words of Gear, in its order.
+/// Return the words of Gear, in its order.
 [[nodiscard]] std::span<const char* const> gear_words() noexcept;
 
-/// Words of an input, by its name: what stands at place k is the number k + 1.
+/// Words of an input, by its name: the word at index k stands for the number k + 1.
 using InputWords = std::map<std::string, std::vector<std::string>>;
 
 class Description;
-/// What the signals NAME.take of cranes know, by the names of bodies (cranes.cpp).
+/// Return the words of the signals NAME.take of cranes: the names of the bodies (cranes.cpp).
 [[nodiscard]] InputWords loads_by_word(const Description& description);
 
-/// The operations by time. What they name has to be there or to come of earlier ones.
-/// @param world  Of the scene. @param levers  Its inputs that set signals: operations have the
-/// signals. @throws SceneError where there is no list of mistakes.
+/// Return the operations by time. They may name existing objects and results of earlier operations.
+/// @param world  World of the scene. @param levers  Inputs of the scene that set signals:
+/// operations contain the signals. @throws SceneError if there is no list of mistakes.
 [[nodiscard]] std::vector<Operation> read_timeline(const World& world, const Document& document,
                                                    const InputWords& words,
                                                    std::span<const SignalInput> levers);

@@ -54,7 +54,7 @@ std::vector<double> values_of(const Json& entry, const char* key, std::size_t co
     return out;
 }
 
-/// Pairs as given, and their mirror images where those are not.
+/// Visits the given pairs, and the transpose of each pair whose transpose is not given.
 class Pairs {
   public:
     template <class F>

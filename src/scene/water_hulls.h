@@ -9,13 +9,13 @@
 
 namespace hawser::scene {
 
-/// An entry of "hulls", but for its body and areas. @throws SceneError
+/// Read an entry of "hulls", except its body and areas. @throws SceneError
 [[nodiscard]] WaterHull hull_of(const Json& json, const Place& place);
-/// A file of it was refused, and what it should have become is not there.
+/// True if a file of the hull was rejected, so that its contents are missing.
 [[nodiscard]] bool hull_left_out(const Json& json);
-/// Treatment of damping by its word.
+/// Return the treatment of damping for a word.
 [[nodiscard]] NegativeDamping negative_damping_of(const std::string& word) noexcept;
-/// Coefficients as a scene has them.
+/// Return coefficients in the form of a scene.
 [[nodiscard]] Json coefficients_json(const WaveCoefficients& c);
 
 }  // namespace hawser::scene

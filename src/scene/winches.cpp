@@ -75,7 +75,7 @@ constexpr GypsyNumber kGypsyNumbers[] = {
     {"locker", &GypsyDef::locker, "m", "no limit", "Chain that the locker holds.", 0.0, 1e6},
     {"wrap", &GypsyDef::wrap, "rad", "pi", "Angle of the wheel that chain lies on.", 0.0, 7.0}};
 
-/// The cable in this scope.
+/// Return the cable of a winch in this scope.
 const Cable& cable_of(const Description& out, const Scope& scope, const Json& json,
                       const Place& place) {
     const std::string name = json["cable"].get<std::string>();
@@ -88,7 +88,7 @@ const Cable& cable_of(const Description& out, const Scope& scope, const Json& js
                    "there is no cable " + in_quotes(name) + suggestion(name, known));
 }
 
-/// What an element of a cable is of.
+/// Return the section of an element of a cable.
 const CableSection& section_of(const Cable& cable, std::size_t element) {
     std::size_t k = 0;
     for (; k + 1 < cable.sections.size() && element >= cable.sections[k].elements; ++k)
@@ -96,13 +96,13 @@ const CableSection& section_of(const Cable& cable, std::size_t element) {
     return cable.sections[k];
 }
 
-/// Of the end that lies on a winch.
+/// Return the section at the end with the winch.
 const CableSection& section_at(const Cable& cable, int end) {
     return end == 0 ? cable.sections.front() : cable.sections.back();
 }
 
-/// Elements move as straight pieces, of which nodes may take a share; what lies at the drum is its
-/// winch's (WinchDef::element).
+/// Set the masses of elements, which move as straight pieces and distribute mass to nodes. The
+/// winch carries the mass of the element at its drum (WinchDef::element).
 void give_mass(Description& out, const Cable& cable, const WinchDef& winch, const Place& place) {
     const auto element = [&](InteractionId id) -> InteractionDef& {
         return out.interactions[static_cast<std::size_t>(id.index)];
@@ -146,7 +146,8 @@ void read_wheel(WinchDef& def, const Cable& cable, const Json& json, const Place
         def.gypsy.*number.value = number_or(*gypsy, number.key, def.gypsy.*number.value);
 }
 
-/// Drum, and the chain on a gypsy, as bodies of the scene. @return what the cable lies on.
+/// Add the drum, and the chain on a gypsy, as bodies of the scene. @return the body that carries
+/// the cable.
 BodyId add_wheel(Description& out, Winch& winch) {
     WinchDef& def = winch.def;
     const auto add = [&](const char* what, double mass) {
@@ -180,7 +181,7 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
     const std::string mode = text_or(json, "mode", "brake");
     const auto modes = winch_modes();
     def.mode = static_cast<WinchMode>(std::find(modes.begin(), modes.end(), mode) - modes.begin());
-    // The element at the end lies on the drum from the start, so that outputs find it there.
+    // The element at the end has the drum as a body from the start, so that outputs find it.
     const InteractionId element = def.end == 0 ? cable.stretch.front() : cable.stretch.back();
     InteractionDef& d = out.interactions[static_cast<std::size_t>(element.index)];
     if (kind_info(d.kind).is(kWoundUp))
@@ -214,7 +215,7 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
     d.body[2] = wound;
     d.set("radius",
           def.gypsy.pockets != 0 ? gypsy_radius(def) : def.core_radius + 0.5 * def.wire_diameter);
-    // What it pays out is of the line type at its end.
+    // Paid-out wire has the line type of the section at the winch.
     for (Cable& one : out.cables)
         if (one.name == winch.cable) one.trim.EI = section.EI;
     out.winches.push_back(std::move(winch));

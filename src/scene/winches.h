@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file winches.h
-/// The numbers of a winch in a scene: format and reader go by one table.
+/// Numbers of a winch in a scene. Format and reader use one table.
 
 #include <hawser/winch.h>
 
@@ -13,14 +13,14 @@ struct WinchNumber {
     const char* key;
     double WinchDef::* value;
     const char* unit;
-    const char* fallback;  ///< In words; "" where it must be given.
+    const char* fallback;  ///< Default in words; "" if the key is required.
     const char* doc;
-    double least, most;  ///< 0 itself only where there is a default.
+    double least, most;  ///< Range. 0 is included only if there is a default.
 };
 
 [[nodiscard]] std::span<const WinchNumber> winch_numbers() noexcept;
 
-/// Of a gypsy, beside its "pockets".
+/// A number of a gypsy, in addition to its "pockets".
 struct GypsyNumber {
     const char* key;
     double GypsyDef::* value;

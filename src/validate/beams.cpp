@@ -11,8 +11,8 @@
 namespace hawser::validate {
 namespace {
 
-/// Sag [m] at a node after settling; the mean of two steps removes what is left of waves that
-/// the step does not resolve.
+/// Return the sag at a node after settling [m]. The mean of two steps removes remaining
+/// under-resolved waves.
 double sag(const std::string& name, std::size_t node, double* speed) {
     scene::Scene s = open_scene(name, 1.0 / 60.0);
     advance(s.world, steps_to(s.world, s.duration));
@@ -23,9 +23,9 @@ double sag(const std::string& name, std::size_t node, double* speed) {
     return -0.5 * (first + s.world.pose(id).position.z());
 }
 
-/// Load P [N] at which a column of n elements no longer returns to straight: the first mode is
-/// started at 1 µm and the run asks whether it grows, by bisection below and above the load
-/// π² EI/L² of a smooth column.
+/// Return the load P at which a column of n elements no longer returns to straight [N]. The first
+/// mode starts with 1 µm. Bisection around the load π² EI/L² of a smooth column finds the load from
+/// which it grows.
 double buckling_load(int elements) {
     constexpr double kLength = 10.0, kStiffness = 1e9, kBending = 1e5;
     constexpr double kSmooth = kPi * kPi * kBending / (kLength * kLength);
@@ -50,7 +50,7 @@ double buckling_load(int elements) {
         return after > 1e-5 || after > std::max(before, 1e-8);
     };
     double low = 0.9 * kSmooth, high = 1.05 * kSmooth;
-    if (grows(low) || !grows(high)) return 0.0;  // not in between: reported as it is
+    if (grows(low) || !grows(high)) return 0.0;  // outside the bracket: report 0
     for (int i = 0; i < 11; ++i) {               // to 7e-5 of the load
         const double middle = 0.5 * (low + high);
         (grows(middle) ? high : low) = middle;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cables of lumps: a catenary, frequencies, momentum.
+// Cables of nodes: a catenary, frequencies, momentum.
 #include "base/dense.h"
 #include "validate/cases.h"
 #include "validate/tools.h"
@@ -13,11 +13,11 @@
 namespace hawser::validate {
 namespace {
 
-/// Small transverse motion of a line of lumps: frequencies and shapes of K u = ω² M u with the
-/// masses and lengths of the scene and the tensions given.
+/// Small transverse vibration of a line of nodes. Frequencies and shapes solve K u = ω² M u with
+/// the masses and lengths of the scene and the given tensions.
 struct LineModes {
     Eigen::VectorXd omega;   ///< Ascending [rad/s].
-    Eigen::MatrixXd shape;   ///< A column each, largest entry 1, over the moving nodes.
+    Eigen::MatrixXd shape;   ///< One column for each mode, largest entry 1, over the moving nodes.
     Eigen::VectorXd weight;  ///< Masses [kg].
     std::vector<BodyId> nodes;
 };
@@ -30,7 +30,7 @@ LineModes line_modes(const World& world, const scene::Cable& cable,
         if (world.body_def(cable.nodes[i]).kind == BodyKind::lump) moving.push_back(i);
     }
     const auto n = static_cast<Eigen::Index>(moving.size());
-    // Of the stiffness: a node is joined to its two neighbours.
+    // Diagonals of the stiffness: each node is coupled to its two neighbours.
     Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
     Eigen::VectorXd beside = Eigen::VectorXd::Zero(std::max<Eigen::Index>(n - 1, 0));
     m.weight.resize(n);
@@ -62,11 +62,12 @@ LineModes line_modes(const World& world, const scene::Cable& cable,
     return m;
 }
 
-/// Frequency [Hz] of a mode that starts with an amplitude small against the elements, read off
-/// the zeros of its modal coordinate.
+/// Return the frequency of a mode [Hz] from the zeros of its modal coordinate. The initial
+/// amplitude is small against the elements.
 double measured_frequency(scene::Scene& s, const LineModes& m, Eigen::Index mode,
                           const Vec3& direction) {
-    constexpr double kAmplitude = 1e-5;  // [m]: slopes of 1e-5, frequency shift of order 1e-10
+    constexpr double kAmplitude =
+        1e-5;  // Amplitude [m]: slopes of 1e-5, frequency shift of order 1e-10
     for (std::size_t i = 0; i < m.nodes.size(); ++i) {
         Pose pose = s.world.pose(m.nodes[i]);
         pose.position += kAmplitude * m.shape(static_cast<Eigen::Index>(i), mode) * direction;
@@ -155,7 +156,7 @@ void case_hanging_chain(Report& report) {
                           1.9,
                           "relative, against the lumped form"}},
                         run, kTo960);
-        if (mode == 0) {  // the higher modes of 20 lumps are 1 % and 4 % below the continuum
+        if (mode == 0) {  // the higher modes of 20 nodes are 1 % and 4 % below the continuum
             const double continuum = kBessel[0] / (4.0 * kPi) * std::sqrt(kGravity / kLength);
             report.compare("frequency 1 of the continuum [Hz]", {continuum},
                            report.checks().back().ours, 1e-3,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file cases.h
-/// The validation cases. Each opens its scenes, runs them and writes into the report.
+/// Validation cases. Each opens its scenes, runs them and writes to the report.
 
 #include "validate/report.h"
 
@@ -48,7 +48,7 @@ void case_motor_limits(Report& report);
 void case_rolling_resistance(Report& report);
 // winches.cpp
 void case_winches(Report& report);
-// winches_limits.cpp and winches_joined.cpp; parts of it
+// winches_limits.cpp and winches_joined.cpp; parts of case_winches()
 void report_winch_limits(Report& report);
 void report_joined_wires(Report& report);
 // cranes.cpp

@@ -23,17 +23,17 @@ std::array<BodyId, kHeadings> bodies(const World& world, const char* name) {
     return ids;
 }
 
-/// Of the values of all headings the one farthest from `wanted`.
+/// Return the value farthest from `wanted` among those of all headings.
 double farthest_from(double wanted, const std::array<double, kHeadings>& values) {
     return *std::max_element(values.begin(), values.end(), [&](double a, double b) {
         return std::abs(a - wanted) < std::abs(b - wanted);
     });
 }
 
-/// What the solver says of its steps.
+/// Solver statistics of the steps.
 struct Figures {
     double worst_map = 0.0;             ///< Largest natural map.
-    std::vector<double> work, sliding;  ///< Of every step.
+    std::vector<double> work, sliding;  ///< Work and number of sliding contacts of each step.
 };
 
 /// Step and collect figures of the solver.
@@ -106,7 +106,7 @@ void case_belt(Report& report) {
     const double t = 0.25 - 0.5 / 240.0;  // velocities are half a step behind
     report.compare("speed of a box after 0.25 s [m/s]", {kFriction * kGravity * t},
                    {s.world.velocity(box).linear.x()}, 1e-3, "relative; mu g t");
-    double stack = 0.0;  // it leans to and fro, its centre does not
+    double stack = 0.0;  // it leans, but its centre does not move
     for (const char* name : {"stack0", "stack1", "stack2"}) {
         stack += s.world.velocity(body(s.world, name)).linear.x() / 3.0;
     }
@@ -135,7 +135,7 @@ void case_rolling_sphere(Report& report) {
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Vec3 v = s.world.velocity(balls[i]).linear;
         rolling[i] = v.norm();
-        // Where the line through v(0) and v(0.5 s − h/2) reaches the speed of rolling.
+        // Time at which the line through v(0) and v(0.5 s − h/2) reaches the rolling speed.
         since[i] = (kSpeed - rolling[i]) * (0.5 - 0.5 * kStep) / (kSpeed - slowing[i]);
         const double heading = static_cast<double>(i) * kPi / 4.0;
         off[i] = std::abs(std::remainder(std::atan2(v.y(), v.x()) - heading, 2.0 * kPi));
@@ -244,9 +244,9 @@ void case_capstan(Report& report) {
         loaded += tension(s.world, wire.stretch[1]);
         pulled += tension(s.world, wire.stretch[wire.stretch.size() - 2]);
     }
-    // Elements touch at their middles. A node between two of them that meet at an angle d has
-    // half the force of each; with r = (T2 − T1)/(T2 + T1), s = sin d/2, c = cos d/2 its balance
-    // is r + mu² r² c s − mu s c = 0.
+    // Elements touch at their middles. A node between two elements at an angle d has half the force
+    // of each. With r = (T2 − T1)/(T2 + T1), s = sin d/2, c = cos d/2 its balance is r + mu² r² c s
+    // − mu s c = 0.
     const double turn = kPi / 32.0;
     const double sc = std::sin(0.5 * turn) * std::cos(0.5 * turn);
     double r = kFriction * sc;

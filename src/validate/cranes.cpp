@@ -39,7 +39,7 @@ struct Quay {
         if (change) change(def);
         ids = w.add(def);
     }
-    /// Of the hook that such a crane begins with.
+    /// Return the initial position of the hook of such a crane.
     template <class Def>
     static Vec3 point_of(Def (*make)(BodyId)) {
         World scratch;
@@ -50,7 +50,7 @@ struct Quay {
     [[nodiscard]] InteractionId part(const std::string& name) const {
         return interaction(w, "crane/" + name);
     }
-    /// Mean over a time of what `read` gives.
+    /// Return the mean of `read` over a time.
     double mean(double seconds, const std::function<double()>& read) {
         const long steps = std::lround(seconds / kCraneStep);
         double sum = 0.0;
@@ -63,8 +63,8 @@ struct Quay {
     void run(double seconds) { advance(w, std::lround(seconds / kCraneStep)); }
 };
 
-/// Line of knuckle_crane() by its geometry: from the drum over the knuckle's sheave and along the
-/// jib, two falls, and a sheave's diameter under the hook [m].
+/// Return the length of the line of knuckle_crane() from its geometry: from the drum over the
+/// knuckle's sheave, along the jib, and two falls. The hook hangs one sheave diameter lower [m].
 double line_of(const KnuckleCraneDef& d) {
     const double r = d.hoist.sheave_radius, x = d.boom.length - d.hoist.drum.x();
     const double z = d.hoist.drum.z(), first = std::sqrt(x * x + z * z - r * r);
@@ -73,7 +73,7 @@ double line_of(const KnuckleCraneDef& d) {
            r * (comes - d.jib_angle + 0.5 * kPi + d.boom_angle + d.jib_angle + 2.0);
 }
 
-/// What a cylinder pushes with against a moment.
+/// Return the force of a cylinder that balances a moment.
 double push_against(const CraneCylinder& c, const Vec3& pin, double angle, double moment) {
     const double co = std::cos(angle), si = std::sin(angle);
     const Vec3 head(c.head.x() * co - c.head.z() * si, 0, c.head.x() * si + c.head.z() * co);
@@ -83,7 +83,7 @@ double push_against(const CraneCylinder& c, const Vec3& pin, double angle, doubl
 
 void report_falls(Report& report) {
     constexpr double kMass = 20e3;
-    // Booms that give way change what lies on their sheaves.
+    // Compliant booms would change the length of line on their sheaves.
     const auto rigid = [](KnuckleCraneDef& def) {
         def.boom_cylinder.stiffness = def.jib_cylinder.stiffness = 1e13;
     };
@@ -172,7 +172,7 @@ void report_lattice(Report& report) {
                    5e-3, "largest, hoisting and lowering; means of 20 s");
 }
 
-/// The control file of a scene: what is set at a time.
+/// Read the control file of a scene: values by time.
 std::multimap<double, std::pair<std::string, double>> control_of(const std::string& file) {
     std::ifstream in(file);
     std::multimap<double, std::pair<std::string, double>> out;
@@ -192,7 +192,7 @@ std::multimap<double, std::pair<std::string, double>> control_of(const std::stri
     return out;
 }
 
-/// Lifts from deck to deck. @return how far from its target the load is at the end [m].
+/// Move a load from deck to deck. @return the distance of the load from its target at the end [m].
 double set_down(double mass, double& alarm) {
     scene::Scene s =
         open_scene("crane_knuckle", kCraneStep, {"bodies.load.mass=" + std::to_string(mass)});

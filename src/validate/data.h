@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file data.h
-/// Data of others, from the folder of `hawser validate --data`.
+/// External data, from the folder of `hawser validate --data`.
 
 #include <string>
 #include <vector>
@@ -9,12 +9,13 @@
 namespace hawser::validate {
 
 void set_data_folder(std::string folder);
-/// "": none was given.
+/// Return the folder of data; "": none was given.
 [[nodiscard]] const std::string& data_folder();
-/// A file in it. @throws std::runtime_error where there is no folder or no such file.
+/// Return the path of a file in it. @throws std::runtime_error if there is no folder or no such
+/// file.
 [[nodiscard]] std::string data_file(const std::string& name);
-/// Columns of numbers of a text file, tabs or spaces between them, lines without numbers passed
-/// over; an entry that is no number is NaN. @throws std::runtime_error
+/// Return the columns of numbers of a text file, separated by tabs or spaces. Lines without numbers
+/// are skipped; an entry that is no number becomes NaN. @throws std::runtime_error
 [[nodiscard]] std::vector<std::vector<double>> data_columns(const std::string& name);
 
 }  // namespace hawser::validate

@@ -9,7 +9,7 @@
 
 namespace hawser::validate {
 
-/// Those that "firstday" stands for; at most two minutes together.
+/// Return the cases of the group "firstday"; they take at most two minutes together.
 [[nodiscard]] std::span<const Case> firstday_cases();
 
 // firstday_lines.cpp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes with a slip of a first day, and the warning that hawser check gives.
+// Scenes with a beginner's mistake, and the warning of hawser check.
 #include <hawser/exercise.h>
 
 #include "record/scene_info.h"
@@ -19,7 +19,7 @@ namespace {
 
 using report::start::FindingKind;
 
-/// A moored barge with a winch on a pier, without a fault; `set` changes it.
+/// A moored barge with a winch on a pier, without a mistake; `set` changes it.
 constexpr const char* kGood = R"({"version": 1, "name": "warned",
   "line_types": {
     "chain": {"mass_per_length": 126.5, "EA": 5.83e8, "diameter": 0.076, "cd_normal": 2.4, "displaced_area": 0.01604},
@@ -42,7 +42,7 @@ struct Slip {
     const char* what;
     std::vector<std::string> set;
     FindingKind kind;
-    int count;  ///< Of warnings of this kind.
+    int count;  ///< Number of warnings of this kind.
 };
 
 int warnings(const std::vector<std::string>& set, FindingKind kind) {

@@ -18,13 +18,14 @@ namespace {
 constexpr double kSteps60[] = {1.0 / 60.0, 1.0 / 240.0};
 constexpr double kRho = 1025.0;
 
-/// Head waves on a barge of 60 x 20 x 3 m in deep water by linear diffraction theory: source panels
-/// on the wet surface (540 of them) with the Green function of deep water. Damping agrees with that
-/// of the exciting forces in 24 directions (Haskind's relation) to 2 %.
+/// Head waves on a barge of 60 x 20 x 3 m in deep water by linear diffraction theory. Method: 540
+/// source panels on the wet surface with the Green function of deep water. Damping agrees with that
+/// from the exciting forces in 24 directions (Haskind's relation) to 2 %.
 struct Diffraction {
-    double ratio;               ///< Wavelength over length.
-    double a33, b33, a55, b55;  ///< [kg, N s/m, kg m², N m s].
-    double heave, pitch;        ///< Amplitude over that of the wave, and over its slope.
+    double ratio;  ///< Wavelength over length.
+    double a33, b33, a55,
+        b55;              ///< Added mass and damping in heave and pitch [kg, N s/m, kg m², N m s].
+    double heave, pitch;  ///< Amplitude over that of the wave, and over its slope.
 };
 constexpr Diffraction kBarge[] = {
     {0.65, 7.68e6, 3.07e6, 1.83e9, 6.72e8, 0.118, 0.085},
@@ -75,7 +76,7 @@ Motion barge_motion(const Diffraction& d, double step, double amplitude) {
     return {std::abs(heave) / amplitude, std::abs(pitch) / (k * amplitude)};
 }
 
-/// Mean force of a soft spring that holds the barge of the scene that went wrong [N].
+/// Return the mean force of a soft spring that holds the barge of the scene with the mistake [N].
 double mean_drift(double period, double amplitude, double a33, double b33) {
     World w(WorldDef{.step = 1.0 / 30.0, .gravity = Vec3(0, 0, -kGravity)});
     const BodyId body = w.add_body(barge_body());
@@ -99,7 +100,7 @@ double mean_drift(double period, double amplitude, double a33, double b33) {
     return sum / static_cast<double>(count) / spring.compliance[0];
 }
 
-/// Drag that current puts on a box of 20 x 10 x 8 m at a draught, over ½ρ C_dA u².
+/// Return the drag of a current on a box of 20 x 10 x 8 m at a draught, over ½ρ C_dA u².
 Vec3 drag_share(double draught, double mass, double design, double step, const Vec3& flow) {
     World w(WorldDef{.step = step, .gravity = Vec3(0, 0, -kGravity)});
     const bool held = mass <= 0.0;

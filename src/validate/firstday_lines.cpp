@@ -15,8 +15,8 @@ namespace {
 constexpr double kSteps[] = {1.0 / 60.0, 1.0 / 240.0};
 constexpr double kWater = 1025.0;
 
-/// Chain of 126.5 kg/m and 0.01604 m2 of two cables that lie on the bottom, along an axis turned by
-/// `degrees`, from a box that floats.
+/// Return a scene of a floating box with two cables to the bottom, along an axis turned by
+/// `degrees`. The cables are chains of 126.5 kg/m and 0.01604 m2.
 std::string mooring(double degrees) {
     const double c = std::cos(degrees * kPi / 180.0), s = std::sin(degrees * kPi / 180.0);
     std::string cables;
@@ -43,7 +43,7 @@ std::string mooring(double degrees) {
 /// Smallest and largest tension of an element over a second, over that of its stretch at the start.
 struct FirstSecond {
     double start = 0.0, low = 0.0, high = 0.0;
-    double rise = 0.0;  ///< Of the element at the start, over its length.
+    double rise = 0.0;  ///< Rise of the element at the start, over its length.
 };
 
 FirstSecond first_second(scene::Scene& scene, std::size_t cable, bool last) {
@@ -83,8 +83,8 @@ scene::Scene line_scene(const Line& line, double step, const char* shape = "hang
         "first_line", options);
 }
 
-/// Tension at the higher end of an elastic catenary of weight w, span x, rise z and length L: by
-/// bisection of H, for each of which V follows from the rise.
+/// Return the tension at the higher end of an elastic catenary of weight w, span x, rise z and
+/// length L. Bisection of H finds it; V follows from the rise for each H.
 double catenary_top(double w, double EA, double x, double z, double length) {
     const auto at = [&](double h, double v, double& dx, double& dz) {
         // V at the upper end; s from there down.

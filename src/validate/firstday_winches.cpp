@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Winches, bare drums, routes and guides of a first day against statics.
+// Winches, bare drums, routes and guides in a beginner's scenes, compared with statics.
 #include "validate/firstday.h"
 #include "validate/tools.h"
 
@@ -23,7 +23,7 @@ double events_of(const World& w, EventKind kind) {
     return static_cast<double>(w.event_extremes(kind).count);
 }
 
-/// A winch with the power P lifts a load of 20 t on wire of 4 kg/m.
+/// Check a winch with the power P that lifts a load of 20 t on wire of 4 kg/m.
 void report_power(Report& report, double step) {
     constexpr double kPower = 1e5, kLoad = 2e4, kLine = 4.0;
     World w(WorldDef{.step = step});
@@ -65,8 +65,8 @@ void report_power(Report& report, double step) {
                    {w.velocity(load).linear.z()}, 2e-2, "relative; the wire's weight falls");
 }
 
-/// A bare drum of radius r feeds a wire of the line density ρ with a load m: it is hauled to its
-/// stop and out again.
+/// Check a bare drum of radius r that feeds a wire of the line density ρ with a load m. The wire is
+/// hauled to its stop and paid out again.
 void report_drum(Report& report, double step) {
     constexpr double kLine = 23.0, kLoad = 13e3, kRadius = 0.5, kElement = 2.5;
     World w(WorldDef{.step = step});
@@ -117,7 +117,7 @@ void report_drum(Report& report, double step) {
                    "relative; r (m + rho (L - half an element)) g");
 }
 
-/// The light side of a line over two eyes is pulled up to its eye, where it stops.
+/// Check that the light side of a line over two eyes moves up to its eye and stops there.
 void report_eye(Report& report, double step) {
     constexpr double kLight = 12.0, kHeavy = 90.0, kLeft = 3.0, kRight = 2.0;
     World w(WorldDef{.step = step});
@@ -145,7 +145,7 @@ void report_eye(Report& report, double step) {
                    "absolute; 2 % of its part is left, and a step's way", 1.0);
 }
 
-/// A line with six turns about a bollard, e^{μθ} = 1e7, and 0.8 of the load that this holds.
+/// Check a line with six turns about a bollard, e^{μθ} = 1e7, and 0.8 of the load that it can hold.
 void report_bollard(Report& report, double step) {
     constexpr double kLight = 0.5, kRatio = 1e7, kTurns = 6.0, kHeavy = 0.8 * kRatio * kLight;
     World w(WorldDef{.step = step});
@@ -173,8 +173,8 @@ void report_bollard(Report& report, double step) {
                    {0.0}, {w.pose(b).position.z() - before}, 1e-4, "absolute; it is held", 1.0);
 }
 
-/// A wire drawn over the top of a wheel at the origin, level and then down. @return True if a guide
-/// of this radius is refused by a message that names the other side.
+/// Check a wire over the top of a wheel at the origin, first horizontal, then down. @return True if
+/// a guide of this radius is rejected by a message that names the other side.
 bool refuses_side(double radius) {
     World w;
     const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});

@@ -19,7 +19,7 @@ double force(const World& world, const char* name) {
     return world.force(interaction(world, name))[0];
 }
 
-/// Largest distance of a body from where it is now, over some time.
+/// Return the largest distance of a body from its present position, over a time.
 double drift(World& world, const char* name, double time) {
     const Vec3 from = world.pose(body(world, name)).position;
     double most = 0.0;
@@ -31,7 +31,7 @@ double drift(World& world, const char* name, double time) {
     return most;
 }
 
-/// Speeds are those half a step before the time.
+/// Return the time of the velocities, which is half a step before that of the poses.
 double middle(const World& world) { return world.time() - 0.5 * world.settings().step; }
 
 }  // namespace
@@ -54,7 +54,7 @@ void case_joint_friction(Report& report) {
     report.compare("wheel of 20 kg in a bearing, 0.02 m of its force [rad/s]",
                    {10.0 - 0.02 * 20.0 * kGravity / 3.0 * t0}, {spin(w, "bearing")}, 1e-9,
                    "relative; w - mu r m g t/I");
-    // Both stop: 2/3 s, 2.5 s; and stay where they stopped.
+    // Both stop, at 2/3 s and 2.5 s, and stay at rest.
     advance(w, steps_to(w, 3.0));
     report.compare("speed of the block and of the wheel after they stopped", {0.0, 0.0},
                    {speed(w, "stops"), spin(w, "coasts")}, 1e-12, "absolute: dry friction holds",
@@ -93,8 +93,8 @@ void case_joint_limits(Report& report) {
     scene::Scene s = open_scene("joint_limits", 1.0 / 240.0);
     World& w = s.world;
     advance(w, 1);
-    // From the last step before a stop is met to the first one after it: what swings freely keeps
-    // its energy to second order in the step only.
+    // Measure from the last step before the contact with a stop to the first step after it. Free
+    // rotation keeps its energy only to second order in the step.
     const double start = w.energy().mechanical();
     double free = start, most = 0.0;
     bool was_met = false;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFourBarRate = 3.5 / 3.0 * kGravity;  // θ̈ = rate sin θ, N = 2 [1/s²]
 
-/// Time of one turn: ∫ dθ/√(1 + 2 rate (1 − cos θ)); the trapezoidal rule converges
+/// Return the time of one turn: ∫ dθ/√(1 + 2 rate (1 − cos θ)). The trapezoidal rule converges
 /// geometrically for a periodic integrand.
 double revolution_time() {
     constexpr int kPoints = 2000;
@@ -45,7 +45,7 @@ Result four_bar(double step) {
     return result;
 }
 
-/// Angles of the test set at 0.03 s: β, Θ, γ, Φ, δ, Ω, ε [rad].
+/// Return the angles of the test set at 0.03 s: β, Θ, γ, Φ, δ, Ω, ε [rad].
 std::vector<double> squeezer(double step) {
     scene::Scene s = open_scene("andrews_squeezer", step);
     // Absolute angles of the seven bodies at the start.
@@ -73,7 +73,7 @@ std::vector<double> squeezer(double step) {
 
 void case_n_four_bar(Report& report) {
     const char* reason = "relative to the link of 1 m";
-    // Limit 1e-3 but for the later positions: the mechanism passes its upright pose at 1 m/s of
+    // Limit 1e-3, except for the later positions. The mechanism passes its upright pose at 1 m/s of
     // 6.8, where an error in energy is magnified 47-fold, two to five times.
     const char* late = "energy errors are magnified 47-fold at each upright pose";
     const double fastest = std::sqrt(1.0 + 4.0 * kFourBarRate);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Momentum of scenes on which nothing outside acts.
+// Momentum of scenes without external forces.
 #include "validate/cases.h"
 #include "validate/tools.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 constexpr long kSteps = 10'000;
 
-/// Σ m v and Σ x × m v. The second is the angular momentum of a scene of lumps.
+/// Σ m v and Σ x × m v. The second is the angular momentum of a scene of nodes.
 struct Momentum {
     Vec3 linear = Vec3::Zero();
     Vec3 angular = Vec3::Zero();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Painlevé's rod: friction that turns what slides into the ground.
+// Painlevé's rod: friction that turns a sliding rod into the ground.
 #include "validate/cases.h"
 #include "validate/tools.h"
 
@@ -11,8 +11,8 @@
 namespace hawser::validate {
 namespace {
 
-/// How far the force of a contact is from Coulomb's cone and the ground's side, over the largest
-/// force: found from what the contacts report, apart from the solver.
+/// Return the largest distance of a contact force from Coulomb's cone, over the largest force. It
+/// is computed from the contacts, independently of the solver.
 double outside_cone(const World& world, double friction) {
     double worst = 0.0, scale = 1e-300;
     for (const ContactView& c : world.contacts()) {
@@ -24,11 +24,11 @@ double outside_cone(const World& world, double friction) {
     return worst / scale;
 }
 
-/// A rod that slides at 1 m/s at an angle, just touching, in the first step: what presses the
-/// ground is p = (1 + 3 cos² − 3 μ sin cos)/m per unit of force, so that g/p is its force while p >
-/// 0, whatever the speed. At p ≤ 0 no finite force lets it slide on. The step and the contact are
-/// so short and stiff that Σ is a thousandth of the p at hand; the rod is so thin that its radius
-/// moves the threshold by 1e-5.
+/// Check the first step of a rod that slides at 1 m/s at an angle, just touching. The acceleration
+/// of its end is p = (1 + 3 cos² − 3 μ sin cos)/m per unit of normal force. The force therefore is
+/// g/p if p > 0, at any speed. At p ≤ 0 no finite force lets it slide on. The step is so short and
+/// the contact so stiff that Σ is a thousandth of p. The rod is so thin that its radius moves the
+/// threshold by 1e-5.
 void bracket(Report& report, double angle, double factor) {
     constexpr double kRadius = 1e-5, kStep = 1e-4;
     const double c = std::cos(angle), s = std::sin(angle);
@@ -49,7 +49,7 @@ void bracket(Report& report, double angle, double factor) {
     for (const ContactView& contact : scene.world.contacts()) {
         slides = slides || contact.sliding;
         force += contact.force.z();
-        const Vec3 arm(-c, 0.0, -s);  // where the step began
+        const Vec3 arm(-c, 0.0, -s);  // at the start of the step
         speed = (twist.linear + twist.angular.cross(arm)).head<2>().norm();
     }
     const bool certified = scene.world.stats().natural_map <= 1e-6;
@@ -73,8 +73,8 @@ void bracket(Report& report, double angle, double factor) {
 }  // namespace
 
 void case_painleve(Report& report) {
-    // tan(angle) = 2: paradox from mu = 4/3 on. Where friction jams, a step may end without a
-    // solution if it says so; what it calls solved must obey the law.
+    // tan(angle) = 2: paradox for mu ≥ 4/3. If friction jams, a step may report that it has no
+    // solution. A solution that it reports must obey the law.
     constexpr double kCertified = 1e-6;
     for (const double friction : {1.0, 1.6}) {
         scene::Scene s = open_scene("painleve", 1.0 / 240.0,
@@ -82,7 +82,7 @@ void case_painleve(Report& report) {
         const BodyId rod = body(s.world, "rod");
         const double start = s.world.pose(rod).position.z();
         double flagged = 0.0, cone = 0.0, highest = start;
-        constexpr long kSteps = 120;  // until it falls flat: what follows is an impact
+        constexpr long kSteps = 120;  // until it lies flat: an impact follows
         for (long k = 0; k < kSteps; ++k) {
             advance(s.world, 1);
             const bool certified = s.world.stats().natural_map <= kCertified;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A winch lowers an anchor and hauls it up again: the tension at its fairlead, also where nodes
-// come and go, and the account of wire.
+// A winch lowers an anchor and hauls it up again. Checked: the tension at the fairlead, also when
+// nodes are added and removed, and the account of wire.
 #include "validate/payout.h"
 #include "validate/wires.h"
 
@@ -28,7 +28,7 @@ struct Lowering {
         constexpr int kElements = 2;
         const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
         BodyDef anchor{.name = "anchor", .kind = BodyKind::lump};
-        // Lumps hold half of the elements beside them, the last one that of the last element.
+        // Nodes carry half of the adjacent elements; the anchor carries half of the last element.
         anchor.mass = kAnchor + 0.5 * kLineMass * element;
         const double stretched = element * (1.0 + anchor.mass * kGravity / kLineEA);
         anchor.position = Vec3(0, 0, -kElements * stretched);
@@ -42,7 +42,8 @@ struct Lowering {
     [[nodiscard]] double get(const char* signal) const {
         return w.system_signal(std::string("winch.") + signal);
     }
-    /// Wire that is out, by the masses of elements and what the winch says of its own [m].
+    /// Return the length of wire that is out, from the masses of elements and the winch's own
+    /// account [m].
     [[nodiscard]] double out() const {
         double sum = get("at_drum");
         for (const InteractionId id : w.elements(wire))
@@ -52,8 +53,8 @@ struct Lowering {
 };
 
 struct Lowered : Changes {
-    double error = 0.0;    ///< Of the tension at the fairlead at even speed, relative.
-    double account = 0.0;  ///< Of wire on the drum and off it [m].
+    double error = 0.0;    ///< Relative error of the tension at the fairlead at constant speed.
+    double account = 0.0;  ///< Error of the sum of wire on the drum and off it [m].
     int edits = 0, nodes = 0;
     Grade grade = Grade::good;
 };
@@ -74,7 +75,7 @@ Lowered lower(double way, double element, double damping, int end) {
         d.w.set_system_signal("winch.speed", t < once ? speed(t) : -speed(t - once));
         const double out = d.out();
         advance(d.w, 1);
-        // What the winch saw at the beginning of the step.
+        // The winch's value is that at the beginning of the step.
         const double now = d.get("pull");
         pull.push_back(now);
         if (d.w.nodes(d.wire).size() != nodes) edits.push_back(pull.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What the cases in which a winch lowers an anchor and hauls it up again have in common.
+// Shared parts of the cases in which a winch lowers an anchor and hauls it up again.
 #include "validate/tools.h"
 
 #include <hawser/winch.h>
@@ -17,10 +17,11 @@ inline constexpr double kStep = 1.0 / 60.0;
 inline constexpr double kLineMass = 23.0, kLineEA = 2.33e8;  // kg/m, N
 inline constexpr double kAnchor = 13e3;                      // kg
 inline constexpr double kStored = 1500.0, kWire = 0.076;     // m
-inline constexpr double kRamp = 10.0;                        // s, in which the speed comes and goes
+inline constexpr double kRamp = 10.0;                        // s, duration of a change of speed
 
-/// Speed over that which it comes to, `even` long, in and out within kRamp. Without a jump of
-/// acceleration, on which the anchor would bounce for minutes where nothing damps it.
+/// Return the speed over its final value, which is constant for `even` [s]. It rises and falls
+/// within kRamp without a jump of acceleration. Such a jump would let the anchor bounce for minutes
+/// if there is no damping.
 inline double speed_at(double t, double even) {
     const auto ramp = [](double x) {
         const double u = std::clamp(x / kRamp, 0.0, 1.0);
@@ -29,7 +30,8 @@ inline double speed_at(double t, double even) {
     return ramp(t) - ramp(t - even - kRamp);
 }
 
-/// The wire on the drum, of elements so long [m]. @param damping  WireDef::axial_damping.
+/// Return the wire on the drum. @param element  Length of its elements [m]. @param damping
+/// WireDef::axial_damping.
 inline WireDef trial_line(int elements, double element, double damping) {
     WireDef def;
     def.name = "wire";
@@ -42,7 +44,7 @@ inline WireDef trial_line(int elements, double element, double damping) {
     return def;
 }
 
-/// Its winch, which holds what it is told by speed.
+/// Return its winch in the mode `speed`.
 inline WinchDef trial_winch(WireId wire, int end = 0) {
     return {.name = "winch",
             .wire = wire,
@@ -57,13 +59,13 @@ inline WinchDef trial_winch(WireId wire, int end = 0) {
             .mode = WinchMode::speed};
 }
 
-/// How a tension changes in a step.
+/// Changes of a tension in a step.
 struct Changes {
-    double elsewhere = 0.0;  ///< Largest change a step far from an edit [N] …
+    double elsewhere = 0.0;  ///< Largest change in a step far from an edit [N] …
     double at_edits = 0.0;   ///< … and within half a second of one.
     double tension = 0.0;    ///< Largest [N].
 };
-/// @param edits  Steps after which nodes had come or gone, ascending.
+/// Compute the changes. @param edits  Steps after which nodes were added or removed, ascending.
 inline Changes changes_of(const std::vector<double>& pull, const std::vector<std::size_t>& edits) {
     Changes r;
     std::size_t next = 0;

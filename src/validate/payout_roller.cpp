@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A winch lowers an anchor over a roller and hauls it up again: the ratio of the tensions at the
-// roller, their changes where nodes run through, and the account of wire.
+// A winch lowers an anchor over a roller and hauls it up again. Checked: the ratio of the tensions
+// at the roller, their changes when nodes pass, and the account of wire.
 #include "validate/payout.h"
 #include "validate/wires.h"
 
@@ -55,7 +55,8 @@ struct OverRoller {
         (void)w.add(trial_winch(wire));
     }
     [[nodiscard]] double get(const std::string& signal) const { return w.system_signal(signal); }
-    /// Wire that is out, by the masses of lumps and what winch and guide say of their own [m].
+    /// Return the length of wire that is out, from the masses of nodes and the accounts of winch
+    /// and guide [m].
     [[nodiscard]] double out() const {
         double sum = get("winch.at_drum") + get("roller.wire_before") + get("roller.wire_behind");
         for (const BodyId id : w.nodes(wire))
@@ -66,7 +67,7 @@ struct OverRoller {
 
 struct RollerRun : Changes {
     double ratio = 0.0;    ///< Error of the ratio of tensions at even speed, relative.
-    double account = 0.0;  ///< Of wire on the drum and off it [m].
+    double account = 0.0;  ///< Error of the sum of wire on the drum and off it [m].
     Grade grade = Grade::good;
 };
 

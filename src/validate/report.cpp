@@ -38,7 +38,7 @@ std::string text(const std::vector<double>& v) {
     return out + (v.size() > 3 ? " ..." : "");
 }
 
-/// Infinite and undefined numbers have no JSON; they become null.
+/// Return a JSON number. Infinite and undefined numbers have no JSON; they become null.
 nlohmann::json number(double x) { return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(); }
 
 }  // namespace

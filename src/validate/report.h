@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file report.h
-/// What a validation case writes its results into.
+/// Results of a validation case.
 
 #include <functional>
 #include <limits>
@@ -14,51 +14,51 @@ namespace hawser::validate {
 struct Check {
     std::string case_id;
     std::string case_name;
-    std::string quantity;  ///< With its unit.
+    std::string quantity;  ///< Quantity with its unit.
     std::vector<double> reference;
     std::vector<double> ours;
     double error = 0.0;                                       ///< |ours − reference| / scale.
-    double order = std::numeric_limits<double>::quiet_NaN();  ///< Over the whole study.
+    double order = std::numeric_limits<double>::quiet_NaN();  ///< Order over the whole study.
     double tolerance = 0.0;                                   ///< Largest error accepted.
     double least_order = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> steps;   ///< Steps of a convergence study [s].
     std::vector<double> errors;  ///< Error at each of them.
     std::string reason;          ///< Why this tolerance.
-    std::string message;         ///< Of a case that could not be run.
+    std::string message;         ///< Message of a case that could not run.
     bool passed = false;
 };
 
 /// Result at one step: one vector for each quantity of the case.
 using Result = std::vector<std::vector<double>>;
 
-/// How a quantity is judged.
+/// Reference and tolerance of a quantity.
 struct Target {
     std::string quantity;
     std::vector<double> reference;
-    double scale = 0.0;        ///< Error is divided by it; 0: the length of the reference.
-    double tolerance = 1e-3;   ///< At the judged step.
-    double least_order = 1.9;  ///< Over all halvings together.
+    double scale = 0.0;        ///< Divisor of the error; 0: the length of the reference.
+    double tolerance = 1e-3;   ///< Tolerance at the reference step.
+    double least_order = 1.9;  ///< Least order over all halvings.
     std::string reason = "relative, second order";
 };
 
-/// Steps of a convergence study, each half of the one before, and which one the error is taken
-/// from. The order is taken over all halvings together: errors of a phase (second order) and of
-/// a dissipation (third) may have opposite signs and make single halvings look better or worse.
+/// Steps of a convergence study, each half of the previous one, and the index of the step for the
+/// error. The order is that over all halvings. Errors of phase (second order) and dissipation
+/// (third order) may have opposite signs and distort single halvings.
 struct Steps {
     std::vector<double> steps;
     std::size_t judged = 0;
 };
 /// Error at h = 1/960 s, order over three halvings about it.
 inline const Steps kAbout960{{1.0 / 480, 1.0 / 960, 1.0 / 1920, 1.0 / 3840}, 1};
-/// The same error, order over three coarser halvings: where finer ones drown in the resolution
-/// of the measurement.
+/// The same error, order over three coarser halvings, for cases in which finer steps are limited by
+/// the resolution of the measurement.
 inline const Steps kTo960{{1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 960}, 3};
 
 class Report {
   public:
     void begin(std::string id, std::string name);
 
-    /// Compare once. @param scale 0: the length of the reference.
+    /// Compare a value with its reference. @param scale 0: the length of the reference.
     Check& compare(std::string quantity, std::vector<double> reference, std::vector<double> ours,
                    double tolerance, std::string reason, double scale = 0.0);
 
@@ -67,7 +67,7 @@ class Report {
                   const std::function<Result(double step)>& simulate,
                   const Steps& steps = kAbout960);
 
-    /// Note that the case threw, which is a failed check.
+    /// Record that the case threw, which is a failed check.
     void fail(std::string message);
 
     [[nodiscard]] const std::vector<Check>& checks() const noexcept { return checks_; }

@@ -12,7 +12,7 @@
 namespace hawser::validate {
 namespace {
 
-// Of the scene.
+// Constants of the scene.
 constexpr double kBall = 0.5, kRolling = 0.05, kTorsional = 0.02, kSlopeOfRolling = 0.2;
 
 std::vector<BodyId> group(const World& world, const char* name, int count) {
@@ -21,14 +21,14 @@ std::vector<BodyId> group(const World& world, const char* name, int count) {
     return ids;
 }
 
-/// Largest distance from `wanted`, as the value that has it.
+/// Return the value with the largest distance from `wanted`.
 double worst_of(double wanted, const std::vector<double>& values) {
     return *std::max_element(values.begin(), values.end(), [&](double a, double b) {
         return std::abs(a - wanted) < std::abs(b - wanted);
     });
 }
 
-/// Balls that stay: how far they move and turn after the first second.
+/// Check balls at rest: their displacement and rotation after the first second.
 void report_hold(Report& report) {
     scene::Scene s = open_scene("rolling_resistance", 1.0 / 60.0);
     const std::vector<BodyId> balls = group(s.world, "hold", 8);

@@ -17,7 +17,7 @@ struct Case {
     void (*run)(Report&);
 };
 
-/// Those that "robust" stands for.
+/// Return the cases of the group "robust".
 [[nodiscard]] std::span<const Case> robust_cases();
 
 // robust_wires.cpp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Orders of dampers where steps resolve them: a body on a spring and a damper, one with drag, a
-// hull that heaves. All have closed forms.
+// Orders of dampers at steps that resolve them: a body on a spring and a damper, one with drag, a
+// heaving hull. All have closed forms.
 #include "validate/robust.h"
 #include "validate/tools.h"
 
@@ -10,13 +10,13 @@
 namespace hawser::validate {
 namespace {
 
-/// x'' + 2 d x' + w² x = 0 from x(0) = 1, x'(0) = 0, d < w.
+/// Return x(t) of x'' + 2 d x' + w² x = 0 from x(0) = 1, x'(0) = 0, d < w.
 double swing_at(double d, double w, double t) {
     const double rate = std::sqrt(w * w - d * d);
     return std::exp(-d * t) * (std::cos(rate * t) + d / rate * std::sin(rate * t));
 }
 
-/// Largest |reference − ours| over 2 s in steps of 1/60 s, of what `value` reads.
+/// Return the largest |reference − value| over 2 s, sampled every 1/60 s.
 template <class Value, class Reference>
 double largest_error(World& world, Value&& value, Reference&& reference) {
     const long each = std::lround(1.0 / 60.0 / world.settings().step);
@@ -35,7 +35,7 @@ World still_world(double step) {
     return World(def);
 }
 
-/// 1 kg on 100 N/m and 2 N s/m, from 0.1 m away [m].
+/// Return the error of 1 kg on 100 N/m and 2 N s/m, from 0.1 m away [m].
 double damper_error(double step) {
     World w = still_world(step);
     const BodyId wall = w.add_body({.name = "wall", .kind = BodyKind::fixed});
@@ -53,7 +53,7 @@ double damper_error(double step) {
         [](double t) { return 0.1 * swing_at(1.0, 10.0, t); });
 }
 
-/// 2 kg thrown at 3 m/s against 4 N s/m, under 1 N along its way [m].
+/// Return the error of 2 kg thrown at 3 m/s against 4 N s/m, under 1 N along its path [m].
 double drag_error(double step) {
     World w = still_world(step);
     const BodyId ball = w.add_body({.name = "ball",
@@ -67,7 +67,8 @@ double drag_error(double step) {
         [](double t) { return 0.25 * t + (3.0 - 0.25) / 2.0 * (1.0 - std::exp(-2.0 * t)); });
 }
 
-/// A hull of 2,000 t, heave period 6 s, damped by a tenth of critical, from 1 m too high [m].
+/// Return the error of a hull of 2,000 t, heave period 6 s, damped by a tenth of critical, from 1 m
+/// too high [m].
 double heave_error(double step) {
     constexpr double kMass = 2e6, kRate = 2.0 * kPi / 6.0, kShare = 0.1;
     World w = still_world(step);

@@ -19,10 +19,11 @@ namespace {
 // ---- a boom on a slewing platform
 // ----------------------------------------------------------------
 
-constexpr double kArm = 3.0, kBoom = 120.0;  ///< [m], [kg].
+constexpr double kArm = 3.0, kBoom = 120.0;  ///< Arm [m] and mass of the boom [kg].
 const Vec3 kBoomHalf{3.0, 0.3, 0.2}, kPlatformHalf{1.0, 1.0, 0.3};
 
-/// Where the boom's centre is after `time`, from Lagrange's equations in slew and luff by RK4.
+/// Return the position of the boom's centre after `time`, from Lagrange's equations in slew and
+/// luff by RK4.
 Vec3 boom_exact(double rate, double time) {
     const Mat3 ib = solid_box(Vec3::Zero(), kBoom, kBoomHalf).inertia;
     const double ip = solid_box(Vec3::Zero(), 500.0, kPlatformHalf).inertia(2, 2);
@@ -54,7 +55,7 @@ Vec3 boom_exact(double rate, double time) {
 
 struct Slew {
     Vec3 boom;
-    double unexplained;  ///< Largest energy out of nothing, of what was exchanged.
+    double unexplained;  ///< Largest energy without a source, relative to the exchanged energy.
 };
 Slew slew(double rate, bool two, Cost& cost) {
     World w({.step = kRobustStep});
@@ -130,7 +131,7 @@ void case_long_motions(Report& report) {
     BodyId last{};
     for (int i = 0; i < 7; ++i) {
         BodyDef rod = solid_box({0.8 * (i + 0.5), 0, 0}, 10.0, {0.4, 0.04, 0.04});
-        // Each turns about its own centre so that the joints' points agree.
+        // Each rotates about its own centre so that the joints' points agree.
         const double w0 = i % 2 == 0 ? 12.0 : -12.0;
         rod.angular_velocity = {0, 0, w0};
         rod.velocity = {0, i % 2 == 0 ? 0.0 : 0.0, 0};
@@ -142,7 +143,7 @@ void case_long_motions(Report& report) {
     chain.set_velocity(BodyId{0}, {{0, 0, 20}, {0, 25, 12}});
     chain.set_velocity(BodyId{6}, {{0, 15, -20}, {0, 25, -12}});
     Cost chained;
-    run_counted(chain, 2, chained);  // the start is made to fit the joints
+    run_counted(chain, 2, chained);  // the start is made consistent with the joints
     const Vec3 before = angular_momentum(chain);
     double tip = 0.0;
     for (long k = 0; k < 4800; ++k) {

@@ -19,12 +19,13 @@ namespace {
 // ---- Bennett's linkage
 // -----------------------------------------------------------------------------
 
-/// Four links a, b, a, b [m] twisted by α, β with sin α/a = sin β/b: a closed chain of four hinges
-/// that moves although its rows ask for less than nothing (G. T. Bennett, 1903).
+/// Four links a, b, a, b [m] twisted by α, β with sin α/a = sin β/b. This closed chain of four
+/// hinges moves although a count of its rows leaves a negative number of freedoms (G. T. Bennett,
+/// 1903).
 struct Bennett {
     double a, b, alpha, beta;
-    /// Frames of the hinges 1-4, z along the axis, for the first joint's angle; link k is between
-    /// the hinges k and k + 1.
+    /// Return the frames of the hinges 1-4, z along the axis, for the first joint's angle; link k
+    /// is between the hinges k and k + 1.
     [[nodiscard]] std::array<Eigen::Isometry3d, 4> frames(double theta) const {
         const double k = std::sin(0.5 * (beta + alpha)) / std::sin(0.5 * (beta - alpha));
         const double phi = 2.0 * std::atan2(k * std::cos(0.5 * theta), std::sin(0.5 * theta));
@@ -42,14 +43,14 @@ struct Bennett {
         closing = (t.translation()).norm();
         return out;
     }
-    mutable double closing = 0.0;  ///< By how much the last one misses the first [m].
+    mutable double closing = 0.0;  ///< Distance between the last link and the first [m].
     [[nodiscard]] Vec3 end(std::size_t link, const std::array<Eigen::Isometry3d, 4>& f) const {
         const double length[4] = {a, b, a, b};
         return f[link] * Vec3(length[link], 0, 0);
     }
 };
 
-/// Poses of the three links that move: centre between the hinges, axes those of the first hinge.
+/// Return the pose of a moving link: centre between the hinges, axes of the first hinge.
 Pose link_pose(const Bennett& m, std::size_t link, double theta) {
     const auto f = m.frames(theta);
     return {0.5 * (f[link].translation() + m.end(link, f)), Quat(f[link].rotation())};
@@ -123,8 +124,8 @@ double bennett_error(std::mt19937& random, Cost& cost, double& closing) {
 // ---- the flyball governor
 // -------------------------------------------------------------------------
 
-/// IFToMM A05: two arms with balls of 5 kg on a shaft that turns freely, held to a slider by stiff
-/// springs with dampers. @return the slider, a body of `w`.
+/// Build IFToMM A05: two arms with balls of 5 kg on a freely turning shaft, connected to a slider
+/// by stiff springs with dampers. @return the slider, a body of `w`.
 BodyId build_governor(World& w) {
     constexpr double kSpin = 2.0 * kPi, kOpen = kPi / 6.0, kRodMass = 0.3, kBallMass = 5.0;
     auto add = [&](BodyDef d) {
@@ -165,7 +166,7 @@ BodyId build_governor(World& w) {
     return slider;
 }
 
-/// The slider's way down each tenth of a second for ten.
+/// Return the slider's displacement downwards each tenth of a second for 10 s.
 std::vector<double> governor_course(double step) {
     World w({.step = step});
     const BodyId slider = build_governor(w);

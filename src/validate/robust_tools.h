@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file robust_tools.h
-/// What the robust cases of rigid joints share.
+/// Shared parts of the robust cases of rigid joints.
 
 #include "validate/tools.h"
 
@@ -11,7 +11,7 @@ namespace hawser::validate {
 
 inline constexpr double kRobustStep = 1.0 / 60.0;  ///< The user's step [s].
 
-/// @param half  Half edges [m].
+/// Return a solid box. @param half  Half edges [m].
 inline BodyDef solid_box(const Vec3& position, double mass, const Vec3& half) {
     const Vec3 s = half.cwiseProduct(half);
     return {.position = position,
@@ -20,7 +20,7 @@ inline BodyDef solid_box(const Vec3& position, double mass, const Vec3& half) {
                 Vec3(mass / 3.0 * Vec3(s.y() + s.z(), s.x() + s.z(), s.x() + s.y())).asDiagonal()};
 }
 
-/// Joint at a world point; of hinges, about a world axis.
+/// Return a joint at a world point; for hinges, about a world axis.
 inline InteractionDef joint(const World& w, InteractionKind kind, BodyId a, BodyId b,
                             const Vec3& at, const Vec3& axis = Vec3::UnitZ()) {
     InteractionDef d{.kind = kind, .body = {a, b}};
@@ -33,7 +33,7 @@ inline InteractionDef joint(const World& w, InteractionKind kind, BodyId a, Body
     return d;
 }
 
-/// A figure that is to be small.
+/// Report a figure that must be small.
 inline void below(Report& report, const std::string& what, double value, double limit,
                   const std::string& reason) {
     report.compare(what, {0.0}, {value}, limit, reason, 1.0);
@@ -62,7 +62,7 @@ inline void run_counted(World& w, long steps, Cost& cost) {
     }
 }
 
-/// Σ of the bodies' angular momentum about the origin, at the step's middle.
+/// Return Σ of the bodies' angular momentum about the origin, at the middle of the step.
 inline Vec3 angular_momentum(const World& w) {
     Vec3 sum = Vec3::Zero();
     const double h = w.settings().step;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wires of lumps at steps that resolve neither their swing across nor the one along. `Ratio` is
-// h √(T/ρ)/l: so many elements a wave across runs along in a step; one is the limit of a step
-// without geometric stiffness.
+// Wires of nodes at steps that resolve neither their transverse nor their axial vibration. `Ratio`
+// is h √(T/ρ)/l. It is the number of elements that a transverse wave passes in a step. Without
+// geometric stiffness, one is the limit of a step.
 #include "validate/robust.h"
 #include "validate/tools.h"
 
@@ -16,13 +16,12 @@ namespace {
 
 constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 
-constexpr int kElements = 60;  ///< Of 1 m.
-constexpr double kPull = 1e6;  ///< [N]
+constexpr int kElements = 60;  ///< Number of elements of 1 m.
+constexpr double kPull = 1e6;  ///< Tension [N].
 
-/// A wire along x, fast at one end, under the tension T of a force that pulls at a small mass at
-/// its other end, with a third of the drag that ends the bounce of a wire with EA/T 200. Its nodes
-/// are off the line by up to `bend`: it straightens, and where that is far, goes slack and comes
-/// taut again.
+/// A wire along x, fixed at one end, under the tension T of a force on a small mass at its other
+/// end. It has a third of the drag that stops the bounce of a wire with EA/T 200. Its nodes are off
+/// the line by up to `bend`. It straightens; after a large bend it becomes slack and taut again.
 struct ZigZag {
     double ratio, bend, stiffness, damping, step;  ///< Stiffness: EA/T.
     [[nodiscard]] double density() const { return kPull * step * step / (ratio * ratio); }
@@ -46,16 +45,16 @@ struct Wire {
     std::vector<BodyId> nodes;
 };
 
-/// @param bend  Of a zigzag whose free end is pulled, not negative; else both ends are fast and the
-/// wire is taut.
+/// Build a wire. @param bend  ≥ 0: a zigzag with a free end under tension. Negative: a taut wire
+/// with both ends fixed.
 Wire straight_wire(double step, double density, double stiffness, double damping, double bend) {
     const bool taut = bend < 0.0;
     WorldDef def;
     def.step = step;
     def.gravity = Vec3::Zero();
-    // Bends of 0.3 l are to stay bounded, whatever judges say of them.
+    // For bends of 0.3 l the case requires bounded motion only, not a good verdict of the monitors.
     if (bend > 0.2) def.on_diverged = OnDiverged::warn;
-    def.staggered_start = taut;  // else the energy at the start is that of half a step before
+    def.staggered_start = taut;  // otherwise the energy at the start is that of half a step before
     Wire out{World(def), {}, {}};
     Noise noise;
     const double stretched = 1.0 + 1.0 / stiffness;
@@ -96,12 +95,12 @@ Wire straight_wire(double step, double density, double stiffness, double damping
     return out;
 }
 
-/// What came of a zigzag wire.
+/// Results of a zigzag wire.
 struct Outcome {
-    double created = 0.0;         ///< Energy from nothing, of what was exchanged.
+    double created = 0.0;         ///< Energy without a source, relative to the exchanged energy.
     double ripple = 0.0;          ///< Deviation of the tension, rms, of T.
     double most = 0.0;            ///< Largest tension, of T.
-    double factorisations = 0.0;  ///< A step, mean.
+    double factorisations = 0.0;  ///< Mean number of factorisations in a step.
 };
 
 Outcome run_zigzag(const ZigZag& z) {
@@ -133,12 +132,12 @@ Outcome run_zigzag(const ZigZag& z) {
 
 std::string damping_text(double d) { return std::isnan(d) ? "absent" : fmt::format("{:g}", d); }
 
-/// Worst of some runs, and whose it was.
+/// Worst value of some runs, and its run.
 struct Worst {
     double value = 0.0;
     std::string whose;
     void take(double v, const ZigZag& z) {
-        if (v <= value || std::isnan(value)) return;  // a NaN is taken, and stays
+        if (v <= value || std::isnan(value)) return;  // a NaN is stored and stays
         value = v;
         whose = fmt::format("EA/T {:g}, axial damping {}, step {:.3g} s", z.stiffness,
                             damping_text(z.damping), z.step);
@@ -148,7 +147,7 @@ struct Worst {
     }
 };
 
-/// All wires of a ratio and a bend.
+/// Run all wires of a ratio and a bend.
 void zigzags(Report& report, double ratio, double bend) {
     Worst created, calm, lively, most;
     double few = 0.0, many = 0.0;
@@ -191,10 +190,10 @@ void zigzags(Report& report, double ratio, double bend) {
         report.compare(name + "the same, EA/T 5000", {1.0}, {many / stiff_runs}, 9.0, "mean", 1.0);
 }
 
-/// First swing of a taut wire between fixed ends.
+/// First vibration mode of a taut wire between fixed ends.
 struct Sway {
     double period = 0.0;  ///< Mean of the first 19 [s].
-    double kept = 0.0;    ///< Amplitude after them, of the first.
+    double kept = 0.0;    ///< Amplitude after them, relative to the first.
 };
 
 Sway sway(double steps_a_period) {
@@ -228,7 +227,8 @@ Sway sway(double steps_a_period) {
     return out;
 }
 
-/// Tension of the last element and where a cable's free end is, at the end of a scene.
+/// Report the tension of the last element and the position of a cable's free end, at the end of a
+/// scene.
 void settle(Report& report, const std::string& scene, double step, const std::string& damping,
             double tension, double place) {
     std::vector<std::string> set;

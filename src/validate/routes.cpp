@@ -18,8 +18,8 @@ namespace {
 constexpr double kStep = 1.0 / 60.0, kEA = 2.33e8, kRub = 0.3;
 constexpr double kHalfWide = 0.5, kHang = 5.0;
 
-/// Two weights on a line over a post with so many places, which moves or not; the second one is
-/// `share` of what the friction can hold.
+/// Two weights on a line over a post with `places` turning points, which moves or not. The second
+/// weight is `share` of the limit of the friction.
 class Post {
   public:
     World w{WorldDef{.step = kStep}};
@@ -29,7 +29,8 @@ class Post {
 
     Post(int places, double turns, double light_in, double share, bool moves, double damping)
         : ratio(std::exp(kRub * 2.0 * kPi * turns)), light(light_in) {
-        // What damps the weights moves with the post: beside it all is as beside one that stands.
+        // The damping of the weights refers to the post's velocity, so that results do not depend
+        // on its motion.
         const Vec3 speed = moves ? Vec3(0.5, 0.3, 0.2) : Vec3::Zero();
         const BodyId post = w.add_body({.name = "post",
                                         .kind = moves ? BodyKind::kinematic : BodyKind::fixed,
@@ -56,7 +57,7 @@ class Post {
                          .point = {(2.0 * s - 1.0) * kHalfWide, 0, top},
                          .friction = kRub,
                          .angle = 2.0 * kPi * turns / places};
-            // One place alone is the post as a cylinder: its legs hang straight down.
+            // A single turning point is the post as a cylinder: its legs hang vertically.
             if (places == 1) {
                 p.radius = kHalfWide;
                 p.turns = static_cast<int>(std::floor(turns));
@@ -72,7 +73,7 @@ class Post {
         }
     }
     [[nodiscard]] double slid() const { return w.pose(line.slides.front()).position.x(); }
-    /// Of all places.
+    /// Return the displacement at all turning points.
     [[nodiscard]] std::vector<double> slides() const {
         std::vector<double> out;
         for (const BodyId id : line.slides) out.push_back(w.pose(id).position.x());
@@ -119,13 +120,13 @@ void check_posts(Report& report) {
         for (Post* p : {&below, &above}) p->run(60.0);
         const double held = below.slid(), ran = above.slid();
         for (Post* p : {&below, &above}) p->run(5.0);
-        // It would run at a speed at which the weights' damping takes what is too much.
+        // It would move at the speed at which the weights' damping balances the excess load.
         const double too_much = kNear * kGravity * above.ratio;
         const double speed = too_much / (0.3 * 2.0 * above.ratio);
         if (std::abs(below.slid() - held) > 1e-9) begins = 1.0;
         if (!(std::abs(above.slid() - ran) > 0.5 * speed * 5.0)) begins = 1.0;
         Post beyond(k.places, k.turns, k.light, 1.1, k.moves, 0.0);
-        beyond.run(3.0);  // the lighter one has not come up to the post
+        beyond.run(3.0);  // the lighter one has not reached the post
         slides = std::max(slides, std::abs(beyond.tensions() / beyond.ratio - 1.0));
         const double before = beyond.falls();
         beyond.run(1.0);
@@ -149,7 +150,7 @@ void check_posts(Report& report) {
     report.compare("posts: acceleration at 1.1 of it", {1.0}, {1.0 + falls}, 1e-3, "largest");
     report.compare("posts: drift at 0.99 of it in 100 s [m]", {0.0}, {drift}, 1e-9,
                    "largest of all places", 1.0);
-    // Allowed is what is meant: a count has no rounding.
+    // The limit is exact: a count has no rounding.
     report.compare("posts: most factorisations in a step", {8.0}, {std::max(8.0, 1.0 * most)}, 1e-9,
                    fmt::format("at most {}, absolute", most), 1.0);
 }
@@ -210,7 +211,7 @@ void case_tackle(Report& report) {
                 lead = std::max(lead, std::abs(sum / static_cast<double>(steps) / expected - 1.0));
                 speed = std::max(speed, std::abs((t.height() - from) / 4.0 / (v / n) - 1.0));
             }
-        // Nothing rubs: the whole line is one spring.
+        // Without friction the whole line is one spring.
         const double mass = 100.0 * kLoad;
         const double length = (n * kDeep + kLead) / (1.0 + mass * kGravity / (n * kEA));
         Tackle t(n, 1.0, mass, 0.0, 0.0);

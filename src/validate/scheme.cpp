@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the time stepper. With a compliance e and a damping time n h a row g obeys
-// e f = −(mean of g + n h r), r = t G v₊ + (1 − t) G v the rate that its damper sees and t = 1
-// where n is the scheme's own; see docs/methods.md.
+// Properties of the time stepper. With a compliance e and a damping time n h a row g obeys e f =
+// −(mean of g + n h r). Here r = t G v₊ + (1 − t) G v is the rate for its damper. If n is that of
+// the scheme, t = 1 (docs/methods.md).
 #include "validate/cases.h"
 #include "validate/reference.h"
 #include "validate/tools.h"
@@ -19,8 +19,7 @@ std::string set_value(const std::string& path, double value) {
     return fmt::format("{}={:.17g}", path, value);
 }
 
-/// What x_{k+1}, x_k, x_{k−1} are multiplied by in the step of x'' + c x' + k x = 0, W = h
-/// sqrt(k/m).
+/// Factors of x_{k+1}, x_k, x_{k−1} in the step of x'' + c x' + k x = 0, W = h sqrt(k/m).
 struct Recurrence {
     double next, now, last;
 };
@@ -31,7 +30,7 @@ Recurrence recurrence(double w, double n) {
             1.0 + s * (1.0 - 4.0 * n * (1.0 - t))};
 }
 
-/// Largest root of the recurrence.
+/// Return the largest root of the recurrence.
 double largest_root(double w, double n) {
     const auto [a, b, c] = recurrence(w, n);
     const std::complex<double> root = std::sqrt(std::complex<double>(b * b - 4.0 * a * c));
@@ -67,7 +66,7 @@ void case_static_violation(Report& report) {
 }
 
 void case_violation_decay(Report& report) {
-    // Soft enough to be no rigid joint, which would hold at the end of the first step.
+    // The row is too soft for a rigid joint, which would be closed at the end of the first step.
     scene::Scene s =
         open_scene("scheme_decay", 1.0 / 60.0, {"interactions.spring.compliance=1e-12"});
     const InteractionId row = interaction(s.world, "spring");
@@ -122,7 +121,8 @@ void case_linear_invariant(Report& report) {
         high = std::max(high, invariant());
     }
     // Positions of 2 to 4 m are rounded by 1.3e-16 m (one standard deviation) a step, against up to
-    // 1e3 N in the stiffest spring: in 1e5 steps a walk of 4e-11 J, 6e-12 of the energy.
+    // 1e3 N in the stiffest spring. In 1e5 steps this is a random walk of 4e-11 J, 6e-12 of the
+    // energy.
     report.compare("spread over 1e5 steps, three masses [J]", {0.0}, {high - low}, 5e-11,
                    "rounding of positions, 1e5 steps at random", start);
 

@@ -9,9 +9,9 @@
 
 namespace hawser::validate {
 
-/// Those that "sea" stands for.
+/// Return the cases of the group "sea".
 [[nodiscard]] std::span<const Case> sea_cases();
-[[nodiscard]] std::span<const Case> long_sea_cases();  ///< Not among those of "sea".
+[[nodiscard]] std::span<const Case> long_sea_cases();  ///< Not part of the group "sea".
 
 // sea_waves.cpp
 void case_sea_waves(Report& report);
@@ -30,7 +30,7 @@ void case_sea_sphere(Report& report);
 // sea_rao.cpp
 void case_sea_rao(Report& report);
 
-/// Cases that need data of others, by name alone.
+/// Return the cases that need external data; they run by name only.
 [[nodiscard]] std::span<const Case> data_cases();
 
 }  // namespace hawser::validate

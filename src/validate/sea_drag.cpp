@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drag, buoyancy and waves on lumps and lines.
+// Drag, buoyancy and waves on nodes and lines.
 #include "validate/sea.h"
 #include "validate/tools.h"
 

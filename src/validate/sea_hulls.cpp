@@ -39,7 +39,7 @@ struct FloatingBox {
     }
 };
 
-/// ω of x_{k+1} + x_{k−1} = 2 cos(ωh) x_k, about its mean.
+/// Return ω of x_{k+1} + x_{k−1} = 2 cos(ωh) x_k, about its mean.
 double frequency_of(const std::vector<double>& x, double h) {
     double above = 0.0, below = 0.0;
     for (std::size_t k = 1; k + 1 < x.size(); ++k) {
@@ -120,7 +120,7 @@ void case_sea_froude_krylov(Report& report) {
     const double period = 2.0 * kPi / omega;
     World w(WorldDef{.step = period / 200.0});
     const BodyId box = w.add_body({.name = "box", .kind = BodyKind::fixed});
-    // What only is there to be moved.
+    // A world needs at least one moving body.
     w.add_body({.name = "lump", .kind = BodyKind::lump, .mass = 1.0, .gravity = false});
     HullMesh mesh = box_hull({0.5 * kLong, 0.5 * kWide, kDeep}, 40, 6, 10);
     SeaDef sea{.depth = kDepth};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A semi-submersible in regular waves with coefficients of WAMIT, beside WAMIT's own motions (.4)
-// and mean drift (.9). Its mass, centre of mass and outer roll damping are those of the run's .frc.
+// A semi-submersible in regular waves with coefficients of WAMIT, compared with WAMIT's own motions
+// (.4) and mean drift (.9). Its mass, centre of mass and external roll damping are those of the
+// run's .frc.
 #include <hawser/hydro_files.h>
 
 #include "base/dense.h"
@@ -22,9 +23,11 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double kSemiMass = 51'979'800.0, kSemiG = -0.5, kRollDamping = 2e9;
-constexpr double kWaveAmplitude = 0.25;  ///< Small: what is compared is linear [m].
-constexpr double kHoldPeriod = 250.0;    ///< Of surge, sway and yaw [s].
-constexpr double kRamp = 100.0, kSettle = 1000.0, kEase = 1000.0, kMeasure = 500.0;  ///< [s].
+constexpr double kWaveAmplitude =
+    0.25;  ///< Amplitude of the waves, small because the reference is linear [m].
+constexpr double kHoldPeriod = 250.0;  ///< Natural period of surge, sway and yaw [s].
+constexpr double kRamp = 100.0, kSettle = 1000.0, kEase = 1000.0,
+                 kMeasure = 500.0;  ///< Durations of the phases [s].
 const char* const kMotionNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
 struct SemiMotion {
@@ -32,8 +35,8 @@ struct SemiMotion {
     std::array<double, 6> drift;  ///< Mean force of the springs, over a² [N/m², N/m].
 };
 
-/// Held by springs and dampers of surge, sway and yaw, which are set as forces each step: with
-/// periods this long that is as good as taking them implicitly.
+/// A semi-submersible on springs and dampers in surge, sway and yaw. Their forces are set
+/// explicitly each step, which is accurate for such long periods.
 class SemiSubmersible {
   public:
     SemiSubmersible(std::shared_ptr<const WaveCoefficients> c, double omega, double direction)
@@ -52,8 +55,8 @@ class SemiSubmersible {
         hull.coefficients = c_;
         hull.excitation = ExcitationKind::full;
         hull.drift = true;
-        // Waves act at the place of rest: what is left of motions at the waves' periods in the slow
-        // place makes a mean force, 4/(ωτ)³ of them.
+        // Waves act at the slowly varying position. Its remaining motion at the waves' period
+        // causes a mean force, 4/(ωτ)³ of the motions.
         hull.slow_time = 120.0;
         hull.linear = {.on = true, .height = kSemiG};
         sea.hulls.push_back(hull);
@@ -66,8 +69,8 @@ class SemiSubmersible {
         const double end = kRamp + kSettle + kEase + kMeasure;
         while (w_.time() < end) {
             w_.set_system_signal("sea.waves", std::min(1.0, w_.time() / kRamp));
-            // Slow motions decay first; dampers, which would turn phases, then go so slowly that
-            // nothing is set off by it.
+            // Let slow motions decay first. Then reduce the dampers, which would change phases, so
+            // slowly that this excites no motion.
             const double eased = std::clamp((w_.time() - kRamp - kSettle) / kEase, 0.0, 1.0);
             step(0.02 + 0.29 * (1.0 + std::cos(kPi * eased)));
             if (eased == 1.0) take();
@@ -91,7 +94,7 @@ class SemiSubmersible {
         advance(w_, 1);
     }
 
-    /// Of the point that coefficients are about, from where it was; rotations by their vector.
+    /// Return the displacement of the reference point of the coefficients, and the rotation vector.
     [[nodiscard]] std::array<double, 6> place() const {
         const Pose pose = w_.pose(body_);
         const Vec3 x = pose.position + pose.orientation * c_->reference;
@@ -106,9 +109,9 @@ class SemiSubmersible {
         springs_.push_back(spring_);
     }
 
-    /// Mean, cos ωt, sin ωt, and what is left of the slow motion, by least squares. Pitch and roll
-    /// of the start, at some 40 s, decay for hours: without weights that end smoothly, as those of
-    /// J. von Hann here, a few parts in a thousand of them would count as mean.
+    /// Compute mean, cos ωt, sin ωt and the remaining slow motion by weighted least squares. Pitch
+    /// and roll of the start, at about 40 s, decay for hours. The weights of J. von Hann end
+    /// smoothly; without them a few thousandths of that motion would count as mean.
     SemiMotion evaluate() const {
         const auto n = static_cast<Eigen::Index>(time_.size());
         const double slow = 2.0 * kPi / kHoldPeriod;
@@ -128,7 +131,7 @@ class SemiSubmersible {
         const Eigen::MatrixXd x = base::least_squares(left, right);
         const Eigen::MatrixXd f = base::least_squares(left, force);
         SemiMotion out{};
-        // Phases are those of the wave where the body is on the mean; Re ξ e^{−iωt}.
+        // Phases refer to the wave at the mean position of the body; Re ξ e^{−iωt}.
         const double wave = wave_number(omega_, 5000.0) *
                             (x(0, 0) * std::cos(direction_) + x(0, 1) * std::sin(direction_));
         for (Eigen::Index k = 0; k < 6; ++k) {

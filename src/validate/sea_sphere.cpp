@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sphere of IEA OES Task 10 (F. Wendt and others, "Ocean energy systems wave energy modelling
-// task: modelling, verification and validation of wave energy converters", 2019), let go 1 m above
-// rest, with the coefficients of A. Hulme (1982).
+// The sphere of IEA OES Task 10, released 1 m above rest, with the coefficients of A. Hulme (1982).
+// Source: F. Wendt and others, "Ocean energy systems wave energy modelling task: modelling,
+// verification and validation of wave energy converters", 2019.
 #include <hawser/hydro_files.h>
 
 #include "validate/data.h"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kSphereStep = 0.01, kSphereBelow = 2.0;
 
-/// Height of the centre of the sphere, a sample a step.
+/// Return the height of the centre of the sphere, one sample for each step.
 std::vector<double> heights(World& w, double duration) {
     const BodyId sphere = body(w, "sphere");
     std::vector<double> out;
@@ -31,7 +31,7 @@ std::vector<double> heights(World& w, double duration) {
     return out;
 }
 
-/// Times at which a signal passes 0, up or down, and its extremes.
+/// Find the times at which a signal passes 0, up or down, and its extremes.
 void crossings_of(const std::vector<double>& z, std::vector<double>& at,
                   std::vector<double>& extreme) {
     for (std::size_t i = 0; i + 1 < z.size(); ++i) {
@@ -48,7 +48,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
     return most;
 }
 
-/// The scene's sphere with coefficients of its own.
+/// Simulate the scene's sphere with other coefficients.
 std::vector<double> with_coefficients(WaveCoefficients c) {
     World w(WorldDef{.step = kSphereStep});
     const double mass = 261.8e3;

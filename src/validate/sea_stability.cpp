@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drag of many times what a step resolves: nothing gains energy that was not exchanged.
+// Drag of many times the value that a step resolves: no body gains energy without a source.
 #include "validate/sea.h"
 #include "validate/tools.h"
 
@@ -15,14 +15,14 @@
 namespace hawser::validate {
 namespace {
 
-/// Energy that came from nothing, over what was exchanged so far, at its worst.
+/// Largest energy without a source, relative to the energy exchanged since the start.
 class Balance {
   public:
-    /// Of a world with a step behind it: before there are no energies.
+    /// Start at a world after at least one step: before, there are no energies.
     explicit Balance(const World& w) : start_(w.energy()), before_(start_) {}
     void look(const World& w) {
         const Energy e = w.energy();
-        // What each account took or gave in this step.
+        // Change of each account in this step.
         for (const auto change :
              {e.kinetic - before_.kinetic, e.gravity - before_.gravity, e.elastic - before_.elastic,
               e.added - before_.added, e.system - before_.system, e.dissipated - before_.dissipated,
@@ -46,7 +46,7 @@ class Balance {
 struct WetCase {
     std::string name;
     std::function<std::vector<BodyId>(World&, bool with_sea)> build;  ///< Bodies in the water.
-    double thrown = 0.0;      ///< Speed of all of them at first [m/s].
+    double thrown = 0.0;      ///< Initial speed of all of them [m/s].
     double most_speed = 0.0;  ///< Afterwards [m/s].
 };
 
@@ -65,7 +65,8 @@ double fastest_wet(const World& w, std::span<const BodyId> bodies) {
     return most;
 }
 
-/// f − D v − A v̇ of a load, with v̇ of the step before: what a program without blocks applies.
+/// Apply f − D v − A v̇ of a load, with v̇ of the previous step, as a program without block
+/// matrices does.
 void apply_explicitly(World& w, const LoadView& load, const Twist& before) {
     const auto n = static_cast<int>(load.force.size());
     const Twist now = w.velocity(load.body);
@@ -84,8 +85,9 @@ void apply_explicitly(World& w, const LoadView& load, const Twist& before) {
     w.set_force(load.body, Vec3(f[0], f[1], f[2]), Vec3(f[3], f[4], f[5]));
 }
 
-/// Steps until the same terms, taken from a world with the sea that is put to where this one is,
-/// and applied as forces, have brought a body to 1,000 m/s; 0: they do not.
+/// Return the number of steps until a body reaches 1,000 m/s if the terms are applied as explicit
+/// forces; 0: it does not. The terms come from a second world with the sea, which is set to the
+/// state of this one.
 int explicit_steps(const WetCase& c, int most) {
     World wet(WorldDef{}), dry(WorldDef{});
     const std::vector<BodyId> bodies = c.build(wet, true);
@@ -170,7 +172,8 @@ std::vector<BodyId> build_rope(World& w, bool with_sea) {
     return bodies;
 }
 
-/// 4 × 1 × 0.02 m, of which 0.1 mm are under water: waterplane 1e5 times its mass.
+/// Build a plank of 4 × 1 × 0.02 m with a draught of 0.1 mm: its waterplane stiffness is 1e5 times
+/// its mass.
 std::vector<BodyId> build_plank(World& w, bool with_sea) {
     const double mass = 1025.0 * 4.0 * 1e-4;
     const BodyId body =

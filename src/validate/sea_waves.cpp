@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Waves and wind by themselves, without a world.
+// Waves and wind without a world.
 #include "validate/sea.h"
 #include "validate/tools.h"
 
@@ -13,10 +13,10 @@ namespace {
 constexpr int kSeeds = 20;
 constexpr double kHours = 3.0 * 3600.0, kEvery = 0.5;  ///< Length and interval of records [s].
 
-/// Of one record of the elevation at a point.
+/// Statistics of one record of the elevation at a point.
 struct Record {
     double deviation = 0.0;  ///< σ [m].
-    double period = 0.0;     ///< Mean between upward crossings of 0 [s].
+    double period = 0.0;     ///< Mean time between upward crossings of 0 [s].
     double kurtosis = 0.0;
 };
 
@@ -46,7 +46,7 @@ Record record_of(const Sea& sea) {
     return {std::sqrt(variance), (last - first) / (crossings - 1), fourth / (variance * variance)};
 }
 
-/// Tz = 2π √(m₀/m₂) of the components.
+/// Return Tz = 2π √(m₀/m₂) of the components.
 double crossing_period(const Sea& sea) {
     double m0 = 0.0, m2 = 0.0;
     for (const WaveComponent& w : sea.components()) {

@@ -9,8 +9,8 @@
 namespace hawser::validate {
 
 void case_dzhanibekov(Report& report) {
-    // Velocities are known half a step before positions. The mean of two neighbours, seen from
-    // the body's frame between them, is the velocity at that time to second order.
+    // Velocities belong to the time half a step before that of positions. The mean of two
+    // neighbours, in the body's frame between them, is the velocity at that time to second order.
     const auto simulate = [](double step) -> Result {
         scene::Scene s = open_scene("dzhanibekov", step);
         const BodyId nut = body(s.world, "nut");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file tools.h
-/// What the validation cases share: opening scenes, stepping, and reading motions.
+/// Shared parts of the validation cases: open scenes, step, and measure motions.
 
 #include <hawser/hawser.h>
 #include <hawser/scene.h>
@@ -16,7 +16,7 @@
 
 namespace hawser::validate {
 
-inline constexpr double kGravity = 9.81;  ///< [m/s²].
+inline constexpr double kGravity = 9.81;  ///< Gravity [m/s²].
 inline constexpr double kPi = 3.14159265358979323846;
 
 /// Numbers in [0, 1), the same on every machine.
@@ -33,36 +33,37 @@ class Chance {
     std::uint64_t state_;
 };
 
-/// Open scenes/NAME.json: in the folder that the environment variable HAWSER_SCENES names, in
-/// ./scenes, beside the program in ../share/hawser/scenes, or in the source tree it was
-/// built from.
+/// Open scenes/NAME.json. Folders searched, in this order: the one in the environment variable
+/// HAWSER_SCENES, ./scenes, ../share/hawser/scenes beside the program, and the source tree.
 [[nodiscard]] scene::Scene open_scene(const std::string& name, double step,
                                       const std::vector<std::string>& set = {});
 
-/// Take `steps` steps. @throws std::runtime_error when one fails.
+/// Perform `steps` steps. @throws std::runtime_error if one fails.
 void advance(World& world, long steps);
-/// Number of steps to `time`. @throws std::runtime_error when `time` is not a whole number.
+/// Return the number of steps to `time`. @throws std::runtime_error if `time` is not a whole number
+/// of steps.
 [[nodiscard]] long steps_to(const World& world, double time);
 
-/// @throws std::runtime_error when there is none.
+/// Find an object by name. @throws std::runtime_error if there is none.
 [[nodiscard]] BodyId body(const World& world, const std::string& name);
 [[nodiscard]] InteractionId interaction(const World& world, const std::string& name);
 
 [[nodiscard]] std::vector<double> list(const Vec3& v);
-/// Tension of a line element [N].
+/// Return the tension of a line element [N].
 [[nodiscard]] double tension(const World& world, InteractionId id);
 
-/// Times at which a signal sampled every `step` from time 0 crosses zero upwards [s]; cubic
-/// interpolation, so that the error is of fourth order in the step.
+/// Return the times at which a signal crosses zero upwards [s]. It is sampled every `step` from
+/// time 0. Interpolation is cubic, so that the error is of fourth order in the step.
 [[nodiscard]] std::vector<double> upward_zeros(std::span<const double> signal, double step);
-/// Interpolate the same way. @param at In steps.
+/// Interpolate a signal in the same way. @param at In steps.
 [[nodiscard]] double interpolate(std::span<const double> signal, double at);
 
-/// Rotation about a fixed axis followed beyond ±π.
+/// Counts the rotation about a fixed axis beyond ±π.
 class AngleCounter {
   public:
     AngleCounter(Vec3 axis, const Quat& start);
-    double update(const Quat& now);  ///< Call each step. @return Angle since the start [rad].
+    double update(
+        const Quat& now);  ///< Update once for each step. @return the angle since the start [rad].
     [[nodiscard]] double angle() const noexcept { return angle_; }
 
   private:
@@ -71,9 +72,9 @@ class AngleCounter {
     double angle_ = 0.0;
 };
 
-/// Complete elliptic integral K(k) by the arithmetic-geometric mean.
+/// Return the complete elliptic integral K(k) by the arithmetic-geometric mean.
 [[nodiscard]] double elliptic_k(double k);
-/// Jacobi's sn(u, k) by descending Landen transformations.
+/// Return Jacobi's sn(u, k) by descending Landen transformations.
 [[nodiscard]] double jacobi_sn(double u, double k);
 
 }  // namespace hawser::validate

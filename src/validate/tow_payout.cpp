@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tug pays out its tow line over the stern roller: the wire stays on the roller, nothing parts,
-// and once all moves evenly the line pulls with what of the thrust the tug's drag leaves.
+// A tug pays out its tow line over the stern roller. The wire stays on the roller and does not
+// break. At constant speed the tension of the line equals the thrust minus the tug's drag.
 #include "validate/tools.h"
 #include "validate/wires.h"
 
@@ -14,9 +14,9 @@ namespace hawser::validate {
 namespace {
 
 constexpr double kFrame = 1.0 / 60.0;
-constexpr double kSettled = 60.0;  ///< The last seconds [s].
+constexpr double kSettled = 60.0;  ///< Duration of the evaluated end of the run [s].
 
-/// Of the first element that lies astern of the roller [N].
+/// Return the tension of the first element astern of the roller [N].
 double outboard(const World& w, WireId wire, BodyId roller) {
     const auto nodes = w.nodes(wire);
     const auto elements = w.elements(wire);
@@ -33,7 +33,7 @@ void case_tow_payout(Report& report) {
     World& w = s.world;
     const WireId wire = w.find_wire("tow");
     const BodyId tug = w.find_body("tug"), roller = w.find_body("roller");
-    const BodyDef def = w.body_def(tug);  // nodes that come move definitions
+    const BodyDef def = w.body_def(tug);  // adding nodes moves definitions
     const double begun = w.length(wire);
     const auto steps = static_cast<long>(std::lround(s.duration / kFrame));
     std::size_t next = 0;

@@ -9,7 +9,7 @@
 
 namespace hawser::validate {
 
-/// Even between two ends, the same on every machine.
+/// Uniform random numbers between two limits, equal on every machine.
 class Uniform {
   public:
     explicit Uniform(std::uint64_t seed) : bits_(seed) {}

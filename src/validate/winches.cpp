@@ -14,8 +14,8 @@ namespace {
 constexpr double kWinchStep = 1.0 / 240.0;
 // A drum of 1.2 m by 2.4 m with wire of 76 mm and 25 kg/m: 31 wraps a layer.
 constexpr double kCore = 0.6, kWidth = 2.4, kWire = 0.076, kMass = 25.0, kStored = 1500.0;
-constexpr double kDrum = 4e4;     // [kg m²]
-constexpr double kWinchEA = 3e8;  // [N]
+constexpr double kDrum = 4e4;     // Inertia of the drum [kg m²]
+constexpr double kWinchEA = 3e8;  // Axial stiffness of the wire [N]
 constexpr int kWraps = 31;
 
 WinchDef anchor_winch() {
@@ -29,8 +29,8 @@ WinchDef anchor_winch() {
             .inertia = kDrum};
 }
 
-/// A winch on a deck at rest, and 40 m of wire with a node in the middle to an end that moves as it
-/// is told.
+/// A winch on a fixed deck, and 40 m of wire with a node in the middle to an end with prescribed
+/// motion.
 class Deck {
   public:
     World w{WorldDef{.step = kWinchStep, .gravity = Vec3::Zero()}};
@@ -75,7 +75,7 @@ class Deck {
     WireId wire_;
 };
 
-/// Radius of layer k, 1 the innermost.
+/// Return the radius of layer k, 1 is the innermost.
 double radius_of(int k) { return kCore + kWire / 2.0 + kWire * (k - 1); }
 
 void report_layers(Report& report) {
@@ -147,7 +147,7 @@ void report_brake(Report& report) {
     const double out = std::abs(d.w.force(d.ids.brake)[0]), pull = d.pull();
     const double omega = d.w.velocity(d.ids.drum).linear.x();
     const double kept = 0.5 * d.get("inertia") * omega * omega;
-    d.step(0.0);  // counts what the step before it did
+    d.step(0.0);  // the account includes the previous step
     report.compare("torque at which the brake slips [N m]", {1.2e6}, {held}, 1e-9, "relative");
     // Wire of the unstretched length 40 m + slip reaches over 50 m.
     report.compare("way that slipped over 10 m [m]", {50.0 / (1.0 + pull / kWinchEA) - 40.0},

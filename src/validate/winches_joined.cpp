@@ -28,7 +28,7 @@ struct Span {
                               : w.add_body({.name = "to", .kind = BodyKind::fixed, .position = to});
         wire = w.add_wire(def);
     }
-    /// Tension in the middle of an element at a place [m].
+    /// Return the tension in the middle of an element at a material coordinate [m].
     [[nodiscard]] double at(WireId of, double s) const { return w.tension(of, s); }
 };
 
@@ -45,8 +45,8 @@ WireDef random_wire(Uniform& random, double length) {
 
 }  // namespace
 
-/// Tensions of a span that was cut and spliced at once against those of one that was not, and of a
-/// weight's wire that was cut and shackled.
+/// Compare the tensions of a span that was cut and spliced at once with those of an uncut one. Do
+/// the same for a weight's wire that was cut and shackled.
 void report_joined_wires(Report& report) {
     Uniform random(5);
     double spliced = 0.0, shackled = 0.0;
@@ -58,7 +58,7 @@ void report_joined_wires(Report& report) {
         const Vec3 to = hangs ? Vec3(0, 0, -length)
                               : Vec3(length * random(0.7, 0.95), 0, -length * random(0.0, 0.2));
         Span whole(def, to, weight), joined(def, to, weight);
-        // Of a span at a node: one more would make it another wire of lumps.
+        // Cut a span at a node: a new node would change the discretisation.
         const double element = length / def.elements;
         const double s = hangs ? length * random(0.2, 0.8) : element * random.whole(5, 19);
         advance(whole.w, 60);
@@ -69,7 +69,7 @@ void report_joined_wires(Report& report) {
         advance(whole.w, 6'000);
         advance(joined.w, 6'000);
         double& worst = hangs ? shackled : spliced;
-        // Of what hangs, above the shackle, which makes it longer.
+        // For a hanging weight compare above the shackle only, because the shackle adds length.
         const double up_to = hangs ? s : length;
         for (double k = 0.5; (k + 0.499) * element < up_to; k += 1.0) {
             const double at = k * element;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where winches and wires give way, at random numbers of the same seed: chain that jumps, weak
-// links, drums and lockers that run empty.
+// Limits of winches and wires with random numbers of a fixed seed: chain that jumps, weak links,
+// drums and lockers that become empty.
 #include "validate/cases.h"
 #include "validate/tools.h"
 #include "validate/uniform.h"
@@ -47,7 +47,7 @@ class Pull {
         w.set_velocity(end_, t);
         advance(w, 1);
     }
-    /// Speed of the end at which the tension rises by so much a second.
+    /// Return the speed of the end at which the tension rises at `rate` [N/s].
     [[nodiscard]] double speed_for(double rate) const { return rate * length / EA; }
     [[nodiscard]] double get(const char* signal) const {
         return w.system_signal(winch_ + "." + signal);
@@ -94,7 +94,7 @@ void report_jumps(Report& report) {
         worst = std::max(worst, std::abs(most / load - 1.0));
         early += most < 0.99 * load ? 1.0 : 0.0;
         jumped += p.count(EventKind::chain_jump) > 0 ? 1.0 : 0.0;
-        // Over some pockets, and where it lies in the end.
+        // Let the chain jump over some pockets until it is held again.
         const double pocket = 8.0 * def.wire_diameter;
         for (long n = 0; n < 200'000 && p.get("jumped") < 2.5 * pocket; ++n) p.step(slow);
         for (long n = 0; n < 200'000 && p.get("state") == 10.0; ++n) p.step(slow);
@@ -120,7 +120,7 @@ WinchDef random_winch(Uniform& random) {
     return def;
 }
 
-/// What a fastening behind some wraps holds: link e^(2 pi mu n) at the wire.
+/// Check the holding force of a fastening after some wraps: link e^(2 pi mu n) at the wire.
 void report_weak_links(Report& report) {
     Uniform random(2);
     double worst = 0.0, links = 0.0, parted = 0.0;
@@ -149,16 +149,17 @@ void report_weak_links(Report& report) {
                    "counts: once each");
 }
 
-/// One that runs empty, and what then holds.
+/// Results of a drum that becomes empty.
 struct Emptied {
     double empty = 0.0, links = 0.0, intact = 0.0;  ///< Counts.
-    double value = 0.0;                             ///< At which the fastening has parted [N].
+    double value = 0.0;                             ///< Tension at which the fastening broke [N].
     double crept = 0.0;                             ///< Beyond the end [m].
 };
 
 Emptied run_empty(const WinchDef& def, double EA, double up_to) {
     Pull p(def, EA, 0.0, kLimitStep, 40.0);
-    // Slowly at last: what turns meets the end with v sqrt(k J)/r, which is no load sweep.
+    // Run slowly at the end: a rotating drum meets the end with v sqrt(k J)/r, which would exceed
+    // the load sweep.
     const double slow = p.speed_for(1e5);
     while (p.count(EventKind::drum_empty) == 0 && p.w.time() < 400.0) {
         const double left = p.get("wire_left");
@@ -184,7 +185,7 @@ void report_empty(Report& report, bool gypsy) {
         WinchDef def = gypsy ? random_windlass(random, chain) : random_winch(random);
         const double EA = gypsy ? chain.EA : 3e8;
         def.stored = random(2.0, 8.0);
-        def.brake_static = 1e4;  // it slips, and stops what turns
+        def.brake_static = 1e4;  // it slips, and stops the drum
         def.gypsy.locker_fall = gypsy ? random(0.5, 5.0) : 0.0;
         const double link = random(1e5, gypsy ? 0.8 * def.gypsy.jump_load + 1e5 : 6e5);
         if (gypsy) def.gypsy.jump_load = 2.0 * link + 1e6;
@@ -201,7 +202,7 @@ void report_empty(Report& report, bool gypsy) {
         const double moves = gypsy ? def.gypsy.wrap * gypsy_radius(def) + def.gypsy.locker_fall : 0;
         const double beyond = add(strong, link, 0.95 * link).crept;
         crept = std::max(crept, std::abs(beyond - 0.95 * link * moves / EA));
-        // The brake has its share beside the bitter end.
+        // The brake carries a part of the load in addition to the bitter end.
         worst = std::max(worst, std::abs(add(weak, link, 1.1 * link + 2e5).value / link - 1.0));
     }
     const char* what = gypsy ? "lockers" : "drums";

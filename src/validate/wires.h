@@ -9,7 +9,7 @@
 
 namespace hawser::validate {
 
-/// Those that "wires" stands for.
+/// Return the cases of the group "wires".
 [[nodiscard]] std::span<const Case> wire_cases();
 
 // wires_catenary.cpp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wires that start in balance and stay, against the elastic catenary (H. M. Irvine, Cable
-// Structures, 1981) and its form with touchdown (J. Jonkman, 2007).
+// Wires that start in equilibrium and stay at rest, against the elastic catenary (H. M. Irvine,
+// Cable Structures, 1981). With touchdown: J. Jonkman, 2007.
 #include "validate/tools.h"
 #include "validate/wires.h"
 
@@ -15,7 +15,7 @@
 namespace hawser::validate {
 namespace {
 
-/// Root of a function that grows, by bisection in the logarithm.
+/// Return the root of an increasing function, by bisection in the logarithm.
 double rooted(double low, double high, const std::function<double(double)>& f) {
     for (int i = 0; i < 200; ++i) {
         const double middle = std::sqrt(low * high);
@@ -28,12 +28,13 @@ double rooted(double low, double high, const std::function<double(double)>& f) {
 struct Line {
     double span, rise, length, weight, EA, friction = 0.0;
 
-    /// Anchor on the bottom, of which the length LB = L − V/w lies.
+    /// Return the span for an anchor on the bottom. The length LB = L − V/w lies on the bottom.
     [[nodiscard]] double reach(double h, double v) const {
         const double w = weight, laid = length - v / w;
         double stretch = h * length / EA;
         if (friction > 0.0) {
-            // It falls by μ w a metre from the touchdown, along so much of it.
+            // On the bottom the tension decreases by μ w per metre from the touchdown, over the
+            // length `held`.
             const double held = std::min(laid, h / (friction * w));
             stretch -= h * (laid - held) / EA + friction * w * held * held / (2.0 * EA);
         }
@@ -48,7 +49,7 @@ struct Line {
     [[nodiscard]] double laid_pull() const {
         return rooted(1.0, 1e9, [&](double h) { return reach(h, lift(h)) - span; });
     }
-    /// Between ends of one height.
+    /// Return H for ends of equal height [N].
     [[nodiscard]] double hung_pull() const {
         return rooted(1.0, 1e12, [&](double h) {
             return h * length / EA + 2.0 * h / weight * std::asinh(weight * length / (2.0 * h)) -
@@ -61,7 +62,7 @@ struct Line {
     }
 };
 
-/// A wire of a world where its catenary has it; ends are fixed.
+/// A wire of a world at its catenary's position; ends are fixed.
 struct Started {
     World world;
     WireId wire{};
@@ -70,11 +71,11 @@ struct Started {
     [[nodiscard]] Vec3 place(std::size_t node) const {
         return world.pose(world.nodes(wire)[node]).position;
     }
-    /// Of element e on its first node [N].
+    /// Return the force of element e on its first node [N].
     [[nodiscard]] Vec3 pull(std::size_t e) const {
         return tension(world, world.elements(wire)[e]) * (place(e + 1) - place(e)).normalized();
     }
-    /// Largest way of a node from where it started [m].
+    /// Return the largest distance of a node from its start [m].
     [[nodiscard]] double moved() const {
         double most = 0.0;
         for (std::size_t i = 0; i < start.nodes.size(); ++i)
@@ -108,8 +109,9 @@ Started started(const CatenaryDef& shape, double radius = 0.0, double friction =
         MaterialDef mud;
         mud.name = "mud";
         mud.friction = friction;
-        // At the start no bristle of friction is bent. To hold μ w l it gives way by that over its
-        // stiffness, which an anchor feels in the first elements: here a stiff one.
+        // At the start the bristles of friction are undeformed. To hold μ w l they deform by this
+        // force over their stiffness, which changes the first elements at an anchor. A stiff
+        // bristle avoids this.
         mud.stiffness = 1e9;
         mud.tangential = 1.0;
         def.radius = radius;
@@ -138,7 +140,7 @@ void case_wire_catenary(Report& report) {
         advance(s.world, 60);
         const auto middle = static_cast<std::size_t>(n) / 2;
         const auto what = [&](const char* text) { return fmt::format("{}, {} elements", text, n); };
-        // Half an element at the end is in nobody's balance: its weight is added.
+        // The catenary's balance omits half an element at the end: add its weight.
         const Vec3 end = s.pull(0) - Vec3(0, 0, s.start.weight_from);
         report.compare(what("horizontal pull [N]"), {h}, {s.pull(middle).x()}, limit,
                        "relative; elements are chords of the curve");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A wire that parts beside wires that cross it: what recoils and falls passes through none of them,
-// and nothing makes energy.
+// A wire that breaks near crossing wires. Its recoiling and falling pieces pass through none of
+// them, and no energy is created.
 #include "validate/tools.h"
 #include "validate/wires.h"
 
@@ -23,12 +23,12 @@ constexpr long kPressed = 60, kSettled = 120, kFalls = 180, kMean = 30;  // step
 /// A straight piece of a wire, from end to end [m].
 using Piece = std::array<Vec3, 2>;
 
-/// Six times the volume that two pieces span: 0 where they lie in a plane.
+/// Return six times the volume of the tetrahedron of two pieces; 0 if they lie in a plane.
 double between(const Piece& a, const Piece& b) {
     return (a[1] - a[0]).cross(b[1] - b[0]).dot(b[0] - a[0]);
 }
 
-/// Of two pieces in a plane: whether they cross within both.
+/// True if two pieces in a plane cross within both.
 bool crosses(const Piece& a, const Piece& b) {
     const Vec3 u = a[1] - a[0], v = b[1] - b[0], n = u.cross(v), from = b[0] - a[0];
     const double s = from.cross(v).dot(n), t = from.cross(u).dot(n), all = n.squaredNorm();
@@ -39,8 +39,8 @@ Piece moved(const std::array<Piece, 2>& x, double t) {
     return {x[0][0] + t * (x[1][0] - x[0][0]), x[0][1] + t * (x[1][1] - x[0][1])};
 }
 
-/// Whether two pieces went through each other from one pose to the next: they lie in a plane, by
-/// bisection, at a moment at which they cross.
+/// True if two pieces passed through each other from one pose to the next. Bisection finds the
+/// moments at which they lie in a plane; they must cross at such a moment.
 bool passed(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
     constexpr int kParts = 32, kHalvings = 40;
     const auto volume = [&](double t) { return between(moved(a, t), moved(b, t)); };
@@ -60,7 +60,7 @@ bool passed(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
     return false;
 }
 
-/// Whether the boxes that two pieces sweep are apart.
+/// True if the boxes around the motions of two pieces are separate.
 bool far_apart(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
     const auto least = [](const std::array<Piece, 2>& x) {
         return x[0][0].cwiseMin(x[0][1]).cwiseMin(x[1][0].cwiseMin(x[1][1])).eval();
@@ -71,12 +71,14 @@ bool far_apart(const std::array<Piece, 2>& a, const std::array<Piece, 2>& b) {
     return (least(a).array() > most(b).array()).any() || (least(b).array() > most(a).array()).any();
 }
 
-/// A taut wire along x, and up to three across it that come to press on it from above or below.
+/// A taut wire along x, and up to three crossing wires that move to it from above or below and
+/// press on it.
 struct Crossed {
-    // Loose ends whip: in a step they are yanked farther than their speed before it foretells.
+    // Loose ends whip: in a step they move farther than their previous speed predicts.
     World w{WorldDef{.step = 1.0 / 60.0, .contact_margin = 0.5}};
-    std::vector<WireId> wires;                    ///< First those of the wire that parts.
-    std::vector<std::pair<BodyId, double>> ends;  ///< Of the others, and how fast they come [m/s].
+    std::vector<WireId> wires;  ///< Wires, first those of the broken one.
+    std::vector<std::pair<BodyId, double>>
+        ends;  ///< Ends of the other wires, and their speeds of approach [m/s].
 
     explicit Crossed(Chance& chance) {
         const double length = chance.between(40.0, 60.0);
@@ -99,7 +101,7 @@ struct Crossed {
         return std::exp(chance.between(10.8, 13.8));
     }  // 49-985 kN
 
-    /// A straight wire through `middle` in the plane of x and y.
+    /// Add a straight wire through `middle` in the plane of x and y.
     WireId add(double length, double element, double tension, const Vec3& middle, double turn) {
         const Vec3 half = 0.5 * length * Vec3(std::cos(turn), std::sin(turn), 0.0);
         WireDef def;
@@ -119,7 +121,7 @@ struct Crossed {
         def.radius = kTowHalf;
         return w.add_wire(def);
     }
-    /// Others come to press on the wire, which settles.
+    /// Move the other wires until they press on the wire, and let it settle.
     void settle() {
         for (const auto& [end, speed] : ends)
             w.set_velocity(end, {.linear = Vec3(0, 0, speed), .angular = Vec3::Zero()});
@@ -127,7 +129,8 @@ struct Crossed {
         for (const auto& end : ends) w.set_velocity(end.first, {});
         advance(w, kSettled);
     }
-    /// By hand or by a cut, somewhere between its second and its last element but one.
+    /// Break the wire directly or by a cut, at a random position between its second and its last
+    /// but one element.
     void part(Chance& chance) {
         const auto elements = w.elements(wires[0]);
         const double share = chance.between(1.5, static_cast<double>(elements.size()) - 1.5);
@@ -139,11 +142,11 @@ struct Crossed {
     }
 };
 
-/// A piece with a capsule: lumps are at both ends.
+/// An element with a capsule: nodes at both ends.
 struct Segment {
     InteractionId element;
-    std::size_t wire = 0;    ///< 0 of the one that parted.
-    std::array<Piece, 2> x;  ///< At both poses.
+    std::size_t wire = 0;    ///< Index of the wire; 0: the broken one.
+    std::array<Piece, 2> x;  ///< Ends at both poses.
 };
 
 void look(const Crossed& c, std::size_t pose, std::vector<Segment>& out) {
@@ -161,8 +164,8 @@ void look(const Crossed& c, std::size_t pose, std::vector<Segment>& out) {
         }
 }
 
-/// What wires hold by the forces that they exert: a piece that turns fast is longer at a pose than
-/// it pulls (docs/limits.md) [J].
+/// Return the energy of wires from the forces that they exert [J]. A piece that rotates fast is
+/// longer at a pose than its tension implies (docs/limits.md).
 double held(const Crossed& c) {
     double sum = 0.0;
     for (const WireId wire : c.wires)
@@ -174,10 +177,10 @@ double held(const Crossed& c) {
 }
 
 struct Outcome {
-    int through = 0;         ///< Pairs of segments that went through each other.
-    bool touched = false;    ///< Before it parts.
-    double made = 0.0;       ///< In the mean over half a second [J].
-    double exchanged = 0.0;  ///< Most that wires held by their motion and stretch [J].
+    int through = 0;         ///< Number of pairs of segments that passed through each other.
+    bool touched = false;    ///< True if they touched before the wire breaks.
+    double made = 0.0;       ///< Created energy as a mean over half a second [J].
+    double exchanged = 0.0;  ///< Largest kinetic and elastic energy of the wires [J].
     Grade grade = Grade::good;
 };
 
@@ -203,7 +206,7 @@ Outcome run_crossed(Chance& chance) {
                     out.through += passed(segments[a].x, segments[b].x) ? 1 : 0;
         const Energy e = c.w.energy();
         const double by_force = held(c), now = e.kinetic + e.gravity + by_force;
-        // In single steps forces swing where a loose end comes taut.
+        // In single steps forces oscillate when a loose end becomes taut.
         mean += (now - (i < kMean ? mean : past[static_cast<std::size_t>(i % kMean)])) /
                 static_cast<double>(i < kMean ? i + 1 : kMean);
         past[static_cast<std::size_t>(i % kMean)] = now;

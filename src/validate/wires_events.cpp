@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes of wires that come and go: what they do to momentum, energy and tension.
+// Effects of added and removed nodes on momentum, energy and tension of wires.
 #include "validate/tools.h"
 #include "validate/wires.h"
 
@@ -32,7 +32,7 @@ class Dice {
     std::uint64_t state_;
 };
 
-/// What a wire has by the integrals over its straight elements, half a step before the poses.
+/// Integrals over the straight elements of a wire, half a step before the poses.
 struct Possession {
     double mass = 0.0, energy = 0.0;
     Vec3 linear{0, 0, 0}, angular{0, 0, 0};
@@ -61,11 +61,11 @@ Possession possession(const World& w, WireId wire) {
     return sum;
 }
 
-/// 200 m that nothing holds: it turns about z, flies, and has two waves of 1 m along it.
+/// 200 m of free wire: it rotates about z, translates, and has two waves of 1 m along it.
 struct FreeWire {
     World w{{.gravity = Vec3::Zero()}};
     WireId wire;
-    /// @param spin  [rad/s]
+    /// Build the wire. @param spin  Angular velocity [rad/s]
     FreeWire(int elements, double spin) {
         constexpr double kLength = 200.0;  // m
         const double l = kLength / elements;
@@ -85,7 +85,7 @@ struct FreeWire {
             InteractionDef d;
             d.kind = InteractionKind::Stretch;
             d.body = {lumps[i], lumps[i + 1]};
-            // As it spins at its ease: T = ρω²(L²/4 − s²)/2.
+            // Tension of steady rotation: T = ρω²(L²/4 − s²)/2.
             const double s = l * (static_cast<double>(i) + 0.5) - 0.5 * kLength;
             const double pull = 0.5 * kLineMass * spin * spin * (0.25 * kLength * kLength - s * s);
             const double apart = (w.pose(lumps[i + 1]).position - w.pose(lumps[i]).position).norm();
@@ -98,14 +98,14 @@ struct FreeWire {
     }
 };
 
-/// What edits made and lost.
+/// Effects of the edits.
 struct Edits {
     long in = 0, out = 0, later = 0;
-    double created = 0.0, lost = 0.0;  ///< [J]
-    Vec3 angular{0, 0, 0};             ///< [N m s]
+    double created = 0.0, lost = 0.0;  ///< Energy created and lost [J].
+    Vec3 angular{0, 0, 0};             ///< Change of angular momentum [N m s].
 };
 
-/// Put a node somewhere, or take one away.
+/// Add or remove a node at a random position.
 void edit(FreeWire& f, Dice& dice, Edits& sum) {
     constexpr std::size_t kLeast = 20, kMost = 96;
     constexpr double kShortest = 2.0;  // m
@@ -127,7 +127,8 @@ void edit(FreeWire& f, Dice& dice, Edits& sum) {
     sum.angular += after.angular - before.angular;
 }
 
-/// @param steps_too  Steps between the edits are to keep angular momentum as well.
+/// Check a free wire. @param steps_too  True: steps between the edits must also conserve angular
+/// momentum.
 void check_free_wire(Report& report, double spin, bool steps_too) {
     constexpr long kEdits = 10'000;
     FreeWire f(40, spin);
@@ -192,7 +193,7 @@ struct Resting {
         wire = w.add_wire(def);
     }
     [[nodiscard]] double tension_at_end() const { return tension(w, w.elements(wire).back()); }
-    /// Largest change of it in half a second [N].
+    /// Return the largest change of that tension in half a second [N].
     double shaken() {
         const double before = tension_at_end();
         double most = 0.0;
@@ -204,8 +205,8 @@ struct Resting {
     }
 };
 
-/// A node in the middle of elements all along comes, and goes again, and one of the wire's own
-/// goes.
+/// Check a wire at rest. Add a node in the middle of each element and remove it again. Then remove
+/// one of the wire's own nodes.
 void check_resting(Report& report, double pull, double element) {
     Resting r(pull, element);
     advance(r.w, 60);

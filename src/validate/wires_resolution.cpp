@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wires whose resolution follows tension, curvature and contact: what edits do to a wire at rest,
-// whether they end, where elements are short, and random wires.
+// Wires whose resolution follows tension, curvature and contact. Checked: effects of edits on a
+// wire at rest, whether they end, regions of short elements, and random wires.
 #include "validate/tools.h"
 #include "validate/wires.h"
 
@@ -75,7 +75,8 @@ struct Spanned {
         of.wire = wire;
         w.add(of);
     }
-    /// On the upper end: that of the last element and half of its weight [N].
+    /// Return the force on the upper end: the tension of the last element and half of its weight
+    /// [N].
     [[nodiscard]] double pull() const {
         const InteractionDef& d = w.interaction_def(w.elements(wire).back());
         const Vec3 along = w.pose(d.body[1]).position - w.pose(d.body[0]).position;
@@ -84,8 +85,8 @@ struct Spanned {
     }
 };
 
-/// The wire finds its resolution, each edit with no more than a small change of tension, and then
-/// leaves it as it is.
+/// Check that the wire finds its resolution, with a small change of tension in each edit, and then
+/// keeps it.
 void check_at_rest(Report& report, double pull, double element) {
     Spanned s(pull, element, {.min_length = 2.5, .max_length = 20.0});
     const double allowed = std::max(0.003 * pull, 50.0);
@@ -119,7 +120,7 @@ struct Dragged {
     World w{WorldDef{.step = 1.0 / 60.0, .gravity = Vec3::Zero()}};
     WireId wire;
     BodyId end[2];
-    Vec3 along[2];  ///< Towards the roller.
+    Vec3 along[2];  ///< Directions towards the roller.
 
     Dragged() {
         const double r = kRadius + kWire, slope = 0.4;  // rad
@@ -150,7 +151,7 @@ struct Dragged {
         def.name = "wire";
         def.from = end[0];
         def.to = end[1];
-        def.elements = 8;  // none of which passes through the roller
+        def.elements = 8;  // none of them passes through the roller
         def.EA = 2e6;
         def.length = path / (1.0 + 2e4 / def.EA);
         def.mass_per_length = 5.0;
@@ -178,8 +179,7 @@ struct Dragged {
             w.set_velocity(end[k], t);
         }
     }
-    /// The longest element that touches the roller or is next to it, and the shortest one that is
-    /// far from it [m].
+    /// Return the longest element at the roller and the shortest element far from it [m].
     void lengths(double& longest_near, double& shortest_far) const {
         longest_near = 0.0;
         shortest_far = 1e30;
@@ -224,7 +224,7 @@ void check_dragged(Report& report) {
                    "none", 1.0);
 }
 
-/// Wires of random tension, elements and limits, whose ends swing.
+/// Check wires of random tension, elements and limits with oscillating ends.
 void check_random(Report& report) {
     constexpr int kDrawn = 24;
     Draw draw;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Waves along a wire that parts and across one whose elements change their length, against the
-// closed forms of the elastic bar and of the taut string (d'Alembert).
+// Waves along a wire that breaks, and transverse waves across a change of element length.
+// References: the closed forms of the elastic bar and of the taut string (d'Alembert).
 #include "validate/tools.h"
 #include "validate/wires.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPerMetre = 23.0, kStiffness = 2.33e8, kPull = 1e6;  // kg/m, N, N
 
-/// Lumps and elements in one line between fixed ends, at the tension kPull.
+/// Add nodes and elements in a line between fixed ends, at the tension kPull.
 WireId add_taut(World& w, const std::vector<double>& x, const std::vector<BodyDef>& lumps,
                 const std::function<void(std::size_t, InteractionDef&)>& finish) {
     const double strain = 1.0 + kPull / kStiffness;
@@ -46,7 +46,7 @@ WireId add_taut(World& w, const std::vector<double>& x, const std::vector<BodyDe
 struct Pieces {
     double element;  ///< Length of an element [m].
     int left, right;
-    double axial_damping;  ///< As WireDef has it.
+    double axial_damping;  ///< As in WireDef.
     bool consistent, by_load;
 };
 
@@ -69,8 +69,8 @@ World parted(const Pieces& p, double step, WireId& wire) {
     return w;
 }
 
-/// Mean speed of the last node of each piece while the material there recoils and the wave along is
-/// under way to the piece's other end [m/s].
+/// Return the mean speed of the last node of each piece during its recoil, until the axial wave
+/// reaches the piece's other end [m/s].
 std::array<double, 2> recoil_speeds(const Pieces& p, double step) {
     WireId wire;
     World w = parted(p, step, wire);
@@ -89,8 +89,8 @@ std::array<double, 2> recoil_speeds(const Pieces& p, double step) {
         for (const std::size_t side : {0U, 1U}) {
             const double before = x[side];
             x[side] = w.pose(node[side]).position.x();
-            // The last node stands half an element from where the wire parts: the wave passes it
-            // after l/2c and is at the other end after L/c, L = (count + 1/2) l.
+            // The last node is half an element from the break. The wave passes it after l/2c and
+            // reaches the other end after L/c, L = (count + 1/2) l.
             const double way = (side == 0 ? p.left : p.right) * p.element;
             const double until = (way + 0.5 * p.element) / c;
             if (mean[side] != 0.0 || t < until) continue;
@@ -101,7 +101,7 @@ std::array<double, 2> recoil_speeds(const Pieces& p, double step) {
     return mean;
 }
 
-/// The farther one from the reference.
+/// Return the value farther from the reference.
 double worse(double a, double b, double reference) {
     return std::abs(a - reference) > std::abs(b - reference) ? a : b;
 }
@@ -157,10 +157,10 @@ constexpr double kFirst = 420.0, kSecond = 1320.0;   // m
 constexpr double kEnd = 1800.0, kFine = 5.0, kCoarse = 10.0;
 
 struct Passing {
-    double crest = 0.0, middle = 0.0;  ///< When its crest and its first moment pass [s].
+    double crest = 0.0, middle = 0.0;  ///< Times at which its crest and its first moment pass [s].
 };
 
-/// From the displacement of a node, sampled every step from time h on.
+/// Compute the passing times from the displacement of a node, sampled every step from time h on.
 Passing passing(const std::vector<double>& z, double step, double half_width) {
     const auto most = static_cast<std::size_t>(std::max_element(z.begin(), z.end()) - z.begin());
     const double a = z[most - 1], b = z[most], d = z[most + 1];
@@ -182,7 +182,7 @@ struct Pulsed {
     World w;
     WireId wire{};
     double speed;  ///< √(T/ρ) of the stretched wire [m/s].
-    /// @param edited  All elements are made with 5 m, and nodes then taken out.
+    /// Build the wire. @param edited  True: create all elements with 5 m, then remove nodes.
     Pulsed(double step, bool edited)
         : w({.step = step, .gravity = Vec3::Zero()}),
           speed(std::sqrt(kPull * (1.0 + kPull / kStiffness) / kPerMetre)) {
@@ -213,7 +213,7 @@ struct Pulsed {
             if (std::abs(w.pose(node).position.x() - x) < 0.1) return node;
         throw std::runtime_error("no node there");
     }
-    /// Highest place within half a pulse of x, in what lies before the junction [m].
+    /// Return the largest displacement within half a pulse of x, before the junction [m].
     [[nodiscard]] double highest(double x) const {
         double most = 0.0;
         for (const BodyId node : w.nodes(wire)) {
@@ -235,7 +235,8 @@ void check_pulse(Report& report, double step, bool edited) {
         advance(p.w, 1);
         z[0].push_back(p.w.pose(first).position.z());
         z[1].push_back(p.w.pose(second).position.z());
-        // While what comes back is clear of the pulse, and of what the start sent the other way.
+        // Measure while the reflection is separate from the pulse and from the pulse that the start
+        // sent the other way.
         const double crest = kStart + p.speed * p.w.time();
         if (crest > kJunction + 70.0 && crest < kJunction + 170.0)
             back = std::max(back, p.highest(2.0 * kJunction - crest));

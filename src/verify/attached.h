@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file attached.h
-/// Where an interaction holds its bodies, from definitions and poses alone.
+/// Compute the attachment of an interaction to its bodies from definitions and poses alone.
 
 #include <hawser/hawser.h>
 
@@ -9,12 +9,12 @@
 
 namespace hawser::verify {
 
-/// Points and axes of an interaction's bodies in the world.
+/// World points and axes of an interaction's bodies.
 class Attached {
   public:
     Attached(const World& world, InteractionId id, std::span<const Pose> pose)
         : world_(world), def_(world.interaction_def(id)), pose_(pose) {}
-    /// Lumps and scalars neither turn nor have arms.
+    /// True for nodes and scalar bodies, which have neither rotation nor arms.
     [[nodiscard]] bool is_point(int slot) const;
     [[nodiscard]] Vec3 center(int slot) const { return at(slot).position; }
     [[nodiscard]] Vec3 point(int slot) const;
@@ -22,7 +22,7 @@ class Attached {
     [[nodiscard]] Vec3 axis(int slot, int k) const { return frame(slot) * Vec3::Unit(k); }
     [[nodiscard]] BodyKind kind(int slot) const;
     [[nodiscard]] const InteractionDef& def() const { return def_; }
-    /// That the step was solved for; poses are those before it.
+    /// Return the velocity that the step solved for; poses are those before the step.
     [[nodiscard]] Twist velocity(int slot) const;
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rows whose force is bounded: how far beyond, and which.
+/// Check rows with bounded forces: the largest excess and its row.
 #include "verify/certificate.h"
 #include "verify/interaction_forces.h"
 
@@ -22,7 +22,7 @@ double Verifier::bound_excess(const World& world) {
         if (!range.bounded) continue;
         const double force = world.force(id)[0];
         const double bound = std::clamp(force, range.low, range.high);
-        // Where there are contacts, less than the floor switches no row.
+        // With contacts, a force below the floor does not activate a row.
         const InteractionDef& def = world.interaction_def(id);
         const bool scalar = std::any_of(def.body.begin(), def.body.end(), [&](BodyId b) {
             return b.valid() && world.body_def(b).kind == BodyKind::scalar;
@@ -34,7 +34,7 @@ double Verifier::bound_excess(const World& world) {
         if (share <= excess) continue;
         excess = share;
         worst_bound_ = {.row = id, .force = force, .bound = bound};
-        if (std::isnan(share)) break;  // Nothing is farther off.
+        if (std::isnan(share)) break;  // NaN: no larger excess is possible.
     }
     return excess;
 }

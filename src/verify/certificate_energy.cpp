@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Mechanical energy of states, and the work that explains it.
+/// Check the mechanical energy of states against the work of all sources.
 #include "verify/certificate_state.h"
 
 #include "record/units.h"
@@ -18,7 +18,8 @@ namespace {
 
 std::size_t place_of(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-// ½ g²/ε of the rows at the poses at hand; a line that only pulls holds nothing where it is short.
+// ½ g²/ε of the rows at the present poses. A line that only pulls stores no energy if it is shorter
+// than its rest length.
 double energy_of_spring(const World& world, InteractionId id) {
     const InteractionDef& def = world.interaction_def(id);
     if (!world.intact(id)) return 0.0;
@@ -34,7 +35,7 @@ double energy_of_spring(const World& world, InteractionId id) {
     return sum;
 }
 
-/// How a body moved [m] and turned [rad], from one pose to another.
+/// Displacement [m] and rotation [rad] of a body from one pose to another.
 struct Way {
     Vec3 moved, turned;
 };
@@ -89,8 +90,8 @@ void StateVerifier::take_edits(const World& world) {
     if (same(bodies_, world.bodies()) && same(interactions_, world.interactions()) &&
         same(inputs_, world.inputs()))
         return;
-    // The force of a step acts half on the way before it, half on that behind it. What has gone has
-    // no way behind it.
+    // Half of a step's force acts on the path before the step, half on the path after it. A removed
+    // body has no path after it.
     for (const BodyId id : moving_) {
         if (world.alive(id)) continue;
         const std::size_t b = place_of(id.index);
@@ -103,7 +104,7 @@ void StateVerifier::take_edits(const World& world) {
     const double h = world.settings().step;
     for (const BodyId id : bodies_) {
         if (std::binary_search(bodies.begin(), bodies.end(), id)) continue;
-        // It came as if it had moved at its velocity, under no force.
+        // Treat a new body as if it had moved at its velocity without force.
         const std::size_t b = place_of(id.index);
         force_[b].setZero();
         torque_[b].setZero();
@@ -192,7 +193,7 @@ void StateVerifier::add_others(const World& world) {
     }
 }
 
-/// Kinetic and gravity energy that no force took.
+/// Check the loss of kinetic and gravity energy without work of a force.
 std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
     const double h = world.settings().step, forgotten = std::min(1.0, h / limit::kMemory);
     if (loss_ends_) return {};
@@ -208,8 +209,8 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
         }
     const double energy = 0.5 * (kinetic_ + kinetic_now) + gravity_;
     double left = energy - work_ - other_work_;
-    // An impact takes what no force of the step does: half of it is seen in this step, half in the
-    // next one.
+    // An impact removes energy that no force of the step explains: half of it in this step, half in
+    // the next one.
     const bool impact = world.stats().impacts != impacts_;
     if ((impact || impact_before_) && steps_ > 0) {
         other_work_ += left - mean_moving_;
@@ -222,7 +223,7 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
         forgotten * moved_;
     moving_energy_ = energy;
     const double share = 1.0 - std::exp(-h / limit::kMean);
-    // Joints that the scene opened, or an edit, take energy until they have closed.
+    // Joints that the scene or an edit opened dissipate energy until they are closed.
     constexpr double kClosed = 0.01;
     if (steps_ == 0 || excused_ > kClosed) {
         mean_moving_ = most_ = left;
@@ -230,8 +231,9 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
         mean_moving_ += share * (left - mean_moving_);
         most_ = std::max(mean_moving_, most_ + forgotten * (mean_moving_ - most_));
     }
-    // Of the motion that there is; a part of what was exchanged, whose work has errors of its own.
-    // The tension of a stiff line changes within a step: its work is known to some per cent.
+    // Scale of the loss: the present kinetic energy, or a part of the exchanged energy, whose work
+    // has its own errors. The tension of a stiff line changes within a step, so its work is known
+    // to some per cent only.
     constexpr double kOfExchanged = 0.5, kOfLineWork = 0.05;
     peak_ = std::max(kinetic_now, (1.0 - forgotten) * peak_);
     const double fall = most_ - mean_moving_,
@@ -262,7 +264,8 @@ std::string StateVerifier::check_energy(const World& world) {
     exchanged_ +=
         (steps_ > 0 ? 0.5 * (std::abs(energy - energy_) + std::abs(now - kinetic_)) : 0.0) -
         forgotten * exchanged_;
-    // The mean of the kinetic energies before and after the start is higher than that at it.
+    // The mean of the kinetic energies before and after the start is higher than the energy at the
+    // start.
     mean_ = steps_ == 0 ? left : mean_ + (1.0 - std::exp(-h / limit::kMean)) * (left - mean_);
     least_ = steps_ == 0 || excused_ > 1.0 ? mean_
                                            : std::min(mean_, least_ + forgotten * (mean_ - least_));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The law of a contact from its materials.
+/// Check the law of a contact against its materials.
 #include "verify/certificate.h"
 
 #include <fmt/format.h>
@@ -13,8 +13,8 @@ namespace {
 
 struct Law {
     double friction, rolling, torsional;
-    double compliance, tangential_compliance;  // [m/N]
-    double damping_time;                       // [s]
+    double compliance, tangential_compliance;  // Compliances [m/N]
+    double damping_time;                       // Damping time [s]
 };
 
 Law law_of(const MaterialDef& m, double h) {
@@ -24,8 +24,8 @@ Law law_of(const MaterialDef& m, double h) {
         damping};
 }
 
-// The last pair given of two materials decides; without one: geometric means, springs in series,
-// the larger damping time.
+// Return the law of two materials: the last given pair, or else geometric means, springs in series,
+// and the larger damping time.
 Law law_between(const World& world, ShapeId one, ShapeId other) {
     const auto material = [&](ShapeId shape) {
         const MaterialId id = world.shape_def(shape).material;
@@ -48,7 +48,7 @@ Law law_between(const World& world, ShapeId one, ShapeId other) {
 }
 
 bool differ(double ours, double theirs, double scale) {
-    // Another order of a few products and sums.
+    // The tolerance covers another order of a few products and sums.
     return !(std::abs(ours - theirs) <= 1e-9 * scale);
 }
 
@@ -64,7 +64,7 @@ void Verifier::check_law(const World& world, const ContactView& contact, double 
             "a contact between shapes {} and {} has a {} of {:.9g}, by its materials {:.9g}",
             contact.shape[0].index, contact.shape[1].index, what, theirs, ours);
     };
-    // Nothing is harder than a ten-billionth of what the bodies' masses give.
+    // Softness is at least a ten-billionth of the mobility of the bodies.
     const auto softness = [&](double compliance) {
         return std::max(4.0 * compliance * upsilon / (h * h), 1e-10 * mobility);
     };
@@ -74,19 +74,19 @@ void Verifier::check_law(const World& world, const ContactView& contact, double 
     if (differ(sn, contact.softness[0], sn)) return wrong("softness", sn, contact.softness[0]);
     if (differ(st, contact.softness[1], st))
         return wrong("tangential softness", st, contact.softness[1]);
-    // Bodies that do not turn against each other have no resistance to it.
+    // Bodies without relative rotation have no resistance to it.
     if (contact.rolling != 0.0 && differ(law.rolling, contact.rolling, law.rolling))
         return wrong("rolling length", law.rolling, contact.rolling);
     if (contact.torsional != 0.0 && differ(law.torsional, contact.torsional, law.torsional))
         return wrong("torsional length", law.torsional, contact.torsional);
-    // Velocities before the world's first step, and between the stages of one with an impact, are
-    // not shown.
+    // A World does not show velocities before its first step, and between the stages of a step with
+    // an impact.
     if (result_.steps == 0 || world.stats().impacts != impacts_) return;
     const double target = contact.gap > 0.0
                               ? -contact.gap / h
                               : upsilon * (std::max(0.0, speed) - 4.0 * contact.gap / h);
     const double said = contact.target.dot(contact.normal);
-    // A speed is a sum by shares of the velocities of a segment's ends, which may cancel.
+    // The speed is a weighted sum of the velocities of a segment's ends, whose terms may cancel.
     if (differ(target, said, std::abs(target) + speeds + contact.target.norm()))
         wrong("target velocity", target, said);
 }

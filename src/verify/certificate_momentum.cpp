@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Momentum of the bodies over a step.
+/// Check the momentum of the bodies over a step.
 #include "base/dense.h"
 #include "verify/certificate.h"
 #include "verify/load_impulses.h"
@@ -21,8 +21,8 @@ Vec3 spun(const Mat3& inertia, const Vec3& w, double h) {
     return l + 0.5 * h * w.cross(l) + 0.25 * h * h * w.dot(l) * w;
 }
 
-// Spin after h without torque (docs/methods.md, 3), by Newton's method: fixed points do not
-// converge for slender bodies.
+// Return the angular velocity after h without torque (docs/methods.md, 3), by Newton's method.
+// Fixed-point iterations do not converge for slender bodies.
 Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
     const Vec3 target = spun(inertia, w, -h);
     Vec3 u = w;
@@ -37,15 +37,15 @@ Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
     return u;
 }
 
-// How much of the velocity after the step drag sees (docs/methods.md, 2): one for which a body with
-// nothing but drag slows down by exp(-z).
+// Fraction of the velocity after the step in the drag (docs/methods.md, 2). With it a body with
+// drag alone slows down by exp(-z).
 double late_share(double z) {
     if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;
     return -1.0 / std::expm1(-z) - 1.0 / z;
 }
 
-// Applied force and torque, inputs included. @param turn  Of the body where the step began, with
-// which forces in its own frame turn.
+// Return the applied force and torque, including inputs. @param turn  Orientation of the body at
+// the start of the step; forces in its own frame rotate with it.
 Twist applied(const World& world, BodyId body, const Quat& turn) {
     const BodyDef& def = world.body_def(body);
     Twist f;
@@ -66,7 +66,7 @@ bool has_force(const World& world, InteractionId id) {
     return std::any_of(force.begin(), force.end(), [](double f) { return f != 0.0; });
 }
 
-/// Squares of bodies, and the body that has the largest.
+/// Sum of the squares of all bodies, and the body with the largest.
 struct Shares {
     double sum = 0.0, most = 0.0;
     BodyId worst{};
@@ -90,14 +90,16 @@ void Verifier::add_interactions(const World& world) {
         const std::size_t i = index_of(id.index);
         const InteractionDef& def = world.interaction_def(id);
         const Wrenches rows = row_wrenches(world, id, pose_, world.force(id));
-        // A step that was solved again took the stiffness of the forces it had found.
+        // If the step was solved twice, the second solve used the stiffness of the forces from the
+        // first one.
         if (world.stats().restiffened > 0) {
             const auto with = world.stiffness_force(id);
             std::copy_n(with.begin(), last_[i].size(), last_[i].begin());
         }
-        // A system may have parted it as the step began; what parts by its load does at the end.
+        // A system may break it at the beginning of the step; an element breaks by its load at the
+        // end.
         const bool held = intact_[i] && (world.intact(id) || has_force(world, id));
-        // Of what an edit made, its wire's is known in the step alone.
+        // For an interaction from an edit, the wire's alert is known only after the step.
         const int alert = std::max(alert_[i], world.wire_alert(id));
         const Wrenches other =
             held ? stiffness_wrenches(world, id, pose_, twist_, earlier_, last_[i], alert)
@@ -131,7 +133,8 @@ void Verifier::add_loads(const World& world) {
     }
 }
 
-// Iδ of a body between its free spin and now, less what couples spin and its change.
+// Iδ of a body between its free rotation and its present angular velocity, minus the gyroscopic
+// coupling of velocity and its change.
 Vec3 Verifier::spin_impulse(std::size_t body, const Mat3& inertia, const Twist& now) {
     const Quat& turn = pose_[body].orientation;
     const Vec3 w = turn.conjugate() * twist_[body].angular;
@@ -156,14 +159,15 @@ double Verifier::momentum_residual(const World& world) {
     for (const BodyId id : moving_) {
         const std::size_t b = index_of(id.index);
         if (sleeps(world, id)) {
-            ++covered;  // there is nothing to check
+            ++covered;  // no motion to check
             continue;
         }
         const BodyDef& def = world.body_def(id);
         const bool turns = def.kind == BodyKind::rigid, scalar = def.kind == BodyKind::scalar;
         const Quat turn = turns ? pose_[b].orientation : Quat::Identity();
         const Twist now = step_velocity(world, id, pose_[b]), force = applied(world, id, turn);
-        // Of drag d on velocities before and after, each axis of the body with its own mobility.
+        // Impulse of drag d on velocities before and after the step; each axis of the body has its
+        // own mobility.
         const auto drag = [&](const Vec3& d, const Vec3& mobility, const Vec3& old,
                               const Vec3& v) -> Vec3 {
             const Vec3 w = turn.conjugate() * old, u = turn.conjugate() * v;
@@ -182,10 +186,11 @@ double Verifier::momentum_residual(const World& world) {
         Vec3 p = def.mass * (now.linear - twist_[b].linear) - given -
                  drag(def.linear_damping, lightness, old.linear, now.linear) - linear_[b];
         if (scalar) p = Vec3(p.x(), 0.0, 0.0);
-        // Also where it does not count: it keeps the change of spin.
+        // Compute it also for omitted bodies, because it stores the change of angular velocity.
         const Vec3 spin = turns ? spin_impulse(b, def.inertia, now) : Vec3::Zero();
         if (unsure_[b]) {
-            // Forces that nothing here computes: the account of lost energy takes them as acting.
+            // Forces that this code does not compute: the account of lost energy counts them as
+            // acting.
             if (checks_.states)
                 states_.add_impulse(id, {p, spin - h * force.angular - angular_[b]});
             continue;
@@ -199,23 +204,24 @@ double Verifier::momentum_residual(const World& world) {
                                            drag(def.angular_damping, mobility_[b].diagonal(),
                                                 old.angular, now.angular) -
                                            angular_[b]);
-        // Where its rounds ended, another one would have changed so much.
+        // Another iteration of the end-of-step constraints would have changed velocities by up to
+        // this.
         const double left = 1.01 * world.stats().completion_change + 1e-15;
         if (!turning_[b] || (mobility_[b] * l).norm() > left)
             residual.add(id, square_over(mobility_[b], l));
         const Vec3 w = turn.conjugate() * now.angular;
         momentum += w.dot(def.inertia * w);
     }
-    // An impact stage jumps velocities within the step: begin anew.
+    // An impact stage changes velocities within the step: restart.
     if (world.stats().impacts != impacts_) seen_ = 0;
     impacts_ = world.stats().impacts;
-    // Velocities before a world's first step belong to another time, so that the change of spin is
-    // known from the second step on and used in the third.
+    // Velocities before a world's first step belong to another time. The change of angular velocity
+    // is therefore known from the second step on and used in the third.
     if (++seen_ <= 2) return 0.0;
     left_out_ = std::max(left_out_, result_.moving_bodies - covered);
     result_.covered_bodies = std::max(0, result_.moving_bodies - left_out_);
-    // What little impulse a body without load has drowns in the rounding of its momentum: 1e-4 of
-    // that counts as impulse, so that kRoundOff is 1e-13 of it.
+    // A body without load has a small impulse, below the rounding of its momentum. Count 1e-4 of
+    // the momentum as impulse, so that kRoundOff is 1e-13 of it.
     worst_momentum_ = residual.worst;
     return std::sqrt(residual.sum) /
            std::max({std::sqrt(impulse), momentum_floor_, 1e-4 * std::sqrt(momentum)});

@@ -17,7 +17,7 @@ namespace {
 
 std::size_t number(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-/// How far a rigid joint stands open, over what is wrong.
+/// Opening of a rigid joint relative to the limit of failure.
 struct Opening {
     JointGap gap;
     double part = 0.0;
@@ -102,7 +102,7 @@ void StateVerifier::before_step(const World& world) {
     if (steps_ > 0)
         take_edits(world);
     else
-        follow(world);  // what was done to it before its first step is no change of a state
+        follow(world);  // edits before the first step do not change a state
     pose_before_ = pose_;
     for (const BodyId id : world.bodies()) {
         pose_[number(id.index)] = world.pose(id);
@@ -125,7 +125,7 @@ void StateVerifier::before_step(const World& world) {
     kinetic_ = kinetic_now;
 }
 
-/// A joint may come open, as at the start.
+/// Allow for the opening of new joints, as at the start.
 void StateVerifier::excuse_joints(const World& world, const std::vector<InteractionId>& known) {
     std::vector<Pose> now = pose_;
     for (const BodyId id : bodies_) now[number(id.index)] = world.pose(id);
@@ -174,9 +174,10 @@ std::string StateVerifier::check_joints(const World& world) {
                        world.settings().step);
 }
 
-/// By how much of its length a taut element is off its law: beyond what it moved in the step, and
-/// what its damper adds at that speed. One that was slack as the step began pulls for its end
-/// alone: it may as if it had been just taut.
+/// Return the deviation of a taut element from its law, relative to its length. Its displacement in
+/// the step and the contribution of its damper at that speed are allowed. An element that was slack
+/// at the start of the step pulls only for the state at the end. It is treated as if it had been
+/// just taut.
 double StateVerifier::off_law(const World& world, InteractionId id) const {
     const InteractionDef& def = world.interaction_def(id);
     const double tension = -world.force(id)[0];
@@ -190,7 +191,8 @@ double StateVerifier::off_law(const World& world, InteractionId id) const {
     return std::max(0.0, off - (1.0 + late) * way) / rest;
 }
 
-/// An element that comes taut is off for a moment; one that rings is so step after step.
+/// Check the lines. An element that becomes taut deviates for a moment; a vibrating one deviates in
+/// every step.
 std::string StateVerifier::check_lines(const World& world) {
     double worst = 0.0;
     InteractionId where{};

@@ -8,25 +8,25 @@
 namespace hawser::verify {
 namespace {
 
-/// Share that a lump has of a contact at the end of a segment that a body holds
-/// (docs/collision.md, item "Wires"): what a velocity of the lump makes of it is above
-/// the tolerance of this verification.
+/// Least weight of a node in a contact at the other end of a segment, if that end is attached to a
+/// body. See docs/collision.md, item "Wires". Its effect on the velocity is above the tolerance of
+/// this check.
 constexpr double kLeastShareOfLump = 2e-9;
-/// Of the body in one at the lump, where rounding is all that a share computed anew differs from 0
-/// by: with none the body does not feel the force's moment either.
+/// Least weight of the body in a contact at the node. A smaller computed weight differs from 0 only
+/// by rounding; the body then gets no moment of the force either.
 constexpr double kLeastShareOfBody = 1e-11;
 
 const Pose& pose_of(std::span<const Pose> pose, BodyId body) {
     return pose[static_cast<std::size_t>(body.index)];
 }
 
-/// Whether a body holds the end of a segment by a point of its frame.
+/// True if the end of a segment is attached to a body at a point of its frame.
 bool holds(const World& world, const ShapeDef& def, BodyId body) {
     const BodyKind kind = world.body_def(body).kind;
     return kind != BodyKind::lump && !(kind == BodyKind::fixed && def.position.isZero(0.0));
 }
 
-/// The element along a segment; invalid: there is none.
+/// Return the element along a segment; invalid: there is none.
 InteractionId element_along(const World& world, const ShapeDef& def) {
     for (const InteractionId id : world.interactions()) {
         const InteractionDef& d = world.interaction_def(id);
@@ -60,7 +60,7 @@ ContactSide contact_side(const World& world, ShapeId shape, const Vec3& on_axis,
     }
     const Vec3 along = end[1] - end[0];
     double s = std::clamp((on_axis - end[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    // Beyond the point where a body holds the segment the lump keeps its least share.
+    // Beyond the body's point of attachment the node keeps its least weight.
     if (held == 0) s = std::max(s, kLeastShareOfLump);
     if (held == 1) s = std::min(s, 1.0 - kLeastShareOfLump);
     if (held == 0 && 1.0 - s < kLeastShareOfBody) s = 1.0;
@@ -68,7 +68,7 @@ ContactSide contact_side(const World& world, ShapeId shape, const Vec3& on_axis,
     side.share[0] = 1.0 - s;
     side.share[1] = s;
     side.length = along.norm();
-    // What the lump does not feel the body does, so that both together feel the force at its point.
+    // The body gets the rest of the moment, so that both together receive the force at its point.
     if (held >= 0 && side.share[held] > 0.0) {
         const int lump = 1 - held;
         const Vec3 rest = point - side.share[lump] * pose_of(pose, side.body[lump]).position;

@@ -19,7 +19,7 @@ void read_velocities(const World& world, std::vector<Vec3>& out) {
         if (moves(world, id)) out[static_cast<std::size_t>(id.index)] = world.velocity(id).linear;
 }
 
-/// Displacement, turn, velocity and angular velocity of a body, between two states.
+/// Displacement, rotation, velocity and angular velocity of a body, between two states.
 struct Deviation {
     Vec3 x, turn, v, w;
 };
@@ -28,22 +28,22 @@ Deviation operator*(double s, const Deviation& d) {
     return {s * d.x, s * d.turn, s * d.v, s * d.w};
 }
 
-/// Bodies that move, their states, and the scales of their norms.
+/// Moving bodies, their states, and the scales of their norms.
 class Linearised {
   public:
     explicit Linearised(const World& world)
         : world_(world), base_(world.twin()), moved_(world.twin()), h_(world.settings().step) {
         for (const BodyId id : world.bodies())
             if (moves(world, id)) bodies_.push_back(id);
-        // Linearised is one step with the groups there are.
+        // Linearise one step with the present groups.
         for (World* w : {&base_, &moved_}) w->follow_groups(world.settings().parts, 0);
         ok_ = base_.step() == Status::ok;
     }
 
     [[nodiscard]] std::size_t size() const { return bodies_.size(); }
 
-    /// d becomes what the step makes of it. @return ‖change of velocities‖, mass-weighted; −1: the
-    /// step failed.
+    /// Replace d by its image under the linearised step. @return ‖change of velocities‖,
+    /// mass-weighted; −1: the step failed.
     double apply(std::vector<Deviation>& d) {
         moved_.copy_state(world_);
         for (std::size_t i = 0; i < bodies_.size(); ++i) displace(bodies_[i], kSmall * d[i]);
@@ -57,7 +57,7 @@ class Linearised {
         return std::sqrt(sum);
     }
 
-    /// Mass-weighted, displacements as velocities over a step.
+    /// Return the mass-weighted norm; displacements count as velocities over a step.
     [[nodiscard]] double norm(const std::vector<Deviation>& d) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < d.size(); ++i)
@@ -65,11 +65,12 @@ class Linearised {
         return std::sqrt(sum);
     }
 
-    /// Of the size of one for the average body.
+    /// Return the weight of a body in the norm: its mass.
     [[nodiscard]] double weight(BodyId body) const { return world_.body_def(body).mass; }
 
   private:
-    static constexpr double kSmall = 1e-5;  ///< [m/s]: far above rounding, far below motions.
+    static constexpr double kSmall =
+        1e-5;  ///< Scale of the differences [m/s]: far above rounding, far below motions.
 
     void displace(BodyId body, const Deviation& d) {
         Pose pose = moved_.pose(body);
@@ -131,7 +132,7 @@ void CouplingObserver::before_step(const World& world) {
         exact_.copy_state(world);
     } else {
         exact_ = world.twin(Coupling::exact);
-        figures_.steps = 0;  // no velocity before of what is new
+        figures_.steps = 0;  // new objects have no previous velocity
     }
     before_.swap(now_);
     read_velocities(world, now_);
@@ -146,7 +147,7 @@ void CouplingObserver::after_step(const World& world) {
     defect_squares_ += stats.momentum_defect * stats.momentum_defect;
     if (exact_.step() != Status::ok) return;
     const double per_h2 = 1.0 / (world.settings().step * world.settings().step);
-    // The first step has no velocity before it.
+    // The first step has no previous velocity.
     for (const BodyId id : world.bodies()) {
         if (figures_.steps == 1 || !moves(world, id)) continue;
         const auto i = static_cast<std::size_t>(id.index);
@@ -187,7 +188,7 @@ double spectral_radius(const World& world) {
     constexpr int kIterations = 160;
     Linearised step(world);
     std::vector<Deviation> d(step.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
-    for (std::size_t i = 0; i < d.size(); ++i) {  // no symmetry, the same each time
+    for (std::size_t i = 0; i < d.size(); ++i) {  // no symmetry, equal in each run
         const auto s = static_cast<double>(i);
         d[i].v = {std::sin(1.0 + 2.3 * s), std::sin(2.0 + 3.1 * s), std::sin(3.0 + 4.7 * s)};
     }
@@ -195,7 +196,7 @@ double spectral_radius(const World& world) {
     for (int k = 1; k <= kIterations; ++k) {
         const double size = step.norm(d);
         if (!(size > 0.0)) return 0.0;
-        // Of the order of 1 m/s for each body.
+        // Normalise to the order of 1 m/s for each body.
         double mass = 0.0;
         for (std::size_t i = 0; i < d.size(); ++i)
             mass = std::max(mass, d[i].v.norm() + d[i].x.norm());

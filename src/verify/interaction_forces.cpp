@@ -30,30 +30,32 @@ class Forces : public Attached {
         w.force += force;
         w.torque += (where - center(slot)).cross(force);
     }
-    /// A force on body 1 and its reaction on body 0.
+    /// Add a force on body 1 and its reaction on body 0.
     void pull(const Vec3& force, const Vec3& on_0, const Vec3& on_1) {
         push(0, -force, on_0);
         push(1, force, on_1);
     }
-    /// A torque on body 1 and its reaction on body 0.
+    /// Add a torque on body 1 and its reaction on body 0.
     void turn(const Vec3& torque) {
         result.on[0].torque -= torque;
         result.on[1].torque += torque;
     }
-    /// Rows 0-2: both bodies at their own points, which coincide but for the violation.
+    /// Add rows 0-2: both bodies at their own points, which coincide up to the violation.
     void joined(std::span<const double> f) { pull(Vec3(f[0], f[1], f[2]), point(0), point(1)); }
-    /// The direction belongs to body 0, the place to body 1: that is where both are pushed.
+    /// Add a force along an axis of body 0, at the point of body 1 for both bodies.
     void slide(int axis_of_0, double f) { pull(f * axis(0, axis_of_0), point(1), point(1)); }
-    /// p·q = 0 of an axis of each body: the torque that turns p and q further apart.
+    /// Add the row p·q = 0 of an axis of each body: the torque that increases the angle between p
+    /// and q.
     void square(int axis_of_0, int axis_of_1, double f) {
         turn(f * axis(1, axis_of_1).cross(axis(0, axis_of_0)));
     }
-    /// About the mean of both z axes, scaled so that both frames' own turning counts in full.
+    /// Add a torque about the mean of both z axes, scaled so that the rotation of each frame about
+    /// its own axis counts fully.
     void twist(double f) {
         const Vec3 a = axis(0, 2), b = axis(1, 2);
         turn(f / (1.0 + a.dot(b)) * (a + b));
     }
-    /// Wheels on a carrier, slot 0: in the ratio of their teeth, each about its own axis.
+    /// Add wheels on a carrier, slot 0: in the ratio of their teeth, each about its own axis.
     void gear(double f) {
         const Vec3 a = axis(0, 2);
         for (int k = 1; k <= 2; ++k) {
@@ -87,14 +89,14 @@ void Forces::span(double f) {
     for (int k = 0; k < 2; ++k) scalar(2 + k, -f * def().get(k == 0 ? "slide_0" : "slide_1"));
 }
 
-// Rows lie along n₁ and n₂ = t × n₁, square to the mean tangent t; n₁ is the world axis that makes
-// the largest angle with t, less its part along t. The energy of the moment N = Σ f n is
-// N·(e₂ − e₁), whose gradients are the nodes' forces.
+// Rows lie along n₁ and n₂ = t × n₁, perpendicular to the mean tangent t. To find n₁, use the world
+// axis with the largest angle to t, minus its component along t. The energy of the moment N = Σ f n
+// is N·(e₂ − e₁), whose gradients are the nodes' forces.
 void Forces::bend(std::span<const double> f) {
     if (f[0] == 0.0 && f[1] == 0.0) return;
     const Vec3 p[3] = {point(0), point(1), point(2)};
     const Vec3 d1 = p[1] - p[0], d2 = p[2] - p[1];
-    // Segments that have collapsed below a tenth of the mean length do not turn as unit vectors do.
+    // Segments shorter than a tenth of the mean length do not rotate as unit vectors do.
     const double shortest = 0.1 * def().get("length");
     const double l1 = std::max(d1.norm(), shortest), l2 = std::max(d2.norm(), shortest);
     const Vec3 e1 = d1 / l1, e2 = d2 / l2, t = (e1 + e2).normalized();
@@ -103,8 +105,8 @@ void Forces::bend(std::span<const double> f) {
     if (size(next) < size(least)) std::swap(next, least);
     if (size(most) < size(next)) std::swap(most, next);
     if (size(next) < size(least)) std::swap(next, least);
-    // Where two are equal but for rounding, either may be meant; so it is where the line is folded
-    // back on itself. Positions of lumps are exact, attachment points of rigid bodies are not.
+    // If two axes are equal up to rounding, or the line is folded back on itself, the choice is
+    // ambiguous. Positions of nodes are exact, attachment points of rigid bodies are not.
     const bool exact = is_point(0) && is_point(1) && is_point(2);
     const auto terms = [&](int k) { return std::abs(e1[k]) + std::abs(e2[k]); };
     const double noise = 1e-12 * (exact ? terms(least) + terms(next) : 1.0);
@@ -133,7 +135,7 @@ void Forces::hydrostatic(std::span<const double> f) {
     result.on[0].torque -= f[2] * (q * Vec3::UnitX()).cross(up);
 }
 
-// @return false: it is no piece of a line.
+// Add the forces of a part of a line. @return false if the kind is no part of a line.
 bool Forces::piece_of_line(std::span<const double> f) {
     switch (def().kind) {
         case InteractionKind::WinchStretch:

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file interaction_forces.h
-/// What interactions do to their bodies, from definitions, poses and the forces of their rows, for
-/// certificate.h. Each kind is a few forces at points and torques, written down from what the
-/// catalogue says about its rows (docs/scenes_reference.md); no Jacobian, and nothing of the
-/// solver.
+/// Compute the effects of interactions on their bodies from definitions, poses and row forces, for
+/// certificate.h. Each kind is a few forces at points and torques, written from the catalogue of
+/// its rows (docs/scenes_reference.md). This code uses no Jacobian and no part of the solver.
 
 #include <hawser/hawser.h>
 
@@ -15,7 +14,7 @@
 
 namespace hawser::verify {
 
-/// Force [N] at the centre of mass and torque [N m] about it, world frame, or impulses. Of a
+/// Force [N] at the centre of mass and torque [N m] about it, world frame, or impulses. For a
 /// scalar body: force.x().
 struct Wrench {
     Vec3 force{0.0, 0.0, 0.0};
@@ -23,40 +22,42 @@ struct Wrench {
 };
 
 struct Wrenches {
-    std::array<Wrench, kMaxInteractionBodies> on{};  ///< In the order of the interaction's bodies.
-    /// False: the kind is not covered, or rounding decides how the rows lie (bend of a line whose
-    /// two smallest direction cosines are equal).
+    std::array<Wrench, kMaxInteractionBodies>
+        on{};  ///< Wrenches in the order of the interaction's bodies.
+    /// False if the kind is not covered, or if rounding decides on the directions of the rows. The
+    /// latter is a bend of a line whose two smallest direction cosines are equal.
     bool known = true;
 };
 
-/// Of the rows with these forces [N or N m].
+/// Return the wrenches of the rows with these forces [N or N m].
 [[nodiscard]] Wrenches row_wrenches(const World& world, InteractionId id,
                                     std::span<const Pose> pose, std::span<const double> force);
 
-/// Impulses [N s, N m s] of the geometric stiffness and the damping of joints (docs/methods.md, 4)
-/// in the step that led from velocities `before` to those at hand. @param earlier  Velocities
-/// before the step before that one. @param last  Forces of the rows in it. @param alert
-/// World::wire_alert() before the step that led here.
+/// Return the impulses [N s, N m s] of the geometric stiffness and the damping of joints
+/// (docs/methods.md, 4). They belong to the step from velocities `before` to the present ones.
+/// @param earlier  Velocities before the step before that one. @param last  Forces of the rows in
+/// it. @param alert World::wire_alert() before the present step.
 [[nodiscard]] Wrenches stiffness_wrenches(const World& world, InteractionId id,
                                           std::span<const Pose> pose, std::span<const Twist> before,
                                           std::span<const Twist> earlier,
                                           std::span<const double> last, int alert);
 
-/// Mass of an element that moves as a straight piece between two lumps (its parameter `mass`), 0 of
-/// all else [kg].
+/// Return the mass of an element that moves as a straight piece between two nodes (its parameter
+/// `mass`); 0 for other interactions [kg].
 [[nodiscard]] double piece_mass(const World& world, InteractionId id);
 
-/// Forces that the first row of an interaction may have [N or N m].
+/// Allowed forces of the first row of an interaction [N or N m].
 struct ForceRange {
     double low = 0.0, high = 0.0;
     bool bounded = false;
     bool friction = false;
 };
-/// With the loads of friction as they are at hand. @param pose  Where the step began.
+/// Return the range with the present loads of friction. @param pose  Poses at the start of the
+/// step.
 [[nodiscard]] ForceRange force_range(const World& world, InteractionId id,
                                      std::span<const Pose> pose);
 
-/// Parameters of an interaction as inputs have set them.
+/// Return a parameter of an interaction with its present input value.
 [[nodiscard]] double parameter(const World& world, InteractionId id, std::string_view name);
 
 }  // namespace hawser::verify

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Geometric stiffness and damping beside the rows, and bounds of the rows' forces.
+/// Compute geometric stiffness and damping, which are no row forces, and bounds of row forces.
 #include "verify/interaction_forces.h"
 
 #include "base/dense.h"
@@ -25,8 +25,7 @@ bool is_joint(InteractionKind kind) {
            kind == InteractionKind::Universal || kind == InteractionKind::Lock;
 }
 
-// How the torque of a force that stays as it is changes as its arm turns; the part of it that
-// pushes back.
+// Change of the torque of a constant force when its arm rotates; the restoring part of it.
 Mat3 arm_stiffness(const Vec3& force, const Vec3& arm) {
     const Mat3 outer = force * arm.transpose();
     const Mat3 k = force.dot(arm) * Mat3::Identity() - 0.5 * (outer + outer.transpose());
@@ -41,7 +40,7 @@ double swing(const BodyDef& body, const Vec3& arm) {
     return 2.0 * arm.norm() / (body.inertia.trace() - u.dot(body.inertia * u));
 }
 
-// How fast the lighter end of a line gives way across it [1/kg].
+// Transverse mobility of the lighter end of a line [1/kg].
 double lightness(const Attached& on, const World& world) {
     double most = 0.0;
     const bool rigid = on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid;
@@ -59,13 +58,15 @@ double lightness(const Attached& on, const World& world) {
     return most;
 }
 
-// Between bodies that turn, without lumps, a line has less of it where its swing is resolved.
+// Reduction factor of the stiffness of a line between rotating bodies without nodes, if its
+// transverse vibration is resolved.
 double resolved(const Attached& on, double s) {
     return on.is_point(0) || on.is_point(1) || s >= 0.25 ? 1.0 : 16.0 * s * s;
 }
 
-// A line that pulls: its stiffness across on the changes of velocity, and on those from what the
-// last two steps let expect (docs/methods.md, 4). `held`: which share of it the step had.
+// Add the transverse stiffness of a line under tension. It acts on the changes of velocity. It also
+// acts on the differences from the extrapolation of the last two steps (docs/methods.md, 4).
+// `held`: fraction of the stiffness in the step.
 void add_across(const World& world, const Attached& on, std::span<const Twist> before,
                 std::span<const Twist> earlier, double tension, bool calm, double held,
                 Wrenches& out) {
@@ -75,7 +76,7 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
     const double full = held * h * h * world.settings().geometric_stiffness * tension /
                         std::max(between.norm(), 1e-9);
     const double s = full * lightness(on, world), fade = resolved(on, s),
-                 // Between two rigid bodies the rule of trapezia holds however fast they are.
+                 // Between two rigid bodies the trapezoidal rule applies at any frequency.
         p = s > 0.25 && (on.is_point(0) || on.is_point(1) || on.kind(0) != BodyKind::rigid ||
                          on.kind(1) != BodyKind::rigid)
                 ? (s - 0.25) / (s + 0.25)
@@ -103,8 +104,8 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
     }
 }
 
-// Share of its stiffness that a joint which holds at the step's end has under a force: none while
-// its swing is resolved, all of it at twice that.
+// Fraction of the stiffness of a joint that is closed at the end of the step. It is 0 if the
+// oscillation about the joint is resolved, and 1 from twice that frequency on.
 double completed_share(const Attached& on, const World& world, double force) {
     double rate = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
@@ -135,7 +136,8 @@ double load_size(const World& world, InteractionId id) {
     return std::sqrt(square);
 }
 
-// Euler's and Eytelwein's ratio of the tensions before and behind a place, as a share of their sum.
+// Ratio of the tensions before and after a turning point (Euler and Eytelwein), as (ratio −
+// 1)/(ratio + 1).
 double line_share(const World& world, const InteractionDef& def, std::span<const Pose> pose) {
     const double angle = turn_between(world, def.load[0].interaction, def.load[1].interaction,
                                       def.get("angle"), pose);
@@ -162,7 +164,7 @@ ForceRange friction_range(const World& world, InteractionId id, std::span<const 
 ForceRange limit_range(const World& world, InteractionId id, double q) {
     const InteractionDef& def = world.interaction_def(id);
     const double below = def.get("min") - q, above = q - def.get("max");
-    // Where rounding decides on which side of its end it is, either is right.
+    // If rounding decides whether the limit is reached, accept both cases.
     const double noise = 1e-12 * (1.0 + std::abs(q));
     return {above > -noise ? -kNoBound : 0.0, below > -noise ? kNoBound : 0.0, true, false};
 }
@@ -181,7 +183,7 @@ double piece_mass(const World& world, InteractionId id) {
 
 namespace {
 
-/// What its consistent mass makes of the velocities that it gained, as impulses.
+/// Add the effect of an element's consistent mass on the changes of velocity, as impulses.
 void add_piece(const World& world, InteractionId id, std::span<const Twist> before, Wrenches& out) {
     const double mass = piece_mass(world, id);
     if (!(mass > 0.0)) return;
@@ -203,7 +205,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     const WorldDef& settings = world.settings();
     Wrenches out;
     if (!(is_line(kind) || is_joint(kind)) || settings.nonsmooth == Nonsmooth::pgs) return out;
-    // What a wire that would have gained energy was stepped with instead is not shown.
+    // A World does not show the replacement terms of a flagged wire that would have gained energy.
     out.known = world.wire_alert(id) < std::lround(std::ceil(std::max(20.0, 1.0 / settings.step)));
     const double h = settings.step, scale = 0.25 * h * h * settings.geometric_stiffness;
     const LineEnds ends = is_line(kind) ? line_ends(on) : LineEnds{{on.point(0), on.point(1)}, {}};
@@ -211,7 +213,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     add_piece(world, id, before, out);
     Vec3 pull;  // on body 1
     if (is_line(kind)) {
-        if (!(last[0] < 0.0)) return out;  // only what is under tension
+        if (!(last[0] < 0.0)) return out;  // only elements under tension
         pull = last[0] * between.normalized();
     } else {
         pull = Vec3(last[0], last[1], last[2]);
@@ -219,7 +221,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     const bool completed = world.completed(id);
     const double held = completed ? completed_share(on, world, pull.norm()) : 1.0;
     if (held == 0.0) return out;
-    // How much too fast for the step the swing about a joint is: docs/methods.md, 4.
+    // Excess of the oscillation about a joint over the resolved frequency: docs/methods.md, 4.
     double swings = 0.0, fast = 0.0;
     const bool damped =
         is_joint(kind) && on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid;
@@ -263,7 +265,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
 
 namespace {
 
-/// Speed of a motor's coordinate after the step [m/s or rad/s].
+/// Return the speed of a motor's coordinate after the step [m/s or rad/s].
 double motor_speed(const Attached& on) {
     if (on.def().kind == InteractionKind::ScalarMotor) return on.velocity(0).linear.x();
     const Vec3 axis = on.axis(0, 2);
@@ -274,11 +276,11 @@ double motor_speed(const Attached& on) {
                     a.angular.cross(where - on.center(0)));
 }
 
-/// Range of a motor that drives with a power of at most `power` [W].
+/// Return the range of a motor with a power of at most `power` [W].
 ForceRange with_power(const Attached& on, double power, ForceRange range) {
     if (!(power < 1e30)) return range;
     const double speed = motor_speed(on);
-    // A range beyond the limit shrinks to it.
+    // A range beyond the limit is reduced to it.
     const double most = speed > 0.0 ? power / speed : kNoBound;
     const double least = speed < 0.0 ? power / speed : -kNoBound;
     range = {std::clamp(range.low, least, most), std::clamp(range.high, least, most)};

@@ -22,7 +22,7 @@ JointGap joint_gap(const World& world, InteractionId id, std::span<const Pose> p
     const InteractionDef& def = world.interaction_def(id);
     const bool joint = def.kind == Ball || def.kind == Hinge || def.kind == Prismatic ||
                        def.kind == Cylindrical || def.kind == Universal || def.kind == Lock;
-    // What gives more than this is a spring or a mount [m/N].
+    // An interaction softer than this is a spring or a mount [m/N].
     constexpr double kRigid = 1e-11;
     if ((!joint && def.kind != Distance) || !world.intact(id) || def.compliance[0] > kRigid)
         return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file joint_gap.h
-/// How far a joint stands open, by its points and axes: nothing of the solver.
+/// Measure the opening of a joint from its points and axes, without the solver.
 
 #include <hawser/hawser.h>
 
@@ -10,16 +10,16 @@
 namespace hawser::verify {
 
 struct JointGap {
-    double apart = 0.0;   ///< Of its points, as far as it holds them [m].
-    double turned = 0.0;  ///< Of its axes, as far as it holds them [rad].
-    bool rigid = false;   ///< False: no joint, or one that is meant to give way.
+    double apart = 0.0;   ///< Distance of its points in the constrained directions [m].
+    double turned = 0.0;  ///< Angle of its axes in the constrained directions [rad].
+    bool rigid = false;   ///< False: no joint, or an elastic one.
 };
 
-/// @param pose  Of all bodies.
+/// Return the opening of a joint. @param pose  Poses of all bodies.
 [[nodiscard]] JointGap joint_gap(const World& world, InteractionId id, std::span<const Pose> pose);
 
-/// Edges of a cube with the same mass and inertia, of the smaller of a joint's bodies [m]; 0: none
-/// of them has a size.
+/// Return the edge of a cube with the mass and inertia of the smaller body of a joint [m]; 0: no
+/// body has a size.
 [[nodiscard]] double joint_size(const World& world, InteractionId id);
 
 }  // namespace hawser::verify

@@ -16,10 +16,10 @@
 namespace hawser::verify {
 namespace {
 
-/// What strikes an end comes back by 4/9 of its way beyond it in a step.
+/// A coordinate beyond a limit returns by 4/9 of its excess in a step.
 constexpr int kMostSteps = 6;
 
-/// Angle or travel of frame 1 against frame 0, about or along z of that.
+/// Return the angle or travel of frame 1 relative to frame 0, about or along z of frame 0.
 double coordinate(const World& world, InteractionId id, std::span<const Pose> pose) {
     const Attached at(world, id, pose);
     if (world.interaction_def(id).kind == InteractionKind::SlideRange)
@@ -27,8 +27,8 @@ double coordinate(const World& world, InteractionId id, std::span<const Pose> po
     return std::atan2(at.axis(1, 0).dot(at.axis(0, 1)), at.axis(1, 0).dot(at.axis(0, 0)));
 }
 
-/// Thickness of a shape, beyond which something in it comes out behind [m]; of others than spheres,
-/// boxes and cylinders infinite.
+/// Return the thickness of a shape [m]. An object that is deeper emerges on the other side.
+/// Infinite for shapes other than spheres, boxes and cylinders.
 double thickness(const ShapeDef& s) {
     if (s.body_b.valid()) return HUGE_VAL;
     switch (s.kind) {

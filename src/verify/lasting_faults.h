@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lasting_faults.h
-/// Ranges that do not hold and bodies that lie in each other, by definitions and poses alone.
+/// Detect violated ranges and overlapping bodies from definitions and poses alone.
 ///
-/// What strikes the end of a range passes it within a step by the way that it goes in one, and what
-/// falls comes in: both come back. Wrong is what stays for more than six steps, which in small
-/// worlds are six looks of the program's own judge.
+/// A body at speed passes the end of a range by up to its displacement in one step, and a falling
+/// body penetrates; both return. A failure is a violation for more than six steps. In small worlds
+/// these are six samples of the program's own monitor.
 
 #include <hawser/hawser.h>
 
@@ -16,14 +16,15 @@ namespace hawser::verify {
 
 class LastingFaults {
   public:
-    /// @param pose  Of all bodies, by index, after the step. @return "" or what is wrong.
+    /// Check the state after a step. @param pose  Poses of all bodies, by index, after the step.
+    /// @return "" or a description of the failure.
     [[nodiscard]] std::string after_step(const World& world, std::span<const Pose> pose);
 
   private:
     std::string check_ranges(const World& world, std::span<const Pose> pose);
     std::string check_depths(const World& world);
-    int beyond_ = 0;  ///< Steps in a row after which some range was violated.
-    int deep_ = 0;    ///< Steps in a row after which some body lay deep in another.
+    int beyond_ = 0;  ///< Consecutive steps with a violated range.
+    int deep_ = 0;    ///< Consecutive steps with a deep overlap.
 };
 
 }  // namespace hawser::verify

@@ -7,7 +7,7 @@
 namespace hawser::verify {
 namespace {
 
-/// Signed radius of the wheel at an end [m].
+/// Return the signed radius of the wheel at an end [m].
 double wheel_at(const InteractionDef& def, int slot) {
     if (def.kind == InteractionKind::Span) return def.get(slot == 0 ? "wheel_0" : "wheel_1");
     if (def.kind != InteractionKind::EndSpan) return 0.0;
@@ -19,15 +19,15 @@ bool has_ends(const World& world, InteractionId id) {
     return id.valid() && world.interaction_def(id).kind != InteractionKind::BodySpan;
 }
 
-// Where, seen along the axis of the first wheel, an end has come within the other's circle or all
-// but, no tangent is left: both ends lie as if what keeps the centres apart were 0.999 of their
-// distance.
-// @return whether that is so.
+// Handle a line without tangent: seen along the axis of the first wheel, one end is within the
+// other's circle or nearly so. The ends are then placed as if the difference of the signed radii
+// were 0.999 of the distance of the centres.
+// @return true in this case.
 bool drawn_in(const Attached& on, const double* radius, LineEnds& out) {
     const bool first = radius[0] != 0.0, both = first && radius[1] != 0.0;
     if (!first && radius[1] == 0.0) return false;
     const Vec3 n = on.axis(first ? 0 : 1, 2), d = out.at[1] - out.at[0], flat = d - d.dot(n) * n;
-    // A second wheel whose axis points the other way is passed the other way round.
+    // A second wheel with the opposite direction of its axis is passed on the other side.
     const double second = both && n.dot(on.axis(1, 2)) < 0.0 ? -radius[1] : radius[1];
     const double apart = second - radius[0];
     if (d.norm() < 1e-6 || std::abs(apart) <= 0.999 * flat.norm()) return false;
@@ -42,7 +42,7 @@ bool drawn_in(const Attached& on, const double* radius, LineEnds& out) {
 
 }  // namespace
 
-// A wheel of radius R > 0 lies to the left of what passes it, seen against its axis: the end is at
+// A wheel of radius R > 0 is on the left of the passing line, seen against its axis: the end is at
 // R u × n.
 LineEnds line_ends(const Attached& on) {
     const double radius[2] = {wheel_at(on.def(), 0), wheel_at(on.def(), 1)};
@@ -76,12 +76,12 @@ double turn_between(const World& world, InteractionId before, InteractionId behi
     const Attached first(world, before, pose), second(world, behind, pose);
     Vec3 u = line_ends(first).along, v = line_ends(second).along;
     const double wheel = wheel_at(first.def(), 1);
-    if (wheel != 0.0) {  // what of both lies in the plane of the wheel
+    if (wheel != 0.0) {  // project both onto the plane of the wheel
         const Vec3 n = first.axis(1, 2);
         u = (u - u.dot(n) * n).normalized();
         v = (v - v.dot(n) * n).normalized();
     }
-    // From the sine where the cosine tells nothing.
+    // Use the sine if the cosine is inaccurate.
     const double sine = std::asin(std::min(1.0, u.cross(v).norm()));
     const double angle = u.dot(v) > 0.7    ? sine
                          : u.dot(v) < -0.7 ? std::acos(-1.0) - sine

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file load_impulses.h
-/// What loads of systems (hawser/system.h) did to bodies in the last step, computed anew from what
-/// a World shows: the loads, velocities before and after, masses.
+/// Compute the impulses of system loads (hawser/system.h) on bodies in the last step. They come
+/// from the public data of a World: the loads, velocities before and after, masses.
 
 #include <hawser/hawser.h>
 
@@ -16,7 +16,8 @@ struct LoadImpulse {
     Vec3 linear{0, 0, 0}, angular{0, 0, 0};
 };
 
-/// @param pose, before  Of all bodies, where the step began.
+/// Return the impulses. @param pose, before  Poses and velocities of all bodies at the start of the
+/// step.
 [[nodiscard]] std::vector<LoadImpulse> load_impulses(const World& world,
                                                      const std::vector<Pose>& pose,
                                                      const std::vector<Twist>& before);

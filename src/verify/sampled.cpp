@@ -8,10 +8,10 @@ namespace hawser::verify {
 namespace {
 
 constexpr std::int64_t kEverySteps = 600;
-constexpr std::int64_t kAfterEvents = 300;  // Least distance of windows that events open.
-constexpr int kWindow = 3;                  // The first one only tells how spins change.
+constexpr std::int64_t kAfterEvents = 300;  // Least distance of sampled intervals after events.
+constexpr int kWindow = 3;  // The first step only provides the changes of angular velocities.
 
-/// What changes a world or breaks in it; lines go slack and taut all the time.
+/// True for events that change a world or break a part. Slack and taut lines are too frequent.
 bool opens_window(const Event& event) {
     switch (event.kind) {
         case EventKind::slack:

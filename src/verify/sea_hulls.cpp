@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hulls in the sea, by polygons cut at the surface and three Gauss points a triangle, exact for
-/// what is of second degree.
+/// Hulls in the sea: polygons cut at the surface and three Gauss points for each triangle, exact
+/// for integrands of second degree.
 #include "verify/sea_loads.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace hawser::verify {
 namespace {
 
 struct Spot {
-    Vec3 x;  ///< From the centre of mass.
+    Vec3 x;  ///< Point relative to the centre of mass [m].
     double depth, pressure;
 };
 
@@ -20,7 +20,7 @@ Spot between(const Spot& a, const Spot& b, double t) {
             a.pressure + t * (b.pressure - a.pressure)};
 }
 
-/// What is under the surface of a triangle, corner by corner.
+/// Return the part of a triangle under the surface, corner by corner.
 std::vector<Spot> wet_part(const Spot (&corner)[3]) {
     std::vector<Spot> out;
     for (int k = 0; k < 3; ++k) {
@@ -82,7 +82,7 @@ void SeaVerifier::add_hull(const WaterHull& def, const Pose& pose, const Twist& 
     }
     const double wet = def.linear.on ? 1.0 : std::clamp(volume / whole, 0.0, 1.0);
     out.wet = wet > 0.0 || !def.wind_area.isZero(0.0);
-    if (def.linear.on) out.force.setZero();  // add_statics() has what presses it
+    if (def.linear.on) out.force.setZero();  // add_statics() contains the pressure
     const Flow flow = flow_over(def, pose);
     if (wet > 0.0) add_strips(def, pose, twist, flow.wet_share, out);
     if (wet > 0.0 && !def.linear.on) {

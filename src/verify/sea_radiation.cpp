@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What coefficients do to hulls, anew: K(t) by Gauss points, sums over velocities that are kept
-/// here, states by a series for e^{Ah}, waves by each component. Where verifying begins, what the
-/// library remembers is taken as it is; damping added for passivity is taken, too.
+/// Effects of coefficients on hulls. K(t) comes from Gauss points, the convolution from velocities
+/// stored here, states from a series for e^{Ah}, waves from each component. At the start of
+/// verification, the library's memory terms and its damping added for passivity are accepted.
 #include "base/dense.h"
 #include "verify/sea_loads.h"
 #include "verify/sea_tools.h"
@@ -13,7 +13,7 @@ namespace hawser::verify {
 
 namespace {
 
-/// B as hydro.h has it: linear between frequencies and beyond the last one.
+/// Return B as in hydro.h: linear between frequencies and beyond the last one.
 M6 damping_at(const WaveCoefficients& c, double omega) {
     const auto part = [&](double w0, const M6& b0, double w1, const M6& b1) -> M6 {
         return b0 + (omega - w0) / (w1 - w0) * (b1 - b0);
@@ -33,7 +33,7 @@ M6 damping_at(const WaveCoefficients& c, double omega) {
     return part(4.0 * last, c.damping.back() / 64.0, 5.0 * last, M6::Zero());
 }
 
-/// Frequencies between which B is linear.
+/// Return the frequencies between which B is linear.
 std::vector<double> ends_of(const WaveCoefficients& c) {
     std::vector<double> out{0.0};
     out.insert(out.end(), c.frequency.begin(), c.frequency.end());
@@ -42,7 +42,7 @@ std::vector<double> ends_of(const WaveCoefficients& c) {
     return out;
 }
 
-/// K at m h, m = 0 … count − 1, by five Gauss points a radian or so.
+/// Return K at m h, m = 0 … count − 1, with about five Gauss points per radian.
 std::vector<M6> kernel_of(const WaveCoefficients& c, double h, std::size_t count, double memory) {
     constexpr double kAt[] = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
                               0.9061798459386640};
@@ -71,7 +71,7 @@ std::vector<M6> kernel_of(const WaveCoefficients& c, double h, std::size_t count
     return out;
 }
 
-/// e^{A h} by its series of A h/1024, squared ten times.
+/// Return e^{A h} by the series of A h/1024, squared ten times.
 Eigen::MatrixXd grown(const Eigen::MatrixXd& a, double h) {
     const Eigen::MatrixXd x = a * h / 1024.0;
     Eigen::MatrixXd term = Eigen::MatrixXd::Identity(a.rows(), a.cols()), sum = term;
@@ -138,7 +138,7 @@ void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Mat3& axes,
         for (std::size_t m = 0; m < past.velocity.size(); ++m)
             force -= step_ * past.kernel[m + 1] * past.velocity[m];
     } else {
-        first = past.at_start.first;  // of the fit, without what is negative of it
+        first = past.at_start.first;  // the fit's value without its negative part
         force = -past.c * past.states;
     }
     const M6 turn = blocks(axes);
@@ -147,7 +147,8 @@ void SeaVerifier::add_memory(const WaterHull& def, Past& past, const Mat3& axes,
     out.force += turn * to_reference.transpose() * force;
 }
 
-/// Axes of coefficients: the body's, or level ones at the slow heading, which it follows here.
+/// Return the axes of coefficients: those of the body, or horizontal ones at the slow heading,
+/// which this function updates.
 Mat3 SeaVerifier::frame_of(const WaterHull& def, Past& past, const Pose& pose) const {
     const Mat3 axes = pose.orientation.toRotationMatrix();
     if (def.excitation == ExcitationKind::none && !def.drift) return axes;
@@ -208,7 +209,7 @@ void SeaVerifier::add_coefficients(const WaterHull& def, Past& past, const Pose&
     if (!def.coriolis) return;
     Vec3 flow = Vec3::Zero();
     flow = sea_->current(air_, std::min(pose.position.z(), level_));
-    // At the centre of mass, along axes of the world.
+    // Velocity at the centre of mass, along axes of the world.
     V6 v = turn * base::inverse(motions_at(c.reference)) * past.ahead;
     v.head<3>() -= flow;
     const Vec3 spin = v.tail<3>();

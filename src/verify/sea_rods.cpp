@@ -10,8 +10,8 @@ namespace hawser::verify {
 
 namespace {
 
-/// What a rod has beside the sums of its segments: stiffness where the surface cuts it, and by the
-/// secant where it does not.
+/// Terms of a rod in addition to the sums over its segments. Stiffness: the exact one if the
+/// surface cuts the rod, otherwise a secant.
 struct Lift {
     M6 cut = M6::Zero(), whole = M6::Zero();
     double deepest = 0.0, couple = 0.0;
@@ -35,7 +35,7 @@ void SeaVerifier::add_rod(const WaterRod& def, const Pose& pose, const Twist& tw
     const double length = (end - begin).norm() / def.segments, rho = def_->density;
     const Vec3 t = (end - begin).normalized(), up(0, 0, 1);
     const Mat3 tt = t * t.transpose(), across = Mat3::Identity() - tt;
-    // A cylinder's highest point above its middle: half its axis, and the rim of its end.
+    // Height of a cylinder's highest point above its middle: half its axis, and the rim of its end.
     const double half = 0.5 * std::abs((end - begin).z()) / def.segments +
                         0.5 * w.diameter * (up - t * t.z()).norm();
     Load& out = load_[static_cast<std::size_t>(def.body.index)];

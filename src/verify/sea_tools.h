@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file sea_tools.h
-/// What verifying hulls in the sea needs of geometry.
+/// Geometry for the verification of hulls in the sea.
 
 #include <hawser/math.h>
 
@@ -21,7 +21,7 @@ inline double heading_about_z(const Pose& pose) {
     return std::atan2(ahead.y(), ahead.x());
 }
 
-/// Velocity at a point for each of the six motions.
+/// Return the velocity at a point for each of the six motions.
 inline M6 motions_at(const Vec3& point) {
     M6 out = M6::Identity();
     for (int k = 0; k < 3; ++k) {

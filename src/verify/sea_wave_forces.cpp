@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Forces of waves by coefficients, strips, linear statics and convection, by each component.
+/// Forces of waves from coefficients, strips, linear statics and convection, by each component.
 #include "verify/sea_loads.h"
 #include "verify/sea_tools.h"
 
@@ -26,7 +26,7 @@ T between_frequencies(const WaveCoefficients& c, const std::vector<T>& table, st
     return (omega > w.back() * (1.0 + 1e-9) ? above : 1.0) * entry(w.size() - 1);
 }
 
-/// A table's entry in a direction, and of the mirror image where it has none there.
+/// Return a table's entry in a direction, or that of the mirror image if the direction is missing.
 template <class T>
 T in_direction(const WaveCoefficients& c, const std::vector<T>& table, int k, double omega,
                double direction, double above) {
@@ -61,7 +61,7 @@ T in_direction(const WaveCoefficients& c, const std::vector<T>& table, int k, do
 }  // namespace
 
 Vec3 SeaVerifier::convection(const Vec3& x) const {
-    // Of the velocity in still water's coordinates, by differences of fourth order.
+    // Gradient of the velocity in still-water coordinates, by differences of fourth order.
     const double up = surface(x.x(), x.y()), d = def_->depth;
     const double z = d * (std::clamp(x.z(), -d, up) + d) / (d + up) - d;
     const auto flow = [&](const Vec3& at) {

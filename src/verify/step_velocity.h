@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file step_velocity.h
-/// Velocity that a step was solved for, where it went on to close joints.
+/// Velocity that a step solved for, without the later closing of joints.
 ///
-/// Joints that a step cannot complete are closed by moving poses alone (docs/methods.md, 2), with
-/// which angular velocities turn. A body turns about its angular velocity, so that in the body's
-/// own frame that is the same before and after the step: from there it is taken back to where the
-/// step's equations stand.
+/// Joints that a step cannot close by iteration are closed by moving poses alone (docs/methods.md,
+/// 2), which rotates angular velocities. A body turns about its angular velocity. In the body's own
+/// frame it is therefore equal before and after the step. From that frame it is transformed to the
+/// orientation of the step's equations.
 /// ```
 ///     ω = q₀ q₁⁻¹ ω₁        q₀, q₁ orientations before and after the step, ω₁ as it is now
 /// ```
@@ -15,12 +15,12 @@
 
 namespace hawser::verify {
 
-/// @param before  Pose of the body before the step. @return world frame [m/s, rad/s].
+/// Return that velocity, world frame [m/s, rad/s]. @param before  Pose of the body before the step.
 [[nodiscard]] inline Twist step_velocity(const World& world, BodyId id, const Pose& before) {
     Twist now = world.velocity(id);
     if (world.body_def(id).kind != BodyKind::rigid) return now;
     const Vec3 back = before.orientation * (world.pose(id).orientation.conjugate() * now.angular);
-    constexpr double kTurned = 1e-11;  // above what rounding makes of orientations in a step
+    constexpr double kTurned = 1e-11;  // above the rounding of orientations in a step
     if ((back - now.angular).norm() > kTurned * now.angular.norm()) now.angular = back;
     return now;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file announced.h
-/// A stream that reads the lengths that frames of a WebSocket announce (RFC 6455, 5.2), before
-/// their contents come: Beast reports a message only with the bytes of it.
+/// A stream that reads the announced lengths of WebSocket frames (RFC 6455, 5.2) before their
+/// contents arrive. Beast reports a message only with its bytes.
 #include "live/beast/floor.h"
 
 #include <array>
@@ -12,10 +12,10 @@
 
 namespace hawser::live::net {
 
-/// Follows the headers of frames in the bytes that a client sends.
+/// Parses the headers of frames in the bytes from a client.
 class FrameHeaders {
   public:
-    /// @return the largest length among the headers that end in these bytes [bytes].
+    /// Parse bytes. @return the largest length among the headers that end in these bytes [bytes].
     std::uint64_t feed(const unsigned char* from, std::size_t count) {
         std::uint64_t largest = 0;
         while (count > 0) {

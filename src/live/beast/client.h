@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file client.h
-/// A client of the socket /live: its rights, what it is sent, and the rules it has to keep.
+/// A client of the socket /live: its rights, the messages to it, and the checks of its messages.
 
 #include "live/beast/announced.h"
 #include "live/message_fields.h"
@@ -13,17 +13,22 @@
 
 namespace hawser::live::net {
 
-inline constexpr std::size_t kMostWaiting = 4096;          ///< Texts for one client …
-inline constexpr std::size_t kMostWaitingBytes = 1 << 20;  ///< … and their bytes, but for scenes.
-inline constexpr double kMostRate = 200.0;                 ///< Messages a second of a client.
-inline constexpr int kMostFaults = 3;                      ///< Of a client.
-/// For the other side's goodbye where it never said hello [s]: time for ours to go out.
+inline constexpr std::size_t kMostWaiting =
+    4096;  ///< Largest number of waiting texts for a client …
+inline constexpr std::size_t kMostWaitingBytes = 1
+                                                 << 20;  ///< … and of their bytes, without scenes.
+inline constexpr double kMostRate =
+    200.0;                             ///< Largest number of messages per second from a client.
+inline constexpr int kMostFaults = 3;  ///< Number of faults after which a client is disconnected.
+/// Time to wait for the closing handshake of a client without hello, so that our close frame is
+/// sent [s].
 inline constexpr double kStrangersGoodbye = 0.5;
 
 /// A client at the socket /live.
 class Client : public std::enable_shared_from_this<Client> {
   public:
-    /// @param address  Of the client, without its port. @param from  With it, for the log.
+    /// Create a client. @param address  Address of the client, without its port. @param from
+    /// Address with the port, for the log.
     Client(Floor& floor, beast::tcp_stream stream, std::uint32_t number, std::string address,
            std::string from)
         : floor_(floor),
@@ -42,15 +47,16 @@ class Client : public std::enable_shared_from_this<Client> {
         limits.idle_timeout = websocket::stream_base::none();
         limits.keep_alive_pings = false;
         socket_.set_option(limits);
-        // Beast's own limit reports only once the other side has hung up.
+        // Beast's own limit is reported only after the other side has disconnected.
         socket_.read_message_max(0);
         socket_.next_layer().most = kMostMessage;
         socket_.next_layer().announced = [this] {
-            // Not within a read of Beast's.
+            // Do not call too_big() within a read of Beast.
             asio::post(socket_.get_executor(), [self = shared_from_this()] { self->too_big(); });
         };
         socket_.auto_fragment(false);
-        // Beast answers a goodbye and waits for the other side to hang up: look() ends that.
+        // Beast answers a close frame and waits until the other side disconnects. look() limits
+        // that time.
         socket_.control_callback([this](websocket::frame_type kind, beast::string_view) {
             if (kind != websocket::frame_type::close || closing_) return;
             closing_ = true;
@@ -87,7 +93,7 @@ class Client : public std::enable_shared_from_this<Client> {
         frame_.reset();
         pump();
     }
-    /// Let go of a client that says no hello or takes no frames in time. Called once a second.
+    /// Disconnect a client that sends no hello or reads no frames in time. Called once a second.
     void look(double now) {
         const ServerOptions& o = floor_.options_;
         if (!known() && !closing_ && now - born_ > o.handshake_seconds) {
@@ -122,7 +128,7 @@ class Client : public std::enable_shared_from_this<Client> {
         if (gone_) return;
         if (error) return drop();
         if (buffer_.size() > kMostMessage) too_big();  // of several frames
-        if (closing_) {                                // what still comes is read past
+        if (closing_) {                                // data after the close frame is discarded
             buffer_.consume(buffer_.size());
             return read();
         }
@@ -145,7 +151,8 @@ class Client : public std::enable_shared_from_this<Client> {
         close(websocket::close_code::too_big, "a message has at most 16 kB");
     }
 
-    /// A bucket that holds the messages of a second.
+    /// Return true if another message is within the rate limit. The token bucket has the capacity
+    /// of one second.
     bool within_rate() {
         const double now = clock_now();
         allowance_ = std::min(kMostRate, allowance_ + kMostRate * (now - allowance_since_));
@@ -192,7 +199,8 @@ class Client : public std::enable_shared_from_this<Client> {
         if (floor_.newest_) show(floor_.newest_);
     }
 
-    /// No fault of the client's, which may try again later.
+    /// Disconnect the client because the server is full. This is no fault, and the client may try
+    /// again later.
     void turn_away() {
         const std::string reason = "all places for clients are taken (--clients " +
                                    std::to_string(floor_.options_.clients) + ")";
@@ -201,7 +209,7 @@ class Client : public std::enable_shared_from_this<Client> {
         close(websocket::close_code::try_again_later, reason);
     }
 
-    /// A rule was broken. @param last  This closes the connection.
+    /// Report that a client broke a rule. @param last  True: close the connection.
     void fault(const std::string& reason, bool last = false, std::int64_t id = kNoId,
                CommandKind of = CommandKind::none) {
         ++faults_;
@@ -291,7 +299,7 @@ class Client : public std::enable_shared_from_this<Client> {
     const Role* role_ = nullptr;
     std::deque<Text> texts_;
     std::size_t waiting_bytes_ = 0;
-    Frame frame_;  ///< The one that waits.
+    Frame frame_;  ///< Frame that waits to be sent.
     bool writing_ = false, closing_ = false, gone_ = false;
     int faults_ = 0;
     double born_, writing_since_ = 0.0, closing_since_ = 0.0;

@@ -12,9 +12,10 @@
 
 namespace hawser::live::net {
 
-inline constexpr std::size_t kMostHeader = 8 * 1024;  ///< Of a request [bytes].
-inline constexpr int kMostStrangers = 32;             ///< Sockets that have not said hello.
-inline constexpr int kSendBuffer = 128 * 1024;        ///< Of the kernel, of a client [bytes].
+inline constexpr std::size_t kMostHeader = 8 * 1024;  ///< Largest header of a request [bytes].
+inline constexpr int kMostStrangers = 32;             ///< Largest number of sockets without hello.
+inline constexpr int kSendBuffer =
+    128 * 1024;  ///< Size of the kernel's send buffer of a client [bytes].
 
 /// A connection until it is answered, or becomes a client.
 class Connection : public std::enable_shared_from_this<Connection> {
@@ -43,7 +44,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     }
 
   private:
-    /// Close it for others: what is under way ends with an error.
+    /// Close the connection from outside. Pending operations end with an error.
     void drop() {
         leave();
         Error ignored;
@@ -104,8 +105,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
         client->begin(request);
     }
 
-    /// Sockets that have not said hello take no place of a client, but memory: the oldest of the
-    /// address that has most goes.
+    /// Limit the number of sockets without hello. They count as no clients, but need memory. Close
+    /// the oldest socket of the address with the most sockets.
     void make_room_for_strangers() {
         int strangers = 0, most = 0;
         std::map<std::string, int> by_address;
@@ -115,7 +116,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
             most = std::max(most, ++by_address[client->address()]);
         }
         if (strangers < kMostStrangers) return;
-        std::shared_ptr<Client> oldest;  // numbers rise
+        std::shared_ptr<Client> oldest;  // in the order of rising numbers
         for (const auto& [number, client] : floor_.clients_) {
             if (client->known() || by_address[client->address()] < most) continue;
             oldest = client;
@@ -125,7 +126,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
         oldest->drop();
     }
 
-    /// What a stranger sent, for the log: short, and nothing that a terminal obeys.
+    /// Return text from an unknown client for the log: shortened, without control characters of
+    /// terminals.
     static std::string shown(std::string_view text) {
         constexpr std::size_t kShown = 60;
         std::string out = "\"";
@@ -171,7 +173,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     beast::flat_static_buffer<kMostHeader + 1024> buffer_;
     http::request_parser<http::empty_body> parser_;
     std::string address_, from_, host_;
-    std::optional<std::list<OpenConnection>::iterator> at_;  ///< In Floor::connections_.
+    std::optional<std::list<OpenConnection>::iterator> at_;  ///< Position in Floor::connections_.
 };
 
 }  // namespace hawser::live::net

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file floor.h
-/// What the parts of the server share: options, clients, what is told to all, the log. Only
-/// server.cpp includes this folder, since Boost.Beast takes ten seconds to compile.
+/// Shared data of the parts of the server: options, clients, broadcasts, the log. Only server.cpp
+/// includes this folder, because Boost.Beast takes ten seconds to compile.
 
 #include "live/hub.h"
 #include "live/server_options.h"
@@ -43,11 +43,11 @@ class Client;
 
 /// A connection that is neither answered nor a client yet.
 struct OpenConnection {
-    std::string address{};         ///< Without port.
-    std::function<void()> drop{};  ///< Closes it and takes it off the list.
+    std::string address{};         ///< Address without port.
+    std::function<void()> drop{};  ///< Closes the connection and removes it from the list.
 };
 
-/// What connections need of the server.
+/// Services of the server for its connections.
 class Floor {
   public:
     Floor(Hub& hub, ServerOptions options) : hub_(hub), options_(std::move(options)) {}
@@ -57,15 +57,15 @@ class Floor {
     const ServerOptions options_;
     HostNames names_;
     std::map<std::uint32_t, std::shared_ptr<Client>> clients_;
-    std::list<OpenConnection> connections_;  ///< By age.
+    std::list<OpenConnection> connections_;  ///< Connections, oldest first.
     Text scene_, state_, timeline_, exercise_, faults_;
     Frame newest_;
     std::atomic<std::int64_t> sent_{0}, left_out_{0}, refused_{0}, dropped_{0};
 
-    /// One line of the log; the rest of a flood is counted.
+    /// Write one line to the log. If too many lines follow each other, only count them.
     void log(const std::string& line) {
         constexpr int kMostLines = 20;
-        constexpr double kWhile = 10.0;  // [s]
+        constexpr double kWhile = 10.0;  // Interval for counting lines [s].
         const double now = clock_now();
         if (now - log_since_ > kWhile) {
             if (unsaid_ > 0 && options_.log)
@@ -82,14 +82,14 @@ class Floor {
         refused_.fetch_add(1, std::memory_order_relaxed);
         log("refused: " + line);
     }
-    /// Whether one more may say hello. A role with control finds a place beside those of all
-    /// clients, so that no crowd keeps the instructor out.
+    /// True if one more client with this role may connect. A role with control has one additional
+    /// slot, so that the instructor can always connect.
     [[nodiscard]] bool has_place(const Role& role) const {
         const int kept = role.control ? 1 : 0;
         return hub_.clients.load(std::memory_order_relaxed) < options_.clients + kept;
     }
-    /// Close the oldest connection of the address that has most, so that no crowd of connections
-    /// keeps others out.
+    /// Close the oldest connection of the address with the most connections, so that one address
+    /// cannot block others.
     void make_room_for_connections() {
         std::map<std::string, int> by_address;
         int most = 0;

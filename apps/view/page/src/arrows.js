@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Forces as arrows: from where they act, along them, with a length of the cube root of their size,
-/// so that a chain's weight on the seabed and a tow's pull are seen in one picture.
+/// Forces as arrows from their points of application. The length grows with the cube root of the
+/// force, so that a chain's weight on the seabed and a tow's tension are visible in one picture.
 import {Color, DynamicDrawUsage, InstancedMesh, Matrix4, MeshLambertMaterial, Quaternion, Vector3} from 'three';
 import {Build} from './build.js';
 import {geometryOf} from './geometry.js';
 
 const kUp = new Vector3(0, 0, 1);
 
-/// Length of an arrow [m] for a force [N]: `unit` metres for 1 kN.
+/// Return the length of an arrow [m] for a force [N]: `unit` metres for 1 kN.
 export const arrowLength = (force, unit) => unit * Math.cbrt(Math.max(0, force) / 1000);
 
 function shape() {
@@ -46,7 +46,7 @@ export class Arrows {
         this.count = 0;
     }
 
-    /// One arrow; unit: metres for 1 kN.
+    /// Add an arrow. @param unit  Metres for 1 kN.
     add(x, y, z, fx, fy, fz, unit, colour) {
         const force = Math.hypot(fx, fy, fz), {m, q, p, d, s, c} = this.scratch;
         if (!(force > 1) || !this.mesh || this.count >= this.mesh.instanceMatrix.count) return;

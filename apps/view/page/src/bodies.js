@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Bodies of a scene as instanced meshes: what looks the same is one mesh, of which each body is an
-/// instance. What is out of sight or too small to be seen is left out of it for that picture; parts
-/// with many faces have a simple twin for when they are far away.
+/// Bodies of a scene as instanced meshes: parts of equal appearance are instances of one mesh. Parts
+/// out of sight or too small are omitted from the picture. Parts with many faces have a simple twin
+/// for large distances.
 import {BackSide, Frustum, InstancedMesh, Matrix4, MeshLambertMaterial, DynamicDrawUsage, Quaternion, Vector3, DoubleSide, Sphere} from 'three';
 import {geometryOf} from './geometry.js';
 import * as fit from './fittings.js';
@@ -17,7 +17,7 @@ const kTo = {   // a part about z laid along an axis
 export const toQuaternion = ([w, x, y, z], out = new Quaternion()) => out.set(x, y, z, w);
 
 export class Bodies {
-    /// paint: the material of all; null: one that is lit at each pixel.
+    /// @param paint  Material of all bodies; null: one that is lit at each pixel.
     constructor(scene, paint = null) {
         this.scene = scene;
         this.material = paint ?? new MeshLambertMaterial({vertexColors: true, side: DoubleSide, shadowSide: BackSide});
@@ -36,7 +36,7 @@ export class Bodies {
         this.bodies = [];
     }
 
-    /// Everything that the scene says of bodies. level: height of still water [m].
+    /// Build all bodies of the scene. @param level  Height of still water [m].
     setScene(scene, level) {
         this.clear();
         const origin = new Vector3(...scene.origin);
@@ -63,7 +63,7 @@ export class Bodies {
         for (const batch of this.batches.values()) this.finish(batch);
     }
 
-    /// One part: `make()` gives a Build, `far()` its simple twin; parts of the same key share a mesh.
+    /// Add a part: `make()` returns a Build, `far()` its simple twin; parts with equal keys share a mesh.
     part(body, key, make, local = identity, {far, ...more} = {}) {
         if (!this.batches.has(key)) this.batches.set(key, {key, geometry: geometryOf(make()), members: [], shown: []});
         const batch = this.batches.get(key), member = {body, local: local.clone(), world: new Matrix4(), ...more};
@@ -161,7 +161,7 @@ export class Bodies {
         }
     }
 
-    /// Poses of a frame.
+    /// Set the poses of a frame.
     update(frame) {
         const {turn, local} = this.scratch;
         for (const b of this.bodies) {
@@ -185,8 +185,8 @@ export class Bodies {
             }
     }
 
-    /// What of them the next picture has. pixel: size of a pixel at 1 m [m]; lit: where shadows are
-    /// drawn anew with this picture, what throws one there from out of sight is drawn, too.
+    /// Choose the parts for the next picture. @param pixel  Size of a pixel at 1 m [m]. @param lit  Area
+    /// of new shadows; parts out of sight that throw a shadow there are drawn, too.
     place(camera, pixel, lit = null) {
         const {m, ball, frustum} = this.scratch, eye = camera.position;
         frustum.setFromProjectionMatrix(m.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
@@ -206,7 +206,7 @@ export class Bodies {
         }
     }
 
-    /// What a ray meets first: {body, point} in the world of the picture; null: nothing.
+    /// Return the first hit of a ray: {body, point} in the world of the picture; null: none.
     pick(raycaster) {
         let best = null;
         for (const {mesh, shown} of this.batches.values()) {

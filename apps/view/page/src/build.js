@@ -107,7 +107,7 @@ export class Build {
         }
     }
 
-    /// Moves and turns all so far: matrix of rows [[…3, t], …].
+    /// Transform all triangles by a matrix of rows [[…3, t], …].
     transform(m) {
         const apply = (array, w) => {
             for (let i = 0; i < array.length; i += 3) {

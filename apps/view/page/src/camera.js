@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Cameras: free, follow, on board, bridge, top. Drag turns, two fingers or the right button move,
-/// wheel and pinch come nearer. Angles in radians, azimuth from x towards y.
+/// Cameras: free, follow, on board, bridge, top. Drag rotates, two fingers or the right button move,
+/// wheel and pinch zoom. Angles in radians, azimuth from x towards y.
 import {Quaternion, Vector3} from 'three';
 
 export const kModes = ['free', 'follow', 'board', 'bridge', 'top'];
 const up = new Vector3(0, 0, 1);
 
-/// Heading of a body from its quaternion: where its x axis points, seen from above.
+/// Return the heading of a body from its quaternion: the direction of its x axis, seen from above.
 export const heading = q => Math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
 
 export class CameraRig {
@@ -84,7 +84,7 @@ export class CameraRig {
         if (this.mode === 'top') this.subject = null;
     }
 
-    /// Metres a pixel at the target.
+    /// Return the metres per pixel at the target.
     perPixel() {
         return 2 * Math.tan(this.camera.fov * Math.PI / 360) * this.distance / Math.max(1, this.element.clientHeight);
     }
@@ -113,7 +113,7 @@ export class CameraRig {
         this.camera.updateProjectionMatrix();
     }
 
-    /// Puts the camera where its mode wants it. Call after bodies have moved.
+    /// Move the camera to the position of its mode. Call after bodies have moved.
     update() {
         const {camera, subject, mode, target} = this;
         if (subject && (mode === 'board' || mode === 'bridge')) return this.aboard(subject);
@@ -151,7 +151,7 @@ export class CameraRig {
         }
     }
 
-    /// Where the camera looks, from x towards y, for the compass.
+    /// Return the bearing of the camera, from x towards y, for the compass.
     bearing() {
         if (this.mode === 'top') return Math.PI / 2;
         const d = this.camera.getWorldDirection(new Vector3());
@@ -159,6 +159,6 @@ export class CameraRig {
     }
 }
 
-/// The view of a body as a subject; the same object is updated each frame.
+/// Return the view of a body as a subject; each frame updates the same object.
 export const makeSubject = (size, eye, bridge, aft = false) =>
     ({position: new Vector3(), quaternion: new Quaternion(), size, eye, bridge, aft});

@@ -2,12 +2,12 @@
 /// Colours of the page: the map from utilisation (tension over breaking load) to a colour.
 ///
 /// The map runs from pale blue over yellow and orange to dark red. Its order survives the three
-/// common kinds of colour blindness: blue against yellow is seen by those who miss red or green,
-/// and from yellow on it darkens steadily. test/colour_test.mjs simulates all three (G. M. Machado,
+/// common kinds of colour blindness: blue against yellow is visible without red or green, and
+/// from yellow on it darkens steadily. test/colour_test.mjs simulates all three (G. M. Machado,
 /// M. M. Oliveira, L. A. F. Fernandes, "A physiologically-based model for simulation of color
 /// vision deficiency", IEEE TVCG 15, 2009) and measures the distances that remain.
 
-/// [share of the range, r, g, b], sRGB 0 to 255.
+/// [fraction of the range, r, g, b], sRGB 0 to 255.
 export const STOPS = [
     [0.0, 58, 118, 196],
     [0.2, 120, 186, 224],
@@ -17,7 +17,7 @@ export const STOPS = [
     [1.0, 122, 4, 8],
 ];
 
-/// What is parted, or has no known strength.
+/// Colour of broken wires, and of wires with unknown strength.
 export const GREY = [150, 156, 162];
 
 /// sRGB 0 to 255 of a utilisation 0 to 1, clamped; not a number: grey.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The WebSocket: says hello, keeps the newest frame, connects again by itself.
+/// The WebSocket: sends hello, keeps the newest frame, reconnects automatically.
 import {decodeFrame, kVersion} from './protocol.js';
 
-/// Waiting time before the n-th try [ms]: 0.4 s, doubled each time, 6 s at most.
+/// Return the waiting time before the n-th try [ms]: 0.4 s, doubled each time, 6 s at most.
 export const retryDelay = n => Math.min(6000, 400 * 2 ** n);
 
-/// Whether to try again after this close code: not where the server refused us.
+/// True if this close code allows another try: the server did not reject the client.
 export const mayRetry = code => code !== 1008;
 
 export class Connection extends EventTarget {
@@ -42,7 +42,7 @@ export class Connection extends EventTarget {
         this.timer = setTimeout(() => this.open(), wait);
     }
 
-    /// At once, where the user does not want to wait.
+    /// Reconnect at once on request of the user.
     retry() {
         clearTimeout(this.timer);
         this.open();
@@ -91,14 +91,14 @@ export class Connection extends EventTarget {
         return this.socket.readyState === 1;
     }
 
-    /// Sends a message; false: there is no connection.
+    /// Send a message. @return false if there is no connection.
     send(message) {
         if (!this.isOpen) return false;
         this.socket.send(JSON.stringify(message));
         return true;
     }
 
-    /// Sends and waits for the answer: {type: 'ok' | 'error' | 'picked', …}.
+    /// Send a message and wait for the answer: {type: 'ok' | 'error' | 'picked', …}.
     ask(message) {
         const id = this.nextId++;
         return new Promise(done => {

@@ -3,7 +3,7 @@
 
 export const $ = id => document.getElementById(id);
 
-/// An element with properties, attributes (keys with "-" or `role`), children.
+/// Create an element with properties, attributes (keys with "-" or `role`), children.
 export function el(tag, props = {}, ...children) {
     const e = document.createElement(tag);
     for (const [key, value] of Object.entries(props)) {
@@ -17,7 +17,7 @@ export function el(tag, props = {}, ...children) {
 }
 
 let hide = 0;
-/// A short message that goes by itself.
+/// Show a short message that disappears by itself.
 export function toast(words) {
     const t = $('toast');
     t.textContent = words;
@@ -26,14 +26,14 @@ export function toast(words) {
     hide = setTimeout(() => { t.hidden = true; }, 4200);
 }
 
-/// "1:02.5" of seconds.
+/// Format seconds as "1:02.5".
 export function clock(t) {
     if (!Number.isFinite(t)) return '–';
     const sign = t < 0 ? '−' : '', tenths = Math.floor(Math.abs(t) * 10 + 1e-6);
     return `${sign}${Math.floor(tenths / 600)}:${String(Math.floor(tenths / 10) % 60).padStart(2, '0')}.${tenths % 10}`;
 }
 
-/// Kept in the browser; what cannot be kept is forgotten.
+/// Store values in the browser; a failure is ignored.
 export const memory = {
     get(key, or) {
         try {

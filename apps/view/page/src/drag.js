@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Pulling with a spring: while it is on, a drag that begins on a body or a wire pulls there, in the
-/// plane through that point that faces the camera; elsewhere it turns the picture as ever.
+/// Pulling with a spring. In this mode a drag that begins on a body or a wire pulls there, in the plane
+/// through that point that faces the camera. Other drags rotate the picture as usual.
 import {Matrix4, Vector3} from 'three';
 import {$, toast} from './dom.js';
 
-/// Of the spring [N/m] for a mass [kg]: what weighs up to 100 t is lifted by a pull of 2 m; of what is
-/// heavier the program chooses (0), softer for its mass, as a tug would.
+/// Return the stiffness [N/m] for a mass [kg]. Up to 100 t a displacement of 2 m lifts the body. For
+/// heavier bodies the program chooses (0): softer for the mass, like a tug.
 export const pullStiffness = mass => mass > 0 && mass <= 1e5 ? 9.81 / 2 * mass : 0;
 
 export class Drag {
@@ -50,7 +50,7 @@ export class Drag {
         this.held.fresh = true;
     }
 
-    /// Each picture: the spring is drawn; at most 25 times a second it is told.
+    /// Draw the spring for each picture; send it at most 25 times a second.
     update(now) {
         const {held, app} = this;
         if (!held) return;
@@ -66,7 +66,7 @@ export class Drag {
         }
     }
 
-    /// Where the pulled point is now.
+    /// Return the present position of the pulled point.
     pulled() {
         const {what, point} = this.held;
         if (what.body) return point.clone().applyMatrix4(what.body.matrix);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The exercise: score, goals, penalties, alarms and displays; for the instructor its faults and its
-/// end. What is decided and what sounds is told to screen readers.
+/// end. Decisions and alarms are announced to screen readers.
 import {$, clock, el, memory} from './dom.js';
 import {quantity} from './lever_logic.js';
 import {readable} from './roles.js';
@@ -9,7 +9,7 @@ const points = v => `${v > 0 ? '+' : v < 0 ? '−' : ''}${+Math.abs(v).toFixed(1
 const title = one => one.text || readable(one.name);
 const kFaults = {line_parts: 'line parts', motor_loses_force: 'motor loses force', brake_slips: 'brake slips', input_stuck: 'input stuck', input_late: 'input late', output_frozen: 'display frozen'};
 
-/// Mark and words of a goal: reached, too late, or open.
+/// Return the mark and words of a goal: reached, too late, or open.
 export function goalState(goal, time) {
     if (goal.reached !== null) return {mark: '✓', className: 'done', words: `reached at ${clock(goal.reached)}`};
     if (goal.late) return {mark: '✕', className: 'late', words: `too late: until ${clock(goal.by)}`};
@@ -41,7 +41,7 @@ export class ExercisePanel {
         if (this.faultBox) this.paintFaults();
     }
 
-    /// The lists, once; what they hold is painted when it changes.
+    /// Create the lists once; changes of their contents are painted later.
     build() {
         const {exercise: e, panel} = this;
         const list = id => el('ul', {id, className: 'tally'});
@@ -114,7 +114,7 @@ export class ExercisePanel {
             el('button', {id: 'end-exercise', textContent: 'End the exercise', disabled: this.exercise.ended !== null, onclick: () => this.app.ask({type: 'end'})}));
     }
 
-    /// Passed or failed, in the middle of the page until it is closed or the run goes back.
+    /// Show passed or failed in the middle of the page, until it is closed or a state is restored.
     paintEnd() {
         const e = this.exercise, box = $('over'), key = e.ended === null ? null : `${e.ended} ${e.end}`;
         if (key === null) this.closed = null;
@@ -137,7 +137,7 @@ export class ExercisePanel {
         $('canvas').focus();
     }
 
-    /// With each frame: displays and what is left of the time.
+    /// Update displays and the remaining time with each frame.
     update(frame, now) {
         if (!this.on || now < (this.due ?? 0)) return;
         this.due = now + 150;

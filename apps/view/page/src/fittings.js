@@ -67,7 +67,7 @@ export function anchor([hx, hy, hz]) {
     return b;
 }
 
-/// A cylinder about z, with caps a shade darker and stripes by which one sees it turn.
+/// A cylinder about z, with darker caps and stripes that show its rotation.
 export function roller(radius, length, colour = PAINT.steel, stripes = true) {
     const b = new Build(), h = length / 2;
     b.cylinder([0, 0, -h], [0, 0, h], radius, 28, colour);
@@ -80,7 +80,7 @@ export function roller(radius, length, colour = PAINT.steel, stripes = true) {
     return b;
 }
 
-/// A drum about z: rope on it, flanges with spokes, and the shaft that it turns about.
+/// A drum about z: rope, flanges with spokes, and its shaft.
 export function drum(radius, length) {
     const b = new Build(), h = length / 2;
     for (let i = 0; i < 9; ++i) {   // lays of rope
@@ -100,7 +100,7 @@ export function drum(radius, length) {
     return b;
 }
 
-/// The same from afar: rope and flanges.
+/// The distant form of a drum: rope and flanges.
 export function farDrum(radius, length) {
     const b = new Build(), h = length / 2;
     b.cylinder([0, 0, -h], [0, 0, h], radius, 10, PAINT.rope, radius, false);
@@ -108,8 +108,8 @@ export function farDrum(radius, length) {
     return b;
 }
 
-/// What carries a drum at both ends of its shaft: bearings on feet that go down to the deck (+y of
-/// the part, which is down where it lies athwart).
+/// Supports of a drum at both ends of its shaft: bearings on feet down to the deck (+y of the part,
+/// which points down if the drum lies athwart).
 export function bearings(radius, length) {
     const b = new Build(), steel = PAINT.dark, foot = 1.5 * radius;
     for (const s of [1, -1]) {
@@ -122,7 +122,7 @@ export function bearings(radius, length) {
     return b;
 }
 
-/// A sheave about z: a grooved wheel with holes that show its turning.
+/// A sheave about z: a grooved wheel with holes that show its rotation.
 export function sheave(radius, width = radius * 0.25) {
     const b = new Build(), h = width / 2;
     b.cylinder([0, 0, -h * 0.4], [0, 0, h * 0.4], radius * 0.94, 24, PAINT.steel);
@@ -136,7 +136,7 @@ export function sheave(radius, width = radius * 0.25) {
     return b;
 }
 
-/// A sheave from afar.
+/// The distant form of a sheave.
 export function farSheave(radius, width = radius * 0.25) {
     const b = new Build();
     b.cylinder([0, 0, -width / 2], [0, 0, width / 2], radius, 12, PAINT.crane);

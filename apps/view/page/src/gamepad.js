@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A gamepad drives levers: each axis has a lever, a sense, and a dead zone for all; buttons do what
-/// keys do. The mapping is kept by scene.
+/// A gamepad moves controls: each axis has a control and a direction, and all have one dead zone.
+/// Buttons act like keys. The mapping is stored for each scene.
 import {deadZone} from './lever_logic.js';
 
 export const kButtons = {0: 'play', 1: 'neutral', 2: 'step', 3: 'camera', 4: 'previous', 5: 'next', 9: 'play'};
 
-/// To begin with: the first levers in their order, upward sticks positive.
+/// Return the default mapping: the first controls in their order, upward sticks positive.
 export const defaultMapping = levers => ({
     zone: 0.12,
     axes: [0, 1, 2, 3].map(axis => ({lever: levers[axis] ?? '', invert: axis % 2 === 1})),
 });
 
-/// What a pad asks for: [{lever name, deflection, holding}], and names of buttons newly pressed.
-/// `before` is what this function returned for the pad the last time.
+/// Return the requests of a pad: [{lever name, deflection, holding}], and newly pressed buttons.
+/// @param before  The last result for this pad.
 export function readPad(pad, mapping, before = {axes: [], pressed: []}) {
     const moves = [];
     const axes = mapping.axes.map((m, i) => {
@@ -39,7 +39,7 @@ export class Gamepads {
         this.mapping = mapping;
     }
 
-    /// Each picture.
+    /// Update for each picture.
     poll(pads = navigator.getGamepads?.() ?? []) {
         let name = '';
         for (const pad of pads) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A Build as geometry of three.js, with normals smoothed where faces meet at a small angle, and each
-/// corner once however many faces share it.
+/// Convert a Build to geometry of three.js. Normals are smoothed between faces at a small angle, and
+/// corners are shared by faces.
 import {BufferAttribute, BufferGeometry} from 'three';
 
 export function geometryOf(build, crease = 32) {
@@ -12,7 +12,7 @@ export function geometryOf(build, crease = 32) {
     return g;
 }
 
-/// Corners that agree in all of `values` (three numbers each) as one: {index, corners}.
+/// Merge corners with equal `values` (three numbers each): {index, corners}.
 export function shared(values) {
     const known = new Map(), index = [], first = [];
     for (let i = 0; i < values[0].length / 3; ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What has been, for plots: a ring of samples of all series, by simulated time.
+/// History for plots: a ring of samples of all series, by simulated time.
 
 export class History {
-    /// names: of series; length: samples kept; gap: least time between two [s].
+    /// @param names  Names of series. @param length  Capacity. @param gap  Least time between two [s].
     constructor(names, length = 2400, gap = 1 / 30) {
         this.names = names;
         this.length = length;
@@ -18,8 +18,8 @@ export class History {
         this.last = -Infinity;
     }
 
-    /// A sample; values(i) gives that of series i. A time that went back (restore, seek) drops what
-    /// lies after it. Returns whether it was kept.
+    /// Add a sample; values(i) returns that of series i. An earlier time (restore, seek) removes all later
+    /// samples. @return true if it was stored.
     add(time, values) {
         if (time < this.last) this.cutAfter(time);
         if (time < this.last + this.gap * 0.999) return false;
@@ -41,7 +41,7 @@ export class History {
         this.last = this.count ? this.time[(this.next - 1 + this.length) % this.length] : -Infinity;
     }
 
-    /// Columns for a plot: times, then the series of these indices, the last `span` seconds.
+    /// Return columns for a plot: times, then the series of these indices, the last `span` seconds.
     columns(indices, span) {
         const from = this.last - span, time = [], out = indices.map(() => []);
         for (let k = 0; k < this.count; ++k) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a lever does, without the page: ranges, steps, springs, dead zones.
+/// Logic of controls, independent of the page: ranges, steps, springs, dead zones.
 
-/// Range of an input [min, max] as the levers use it. An open end gets `nominal`, or ten times the
-/// value at hand, or 1.
+/// Return the range of an input [min, max] for its control. An open end becomes `nominal`, or ten
+/// times the present value, or 1.
 export function leverRange(input) {
     const size = input.nominal > 0 ? input.nominal : Math.max(1, 10 * Math.abs(input.value ?? 0));
     const min = Number.isFinite(input.min) ? input.min : -size;
@@ -10,24 +10,25 @@ export function leverRange(input) {
     return min < max ? [min, max] : [min, min + size];
 }
 
-/// Where a lever rests: 0 where the range has it, else the end nearest to 0.
+/// Return the neutral value: 0 if it is in the range, else the end nearest to 0.
 export const neutral = ([min, max]) => Math.min(max, Math.max(min, 0));
 
 export const clampTo = ([min, max], v) => Math.min(max, Math.max(min, v));
 
-/// Value for a deflection −1 to 1: 0 is neutral, ±1 the ends.
+/// Return the value for a deflection −1 to 1: 0 is neutral, ±1 the ends.
 export function fromDeflection(range, d) {
     const rest = neutral(range), x = Math.min(1, Math.max(-1, d));
     return x >= 0 ? rest + x * (range[1] - rest) : rest + x * (rest - range[0]);
 }
 
-/// Deflection −1 to 1 of a value.
+/// Return the deflection −1 to 1 of a value.
 export function toDeflection(range, v) {
     const rest = neutral(range), side = v >= rest ? range[1] - rest : rest - range[0];
     return side > 0 ? Math.min(1, Math.max(-1, (v - rest) / side)) : 0;
 }
 
-/// One press of a key: a twentieth of the range, a round number of the neutral value apart. Of choices the next one.
+/// Move by one press of a key: a twentieth of the range, in round steps from neutral. A choice moves to
+/// the next one.
 export function nudge(range, v, steps, choices = false) {
     if (choices) return clampTo(range, Math.round(v) + Math.sign(steps));
     const unit = (range[1] - range[0]) / 20, rest = neutral(range);
@@ -35,14 +36,14 @@ export function nudge(range, v, steps, choices = false) {
     return clampTo(range, rest + at * unit);
 }
 
-/// A value that springs home moves there at this rate: the whole range in `seconds`.
+/// Return to neutral at a constant rate: the whole range in `seconds`.
 export function springHome(range, v, dt, seconds = 0.3) {
     const rest = neutral(range), most = (range[1] - range[0]) * dt / seconds;
     return Math.abs(v - rest) <= most ? rest : v - Math.sign(v - rest) * most;
 }
 
-/// Deflection of a stick beyond its dead zone, from 0 at its edge to ±1; `curve` 1: straight, 2:
-/// finer near the middle. What is no number counts as 0.
+/// Return the deflection of a stick beyond its dead zone, from 0 at its edge to ±1; NaN counts as 0.
+/// @param curve  1: linear, 2: finer near the middle.
 export function deadZone(x, zone = 0.12, curve = 1.5) {
     if (!Number.isFinite(x)) return 0;
     const size = Math.abs(x);
@@ -51,7 +52,7 @@ export function deadZone(x, zone = 0.12, curve = 1.5) {
     return Math.sign(x) * beyond ** curve;
 }
 
-/// What a lever sends: not more often than `every` [ms], the last value always.
+/// Limits the rate of sent values: at most one per `every` [ms], and always the last value.
 export class Throttle {
     constructor(send, every = 40) {
         this.send = send;
@@ -62,7 +63,7 @@ export class Throttle {
     set(name, value) {
         this.waiting.set(name, value);
     }
-    /// To be called each frame with a clock [ms].
+    /// Send due values. Call each frame with a clock [ms].
     flush(now) {
         if (!this.waiting.size || now - this.last < this.every) return 0;
         this.last = now;
@@ -73,7 +74,7 @@ export class Throttle {
     }
 }
 
-/// Levers by heading: the `group` that the scene gives, else the name up to its last "/".
+/// Sort controls by heading: the `group` of the scene, else the name up to its last "/".
 export function groupLevers(inputs) {
     const groups = new Map();
     inputs.forEach((input, index) => {
@@ -85,10 +86,10 @@ export function groupLevers(inputs) {
     return groups;
 }
 
-/// The value of an input in words, where it has words for its values.
+/// Return the value of an input in words, if it has words for its values.
 export const valueWords = (input, value, unit = '') => input.words?.[Math.round(value)] ?? quantity(value, unit);
 
-/// A number with four digits and its unit, thousands as k, M: "612 kN".
+/// Format a number with four digits and its unit, thousands as k, M: "612 kN".
 export function quantity(value, unit = '', digits = 3) {
     if (!Number.isFinite(value)) return '–';
     const scaled = /^(N|N m|W|J|kg|Pa|Hz|m\^2|N\/m|N s\/m)$/.test(unit);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The levers: one slider an input, by group, with value, range and unit. What springs home does so
-/// when it is let go, from wherever it was moved: pointer, touch, keys or gamepad.
+/// The controls: one slider for each input, by group, with value, range and unit. A control with a
+/// spring returns to neutral after its release by pointer, touch, keys or gamepad.
 import {el, memory} from './dom.js';
 import {groupLevers, leverRange, neutral, nudge, quantity, springHome, toDeflection, valueWords, fromDeflection, Throttle} from './lever_logic.js';
 import {readable} from './roles.js';
@@ -13,7 +13,7 @@ export class Levers {
         this.active = 0;
     }
 
-    /// first: groups that come first, such as ships.
+    /// @param first  Groups at the top, such as ships.
     setScene(scene, live, first = []) {
         const kept = this.levers[this.active]?.def.name;
         this.panel.replaceChildren(el('h2', {textContent: 'Levers'}));
@@ -94,7 +94,7 @@ export class Levers {
         this.levers[at]?.element.classList.add('active');
     }
 
-    /// By keys that are not on a slider.
+    /// Move a control by keys outside its slider.
     next(by) {
         if (!this.levers.length) return;
         this.activate((this.active + by + this.levers.length) % this.levers.length);
@@ -113,7 +113,7 @@ export class Levers {
         if (this.levers[this.active]) this.move(this.active, this.levers[this.active].rest);
     }
 
-    /// From a stick: deflection −1 to 1.
+    /// Move a control by a stick: deflection −1 to 1.
     deflect(at, d, holding) {
         const lever = this.levers[at];
         if (!lever) return;
@@ -133,7 +133,7 @@ export class Levers {
         this.throttle.set(lever.def.name, value);
     }
 
-    /// Each picture: springs, values that others have set, what is due to be sent.
+    /// Update for each picture: springs, values that others have set, values to send.
     update(now, dt, frame) {
         for (const [at, lever] of this.levers.entries()) {
             const springs = lever.def.spring !== null && lever.def.spring !== undefined;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The page of `hawser view`: puts connection, picture, levers, plots and panels together.
+/// The page of `hawser view`: connects the WebSocket, picture, controls, plots and panels.
 import {Connection} from './connection.js';
 import {gradient} from './colour.js';
 import {$, clock, el, memory, toast} from './dom.js';
@@ -255,7 +255,7 @@ class App {
         this.inset();
     }
 
-    /// The middle of the picture is where no panel covers it.
+    /// Centre the picture in the area without panels.
     inset() {
         const wide = $('view').clientWidth, of = box => box.offsetParent !== null || !box.hidden && getComputedStyle(box).display !== 'none' ? box.getBoundingClientRect() : null;
         const left = of($('levers')), right = of($('plots')) ?? of($('exercise'));
@@ -293,7 +293,7 @@ class App {
         this.stage.quality.shown(now, end - begin);
     }
 
-    /// Compass, scale, pictures a second.
+    /// Update compass, scale and pictures per second.
     corner() {
         const {stage} = this;
         $('needle').setAttribute('transform', `rotate(${(stage.rig.bearing() * 180 / Math.PI - 90).toFixed(1)})`);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Builds from what a scene gives: meshes, heightfields, convex hulls of points.
+/// Builds from the shapes of a scene: meshes, heightfields, convex hulls of points.
 import {Build} from './build.js';
 
 const at = (v, i) => [v[3 * i], v[3 * i + 1], v[3 * i + 2]];
@@ -19,8 +19,8 @@ export function heightfieldBuild({rows, columns, cell, heights}, colour) {
     return b;
 }
 
-/// Faces of the convex hull of a few points, outwards: each triple that has all others on one side.
-/// Cubic in their number, so of the first 64 only; what scenes give has 4 to 30.
+/// Return the faces of the convex hull of a few points, outwards: each triple with all other points on
+/// one side. The cost is cubic, so only the first 64 points count; scenes have 4 to 30.
 export function convexFaces(vertices) {
     const n = Math.min(64, vertices.length / 3), p = Array.from({length: n}, (_, i) => at(vertices, i)), faces = [];
     const size = Math.max(...p.flat().map(Math.abs), 1e-9);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Panels at the right: numbers of what was picked, what is shown, restore points, keys and gamepad.
+/// Panels at the right: numbers of the picked object, display options, restore points, keys, gamepad.
 import {$, clock, el, memory} from './dom.js';
 import {quantity} from './lever_logic.js';
 import {leftOutWords} from './protocol.js';
 import {readable} from './roles.js';
 import {FORCE} from './stage.js';
 
-/// Pairs of name and value, however they are written.
+/// Return pairs of name and value from any notation.
 const words = text => Array.isArray(text) ? text : Object.entries(text ?? {});
 
-/// Numbers of what was picked, and of the run.
+/// Numbers of the picked object, and of the run.
 export class Inspector {
     constructor(panel, app) {
         this.app = app;
@@ -74,7 +74,7 @@ export class Inspector {
     }
 }
 
-/// Check boxes of what is shown.
+/// Check boxes of the display options.
 export function layersPanel(panel, app) {
     const {show} = app.stage, kept = memory.get('show', {});
     for (const key of Object.keys(kept)) if (key in show) show[key] = kept[key];

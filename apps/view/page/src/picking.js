@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The piece of a wire that is nearest to a place on the screen.
+/// Find the piece of a wire nearest to a point on the screen.
 import {Matrix4, Vector3} from 'three';
 
 const m = new Matrix4(), v = new Vector3();
 
-/// Distance of (x, y) from the segment a–b in the plane, and where along it.
+/// Return the distance of (x, y) from the segment a–b in the plane, and the position along it.
 export function toSegment(x, y, ax, ay, bx, by) {
     const dx = bx - ax, dy = by - ay, l = dx * dx + dy * dy;
     const t = l > 0 ? Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / l)) : 0;
     return [Math.hypot(x - ax - t * dx, y - ay - t * dy), t];
 }
 
-/// {wire, share of its length 0 to 1, point, distance from the eye}; null: none within `reach` pixels.
+/// Return {wire, share of its length 0 to 1, point, distance from the eye}; null: none within `reach`
+/// pixels.
 export function nearestPiece(frame, camera, x, y, width, height, reach) {
     m.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     const p = frame.wirePoints, e = m.elements, screen = new Float32Array(3 * frame.points);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Surroundings and paint for machines whose processor draws. There what is done at each pixel is
-/// what costs: here it is one texture at most, and all else is done at corners. Colours are mixed as
-/// they are shown (square roots of light), so that none needs to be made linear and back.
+/// Surroundings and paint for machines whose processor draws. There the work at each pixel is
+/// expensive: it is one texture at most, and all other work is done at corners. Colours are mixed in
+/// their displayed form (square roots of light), so that no conversion to linear light is needed.
 import {
     BackSide, BufferAttribute, BufferGeometry, ClampToEdgeWrapping, DataTexture, DoubleSide, LinearFilter,
     LinearMipmapNearestFilter, Mesh, RepeatWrapping, ShaderMaterial, UniformsLib, UniformsUtils, Vector3,
@@ -18,7 +18,7 @@ const smoothstep = (a, b, x) => {
     return t * t * (3 - 2 * t);
 };
 
-/// Height of the tile of noise at a place of which 1 is a period, between 0 and 1.
+/// Return a function for the height of the noise tile, 0 to 1, at coordinates with period 1.
 function sampler() {
     const n = 128, tile = noiseTile(n), at = (i, j) => tile[4 * ((j & n - 1) * n + (i & n - 1)) + 2] / 255;
     return (x, y) => {
@@ -40,7 +40,7 @@ function image(size, paint, mips = false) {
     return t;
 }
 
-/// The sky, painted once: across the bearing, up the elevation of 0 to 90°.
+/// Paint the sky once: bearing horizontally, elevation of 0 to 90° vertically.
 function skyImage() {
     const wide = 1024, high = 256, noise = sampler(), sun = SUN.toArray();
     const zenith = ZENITH.toArray(), horizon = HORIZON.toArray();
@@ -87,7 +87,7 @@ void main() { gl_FragColor = texture2D(sky, place); }`,
 const fog = `uniform vec3 fogColor; uniform float fogNear, fogFar;
 float haze(float depth) { return smoothstep(fogNear, fogFar, depth); }`;
 
-/// For Water: the surface, its colour and how much it mirrors at corners, ripples at pixels.
+/// Material for Water: surface, colour and reflectance at corners, ripples at pixels.
 export const plainWater = {
     rings: () => rings(14000, 1.2, 56, 44),
     vertex: `
@@ -147,7 +147,7 @@ function sandImage() {
     }, true);
 }
 
-/// For Seabed.
+/// Material for Seabed.
 export const plainBed = {
     uniforms: () => ({sandy: {value: sandImage()}}),
     vertex: `
@@ -167,10 +167,10 @@ uniform sampler2D sandy; varying vec4 murk; varying vec2 place;
 void main() { gl_FragColor = vec4(mix(texture2D(sandy, place).rgb, murk.rgb, murk.a), 1.0); }`,
 };
 
-/// Light of sky and ground on a surface that scatters, as a vector of shaders.
+/// Return the light of sky and ground on a diffuse surface, as a vector of shaders.
 const lamp = f => vec3(LAMPS.sky.toArray().map((v, k) => f(v, LAMPS.ground.toArray()[k]) * LAMPS.around / Math.PI));
 
-/// Paint of bodies: lit at corners from sky and sun, shadows with one look at their map.
+/// Return the paint of bodies: lit at corners from sky and sun, shadows by one sample of their map.
 export function plainPaint() {
     return new ShaderMaterial({
         lights: true, fog: true, vertexColors: true, side: DoubleSide, shadowSide: BackSide,

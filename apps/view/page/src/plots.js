@@ -8,7 +8,7 @@ import {quantity} from './lever_logic.js';
 import {largestTensions} from './protocol.js';
 import {readable} from './roles.js';
 
-/// Colours that colour-blind people tell apart (M. Okabe, K. Ito, 2008), light on dark.
+/// Colours that are distinct also with colour blindness (M. Okabe, K. Ito, 2008), light on dark.
 export const SERIES = ['#56b4e9', '#e69f00', '#2fc99b', '#f0e442', '#e2884f', '#d993bd', '#ffffff', '#9db4c0'];
 const kSpan = 60;
 
@@ -25,7 +25,7 @@ export class Plots {
         });
     }
 
-    /// Below what else the panel holds.
+    /// Add the plots below the other contents of the panel.
     mount() {
         this.panel.append(el('h2', {textContent: 'Plots'}), el('div', {className: 'row'}, this.add), this.list);
     }
@@ -60,7 +60,7 @@ export class Plots {
             group('Tensions', this.scene.wires.filter(w => w.kind !== 'rod').map(w => option(readable(w.name), {kind: 'wire', name: w.name})))].filter(Boolean));
     }
 
-    /// Series of a plot: [{label, unit, index in the history or body}], and a heading.
+    /// Return the series of a plot: [{label, unit, index in the history or body}], and a heading.
     describe(what) {
         const at = name => this.history.names.indexOf(name), {scene} = this;
         if (what.kind === 'output') {
@@ -130,7 +130,7 @@ export class Plots {
         return [middle - half, middle + half];
     }
 
-    /// A frame came.
+    /// Record a frame.
     take(frame, bodies) {
         if (!this.history) return;
         const O = this.scene.outputs.length, W = this.scene.wires.length;
@@ -139,7 +139,7 @@ export class Plots {
         for (const c of this.cards) if (c.own) c.own.add(frame.time, () => bodyValue(bodies.byId.get(c.what.id), c.what.of, frame, c));
     }
 
-    /// Draws what is seen, four times a second.
+    /// Draw the visible plots, four times a second.
     draw(now) {
         if (this.panel.hidden || now < this.due) return;
         this.due = now + 250;

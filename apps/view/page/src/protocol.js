@@ -5,7 +5,7 @@ export const kVersion = 1;
 const kMagic = 0x564c5748, kHeader = 128;
 export const kPaused = 1, kRecording = 2, kFailed = 4, kDragging = 8;
 
-/// A frame as views into its buffer, which it keeps. @throws Error with what is wrong with it.
+/// Return a frame as views into its buffer, which it keeps. @throws Error with the fault of the frame.
 export function decodeFrame(buffer) {
     if (!(buffer instanceof ArrayBuffer)) throw new Error('a frame is binary');
     if (buffer.byteLength < kHeader) throw new Error(`a frame of ${buffer.byteLength} bytes has no header`);
@@ -44,7 +44,7 @@ export function decodeFrame(buffer) {
     return frame;
 }
 
-/// Largest tension of each wire [N]; NaN: it is gone. −1: every piece is parted.
+/// Return the largest tension of each wire [N]; NaN: removed. −1: every piece is broken.
 export function largestTensions(frame, out = new Float32Array(frame.counts.length)) {
     let piece = 0;
     frame.counts.forEach((n, i) => {
@@ -55,7 +55,7 @@ export function largestTensions(frame, out = new Float32Array(frame.counts.lengt
     return out;
 }
 
-/// What a budget left out of a step, in words; empty: nothing.
+/// Return the work that a budget skipped in a step, in words; empty: none.
 export function leftOutWords(frame) {
     const words = [], plural = (n, what) => `${n} ${what}${n === 1 ? '' : 's'}`;
     if (frame.iterationsEnded > 0) words.push(`ended after ${plural(frame.iterationsEnded, 'Newton iteration')}`);
@@ -68,18 +68,19 @@ export function leftOutWords(frame) {
     return words.join(', ');
 }
 
-/// Role's token from the fragment of the address: "#token=…"; "" where there is none that is one.
+/// Return the role's token from the fragment of the address: "#token=…"; "" if there is no valid one.
 export const tokenOf = hash => /[#&]token=([0-9a-f]{32})\b/i.exec(hash ?? '')?.[1] ?? '';
 
-/// Sea components of a scene as objects, with phases for places relative to `origin`, as frames have them.
+/// Return the sea components of a scene as objects, with phases for points relative to `origin`, as in
+/// frames.
 export const seaComponents = (sea, origin = [0, 0, 0]) => (sea?.components ?? []).map(
     ([amplitude, wave_number, direction, frequency, phase]) => ({
         amplitude, wave_number, direction, frequency,
         phase: phase + wave_number * (origin[0] * Math.cos(direction) + origin[1] * Math.sin(direction)),
     }));
 
-/// Level of still water [m] and factor on all waves with a frame: what inputs and the tide say, and where
-/// a frame does not know it (recordings), what the scene says.
+/// Return the level of still water [m] and the factor on all waves of a frame, from inputs and the tide.
+/// If a frame does not contain them (recordings), return those of the scene.
 export function seaState(scene, frame) {
     const read = (list, values, name) => values?.[list.findIndex(i => i.name === name)];
     const level = read(scene.inputs, frame?.inputs, 'sea.level') + read(scene.outputs, frame?.outputs, 'sea.tide');

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Tubes or lines: measured in the page. Below 25 frames/s over half a second wires become lines;
-/// tubes are tried again where lines leave so much time that tubes would fit, and after that only
-/// when four times as long has passed. Below 18 frames/s with lines shadows go too.
+/// Choose tubes or lines by measurements in the page. Below 25 frames/s over half a second wires
+/// become lines. Tubes are tried again if lines leave enough time for them; each further try waits
+/// four times as long. Below 18 frames/s with lines, shadows are removed, too.
 
 export class Quality {
     constructor() {
@@ -13,7 +13,7 @@ export class Quality {
         this.fps = 60;
     }
 
-    /// A frame was shown at `now` [ms]; `ms` of script and drawing were spent on it.
+    /// Record a frame shown at `now` [ms] that needed `ms` of script and drawing.
     shown(now, ms) {
         if (this.last !== undefined && now - this.last < 4000) this.times.push([now - this.last, ms]);
         this.last = globalThis.document?.hidden ? undefined : now;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The grid of sea surface and seabed: rings about the eye, of which the part in sight is drawn.
+/// The grid of sea surface and seabed: rings about the eye. Only the visible part is drawn.
 import {BufferAttribute, BufferGeometry, Vector3} from 'three';
 
 /// Rings about the eye: fine near it, to `far` metres. Vertices in units of 1 m, scaled by script.
@@ -24,8 +24,8 @@ export function rings(far, inner, spokes = 96, count = 76) {
     return g;
 }
 
-/// The spokes that a picture sees, from `first` on, of so many: of bearings [rad] of its corners from
-/// its middle one. All where it looks down or up so steeply that they lie around it.
+/// Return the visible spokes, from `first` on, from the bearings [rad] of the picture's corners about
+/// its middle. Return all spokes for a steep view, in which they lie around the eye.
 export function sector(middle, corners, spokes) {
     const step = 2 * Math.PI / spokes, off = corners.map(a => Math.atan2(Math.sin(a - middle), Math.cos(a - middle)));
     const least = Math.min(...off, 0), most = Math.max(...off, 0);
@@ -36,7 +36,7 @@ export function sector(middle, corners, spokes) {
 
 const kCorners = [[0, 0], [-1, -1], [1, -1], [1, 1], [-1, 1]], corner = new Vector3();
 
-/// Draws what the camera can see of rings about the eye, and no more.
+/// Draw only the visible part of the rings about the eye.
 export function drawSector(mesh, camera) {
     const {spokes, corners} = mesh.geometry.userData;
     const [middle, ...others] = kCorners.map(([x, y]) => {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a body looks like where a scene gives only a box. Decided by its size and whether it floats
-/// and, for fittings, by the last word of its name.
+/// Choose the appearance of a body with only a box in the scene. It depends on its size, on whether
+/// it floats and, for fittings, on the last word of its name.
 
 const last = name => name.slice(name.lastIndexOf('/') + 1).toLowerCase();
 
-/// One of ship, barge, semi, box, cylinder, ball, anchor, hook, boom, lattice, none.
+/// Return ship, barge, semi, box, cylinder, ball, anchor, hook, boom, lattice, none.
 /// body: {name, kind, half: [x, y, z] or null, afloat}.
 export function roleOf(body) {
     const word = last(body.name);
@@ -27,17 +27,17 @@ export function roleOf(body) {
     return 'box';
 }
 
-/// The axis of a cylinder from its box: the one whose two others are most alike.
+/// Return the axis of a cylinder from its box: the other two sizes are most alike.
 export function longAxis([x, y, z]) {
     const unlike = {x: Math.abs(y - z), y: Math.abs(x - z), z: Math.abs(x - y)};
     return Object.keys(unlike).reduce((a, b) => unlike[b] < unlike[a] - 1e-9 ? b : a, 'z');
 }
 
-/// Radius of a ball of steel of a mass [kg], 5 cm at least [m].
+/// Return the radius of a ball of steel of a mass [kg], 5 cm at least [m].
 export const ballRadius = mass => Math.max(0.05, Number(Math.cbrt((mass || 0) * 3 / (4 * Math.PI * 7850)).toPrecision(3)));
 
-/// The working deck in the body's frame: height of the top of the largest flat box among its
-/// shapes, and where that ends forward, as a share of the half length; null: it has none.
+/// Return the working deck in the body's frame: height of the top of the largest flat box among its
+/// shapes, and its forward end, as a fraction of the half length; null: none.
 export function workingDeck(shapes, half) {
     let best = null;
     for (const s of shapes ?? []) {
@@ -50,5 +50,5 @@ export function workingDeck(shapes, half) {
     return best && Math.abs(best.z) < 1.2 * half[2] ? best : null;
 }
 
-/// A name for people: "ahts1/work_drum" → "ahts1 › work drum".
+/// Format a name: "ahts1/work_drum" → "ahts1 › work drum".
 export const readable = name => name.replaceAll('/', ' › ').replaceAll('_', ' ');

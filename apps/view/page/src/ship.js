@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Ships, barges and rigs where a scene gives only a box: hull lines, deck, bulwark, bridge.
+/// Ships, barges and rigs for bodies with only a box in the scene: hull lines, deck, bulwark, bridge.
 /// Frame: that of the body, x forward, y to port, z up [m]; the box spans ±half.
 import {Build} from './build.js';
 
@@ -26,7 +26,7 @@ export function keelLine(xi) {
     return 0.92 * Math.max(0, 1 - t ** 1.8);
 }
 
-/// Rise of the keel from the bottom of the box, as a share of its depth.
+/// Rise of the keel from the bottom of the box, as a fraction of its depth.
 const keelRise = xi => xi < -0.5 ? 0.62 * ((-0.5 - xi) / 0.5) ** 1.6 : xi > 0.86 ? (xi - 0.86) * 1.6 : 0;
 
 const SECTION = [0, 0.12, 0.3, 0.5, 0.75, 1];  // heights of the points of a section
@@ -123,7 +123,7 @@ function windows(b, x0, x1, w, lo, hi, all) {
 }
 
 /// A ship: {half, deck: height of the working deck or null, water, paint}.
-/// Returns the build and where the bridge is (for cameras).
+/// Return the build and the position of the bridge (for cameras).
 export function ship({half, deck: deckHeight = null, break: breakAt = null, water = 0, paint = HULLS[0]}) {
     const b = new Build(), [hx, hy, hz] = half, u = Math.min(hy / 9, hx / 30);   // u: scale of fittings
     const low = deckHeight ?? hz * 0.55;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The picture: renderer, surroundings, bodies, wires, forces, and what the pointer does in it.
+/// The picture: renderer, surroundings, bodies, wires, forces, and the actions of the pointer.
 import {
     ACESFilmicToneMapping, BasicShadowMap, BufferAttribute, BufferGeometry, Fog, Line, LineBasicMaterial, NoToneMapping, PCFShadowMap,
     PerspectiveCamera, Plane, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer,
@@ -17,7 +17,7 @@ import {Wires} from './wires.js';
 
 export const FORCE = {contact: 0x9b2fae, joint: 0x0a7d5a};
 
-/// The scene's box, or that of its bodies.
+/// Return the scene's box, or that of its bodies.
 function viewBox(scene) {
     if (scene.view_box?.length === 2) return scene.view_box;
     const lo = [Infinity, Infinity, Infinity], hi = lo.map(v => -v);
@@ -32,7 +32,7 @@ function viewBox(scene) {
     return hi[0] > lo[0] ? [lo, hi] : [[-10, -10, -5], [10, 10, 10]];
 }
 
-/// Whether pictures are drawn by the processor.
+/// True if the processor draws the pictures.
 function softwareGl() {
     const gl = document.createElement('canvas').getContext('webgl2'), info = gl?.getExtension('WEBGL_debug_renderer_info');
     const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
@@ -41,7 +41,7 @@ function softwareGl() {
 }
 
 export class Stage {
-    /// quality: 'high', 'low', or '': by the machine.
+    /// @param quality  'high', 'low', or '': chosen for the machine.
     constructor(canvas, labelLayer, quality = '') {
         this.canvas = canvas;
         this.low = quality === 'low' || quality !== 'high' && softwareGl();
@@ -100,7 +100,7 @@ export class Stage {
         else if (this.subjectBody) this.follow(this.bodies.byId.get(this.subjectBody.id) ?? null);
     }
 
-    /// The bottom: that of the sea, else a plane that faces up, else the lowest thing.
+    /// Return the bottom: of the sea, else a plane that faces up, else the lowest body.
     findBed(scene) {
         const oz = scene.origin[2], box = viewBox(scene);
         let bed = scene.sea ? -scene.sea.depth - oz : null;
@@ -127,7 +127,7 @@ export class Stage {
         } else this.rig.setMode('free', null);
     }
 
-    /// The body that cameras begin with: the first ship, else a barge or rig, else none.
+    /// Return the first body for cameras: the first ship, else a barge or rig, else none.
     mainBody() {
         const all = this.bodies.bodies;
         for (const role of ['ship', 'barge', 'semi']) {
@@ -137,7 +137,7 @@ export class Stage {
         return null;
     }
 
-    /// Bodies that a camera can go along with.
+    /// Return the bodies that a camera can follow.
     subjects() {
         return this.bodies.bodies.filter(b => b.half && b.size > 0.8 && b.role !== 'none' && b.slot >= 0);
     }
@@ -170,7 +170,7 @@ export class Stage {
         this.inset(this.left ?? 0, this.right ?? 0);
     }
 
-    /// Pixels that panels cover at the left and right: the picture's middle is between them.
+    /// Set the pixels that panels cover at the left and right: the picture's middle is between them.
     inset(left, right) {
         this.left = left;
         this.right = right;
@@ -178,7 +178,7 @@ export class Stage {
         this.camera.updateProjectionMatrix();
     }
 
-    /// Takes over a frame (not yet drawn).
+    /// Read a frame without drawing it.
     take(frame) {
         this.frame = frame;
         ({level: this.level, factor: this.waveFactor} = seaState(this.info, frame));
@@ -219,7 +219,7 @@ export class Stage {
         fog.far = under ? 700 : 9000;
     }
 
-    /// Where shadows are drawn with the next picture; null: as they were.
+    /// Return the area of new shadows for the next picture; null: keep the old shadows.
     shadows(now) {
         const map = this.renderer.shadowMap, on = this.show.shadows && !this.quality.poor;
         if (this.light.sun.castShadow !== on) this.light.sun.castShadow = on;
@@ -233,7 +233,7 @@ export class Stage {
         return lit;
     }
 
-    /// Arrows shorter than four pixels are left out.
+    /// Draw the arrows; arrows shorter than four pixels are omitted.
     drawForces(eye, pixel) {
         const {frame, arrows, show, info} = this;
         if (!frame) return;
@@ -260,7 +260,7 @@ export class Stage {
         arrows.end();
     }
 
-    /// Whether the camera is on the body that it goes with.
+    /// True if the camera is on the body that it follows.
     get aboard() {
         return this.rig.mode === 'board' || this.rig.mode === 'bridge';
     }
@@ -272,7 +272,7 @@ export class Stage {
         return ray;
     }
 
-    /// What is at a place of the window: {body, point} or {wire, share}; null: nothing.
+    /// Return the object at a point of the window: {body, point} or {wire, share}; null: none.
     pick(x, y) {
         const body = this.bodies.pick(this.ray(x, y)), r = this.canvas.getBoundingClientRect();
         const wire = this.frame && nearestPiece(this.frame, this.camera, x - r.left, y - r.top, r.width, r.height, 9);
@@ -280,20 +280,20 @@ export class Stage {
         return body && {body: body.body, point: body.point.clone()};
     }
 
-    /// Where a ray through the window meets the plane through `through` that faces the camera.
+    /// Intersect a ray through the window with the plane through `through` that faces the camera.
     onPlane(x, y, through) {
         const {plane, v} = this.scratch, at = new Vector3();
         plane.setFromNormalAndCoplanarPoint(this.camera.getWorldDirection(v), through);
         return this.ray(x, y).ray.intersectPlane(plane, at) ? at : null;
     }
 
-    /// A point of the world on the screen [pixels of the canvas]; null: behind the eye.
+    /// Project a point of the world to the screen [pixels of the canvas]; null: behind the eye.
     project(point, out = this.scratch.v) {
         out.copy(point).project(this.camera);
         return out.z > 1 || out.z < -1 ? null : {x: (out.x + 1) / 2 * this.width, y: (1 - out.y) / 2 * this.height};
     }
 
-    /// The spring of a drag from a to b; without them it goes.
+    /// Draw the spring of a drag from a to b; remove it if they are missing.
     setSpring(a, b) {
         this.spring.visible = Boolean(a);
         if (!a) return;
@@ -308,7 +308,7 @@ export class Stage {
         this.wires.choose(what?.wire ?? -1);
     }
 
-    /// The picture as a PNG, drawn now.
+    /// Draw the picture and return it as a PNG.
     screenshot() {
         this.renderer.render(this.scene, this.camera);
         return new Promise(done => this.canvas.toBlob(done, 'image/png'));

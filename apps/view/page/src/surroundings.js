@@ -93,10 +93,10 @@ void main() {
     return mesh;
 }
 
-/// Colour and strength of the lamps: the sky, what the ground throws back, the sun.
+/// Colour and strength of the lamps: the sky, the reflection of the ground, the sun.
 export const LAMPS = {sky: new Color(0xe4f0f8), ground: new Color(0x64727a), around: 2.3, sun: new Color(0xfff2dc), straight: 2.5};
 
-/// low: with a coarser map of shadows, for processors that draw.
+/// @param low  True: a coarser map of shadows, for processors that draw.
 export function makeLight(low = false) {
     const group = new Group(), sky = new HemisphereLight(LAMPS.sky, LAMPS.ground, LAMPS.around);
     const sun = new DirectionalLight(LAMPS.sun, LAMPS.straight), map = low ? 512 : 1024;
@@ -110,7 +110,7 @@ export function makeLight(low = false) {
     return group;
 }
 
-/// The sun's shadow covers a square of `reach` metres about `at`, or what of it is drawn: the answer.
+/// Aim the shadow of the sun at a square of `reach` metres about `at`. Return the covered reach.
 export function aimSun(light, at, reach) {
     const {sun} = light, c = sun.shadow.camera, r = Math.max(15, Math.min(reach, 260));
     sun.target.position.copy(at);
@@ -122,12 +122,12 @@ export function aimSun(light, at, reach) {
     return r;
 }
 
-/// The wave components that are drawn: [amplitude, kx, ky, phase at t = 0 … ω t], the largest.
+/// Return the largest wave components, which are drawn: [amplitude, kx, ky, phase at t = 0 … ω t].
 export function largestWaves(components, limit = kWaves) {
     return [...components].sort((a, b) => b.amplitude - a.amplitude).slice(0, limit);
 }
 
-/// Height of the drawn surface at a place and time; the same sum as in the shader.
+/// Return the height of the drawn surface at a point and time; equal to the sum in the shader.
 export function waveHeight(waves, t, x, y) {
     let z = 0;
     for (const w of waves)
@@ -137,7 +137,7 @@ export function waveHeight(waves, t, x, y) {
 }
 
 export class Water {
-    /// plain: how it is drawn where the processor draws (plain.js).
+    /// @param plain  Drawing for machines whose processor draws (plain.js).
     constructor(plain = null) {
         tile.value ??= noiseTexture(Boolean(plain));
         this.waves = [];
@@ -176,8 +176,8 @@ export class Water {
     }
 }
 
-/// Elevation and slope of the surface, without what a grid of this spacing cannot carry: it would
-/// alias, and fades.
+/// Elevation and slope of the surface. Waves that a grid of this spacing cannot resolve would alias;
+/// they fade out.
 export const kWaveSum = `
 uniform int count; uniform vec4 wave[${kWaves}];
 void waves(vec2 place, float spacing, out float z, out vec2 slope) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The foot of the page: scrubbing of recordings with events on the line, and what happened last.
+/// The foot of the page: scrubbing of recordings with events on the line, and the last events.
 import {$, clock, el} from './dom.js';
 
 const kShown = 12;
@@ -17,7 +17,7 @@ export class Timeline {
         this.scrub.addEventListener('input', () => this.want(Number(this.scrub.value)));
     }
 
-    /// The first and last time of a recording; null: there is none.
+    /// Return the first and last time of a recording; null: there is none.
     setRange(range) {
         this.range = range;
         $('track').hidden = !range;
@@ -43,7 +43,7 @@ export class Timeline {
         }));
     }
 
-    /// One seek is under way at a time; the newest waits.
+    /// Seek. Only one seek is pending at a time; the newest waits.
     async want(time) {
         this.pending = time;
         this.held = performance.now() + 400;
@@ -57,7 +57,7 @@ export class Timeline {
         this.busy = false;
     }
 
-    /// The event before or after a time, of those on the line.
+    /// Return the event on the line before or after a time.
     neighbour(time, way) {
         const times = (this.events ?? []).map(e => e.time).sort((a, b) => a - b);
         return way > 0 ? times.find(t => t > time + 1e-6) : times.reverse().find(t => t < time - 1e-6);
@@ -69,7 +69,7 @@ export class Timeline {
         this.scrub.setAttribute('aria-valuetext', `${clock(time)} of ${clock(this.range[1])}`);
     }
 
-    /// Something happened: shown, and told to screen readers.
+    /// Show an event and announce it to screen readers.
     tell(event) {
         if (often.includes(event.kind)) return;
         const words = event.words ?? `${event.name} ${event.kind}`;

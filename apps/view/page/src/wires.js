@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Wires: lit tubes, or lines of constant width on the screen.
 ///
-/// Points of all wires lie one after another in one texture (x, y, z, share), so that a frame is one
-/// small upload; the vertex shader makes the corners of the segment from point i to point i + 1 from
-/// the number of the vertex. (An instance a segment would be the usual way; but where the processor
-/// draws, each instance costs as much as a draw call.) A segment that is none (between two wires,
-/// parted) has a share of −2 and is not drawn; −1 is drawn grey: its breaking load is not known.
+/// One texture contains the points of all wires (x, y, z, utilisation), so that a frame is one small
+/// upload. The vertex shader computes the corners of the segment from point i to point i + 1 from the
+/// number of the vertex. (Usually each segment would be an instance. If the processor draws, an
+/// instance costs as much as a draw call.) A gap between two wires, or a broken segment, has a
+/// utilisation of −2 and is not drawn. −1 is drawn grey: the breaking load is unknown.
 import {
     BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, Mesh, NearestFilter, RGBAFormat, ShaderMaterial,
     UniformsLib, UniformsUtils, Vector2, Vector3,
@@ -114,7 +114,7 @@ const texture = data => {
 };
 
 export class Wires {
-    /// low: with fewer sides, for processors that draw.
+    /// @param low  True: fewer sides, for processors that draw.
     constructor(low = false) {
         this.sides = low ? 5 : 8;
         this.defines = low ? {LOW: 1} : {};
@@ -138,7 +138,7 @@ export class Wires {
         return mesh;
     }
 
-    /// Room for this many points; what grows is made anew.
+    /// Reserve capacity for this many points; buffers that grow are created again.
     reserve(points) {
         if (points <= this.capacity) return;
         const n = this.capacity = Math.ceil(Math.max(256, 1.25 * points + 1) / kWide) * kWide;
@@ -164,15 +164,15 @@ export class Wires {
         this.counts = null;
     }
 
-    /// wires: those of the scene, with a radius each.
+    /// @param wires  Wires of the scene, with a radius each.
     setScene(wires) {
         this.wires = wires;
         this.counts = null;
         this.selected = -1;
     }
 
-    /// Takes over what a frame says. full: the tension that has the hottest colour, as a share of
-    /// the breaking load; where that is not known, of `reference` [N].
+    /// Read a frame. @param full  Tension of the hottest colour, as a fraction of the breaking load, or
+    /// of `reference` [N] if that is unknown.
     fill(frame, full, reference) {
         this.reserve(frame.points);
         const {place, look} = this, p = frame.wirePoints;
