@@ -34,7 +34,7 @@ enum FastRow : int {
     kFastAmplitude,  ///< a [m].
     kFastDecay,      ///< −k log₂e [1/m].
     kFastOffset,     ///< −(k − that of its group's middle) [1/m].
-    kFastBottom,     ///< −2 k d log₂e.
+    kFastBottom,     ///< e^(−2kd).
     kFastSpeedX,     ///< a ω k_x/k / (1 − e^(−2kd)) [m/s].
     kFastSpeedY,
     kFastSpeedZ,
@@ -52,7 +52,7 @@ enum FastReferenceRow : int { kReferenceX, kReferenceY, kReferencePhase, kRefere
 struct FastExtent {
     int groups = 0;      ///< That kinematics take.
     int bottom = 0;      ///< Of these, groups that the bottom changes.
-    int stretching = 0;  ///< That the elevation takes, of points under water.
+    int stretching = 0;  ///< That the elevation takes, of points under water; at least `groups`.
 };
 
 /// Table in single precision.

@@ -62,12 +62,13 @@ FastWaves::FastWaves(std::span<const WaveComponent> waves, double depth)
         waves_, [&](const WaveComponent& w) { return motion_of(w, sea_depth_).acceleration; });
     significant_.pressure = significant_of(
         waves_, [&](const WaveComponent& w) { return motion_of(w, sea_depth_).pressure; });
-    find_reach();
-    if (!(reach_ > 0.0)) return;
+    if (!(reach_of(waves_.size()) > 0.0)) return;
     padded_ = static_cast<int>((waves_.size() + kFastGroup - 1) / kFastGroup) * kFastGroup;
     fill_tables();
     find_depths();
     list_extents();
+    for (int g = 0; g <= groups(); ++g)
+        reach_.push_back(reach_of(static_cast<std::size_t>(g) * kFastGroup));
 }
 
 void FastWaves::sort(std::span<const WaveComponent> waves) {
@@ -110,7 +111,8 @@ void FastWaves::fill_tables() {
         float& width = width_[i / kFastGroup];
         width = std::max(width, static_cast<float>(std::abs(middle - k)));
         middle_[i / kFastGroup] = static_cast<float>(-middle * std::numbers::log2e);
-        set(kFastBottom, -2.0 * k * sea_depth_ * std::numbers::log2e);
+        const double bottom = std::exp(-2.0 * k * sea_depth_);
+        set(kFastBottom, bottom > 1e-37 ? bottom : 0.0);  // no denormal number
         set(kFastSpeedX, speed * dx);
         set(kFastSpeedY, speed * dy);
         set(kFastSpeedZ, speed);
@@ -167,7 +169,9 @@ void FastWaves::list_extents() {
         const double high = low + 1.0 / rows_per_metre_;
         FastExtent row;
         row.groups = count([&](std::size_t g) { return low < below_[g]; });
-        row.stretching = count([&](std::size_t g) { return low < stretch_below_[g]; });
+        // Kinematics use the phases that the elevation computes.
+        row.stretching =
+            std::max(row.groups, count([&](std::size_t g) { return low < stretch_below_[g]; }));
         row.bottom = std::min(row.groups, count([&](std::size_t g) {
                                   return lowest_[g] * (2.0 * sea_depth_ - high) < kNoBottom;
                               }));
@@ -177,15 +181,16 @@ void FastWaves::list_extents() {
 
 /// Phases are off by at most 2π 2^−24 (3/2 + 1.13 k r), as |k_x x| + |k_y y| ≤ √2 k r; rounding
 /// is independent from component to component, and its standard deviation 1/√3 of the largest one.
-void FastWaves::find_reach() {
+double FastWaves::reach_of(std::size_t components) const {
     const auto error = [&](double r) {
         double worst = 0.0;
         const auto add = [&](double Motion::* of) {
             double sum = 0.0, all = 0.0;
-            for (const WaveComponent& w : waves_) {
+            for (std::size_t i = 0; i < waves_.size(); ++i) {
+                const WaveComponent& w = waves_[i];
                 const double a = motion_of(w, sea_depth_).*of;
                 const double off = kTwoPi * kSingle * (1.5 + 1.13 * w.wave_number * r);
-                sum += a * a * off * off;
+                sum += i < components ? a * a * off * off : 0.0;
                 all += a * a;
             }
             worst = std::max(worst, all > 0.0 ? std::sqrt(3.0 * sum / all) : 0.0);  // 6/(2 √3)
@@ -196,13 +201,13 @@ void FastWaves::find_reach() {
         add(&Motion::pressure);
         return worst;
     };
-    if (!(error(0.0) < kPhaseShare)) return;
+    if (!(error(0.0) < kPhaseShare)) return 0.0;
     double low = 0.0, high = 1e6;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
         (error(middle) <= kPhaseShare ? low : high) = middle;
     }
-    reach_ = low;
+    return low;
 }
 
 void FastWaves::begin(std::span<const double> phase) noexcept {

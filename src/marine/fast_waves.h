@@ -54,8 +54,11 @@ class FastWaves {
         return {table_.data(), middle_.data(), width_.data(), padded_};
     }
     [[nodiscard]] const double* reference() const noexcept { return reference_.data(); }
-    /// Largest distance of a point from its reference [m].
-    [[nodiscard]] double reach() const noexcept { return reach_; }
+    /// Largest distance of a point from its reference, of points that take some first groups [m].
+    [[nodiscard]] double reach(int first) const noexcept {
+        return reach_[static_cast<std::size_t>(first)];
+    }
+    [[nodiscard]] double reach() const noexcept { return on() ? reach_.back() : 0.0; }
     /// Σ a: no surface is further from still water [m].
     [[nodiscard]] double highest() const noexcept { return highest_; }
     /// Groups that kinematics take at z' = −depth.
@@ -75,7 +78,7 @@ class FastWaves {
     void fill_tables();
     void find_depths();
     void list_extents();
-    void find_reach();
+    [[nodiscard]] double reach_of(std::size_t components) const;
 
     static constexpr std::size_t kExtents = 1024;
 
@@ -83,7 +86,8 @@ class FastWaves {
     int padded_ = 0;
     const FastWaveKernels* kernels_;
     double rows_per_metre_ = 0.0;
-    double reach_ = 0.0, highest_ = 0.0;
+    double highest_ = 0.0;
+    std::vector<double> reach_;         ///< By number of groups.
     std::vector<std::size_t> order_;    ///< Components by ascending wave number.
     std::vector<WaveComponent> waves_;  ///< In this order.
     base::Array<float> table_, middle_, width_;

@@ -74,30 +74,32 @@ void WaterField::refer(const FieldPoint* points, int first, int count, bool exac
                        Cluster& to) const noexcept {
     to.end = std::min(first + kWavePoints, count);
     to.fast = false;
+    to.groups = 0;
     if (!fast_.on()) return;
     double low[2] = {points[first].x, points[first].y}, high[2] = {low[0], low[1]};
     for (int begin = first; begin < count; begin += kWavePoints) {
         const int end = std::min(begin + kWavePoints, count);
         double lower[2] = {low[0], low[1]}, upper[2] = {high[0], high[1]};
+        int groups = to.groups;
         for (int i = begin; i < end; ++i) {
             lower[0] = std::min(lower[0], points[i].x);
             lower[1] = std::min(lower[1], points[i].y);
             upper[0] = std::max(upper[0], points[i].x);
             upper[1] = std::max(upper[1], points[i].y);
+            groups = std::max(groups, exact_surface ? fast_.groups() : surface_groups(points[i]));
         }
+        const double reach = fast_.reach(groups);
         const double wide = upper[0] - lower[0], deep = upper[1] - lower[1];
-        if (!(wide * wide + deep * deep <= 4.0 * fast_.reach() * fast_.reach())) break;
+        if (!(wide * wide + deep * deep <= 4.0 * reach * reach)) break;
         std::copy_n(lower, 2, low);
         std::copy_n(upper, 2, high);
         to.end = end;
         to.fast = true;
+        to.groups = groups;
     }
     if (!to.fast) return;
     to.x = 0.5 * (low[0] + high[0]);
     to.y = 0.5 * (low[1] + high[1]);
-    to.groups = 0;
-    for (int i = first; i < to.end; ++i)
-        to.groups = std::max(to.groups, exact_surface ? fast_.groups() : surface_groups(points[i]));
     fast_.kernels().refer(fast_.reference(), fast_.padded(), to.groups, to.x, to.y, to.turns);
 }
 

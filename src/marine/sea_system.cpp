@@ -65,8 +65,7 @@ SeaSystem::SeaSystem(const SeaDef& def, double gravity, LineTable lines, Start s
             hull.coefficients =
                 std::make_shared<const WaveCoefficients>(without_noise(*hull.coefficients));
         try {
-            hulls_.emplace_back(hull, sea_, start_.step, start_.heading[i],
-                                field_.fast().on() ? field_.fast().reach() : 0.0);
+            hulls_.emplace_back(hull, sea_, start_.step, start_.heading[i], field_.fast().reach());
         } catch (const DefError& error) {
             throw SeaError("hulls/" + std::to_string(i) + "/coefficients", error.what());
         }

@@ -185,6 +185,11 @@ TEST(FastWaves, DeepPointsTakeFewGroups) {
     EXPECT_EQ(fast.extent(0.0).groups, fast.groups());
     EXPECT_LT(fast.extent(100.0).groups, fast.groups() / 2);
     EXPECT_LE(fast.extent(149.9).groups, fast.extent(100.0).groups);
+    // Kinematics use phases of the groups that the elevation takes.
+    for (double depth = 0.0; depth < 160.0; depth += 0.37)
+        EXPECT_GE(fast.extent(depth).stretching, fast.extent(depth).groups) << depth;
+    // Longer waves alone are rounded less: their clusters are wider.
+    for (int g = 1; g <= fast.groups(); ++g) EXPECT_LE(fast.reach(g), fast.reach(g - 1)) << g;
     EXPECT_GT(fast.reach(), 5.0) << "a cluster is wider than a node's element";
     std::printf("reach %.3g m; groups at 0, 10, 50, 150 m: %d %d %d %d of %d\n", fast.reach(),
                 fast.extent(0.0).groups, fast.extent(10.0).groups, fast.extent(50.0).groups,

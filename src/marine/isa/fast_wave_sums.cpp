@@ -145,8 +145,7 @@ HAWSER_FAST void add_group(const marine::FastTable& table, int group, const floa
         const Floats up = falling<By>(table, i, depth) * middle;
         Floats level = up, steep = up;
         if constexpr (Bottom) {
-            const Floats down =
-                fast_power(at(marine::kFastBottom) - at(marine::kFastDecay) * depth);
+            const Floats down = at(marine::kFastBottom) / up;
             level += down;
             steep -= down;
         }
@@ -160,20 +159,18 @@ HAWSER_FAST void add_group(const marine::FastTable& table, int group, const floa
     }
 }
 
-/// All groups of one point.
-HAWSER_FAST void add_point_groups(const marine::FastTable& table, const marine::FastExtent& of,
-                                  const float* circle, float depth, const float* middle,
-                                  FastSums& to) {
-    for (int g = 0; g < of.bottom; ++g)
-        add_group<Falling::alone, true>(table, g, circle, depth, 1.0F, to);
-    for (int g = of.bottom; g < of.groups; ++g) {
+/// Groups [begin, end) of one point.
+template <bool Bottom>
+HAWSER_FAST void add_groups(const marine::FastTable& table, int begin, int end, const float* circle,
+                            float depth, const float* middle, FastSums& to) {
+    for (int g = begin; g < end; ++g) {
         const float apart = table.width[g] * depth;
         if (apart <= kNearest)
-            add_group<Falling::near, false>(table, g, circle, depth, middle[g], to);
+            add_group<Falling::near, Bottom>(table, g, circle, depth, middle[g], to);
         else if (apart <= kFarthest)
-            add_group<Falling::far, false>(table, g, circle, depth, middle[g], to);
+            add_group<Falling::far, Bottom>(table, g, circle, depth, middle[g], to);
         else
-            add_group<Falling::alone, false>(table, g, circle, depth, 1.0F, to);
+            add_group<Falling::alone, Bottom>(table, g, circle, depth, 1.0F, to);
     }
 }
 
@@ -196,7 +193,9 @@ void fast_sums(const marine::FastTable& table, const marine::FastExtent* of, con
     const GroupPowers middle(table.middle, groups, down);
     for (int p = 0; p < count; ++p) {
         FastSums all;
-        add_point_groups(table, of[p], circle + 2 * p * table.padded, down[p], middle.of[p], all);
+        const float* const own = circle + 2 * p * table.padded;
+        add_groups<true>(table, 0, of[p].bottom, own, down[p], middle.of[p], all);
+        add_groups<false>(table, of[p].bottom, of[p].groups, own, down[p], middle.of[p], all);
         for (int k = 0; k < 3; ++k) {
             out[p].u[k] = total_of(all.u[k]);
             out[p].a[k] = total_of(all.a[k]);
@@ -217,12 +216,26 @@ HAWSER_FAST void add_pressure(const marine::FastTable& table, int group, const f
         for (int p = 0; p < marine::kWavePoints; ++p) {
             const Floats h = floats_at(circle + 2 * p * table.padded + i);
             Floats level = falling<By>(table, i, depth[p]);
-            if constexpr (Bottom)
-                level += fast_power(floats_at(table.row(marine::kFastBottom) + i) -
-                                    floats_at(table.row(marine::kFastDecay) + i) * depth[p]);
             if constexpr (By != Falling::alone) level *= middle.of[p][group];
+            if constexpr (Bottom) level += floats_at(table.row(marine::kFastBottom) + i) / level;
             to[p] += level * ((1.0F - h * h) * weight);
         }
+    }
+}
+
+/// Groups [begin, end) of all points. @param deepest  Depth of the deepest one.
+template <bool Bottom>
+HAWSER_FAST void add_pressures(const marine::FastTable& table, int begin, int end,
+                               const float* circle, const float* depth, float deepest,
+                               const GroupPowers& middle, Floats* to) {
+    for (int g = begin; g < end; ++g) {
+        const float apart = table.width[g] * deepest;
+        if (apart <= kNearest)
+            add_pressure<Falling::near, Bottom>(table, g, circle, depth, middle, to);
+        else if (apart <= kFarthest)
+            add_pressure<Falling::far, Bottom>(table, g, circle, depth, middle, to);
+        else
+            add_pressure<Falling::alone, Bottom>(table, g, circle, depth, middle, to);
     }
 }
 
@@ -237,17 +250,8 @@ void fast_pressure(const marine::FastTable& table, const marine::FastExtent* of,
     }
     const GroupPowers middle(table.middle, groups, down);
     Floats all[marine::kWavePoints]{};
-    for (int g = 0; g < bottom; ++g)
-        add_pressure<Falling::alone, true>(table, g, circle, down, middle, all);
-    for (int g = bottom; g < groups; ++g) {
-        const float apart = table.width[g] * deepest;
-        if (apart <= kNearest)
-            add_pressure<Falling::near, false>(table, g, circle, down, middle, all);
-        else if (apart <= kFarthest)
-            add_pressure<Falling::far, false>(table, g, circle, down, middle, all);
-        else
-            add_pressure<Falling::alone, false>(table, g, circle, down, middle, all);
-    }
+    add_pressures<true>(table, 0, bottom, circle, down, deepest, middle, all);
+    add_pressures<false>(table, bottom, groups, circle, down, deepest, middle, all);
     for (int p = 0; p < count; ++p) out[p] = total_of(all[p]);
 }
 
