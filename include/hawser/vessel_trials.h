@@ -38,7 +38,7 @@ struct TurningCircle {
     double most_roll = 0.0;  ///< Largest |φ| since the start [rad].
 };
 
-struct ZigZag {
+struct ZigZagTrial {
     std::vector<double> executes{};    ///< Times of the second and later orders [s].
     std::vector<double> overshoots{};  ///< [rad].
     double most_roll = 0.0;            ///< [rad].
@@ -51,8 +51,8 @@ struct ZigZag {
                                            double duration);
 /// @param rudder  δ, of the first order; negative: first to port [rad]. @param heading  ψ > 0
 /// [rad]. @param count  Overshoots after which it ends, or @param most  after a time [s].
-[[nodiscard]] ZigZag zig_zag(World& world, const VesselDef& vessel, double rudder, double heading,
-                             int count, double most = 3600.0);
+[[nodiscard]] ZigZagTrial zig_zag(World& world, const VesselDef& vessel, double rudder,
+                                  double heading, int count, double most = 3600.0);
 
 /// A criterion of IMO MSC.137(76).
 struct ImoCriterion {
@@ -64,7 +64,8 @@ struct ImoCriterion {
 /// @param turn  With full rudder. @param small  10°/10° zig-zag. @param large  20°/20°; what they
 /// do not have is left out.
 [[nodiscard]] std::vector<ImoCriterion> imo_criteria(double length, double speed,
-                                                     const TurningCircle& turn, const ZigZag& small,
-                                                     const ZigZag& large);
+                                                     const TurningCircle& turn,
+                                                     const ZigZagTrial& small,
+                                                     const ZigZagTrial& large);
 
 }  // namespace hawser

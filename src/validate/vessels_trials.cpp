@@ -67,12 +67,12 @@ TurningCircle report_turning(Report& report, const PublishedShip& ship, const st
     return t;
 }
 
-ZigZag report_zig_zag(Report& report, const PublishedShip& ship, const std::string& name,
-                      const ZigZagRow& row) {
+ZigZagTrial report_zig_zag(Report& report, const PublishedShip& ship, const std::string& name,
+                           const ZigZagRow& row) {
     Trial trial(ship);
     const double angle = row.angle * kTrialDegree;
-    const ZigZag z = zig_zag(trial.world, trial.ship.vessel, angle, std::abs(angle),
-                             static_cast<int>(row.overshoots.size()));
+    const ZigZagTrial z = zig_zag(trial.world, trial.ship.vessel, angle, std::abs(angle),
+                                  static_cast<int>(row.overshoots.size()));
     const std::string of = fmt::format("{}, zig-zag {:+g}: ", name, row.angle);
     for (std::size_t i = 0; i < row.executes.size(); ++i)
         report.compare(of + fmt::format("execute {} [s]", i + 2), {row.executes[i]},
@@ -90,7 +90,7 @@ ZigZag report_zig_zag(Report& report, const PublishedShip& ship, const std::stri
 
 /// Criteria of IMO: whether each is met, as the reference's own figures meet it.
 void report_imo(Report& report, const PublishedShip& ship, const std::string& name,
-                const TurningCircle& turn, const ZigZag& small, const ZigZag& large,
+                const TurningCircle& turn, const ZigZagTrial& small, const ZigZagTrial& large,
                 const std::vector<double>& met) {
     const auto all = imo_criteria(ship.length, ship.speed, turn, small, large);
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -115,9 +115,9 @@ void report_ship(Report& report, const PublishedShip& ship, const ShipRows& rows
         const TurningCircle t = report_turning(report, ship, rows.name, rows.turns[i]);
         if (i == full_rudder) turn = t;
     }
-    ZigZag ten, twenty;
+    ZigZagTrial ten, twenty;
     for (std::size_t i = 0; i < rows.zig_zags.size(); ++i) {
-        const ZigZag z = report_zig_zag(report, ship, rows.name, rows.zig_zags[i]);
+        const ZigZagTrial z = report_zig_zag(report, ship, rows.name, rows.zig_zags[i]);
         if (static_cast<int>(i) == small) ten = z;
         if (static_cast<int>(i) == large) twenty = z;
     }

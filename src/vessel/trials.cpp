@@ -104,11 +104,11 @@ TurningCircle turning_circle(World& world, const VesselDef& vessel, double rudde
     return out;
 }
 
-ZigZag zig_zag(World& world, const VesselDef& vessel, double rudder, double heading, int count,
-               double most) {
+ZigZagTrial zig_zag(World& world, const VesselDef& vessel, double rudder, double heading, int count,
+                    double most) {
     const std::string name = vessel.name + ".rudder";
     Track track(world, vessel);
-    ZigZag out;
+    ZigZagTrial out;
     const double begin = world.time();
     double order = rudder, before = 0.0, peak = 0.0;
     bool executed = false;
@@ -146,7 +146,7 @@ ZigZag zig_zag(World& world, const VesselDef& vessel, double rudder, double head
 }
 
 std::vector<ImoCriterion> imo_criteria(double length, double speed, const TurningCircle& turn,
-                                       const ZigZag& small, const ZigZag& large) {
+                                       const ZigZagTrial& small, const ZigZagTrial& large) {
     std::vector<ImoCriterion> out;
     const auto degrees = [](double x) { return x / kOneDegree; };
     if (turn.turned) {

@@ -19,15 +19,15 @@
 namespace hawser::scene::test {
 namespace {
 
-constexpr double kToRadians = std::numbers::pi / 180.0;
+constexpr double kVesselRadians = std::numbers::pi / 180.0;
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
+std::string vessel_text(std::string text, const std::string& from, const std::string& to) {
     const auto at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     return text.replace(at, from.size(), to);
 }
 
-std::string refusal_of(const std::string& text) {
+std::string vessel_refusal(const std::string& text) {
     try {
         (void)load_text(text, "vessels");
     } catch (const SceneError& error) {
@@ -51,13 +51,13 @@ TEST(SceneVessels, KeysReachTheDefinition) {
     for (const HullTerm& t : tug->polynomial.terms)
         if (t.axis == HullAxis::n && t.of == "vvr") found = std::abs(t.value + 0.01) < 1e-15;
     EXPECT_TRUE(found);  // times the factor
-    EXPECT_NEAR(tug->steering.rate, 3.0 * kToRadians, 1e-12);
+    EXPECT_NEAR(tug->steering.rate, 3.0 * kVesselRadians, 1e-12);
     EXPECT_EQ(tug->wind.ship, WindShip::tender);
     ASSERT_EQ(tug->propulsors.size(), 3u);
     EXPECT_EQ(tug->propulsors[1].propeller.series, PropellerSeries::ka4_70);
-    EXPECT_NEAR(tug->propulsors[1].most_angle, 90.0 * kToRadians, 1e-12);
+    EXPECT_NEAR(tug->propulsors[1].most_angle, 90.0 * kVesselRadians, 1e-12);
     EXPECT_EQ(tug->rudders[0].behind, "main");
-    EXPECT_NEAR(tug->rudders[0].stall, 30.0 * kToRadians, 1e-12);
+    EXPECT_NEAR(tug->rudders[0].stall, 30.0 * kVesselRadians, 1e-12);
     // The published ship of a template, in both instances and in the copies.
     const PublishedShip esso = esso_190k(23.0);
     for (const char* name : {"a/hull", "b/hull", "1:a/hull", "1:b/hull"}) {
@@ -88,11 +88,11 @@ TEST(SceneVessels, RefusesWithThePlaceAndTheNearestName) {
         {R"("rate_deg": 4)", R"("rate_deg": 0)", "/vessels/0/rudders/0/rate_deg: 0"},
         {R"("restoring": [0, 0, 1e7)", R"("restoring": [1, 0, 1e7)", "/vessels/0/restoring: "}};
     for (const Slip& slip : slips) {
-        const std::string said = refusal_of(replaced(good, slip.from, slip.to));
+        const std::string said = vessel_refusal(vessel_text(good, slip.from, slip.to));
         EXPECT_NE(said.find(slip.said), std::string::npos) << slip.to << ": " << said;
     }
     // A thruster on a body without a hull.
-    const std::string bare = refusal_of(R"({"version": 1, "name": "bare",
+    const std::string bare = vessel_refusal(R"({"version": 1, "name": "bare",
       "bodies": [{"name": "box", "mass": 1e6, "box": [10, 5, 2], "gravity": false}],
       "vessels": [{"name": "v", "body": "box",
                    "propulsors": [{"name": "bow", "kind": "tunnel", "thrust": 1e5}]}]})");
@@ -100,7 +100,7 @@ TEST(SceneVessels, RefusesWithThePlaceAndTheNearestName) {
 }
 
 TEST(SceneVessels, ShippedSceneIsUnderWayAndTurns) {
-    Scene scene = load("scenes/osv.json");
+    Scene scene = load_file("scenes/osv.json");
     World& w = scene.world;
     w.set_system_signal("osv.port", 1.0);
     w.set_system_signal("osv.starboard", 1.0);
@@ -114,11 +114,11 @@ TEST(SceneVessels, ShippedSceneIsUnderWayAndTurns) {
 }
 
 /// The tutorial of docs/vessels.md: its figures are those of its runs.
-struct Tutorial {
+struct VesselTutorial {
     std::string text;
     std::vector<std::string> blocks;
 
-    Tutorial() {
+    VesselTutorial() {
         std::ifstream in("docs/vessels.md");
         text.assign(std::istreambuf_iterator<char>(in), {});
         text = text.substr(0, text.find("## Equations"));
@@ -143,7 +143,7 @@ struct Tutorial {
 
 TEST(SceneVessels, TutorialGivesItsFigures) {
     constexpr double kHundredth = 0.0051;
-    const Tutorial page;
+    const VesselTutorial page;
     ASSERT_EQ(page.blocks.size(), 4u);
     nlohmann::json boat = nlohmann::json::parse(page.blocks[0]);
     {
@@ -162,7 +162,7 @@ TEST(SceneVessels, TutorialGivesItsFigures) {
                 kHundredth);
     w.set_system_signal("boat.rudder", 0.5);
     for (int i = 0; i < 60 * 180; ++i) ASSERT_EQ(w.step(), Status::ok);
-    EXPECT_NEAR(w.system_signal("boat.turn_rate") / kToRadians,
+    EXPECT_NEAR(w.system_signal("boat.turn_rate") / kVesselRadians,
                 page.figure("turns to starboard at # "), kHundredth);
     // The published ship is accepted as written.
     const nlohmann::json ship = nlohmann::json::parse("{" + page.blocks[3] + "}");

@@ -50,7 +50,7 @@ TEST(Vessel, TurnsLikeItsReference) {
     EXPECT_NEAR(t.transfer / ship.length, 1.332, 0.005 * 1.332);
     EXPECT_NEAR(t.tactical / ship.length, 3.118, 0.005 * 3.118);
     Sailing z(ship);
-    const ZigZag zz = zig_zag(z.world, z.ship.vessel, 10.0 * kDeg, 10.0 * kDeg, 2);
+    const ZigZagTrial zz = zig_zag(z.world, z.ship.vessel, 10.0 * kDeg, 10.0 * kDeg, 2);
     ASSERT_EQ(zz.overshoots.size(), 2u);
     EXPECT_NEAR(zz.overshoots[0] / kDeg, 4.93, 0.1);
     EXPECT_NEAR(zz.overshoots[1] / kDeg, 13.56, 0.1356);
@@ -307,7 +307,7 @@ TEST(Trials, ImoLimitsFollowLengthOverSpeed) {
     turn.turned = true;
     turn.advance = 4.0 * 100.0;
     turn.tactical = 5.5 * 100.0;
-    ZigZag ten, twenty;
+    ZigZagTrial ten, twenty;
     ten.overshoots = {12.0 * kDeg, 20.0 * kDeg};
     twenty.overshoots = {26.0 * kDeg};
     // L/V = 20 s: 5 + 10 = 15 and 17.5 + 15 = 32.5 degrees.
