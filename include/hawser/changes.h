@@ -74,6 +74,11 @@ class ChangeListener {
     virtual void restored(std::span<const std::byte> bytes) noexcept = 0;
     /// By restore() of another structure. @param bytes  Its state.
     virtual void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept = 0;
+    /// Return a mark of the changes reported until now: a step begins, or a call that makes
+    /// several.
+    virtual std::size_t mark() noexcept = 0;
+    /// That failed: changes reported since the mark are undone, and a replay must not make them.
+    virtual void undone(std::size_t mark) noexcept = 0;
 };
 
 }  // namespace hawser

@@ -43,7 +43,15 @@
 /// *Stops.* What cannot run through (the last lump of a wire, gear, another line type) comes up to
 /// the guide and stops there: the slide is held against running on until it is pulled back.
 ///
-/// Limits: the wire stays on its guide whatever way it pulls, and keeps its place along the axis.
+/// *Open guides.* A guide with `closed = false` has no upper roller: it pushes, and cannot pull.
+/// Let T be the tension, α the angle of the wire on the wheel, w the weight of the half elements
+/// there that points to the wheel. The wire leaves where T α + w < 0, and the two parts become one
+/// element again (EventKind::lift_off). It is laid on again (EventKind::lay_on) where it comes back
+/// to the wheel from outside, beside the same point of the axis. While it is off, the guide does
+/// not act.
+///
+/// Limits: the wire stays on a closed guide whatever way it pulls, and keeps its place along the
+/// axis. A wire that is off an open guide has no contact with its body.
 /// Elements must have a mass of their own (WireDef::consistent_mass), or none runs through. A guide
 /// and a drum have at least two elements of wire between them, two guides a lump and 0.2 m: nearer
 /// than 1.9 elements, those between are half of what lies there. A wire that parts at a guide stays
@@ -78,6 +86,8 @@ struct GuideDef {
     double element_length = kDefault;
     /// Of the wire [kg/m]; kDefault: that of the element.
     double mass_per_length = kDefault;
+    /// Whether an upper roller, or the ring of an eye, keeps the wire on it. False needs a radius.
+    bool closed = true;
     /// The scalar body that the elements before and behind it have as their slide already. Invalid:
     /// it is made, and the element divided.
     BodyId slide{};

@@ -31,12 +31,14 @@ inline constexpr Limit kCable{0.03, 0.15};  ///< |l − l₀(1 + T/EA)|/l₀.
 /// load.
 inline constexpr double kMostStrain = 0.5, kMostBreaking = 8.0;
 inline constexpr Limit kCertificate{1e-3, 0.1};  ///< Relative, for kSustained.
-inline constexpr Limit kTurn{0.5, 20.0};         ///< Of a body or an element in a step [rad].
-inline constexpr double kMemory = 10.0;          ///< Of what was exchanged [s].
-inline constexpr double kMean = 0.5;             ///< Of energies that refuse a step [s].
-inline constexpr double kSustained = 0.5;        ///< [s].
-inline constexpr double kLook = 0.1;             ///< From look to look [s], at least a step.
-inline constexpr double kSettled = 3.0;          ///< What stands open at the start closes [steps].
+/// Share of the steps of kMemory whose iterations of rigid joints failed.
+inline constexpr double kIncomplete = 0.01;
+inline constexpr Limit kTurn{0.5, 20.0};   ///< Of a body or an element in a step [rad].
+inline constexpr double kMemory = 10.0;    ///< Of what was exchanged [s].
+inline constexpr double kMean = 0.5;       ///< Of energies that refuse a step [s].
+inline constexpr double kSustained = 0.5;  ///< [s].
+inline constexpr double kLook = 0.1;       ///< From look to look [s], at least a step.
+inline constexpr double kSettled = 3.0;    ///< What stands open at the start closes [steps].
 /// Energy that is nothing: of kinetic and elastic energy, and of all bodies this much higher [m].
 inline constexpr double kNothing = 1e-6, kNothingHigher = 1e-4;
 }  // namespace limit

@@ -91,8 +91,14 @@ enum class EventKind : std::uint8_t {
     /// The end of a wire reached the fairlead of its drum, or the place that it runs through, and
     /// stops there; once until it runs back. Of the drum or the slide. value: tension [N].
     hauled_in,
+    // Of guides without an upper roller (guide.h), of the element there.
+    lift_off,  ///< The wire left its guide. value: tension then [N].
+    lay_on,    ///< The wire came back onto its guide. value: tension then [N].
+    /// Iterations of rigid joints failed, so that the step linearised the joints once; once until
+    /// limit::kMemory has passed without one. value: StepStats::completion_failures.
+    incomplete,
 };
-inline constexpr int kEventKindCount = 29;
+inline constexpr int kEventKindCount = 32;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {

@@ -20,9 +20,9 @@
 /// ```
 /// A world owns its systems. Each step calls them once, in the order in which they were added,
 /// before bodies that touch are looked for; a step that is solved again within itself calls them no
-/// second time. What a system did belongs to the step: where that fails, the states of systems go
-/// back with that of the world, and the next call repeats it. Results do not depend on threads as
-/// long as a system's own numbers do not.
+/// second time. What a system did belongs to the step: where that fails, the states of systems and
+/// their edits go back with the state of the world, and the next call repeats it. Results do not
+/// depend on threads as long as a system's own numbers do not.
 
 #include <hawser/def.h>
 #include <hawser/id.h>
@@ -167,9 +167,8 @@ class SignalTable {
 /// What add_…() returns stands for what will be there: later edits of the same step may name it,
 /// nothing else may. Ids of things that are there already mean themselves.
 ///
-/// All or none: where the world refuses one, the step ends with Status::bad_edit and everything is
-/// as it was before. Edits that have been made stay where the step fails for another reason, such
-/// as cancel(); the next call goes on with what the systems did, and asks them no second time.
+/// All or none: where the world refuses one, the step ends with Status::bad_edit. Whatever a step
+/// fails for, edits that were made are undone with the rest of the step (World::step()).
 /// Memory: each edit takes some, and several in one step are first tried in a copy of the
 /// definitions.
 class Edits {
@@ -272,11 +271,25 @@ class Prestep {
 };
 
 /// Nodes of wires that come and go before a step begins (System::before_step()). Unlike Edits they
-/// are made at once: loads and inputs of the step meet the wire as it is then. They stay where the
-/// step fails. Recordings keep them.
+/// are made at once: loads and inputs of the step meet the wire as it is then. They are undone if
+/// the step fails. Recordings keep them.
 class NodeEdits {
   public:
-    explicit NodeEdits(World& of) noexcept : world(of), world_(of) {}
+    /// What stands behind it.
+    class Hands {
+      public:
+        /// Before the first edit of a step: copy the state to which a failed step returns.
+        /// @return false: no memory.
+        virtual bool begin() noexcept = 0;
+        /// An edit has failed for want of memory: the step fails.
+        virtual void out_of_memory() noexcept = 0;
+        /// Report an event of the step.
+        virtual void tell(const Event& event) noexcept = 0;
+
+      protected:
+        ~Hands() = default;
+    };
+    NodeEdits(World& of, Hands& by) noexcept : world(of), world_(of), hands_(by) {}
     const World& world;  ///< As the last step left it, and earlier edits.
     /// As World::insert_node(). @return the lump; invalid: the world refused it, or has no memory.
     BodyId insert_node(InteractionId element, double share, double mass = kDefault) noexcept;
@@ -290,9 +303,14 @@ class NodeEdits {
     InteractionId lift_off(const Guide& guide, const InteractionDef& element) noexcept;
     /// As World::move_along(). @return whether it went.
     bool move_along(const Guide& guide, double along, double fed) noexcept;
+    /// Report an event of the time at which the step begins, once the step is good.
+    void tell(EventKind kind, InteractionId interaction, double value) noexcept;
+    /// The system has no memory to choose its edits: the step ends with Status::out_of_memory.
+    void out_of_memory() noexcept { hands_.out_of_memory(); }
 
   private:
     World& world_;
+    Hands& hands_;
 };
 
 /// Acts on a world at the beginning of each step.

@@ -15,13 +15,13 @@
 /// Set-up functions throw DefError, as does every function that is given an id of nothing; step()
 /// does not throw. A function that throws, std::bad_alloc or anything else, leaves the world as it
 /// was; so does a step that fails, and what is tried again gives the same bits as if nothing had
-/// failed. A name that is not found gives an invalid id. A world is used by one thread at
-/// a time: a second one that changes it or steps is refused (UseError, Status::in_use). Different
-/// worlds are independent. Bodies, interactions, shapes and inputs may be added
-/// and removed between steps; the next step repairs its analysis, and what an edit touches wakes.
-/// Velocities given to what is added once the world has started are used as they are, like those
-/// of set_velocity(); the energy that comes and goes counts as driven (Energy).
+/// failed. A name that is not found gives an invalid id. A world is used by one thread at a time: a
+/// second one that changes it or steps is refused (UseError, Status::in_use). Different worlds are
+/// independent. Bodies, interactions, shapes and inputs may be added and removed between steps; the
+/// next step repairs its analysis, and what an edit touches wakes. Velocities given to what is
+/// added later are used as they are; energy that comes and goes counts as edited (Energy).
 
+#include <hawser/attempt.h>
 #include <hawser/def.h>
 #include <hawser/edits.h>
 #include <hawser/id.h>
@@ -61,8 +61,8 @@ class World {
     /// @throws DefError on a value out of range, ThreadError where the worker threads cannot be
     ///         started, EnvironmentError (see check_environment()), std::bad_alloc.
     explicit World(const WorldDef& def = {});
-    ~World();
-    World(World&&) noexcept;
+    ~World();                 ///< In a forked child: attempt.h.
+    World(World&&) noexcept;  ///< What is left may be destroyed or assigned to: attempt.h.
     World& operator=(World&&) noexcept;
     World(const World&) = delete;
     World& operator=(const World&) = delete;
@@ -79,6 +79,7 @@ class World {
     /// A typed definition of joints.h or lines.h; what it returns stands there.
     template <class Def>
     auto add(const Def& def) {
+        const Attempt attempt(*this);
         return define(*this, def);
     }
     /// @throws DefError when the parameter cannot be driven or the name is taken.
@@ -378,23 +379,22 @@ class World {
     [[nodiscard]] PartitionView partition(const PartitionRequest& request) const;
     [[nodiscard]] std::size_t memory_bytes() const noexcept;  ///< Held by state and solver.
 
-    /// From the next step on write down what each thread does and when, with room for so many spans
-    /// of each thread: a step of some thousand bodies leaves a few hundred. 0 ends it. What was
-    /// written before is dropped. @throws DefError above 2^28, std::bad_alloc; the trace that there
-    /// is then goes on.
+    /// From the next step on record what each thread does and when, up to so many spans of each
+    /// thread (some thousand bodies: a few hundred a step); 0 ends it. What was recorded before is
+    /// dropped. @throws DefError above 2^28, std::bad_alloc; the trace that there is then goes on.
     void start_trace(std::size_t spans);
     [[nodiscard]] TraceView trace(std::int64_t steps = 1'000'000) const;  ///< The last steps kept.
 
   private:
+    friend class Attempt;
     void take_saved(std::span<const std::byte> bytes, bool variant = false);
     void restore_saved(std::span<const std::byte> bytes, bool variant);
     void copy_from(const World& other);
     void write_saved(std::vector<std::byte>& out, bool systems) const;
     void regroup_all(int parts);
     void evaluate_outputs() const noexcept;
-
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    Owned<Impl> impl_;
 };
 
 }  // namespace hawser

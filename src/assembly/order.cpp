@@ -69,6 +69,7 @@ void System::keep(Kept& out) const {
     out.node_of_body = node_of_body;
     out.node_of_interaction = node_of_interaction;
     out.ordered = ordered_;
+    out.updates_kept = symbolic.updates_kept;
 }
 
 void System::go_back(Kept& to) noexcept {
@@ -76,6 +77,7 @@ void System::go_back(Kept& to) noexcept {
     node_of_body.swap(to.node_of_body);
     node_of_interaction.swap(to.node_of_interaction);
     ordered_ = to.ordered;
+    analysis.keep_updates(to.updates_kept);  // as the next change of shapes asks
 }
 
 std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Interactions& in) {

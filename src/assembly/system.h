@@ -79,7 +79,7 @@ class System {
     struct Kept {
         factor::KeptAnalysis analysis;
         std::vector<std::int32_t> node_of_body, node_of_interaction;
-        bool ordered = false;
+        bool ordered = false, updates_kept = false;
     };
     /// @throws std::bad_alloc.
     void keep(Kept& out) const;

@@ -36,6 +36,8 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
     filter_.build(shapes_, bodies.count(), interactions);
     // Others stay as they were: collide() places all anew, and what the broad phase makes of their
     // boxes here changes nothing but its time.
+    if (all_new_) placed_.clear();
+    all_new_ = false;
     if (placed_.size() > shapes_.size()) placed_.resize(shapes_.size());
     while (placed_.size() < shapes_.size()) {
         new_.push_back(static_cast<std::int32_t>(placed_.size()));
@@ -52,6 +54,24 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
     }
     new_.clear();
     broad_.prepare(placed_);
+}
+
+void Collider::keep(Kept& out) const {
+    out.places = places;
+    out.shapes = shapes_;
+    out.data = data_;
+    out.contacts = kept_;
+    out.awake = kept_awake_;
+}
+
+void Collider::go_back(Kept& to) noexcept {
+    std::swap(places, to.places);
+    shapes_.swap(to.shapes);
+    data_.swap(to.data);
+    kept_.swap(to.contacts);
+    kept_awake_ = to.awake;
+    new_.clear();
+    all_new_ = true;
 }
 
 void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& pool) noexcept {

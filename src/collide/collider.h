@@ -111,6 +111,19 @@ class Collider {
     [[nodiscard]] const std::size_t& kept_awake() const noexcept { return kept_awake_; }
 
     void surfaces(double h, ContactSet& out) const { materials.surfaces(h, out.surfaces); }
+    /// Copy of the shapes and of what is remembered of their contacts.
+    struct Kept {
+        base::Places places;
+        std::vector<Shape> shapes;
+        std::vector<std::shared_ptr<const ShapeData>> data;
+        base::Array<KeptContact> contacts;
+        std::size_t awake = 0;
+    };
+    /// @throws std::bad_alloc.
+    void keep(Kept& out) const;
+    /// Back to a copy; prepare() before the next use.
+    void go_back(Kept& to) noexcept;
+
     /// Where each shape was in the last collide().
     [[nodiscard]] const base::Array<Placed>& placed() const noexcept { return placed_; }
     [[nodiscard]] std::size_t pairs() const noexcept { return pairs_.size(); }
@@ -142,6 +155,7 @@ class Collider {
     bool finite_ = true;
     base::Array<std::uint8_t> drop_, taken_;
     std::vector<std::int32_t> new_;  ///< Shapes that came or went since prepare().
+    bool all_new_ = false;           ///< All did.
     /// A piece of a line, listed at its end with the lower index.
     struct Line {
         std::int32_t other, id, before;  ///< `before`: in the same list, −1: none.

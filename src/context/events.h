@@ -31,7 +31,26 @@ class EventLog {
         }
     }
 
+    /// Until release(), events wait: the step that they belong to may fail. Up to `most` of them.
+    /// @throws std::bad_alloc.
+    void hold(std::size_t most) {
+        held_.clear();
+        held_.reserve(most);
+        holding_ = true;
+    }
+    /// The step is good: log the events that wait; or it failed, and they did not happen.
+    void release(bool happened) noexcept {
+        if (!holding_) return;
+        holding_ = false;
+        for (std::size_t k = 0; happened && k < held_.size(); ++k) push(held_[k]);
+        held_.clear();
+    }
+
     void push(const Event& event) noexcept {
+        if (holding_ && held_.size() < held_.capacity()) {
+            held_.push_back(event);
+            return;
+        }
         Ring& ring = rings_[static_cast<std::size_t>(event.kind)];
         ring.events[static_cast<std::size_t>(ring.extremes.count) % ring.events.size()] = {total_++,
                                                                                            event};
@@ -119,6 +138,8 @@ class EventLog {
         }
     };
     std::array<Ring, kEventKindCount> rings_;
+    std::vector<Event> held_;
+    bool holding_ = false;
     std::int64_t total_ = 0;
 };
 

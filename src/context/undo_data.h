@@ -26,6 +26,9 @@ enum class Mend : std::uint8_t {
     nothing,
     rebuild,  ///< Analyse as it was, at the poses of that analysis.
     follow,   ///< Analyse for what is awake now, at the poses of the last analysis.
+    /// Bodies, interactions and shapes were put back (model_undo.h): prepare, then as rebuild …
+    all,
+    all_follow,  ///< … or as follow.
 };
 
 /// Copies of the last good state, of what has changed or is about to.

@@ -51,6 +51,9 @@ constexpr std::array<Saying, kEventKindCount> kSayings{{
     {"opened above its rated load, at", "N"},
     {"has nothing in reach, the nearest at", "m"},
     {"has the end of its wire at the fairlead; tension", "N"},
+    {"left its guide at", "N"},
+    {"came back onto its guide at", "N"},
+    {"joints were linearised; failed steps", ""},
 }};
 static_assert(kSayings.back().words != nullptr, "each kind of event has its words");
 

@@ -47,6 +47,10 @@ class ByteWriter {
         put_bytes(std::as_bytes(std::span(text.data(), text.size())));
     }
     void clear() noexcept { bytes_.clear(); }
+    /// Drop all but the first `size` bytes.
+    void truncate(std::size_t size) noexcept {
+        if (size < bytes_.size()) bytes_.resize(size);
+    }
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return bytes_; }
 
   private:

@@ -56,6 +56,9 @@ class ChangeBytes : public ChangeListener {
     void released(InteractionId hook) noexcept override;
     void restored(std::span<const std::byte> bytes) noexcept override;
     void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept override;
+    std::size_t mark() noexcept override { return out_.bytes().size(); }
+    /// Other bodies are reported all the same.
+    void undone(std::size_t mark) noexcept override { out_.truncate(mark); }
 
     /// All since the last clear(), in order.
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return out_.bytes(); }

@@ -17,11 +17,36 @@ void RecordingListener::set(InputId id, double value) noexcept {
     // One that came later has no name in the recording, or a place that another one had.
     if (id.generation != 0 || id.index >= inputs_) return ChangeBytes::set(id, value);
     try {
-        if (!bytes().empty()) flush();
+        if (!bytes().empty()) close_part();
         set_.push_back({world_.step_count(), id.index, value});
     } catch (const std::exception&) {
         fault_ = std::current_exception();
     }
+}
+
+void RecordingListener::close_part() {
+    if (set_.empty() && bytes().empty()) return;
+    Part& part = parts_.emplace_back();
+    part.set = set_;
+    part.changes.assign(bytes().begin(), bytes().end());
+    part.other_bodies = other_bodies();
+    set_.clear();
+    clear();
+}
+
+std::size_t RecordingListener::mark() noexcept {
+    try {
+        close_part();
+    } catch (const std::exception&) {
+        fault_ = std::current_exception();
+    }
+    return parts_.size();
+}
+
+void RecordingListener::undone(std::size_t mark) noexcept {
+    while (parts_.size() > mark) parts_.pop_back();
+    set_.clear();
+    clear();
 }
 
 void RecordingListener::detached(InteractionId element, int end) noexcept {
@@ -58,6 +83,11 @@ void RecordingListener::flush() { flush(world_.step_count()); }
 
 void RecordingListener::flush(std::int64_t step) {
     if (fault_) std::rethrow_exception(fault_);
+    for (const Part& part : parts_) {
+        writer_.add_inputs(part.set);
+        writer_.add_changes(step, part.changes, part.other_bodies);
+    }
+    parts_.clear();
     writer_.add_inputs(set_);
     set_.clear();
     writer_.add_changes(step, *this);

@@ -31,16 +31,23 @@ class RecordingListener final : public ChangeBytes {
     /// Writes the changes made while a step was taken. @param step  Steps taken before that one; a
     /// replay makes the changes before it. @throws RecordingError
     void flush(std::int64_t step);
-    /// The step that was taken since the last flush() failed, and inputs that systems set in it
-    /// have their values of before again: what it told of them does not count.
-    void step_failed() noexcept { set_.clear(); }
+    std::size_t mark() noexcept override;
+    void undone(std::size_t mark) noexcept override;
 
   private:
+    /// Inputs, and then changes, that are not written yet.
+    struct Part {
+        std::vector<RecordedInput> set;
+        std::vector<std::byte> changes;
+        bool other_bodies = false;
+    };
+    void close_part();
     template <class F>
     void begin_take(F&& told) noexcept;
 
     RecordingWriter& writer_;
     World& world_;
+    std::vector<Part> parts_;         ///< Closed ones that are not written yet, in order.
     std::vector<RecordedInput> set_;  ///< Since the last change; not written yet.
     std::int32_t inputs_;             ///< Of the scene: the recording has their names.
     std::int64_t now_;                ///< Steps taken when it looked last.

@@ -136,11 +136,16 @@ void RecordingWriter::add_changes(std::int64_t step, const ChangeBytes& changes)
         throw RecordingError(file_.string() +
                              ": a change of the world did not fit into memory; the recording ends "
                              "before it");
-    if (changes.bytes().empty()) return;
+    add_changes(step, changes.bytes(), changes.other_bodies());
+}
+
+void RecordingWriter::add_changes(std::int64_t step, std::span<const std::byte> changes,
+                                  bool other_bodies) {
+    if (changes.empty()) return;
     payload_.put(step);
-    payload_.put_bytes(changes.bytes());
+    payload_.put_bytes(changes);
     write_chunk(kChangesChunk);
-    other_bodies_ = other_bodies_ || changes.other_bodies();
+    other_bodies_ = other_bodies_ || other_bodies;
 }
 
 /// Which bodies frames have from now on: those that stay by their numbers in the file.

@@ -31,6 +31,7 @@ class RecordingWriter {
     void add_inputs(std::span<const RecordedInput> changes);
     /// What a world told since the last call (changes.h); before the step that comes next.
     void add_changes(std::int64_t step, const ChangeBytes& changes);
+    void add_changes(std::int64_t step, std::span<const std::byte> changes, bool other_bodies);
     /// What systems loaded bodies with in the last step; nothing where they did not.
     void add_loads(const World& world);
     void add_note(std::int64_t step, std::string_view kind, std::span<const std::byte> bytes);

@@ -22,12 +22,14 @@ int rank_of(EventKind kind) {
         case EventKind::chain_jump:
         case EventKind::overload:
         case EventKind::hauled_in:
+        case EventKind::lift_off:
             return 0;
         case EventKind::energy_created:
         case EventKind::joint_open:
         case EventKind::cable_law:
         case EventKind::uncertified:
         case EventKind::warning:
+        case EventKind::incomplete:
             return 1;
         case EventKind::fast:
             return 5;
@@ -42,6 +44,7 @@ int rank_of(EventKind kind) {
         case EventKind::render:
         case EventKind::alarm:
         case EventKind::missed:
+        case EventKind::lay_on:
             return 2;
         case EventKind::range:
             return 3;
@@ -74,6 +77,8 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::render:
         case EventKind::overload:
         case EventKind::hauled_in:
+        case EventKind::lift_off:
+        case EventKind::lay_on:
             return "N";
         case EventKind::brake_slip:
             return "N m";
@@ -101,6 +106,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::node_limit:
         case EventKind::alarm:
         case EventKind::alarm_end:
+        case EventKind::incomplete:
             break;
     }
     return "";
@@ -108,6 +114,14 @@ const char* unit_of(const World& world, const Event& event) {
 
 std::string plural(std::int64_t count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+/// What happened to things that have no number of their own.
+std::string how_often(const EventFigures& e) {
+    const char* what = e.kind == EventKind::lift_off ? "wires left their guides "
+                       : e.kind == EventKind::lay_on ? "wires came back onto their guides "
+                                                     : "iterations of rigid joints failed ";
+    return what + plural(e.count, "time", "times");
 }
 
 /// An event and how often it happened, in words.
@@ -175,6 +189,10 @@ std::string what_happened(const EventFigures& e) {
         case EventKind::hauled_in:
             return "ends of wires were hauled in to a fairlead or an eye " +
                    plural(e.count, "time", "times");
+        case EventKind::lift_off:
+        case EventKind::lay_on:
+        case EventKind::incomplete:
+            return how_often(e);
         case EventKind::node_limit:
             return "wires had all the nodes that they may " + plural(e.count, "time", "times");
     }

@@ -5,6 +5,10 @@
 #include "record/host.h"
 #include "record/series.h"
 
+#include <hawser/limits.h>
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -63,6 +67,7 @@ SummaryCollector::SummaryCollector(const record::SceneInfo& scene, const World& 
         summary_.bodies.push_back({.name = record::body_label(world, body)});
         first_pose_.push_back(world.pose(body));
     }
+    completion_failures_ = world.stats().completion_failures;
 }
 
 void SummaryCollector::after_step(const World& world, std::span<const Event> events) {
@@ -100,6 +105,7 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
                 {event.time, to_string(event.kind), place_of(world, event), event.value});
     }
     summary_.degradations.after_step(stats);
+    watch_joints(world);
     watch_contacts(world);
     watch_cables(world);
     wires_.after_step(world, events);
@@ -113,6 +119,18 @@ void SummaryCollector::add_operation(double time, std::string what) {
     auto at = summary_.events.end();
     while (at != summary_.events.begin() && std::prev(at)->time > time) --at;
     summary_.events.insert(at, std::move(done));
+}
+
+/// The share of steps of the last seconds whose iterations of rigid joints failed.
+void SummaryCollector::watch_joints(const World& world) {
+    const StepStats& stats = world.stats();
+    const bool failed = stats.completion_failures > completion_failures_;
+    completion_failures_ = stats.completion_failures;
+    const double fresh = std::min(1.0, world.settings().step / limit::kMemory);
+    incomplete_ += fresh * ((failed ? 1.0 : 0.0) - incomplete_);
+    if (incomplete_ <= summary_.incomplete) return;
+    summary_.incomplete = incomplete_;
+    summary_.incomplete_time = stats.time;
 }
 
 void SummaryCollector::watch_contacts(const World& world) {
@@ -194,6 +212,15 @@ Summary SummaryCollector::result(const World& world) const {
     out.happened = event_figures(world);
     out.verdict = in_words(world, world.verdict());
     out.sea = sea_accuracy(world);
+    if (out.incomplete > limit::kIncomplete && out.verdict.verdict.grade == Grade::good) {
+        out.verdict.verdict.grade = Grade::doubtful;
+        out.verdict.verdict.judge = Judge::certificate;
+        out.verdict.said = fmt::format(
+            "iterations of rigid joints had failed in {:.2g} % of the steps of {:.0f} s at {:.6g} "
+            "s: these steps linearised the joints; take a smaller step (settings.step), or fewer "
+            "joints that repeat each other",
+            100.0 * out.incomplete, limit::kMemory, out.incomplete_time);
+    }
     out.timed_steps = step_.count();
     out.step_ms = spread(step_);
     out.solver_ms = spread(solver_);

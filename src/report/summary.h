@@ -108,6 +108,9 @@ struct Summary {
     double violation_time = 0.0;      ///< [s]
     double stretch_error_max = 0.0;   ///< Relative.
     double stretch_error_time = 0.0;  ///< [s]
+    /// Largest share of the steps of limit::kMemory whose iterations of rigid joints failed.
+    double incomplete = 0.0;
+    double incomplete_time = 0.0;  ///< [s]
     Energy energy_start, energy_end;
     SeaAccuracy sea;            ///< Of the last step.
     double energy_scale = 0.0;  ///< What the drift is relative to [J].
@@ -153,10 +156,13 @@ class SummaryCollector : public Observer {
     void watch_bodies(const World& world);
     void watch_energy(const World& world);
     void watch_contacts(const World& world);
+    void watch_joints(const World& world);
 
     const record::SceneInfo& scene_;
     Summary summary_;
     WireWatch wires_;
+    std::int64_t completion_failures_ = 0;  ///< StepStats of the last step.
+    double incomplete_ = 0.0;               ///< See Summary::incomplete.
     std::vector<Pose> first_pose_;
     std::vector<BodyId> bodies_;
     /// Of a cable: what its mean is taken of.

@@ -6,6 +6,7 @@
 #include <hawser/def.h>
 
 #include <pthread.h>
+#include <unistd.h>
 #include <algorithm>
 #include <csignal>
 #include <ctime>
@@ -58,6 +59,7 @@ Pool::Pool(int threads)
     : threads_(std::max(threads, 1)),
       parts_(std::make_unique<Part[]>(static_cast<std::size_t>(threads_))) {
     workers_.reserve(static_cast<std::size_t>(threads_ - 1));
+    process_ = static_cast<int>(::getpid());
     const SignalsBlocked blocked;
     try {
         for (int t = 1; t < threads; ++t)
@@ -74,7 +76,10 @@ Pool::Pool(int threads)
 
 Pool::~Pool() { end_workers(); }
 
+/// In a forked child, where the workers do not exist, a join would wait for ever.
 void Pool::end_workers() noexcept {
+    if (static_cast<int>(::getpid()) != process_)
+        for (std::jthread& w : workers_) w.detach();
     for (std::jthread& w : workers_) w.request_stop();
     awake_.fetch_add(2, std::memory_order_release);
     awake_.notify_all();

@@ -95,6 +95,7 @@ class Pool final : public base::Executor {
     const int threads_;  ///< With the caller. Workers read it while others start and end.
     const std::unique_ptr<Part[]> parts_;  ///< One a thread.
     std::vector<std::jthread> workers_;
+    int process_ = 0;  ///< In which they run; a forked child has none of them.
 };
 
 }  // namespace hawser::runtime

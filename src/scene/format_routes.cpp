@@ -65,6 +65,9 @@ ShapePtr guide_shape() {
           "Whole turns more round it."},
          {"element", number("a length", 0.0, kMostLength), false, "that of the cable", "m",
           "Of elements that come behind it; 0: no node runs through."},
+         {"closed", boolean("true or false"), false, "true", "",
+          "False: without an upper roller; the cable leaves it where it would pull, and comes back "
+          "(events lift_off, lay_on). Needs a radius."},
          {"description", text("a text"), false, "", "", "Remarks."}});
 }
 

@@ -131,6 +131,8 @@ GuideDef read_guide(Description& out, const Scope& scope, const Json& json, cons
     def.inertia = number_or(json, "inertia", def.inertia);
     if (const auto turns = json.find("turns"); turns != json.end()) def.turns = turns->get<int>();
     def.element_length = number_or(json, "element", def.element_length);
+    if (const auto closed = json.find("closed"); closed != json.end())
+        def.closed = closed->get<bool>();
     return def;
 }
 

@@ -355,7 +355,6 @@ Status Session::step() {
     impl_->last = world.step();
     impl_->step_cpu = thread_cpu_seconds() - cpu;
     // What systems did to the world within the step belongs before it.
-    if (impl_->listener && impl_->last != Status::ok) impl_->listener->step_failed();
     if (impl_->listener) impl_->listener->flush(step);
     if (impl_->last != Status::ok) return impl_->last;
     impl_->events = world.take_events();

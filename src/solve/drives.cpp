@@ -66,6 +66,12 @@ double friction_of_carriers(const Model& model, const assembly::View& v, std::in
     return work;
 }
 
+/// True if a friction has a bound that nothing overcomes: what stops at a guide, whatever rubs.
+bool is_stop(const Model& model, std::int32_t id) {
+    const InteractionDef& d = model.interactions.def[at(id)];
+    return d.kind == InteractionKind::LineFriction && d.get("force") >= model::kUnbounded;
+}
+
 /// f(id, whether it is friction, whether it is driven) of what may do work from outside. Friction
 /// counts with what its spring holds.
 template <class F>
@@ -94,7 +100,7 @@ DriveWork drive_work(Model& model) noexcept {
         // The work of a carrier is driven; the rest of the work on the bodies is friction.
         const double put_in = carried ? friction_of_carriers(model, v, id) : 0.0;
         out.driven += put_in;
-        out.friction += put_in - work;
+        (is_stop(model, id) ? out.stopped : out.friction) += put_in - work;
     });
     return out;
 }

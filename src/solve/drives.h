@@ -14,6 +14,7 @@ namespace hawser::stepper {
 struct DriveWork {
     double driven = 0.0;    ///< By motors, rigid rows that an input drives, prescribed velocities.
     double friction = 0.0;  ///< Taken by friction in joints, slides and drums.
+    double stopped = 0.0;   ///< Taken where a slide is held against running on (wire/guide.h).
 };
 /// Compute them before the velocities are overwritten.
 [[nodiscard]] DriveWork drive_work(Model& model) noexcept;

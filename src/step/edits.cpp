@@ -110,8 +110,8 @@ void begin_edit(StepContext& ctx) noexcept {
 
 void begin_shape_edit(StepContext& ctx) noexcept {
     // What is cut has images of bodies, which have no shapes.
-    const bool alone = ctx.state.started && ctx.state.changed != Changed::all &&
-                       ctx.state.mend == Mend::nothing && !may_split(ctx.model);
+    const bool alone =
+        ctx.state.started && ctx.state.changed != Changed::all && !may_split(ctx.model);
     begin_edit(ctx);
     if (alone) ctx.state.changed = Changed::shapes;
 }

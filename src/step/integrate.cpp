@@ -63,6 +63,7 @@ void integrate(StepContext& ctx) noexcept {
     const DriveWork drives = drive_work(ctx.model);
     ctx.state.ledger.drive += drives.driven;
     ctx.state.ledger.friction += drives.friction;
+    ctx.state.ledger.damped += drives.stopped;
     ctx.state.ledger.damped += row_losses(ctx.model, ctx.work.solve, ctx.pool);
     settle_wires(ctx);
     count_contact_work(ctx);

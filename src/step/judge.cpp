@@ -116,6 +116,28 @@ void tell(State& state, StepStats& stats, const Findings& now, bool looks,
     }
 }
 
+/// Report a step whose iterations of rigid joints failed (completion.h), once until kMemory has
+/// passed without one: so many ticks are left of it.
+void report_incomplete(StepContext& ctx) noexcept {
+    constexpr std::uint8_t kTicks = 200;
+    std::uint8_t& left = ctx.state.judge.state.told[kJudgeCount];
+    const auto tick =
+        std::max<std::int64_t>(1, std::llround(limit::kMemory / kTicks / ctx.model.def.step));
+    if (!ctx.model.completion.banned) {
+        if (left > 0 && ctx.state.step % tick == 0) --left;
+        return;
+    }
+    if (left == 0) {
+        Event event;
+        event.time = ctx.state.time;
+        event.kind = EventKind::incomplete;
+        event.value = static_cast<double>(ctx.work.stats.completion_failures);
+        ctx.state.events.push(event);
+        ++ctx.work.stats.event_count[static_cast<std::size_t>(event.kind)];
+    }
+    left = kTicks;
+}
+
 /// By how much the ledger rises from the start to the first look where forces stay as they are,
 /// beyond half of the work of the first step, which follow_energy() takes for what was done before
 /// the start.
@@ -177,6 +199,7 @@ Status judge(StepContext& ctx) noexcept {
         ctx.state.step != 0 && (ctx.state.step <= 1 || ctx.state.step % d.every == 0 || open);
     if (!looks && is_good(now)) {
         d.state = next;
+        report_incomplete(ctx);
         return Status::ok;
     }
     if (looks) {
@@ -189,6 +212,7 @@ Status judge(StepContext& ctx) noexcept {
         return Status::diverged;
     d.state = next;
     tell(ctx.state, ctx.work.stats, now, looks, d.state);
+    report_incomplete(ctx);
     return Status::ok;
 }
 

@@ -107,8 +107,10 @@ Vec3 inflow_of(const StepContext& ctx, std::int32_t element, double beyond,
     const Vec3 chord = point_of(ctx, element, 1 - side) - point_of(ctx, element, side);
     const double speed =
         ctx.model.interactions.def[at(element)].get("radius") * packed[at(b.dof_begin[drum])];
-    return beyond * speed / ctx.model.interactions.rest_length[at(element)] *
-           (beyond_straight(ctx, element) * chord);
+    // The share of the path between the drum and the place is that of the straight part times
+    // straight over path: what lies on the wheel takes no part in it.
+    const double more = beyond_straight(ctx, element);
+    return more * beyond * speed / ctx.model.interactions.rest_length[at(element)] * (more * chord);
 }
 
 double length_of(const StepContext& ctx, std::int32_t id) noexcept {

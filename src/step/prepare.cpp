@@ -2,9 +2,11 @@
 #include "step/prepare.h"
 
 #include "access/asleep.h"
+#include "access/undo.h"
 #include "solve/analysis.h"
 #include "solve/wires.h"
 #include "split/split.h"
+#include "step/analysed_poses.h"
 #include "step/contact.h"
 #include "step/judge_prepare.h"
 
@@ -14,14 +16,36 @@ namespace {
 
 using assembly::Contacts;
 
+/// After a step that failed: from the order of the last analysis, at its poses.
+void rebuild_undone(StepContext& ctx) {
+    const bool all = ctx.state.mend == Mend::all || ctx.state.mend == Mend::all_follow;
+    ctx.model.system.contacts.make_blocks();
+    {
+        const AnalysedPoses poses(ctx);
+        analyse(ctx);
+    }
+    if (all) finish_preparing(ctx);
+    reserve_sleep(ctx.model, ctx.work.sleep);
+    ctx.work.before.lambda.resize(ctx.model.interactions.lambda.size());
+    ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());
+    reserve_undo(ctx.model, ctx.work.undo);
+    ctx.state.changed = Changed::nothing;
+}
+
 /// Where shapes alone came or went: the blocks of contacts, and the order where links went. Forms
 /// and shares of damping stay those of the last analysis. @return false: it has to be analysed.
 bool follow_shapes(StepContext& ctx, Contacts::Blocks changed) {
-    if (ctx.state.changed != Changed::shapes || ctx.state.mend != Mend::nothing) return false;
+    if (ctx.state.changed != Changed::shapes) return false;
+    // What followed before is undone: which blocks changed is not known.
+    const bool undone = ctx.state.mend != Mend::nothing;
     // With the first shapes that may touch, updates of fronts are kept.
-    if (changed != Contacts::Blocks::same &&
+    if ((changed != Contacts::Blocks::same || undone) &&
         ctx.model.system.contacts.blocks.empty() == ctx.model.system.symbolic.updates_kept)
         return false;
+    if (undone) {
+        rebuild_undone(ctx);
+        return true;
+    }
     if (changed == Contacts::Blocks::own)
         ctx.model.system.follow_touching(ctx.model.bodies, ctx.model.interactions);
     if (changed == Contacts::Blocks::links) relink(ctx);
@@ -32,14 +56,29 @@ bool follow_shapes(StepContext& ctx, Contacts::Blocks changed) {
 
 }  // namespace
 
+Contacts::Blocks prepare_touching(StepContext& ctx) {
+    if (ctx.model.collider.count() == 0) return Contacts::Blocks::same;
+    ctx.model.collider.prepare(ctx.model.bodies, ctx.model.interactions, ctx.model.def.step);
+    ctx.model.collider.surfaces(ctx.model.def.step, ctx.state.contacts);
+    return prepare_contacts(ctx.model, ctx.work);
+}
+
+void finish_preparing(StepContext& ctx) {
+    const bool any = ctx.state.edits.any;
+    ctx.state.edits.any = true;  // the judge goes on
+    try {
+        prepare_judge(ctx.model, ctx.state);
+    } catch (...) {
+        ctx.state.edits.any = any;
+        throw;
+    }
+    ctx.state.edits.any = any;
+    finish_preparation(ctx);
+}
+
 void prepare(StepContext& ctx) {
     split_model(ctx);
-    Contacts::Blocks blocks = Contacts::Blocks::same;
-    if (ctx.model.collider.count() > 0) {
-        ctx.model.collider.prepare(ctx.model.bodies, ctx.model.interactions, ctx.model.def.step);
-        ctx.model.collider.surfaces(ctx.model.def.step, ctx.state.contacts);
-        blocks = prepare_contacts(ctx.model, ctx.work);
-    }
+    const Contacts::Blocks blocks = prepare_touching(ctx);
     if (ctx.state.edits.any)
         check_asleep(ctx.model, ctx.work.stats);
     else

@@ -5,52 +5,29 @@
 #include "access/undo.h"
 #include "context/undo_data.h"
 #include "split/split.h"
+#include "step/analysed_poses.h"
 #include "step/prepare.h"
 
 #include <utility>
 
 namespace hawser::stepper {
-namespace {
-
-/// Poses and which rows are active are those of an analysis for as long as this lives.
-class AnalysedPoses {
-  public:
-    explicit AnalysedPoses(StepContext& ctx)
-        : ctx_(ctx),
-          x_(ctx.model.bodies.x),
-          r_(ctx.model.bodies.r),
-          active_(ctx.model.interactions.active) {
-        ctx.model.bodies.x = ctx.state.analysed_x;
-        ctx.model.bodies.r = ctx.state.analysed_r;
-    }
-    ~AnalysedPoses() {
-        ctx_.model.bodies.x.swap(x_);
-        ctx_.model.bodies.r.swap(r_);
-        ctx_.model.interactions.active.swap(active_);
-    }
-    AnalysedPoses(const AnalysedPoses&) = delete;
-    AnalysedPoses& operator=(const AnalysedPoses&) = delete;
-
-  private:
-    StepContext& ctx_;
-    base::Array<double> x_, r_, active_;
-};
-
-}  // namespace
-
 void mend(StepContext& ctx) {
     if (ctx.state.mend == Mend::nothing) return;
     assembly::System::Kept before;
     ctx.model.system.keep(before);
+    const bool all = ctx.state.mend == Mend::all || ctx.state.mend == Mend::all_follow;
+    const bool same = ctx.state.mend == Mend::rebuild || ctx.state.mend == Mend::all;
     try {
         const factor::AnalysisState order = before.analysis.state;
+        if (all) prepare_touching(ctx);
         ctx.model.system.contacts.make_blocks();
         const AnalysedPoses poses(ctx);
-        analyse(ctx, ctx.state.mend == Mend::rebuild ? &order : nullptr);
+        analyse(ctx, same ? &order : nullptr);
     } catch (...) {
         ctx.model.system.go_back(before);
         throw;
     }
+    if (all) finish_preparing(ctx);
     reserve_sleep(ctx.model, ctx.work.sleep);
     ctx.work.before.lambda.resize(ctx.model.interactions.lambda.size());
     ctx.work.before.repeats.resize(ctx.model.interactions.repeats.size());

@@ -150,6 +150,7 @@ Status accept(StepContext& ctx) noexcept {
 
 /// Stage integrate: there is no way back from here.
 void finish(StepContext& ctx) noexcept {
+    ctx.state.events.release(true);
     timed(ctx, Stage::integrate, integrate);
     ctx.state.imposed = {};
     if (ctx.model.collider.count() > 0) ctx.model.collider.keep();

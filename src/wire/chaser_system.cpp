@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <new>
 #include <utility>
 
 namespace hawser::wire {
@@ -175,6 +176,8 @@ void ChaserSystem::before_step(NodeEdits& nodes) noexcept {
             become(ChaserState::open, static_cast<Due>(due_));
         }
         look(nodes.world);
+    } catch (const std::bad_alloc&) {
+        nodes.out_of_memory();
     } catch (const std::exception&) {
         due_ = 0;  // without memory: it looks anew before the next step
     }

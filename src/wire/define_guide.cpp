@@ -118,6 +118,10 @@ void check(World& world, const GuideDef& def) {
         !(def.element_length >= 0.0 && def.element_length <= 1e6))
         refuse(def, "element_length = " + number(def.element_length) +
                         " m; give 0 to 1e6 (0: no node runs through)");
+    if (!def.closed && def.radius == 0.0)
+        refuse(def,
+               "closed = false: an eye holds the wire all round; give a radius, or leave it "
+               "closed");
     if (!std::isnan(def.mass_per_length) && !(def.mass_per_length >= 0.0))
         refuse(def, "mass_per_length = " + number(def.mass_per_length) + " kg/m; give 0 or more");
 }

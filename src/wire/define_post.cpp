@@ -9,6 +9,7 @@
 
 #include <exception>
 #include <memory>
+#include <new>
 #include <string>
 
 namespace hawser {
@@ -62,6 +63,7 @@ void wire::add_post(World& world, const PostDef& def, BodyId carrier) {
 }
 
 bool NodeEdits::lay_over(GuideDef& def, double speed, Guide& out, double (&material)[2]) noexcept {
+    if (!hands_.begin()) return false;
     try {
         std::array<double, 2> both{};
         out = wire::lay_on(world_, def, speed, both);
@@ -69,22 +71,33 @@ bool NodeEdits::lay_over(GuideDef& def, double speed, Guide& out, double (&mater
         material[0] = both[0];
         material[1] = both[1];
         return true;
+    } catch (const std::bad_alloc&) {
+        hands_.out_of_memory();
+        return false;
     } catch (const std::exception&) {
-        return false;  // whoever asked may ask again
+        return false;
     }
 }
 
 InteractionId NodeEdits::lift_off(const Guide& guide, const InteractionDef& element) noexcept {
+    if (!hands_.begin()) return {};
     try {
         return world_.lift_off(guide.before, guide.behind, element);
+    } catch (const std::bad_alloc&) {
+        hands_.out_of_memory();
+        return {};
     } catch (const std::exception&) {
         return {};
     }
 }
 
 bool NodeEdits::move_along(const Guide& guide, double along, double fed) noexcept {
+    if (!hands_.begin()) return false;
     try {
         return world_.move_along(guide.before, guide.behind, along, fed);
+    } catch (const std::bad_alloc&) {
+        hands_.out_of_memory();
+        return false;
     } catch (const std::exception&) {
         return false;
     }

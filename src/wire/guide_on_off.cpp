@@ -40,9 +40,11 @@ std::unique_ptr<GuideSystem> lay_on_guide(NodeEdits& nodes, GuideDef def, double
     return out;
 }
 
-bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide, const InteractionDef& element) {
+bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide, const InteractionDef& element,
+                    InteractionId* made) {
     const InteractionId whole = nodes.lift_off(guide.ids(), element);
     if (!whole.valid()) return false;
+    if (made != nullptr) *made = whole;
     if (guide.material()[0] + guide.material()[1] > kLongLifted * guide.def().element_length)
         (void)nodes.insert_node(whole, 0.5);
     return true;

@@ -21,8 +21,9 @@ namespace hawser::wire {
                                                         double speed);
 
 /// Makes one element of both parts, lifted_element() (lift.h); a long one is divided by a node. The
-/// system that has the guide may not hold the parts any more. @return false: it was refused.
+/// system that has the guide may not hold the parts any more. @param made  Out, unless null: the
+/// element. @return false: it was refused.
 [[nodiscard]] bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide,
-                                  const InteractionDef& element);
+                                  const InteractionDef& element, InteractionId* made = nullptr);
 
 }  // namespace hawser::wire

@@ -21,6 +21,7 @@ constexpr std::size_t kPlace[2] = {1, 0};
 constexpr double kSign[2] = {-1.0, 1.0};
 /// Of `element_length`: shorter is at the guide.
 constexpr double kLeast = 0.05;
+constexpr std::int32_t kMostWait = 1000;  ///< Steps.
 
 }  // namespace
 
@@ -34,6 +35,9 @@ void GuideSystem::visit_state(StateVisitor& v) {
         v.visit(*x);
     v.visit(parted_);
     v.visit(stopped_);
+    if (def_.closed) return;
+    v.visit(wait_);
+    visit_place(v);
 }
 
 void GuideSystem::visit_place(StateVisitor& v) {
@@ -51,14 +55,18 @@ void GuideSystem::visit_place(StateVisitor& v) {
 }
 
 void GuideSystem::check_state(const World& world, StateRules& rules) const {
-    static_cast<void>(world);
     constexpr double kMostWire = 1e7, kMostAngle = 1e6;  // [m], [rad]
     rules.range(material_[0], -kMostWire, kMostWire, "the wire before the guide is out of range");
     rules.range(material_[1], -kMostWire, kMostWire, "the wire behind the guide is out of range");
     rules.range(slide_, -1e15, 1e15, "the slide of the guide is out of range");
     rules.range(angle_, -kMostAngle, kMostAngle, "the angle at the guide is out of range");
     rules.range(bound_, 0.0, kUnbounded, "the friction of the guide is out of range");
-    rules.require(parted_ >= 0 && parted_ <= kRanOff, "there is no such condition of the guide");
+    rules.require(parted_ >= 0 && parted_ <= (def_.closed ? kRanOff : kLifted),
+                  "there is no such condition of the guide");
+    if (!def_.closed) {
+        rules.require(wait_ >= 0 && wait_ <= kMostWait, "the wait of the guide is out of range");
+        check_place(world, rules);
+    }
     rules.require(stopped_ >= -1 && stopped_ <= 1, "there is no such side of the guide");
 }
 
@@ -246,6 +254,7 @@ void GuideSystem::prestep(Prestep& now, Loads& loads) noexcept {
 void GuideSystem::before_step(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
     look(world);
+    if (lifted()) return come_back(nodes);
     if (parted_ != 0) return;
     def_.wire = world.wire_of(ids_.before);  // a cut or splice may have made it another one
     for (std::size_t side = 0; side < 2 && def_.element_length > 0.0; ++side) {
@@ -260,6 +269,7 @@ void GuideSystem::before_step(NodeEdits& nodes) noexcept {
             (void)take_node(nodes, feed, 1 - kPlace[side], material_[side]);
     }
     run_off(nodes);
+    if (!def_.closed) lift(nodes);
 }
 
 }  // namespace hawser::wire

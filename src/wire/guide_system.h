@@ -11,6 +11,9 @@
 /// What runs through, dq of the slide, comes off the material before and goes onto that behind. The
 /// straight part to the node on each side, of length L, says when nodes come and go: material that
 /// lies on the wheel has none.
+///
+/// *Open guides* (GuideDef::closed) have what visit_place() visits among their state: after a wire
+/// came back its parts are others.
 /// ```
 ///              a
 ///               \ L = √(d² − R²)         d from the axis to the node, square to the axis
@@ -52,6 +55,8 @@ class GuideSystem final : public System {
     /// It acts on nothing any more: the wire has parted in it, or run off.
     [[nodiscard]] bool parted() const noexcept { return parted_ != 0; }
     [[nodiscard]] bool ran_off() const noexcept { return parted_ >= kRunsOff; }
+    /// The wire has left it, as it has no upper roller, and may come back.
+    [[nodiscard]] bool lifted() const noexcept { return parted_ == kLifted; }
     /// Side that has nothing left to run, 0 before it, 1 behind it; −1: both have.
     [[nodiscard]] int stopped() const noexcept { return stopped_; }
     /// What the wire presses on the wheel with, for small angles [N]: its tension by the angle, and
@@ -99,6 +104,11 @@ class GuideSystem final : public System {
     [[nodiscard]] bool nearly_used_up(const World& world, std::size_t side) const noexcept;
     /// Lets go of a wire that ends where it runs out.
     void run_off(NodeEdits& nodes) noexcept;
+    /// Without an upper roller (guide_open.cpp): lets go of a wire that would pull at it, and takes
+    /// one that comes back.
+    void lift(NodeEdits& nodes) noexcept;
+    void come_back(NodeEdits& nodes) noexcept;
+    bool lay_back(NodeEdits& nodes, InteractionId element, double along);
     void stop(Prestep& now) noexcept;
     void look(const World& world) noexcept;
     void weigh(const World& world, Loads& loads) const noexcept;
@@ -113,7 +123,9 @@ class GuideSystem final : public System {
     /// 1: the wire has parted in it. Or it has run off, which is to be told, or is.
     std::int32_t parted_ = 0;
     static constexpr std::int32_t kRunsOff = 2, kRanOff = 3;
-    std::int32_t stopped_ = -1;  ///< Side that has nothing left to run, −1: none.
+    static constexpr std::int32_t kLifted = 4;  ///< Of an open guide: no wire lies on it.
+    std::int32_t wait_ = 0;                     ///< Steps until a lifted wire is looked for.
+    std::int32_t stopped_ = -1;                 ///< Side that has nothing left to run, −1: none.
     // Outputs.
     double angle_ = 0.0, speed_ = 0.0;
     std::array<double, 2> tension_{};

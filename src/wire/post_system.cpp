@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -240,6 +241,8 @@ void PostSystem::before_step(NodeEdits& nodes) noexcept {
             (void)let_go(nodes, k, off_end);
         }
         take(nodes);
+    } catch (const std::bad_alloc&) {
+        nodes.out_of_memory();
     } catch (const std::exception&) {
         steady_ = 0;  // without memory: what touches is looked at anew
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <new>
 #include <utility>
 
 namespace hawser::wire {
@@ -35,7 +36,6 @@ WireResolution::WireResolution(const ResolutionDef& def, std::vector<Line> lines
 
 void WireResolution::visit_state(StateVisitor& v) {
     v.visit(told_);
-    if (v.around_step()) return;
     v.visit(memory_);
     for (std::int32_t* x : {&known_, &wanted_}) v.visit(*x);
     v.visit(looked_);
@@ -230,6 +230,9 @@ void WireResolution::before_step(NodeEdits& nodes) noexcept {
         count_idle();
         if (!refine(nodes)) (void)coarsen(nodes);
         remember();
+    } catch (const std::bad_alloc&) {
+        nodes.out_of_memory();
+        return;
     } catch (const std::exception&) {
         return;  // without memory: in the next step
     }

@@ -9,6 +9,7 @@
 
 #include "access/copies.h"
 #include "step/edits.h"
+#include "step/model_undo.h"
 #include "step/nodes.h"
 #include "step/sleep.h"
 #include "step/step.h"
@@ -180,7 +181,6 @@ struct World::Impl final : private world::InputDoor {
     world::Systems systems{*this};
     /// What systems asked for, in the world that is this. @return ok, bad_edit or out_of_memory.
     [[nodiscard]] Status make_edits(World& world) noexcept;
-    [[nodiscard]] World definitions() const;
     [[nodiscard]] Structure structure() const;
 
     /// Inputs that are forces along the world's axes, ascending. What acts on a body is what the
@@ -206,6 +206,44 @@ struct World::Impl final : private world::InputDoor {
     void turn_forces() noexcept override;
     void unturn_forces() noexcept override;
 
+    /// Definitions, ids and names from before the first edit that a system makes within a step.
+    struct StepUndo {
+        bool holds = false;
+        stepper::ModelUndo model;
+        std::vector<BodyDef> body_defs;
+        std::vector<ShapeDef> shape_defs;
+        std::vector<InputDef> inputs;
+        std::vector<double> input_values;
+        base::Places input_places;
+        std::vector<InputId> input_ids;
+        world::Names groups, body_names, interaction_names, input_names, material_names,
+            shape_names;
+        std::vector<BodyId> body_ids;
+        std::vector<InteractionId> interaction_ids;
+        std::vector<ShapeId> shape_ids;
+        std::vector<world::Wire> wires;
+        base::Places wire_places;
+        world::Names wire_names;
+        std::vector<WireId> wire_ids;
+        std::vector<world::GearInUse> gear;
+        std::vector<ForceInput> force_inputs;
+        std::vector<std::int32_t> local_inputs;
+    };
+    StepUndo undo;     ///< Of the step; memory is kept from step to step.
+    StepUndo attempt;  ///< Of an Attempt.
+    /// Whether a call of several edits is undone as a whole where it is refused (Attempt): what a
+    /// system edits before a step takes back its own additions, but for cuts.
+    [[nodiscard]] bool composite() const noexcept {
+        return stepper::has_cuts(ctx.model) || !systems.editing();
+    }
+    /// @throws std::bad_alloc.
+    void keep_for_undo(StepUndo& u) const;
+    void put_back(StepUndo& u) noexcept;
+    /// All that the step that has failed did, and what its systems edited. @param mark  Of the
+    /// listener when it began.
+    void undo_step(std::size_t mark) noexcept;
+    [[nodiscard]] Status take_step() noexcept;
+
     factor::KeptAnalysis saved_analysis;  ///< Scratch of save(), so that it needs no memory twice.
     world::Outputs outputs;
     world::Use use;
@@ -228,6 +266,7 @@ struct World::Impl final : private world::InputDoor {
     }
     void take_back(const Before& before) noexcept override;
     void tell(const Before& before) noexcept override;
+    [[nodiscard]] bool begin_edits() noexcept override;
     [[nodiscard]] std::size_t count() const noexcept override { return inputs.size(); }
 };
 

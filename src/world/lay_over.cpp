@@ -82,6 +82,7 @@ Parts add_parts(World& world, const WireTrim& trim, const InteractionDef& before
 std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionDef before,
                                              const InteractionDef& behind) {
     const world::Using use(impl_->use, "lay_over");
+    const Attempt attempt(*this, impl_->composite());
     Impl& m = *impl_;
     const InteractionDef old = interaction_def(element);
     const world::Where where("interaction", old.name);
@@ -178,6 +179,7 @@ world::Wire& World::Impl::wire_on_guide(InteractionId before, InteractionId behi
 
 InteractionId World::lift_off(InteractionId before, InteractionId behind, InteractionDef element) {
     const world::Using use(impl_->use, "lift_off");
+    const Attempt attempt(*this, impl_->composite());
     Impl& m = *impl_;
     const InteractionDef a = interaction_def(before), b = interaction_def(behind);
     world::Wire& wire = m.wire_on_guide(before, behind, element);

@@ -50,12 +50,31 @@ class Names {
     Names(const Names& from) : map_(from.map_) {}
     Names& operator=(const Names& from) {
         map_ = from.map_;
+        ++changes_;
         return *this;
     }
     Names(Names&&) = default;
     Names& operator=(Names&&) = default;
     ~Names() = default;
     Names(std::initializer_list<Map::value_type> list) : map_(list) {}
+
+    /// Copy the names, with capacity to give each of them back. @throws std::bad_alloc.
+    void copy(const Names& from) {
+        if (known_ && copied_ == from.changes_) return;
+        known_ = false;
+        map_ = from.map_;
+        base::make_room(spare_, map_.size() + 1);
+        copied_ = from.changes_;
+        known_ = true;
+    }
+    /// Back to a copy, which is none from then on.
+    void go_back(Names& to) noexcept {
+        if (to.known_ && to.copied_ == changes_) return;
+        map_.swap(to.map_);
+        spare_.swap(to.spare_);
+        to.known_ = false;
+        ++changes_;
+    }
 
     [[nodiscard]] std::size_t size() const noexcept { return map_.size(); }
     [[nodiscard]] bool contains(std::string_view name) const noexcept {
@@ -70,6 +89,7 @@ class Names {
     bool add(const std::string& name, std::int32_t place) {
         if (contains(name)) return false;
         base::make_room(spare_, map_.size() + 1);  // for erase()
+        ++changes_;
         if (spare_.empty()) {
             map_.emplace(name, place);
             return true;
@@ -83,12 +103,16 @@ class Names {
     }
     void erase(std::string_view name) noexcept {
         const auto found = map_.find(name);
-        if (found != map_.end()) spare_.push_back(map_.extract(found));
+        if (found == map_.end()) return;
+        spare_.push_back(map_.extract(found));
+        ++changes_;
     }
     /// The entry of a name, taken out to be given to another place; empty: nothing has the name.
     [[nodiscard]] Map::node_type take(std::string_view name) noexcept {
         const auto found = map_.find(name);
-        return found == map_.end() ? Map::node_type() : map_.extract(found);
+        if (found == map_.end()) return {};
+        ++changes_;
+        return map_.extract(found);
     }
     /// What take() took out, for another place. No entry may have come since.
     void give(Map::node_type entry, std::int32_t place) noexcept {
@@ -100,6 +124,10 @@ class Names {
   private:
     Map map_;
     std::vector<Map::node_type> spare_;
+    std::uint64_t changes_ = 0;  ///< So many so far; never back.
+    // Of a copy.
+    std::uint64_t copied_ = 0;  ///< `changes_` of the original.
+    bool known_ = false;
 };
 
 inline void claim(Names& names, const std::string& name, std::int32_t index, const char* what) {

@@ -71,7 +71,8 @@ const char* to_string(EventKind kind) noexcept {
         "warning",    "energy_created", "joint_open", "cable_law",  "uncertified", "fast",
         "layer",      "brake_slip",     "release",    "weak_link",  "drum_empty",  "cut",
         "join",       "detach",         "chain_jump", "no_node",    "node_limit",  "render",
-        "alarm",      "alarm_end",      "overload",   "missed",     "hauled_in"};
+        "alarm",      "alarm_end",      "overload",   "missed",     "hauled_in",   "lift_off",
+        "lay_on",     "incomplete"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -110,17 +110,4 @@ void QueuedEdits::make_next(World& world) {
     ++done_;
 }
 
-std::string_view QueuedEdits::try_all(World& world, std::string& fault) const {
-    Made made = made_;
-    for (std::size_t i = done_; i < list_.size(); ++i) {
-        try {
-            make(list_[i].edit, world, made);
-        } catch (const DefError& error) {
-            fault = error.what();
-            return list_[i].system;
-        }
-    }
-    return {};
-}
-
 }  // namespace hawser::world

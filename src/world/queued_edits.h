@@ -36,9 +36,6 @@ class QueuedEdits final : public Edits::Hands {
     [[nodiscard]] std::string_view next_system() const noexcept { return list_[done_].system; }
     /// Make the next one. @throws what World's function does; it is then still to be made.
     void make_next(World& world);
-    /// All that are left, in a world that is thrown away. @return the system whose edit is refused;
-    /// "": none. @param fault  The reason.
-    [[nodiscard]] std::string_view try_all(World& world, std::string& fault) const;
 
   private:
     struct Part {

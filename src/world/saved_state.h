@@ -15,7 +15,7 @@ namespace hawser::world {
 
 /// Identifies the world's layout and says how much follows.
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '6'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '7'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Remembered from the last step.

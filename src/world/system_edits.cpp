@@ -57,11 +57,55 @@ void Systems::repeat_deed(stepper::StepContext& ctx) {
         (void)ctx.state.loads.fault(ctx.pool);  // which found nothing before
 }
 
-void Systems::before_step(World& world) noexcept {
-    NodeEdits nodes(world);
+/// What a system reaches through its NodeEdits.
+class Systems::NodeHands final : public NodeEdits::Hands {
+  public:
+    NodeHands(Systems& of, double time) : of_(of), time_(time) {}
+    bool begin() noexcept override {
+        if (failed_) return false;
+        if (!of_.door_.begin_edits()) failed_ = true;
+        return !failed_;
+    }
+    void out_of_memory() noexcept override { failed_ = true; }
+    void tell(const Event& event) noexcept override {
+        try {
+            of_.told_.push_back(event);
+            of_.told_.back().time = time_;
+        } catch (const std::bad_alloc&) {
+            failed_ = true;
+        }
+    }
+    [[nodiscard]] bool failed() const noexcept { return failed_; }
+
+  private:
+    Systems& of_;
+    double time_;
+    bool failed_ = false;
+};
+
+Status Systems::begin_step(World& world) noexcept {
+    bad = {};
+    told_.clear();
+    forget();
+    begun_known_ = false;
+    try {
+        keep_states(begun_);
+    } catch (const std::bad_alloc&) {
+        return Status::out_of_memory;
+    }
+    begun_known_ = true;
+    NodeHands hands(*this, world.time());
+    NodeEdits nodes(world, hands);
     editing_ = true;
     for (const auto& system : list_) system->before_step(nodes);
     editing_ = false;
+    return hands.failed() ? Status::out_of_memory : Status::ok;
+}
+
+void Systems::undo_step() noexcept {
+    if (begun_known_) take_states(begun_);
+    told_.clear();
+    forget();
 }
 
 void Systems::forget() noexcept {
@@ -69,7 +113,7 @@ void Systems::forget() noexcept {
     deed_.known = false;
 }
 
-Status Systems::make_edits(World& world, World* trial) noexcept {
+Status Systems::make_edits(World& world) noexcept {
     const auto refuse = [&](std::string_view system, const char* what) {
         bad = {};
         bad.system = system;
@@ -84,11 +128,6 @@ Status Systems::make_edits(World& world, World* trial) noexcept {
         return Status::bad_edit;
     };
     try {
-        if (trial != nullptr) {
-            std::string fault;
-            if (const std::string_view system = queue_.try_all(*trial, fault); !system.empty())
-                return refuse(system, fault.c_str());
-        }
         while (queue_.left() > 0) {
             const std::string_view system = queue_.next_system();
             try {
@@ -106,41 +145,45 @@ Status Systems::make_edits(World& world, World* trial) noexcept {
 }  // namespace world
 
 BodyId NodeEdits::insert_node(InteractionId element, double share, double mass) noexcept {
+    if (!hands_.begin()) return {};
     try {
         return world_.insert_node(element, share, mass);
+    } catch (const std::bad_alloc&) {
+        hands_.out_of_memory();
+        return {};
     } catch (const std::exception&) {
-        return {};  // all or nothing; whoever asked may ask again
+        return {};
     }
 }
 
 bool NodeEdits::remove_node(BodyId node, double bend) noexcept {
+    if (!hands_.begin()) return false;
     try {
         return world_.remove_node(node, bend);
+    } catch (const std::bad_alloc&) {
+        hands_.out_of_memory();
+        return false;
     } catch (const std::exception&) {
         return false;
     }
 }
 
-/// The definitions and poses that there are, for trying what may be refused.
-World World::Impl::definitions() const {
-    World out(ctx.model.def);
-    out.impl_->make(out, structure());
-    for (const BodyId id : body_ids) {
-        const double* x = &ctx.model.bodies.x[3 * at(id.index)];
-        const double* q = &ctx.model.bodies.q[4 * at(id.index)];
-        out.set_pose(id, {Vec3(x[0], x[1], x[2]), Quat(q[0], q[1], q[2], q[3])});
-    }
-    return out;
+void NodeEdits::tell(EventKind kind, InteractionId interaction, double value) noexcept {
+    Event event;
+    event.kind = kind;
+    event.interaction = interaction;
+    event.value = value;
+    hands_.tell(event);
 }
 
 Status World::Impl::make_edits(World& world) noexcept {
-    std::optional<World> trial;
+    if (!begin_edits()) return Status::out_of_memory;
     try {
-        if (systems.needs_trial()) trial.emplace(definitions());
-    } catch (const std::exception&) {
+        ctx.state.events.hold(systems.queued());
+    } catch (const std::bad_alloc&) {
         return Status::out_of_memory;
     }
-    return systems.make_edits(world, trial ? &*trial : nullptr);
+    return systems.make_edits(world);
 }
 
 namespace {

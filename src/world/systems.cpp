@@ -225,7 +225,6 @@ Status Systems::act_all(stepper::StepContext& ctx) {
 Status Systems::act(stepper::StepContext& ctx) noexcept {
     bad = {};
     untold_ = false;
-    if (!deed_.known) queue_.clear();
     Status status = Status::ok;
     const Status room = stepper::guarded(ctx, [&] { status = act_all(ctx); });
     return room == Status::ok ? status : room;

@@ -42,6 +42,9 @@ class InputDoor {
     virtual void take_back(const Before& before) noexcept = 0;
     /// Tell that it asked for a value beyond its range.
     virtual void tell(const Before& before) noexcept = 0;
+    /// A system is about to edit the world: copy the state to which a failed step returns, unless
+    /// this step has done so. @return false: no memory.
+    [[nodiscard]] virtual bool begin_edits() noexcept = 0;
     /// While a step is taken, forces of inputs in the frames of their bodies are turned into the
     /// world and stand among the applied ones. Without them, and with them again as inputs and
     /// poses are by then.
@@ -101,6 +104,8 @@ class Systems final : public stepper::Actors {
             if (const double paid = s->paid_out(world, element); !std::isnan(paid)) return paid;
         return kDefault;
     }
+    /// In begin_step().
+    [[nodiscard]] bool editing() const noexcept { return editing_; }
     /// Whether nodes are systems' to put and take: those that carry an element keep its account.
     [[nodiscard]] bool refuses_nodes(InteractionId element) const noexcept {
         return !editing_ && carried_mass(element) != 0.0;
@@ -109,16 +114,18 @@ class Systems final : public stepper::Actors {
     /// and then the step taken once more, with what the systems did in it.
     [[nodiscard]] bool wants_edits() const noexcept { return queue_.size() > 0 && deed_.known; }
     /// Make them. @return what is wrong, in BadLoad too; Status::ok: all are made.
-    /// @param trial  A world of the same definitions to try them in first; null: none.
-    Status make_edits(World& world, World* trial) noexcept;
-    [[nodiscard]] bool needs_trial() const noexcept { return queue_.left() > 1; }
+    Status make_edits(World& world) noexcept;
+    [[nodiscard]] std::size_t queued() const noexcept { return queue_.left(); }
     /// Whether some of them would leave out more at a higher level of coarsening.
     [[nodiscard]] bool coarsens() const noexcept {
         return std::any_of(list_.begin(), list_.end(),
                            [](const auto& system) { return system->coarsens(); });
     }
-    /// Nodes of wires come and go.
-    void before_step(World& world) noexcept;
+    /// A step begins: keep the states of systems, and have these put and take nodes of wires.
+    /// @return ok or out_of_memory.
+    Status begin_step(World& world) noexcept;
+    /// The step failed: states of systems as they were when it began.
+    void undo_step() noexcept;
     /// What systems did for a step that has not been taken is forgotten: the state is another.
     void forget() noexcept;
     Status act(stepper::StepContext& ctx) noexcept override;
@@ -140,6 +147,7 @@ class Systems final : public stepper::Actors {
 
   private:
     class Hands;
+    class NodeHands;
     /// What systems did in a step that ended for their edits, to be done again.
     struct Deed {
         struct Load {
@@ -164,8 +172,10 @@ class Systems final : public stepper::Actors {
     std::vector<SystemSignal> signals_;
     mutable HoldTable held_;              ///< Scratch of each_held(), whose memory is kept.
     bool acted_ = false;                  ///< In the step being taken.
-    bool editing_ = false;                ///< In before_step().
-    std::vector<std::byte> kept_;         ///< States before it.
+    bool editing_ = false;                ///< In begin_step().
+    std::vector<std::byte> begun_;        ///< States when the step began, …
+    bool begun_known_ = false;            ///< … if there was memory for them.
+    std::vector<std::byte> kept_;         ///< States before prestep().
     std::vector<InputDoor::Before> set_;  ///< Inputs that it set, in that order.
     std::vector<Event> told_;             ///< Events that they told of.
     bool untold_ = false;                 ///< There was no room for one of them.

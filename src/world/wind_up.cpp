@@ -46,6 +46,7 @@ void World::set_mass(BodyId lump, double mass) {
 
 InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
     const world::Using use(impl_->use, "wind_up");
+    const Attempt attempt(*this, impl_->composite());
     const world::Wire& wire = impl_->wire(id);
     const std::string where = world::label("wire", wire.name);
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");

@@ -193,6 +193,7 @@ std::pair<InteractionId, double> World::Impl::beside_carried(const world::Wire& 
 
 WireId World::cut(WireId id, double s) {
     const world::Using use(impl_->use, "cut");
+    const Attempt attempt(*this, impl_->composite());
     const world::Wire& wire = impl_->wire(id);
     const std::string where = world::label("wire", wire.name);
     const model::Interactions& in = impl_->ctx.model.interactions;
@@ -244,6 +245,7 @@ void World::Impl::check_cut_at_node(const std::string& where, stepper::NodePlace
 
 WireId World::cut(InteractionId element, double share) {
     const world::Using use(impl_->use, "cut");
+    const Attempt attempt(*this, impl_->composite());
     Impl& m = *impl_;
     stepper::StepContext& c = m.ctx;
     model::Interactions& in = c.model.interactions;
@@ -286,8 +288,7 @@ WireId World::cut(InteractionId element, double share) {
     }
     // From here on nothing throws.
     const BodyId end = made.lumps[0];
-    // A taut wire is straight there while it is whole, and a node can go; of a slack one
-    // afterwards.
+    // A taut wire is straight there while it is whole, and a node can go; of a slack one later.
     if (share > 0.0)
         for (const std::size_t side : {0U, 1U})
             m.join_short_end(*this, m.element_at(node, side), 1 - side);

@@ -54,6 +54,7 @@ world::FreeEnd World::Impl::free_end(WireId id, int end) const {
 
 void World::detach(WireId id, int end) {
     const world::Using use(impl_->use, "detach");
+    const Attempt attempt(*this, impl_->composite());
     const world::Wire& wire = impl_->wire(id);
     const std::string where = world::label("wire", wire.name);
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
@@ -65,6 +66,7 @@ void World::detach(WireId id, int end) {
 
 void World::detach(InteractionId element, int end) {
     const world::Using use(impl_->use, "detach");
+    const Attempt attempt(*this, impl_->composite());
     Impl& m = *impl_;
     const model::Interactions& in = m.ctx.model.interactions;
     const std::size_t e = m.place(element);

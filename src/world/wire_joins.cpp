@@ -66,6 +66,7 @@ std::string gear_name(const World& w, const std::string& wire) {
 
 Joint World::join(WireId a, int end_a, WireId b, int end_b, const JoinDef& def) {
     const world::Using use(impl_->use, "join");
+    const Attempt attempt(*this, impl_->composite());
     world::check(def);
     const world::FreeEnd one = impl_->free_end(a, end_a), other = impl_->free_end(b, end_b);
     const world::Wire &first = impl_->wire(a), &second = impl_->wire(b);
@@ -90,6 +91,7 @@ Joint World::join(WireId a, int end_a, WireId b, int end_b, const JoinDef& def) 
 
 Joint World::attach(WireId id, int end, BodyId body, const Vec3& point, const JoinDef& def) {
     const world::Using use(impl_->use, "attach");
+    const Attempt attempt(*this, impl_->composite());
     world::check(def);
     const world::FreeEnd one = impl_->free_end(id, end);
     const world::Wire& wire = impl_->wire(id);
@@ -106,6 +108,7 @@ Joint World::attach(WireId id, int end, BodyId body, const Vec3& point, const Jo
 
 Joint World::join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
     const world::Using use(impl_->use, "join");
+    const Attempt attempt(*this, impl_->composite());
     Impl& m = *impl_;
     world::check(def);
     (void)m.place(a);

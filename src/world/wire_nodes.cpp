@@ -104,6 +104,7 @@ double World::Impl::stiffness_beside(const stepper::NodePlace& place,
 
 BodyId World::insert_node(InteractionId element, double share, double mass) {
     const world::Using use(impl_->use, "insert_node");
+    const Attempt attempt(*this, stepper::has_cuts(impl_->ctx.model));
     Impl& m = *impl_;
     model::Interactions& in = m.ctx.model.interactions;
     m.check_node(element, share, mass);
@@ -162,6 +163,7 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
 
 bool World::remove_node(BodyId node, double bend) {
     const world::Using use(impl_->use, "remove_node");
+    Attempt attempt(*this, stepper::has_cuts(impl_->ctx.model));
     Impl& m = *impl_;
     (void)m.place(node);
     if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // without copies of anything
@@ -178,7 +180,10 @@ bool World::remove_node(BodyId node, double bend) {
     const bool goes = stepper::is_wound(m.ctx, stays)
                           ? stepper::release_drum_node(m.ctx, place, bend)
                           : stepper::release_node(m.ctx, place, bend);
-    if (!goes) return false;
+    if (!goes) {
+        attempt.fail();
+        return false;
+    }
     if (near.valid() && far.valid()) m.join_segments(near, far);
     if (place.bend[1] >= 0) m.remove(in.id(place.bend[1]));
     m.drop_folded(place.bend[0]);

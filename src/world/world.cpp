@@ -40,24 +40,20 @@ Status World::step() noexcept {
     const world::MaybeUsing use(m.use);
     if (!use.alone()) return Status::in_use;
     m.systems.use(*this);
-    const auto take = [&] {
-        m.use.stepping(true);
-        m.turn_forces();
-        const Status ended = stepper::step(m.ctx);
-        m.unturn_forces();
-        m.use.stepping(false);
-        return ended;
-    };
-    if (!m.systems.wants_edits()) m.systems.before_step(*this);
+    m.undo.holds = false;
+    const std::size_t mark = m.listener != nullptr ? m.listener->mark() : 0;
+    Status status = m.systems.begin_step(*this);
     m.ctx.work.limits.coarsening.possible = m.systems.coarsens();
-    // Edits that a failed step has left.
-    Status status = m.systems.wants_edits() ? Status::bad_edit : take();
-    if (status == Status::bad_edit) {
+    if (status == Status::ok) status = m.take_step();
+    if (status == Status::bad_edit && m.systems.wants_edits()) {
         status = m.make_edits(*this);
-        if (status == Status::ok) status = take();
-        m.ctx.work.stats.status = status;
+        if (status == Status::ok) status = m.take_step();
     }
-    if (status != Status::ok) return status;
+    m.ctx.work.stats.status = status;
+    if (status != Status::ok) {
+        m.undo_step(mark);
+        return status;
+    }
     m.outputs.keep_figures(m.ctx.work.stats);
     evaluate_outputs();
     return status;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file analysed_poses.h
+/// Poses of the last analysis in place of the present ones, to analyse once more as then.
+
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// Poses and which rows are active are those of an analysis for as long as this lives.
+class AnalysedPoses {
+  public:
+    explicit AnalysedPoses(StepContext& ctx)
+        : ctx_(ctx),
+          x_(ctx.model.bodies.x),
+          r_(ctx.model.bodies.r),
+          active_(ctx.model.interactions.active) {
+        ctx.model.bodies.x = ctx.state.analysed_x;
+        ctx.model.bodies.r = ctx.state.analysed_r;
+    }
+    ~AnalysedPoses() {
+        ctx_.model.bodies.x.swap(x_);
+        ctx_.model.bodies.r.swap(r_);
+        ctx_.model.interactions.active.swap(active_);
+    }
+    AnalysedPoses(const AnalysedPoses&) = delete;
+    AnalysedPoses& operator=(const AnalysedPoses&) = delete;
+
+  private:
+    StepContext& ctx_;
+    base::Array<double> x_, r_, active_;
+};
+
+}  // namespace hawser::stepper

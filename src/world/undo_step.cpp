@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A step that fails takes back what its systems edited (step/model_undo.h).
+#include <hawser/changes.h>
+
+#include "step/step.h"
+#include "world/impl.h"
+
+#include <exception>
+#include <new>
+#include <utility>
+
+namespace hawser {
+
+Status World::Impl::take_step() noexcept {
+    use.stepping(true);
+    turn_forces();
+    const Status ended = stepper::step(ctx);
+    unturn_forces();
+    use.stepping(false);
+    return ended;
+}
+
+bool World::Impl::begin_edits() noexcept {
+    if (undo.holds) return true;
+    try {
+        keep_for_undo(undo);
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
+    return true;
+}
+
+void World::Impl::keep_for_undo(StepUndo& u) const {
+    u.model.keep(ctx);
+    u.body_defs = body_defs;
+    u.shape_defs = shape_defs;
+    u.inputs = inputs;
+    u.input_values = input_values;
+    u.input_places = input_places;
+    u.input_ids = input_ids;
+    u.groups.copy(groups);
+    u.body_names.copy(body_names);
+    u.interaction_names.copy(interaction_names);
+    u.input_names.copy(input_names);
+    u.material_names.copy(material_names);
+    u.shape_names.copy(shape_names);
+    u.body_ids = body_ids;
+    u.interaction_ids = interaction_ids;
+    u.shape_ids = shape_ids;
+    u.wires = wires.wires;
+    u.wire_places = wires.places;
+    u.wire_names.copy(wires.names);
+    u.wire_ids = wires.ids;
+    u.gear = gear;
+    u.force_inputs = force_inputs;
+    u.local_inputs = local_inputs;
+    u.holds = true;
+}
+
+void World::Impl::put_back(StepUndo& u) noexcept {
+    u.holds = false;
+    u.model.go_back(ctx);
+    body_defs.swap(u.body_defs);
+    shape_defs.swap(u.shape_defs);
+    inputs.swap(u.inputs);
+    input_values.swap(u.input_values);
+    std::swap(input_places, u.input_places);
+    input_ids.swap(u.input_ids);
+    groups.go_back(u.groups);
+    body_names.go_back(u.body_names);
+    interaction_names.go_back(u.interaction_names);
+    input_names.go_back(u.input_names);
+    material_names.go_back(u.material_names);
+    shape_names.go_back(u.shape_names);
+    body_ids.swap(u.body_ids);
+    interaction_ids.swap(u.interaction_ids);
+    shape_ids.swap(u.shape_ids);
+    wires.wires.swap(u.wires);
+    std::swap(wires.places, u.wire_places);
+    wires.names.go_back(u.wire_names);
+    wires.ids.swap(u.wire_ids);
+    gear.swap(u.gear);
+    force_inputs.swap(u.force_inputs);
+    local_inputs.swap(u.local_inputs);
+}
+
+void World::Impl::undo_step(std::size_t mark) noexcept {
+    if (undo.holds) put_back(undo);
+    systems.undo_step();
+    if (listener != nullptr) listener->undone(mark);
+}
+
+/// Before the start nothing is at stake: all is analysed then.
+Attempt::Attempt(World& world, bool wanted) : world_(world) {
+    World::Impl& m = *world.impl_;
+    const world::Using use(m.use, "add");
+    if (!wanted || !m.ctx.state.started || m.attempt.holds) return;
+    m.keep_for_undo(m.attempt);
+    mark_ = m.listener != nullptr ? m.listener->mark() : 0;
+    exceptions_ = std::uncaught_exceptions();
+    holds_ = true;
+}
+
+Attempt::~Attempt() {
+    if (!holds_) return;
+    World::Impl& m = *world_.impl_;
+    if (!failed_ && std::uncaught_exceptions() == exceptions_) {
+        m.attempt.holds = false;
+        return;
+    }
+    m.put_back(m.attempt);
+    if (m.listener != nullptr) m.listener->undone(mark_);
+}
+
+}  // namespace hawser
