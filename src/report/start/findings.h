@@ -38,7 +38,7 @@ enum class FindingKind : std::uint8_t {
     unexamined,   ///< Too large to be looked at. value: rows or bodies.
     vessel,       ///< Coefficients of a vessel outside the range of published ships. value: 0.
 };
-inline constexpr int kFindingKindCount = 24;
+inline constexpr int kFindingKindCount = 25;
 [[nodiscard]] const char* to_string(FindingKind kind) noexcept;
 
 struct Finding {
