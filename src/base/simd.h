@@ -331,8 +331,8 @@ HAWSER_INLINE V8 sums(const V8* v) {
             const Part* p = v[2 * k + i].part;
             two[i] = (p[0] + p[2]) + (p[1] + p[3]);
         }
-        out.part[k] = __builtin_shuffle(two[0], two[1], PartMask{0, 2}) +
-                      __builtin_shuffle(two[0], two[1], PartMask{1, 3});
+        out.part[k] = __builtin_shufflevector(two[0], two[1], 0, 2) +
+                      __builtin_shufflevector(two[0], two[1], 1, 3);
     }
 #endif
     return out;

@@ -21,8 +21,8 @@ HAWSER_INLINE void transpose(Part (&p)[kPartLanes]) {
     p[3] = __builtin_shuffle(b, d, last2);
 #else
     const Part a = p[0], b = p[1];
-    p[0] = __builtin_shuffle(a, b, PartMask{0, 2});
-    p[1] = __builtin_shuffle(a, b, PartMask{1, 3});
+    p[0] = __builtin_shufflevector(a, b, 0, 2);
+    p[1] = __builtin_shufflevector(a, b, 1, 3);
 #endif
 }
 #endif
@@ -77,7 +77,7 @@ HAWSER_INLINE V8 shift_in(const V8& v, double next) {
 #if defined(__AVX2__)
         o.part[k] = __builtin_shuffle(v.part[k], after, PartMask{1, 2, 3, 4});
 #else
-        o.part[k] = __builtin_shuffle(v.part[k], after, PartMask{1, 2});
+        o.part[k] = __builtin_shufflevector(v.part[k], after, 1, 2);
 #endif
     }
     return o;
@@ -106,9 +106,9 @@ HAWSER_INLINE void load_threes(const double* p, V8 (&v)[3]) {
         v[2].part[k] = __builtin_shuffle(__builtin_shuffle(a, b, PartMask{2, 5, 5, 5}), c,
                                          PartMask{0, 1, 4, 7});
 #else                  // x y, z x, y z
-        v[0].part[k] = __builtin_shuffle(a, b, PartMask{0, 3});
-        v[1].part[k] = __builtin_shuffle(a, c, PartMask{1, 2});
-        v[2].part[k] = __builtin_shuffle(b, c, PartMask{0, 3});
+        v[0].part[k] = __builtin_shufflevector(a, b, 0, 3);
+        v[1].part[k] = __builtin_shufflevector(a, c, 1, 2);
+        v[2].part[k] = __builtin_shufflevector(b, c, 0, 3);
 #endif
     }
 #endif
@@ -136,9 +136,9 @@ HAWSER_INLINE void as_threes(const V8& x, const V8& y, const V8& z, V8 (&out)[3]
         put(2, __builtin_shuffle(__builtin_shuffle(a, b, PartMask{3, 3, 7, 7}), c,
                                  PartMask{6, 1, 2, 7}));
 #else
-        put(0, __builtin_shuffle(a, b, PartMask{0, 2}));
-        put(1, __builtin_shuffle(c, a, PartMask{0, 3}));
-        put(2, __builtin_shuffle(b, c, PartMask{1, 3}));
+        put(0, __builtin_shufflevector(a, b, 0, 2));
+        put(1, __builtin_shufflevector(c, a, 0, 3));
+        put(2, __builtin_shufflevector(b, c, 1, 3));
 #endif
     }
 #endif
@@ -165,8 +165,8 @@ HAWSER_INLINE void load_every(const double* p, V8 (&v)[N]) {
             v[0].part[k] = __builtin_shuffle(a, b, PartMask{0, 2, 4, 6});
             v[1].part[k] = __builtin_shuffle(a, b, PartMask{1, 3, 5, 7});
 #else
-            v[0].part[k] = __builtin_shuffle(a, b, PartMask{0, 2});
-            v[1].part[k] = __builtin_shuffle(a, b, PartMask{1, 3});
+            v[0].part[k] = __builtin_shufflevector(a, b, 0, 2);
+            v[1].part[k] = __builtin_shufflevector(a, b, 1, 3);
 #endif
         }
 #endif
@@ -192,8 +192,8 @@ HAWSER_INLINE void store_every(double* p, const V8 (&v)[N]) {
             store_part(to, __builtin_shuffle(a, b, PartMask{0, 4, 1, 5}));
             store_part(to + kPartLanes, __builtin_shuffle(a, b, PartMask{2, 6, 3, 7}));
 #else
-            store_part(to, __builtin_shuffle(a, b, PartMask{0, 2}));
-            store_part(to + kPartLanes, __builtin_shuffle(a, b, PartMask{1, 3}));
+            store_part(to, __builtin_shufflevector(a, b, 0, 2));
+            store_part(to + kPartLanes, __builtin_shufflevector(a, b, 1, 3));
 #endif
         }
 #endif
