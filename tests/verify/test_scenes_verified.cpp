@@ -24,6 +24,7 @@ const std::vector<std::string> kTouchingScenes = {"anchor_adaptive",
                                                   "anchor_drag",
                                                   "anchor_run",
                                                   "anchor_run_fine",
+                                                  "anchor_seaway",
                                                   "arch",
                                                   "belt",
                                                   "bouncing_ball",
@@ -67,7 +68,8 @@ TEST(SceneVerified, IsEverySceneWithShapes) {
 }
 
 /// Scenes of more than 1,000 bodies whose kinds of bodies and wires other scenes have, too.
-const std::vector<std::string> kLargeScenes = {"anchor_adaptive", "anchor_run_fine"};
+const std::vector<std::string> kLargeScenes = {"anchor_adaptive", "anchor_run_fine",
+                                               "anchor_seaway"};
 
 bool is_large(const std::string& scene) {
     return std::find(kLargeScenes.begin(), kLargeScenes.end(), scene) != kLargeScenes.end();
