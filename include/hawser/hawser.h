@@ -41,6 +41,12 @@
 #include <hawser/system.h>
 #include <hawser/systems/pid.h>
 #include <hawser/trace.h>
+#include <hawser/vessel.h>
+#include <hawser/vessel_hull.h>
+#include <hawser/vessel_propeller.h>
+#include <hawser/vessel_propulsion.h>
+#include <hawser/vessel_ships.h>
+#include <hawser/vessel_trials.h>
 #include <hawser/water_hull.h>
 #include <hawser/water_rod.h>
 #include <hawser/winch.h>
