@@ -117,6 +117,9 @@ void Repeater::before_step(World& world) {
     const auto& changes = recording_.changes;
     const auto& cuts = recording_.cuts;
     std::int64_t now = world.step_count();
+    // A system sets both ends of a range, of which the first may be beyond the other one until that
+    // follows.
+    std::vector<RecordedInput> later;
     for (;;) {
         const std::size_t end = end_of(changes.size(), &RecordedTake::changes);
         const bool due = change_ < end && changes[change_].step <= now;
@@ -129,12 +132,17 @@ void Repeater::before_step(World& world) {
             }
         } else if (input_ < end_of(inputs.size(), &RecordedTake::inputs) &&
                    inputs[input_].step <= now) {
-            world.set_input({inputs[input_].input}, inputs[input_].value);
-            ++input_;
+            const RecordedInput& set = inputs[input_++];
+            try {
+                world.set_input({set.input}, set.value);
+            } catch (const DefError&) {
+                later.push_back(set);
+            }
         } else {
             break;
         }
     }
+    for (const RecordedInput& set : later) world.set_input({set.input}, set.value);
     repeat_loads(world);
     const std::size_t end = end_of(cuts.size(), &RecordedTake::cuts);
     while (cut_ < end && cuts[cut_].step < now) ++cut_;
