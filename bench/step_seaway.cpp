@@ -148,8 +148,12 @@ int run_seaway(const SeawayOptions& options) {
     out["hash"] = fmt::format("{:016x}", w.state_hash());
     fmt::print("  first step {:.0f} factorisations; {} steps, {} uncertified; state {:016x}\n",
                first, all.ms.size(), all.uncertified, w.state_hash());
-    if (all.status != Status::ok)
-        fmt::print("  the step at {:g} s failed: {}\n", w.time(), to_string(all.status));
+    if (all.status != Status::ok) {
+        const auto verdict = w.verdict();
+        const Finding& found = verdict.of(verdict.judge);
+        fmt::print("  the step at {:g} s failed: {}; monitor {}: {:g} since {:g} s\n", w.time(),
+                   to_string(all.status), to_string(verdict.judge), found.value, found.time);
+    }
     if (!options.json.empty()) std::ofstream(options.json) << out.dump(2) << '\n';
     return all.status == Status::ok && all.uncertified == 0 ? 0 : 1;
 }
