@@ -5,6 +5,7 @@
 #include "contact/convex_phase.h"
 #include "contact/iterate.h"
 #include "contact/krylov.h"
+#include "contact/line_search.h"
 #include "contact/newton_end.h"
 #include "contact/newton_laws.h"
 #include "contact/wire_newton.h"
@@ -20,16 +21,13 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <iterator>
 #include <limits>
-#include <utility>
 
 namespace hawser::stepper {
 namespace {
 
 using nonsmooth::Cone;
 
-constexpr int kHalvings = 4;  ///< Of a step in a line search.
 constexpr int kPatience = 8;  ///< Iterations before slow ones ask for a factorisation.
 constexpr double kSlowMerit =
     0.25;                       ///< Merit left after an iteration that asks for a factorisation.
@@ -37,53 +35,6 @@ constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a facto
 constexpr int kExactMost = 10;  ///< Exact iterations before the convex phase.
 /// Natural map below which the convex phase ends. At 1e-2 steps fall back into it.
 constexpr double kConvexEnd = 5e-3;
-
-/// How far to go from an iterate, and what its merit is there.
-struct Way {
-    double share = 1.0, merit = 0.0;
-};
-
-/// Iterates may go round between two sets of laws, from neither of which the merit falls on the way
-/// to the other. Told by a merit that is that of two iterations ago; left by going another share of
-/// the way, a different one each time.
-class Cycle {
-  public:
-    /// @param merit  Of the last iterate. @return the share to go, 0: as searched for.
-    double leave(double merit) noexcept {
-        constexpr double kSame = 1e-3;
-        constexpr double kShares[] = {0.125, 0.75, 0.3, 0.05};
-        // Less than: where contacts are solved and rows alone still switch, all is as searched for.
-        const bool round = std::abs(merit - before_last_) < kSame * merit;
-        before_last_ = std::exchange(last_, merit);
-        return round ? kShares[left_++ % std::size(kShares)] : 0.0;
-    }
-
-  private:
-    double last_ = -1.0, before_last_ = -1.0;
-    std::size_t left_ = 0;
-};
-
-/// Go a given share of the way from the iterate kept.
-Way go(Model& model, const Newton& newton, double share) noexcept {
-    const double merit_there = merit(model, newton, share);
-    if (share < 1.0) shorten(model, newton, share);
-    return {share, merit_there};
-}
-
-/// Choose how far to go from the iterate kept, whose merit was `before`. @param given  If above 0.
-Way search(Model& model, const Newton& newton, double before, double given) noexcept {
-    if (given > 0.0) return go(model, newton, given);
-    double now = merit(model, newton, 1.0), best = now, best_t = 1.0, t = 1.0;
-    for (int k = 0; k < kHalvings && !(now <= before * (1.0 - 1e-4 * t)); ++k) {
-        t *= 0.5;
-        now = merit(model, newton, t);
-        if (!(now < best)) continue;
-        best = now;
-        best_t = t;
-    }
-    if (best_t < 1.0) shorten(model, newton, best_t);
-    return {best_t, best};
-}
 
 /// Note when an iteration ended, from which the time of the next is foreseen.
 void note_lap(StepContext& ctx) noexcept {
