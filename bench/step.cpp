@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench step: median time of a whole step, memory, and how both grow with the scene.
+// hawser-bench step: median time of a whole step, memory, and how both grow with the scene; with
+// --seaway the distribution of costs over the steps of a run whose hulls are forced.
 #include <hawser/scene.h>
 
 #include "commands.h"
+#include "step_seaway.h"
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <tuple>
 
 namespace hawser::bench {
 namespace {
@@ -65,6 +68,38 @@ struct Subject {
     }
 };
 
+/// Options of --seaway, and what they are parsed into.
+struct SeawayArguments {
+    bool on = false;
+    SeawayOptions options;
+    std::vector<std::tuple<std::string, double, double, double, double>> hulls;
+
+    void add_to(CLI::App& app) {
+        auto* seaway =
+            app.add_flag("--seaway", on, "Force the hulls as in a seaway; print costs of a step");
+        app.add_option("--amplitude", options.amplitude, "Factor of the forces")
+            ->capture_default_str()
+            ->needs(seaway);
+        app.add_option("--phase", options.phase, "Phase from one hull to the next [rad]")
+            ->capture_default_str()
+            ->needs(seaway);
+        app.add_option("--seconds", options.seconds, "Simulated time [s]")
+            ->capture_default_str()
+            ->check(CLI::PositiveNumber)
+            ->needs(seaway);
+        app.add_option("--hull", hulls, "NAME PERIOD HEAVE ROLL PITCH, once a hull")->needs(seaway);
+        app.add_option("--csv", options.csv, "Write a line a step to this file")->needs(seaway);
+    }
+    int run(const std::string& file, const std::string& json, int threads) {
+        for (const auto& [name, period, heave, roll, pitch] : hulls)
+            options.hulls.push_back({name, period, heave, roll, pitch});
+        options.scene = file;
+        options.json = json;
+        options.threads = threads;
+        return run_seaway(options);
+    }
+};
+
 }  // namespace
 
 int step_command(int argc, char** argv) {
@@ -78,7 +113,11 @@ int step_command(int argc, char** argv) {
     app.add_option("--threads", threads, "Threads")->check(CLI::Range(1, 256));
     app.add_option("--rounds", rounds, "Turns of each scale")->capture_default_str();
     app.add_option("--json", json, "Write the figures to this file");
+    SeawayArguments seaway;
+    seaway.add_to(app);
+    app.footer(kSeawayFormula);
     CLI11_PARSE(app, argc, argv);
+    if (seaway.on) return seaway.run(file, json, threads);
 
     std::vector<Subject> subjects;
     for (const int scale : scales) {

@@ -2,79 +2,39 @@
 #include "contact/newton.h"
 
 #include "base/index.h"
+#include "contact/convex_phase.h"
 #include "contact/iterate.h"
 #include "contact/krylov.h"
+#include "contact/line_search.h"
 #include "contact/newton_end.h"
 #include "contact/newton_laws.h"
+#include "contact/wire_newton.h"
 #include "context/newton_data.h"
 #include "solve/active_set.h"
 #include "solve/bounds.h"
 #include "solve/contact_rows.h"
 #include "solve/joints.h"
 #include "solve/solve.h"
+#include "solve/wire_bounds.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
-#include <iterator>
 #include <limits>
-#include <utility>
 
 namespace hawser::stepper {
 namespace {
 
 using nonsmooth::Cone;
 
-constexpr int kHalvings = 2;  ///< More make the iterates creep; some steps then never end.
 constexpr int kPatience = 8;  ///< Iterations before slow ones ask for a factorisation.
 constexpr double kSlowMerit =
     0.25;                       ///< Merit left after an iteration that asks for a factorisation.
 constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a factorisation.
-constexpr int kTogether = 24;   ///< Iterations in which any number of rows may switch.
-
-/// How far to go from an iterate, and what its merit is there.
-struct Way {
-    double share = 1.0, merit = 0.0;
-};
-
-/// Iterates may go round between two sets of laws, from neither of which the merit falls on the way
-/// to the other. Told by a merit that is that of two iterations ago; left by going another share of
-/// the way, a different one each time.
-class Cycle {
-  public:
-    /// @param merit  Of the last iterate. @return the share to go, 0: as searched for.
-    double leave(double merit) noexcept {
-        constexpr double kSame = 1e-3;
-        constexpr double kShares[] = {0.125, 0.75, 0.3, 0.05};
-        // Less than: where contacts are solved and rows alone still switch, all is as searched for.
-        const bool round = std::abs(merit - before_last_) < kSame * merit;
-        before_last_ = std::exchange(last_, merit);
-        return round ? kShares[left_++ % std::size(kShares)] : 0.0;
-    }
-
-  private:
-    double last_ = -1.0, before_last_ = -1.0;
-    std::size_t left_ = 0;
-};
-
-/// Choose how far to go from the iterate kept, whose merit was `before`. @param given  If above 0.
-Way search(Model& model, const Newton& newton, double before, double given) noexcept {
-    if (given > 0.0) {
-        const double merit_there = merit(model, newton, given);
-        shorten(model, newton, given);
-        return {given, merit_there};
-    }
-    double now = merit(model, newton, 1.0), best = now, best_t = 1.0, t = 1.0;
-    for (int k = 0; k < kHalvings && !(now <= before * (1.0 - 1e-4 * t)); ++k) {
-        t *= 0.5;
-        now = merit(model, newton, t);
-        if (!(now < best)) continue;
-        best = now;
-        best_t = t;
-    }
-    if (best_t < 1.0) shorten(model, newton, best_t);
-    return {best_t, best};
-}
+constexpr int kExactMost = 10;  ///< Exact iterations before the convex phase.
+/// Natural map below which the convex phase ends. At 1e-2 steps fall back into it.
+constexpr double kConvexEnd = 5e-3;
 
 /// Note when an iteration ended, from which the time of the next is foreseen.
 void note_lap(StepContext& ctx) noexcept {
@@ -120,74 +80,143 @@ void complete_iterate(StepContext& ctx) noexcept {
     ++ctx.work.stats.completion_rounds;
 }
 
+/// Newton iterations as they go on.
+struct Progress {
+    int it = 0;
+    int exact = 0;        ///< Exact iterations since the start, or since the convex phase.
+    bool again = false;   ///< Rows have switched.
+    bool slow = false;    ///< The merit falls too slowly to go on without a factorisation.
+    double before = 0.0;  ///< Merit of the iterate kept.
+    Cycle cycle{};
+};
+
+Progress begin_iterations(StepContext& ctx, nonsmooth::Coupling coupling,
+                          const Course& course) noexcept {
+    Newton& newton = ctx.work.newton;
+    for (Cone& c : ctx.model.system.contacts.cones) c.coupling = coupling;
+    std::fill_n(newton.changes.begin(), ctx.model.system.contacts.count(), std::uint8_t{0});
+    newton.convex = false;
+    newton.follow.restart();
+    forget_best(newton);
+    Progress p;
+    if (!course.begun) return p;
+    p.it = kKrylovFrom;
+    keep_iterate(ctx.model, newton);
+    p.before = merit(ctx.model, newton, 0.0);
+    (void)linearise(ctx.model, ctx.work, ctx.pool, LastLaws::known);
+    return p;
+}
+
+/// Solve with the laws about the iterate.
+Status solve_iteration(StepContext& ctx, const Course& course, const Progress& p) noexcept {
+    Newton& newton = ctx.work.newton;
+    ++newton.iterations;
+    const bool factors = p.it < kKrylovFrom || p.again || p.slow || newton.convex;
+    if (!factors && find_impulses(ctx)) {
+        continue_with_factor(ctx);
+        return Status::ok;
+    }
+    if (p.it > 0) adopt_laws(ctx.model, newton, ctx.pool, false);
+    if (p.it == 1 && course.completes) complete_iterate(ctx);
+    return newton_solve(ctx, p.it == 0, p.it == 0);
+}
+
+/// Go on to the solution of the laws, or to a share of the way to it, and keep it.
+Status move_on(StepContext& ctx, Progress& p) noexcept {
+    Newton& newton = ctx.work.newton;
+    take_bounds(ctx.model, newton);
+    const double given = p.it > kPatience ? p.cycle.leave(p.before) : 0.0;
+    Way way;
+    if (newton.convex)
+        way = go(ctx.model, newton,
+                 share_without_slope([&](double t) { return convex_slope(ctx.model, newton, t); }));
+    else if (p.it > 0)
+        way = search(ctx.model, newton, p.before, given);
+    newton.shortened = way.share < 1.0;
+    if (!std::isfinite(way.merit)) return Status::not_finite;
+    p.slow = p.it > kPatience && way.merit > kSlowMerit * p.before;
+    if (p.it > 0 && way.merit > p.before && p.before < newton.best)
+        set_best_aside(newton, p.before);
+    keep_iterate(ctx.model, newton);
+    keep_bounds(newton, way.share);
+    note_lap(ctx);
+    return Status::ok;
+}
+
+/// Switch rows that ask for it. @param stop  The budget allows no other iteration: rows that ask
+/// do so after the step. @return how many ask.
+std::int32_t switch_rows(StepContext& ctx, bool stop, bool last) noexcept {
+    const std::int32_t most = last ? 0 : kAnyRows;
+    const std::int32_t asking =
+        switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, stop ? 0 : most);
+    if (stop && asking == 0)
+        (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, most);
+    if (asking > 0 && !stop && !last && !ctx.work.newton.convex)
+        settle_wire_bounds(ctx.model, ctx.work);
+    return asking;
+}
+
+/// Enter the convex phase after kExactMost exact iterations, and leave it close to the solution.
+void choose_phase(const Model& model, Work& work, Progress& p) noexcept {
+    Newton& newton = work.newton;
+    if (newton.convex) {
+        if (p.again || work.stats.natural_map > kConvexEnd) return;
+        newton.convex = false;
+        p.exact = 0;
+        std::fill_n(newton.changes.begin(), model.system.contacts.count(), std::uint8_t{0});
+    } else if (++p.exact >= kExactMost) {
+        newton.convex = true;
+    }
+}
+
+/// Iterate to the tolerance, or until iterations or budget end.
+Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
+                      Progress p) noexcept {
+    Newton& newton = ctx.work.newton;
+    StepStats& stats = ctx.work.stats;
+    for (;; ++p.it) {
+        if (const Status s = solve_iteration(ctx, course, p); s != Status::ok) return s;
+        if (const Status s = move_on(ctx, p); s != Status::ok) return s;
+        const bool last = p.it + 1 >= ctx.model.def.contact_iterations;
+        const double moved = bounds_map(ctx.model, newton);
+        const bool stop = course.hasty && !affordable(ctx.work);
+        const std::int32_t asking = switch_rows(ctx, stop, last);
+        p.again = asking > 0;
+        if (p.again || moved > 0.0) forget_best(newton);  // other rows, or impulses
+        stats.natural_map = std::max(worst(ctx.model, ctx.work.solve, ctx.pool), moved);
+        if (!std::isfinite(stats.natural_map)) return Status::not_finite;
+        if (stats.natural_map <= tolerance && !p.again) {
+            stats.flips_left = 0;
+            return Status::ok;
+        }
+        // Without haste not where lines have just switched: their rows would be left unsolved.
+        const bool cut = course.hasty ? stop : !p.again && !affordable(ctx.work);
+        if (cut) note_cut(ctx);
+        if (cut || last) {
+            // What contacts do is told by the iterate alone.
+            newton.convex = false;
+            stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none) + asking;
+            return Status::ok;
+        }
+        if (!course.begun) choose_phase(ctx.model, ctx.work, p);
+        stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::known) + asking;
+        if (!newton.convex && !stop) settle_wire_contacts(ctx.model, ctx.work);
+        p.before = merit(ctx.model, newton, 0.0);
+    }
+}
+
 /// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
 Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
                Course course = {}) noexcept {
-    const bool hasty = course.hasty;
-    for (Cone& c : ctx.model.system.contacts.cones) c.coupling = coupling;
-    bool again = false, slow = false;
-    Cycle cycle;
-    int switches = 0;  // iterations that ended with some
-    ctx.work.newton.follow.restart();
-    double before = 0.0;
-    forget_best(ctx.work.newton);
-    if (course.begun) {
-        keep_iterate(ctx.model, ctx.work.newton);
-        before = merit(ctx.model, ctx.work.newton, 0.0);
-        (void)linearise(ctx.model, ctx.work, ctx.pool);
-    }
-    for (int it = course.begun ? kKrylovFrom : 0;; ++it) {
-        ++ctx.work.newton.iterations;
-        if (it < kKrylovFrom || again || slow || !find_impulses(ctx)) {
-            if (it > 0) adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
-            if (it == 1 && course.completes) complete_iterate(ctx);
-            if (const Status s = newton_solve(ctx, it == 0, it == 0 || again); s != Status::ok)
-                return s;
-        } else {
-            continue_with_factor(ctx);
-        }
-        take_bounds(ctx.model, ctx.work.newton);
-        const double given = it > kPatience ? cycle.leave(before) : 0.0;
-        const Way way = it > 0 ? search(ctx.model, ctx.work.newton, before, given) : Way{};
-        ctx.work.newton.shortened = way.share < 1.0;
-        if (!std::isfinite(way.merit)) return Status::not_finite;
-        slow = it > kPatience && way.merit > kSlowMerit * before;
-        if (it > 0 && way.merit > before && before < ctx.work.newton.best)
-            set_best_aside(ctx.work.newton, before);
-        keep_iterate(ctx.model, ctx.work.newton);
-        keep_bounds(ctx.work.newton, way.share);
-        note_lap(ctx);
-        const bool last = it + 1 >= ctx.model.def.contact_iterations;
-        const double moved = bounds_map(ctx.model, ctx.work.newton);
-        // In haste rows that ask to switch do so after the step.
-        const bool stop = hasty && !affordable(ctx.work);
-        // Rows may go on switching each other: then the first one only, as in bounds.cpp.
-        const std::int32_t most = last ? 0 : (switches < kTogether ? kAnyRows : 1);
-        const std::int32_t asking =
-            switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, stop ? 0 : most);
-        if (stop && asking == 0)
-            (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, most);
-        again = asking > 0;
-        switches += again ? 1 : 0;
-        if (again || moved > 0.0) forget_best(ctx.work.newton);  // other rows, or impulses
-        ctx.work.stats.natural_map = std::max(worst(ctx.model, ctx.work.solve, ctx.pool), moved);
-        if (!std::isfinite(ctx.work.stats.natural_map)) return Status::not_finite;
-        if (ctx.work.stats.natural_map <= tolerance && !again) {
-            ctx.work.stats.flips_left = 0;
-            return Status::ok;
-        }
-        ctx.work.stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool) + asking;
-        // Without haste not where lines have just switched: their rows would be left unsolved.
-        const bool cut = hasty ? stop : !again && !affordable(ctx.work);
-        if (cut) note_cut(ctx);
-        if (cut || last) return Status::ok;
-        before = merit(ctx.model, ctx.work.newton, 0.0);
-    }
+    const Progress begun = begin_iterations(ctx, coupling, course);
+    const Status status = run_iterations(ctx, tolerance, course, begun);
+    ctx.work.newton.convex = false;
+    return status;
 }
 
 /// Begin again at the velocities and impulses that contacts hold.
 void restart(Model& model, Work& work, runtime::Pool& pool) noexcept {
-    (void)linearise(model, work, pool);
+    (void)linearise(model, work, pool, LastLaws::none);
     adopt_laws(model, work.newton, pool, true);
     update_contacts(model, pool, nullptr);
     work.solve.rhs_ready = false;
@@ -234,6 +263,8 @@ void reserve_newton(const Model& model, Newton& newton) {
     const std::size_t contacts = model.system.contacts.count(),
                       triples = model.system.contacts.triples();
     n.laws.resize(contacts);
+    n.changes.resize(contacts);
+    reserve_wire_newton(model, n);
     n.turns.resize(triples - contacts);
     n.x.resize(3 * triples);
     n.u.resize(3 * triples);
@@ -251,7 +282,7 @@ void reserve_newton(const Model& model, Newton& newton) {
 
 void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept {
     for (Cone& c : model.system.contacts.cones) c.coupling = nonsmooth::Coupling::exact;
-    (void)linearise(model, work, pool);
+    (void)linearise(model, work, pool, LastLaws::none);
     adopt_laws(model, work.newton, pool, true);
 }
 
@@ -304,11 +335,10 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
     const bool cold = ctx.state.step == 0;
     const double tolerance = ctx.model.def.contact_tolerance;
     bool hasty = !cold && ctx.work.limits.budget.hasty();
-    Status status = cold ? from_soft(ctx)
-                         : iterate(ctx, nonsmooth::Coupling::exact, tolerance,
-                                   {.hasty = hasty, .completes = settled_later});
+    Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance,
+                            {.hasty = hasty, .completes = settled_later});
     hasty = hasty && ctx.work.stats.cut;
-    if (!cold && !solved(ctx.model, ctx.work.stats, status) && !ctx.work.stats.cut) {
+    if (!solved(ctx.model, ctx.work.stats, status) && !ctx.work.stats.cut) {
         go_back_to_last(ctx.model, ctx.work.contact_speed);
         status = from_soft(ctx);
     }

@@ -13,10 +13,17 @@
 /// cost of a sweep over contacts.
 ///
 /// **Matrix.** The first two iterations factor with JᵀS J in the matrix, in part where little of it
-/// changed (factor/partial.h), with L D U where contacts slide (factor/unsymmetric.h). Later ones
-/// change few contacts, or all by little: they use the factorisation at hand and find by GMRES the
-/// impulses w that make up for the difference, a handful of substitutions. When those do not
-/// suffice, the matrix is factored again.
+/// changed by contacts and by rows that switched (factor/partial.h), with L D U where contacts
+/// slide (factor/unsymmetric.h). Later ones change few contacts, or all by little: they use the
+/// factorisation at hand and find by GMRES the impulses w that make up for the difference, a
+/// handful of substitutions. When those do not suffice, the matrix is factored again.
+///
+/// **Guesses.** Between iterations the elements of each wire that only pull are settled along it
+/// (solve/wire_bounds.h), then each line that is unsettled with its contacts (wire_newton.h). Both
+/// only choose the laws and statuses of the next iteration.
+///
+/// **Ten iterations** that did not end are followed by the convex phase (convex_phase.h): fixed
+/// radii of the friction disks and an exact line search, until the solution is near.
 ///
 /// **Completion.** What completed joints ask for changes with the velocity (step/completion.h).
 /// Where a step takes a second iteration, that one is asked for what holds about the first, so that
@@ -29,15 +36,11 @@
 /// impulse. Where even the best iterate is poor, the end of the last step takes its place. Limits
 /// of cost are looked at where no tension-only line or range has just switched.
 ///
-/// **Cold start.** With nothing to start from, stiff tangents send the iterates anywhere. The first
-/// step therefore solves with tangents 1024 and 32 times as soft first, roughly; each solution is
-/// the start of the next. On walls of 648 and 976 contacts that halves the work of the first step;
-/// with contacts 1000 times as stiff it ends where it otherwise does not.
-///
-/// **Safety.** When the iterations do not end, the step is done again from soft tangents. A sliding
-/// contact's S is unsymmetric and its matrix may be singular where friction is so strong that it
-/// jams (Painlevé): what then still does not end is done again with lagged coupling, symmetric and
-/// positive, for all contacts. The certificate says what is left.
+/// **Safety.** When the iterations do not end, the step is done again with tangents 1024 and 32
+/// times as soft first, roughly; each solution is the start of the next. A sliding contact's S is
+/// unsymmetric and its matrix may be singular where friction is so strong that it jams (Painlevé):
+/// what then still does not end is done again with lagged coupling, symmetric and positive, for all
+/// contacts. The certificate says what is left.
 
 #include "context/context.h"
 

@@ -88,7 +88,7 @@ Status end_early(StepContext& ctx) noexcept {
     constexpr double kPoor = 0.1;  // Worse tells less than how the last step ended.
     for (Cone& c : contacts.cones) c.coupling = nonsmooth::Coupling::lagged;
     if (ctx.work.stats.natural_map > kPoor) go_back_to_last(ctx.model, ctx.work.contact_speed);
-    ctx.work.stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool);
+    ctx.work.stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none);
     adopt_laws(ctx.model, ctx.work.newton, ctx.pool, false);
     if (const Status s = newton_solve(ctx, false, true); s != Status::ok) return s;
     project_all(ctx.model);

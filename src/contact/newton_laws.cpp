@@ -3,9 +3,11 @@
 
 #include "access/sweeps.h"
 #include "base/index.h"
+#include "contact/convex_phase.h"
 #include "contact/iterate.h"
 #include "solve/bounds.h"
 
+#include <cstdint>
 #include <functional>
 
 namespace hawser::stepper {
@@ -13,14 +15,43 @@ namespace hawser::stepper {
 using assembly::Contacts;
 using nonsmooth::Cone;
 
-std::int32_t linearise(Model& model, Work& work, runtime::Pool& pool) noexcept {
+namespace {
+
+/// Changes of state, within the iterations of one solve, after which the coupling is lagged.
+constexpr int kMostChanges = 6;
+
+}  // namespace
+
+void renew_law(Cone& c, nonsmooth::Law& law, std::uint8_t& changes) noexcept {
+    const nonsmooth::Touch before = c.touch;
+    const nonsmooth::Law last = law;
+    law = nonsmooth::linearise(c, c.touch);
+    if (c.coupling != nonsmooth::Coupling::exact) return;
+    const bool turned = nonsmooth::turned_round(last, law);
+    if (turned || c.touch != before) ++changes;
+    if (changes > kMostChanges) {
+        c.coupling = nonsmooth::Coupling::lagged;
+        law = nonsmooth::linearise(c, c.touch);
+    } else if (turned) {
+        law = nonsmooth::hold_law(c);
+        c.touch = nonsmooth::Touch::stick;
+    }
+}
+
+std::int32_t linearise(Model& model, Work& work, runtime::Pool& pool, LastLaws last) noexcept {
     Contacts& contacts = model.system.contacts;
+    Newton& newton = work.newton;
     auto some = [&](std::int32_t begin, std::int32_t end) {
         std::int32_t changed = 0;
         for (std::size_t k = at(begin); k < at(end); ++k) {
             Cone& c = contacts.cones[k];
             const nonsmooth::Touch before = c.touch;
-            work.newton.laws[k] = nonsmooth::linearise(c, c.touch);
+            if (newton.convex)
+                newton.laws[k] = nonsmooth::linearise(convex_cone(c), c.touch);
+            else if (last == LastLaws::known)
+                renew_law(c, newton.laws[k], newton.changes[k]);
+            else
+                newton.laws[k] = nonsmooth::linearise(c, c.touch);
             changed += c.touch != before ? 1 : 0;
         }
         return static_cast<double>(changed);
@@ -31,8 +62,9 @@ std::int32_t linearise(Model& model, Work& work, runtime::Pool& pool) noexcept {
     for (std::size_t k = 0; k < resistances.count(); ++k) {
         nonsmooth::Resistance& a = resistances.laws[k];
         const nonsmooth::Touch spun = a.spins, rolled = a.rolls;
-        work.newton.turns[k] = nonsmooth::linearise(
-            a, contacts.cones[at(resistances.rows[k].contact)], a.spins, a.rolls);
+        const Cone& c = contacts.cones[at(resistances.rows[k].contact)];
+        newton.turns[k] =
+            nonsmooth::linearise(a, newton.convex ? convex_cone(c) : c, a.spins, a.rolls);
         flips += a.spins != spun || a.rolls != rolled ? 1 : 0;
     }
     return flips;

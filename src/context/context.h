@@ -113,8 +113,9 @@ struct SolveWork {
     bool losses_known = false;                ///< They are those of λ and v₊ as they stand.
     double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
     std::int64_t step_flops = 0;              ///< Of all factorisations of the step.
-    std::vector<std::int32_t> columns;        ///< Nodes, one a block of contacts.
+    std::vector<std::int32_t> columns;        ///< Nodes of blocks that contacts and rows change.
     std::vector<double> partial;              ///< Of merged_over().
+    std::vector<double> factored_active;      ///< By bounded row: `active` when last factored.
 };
 
 /// Joints completed and closed.

@@ -4,15 +4,22 @@
 /// Scratch of the solve for contacts and bounded rows.
 
 #include "nonsmooth/anderson.h"
+#include "nonsmooth/block_chain.h"
 #include "nonsmooth/box.h"
 #include "nonsmooth/cone.h"
 #include "nonsmooth/gmres.h"
 #include "nonsmooth/resistance.h"
+#include "nonsmooth/tridiagonal.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace hawser::stepper {
+
+/// Fraction θ of the mobility W in ρ of contacts and rows during the convex phase of iterations
+/// (contact/convex_phase.h).
+inline constexpr double kConvexShare = 0.1;
 
 /// First row of an interaction with a bounded force, see bounds.h.
 struct BoundedRow {
@@ -36,6 +43,53 @@ struct RunPart {
     bool pulls, was, one_sided;
 };
 
+/// Elements that only pull at one lump, as indices in System::bounded.
+struct LumpElements {
+    std::int32_t count = 0;                       ///< Elements.
+    std::int32_t attached = 0;                    ///< Interactions of all kinds.
+    std::array<std::int32_t, 2> element{-1, -1};  ///< The first two.
+};
+
+/// Chains of elements between lumps, and scratch of solve/wire_bounds.cpp.
+struct WireChains {
+    std::vector<std::int32_t> begin;    ///< By chain: offset in `element`; and the end.
+    std::vector<std::int32_t> element;  ///< Indices in System::bounded, chain by chain.
+    std::vector<std::int32_t> lump;     ///< By entry of `element`: lump shared with the next; −1.
+    /// By body: chain and node of a lump that elements of one chain alone hold, else −1. Node i of
+    /// a chain is at the first end of its element i, the last one at the second end.
+    std::vector<std::int32_t> chain_of, node_of;
+    std::vector<nonsmooth::ChainRow> rows;     ///< Of the chain being solved.
+    std::vector<std::array<double, 9>> block;  ///< By body: stiffness of its contacts [kg].
+    std::vector<LumpElements> lumps;           ///< By body, while chains are found.
+    std::vector<std::uint8_t> listed;          ///< By bounded row, while chains are found.
+};
+
+/// Scratch of contact/wire_newton.cpp: an element, and a contact, of the wire being settled.
+struct WireElement {
+    std::int32_t id, index;  ///< Interaction, and its index in System::bounded.
+    double g[2][3];          ///< Columns of its row at its two nodes; 0 if held.
+    double sigma, mobility;
+    BoundedRow from, to;
+    bool active;
+};
+struct WireContact {
+    std::int32_t contact;
+    std::int32_t node[4];  ///< By slot: node of the wire, −1: held.
+    nonsmooth::Cone cone;  ///< At the end of an iteration.
+    double from[6];        ///< u and λ where it begins.
+    nonsmooth::Law law;
+    std::uint8_t changes;
+};
+struct WireNewton {
+    std::vector<nonsmooth::ChainBlock> stiffness, matrix;  ///< By node.
+    std::vector<WireElement> elements;
+    std::vector<WireContact> contacts;
+    std::vector<std::int32_t> begin;    ///< By chain: offset in `contact`; and the end.
+    std::vector<std::int32_t> contact;  ///< Contacts, chain by chain.
+    std::int32_t nodes = 0;             ///< Of the wire being settled.
+    bool convex = false;
+};
+
 struct Newton {
     std::vector<double> v, lambda;         ///< v₊, λ where an iteration began.
     std::vector<double> contact;           ///< u and λ there, six a contact, then six a resistance.
@@ -46,7 +100,12 @@ struct Newton {
     nonsmooth::Anderson follow;        ///< Acceleration of the impulses of `loaded`.
     std::vector<RunPlace> run_places;
     std::vector<RunPart> run_parts;
-    std::vector<nonsmooth::Law> laws;             ///< Of each contact, about the iterate.
+    WireChains chains;
+    WireNewton wire;
+    std::vector<nonsmooth::Law> laws;   ///< Of each contact, about the iterate.
+    std::vector<std::uint8_t> changes;  ///< By contact: changes of state in these iterations.
+    /// Iterations are in their convex phase (contact/convex_phase.h).
+    bool convex = false;
     std::vector<nonsmooth::ResistanceLaw> turns;  ///< Of each resistance, about the iterate.
     nonsmooth::Gmres gmres;
     std::vector<double> x, u;              ///< Three a contact, then three a resistance.

@@ -18,11 +18,15 @@ void gap_rate(const Cone& c, const double u[3], const double lambda[3], double r
     for (int i = 1; i < 3; ++i) r[i] = u[i] + c.sigma_t * lambda[i] - c.b[i];
 }
 
+double normal_rho(const Cone& c) noexcept { return 1.0 / (c.sigma_n + c.mobility); }
+double tangential_rho(const Cone& c) noexcept {
+    return 1.0 / (c.sigma_t + kTangential * c.mobility);
+}
+
 }  // namespace
 
 Law linearise(const Cone& c, Touch& status) noexcept {
-    const double rho_n = 1.0 / (c.sigma_n + c.mobility);
-    const double rho_t = 1.0 / (c.sigma_t + kTangential * c.mobility);
+    const double rho_n = normal_rho(c), rho_t = tangential_rho(c);
     double r[3];
     gap_rate(c, c.u, c.lambda, r);
     const double y_n = c.lambda[0] - rho_n * r[0];
@@ -70,6 +74,25 @@ Law linearise(const Cone& c, Touch& status) noexcept {
     return law;
 }
 
+Law hold_law(const Cone& c) noexcept {
+    Law law{};
+    law.s[0] = 1.0 / c.sigma_n;
+    law.s[4] = law.s[8] = 1.0 / c.sigma_t;
+    for (int i = 0; i < 3; ++i) law.p[i] = law.s[4 * i] * c.b[i];
+    return law;
+}
+
+bool turned_round(const Law& before, const Law& after) noexcept {
+    // μŷ/Σ_n; zero of every other law.
+    return before.s[3] * after.s[3] + before.s[6] * after.s[6] < 0.0;
+}
+
+double disk_radius(const Cone& c, const double u[3], const double lambda[3]) noexcept {
+    double r[3];
+    gap_rate(c, u, lambda, r);
+    return c.friction * std::max(0.0, lambda[0] - normal_rho(c) * r[0]);
+}
+
 void project(double mu, double l[3]) noexcept {
     const double t = std::sqrt(l[1] * l[1] + l[2] * l[2]);
     if (t <= mu * l[0]) return;
@@ -86,7 +109,7 @@ void project(double mu, double l[3]) noexcept {
 void residual(const Cone& c, const double u[3], const double lambda[3], double out[3]) noexcept {
     double r[3];
     gap_rate(c, u, lambda, r);
-    const double rho_n = 1.0 / (c.sigma_n + c.mobility), rho_t = 1.0 / (c.sigma_t + c.mobility);
+    const double rho_n = normal_rho(c), rho_t = tangential_rho(c);
     const double n = std::max(0.0, lambda[0] - rho_n * r[0]);
     const double y1 = lambda[1] - rho_t * r[1], y2 = lambda[2] - rho_t * r[2];
     const double length = std::sqrt(y1 * y1 + y2 * y2), radius = c.friction * n;

@@ -28,8 +28,15 @@
 /// of the last iterate, S is symmetric and positive, and each iteration solves a convex problem;
 /// more of them are needed.
 ///
-/// ρ = 1/(W + Σ), with W the diagonal of J M⁻¹ Jᵀ, is independent of how stiff the contact is;
-/// where W = 0, y depends on u alone.
+/// ρ = 1/(W + Σ) of the normal and 1/(W/10 + Σ) of the tangents, with W the diagonal of J M⁻¹ Jᵀ,
+/// is independent of how stiff the contact is; where W = 0, y depends on u alone. Residual and
+/// linear law have the same ρ, so that Newton's direction is that of the residual.
+///
+/// **Turning round.** The law of slip has no stiffness along ŷ: if the friction force turns round,
+/// the point flies from one side of its solution to the other. Between both lies sticking. So where
+/// ŷ turns by more than 90° from one law to the next, the law of sticking takes its place for an
+/// iteration (hold_law()): λ_t then has the right direction, and slides next if it exceeds the
+/// disk.
 
 #include <cstdint>
 
@@ -71,7 +78,17 @@ struct Law {
 /// Nearest impulse within the cone K: λ_n ≥ 0, ‖λ_t‖ ≤ μ λ_n.
 void project(double friction, double lambda[3]) noexcept;
 
-/// λ − P(λ − ρ r) with ρ = 1/(W + Σ): zero exactly where the law holds [N s].
+/// The law of sticking, r = 0.
+[[nodiscard]] Law hold_law(const Cone& cone) noexcept;
+
+/// True for two laws of slip with exact coupling whose directions ŷ are more than 90° apart.
+[[nodiscard]] bool turned_round(const Law& before, const Law& after) noexcept;
+
+/// μ y_n about (u, λ), 0 if open: radius of the friction disk [N s].
+[[nodiscard]] double disk_radius(const Cone& cone, const double u[3],
+                                 const double lambda[3]) noexcept;
+
+/// λ − P(λ − ρ r) with the ρ of linearise(): zero exactly where the law holds [N s].
 /// P shortens λ_t to the disk of radius μ P(y)_n.
 void residual(const Cone& cone, const double u[3], const double lambda[3], double out[3]) noexcept;
 

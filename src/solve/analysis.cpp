@@ -6,8 +6,10 @@
 #include "access/undo.h"
 #include "base/index.h"
 #include "solve/bounds.h"
+#include "solve/factor.h"
 #include "solve/joints.h"
 #include "solve/runs.h"
+#include "solve/wire_bounds.h"
 #include "solve/wires.h"
 
 #include <algorithm>
@@ -50,7 +52,9 @@ void analyse_system(Model& model, Work& work, runtime::Pool& pool,
     work.solve.losses.resize(at(model.system.strips.count()));
     reserve_bounds(model, work.newton);
     reserve_runs(model, work.newton);
-    work.solve.columns.reserve(model.system.capstan_entries.size());
+    reserve_wire_bounds(model, work.newton);
+    work.solve.columns.reserve(most_columns(model));
+    work.solve.factored_active.assign(model.system.bounded.size(), 0.0);
     work.before.active.resize(model.system.bounded.size());
     find_joints(model, work.joints);
     reserve_closing(model, work.joints);

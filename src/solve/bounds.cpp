@@ -27,6 +27,12 @@ double stiffness_scale(const Model& model, std::size_t i) noexcept {
            in.sigma[at(in.row_begin[at(model.system.bounded[i])])];
 }
 
+/// W + Σ of the rule by which rows switch: in the convex phase with a fraction of W, as contacts.
+double switch_scale(const Model& model, const Newton& newton, std::size_t i) noexcept {
+    const double scale = stiffness_scale(model, i);
+    return newton.convex ? scale - (1.0 - kConvexShare) * model.system.bounded_mobility[i] : scale;
+}
+
 /// λ, and r = c − G v − Σλ, which is 0 of an active row: it has been solved for.
 BoundedRow row_now(const View& v, std::int32_t id) noexcept {
     const std::int32_t row = v.row_begin[id];
@@ -66,13 +72,13 @@ struct Wish {
     double projected;  ///< Its impulse, within the range [N s].
     [[nodiscard]] bool asks() const noexcept { return active != was_active || across; }
 };
-Wish wish_of(const Model& model, const View& v, std::size_t i, const BoundedRow& p,
-             const ImpulseRange& range) noexcept {
+Wish wish_of(const Model& model, const Newton& newton, const View& v, std::size_t i,
+             const BoundedRow& p, const ImpulseRange& range) noexcept {
     const std::int32_t id = model.system.bounded[i];
     const bool was_active = v.active[id] != 0.0;
     // An idle row goes where its bound has gone; only then it is asked whether it stays.
     const double lambda = was_active ? p.lambda : moved_with(range, v.held[id]);
-    const double y = lambda + p.r / stiffness_scale(model, i);
+    const double y = lambda + p.r / switch_scale(model, newton, i);
     const double projected = std::clamp(y, range.low, range.high);
     const bool active = range.low < y && y < range.high;
     // A motor that is told to turn back may pass from one end to the other within a step.
@@ -158,6 +164,28 @@ double bounds_merit(const Model& model, const Newton& newton, double t) noexcept
     return sum;
 }
 
+double bounds_slope(const Model& model, const Newton& newton, double t) noexcept {
+    const View v = row_view(const_cast<Model&>(model));  // reads only
+    double sum = 0.0;
+    for (std::size_t i = 0; i < model.system.bounded.size(); ++i) {
+        const std::int32_t id = model.system.bounded[i];
+        const ImpulseRange range = impulse_range(model, newton, id);
+        if (stays(model, v, id, range)) continue;
+        const double sigma = v.sigma[v.row_begin[id]];
+        const BoundedRow &from = newton.row[i], &to = newton.row_end[i], p = along(newton, i, t);
+        // c − G v = r + Σλ. A row without compliance is at a bound, or has its impulse solved for.
+        const double asked = p.r + sigma * p.lambda;
+        double impulse = p.lambda;
+        if (sigma > 0.0)
+            impulse = std::clamp(asked / sigma, range.low, range.high);
+        else if (asked != 0.0)
+            impulse = asked > 0.0 ? range.high : range.low;
+        const double change = from.r + sigma * from.lambda - to.r - sigma * to.lambda;
+        sum += (p.lambda - impulse) * change;
+    }
+    return sum;
+}
+
 double bounds_map(const Model& model, const Newton& newton) noexcept {
     const model::Interactions& in = model.interactions;
     double largest = 0.0;
@@ -225,7 +253,7 @@ std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t 
         if (stays(model, v, id, range)) continue;
         const BoundedRow p = work.newton.row[i];
         double& held = model.interactions.held[at(id)];
-        const Wish wish = wish_of(model, v, i, p, range);
+        const Wish wish = wish_of(model, work.newton, v, i, p, range);
         if (wish.active && wish.was_active) continue;
         if (wish.asks() && is_rounding(model, id, wish, p.lambda, range)) continue;
         if (wish.asks()) {
@@ -255,7 +283,7 @@ bool any_asks(const Model& model, const Newton& newton, const View& v) noexcept 
         const ImpulseRange range = impulse_range(model, newton, id);
         if (stays(model, v, id, range)) continue;
         const BoundedRow p = row_now(v, id);
-        const Wish wish = wish_of(model, v, i, p, range);
+        const Wish wish = wish_of(model, newton, v, i, p, range);
         if (wish.asks() && std::fabs(wish.projected - p.lambda) > 0.0 &&
             !is_rounding(model, id, wish, p.lambda, range))
             return true;

@@ -46,6 +46,9 @@ void keep_bounds(Newton& newton, double t) noexcept;
 /// Σ (W + Σ) (λ − P)² a share t of the way [J].
 [[nodiscard]] double bounds_merit(const Model& model, const Newton& newton, double t) noexcept;
 
+/// Part of rows in the slope of the convex phase, a share t of the way [J] (convex_phase.h).
+[[nodiscard]] double bounds_slope(const Model& model, const Newton& newton, double t) noexcept;
+
 inline constexpr std::int32_t kAnyRows = 0x7fffffff;
 
 /// Largest relative distance of friction at its bound from where its loads have moved that: the

@@ -2,8 +2,11 @@
 #include "solve/factor.h"
 
 #include "access/view.h"
+#include "base/index.h"
 #include "solve/capstans.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -31,9 +34,31 @@ struct Writer {
 /// Nodes of the columns of blocks that are marked.
 void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>& marks,
                      std::vector<std::int32_t>& columns) noexcept {
-    columns.clear();  // capacity: one a block, and one a load of a capstan
+    columns.clear();
     for (std::size_t k = 0; k < marks.size(); ++k)
         if (marks[k]) columns.push_back(s.column_of(s.contacts.blocks[k]));
+}
+
+/// Add the nodes of rows that became active or inactive since the matrix was factored.
+void add_switched(const Model& model, const std::vector<double>& factored,
+                  std::vector<std::int32_t>& columns) noexcept {
+    const assembly::System& s = model.system;
+    const model::Interactions& in = model.interactions;
+    for (std::size_t i = 0; i < s.bounded.size(); ++i) {
+        const std::int32_t id = s.bounded[i];
+        if (in.active[at(id)] == factored[i]) continue;
+        const std::int32_t* body = &in.body[kMaxInteractionBodies * at(id)];
+        for (int j = 0; j < in.bodies[at(id)]; ++j)
+            if (const std::int32_t node = s.node_of_body[at(body[j])]; node >= 0)
+                columns.push_back(node);
+        if (const std::int32_t node = s.node_of_interaction[at(id)]; node >= 0)
+            columns.push_back(node);
+    }
+}
+
+void keep_factored(const Model& model, std::vector<double>& factored) noexcept {
+    for (std::size_t i = 0; i < factored.size(); ++i)
+        factored[i] = model.interactions.active[at(model.system.bounded[i])];
 }
 
 /// Wrong pivots fail a factorisation, but for those that sliding contacts may bring about
@@ -43,6 +68,13 @@ bool fails(const factor::Numeric& numeric, int wrong) noexcept {
 }
 
 }  // namespace
+
+std::size_t most_columns(const Model& model) noexcept {
+    const assembly::System& s = model.system;
+    std::size_t rows = 0;
+    for (const std::int32_t id : s.bounded) rows += at(model.interactions.bodies[at(id)]) + 1;
+    return s.contacts.blocks.size() + std::max(rows, s.capstan_entries.size());
+}
 
 Status factor(StepContext& ctx, bool whole) noexcept {
     if (ctx.pool.stopping()) return Status::cancelled;
@@ -64,11 +96,13 @@ Status factor(StepContext& ctx, bool whole) noexcept {
     const std::int64_t all = set ? set->flops : s.symbolic.flops;
     if (!whole && !ctx.work.solve.factor_whole && set && !runs) {
         collect_columns(s, s.contacts.block_changed, ctx.work.solve.columns);
+        add_switched(ctx.model, ctx.work.solve.factored_active, ctx.work.solve.columns);
         s.dirty.find(s.symbolic, ctx.work.solve.columns, set);
         // Beyond this share, one pass through memory beats fewer flops.
         constexpr double kPartial = 0.7;
         if (static_cast<double>(s.dirty.flops) < kPartial * static_cast<double>(all)) {
             ctx.work.solve.step_flops += s.dirty.flops;
+            keep_factored(ctx.model, ctx.work.solve.factored_active);
             ++ctx.work.stats.substitutions;
             ++ctx.work.stats.partial_factorisations;
             s.numeric.clear(s.symbolic, s.dirty, ctx.pool);
@@ -82,6 +116,7 @@ Status factor(StepContext& ctx, bool whole) noexcept {
         }
     }
     ctx.work.solve.step_flops += all;
+    keep_factored(ctx.model, ctx.work.solve.factored_active);
     ++ctx.work.stats.substitutions;
     Writer writer{s, v};
     const factor::Fill fill{Writer::write, &writer, Writer::skew};

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace hawser::stepper {
 namespace {
@@ -40,6 +41,18 @@ double kinetic_exchange(const Model& model, const View& v, std::int32_t begin,
 }
 
 }  // namespace
+
+bool may_touch(const Model& model, std::int32_t wire) noexcept {
+    const std::span<const std::int32_t> touching = model.system.contacts.touching();
+    if (touching.empty()) return false;
+    for (const WirePart& p : model.wires.parts) {
+        if (p.wire != wire) continue;
+        for (std::int32_t i = p.lump_begin; i < p.lump_end; ++i)
+            if (std::binary_search(touching.begin(), touching.end(), model.wires.lump[at(i)]))
+                return true;
+    }
+    return false;
+}
 
 bool find_fast_wires(Model& model, const Before& kept) noexcept {
     Wires& w = model.wires;
@@ -76,6 +89,10 @@ void measure_wires(Model& model, runtime::Pool& pool) noexcept {
         g.noise += w.part_gain[i].noise;
         g.unbooked += w.part_gain[i].unbooked;
     }
+    // Without the part along the rows, which the ledger books as damped.
+    for (std::size_t k = 0; k < w.count(); ++k)
+        if (w.fast[k] && may_touch(model, static_cast<std::int32_t>(k)))
+            w.gain[k].gain = -w.gain[k].unbooked;
 }
 
 }  // namespace hawser::stepper

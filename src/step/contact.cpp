@@ -11,6 +11,7 @@
 #include "methods/gauss_seidel.h"
 #include "methods/nonsmooth.h"
 #include "solve/contact_rows.h"
+#include "solve/factor.h"
 #include "split/split.h"
 
 #include <algorithm>
@@ -103,7 +104,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
             relink(ctx);
             if (!c.connect(ctx.state.step)) throw std::bad_alloc();
         }
-        ctx.work.solve.columns.reserve(c.blocks.size() + ctx.model.system.capstan_entries.size());
+        ctx.work.solve.columns.reserve(most_columns(ctx.model));
     });
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
     if (status != Status::ok) return status;

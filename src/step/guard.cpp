@@ -80,7 +80,11 @@ bool refuse(Model& model, const Before& kept) noexcept {
     bool any = false;
     for (std::size_t k = 0; k < w.count(); ++k) {
         if (accepted(w, k) || w.level[k] >= kMostRepeats) continue;
-        plan_wires(model, kept, static_cast<std::int32_t>(k));
+        const auto wire = static_cast<std::int32_t>(k);
+        const bool first = w.level[k] == 0;
+        plan_wires(model, kept, wire);
+        // Of those that may touch the first plan fails as often as not: 2 at once (guard.h).
+        if (first && may_touch(model, wire)) plan_wires(model, kept, wire);
         any = true;
     }
     return any;

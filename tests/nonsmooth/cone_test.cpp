@@ -158,6 +158,79 @@ TEST(Linearise, IsTheDerivativeByVelocity) {
     for (const int count : seen) EXPECT_GT(count, trials / 30);
 }
 
+/// Newton's direction is that of the residual: along it, every component of λ − P(y) falls as 1 −
+/// t. It does not where residual and law differ in ρ.
+TEST(Linearise, IsNewtonsStepOfTheResidual) {
+    Random random(first_seed(7));
+    const int trials = by_tier(3000, 15'000, 150'000);
+    int seen[3] = {};
+    for (int trial = 0; trial < trials; ++trial) {
+        Cone c = random_cone(random);
+        c.coupling = Coupling::exact;
+        Touch touch{}, other{};
+        const Law law = linearise(c, touch);
+        constexpr double kShare = 1e-6;
+        double u[3], lambda[3], before[3], after[3], size = 0.0;
+        for (int i = 0; i < 3; ++i) u[i] = c.u[i] + random.uniform(-1e-2, 1e-2);
+        for (int i = 0; i < 3; ++i) {
+            double end = law.p[i];
+            for (int j = 0; j < 3; ++j) end -= law.s[3 * i + j] * u[j];
+            lambda[i] = c.lambda[i] + kShare * (end - c.lambda[i]);
+            size += std::fabs(end) + std::fabs(c.lambda[i]);
+        }
+        for (int i = 0; i < 3; ++i) u[i] = c.u[i] + kShare * (u[i] - c.u[i]);
+        residual(c, c.u, c.lambda, before);
+        residual(c, u, lambda, after);
+        Cone there = c;
+        std::copy_n(u, 3, there.u);
+        std::copy_n(lambda, 3, there.lambda);
+        (void)linearise(there, other);
+        if (other != touch) continue;
+        ++seen[static_cast<int>(touch)];
+        for (int i = 0; i < 3; ++i)
+            // Second order in the share, and rounding of differences over the share.
+            ASSERT_NEAR((after[i] - before[i]) / kShare, -before[i], 1e-3 * size)
+                << trial << " row " << i;
+    }
+    for (const int count : seen) EXPECT_GT(count, trials / 100);
+}
+
+TEST(Linearise, HoldsWhatTurnsRound) {
+    Random random(first_seed(8));
+    const int trials = by_tier(500, 5000, 50'000);
+    for (int trial = 0; trial < trials; ++trial) {
+        Cone c = random_cone(random);
+        c.coupling = Coupling::exact;
+        make_solution(c, Touch::slip, random);
+        Touch touch{};
+        const Law law = linearise(c, touch);
+        // ŷ is the direction of λ_t of a point that slides.
+        const double turn = random.uniform(0, 3.14159), cosine = std::cos(turn);
+        Cone turned = c;
+        const double x = c.lambda[1], y = c.lambda[2], sine = std::sin(turn);
+        turned.lambda[1] = cosine * x - sine * y;
+        turned.lambda[2] = sine * x + cosine * y;
+        for (int i = 1; i < 3; ++i)
+            turned.u[i] = c.b[i] - c.sigma_t * turned.lambda[i] - 1e-3 * turned.lambda[i];
+        Touch slides{};
+        const Law other = linearise(turned, slides);
+        ASSERT_EQ(slides, Touch::slip);
+        if (std::fabs(cosine) > 1e-6) {
+            ASSERT_EQ(turned_round(law, other), cosine < 0.0) << trial;
+        }
+        // The law that takes its place asks for r = 0.
+        const Law held = hold_law(c);
+        ASSERT_FALSE(turned_round(law, held));
+        for (int i = 0; i < 3; ++i) {
+            const double sigma = i == 0 ? c.sigma_n : c.sigma_t;
+            double lambda = held.p[i];
+            for (int j = 0; j < 3; ++j) lambda -= held.s[3 * i + j] * c.u[j];
+            const double r = c.u[i] + sigma * lambda - c.b[i];
+            ASSERT_NEAR(r, 0.0, 1e-12 * (std::fabs(c.u[i]) + std::fabs(c.b[i]))) << trial;
+        }
+    }
+}
+
 TEST(Linearise, KeepsASolution) {
     Random random(first_seed(5));
     const int trials = by_tier(3000, 15'000, 150'000);

@@ -54,16 +54,22 @@ Yard falling(std::uint32_t seed = 5, int threads = 1) {
 }
 
 TEST(WorldRepair, RepairsMoreOftenThanItPlans) {
-    Yard y = falling();
-    for (int i = 0; i < kSteps; ++i) ASSERT_EQ(y.world.step(), Status::ok) << "step " << i;
-    const StepStats& s = y.world.stats();
-    EXPECT_GT(s.repairs, 10);
+    // How much touches at once depends on how the balls fall: counted over several falls.
+    std::int64_t plans = 0, repairs = 0;
+    for (std::uint32_t seed = 1; seed <= (kSanitized ? 1 : 6); ++seed) {
+        Yard y = falling(seed);
+        for (int i = 0; i < kSteps; ++i) ASSERT_EQ(y.world.step(), Status::ok) << "step " << i;
+        const StepStats& s = y.world.stats();
+        EXPECT_GT(s.repairs, 10);
+        EXPECT_GT(s.columns_repaired, 0);
+        EXPECT_LT(s.columns_repaired, s.repairs * 64) << "not all 64 nodes each time";
+        plans += s.plans;
+        repairs += s.repairs;
+    }
     // In the first steps, which are all that sanitizers see, much touches at once.
     if (!kSanitized) {
-        EXPECT_LT(s.plans, s.repairs);
+        EXPECT_LT(plans, repairs);
     }
-    EXPECT_GT(s.columns_repaired, 0);
-    EXPECT_LT(s.columns_repaired, s.repairs * 64) << "not all 64 nodes each time";
 }
 
 /// Saved anywhere between repairs, the state goes on to the same bits, through later repairs too.
@@ -204,6 +210,39 @@ TEST(WorldRepair, PartialRefactorisationsEqualWholeOnes) {
                 << "step " << i;
         }
         EXPECT_GT(partial, 10);
+    }
+}
+
+/// So are blocks of lines that come taut or go slack among contacts.
+TEST(WorldRepair, PartialRefactorisationsFollowLinesThatSwitch) {
+    for (const std::uint32_t seed : seeds(11, 1, 3, 30)) {
+        SCOPED_TRACE(seed);
+        auto part = heap(seed), whole = heap(seed);
+        for (auto* ctx : {part.get(), whole.get()})
+            for (int i = 2; i < 30; i += 3) {
+                InteractionDef line{.kind = InteractionKind::Stretch,
+                                    .body = {BodyId{0}, BodyId{i}}};
+                line.point[0] = {0.0, 0.0, 0.2 * i + 1.5};
+                line.set("length", 1.6).set("EA", 1e5).set("tension_only", 1.0);
+                (void)ctx->model.interactions.add(line, ctx->model.bodies, ctx->model.def.step);
+            }
+        whole->work.solve.factor_whole = true;
+        std::int64_t partial = 0, switched = 0;
+        std::vector<double> last;
+        for (int i = 0; i < 100; ++i) {
+            ASSERT_EQ(stepper::step(*part), Status::ok);
+            ASSERT_EQ(stepper::step(*whole), Status::ok);
+            partial += part->work.stats.partial_factorisations;
+            const auto& active = part->model.interactions.active;
+            const bool same = std::equal(active.begin(), active.end(), last.begin(), last.end());
+            switched += same ? 0 : 1;
+            last.assign(active.begin(), active.end());
+            ASSERT_EQ(stepper::state_hash(part->model, part->state),
+                      stepper::state_hash(whole->model, whole->state))
+                << "step " << i;
+        }
+        EXPECT_GT(partial, 10);
+        EXPECT_GE(switched, 4) << "steps in which lines switched";
     }
 }
 

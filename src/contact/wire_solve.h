@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file wire_solve.h
+/// One iteration of wire_newton.h: velocities of the lumps of a wire for given laws and statuses.
+
+#include "base/index.h"
+#include "context/context.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hawser::stepper {
+
+/// Number of contacts of a chain.
+[[nodiscard]] inline std::size_t contacts_of(const WireNewton& wire, std::int32_t chain) noexcept {
+    return at(wire.begin[at(chain) + 1] - wire.begin[at(chain)]);
+}
+
+/// Solve with the laws and statuses in `wire`; the result is in the elements and cones.
+/// @return false if the matrix is singular.
+[[nodiscard]] bool solve_wire(const Model& model, WireNewton& wire, std::int32_t chain) noexcept;
+
+}  // namespace hawser::stepper
