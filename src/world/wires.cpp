@@ -22,7 +22,6 @@
 namespace hawser {
 WireId World::add_wire(const WireDef& def) {
     const world::Using use(impl_->use, "add_wire");
-    const Attempt attempt(*this, impl_->composite());
     const world::Where where("wire", def.name);
     world::check(def);
     Impl& m = *impl_;

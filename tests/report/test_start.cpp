@@ -248,27 +248,6 @@ TEST(Start, PostsTakeCablesWhoseElementsHaveMass) {
 }
 
 /// A wire that rises from the roller to both sides would have to be pulled down by it.
-TEST(Start, CablesThatStartOffAnOpenGuide) {
-    const auto over = [](const char* closed, double height) {
-        const std::string z = std::to_string(height);
-        return start_of(R"("line_types": {"wire": {"mass_per_length": 4, "EA": 1e7,
-          "diameter": 0.03}}, "bodies": [{"name": "deck", "kind": "fixed"}],
-          "cables": [{"name": "tow", "line_type": "wire", "elements": 5, "consistent_mass": true,
-            "from": {"at": [-10, 0, )" +
-                        z + R"(]}, "to": {"at": [10, 0, )" + z + R"(]}, "length": 20.5}],
-          "guides": [{"name": "roller", "cable": "tow", "on": "deck", "radius": 0.5, "closed": )" +
-                        closed + "}]");
-    };
-    const Finding off = only(over("false", 1.5), FindingKind::guide);
-    EXPECT_EQ(off.about, Names{"roller"});
-    // Tangents from the ends of its element, 2 m beside the wheel of 0.5 m and 1.5 m above its
-    // centre.
-    EXPECT_NEAR(off.value, -2.0 * (std::atan2(1.5, 2.0) - std::asin(0.2)), 1e-6);
-    EXPECT_NE(off.text.find("lifted off"), std::string::npos) << off.text;
-    EXPECT_TRUE(over("true", 1.5).of(FindingKind::guide).empty());
-    EXPECT_TRUE(over("false", -1.0).of(FindingKind::guide).empty());
-}
-
 TEST(Start, LinksAreInAir) {
     const auto chain = [](const char* as) {
         return start_of(std::string(R"("sea": {"depth": 50}, "line_types": {"chain": {

@@ -33,7 +33,7 @@ class Layers(unittest.TestCase):
     def test_table_is_complete(self):
         rooms = "base runtime wire graph factor model nonsmooth collide assembly context " \
                 "access solve contact methods split budget step world scene record verify " \
-                "session report draw validate crane marine live export exercise debrief apps examples tests bench"
+                "session report draw validate crane marine live export exercise debrief vessel apps examples tests bench"
         self.assertEqual(set(rooms.split()), set(self.table))
         self.assertEqual(self.table["base"], set())
         self.assertEqual(self.table["nonsmooth"], {"base", "factor"})

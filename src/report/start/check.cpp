@@ -18,7 +18,6 @@ Findings check_start(const record::SceneInfo& scene, const World& world, std::si
     check_drums(scene, world, out);
     check_posts(scene, world, out);
     check_vessels(world, out);
-    check_guides(scene, world, out);
     check_tensions(scene, world, out);
     check_overlaps(scene, world, out);
     check_ranges(world, out);

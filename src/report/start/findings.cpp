@@ -12,11 +12,10 @@ namespace hawser::report::start {
 
 const char* to_string(FindingKind kind) noexcept {
     constexpr const char* kNames[kFindingKindCount] = {
-        "contradiction", "repeated",  "motor",        "overlap",    "gap",
-        "speed",         "tension",   "density",      "inertia",    "wire_step",
-        "joint_step",    "spin_step", "displacement", "dry",        "depth",
-        "short_waves",   "memory",    "stiffness",    "brake",      "drum",
-        "points",        "post",      "guide",        "unexamined", "vessel"};
+        "contradiction", "repeated", "motor",   "overlap",     "gap",        "speed",
+        "tension",       "density",  "inertia", "wire_step",   "joint_step", "spin_step",
+        "displacement",  "dry",      "depth",   "short_waves", "memory",     "stiffness",
+        "brake",         "drum",     "points",  "post",        "unexamined", "vessel"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

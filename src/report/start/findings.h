@@ -34,11 +34,10 @@ enum class FindingKind : std::uint8_t {
     drum,         ///< A bare drum that keeps one element. value: length that it hauls [m].
     points,       ///< An exercise that cannot be passed. value: points needed less possible.
     post,         ///< A post that never takes a cable beside it. value: how far it is [m].
-    guide,        ///< A cable that starts off a guide without upper roller. value: its angle [rad].
     unexamined,   ///< Too large to be looked at. value: rows or bodies.
     vessel,       ///< Coefficients of a vessel outside the range of published ships. value: 0.
 };
-inline constexpr int kFindingKindCount = 25;
+inline constexpr int kFindingKindCount = 24;
 [[nodiscard]] const char* to_string(FindingKind kind) noexcept;
 
 struct Finding {

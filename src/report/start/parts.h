@@ -35,8 +35,6 @@ void check_points(const exercise::Exercise& exercise, Findings& out);
 void check_vessels(const World& world, Findings& out);
 /// Posts beside cables that they never take (posts.cpp).
 void check_posts(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Cables that would have to be pulled down by a guide without an upper roller.
-void check_guides(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Hulls that displace more or less than they carry: what joints hold to their bodies, and what
 /// lines pull. Bodies that float twice, by hydrostatic springs too (hulls.cpp).
 void check_hulls(const World& world, Findings& out);
