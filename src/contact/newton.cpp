@@ -292,6 +292,18 @@ bool rows_ask(StepContext& ctx) noexcept {
            asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) > 0;
 }
 
+/// Refine the solution. If the residual stays above its tolerance, the factors belong to laws that
+/// are too far from those of the iterate: factor with these laws and refine again.
+Status refine_iterate(StepContext& ctx) noexcept {
+    Status status = refine(ctx);
+    const StepStats& stats = ctx.work.stats;
+    const double left = std::max(stats.momentum_residual, stats.constraint_residual);
+    if (status != Status::ok || !(left > ctx.model.def.solution_tolerance)) return status;
+    adopt_laws(ctx.model, ctx.work.newton, ctx.pool, true);
+    status = newton_solve(ctx, false, true);
+    return status == Status::ok ? refine(ctx) : status;
+}
+
 /// Where the line search shortened the last iteration, the iterate obeys the laws of contact before
 /// it obeys the equations, and once refined it breaks them: iterated again from the refined one.
 Status certify(StepContext& ctx) noexcept {
@@ -301,7 +313,7 @@ Status certify(StepContext& ctx) noexcept {
         if (ctx.work.stats.natural_map <= tolerance || ctx.work.stats.cut) break;
         Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance, {.begun = true});
         const bool met = ctx.work.stats.natural_map <= tolerance;
-        if (status == Status::ok) status = refine(ctx);
+        if (status == Status::ok) status = refine_iterate(ctx);
         if (status == Status::ok) status = follow_loads(ctx);
         if (status != Status::ok) return status;
         state_certificate(ctx.model, ctx.work, ctx.pool);
@@ -320,7 +332,7 @@ Status settle_rows(StepContext& ctx) noexcept {
         (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, kAnyRows);
         restart(ctx.model, ctx.work, ctx.pool);
         Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance);
-        if (status == Status::ok) status = refine(ctx);
+        if (status == Status::ok) status = refine_iterate(ctx);
         if (status == Status::ok) status = follow_loads(ctx);
         if (status != Status::ok) return status;
         state_certificate(ctx.model, ctx.work, ctx.pool);
@@ -362,7 +374,7 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
     // Bounds follow loads of refined solutions only, and projected impulses need the refinement.
     const bool refines = early || !settled_later || !ctx.work.newton.loaded.empty();
     ctx.work.stats.refinements = 0;
-    if (status == Status::ok && refines) status = refine(ctx);
+    if (status == Status::ok && refines) status = refine_iterate(ctx);
     if (status == Status::ok && !early) status = follow_loads(ctx);
     if (status != Status::ok) return status;
     // Of what the step ends with.

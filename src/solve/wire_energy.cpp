@@ -92,7 +92,7 @@ void measure_wires(Model& model, runtime::Pool& pool) noexcept {
     // Without the part along the rows, which the ledger books as damped.
     for (std::size_t k = 0; k < w.count(); ++k)
         if (w.fast[k] && may_touch(model, static_cast<std::int32_t>(k)))
-            w.gain[k].gain = std::min(w.gain[k].gain, -w.gain[k].unbooked);
+            w.gain[k].gain = -w.gain[k].unbooked;
 }
 
 }  // namespace hawser::stepper
