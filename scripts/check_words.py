@@ -16,6 +16,7 @@ at most 72 characters.
 """
 import argparse
 import json
+import math
 import pathlib
 import re
 import subprocess
@@ -240,7 +241,8 @@ def improved(figures: dict[str, dict[str, float]],
                 continue
             reached = ratchet.get(room, {}).get(rule, value)
             best = max(value, reached) if rule in HIGHER_IS_BETTER else min(value, reached)
-            out.setdefault(room, {})[rule] = round(best, 2)
+            worse = math.floor if rule in HIGHER_IS_BETTER else math.ceil
+            out.setdefault(room, {})[rule] = worse(100.0 * best) / 100.0
     return out
 
 
