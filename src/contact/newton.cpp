@@ -350,7 +350,10 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
     Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance,
                             {.hasty = hasty, .completes = settled_later});
     hasty = hasty && ctx.work.stats.cut;
-    if (!solved(ctx.model, ctx.work.stats, status) && !ctx.work.stats.cut) {
+    // Many iterations of a first step, whose contacts have no impulses, depend on rounding.
+    constexpr int kMostCold = 5;
+    const bool wandered = cold && ctx.work.newton.iterations > kMostCold;
+    if ((wandered || !solved(ctx.model, ctx.work.stats, status)) && !ctx.work.stats.cut) {
         go_back_to_last(ctx.model, ctx.work.contact_speed);
         status = from_soft(ctx);
     }

@@ -10,7 +10,7 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kLetGo = -2e-3;  ///< Angle below which a wire would pull at its post [rad].
+constexpr double kPulls = -2e-3;  ///< Angle below which a wire would pull at its post [rad].
 /// Of the radius: a wire that just touches turns by next to nothing, and not the other way.
 constexpr double kInside = 1e-9;
 
@@ -123,7 +123,7 @@ bool PostSystem::pulls(const World& world, const GuideSystem& guide, bool& past)
         const Vec3 from = lies - world.world_point(place_.body, place_.centre);
         past = past || std::abs(from.dot(pose.orientation * place_.axis)) > place_.half_length;
     }
-    return past || (guide.angle() < kLetGo && guide.pressing(world, -kLetGo) < 0.0);
+    return past || (guide.angle() < kPulls && guide.pressing(world, -kPulls) < 0.0);
 }
 
 }  // namespace hawser::wire
