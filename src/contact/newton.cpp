@@ -83,9 +83,10 @@ void complete_iterate(StepContext& ctx) noexcept {
 /// Newton iterations as they go on.
 struct Progress {
     int it = 0;
-    int exact = 0;        ///< Exact iterations since the start, or since the convex phase.
-    bool again = false;   ///< Rows have switched.
-    bool slow = false;    ///< The merit falls too slowly to go on without a factorisation.
+    int exact = 0;       ///< Exact iterations since the start, or since the convex phase.
+    bool again = false;  ///< Rows have switched.
+    bool slow = false;   ///< The merit falls too slowly to go on without a factorisation.
+    bool may_be_convex = true;
     double before = 0.0;  ///< Merit of the iterate kept.
     Cycle cycle{};
 };
@@ -164,9 +165,20 @@ void choose_phase(const Model& model, Work& work, Progress& p) noexcept {
         newton.convex = false;
         p.exact = 0;
         std::fill_n(newton.changes.begin(), model.system.contacts.count(), std::uint8_t{0});
-    } else if (++p.exact >= kExactMost) {
+    } else if (++p.exact >= kExactMost && p.may_be_convex) {
         newton.convex = true;
     }
+}
+
+/// After a failed factorisation of the convex phase, whose laws are stiffer than the exact ones: go
+/// on with exact laws from the iterate, for the rest of the iterations.
+/// @return false: the failed iteration was exact.
+bool leave_convex(StepContext& ctx, Progress& p) noexcept {
+    if (!ctx.work.newton.convex) return false;
+    ctx.work.newton.convex = p.may_be_convex = false;
+    p.again = true;  // factor
+    (void)linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none);
+    return true;
 }
 
 /// Iterate to the tolerance, or until iterations or budget end.
@@ -175,7 +187,10 @@ Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
     Newton& newton = ctx.work.newton;
     StepStats& stats = ctx.work.stats;
     for (;; ++p.it) {
-        if (const Status s = solve_iteration(ctx, course, p); s != Status::ok) return s;
+        if (const Status s = solve_iteration(ctx, course, p); s != Status::ok) {
+            if (!leave_convex(ctx, p)) return s;
+            continue;
+        }
         if (const Status s = move_on(ctx, p); s != Status::ok) return s;
         const bool last = p.it + 1 >= ctx.model.def.contact_iterations;
         const double moved = bounds_map(ctx.model, newton);

@@ -52,9 +52,9 @@ struct Verification {
     std::int32_t moving_bodies = 0;
     /// Number of these bodies whose momentum was checked; the least over all checked steps.
     std::int32_t covered_bodies = 0;
-    /// Mean fraction of the moving bodies whose momentum was computed [1]. A step in which the
-    /// guard of wires rejected a wire leaves out the bodies of that wire.
-    double coverage = 0.0;
+    /// Steps in which the guard of wires rejected a wire: the bodies of that wire are left out, and
+    /// covered_bodies does not count these steps.
+    std::int64_t rejected_steps = 0;
 };
 
 /// Tolerances and subjects of the checks.
@@ -129,12 +129,11 @@ class Verifier : public Observer {
     std::vector<Vec3> linear_, angular_;  ///< Impulses of contacts and interactions on each body.
     bool loads_ = false;                  ///< True if friction in joints depends on other forces.
     double within_rounding_ = 0.0;        ///< Largest natural map that counts as rounding.
-    double impulse_ = 0.0;      ///< Σ of the squares of these impulses in the norm of M⁻¹.
-    std::string wrong_law_;     ///< Description of the first contact with a wrong law in the step.
-    std::int64_t impacts_ = 0;  ///< Number of impacts up to the last step.
-    int seen_ = 0;              ///< Number of steps whose momentum was computed.
-    std::int64_t covered_steps_ = 0;  ///< Number of steps in `coverage`.
-    std::int32_t left_out_ = 0;       ///< Largest number of omitted moving bodies over all steps.
+    double impulse_ = 0.0;       ///< Σ of the squares of these impulses in the norm of M⁻¹.
+    std::string wrong_law_;      ///< Description of the first contact with a wrong law in the step.
+    std::int64_t impacts_ = 0;   ///< Number of impacts up to the last step.
+    int seen_ = 0;               ///< Number of steps whose momentum was computed.
+    std::int32_t left_out_ = 0;  ///< Largest number of omitted moving bodies over all steps.
     double unsolved_ = 0.0;  ///< Time for which the natural map has been above the tolerance [s].
     double step_ = 0.0, floor_ = 0.0, momentum_floor_ = 0.0;
     double scalar_floor_ = 0.0;  ///< Floor of rows on scalar bodies.

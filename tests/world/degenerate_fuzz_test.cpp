@@ -177,10 +177,9 @@ TEST(DegenerateFuzz, EndsWithAStatusAndAFiniteState) {
     const auto [steps, failed, contacts] = count;
     std::printf("    %d steps, %d failed, %d contacts\n", steps, failed, contacts);
     EXPECT_GT(contacts, 5 * steps);
-    // Matrices of masses from a milligram to 1,000 t may fail, whose pivots drown in rounding. Five
-    // of 2,000 do: first steps that wander start from soft tangents, which fail in one more of
-    // these worlds than direct starts (four).
-    EXPECT_LE(failed, steps / 400);
+    // Four of 2,000 do here. What may fail is a matrix of masses from a milligram to 1,000 t whose
+    // pivots drown in rounding, which goes another way with each instruction set.
+    EXPECT_LE(failed, steps / 500);
 }
 
 }  // namespace
