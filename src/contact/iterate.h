@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file iterate.h
-/// What methods that solve the step several times share: laws into the matrix, and the way from
-/// one iterate to the next.
+/// Functions shared by the methods that solve the step several times: write the laws into the
+/// matrix, go from one iterate to the next.
 
 #include "context/context.h"
 

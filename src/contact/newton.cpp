@@ -45,8 +45,9 @@ void note_lap(StepContext& ctx) noexcept {
         ctx.work.limits.laps.first = ctx.work.limits.laps.last;
 }
 
-/// Whether the budget allows another iteration. A step that it has cut once, and which is solved
-/// again (guard.h), gets no more than it needs: the first cut says then what all of the step did.
+/// @return true if the budget allows another iteration. No iteration follows a cut, even if the
+/// step
+///     is solved again (guard.h): StepStats::cut then describes the whole step.
 bool affordable(Work& work) noexcept {
     return !work.stats.cut &&
            work.limits.budget.another(
@@ -70,8 +71,8 @@ struct Course {
     bool completes = false;  ///< The second iteration is a round of completion as well.
 };
 
-/// What completed joints ask for about an iterate that is close to the solution: the iteration that
-/// follows is a round of completion, which then needs no substitution of its own.
+/// Complete the joints (step/completion.h) about an iterate close to the solution. The next
+/// iteration then serves as the round of completion. That round needs no substitution of its own.
 void complete_iterate(StepContext& ctx) noexcept {
     constexpr double kClose = 1e-2;
     if (!(ctx.work.stats.natural_map <= kClose)) return;
@@ -170,8 +171,8 @@ void choose_phase(const Model& model, Work& work, Progress& p) noexcept {
     }
 }
 
-/// After a failed factorisation of the convex phase, whose laws are stiffer than the exact ones: go
-/// on with exact laws from the iterate, for the rest of the iterations.
+/// Leave the convex phase after a failed factorisation, since its laws are stiffer than the exact
+/// ones. The remaining iterations use exact laws and start from the iterate.
 /// @return false: the failed iteration was exact.
 bool leave_convex(StepContext& ctx, Progress& p) noexcept {
     if (!ctx.work.newton.convex) return false;
@@ -307,8 +308,8 @@ bool rows_ask(StepContext& ctx) noexcept {
            asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) > 0;
 }
 
-/// Refine the solution. If the residual stays above its tolerance, the factors belong to laws that
-/// are too far from those of the iterate: factor with these laws and refine again.
+/// Refine the solution. A residual above its tolerance shows factors of laws that are too far from
+/// those of the iterate. In this case factor with the iterate's laws and refine again.
 Status refine_iterate(StepContext& ctx) noexcept {
     Status status = refine(ctx);
     const StepStats& stats = ctx.work.stats;
@@ -319,8 +320,9 @@ Status refine_iterate(StepContext& ctx) noexcept {
     return status == Status::ok ? refine(ctx) : status;
 }
 
-/// Where the line search shortened the last iteration, the iterate obeys the laws of contact before
-/// it obeys the equations, and once refined it breaks them: iterated again from the refined one.
+/// Repeat iterations until the refined iterate obeys the laws of contact. After a line search that
+/// shortened the last iteration, an iterate may obey these laws before refinement, but not after
+/// it.
 Status certify(StepContext& ctx) noexcept {
     constexpr int kMost = 8;
     const double tolerance = ctx.model.def.contact_tolerance;
@@ -337,8 +339,8 @@ Status certify(StepContext& ctx) noexcept {
     return Status::ok;
 }
 
-/// An iterate that a line search ended early, on the way to the solution, may have met the
-/// tolerance where no row asked yet: iterated again from the solution itself.
+/// Repeat iterations until no row asks to switch. A line search may have ended the iterations where
+/// no row asked yet, before the solution was reached.
 Status settle_rows(StepContext& ctx) noexcept {
     constexpr int kMost = 8;
     const double tolerance = ctx.model.def.contact_tolerance;

@@ -63,8 +63,8 @@ void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept;
 /// Whether rows at their bounds, or lines, ask to switch in the solution at hand, as after rounds
 /// of completion that moved them across. Not in a step that is not solved, or was cut.
 [[nodiscard]] bool rows_ask(StepContext& ctx) noexcept;
-/// Switches them and iterates again, with contacts, until none asks; what still does after eight
-/// times counts as StepStats::flips_left.
+/// Switch the rows that ask for it and iterate again, with contacts, until no row asks. After eight
+/// repetitions count the rows that still ask in StepStats::flips_left.
 [[nodiscard]] Status settle_rows(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper
