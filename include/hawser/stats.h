@@ -106,10 +106,9 @@ struct Event {
     EventKind kind = EventKind::warning;
     InteractionId interaction{};  ///< Where; invalid for what concerns the whole world.
     double value = 0.0;           ///< See EventKind.
-    /// Of input_clamped: which one; of a system, which has no id, index −2 less its place in
-    /// World::system_signals().
-    InputId input{};
-    BodyId body{};  ///< Where, if that is a body.
+    InputId input{};              ///< Clamped input of the world; invalid for other events.
+    BodyId body{};                ///< Body at which it happened; invalid if none.
+    std::int32_t signal = -1;     ///< Clamped signal: index in World::system_signals(); −1: none.
 };
 
 /// What stays of the events of a kind, however many there were.

@@ -6,7 +6,7 @@
 /// ```
 ///     b ──── f ──── n ── part ──( )── part ──        n the lump next to the guide
 /// ```
-/// The lump before a free end b has nobody to give its mass to but b (step/node_drum.cpp): it does
+/// The lump before a free end b has nobody to give its mass to but b (edit/node_drum.cpp): it does
 /// not run through, and less than an element of wire is left of it. It runs off with what hangs on
 /// it.
 

@@ -3,9 +3,9 @@
 #include <hawser/world.h>
 
 #include "context/context.h"
-#include "step/node_pieces.h"
-#include "step/nodes.h"
-#include "step/wire_ends.h"
+#include "edit/node_pieces.h"
+#include "edit/nodes.h"
+#include "edit/wire_ends.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/wire_capsule.h"
@@ -37,7 +37,7 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
 
 /// What a lump at the end of an element gives of its half to the guide there [kg]: all of it, or,
 /// where the next element is one that a drum or a guide loads, too, all but a hundredth, as a body
-/// needs some mass of its own (step/node_drum.cpp). 0: it cannot.
+/// needs some mass of its own (edit/node_drum.cpp). 0: it cannot.
 double given_to_guide(const World& world, const world::Wire& wire, InteractionId element,
                       std::size_t end, double half) {
     const double has = world.body_def(world.interaction_def(element).body[end]).mass;

@@ -2,7 +2,7 @@
 /// Restore, all or nothing.
 #include <hawser/world.h>
 
-#include "access/undo.h"
+#include "state/undo.h"
 #include "step/ready.h"
 #include "world/impl.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What a state read from bytes must be like. A right checksum says who wrote it at most, not that
 /// it makes sense: an index from a file is used as an address a step later.
-#include "access/wire_alerts.h"
 #include "base/index.h"
+#include "context/wire_alerts.h"
 #include "solve/wires.h"
 #include "world/saved_state.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A step that fails takes back what its systems edited (step/model_undo.h).
+/// A step that fails takes back what its systems edited (state/model_undo.h).
 #include <hawser/changes.h>
 
 #include "step/step.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that have parted (access/wire_alerts.h, docs/wires.md): numbers beside the closed form,
+/// Wires that have parted (context/wire_alerts.h, docs/wires.md): numbers beside the closed form,
 /// which `hawser validate wire_parting` compares with.
 #include <hawser/hawser.h>
 
