@@ -141,7 +141,7 @@ void FrameWriter::add_stats(const World& world, const FrameNotes& notes, float* 
                             FrameHeader& head) {
     constexpr double kMilli = 1e3;
     const StepStats& s = world.stats();
-    // Conditions of a solution that counts as exact (docs/methods.md, 8).
+    // Conditions of a solution that counts as exact (docs/theory/newton.md).
     constexpr double kMomentum = 1e-8;
     const bool solved = s.status == Status::ok && s.flips_left == 0 && !s.cut &&
                         s.natural_map <= world.settings().contact_tolerance &&

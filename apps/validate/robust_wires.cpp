@@ -159,7 +159,7 @@ void zigzags(Report& report, double ratio, double bend) {
                 const Outcome o = run_zigzag(z);
                 created.take(o.created, z);
                 most.take(o.most, z);
-                // Below half a step a damping time is that of half a step (docs/methods.md, 12).
+                // Below half a step a damping time is that of half a step (docs/theory/wires.md).
                 const bool hardly =
                     damping * std::sqrt(z.density() / (stiffness * kPull)) < 0.5 * step;
                 (bend >= 0.1 && hardly ? lively : calm).take(o.ripple, z);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of the time stepper. With a compliance e and a damping time n h a row g obeys e f =
 // −(mean of g + n h r). Here r = t G v₊ + (1 − t) G v is the rate for its damper. If n is that of
-// the scheme, t = 1 (docs/methods.md).
+// the scheme, t = 1 (docs/theory/step.md).
 #include "validate/cases.h"
 #include "validate/reference.h"
 #include "validate/tools.h"

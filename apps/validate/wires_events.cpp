@@ -238,7 +238,7 @@ void check_resting(Report& report, double pull, double element) {
 void case_wire_events(Report& report) {
     check_free_wire(report, 0.1, true);
     // At a hundred times the tension short elements are fast, and the guard over such wires keeps
-    // no angular momentum (docs/methods.md, 12).
+    // no angular momentum (docs/theory/wires.md).
     check_free_wire(report, 0.5, false);
     for (const double pull : {41e3, 198e3, 999e3})
         for (const double element : {2.5, 5.0, 10.0, 20.0}) check_resting(report, pull, element);

@@ -191,7 +191,7 @@ struct Energy {
 };
 
 /// What a step left out to keep to a limit of its cost; by default nothing. Enough to repeat the
-/// step bit for bit without a clock (docs/methods.md, 11).
+/// step bit for bit without a clock (docs/theory/deadlines.md).
 struct Degradation {
     /// Newton iterations after which solves for contacts ended, of all that the step took; 0: when
     /// they were solved.
@@ -253,7 +253,7 @@ struct StepStats {
     std::int32_t substitutions = 0;
     /// What another round would have changed in a right-hand side [m/s or rad/s].
     double completion_change = 0.0;
-    std::int32_t completion_rounds = 0;  ///< Of rigid joints in this step (docs/methods.md, 2).
+    std::int32_t completion_rounds = 0;  ///< Of rigid joints in this step (docs/theory/joints.md).
     /// Steps since the start whose rounds did not converge, so that joints were linearised once.
     std::int64_t completion_failures = 0;
     /// Joints in closed loops whose force the step leaves undetermined; the smallest one is shown.
@@ -266,7 +266,7 @@ struct StepStats {
     std::int32_t contacts = 0;  ///< Contact points, those near without touching included.
     /// Tension-only rows and contacts whose status was still changing when the solve ended.
     std::int32_t flips_left = 0;
-    double natural_map = 0.0;  ///< Largest relative residual of a contact's law (docs/methods.md).
+    double natural_map = 0.0;  ///< Largest relative residual of a contact (docs/theory/newton.md).
     std::int32_t refinements = 0;  ///< Of the step's last solution, see WorldDef::refinements.
     double factor_work = 0.0;      ///< Flops of the step's factorisations over those of one LDLᵀ.
     std::int64_t impacts = 0;      ///< Steps with an impact stage, since the start.
@@ -282,7 +282,7 @@ struct StepStats {
     /// Of Degradation::cuts, the interfaces of which a cut was in force: where something else holds
     /// the groups together, what is asked for stays exact.
     std::uint64_t compliant = 0;
-    std::int32_t cuts = 0;    ///< Interactions cut in this step (docs/methods.md, 10).
+    std::int32_t cuts = 0;    ///< Interactions cut in this step (docs/theory/splits.md).
     double cut_defect = 0.0;  ///< Largest of a cut: ‖Σ of the impulses on its bodies‖ [N s].
     /// max |G v₊ + Σλ − c| over rows of cuts, v₊ of all their bodies and λ the mean of the sides
     /// [m/s or rad/s].

@@ -76,7 +76,7 @@ struct BodyLoad {
 /// ```
 ///     (M + A + h θ D + (h²/4) K) v₊ = M v + h f + (A + (h²/4) K − h (1 − θ) D) v + …
 /// ```
-/// of second order in h (docs/methods.md, "Loads of systems"; θ there). A force f(v) that depends
+/// of second order in h (docs/theory/loads.md; θ there). A force f(v) that depends
 /// on the velocity otherwise goes in as D = −∂f/∂v and f(v) + D v.
 ///
 /// A, D and K are symmetric and positive semi-definite: a step with others, or with what is not

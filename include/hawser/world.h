@@ -246,7 +246,8 @@ class World {
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
     [[nodiscard]] RowsView rows(InteractionId id) const;  ///< At the present poses, see inspect.h.
     [[nodiscard]] bool intact(InteractionId id) const;    ///< False once an element has parted.
-    /// Whether the last step solved its rows where the step ends, not linearised (methods.md, 2).
+    /// Whether the last step solved its rows where the step ends, not linearised
+    /// (docs/theory/joints.md).
     [[nodiscard]] bool completed(InteractionId id) const;
     /// Force of each row that the geometric stiffness of the last step was taken with [N or N m]:
     /// force() before that step, or a larger one of a joint where the step was solved again
@@ -302,7 +303,7 @@ class World {
     void detach(InteractionId element, int end);
     void release(InteractionId hook);  ///< @throws DefError where it is no pelican hook.
 
-    // --- Cuts (docs/methods.md, 10) ---------------------------------------------------------
+    // --- Cuts (docs/theory/splits.md) ---------------------------------------------------------
     /// Group of a body from the next step on (BodyDef::group).
     void set_group(BodyId id, const std::string& group);
     /// Groups of all bodies by hand, from partition() for cuts of the present state: "part 0",

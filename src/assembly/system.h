@@ -40,7 +40,7 @@
 namespace hawser::assembly {
 
 /// Largest ratio G M⁻¹Gᵀ/Σ at which a row is condensed. With one refinement on the saddle
-/// residual the error at 1e9 is 1e-15, at 1e12 it is 1e-9 (see docs/methods.md).
+/// residual the error at 1e9 is 1e-15, at 1e12 it is 1e-9 (see docs/theory/solver.md).
 inline constexpr double kSafeRatio = 1e10;
 
 /// Σ of a rigid row, as a share of G M⁻¹Gᵀ: rows that repeat each other leave the matrix regular,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file coarsening.h
-/// Coarsening of wires so that steps meet their budget (docs/methods.md, 11). It is the first
+/// Coarsening of wires so that steps meet their budget (docs/theory/deadlines.md). It is the first
 /// measure of degradation.
 ///
 /// The demand x of a step is its requirement over its limit; it exceeds 1 if the step was cut. The

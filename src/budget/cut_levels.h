@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file cut_levels.h
-/// Choice of the interfaces between groups that a step couples compliantly (docs/methods.md, 11).
-/// It applies if friction with one iteration does not meet the deadline.
+/// Choice of the interfaces between groups that a step couples compliantly
+/// (docs/theory/deadlines.md). It applies if friction with one iteration does not meet the
+/// deadline.
 ///
 /// Level l couples the first l interfaces in this way. They are ordered by the cost of a cut, with
 /// the weights of the partitioner (docs/partition.md). Interfaces with the least net force and

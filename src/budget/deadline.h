@@ -2,7 +2,7 @@
 #pragma once
 /// @file deadline.h
 /// Prediction of the solver time from the work of a step. Degradation is decided before the step
-/// begins (docs/methods.md, 11).
+/// begins (docs/theory/deadlines.md).
 ///
 /// The solver of a step has stages. The work of each is known before the step (contact points are,
 /// because collision comes first). The rate of each follows from measured steps:

@@ -18,8 +18,8 @@ namespace hawser::stepper {
 [[nodiscard]] std::int32_t most_recoil(double step) noexcept;
 
 /// Start the recoil of a wire when an element breaks. It begins with the next step and lasts for
-/// the travel time of a wave from end to end (docs/wires.md). Elements added since the last
-/// preparation belong to no wire yet.
+/// the travel time of a wave from end to end (docs/theory/parting.md). Elements added since the
+/// last preparation belong to no wire yet.
 /// @param fresh  True if the wires are up to date: nothing was added or removed since.
 void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept;
 

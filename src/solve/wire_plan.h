@@ -9,8 +9,8 @@
 ///
 /// *Bound.* At last the element pulls with k (d₊ − l₀ d/|d|): the gradient of k/2 |d₊ − l₀ d/|d||²,
 /// which is V at d and nowhere below it. It is quadratic and convex, and its force is that at the
-/// end of the step, so the wire cannot gain (docs/methods.md, 12); a slack one, which may end taut,
-/// pulls with k (d₊ − d). The row itself gives way.
+/// end of the step, so the wire cannot gain (docs/theory/wires.md); a slack one, which may end
+/// taut, pulls with k (d₊ − d). The row itself gives way.
 
 #include "context/context.h"
 

@@ -26,7 +26,7 @@ class SeaVerifier {
     [[nodiscard]] double after_step(const World& world, const std::vector<Pose>& pose,
                                     const std::vector<Twist>& before);
     /// Largest difference that a sound step has: rounding in double precision, or the tolerance of
-    /// kinematics in single precision (docs/sea.md, "Accuracy of kinematics").
+    /// kinematics in single precision (docs/theory/waves.md).
     [[nodiscard]] double limit() const noexcept;
 
   private:
