@@ -21,7 +21,7 @@ import {Timeline} from './timeline.js';
 import {kModes} from './camera.js';
 
 const kPause = 'M3 2h4v12H3zM9 2h4v12H9z', kPlay = 'M4 2v12l10-6z';
-const kCameraNames = {free: 'Free', follow: 'Follow', board: 'On board', bridge: 'Bridge', top: 'Top'};
+const kCameraNames = {free: 'Free', follow: 'Follow', board: 'Deck', bridge: 'Bridge', aft: 'Aft', hook: 'Hook', top: 'Chart'};
 const kRanges = [0.25, 0.5, 1];
 
 class App {
@@ -330,7 +330,7 @@ class App {
         const {stage} = this;
         $('needle').setAttribute('transform', `rotate(${(stage.rig.bearing() * 180 / Math.PI - 90).toFixed(1)})`);
         const per = stage.rig.perPixel(), want = 110 * per, unit = 10 ** Math.floor(Math.log10(want));
-        const length = [5, 2, 1].map(k => k * unit).find(v => v <= want) ?? unit, aboard = ['board', 'bridge'].includes(stage.rig.mode);
+        const length = [5, 2, 1].map(k => k * unit).find(v => v <= want) ?? unit, aboard = stage.rig.aboardShip;
         $('scale').hidden = aboard;
         if (!aboard) {
             $('scale').firstElementChild.style.width = `${(length / per).toFixed(0)}px`;
