@@ -36,9 +36,12 @@ export class Briefing {
         parts.push(el('p', {className: 'note', textContent: `${n} ${n === 1 ? 'page has' : 'pages have'} joined.`}));
         const start = el('button', {id: 'start', className: 'primary', textContent: 'Start', onclick: () => app.play()});
         parts.push(el('div', {className: 'row'}, ...(app.mayRun ? [start] : [el('b', {textContent: 'The instructor starts the run.'})]), el('button', {textContent: 'Look around first', onclick: () => this.close()})));
-        const was = box.hidden;
+        const text = parts.map(p => p.textContent).join('\n');
+        if (!box.hidden && text === this.text) return;  // a repeated state must not take the focus
+        const focus = app.mayRun && (box.hidden || document.activeElement?.id === 'start');
+        this.text = text;
         box.replaceChildren(...parts);
         box.hidden = false;
-        if (was && app.mayRun) start.focus();
+        if (focus) start.focus();
     }
 }

@@ -168,15 +168,16 @@ export class Levers {
             if (springs && !lever.held.size && lever.until && lever.value !== lever.rest) {
                 const about = lever.range.map(v => v - lever.rest);
                 this.move(at, lever.rest + springHome(about, lever.value - lever.rest, dt));
-            } else if (frame && !lever.held.size && now > lever.until) {
+            } else if (frame && now > lever.until) {
                 const value = frame.inputs[lever.def.index], span = lever.range[1] - lever.range[0];
                 const differs = Number.isFinite(value) && Math.abs(value - lever.value) > 1e-6 * span;
                 // In an exercise a fault may change the value in force; it never moves the control.
-                if (differs && !(this.keepsRequests && lever.asked)) {
+                const keeps = this.keepsRequests && lever.asked;
+                if (differs && !keeps && !lever.held.size) {
                     lever.value = value;
                     this.paint(lever);
                 }
-                this.paintForce(lever, differs && this.keepsRequests && lever.asked && Math.abs(value - lever.value) > 0.01 * span ? value : null);
+                this.paintForce(lever, differs && keeps && Math.abs(value - lever.value) > 0.01 * span ? value : null);
             }
         }
         this.throttle.flush(now);
