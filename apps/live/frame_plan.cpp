@@ -164,12 +164,17 @@ void add_inputs(const scene::Scene& scene, FramePlan& plan) {
                                .spring = def.spring,
                                .id = id});
     }
+    const auto has_lever = [&](const std::string& signal) {
+        return std::any_of(scene.signal_inputs.begin(), scene.signal_inputs.end(),
+                           [&](const scene::SignalInput& i) { return i.signal == signal; });
+    };
     for (const SystemSignal& s : world.system_signals())
         if (s.input)
             plan.inputs.push_back({.name = s.system + "." + s.name,
                                    .unit = s.unit,
                                    .group = s.system,
-                                   .kind = "signal",
+                                   // One control each: an input of the scene replaces the signal's.
+                                   .kind = has_lever(s.system + "." + s.name) ? "inner" : "signal",
                                    .min = s.min,
                                    .max = s.max,
                                    .words = record::signal_words(world, s),
