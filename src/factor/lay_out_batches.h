@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+/// @file lay_out_batches.h
 /// From chains to batches (batches.h): grouping of chains and layout of their panels.
 
 #include "factor/chains.h"

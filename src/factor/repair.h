@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+/// @file repair.h
 /// An analysis that follows its pattern, since contacts begin and end at every step.
 ///
 /// Ordering is the larger part of an analysis and hardly depends on a few contacts. A repair keeps

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+/// @file stream.h
 /// Stores that bypass the caches (factor/kernels.h).
 
 #include <cstdint>
