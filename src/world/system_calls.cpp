@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a world's users say to its systems, and what systems do to its inputs within a step.
+/// Access of users to the systems of a world, and of systems to its inputs within a step.
 #include <hawser/world.h>
 
 #include "context/context.h"
@@ -70,7 +70,7 @@ void World::set_system_signal(std::string_view name, double value) {
                        " to " + world::number(s.max) + " " + s.unit);
     *s.value = std::clamp(value, s.min, s.max);
     if (*s.value == value) return;
-    // It has no id of an input; those below 0 stand for signals (record/event_input.h).
+    // A signal has no input id; ids below 0 stand for signals (record/event_input.h).
     const auto place = static_cast<std::int32_t>(&s - impl_->systems.signals().data());
     impl_->ctx.state.events.push(
         {impl_->ctx.state.time, EventKind::input_clamped, {}, value, InputId{-2 - place}});
@@ -107,7 +107,7 @@ bool World::Impl::set(InputId id, double value, Before& before) noexcept {
     if (within != before.applied || within != before.value) disturb(def);
     apply_input(at(id.index), within);
     ctx.state.ledger.drive += elastic() - held;
-    // Told as if it had been set before the step, which is the same: a recording needs no systems.
+    // Reported as if set before the step, which is equivalent: a recording needs no systems.
     if (listener != nullptr) listener->set(id, value);
     return true;
 }
