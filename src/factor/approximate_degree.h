@@ -9,11 +9,11 @@
 ///
 ///   d_i = min(d_i(before) + |L_p \ i|, |A_i \ i| + |L_p \ i| + Σ_e |L_e \ L_p|, left − |i|),
 ///
-/// an upper bound of its true degree. |·| is the sum of weights. The weight of a node is its number
-/// of scalars (see minimum_degree.h), while the AMD library counts nodes. One pass over the lists
-/// of L_p gives |L_e \ L_p| for all elements e. Elements with L_e ⊆ L_p are absorbed. Variables
-/// with equal lists are joined. Variables without a neighbour outside L_p are eliminated with the
-/// pivot.
+/// an upper bound of its true degree. Here |·| is the sum of weights. The weight of a node is its
+/// number of scalars (see minimum_degree.h), while the AMD library counts nodes. One pass over the
+/// lists of L_p gives |L_e \ L_p| for all elements e. Elements with L_e ⊆ L_p are absorbed.
+/// Variables with equal lists are joined. Variables without a neighbour outside L_p are eliminated
+/// with the pivot.
 ///
 /// Nodes with more than 100 √n neighbours come last, because each pivot would read their lists.
 

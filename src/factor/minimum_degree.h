@@ -67,7 +67,7 @@ class MinimumDegree {
     NodeWeights weights_;
     std::vector<std::uint32_t> in_words_;    ///< Non-zero words of the row of each head.
     std::vector<std::int32_t> next_, prev_;  ///< Rings by degree: nodes, then one list per degree.
-    /// Of a head: external degree; weight with its twins.
+    /// External degree of a head; its weight with twins.
     std::vector<std::int32_t> degree_, weight_;
     std::vector<std::int32_t> twin_, last_twin_;  ///< Next twin, −1: none; last twin of a head.
     /// Heads adjacent to the pivot, and weights of their rows.

@@ -25,9 +25,9 @@
 /// time linear in the number of fronts and rows. The result equals the result of analyse() for the
 /// same order and chains, member by member.
 ///
-/// Limits: an order becomes stale. update() computes a new order if the flops exceed kReplan times
-/// those after the last plan, or if more than kEdited of the nodes changed.
-/// docs/factor_benchmark.md has measurements on the paper's scene.
+/// Limits: an order becomes stale. A new order is computed by update() if the flops exceed kReplan
+/// times those after the last plan, or if more than kEdited of the nodes changed. Measurements on
+/// the paper's scene are in docs/factor_benchmark.md.
 
 #include "factor/columns.h"
 #include "factor/layout.h"

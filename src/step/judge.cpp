@@ -141,8 +141,7 @@ void report_incomplete(StepContext& ctx) noexcept {
 }
 
 /// Return the rise of the ledger from the start to the first sample under constant forces, less
-/// half of the work of the first step. follow_energy() assumes that half as the work before the
-/// start.
+/// half of the work of the first step. That half is the work before the start in follow_energy().
 ///
 /// With v₋ and v₊ half a step before and after the start, forces F that do work, and forces N of
 /// gravity and springs. Their energy counts at the midpoint between poses:

@@ -8,8 +8,8 @@
 /// the length l + cT. So the whole shape follows from H and V_0, and the position of the last end
 /// is the gradient of
 ///     Φ(H, V_0) = Σ (l T_i + c T_i²/2) + terms linear in them.
-/// Φ is strictly convex for c > 0, so each position of the last end has exactly one (H, V_0). Φ
-/// has kinks where an element has no pull: it is then slack, with any chord up to l.
+/// This function is strictly convex for c > 0, so each position of the last end has exactly one (H,
+/// V_0). It has kinks where an element has no pull: it is then slack, with any chord up to l.
 
 #include "wire/chain.h"
 

@@ -3,16 +3,16 @@
 /// @file rest.h
 /// Static balance of a wire of lumps with bending stiffness, partly in still water, on a seabed.
 ///
-/// The nodes minimise the potential energy in the vertical plane of the ends,
+/// The nodes minimise the potential energy in the vertical plane of the ends:
 /// ```
 ///     E = Σ (l' − l)²/2c + Σ (EI/l̄)(1 − cos φ) + Σ w z − Σ b ∫ wet dz − Σ f x,   z ≥ bottom
 /// ```
-/// over elements longer than l, nodes that bend by φ, weights, buoyancy b of half elements and
-/// friction f of nodes on the bottom. The wet fraction of a half element falls from 1 to 0 while it
-/// leaves the water (sea.h). The slopes of half elements and f follow in outer iterations. Newton's
-/// method with projection on the seabed finds the minimum (D. P. Bertsekas, "Projected Newton
-/// methods for optimization problems with simple constraints", 1982). Its band matrix has eleven
-/// diagonals and is shifted where it is indefinite.
+/// The sums run over elements longer than l, nodes that bend by φ, weights, buoyancy b of half
+/// elements and friction f of nodes on the bottom. The wet fraction of a half element falls from 1
+/// to 0 while it leaves the water (sea.h). The slopes of half elements and f follow in outer
+/// iterations. Newton's method with projection on the seabed finds the minimum (D. P. Bertsekas,
+/// "Projected Newton methods for optimization problems with simple constraints", 1982). Its band
+/// matrix has eleven diagonals and is shifted where it is indefinite.
 
 #include "wire/chain.h"
 

@@ -12,7 +12,7 @@
 ///          .' β₁  │                         R dφ = sin β ds
 ///        .'       │                             |dβ/dφ| ≤ μ sin β,
 /// ```
-/// and over the whole angle φ by which it turns about the axis
+/// Over the whole angle φ by which it turns about the axis this gives:
 /// ```
 ///     |ln tan(β₂/2) − ln tan(β₁/2)| ≤ μφ.
 /// ```
@@ -22,9 +22,10 @@
 /// ```
 ///     f(s) = arsinh((s − z₁)/p₁) + arsinh((s − z₂)/p₂),      |f(s)| ≤ μφ
 /// ```
-/// z₁ and z₂ are the positions of the nodes on both sides, p₁ and p₂ their straight parts across
-/// the axis. f grows with s and is 0 at the shortest path, with equal angles on both sides. If |f|
-/// exceeds the bound, the position moves towards that point until |f| = μφ, which has one solution.
+/// Here z₁ and z₂ are the positions of the nodes on both sides, p₁ and p₂ their straight parts
+/// across the axis. The function f grows with s and is 0 at the shortest path, with equal angles on
+/// both sides. If |f| exceeds the bound, the position moves towards that point until |f| = μφ,
+/// which has one solution.
 ///
 /// Sliding adds no energy: d(path)/ds = cos β₁ − cos β₂ has the sign of f, so the path between the
 /// nodes becomes shorter. The parts keep the ratio of their tensions by rest length that passes

@@ -9,7 +9,7 @@
 ///
 /// An unsymmetric front has two *sides* of one shape: side 0 holds the lower half, side 1 the
 /// upper half transposed. With unscaled columns W₀ = L D and W₁ = (D U)ᵀ the Schur complement is
-/// C −= L (D U) = L W₁ᵀ, and transposed Cᵀ −= Uᵀ W₀ᵀ: each side is updated with the unscaled
+/// C −= L (D U) = L W₁ᵀ, and transposed Cᵀ −= Uᵀ W₀ᵀ. So each side is updated with the unscaled
 /// columns of the other. A symmetric front has one side, which is its own other.
 #include "factor/kernels.h"
 
