@@ -18,10 +18,10 @@
 /// the matrix. A bound that moves with a load changes only the right-hand side. An inactive row may
 /// move to the other end of its range, such as a reversed motor.
 ///
-/// **Power.** A motor with a power limit P obeys λ w₊ ≤ h P. Here w₊ is the speed of its row after
+/// *Power.* A motor with a power limit P obeys λ w₊ ≤ h P. Here w₊ is the speed of its row after
 /// the step. This bound follows the solution as the bounds of friction do (impulse_range.cpp).
 ///
-/// **Loads.** The bound of friction lags an iteration behind its load. If friction itself makes a
+/// *Loads.* The bound of friction lags an iteration behind its load. If friction itself makes a
 /// fraction s of its load, this takes log(1e-6)/log(s) iterations, each at the cost of a
 /// substitution. Example: a line round a bollard has s = tanh(μδ/2); three turns at μ = 0.3 need
 /// 2,000 iterations. While no status changes, λ is affine in the bounds. Anderson's acceleration

@@ -10,10 +10,10 @@
 ///     m q̇₊ − m q̇ = h (T₂ − T₁) + h F,   |F| ≤ F₀ + k (T₁ + T₂),   k = tanh(μδ/2)
 /// ```
 /// While it slides in one direction, with σ the sign of F and negligible m, T₁ (1 − σk) = T₂ (1 +
-/// σk), or T₁/T₂ = e^{σμδ}. This is exactly the ratio of Euler and Eytelwein for any division of a
-/// circle into places.
+/// σk), or T₁/T₂ = e^{σμδ}. This is Euler's and Eytelwein's ratio, for any division of a circle
+/// into places.
 ///
-/// **In the matrix.** A bound an iteration behind its loads (bounds.h) contains F itself by a
+/// *In the matrix.* A bound an iteration behind its loads (bounds.h) contains F itself by a
 /// fraction k. In rows of places this fraction is almost 1. Here F is a function of λ₁, λ₂. The
 /// slide's equation gets an additional −σ k of each, without a counterpart in the equations of the
 /// spans,
@@ -30,7 +30,7 @@
 /// sliding. In a run between two bodies that pull each other over it, a pivot may change sign. It
 /// is used unchanged, and refinement shows the lost accuracy.
 ///
-/// **Status.** The active set of bounds.h decides. A place that would have to hold more begins to
+/// *Status.* The active set of bounds.h decides. A place that would have to hold more begins to
 /// slide, and one that slides in the wrong direction begins to hold. In a run, a place that begins
 /// to slide loads the next one; runs.h finds all at once.
 

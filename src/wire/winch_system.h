@@ -3,24 +3,24 @@
 /// @file winch_system.h
 /// System of a winch (hawser/winch.h).
 ///
-/// **Layers.** Turning changes the length L on the drum: L' = L − r Δθ, with the radius r of the
+/// *Layers.* Turning changes the length L on the drum: L' = L − r Δθ, with the radius r of the
 /// last step. The layer follows from L. When the layer changes, the element's radius changes. Its
 /// length and drum_zero change too, so that the rest length, the tension and the energy do not
 /// jump. Within a step r is constant, so the work of the wire, T r Δθ, equals that on the drum.
 ///
-/// **Wound wire.** The drum's body has the inertia of the bare drum. The inertia of the wire on it,
+/// *Wound wire.* The drum's body has the inertia of the bare drum. The inertia of the wire on it,
 /// J(L), is added mass A of a load. Wire that leaves the drum moves as the drum does. It carries
 /// its own momentum dJ ω along and leaves ω unchanged, which is the effect of a changed A (Loads).
 /// The energy ½ dJ ω² counts as work of systems.
 ///
-/// **Nodes.** The element at the drum has the material a [m], a' = −L'. Half of it acts on its
+/// *Nodes.* The element at the drum has the material a [m], a' = −L'. Half of it acts on its
 /// first node by a load with its weight, mass and drag. The other half acts on the fairlead and,
 /// along the wire, on the drum. So the tension at the fairlead is that of the element plus the
 /// weight of half of it. Both halves change with a as the inertia of the wound wire does. A node
 /// inserted with a piece f takes f from a, and half of f goes to each of two nodes. The load on the
 /// fairlead is unchanged.
 ///
-/// **Clutch.** An engaged clutch adds the motor's inertia J_m to A. A motor at rest is accelerated
+/// *Clutch.* An engaged clutch adds the motor's inertia J_m to A. A motor at rest is accelerated
 /// in one step, (J + J_m) ω₊ = J ω, by the force −J_m ω/h in addition to A. The loss counts as work
 /// of systems.
 
