@@ -36,12 +36,12 @@ class ChangeListener {
     virtual void added(const InputDef& def) noexcept = 0;
     virtual void added(const MaterialDef& def) noexcept = 0;
     virtual void added(const MaterialPairDef& def) noexcept = 0;
-    /// With everything attached, which is not reported.
+    /// Report the removal of an object. Attached objects, removed with it, are not reported.
     virtual void removed(BodyId id) noexcept = 0;
     virtual void removed(InteractionId id) noexcept = 0;
     virtual void removed(ShapeId id) noexcept = 0;
     virtual void removed(InputId id) noexcept = 0;
-    /// The requested value before clamping.
+    /// Report the requested value of an input before clamping.
     virtual void set(InputId id, double value) noexcept = 0;
     virtual void set_force(BodyId id, const Vec3& force, const Vec3& torque) noexcept = 0;
     virtual void set_pose(BodyId id, const Pose& pose) noexcept = 0;

@@ -352,10 +352,10 @@ class System {
     /// List objects that must not be removed while it acts. World::remove_body() and similar
     /// functions reject them, also if attached to a removed object. Called at each removal.
     virtual void holds(HoldTable& table) const { static_cast<void>(table); }
-    /// Return the mass of an element of a wire that this system carries [kg]: it loads the ends
-    /// with half each, as nodes have of other elements (WinchDef::element). 0: none. Negative: a
-    /// drum has hauled in more than existed; the system still counts it. Another element may take
-    /// over the mass.
+    /// Return the mass of an element of a wire that this system carries [kg]. Each end gets half of
+    /// it, like the nodes of other elements (WinchDef::element). 0: none. Negative: a drum has
+    /// hauled in more than existed; the system still counts it. Another element may take over the
+    /// mass.
     [[nodiscard]] virtual double carried_mass(InteractionId element) const noexcept {
         static_cast<void>(element);
         return 0.0;

@@ -155,8 +155,8 @@ class World {
     [[nodiscard]] std::int64_t step_count() const noexcept;
     [[nodiscard]] const StepStats& stats() const noexcept;
     [[nodiscard]] Energy energy() const noexcept;  ///< Energy of the state; zeros before prepare().
-    /// Return the worst result over all states since the start or the last restore(), with the
-    /// present one, or the rejected state of a diverged step.
+    /// Return the worst result over all states since the start or the last restore(). It includes
+    /// the present state, or the rejected state of a diverged step.
     [[nodiscard]] Verdict verdict() const noexcept;
     /// Leave out exactly this in the next step, and ignore WorldDef's budgets in it: repeats
     /// StepStats::degradation. The default cancels it. Negative iterations count as 0.
@@ -271,13 +271,13 @@ class World {
     /// Return true if the last step solved its rows at the end of the step, not linearised
     /// (methods.md, 2).
     [[nodiscard]] bool completed(InteractionId id) const;
-    /// Return the force of each row in the geometric stiffness of the last step [N or N m]: force()
-    /// before that step, or a larger one of a joint in a repeated solution
+    /// Return the force of each row in the geometric stiffness of the last step [N or N m]. It is
+    /// force() before that step, or a larger one of a joint in a repeated solution
     /// (StepStats::restiffened). Zero before the first step, and beyond its rows.
     [[nodiscard]] std::array<double, kMaxInteractionRows> stiffness_force(InteractionId id) const;
     /// Return the number of coming steps with more damping of the transverse vibration of an
-    /// element's wire, because it would have gained energy (StepStats::wire_repeats); 0: none, or
-    /// not a wire.
+    /// element's wire. The reason is energy that it would have gained (StepStats::wire_repeats). 0:
+    /// none, or not a wire.
     [[nodiscard]] int wire_alert(InteractionId id) const;
 
     // --- Wires (wire.h) ---------------------------------------------------------------------
@@ -313,7 +313,7 @@ class World {
     /// list (alive()).
     [[nodiscard]] std::span<const BodyId> nodes(WireId id) const;
     [[nodiscard]] std::span<const InteractionId> elements(WireId id) const;
-    /// Unstretched, at the present drum coordinates [m].
+    /// Return the unstretched length at the present drum coordinates [m].
     [[nodiscard]] double length(WireId id) const;
     /// Return the tension in the last step, at s from 0 to length() [N]; 0: slack or broken.
     /// @throws DefError beyond.
@@ -421,7 +421,7 @@ class World {
     /// (a thousand bodies: a few hundred per step); 0 ends it. Earlier records are dropped.
     /// @throws DefError above 2^28, std::bad_alloc; the present trace then continues.
     void start_trace(std::size_t spans);
-    /// The last stored steps.
+    /// Return the last stored steps.
     [[nodiscard]] TraceView trace(std::int64_t steps = 1'000'000) const;
 
   private:
