@@ -16,8 +16,8 @@ namespace hawser::live {
 namespace {
 
 struct Saying {
-    const char* words;  ///< Behind the place.
-    const char* unit;   ///< Of the value; "": none, "-": it is not told.
+    const char* words;  ///< Words after the place.
+    const char* unit;   ///< Unit of the value; "": none, "-": the value is not shown.
 };
 
 /// In the order of EventKind.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The second half of docs/library.md: a crane with a driven boom and a winch, whose load a
-// controller keeps at its height while the boom rises.
+// The second half of docs/library.md: a crane with a driven boom and a winch. A controller keeps
+// the height of the load while the boom rises.
 #include <hawser/hawser.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <vector>
 
-/// A controller of the caller's own: Hawser needs to know nothing of it.
+/// A controller of the application, which Hawser need not know.
 struct Pid {
     double p, i, d;
     double sum = 0.0, before = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// K x = b for a symmetric quasi-definite matrix in a Matrix Market file, through hawser/factor.h.
+// Solve K x = b with hawser/factor.h. K is a symmetric quasi-definite matrix in a Matrix Market
+// file.
 //
 //   matrix_market K.mtx [--blocks SIZES] [--rhs B] [--threads N] [--solution X]
 //
@@ -59,12 +60,12 @@ Options parse(int argc, char** argv) {
     return o;
 }
 
-/// Scalars of the file in blocks, and the way back.
+/// Blocks of the scalars of the file, and the mapping between both.
 struct Blocks {
     hawser::BlockPattern pattern;
     std::vector<std::vector<int>> groups;               ///< Scalars of each node.
-    std::vector<int> node, place;                       ///< Of each scalar: its node; where in it.
-    std::map<std::pair<int, int>, std::int32_t> block;  ///< Of a pair of nodes, row ≥ column.
+    std::vector<int> node, place;                       ///< Node of each scalar; its index there.
+    std::map<std::pair<int, int>, std::int32_t> block;  ///< Block of a pair of nodes, row ≥ column.
 };
 
 Blocks make_blocks(const market::Sparse& lower, std::vector<std::vector<int>> groups) {
@@ -123,7 +124,7 @@ std::vector<double> values_of(const market::Sparse& lower, const Blocks& b,
     return values;
 }
 
-/// From the file's sequence of scalars to that of the nodes, or back.
+/// Reorder a vector from the scalars of the file to those of the nodes, or back.
 std::vector<double> reorder(const Blocks& b, const hawser::BlockFactor& factor,
                             const std::vector<double>& from, bool back) {
     std::vector<double> to(from.size());
@@ -152,7 +153,7 @@ int run(const Options& o) {
     std::vector<double> b = o.rhs.empty() ? std::vector<double>(static_cast<std::size_t>(n), 1.0)
                                           : market::read_vector(o.rhs, n);
     b = reorder(blocks, factor, b, false);
-    // The first call meets memory for the first time: the second one is the time that lasts.
+    // Measure the second call: the first one touches memory for the first time.
     hawser::Status status = factor.factor(k);
     start = Clock::now();
     status = factor.factor(k);

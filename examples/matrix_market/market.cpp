@@ -19,7 +19,7 @@ std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
     throw std::runtime_error("line " + std::to_string(line) + ": " + what);
 }
 
-/// Rows with entries in each column of the full matrix, the diagonal always among them.
+/// Return the rows with entries in each column of the full matrix, always with the diagonal.
 std::vector<std::vector<int>> structure(const Sparse& lower) {
     std::vector<std::vector<int>> rows(at(lower.cols()));
     for (int j = 0; j < lower.outerSize(); ++j) {
@@ -82,7 +82,7 @@ Sparse parse_matrix_market(std::istream& in) {
 
 std::vector<std::vector<int>> indistinguishable_columns(const Sparse& lower) {
     const auto rows = structure(lower);
-    // Columns of one group are neighbours: look for the group among those that a column meets.
+    // Columns of one group are adjacent: search only the groups of the neighbours of a column.
     std::vector<int> group(rows.size(), -1);
     std::vector<std::vector<int>> groups;
     for (int j = 0; j < static_cast<int>(rows.size()); ++j) {

@@ -16,23 +16,23 @@ namespace market {
 
 using Sparse = Eigen::SparseMatrix<double>;  ///< By columns, 32-bit indices.
 
-/// Lower triangle. @throws std::runtime_error naming the line.
+/// Return the lower triangle. @throws std::runtime_error with the line.
 [[nodiscard]] Sparse parse_matrix_market(std::istream& in);
-/// The same from a file. @throws std::runtime_error naming file and line.
+/// Read the lower triangle from a file. @throws std::runtime_error with file and line.
 [[nodiscard]] Sparse read_lower(const std::string& file);
 
-/// The sign of a pivot is that of the diagonal entry; an entry that is zero or missing counts as
-/// negative, a row without compliance.
+/// @return true if the diagonal entry, and thus the pivot, is positive. An entry that is zero or
+/// missing counts as negative: a row without compliance.
 [[nodiscard]] bool positive(const Sparse& lower, int scalar);
 
-/// Groups of at most six scalars whose columns have entries in the same rows and diagonal entries
-/// of the same sign; each group ascending, groups by their first scalar.
+/// Return groups of at most six scalars. Their columns have entries in the same rows and diagonal
+/// entries of the same sign. Scalars of a group ascend; groups are sorted by their first scalar.
 [[nodiscard]] std::vector<std::vector<int>> indistinguishable_columns(const Sparse& lower);
 
-/// Groups of consecutive scalars from a file of their sizes, 1-6.
+/// Read groups of consecutive scalars from a file of their sizes, 1-6.
 [[nodiscard]] std::vector<std::vector<int>> read_block_sizes(const std::string& file, int scalars);
 
-/// Numbers of a file; a Matrix Market array header is allowed.
+/// Read the numbers of a file; a Matrix Market array header is allowed.
 [[nodiscard]] std::vector<double> read_vector(const std::string& file, int scalars);
 
 }  // namespace market

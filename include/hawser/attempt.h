@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file attempt.h
-/// Calls of several edits, all or none; and what a world is made of, until it is moved from.
-///
-/// A World that was moved from may be destroyed or assigned to. Any other use is an error of the
-/// program, which debug builds assert.
-///
-/// World::~World() ends the worker threads. A forked child has none of them: there it only frees
-/// memory, and the child may also step the world, on the calling thread alone.
+/// Calls of several edits, all or none; and parts of a world until it is moved from.
 
 #include <cassert>
 #include <cstddef>
@@ -17,12 +11,14 @@ namespace hawser {
 
 class World;
 
-/// A call that makes several edits of a world: where it throws, they are undone, so that the world
-/// goes on as if it had not been called. Of nested ones the outermost counts. Before the first step
-/// it does nothing: then nothing is at stake.
+/// A call that makes several edits of a world. If it throws, they are undone, and the world is as
+/// before the call. Only the outermost of nested calls acts. Before the first step it does nothing,
+/// because no undo is needed.
 class Attempt {
   public:
-    /// @param wanted  False: it does nothing. @throws UseError, std::bad_alloc.
+    /// Begin a call.
+    /// @param wanted  False: do nothing.
+    /// @throws UseError, std::bad_alloc.
     explicit Attempt(World& world, bool wanted = true);
     ~Attempt();
     Attempt(const Attempt&) = delete;
@@ -34,7 +30,7 @@ class Attempt {
     World& world_;
     bool holds_ = false, failed_ = false;
     int exceptions_ = 0;    ///< In flight when it began.
-    std::size_t mark_ = 0;  ///< Of the change listener.
+    std::size_t mark_ = 0;  ///< Mark of the change listener.
 };
 
 /// Owns the parts of a world. Debug builds assert that the world was not moved from.

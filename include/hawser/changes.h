@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file changes.h
-/// What is done to a world between its steps, told to whoever records it.
+/// Listener for changes of a world between its steps.
 ///
-/// Everything that makes two runs of one scene differ passes through the functions of World: what
-/// is added and removed, inputs, forces, poses, groups, restored states. A listener hears of each
-/// call that was accepted, in order, with its arguments; repeated in another world in the same
-/// state, the same calls give the same bits. A recording keeps them (docs/recording.md).
+/// All differences between two runs of one scene enter by functions of World: additions and
+/// removals, inputs, forces, poses, groups, restored states. A listener receives each accepted call
+/// in order with its arguments. The same calls in another world with the same state give the same
+/// bits. A recording stores them (docs/recording.md).
 ///
-/// World::prepare() and what only reads are not told.
+/// Limits: World::prepare() and functions that only read are not reported.
 
 #include <hawser/def.h>
 #include <hawser/id.h>
@@ -25,21 +25,24 @@ namespace hawser {
 
 struct Structure;  // structure.h
 
-/// Told after a change has been made; references hold during the call. Must not change the world.
+/// Receives each change after it has been made. References are valid during the call. It must not
+/// change the world.
 class ChangeListener {
   public:
     virtual ~ChangeListener() = default;
     virtual void added(const BodyDef& def) noexcept = 0;
-    virtual void added(const InteractionDef& def) noexcept = 0;  ///< As given, not filled in.
+    virtual void added(const InteractionDef& def) noexcept = 0;  ///< As given, without defaults.
     virtual void added(const ShapeDef& def) noexcept = 0;
     virtual void added(const InputDef& def) noexcept = 0;
     virtual void added(const MaterialDef& def) noexcept = 0;
     virtual void added(const MaterialPairDef& def) noexcept = 0;
-    virtual void removed(BodyId id) noexcept = 0;  ///< What hangs on it went with it, untold.
+    /// Report the removal of an object. Attached objects, removed with it, are not reported.
+    virtual void removed(BodyId id) noexcept = 0;
     virtual void removed(InteractionId id) noexcept = 0;
     virtual void removed(ShapeId id) noexcept = 0;
     virtual void removed(InputId id) noexcept = 0;
-    virtual void set(InputId id, double value) noexcept = 0;  ///< As asked for, before clamping.
+    /// Report the requested value of an input before clamping.
+    virtual void set(InputId id, double value) noexcept = 0;
     virtual void set_force(BodyId id, const Vec3& force, const Vec3& torque) noexcept = 0;
     virtual void set_pose(BodyId id, const Pose& pose) noexcept = 0;
     virtual void set_velocity(BodyId id, const Twist& twist) noexcept = 0;
@@ -49,35 +52,39 @@ class ChangeListener {
     virtual void follow_groups(int parts, int every) noexcept = 0;
     virtual void set_coupling(InteractionId id, Coupling coupling) noexcept = 0;
     virtual void degraded(const Degradation& degradation) noexcept = 0;
-    /// A change could not be told for want of memory: what was told is not complete.
+    /// Report that a change is missing because allocation failed. The list of changes is then
+    /// incomplete.
     virtual void lost() noexcept = 0;
-    virtual void parted(InteractionId id) noexcept = 0;  ///< By part(), not by its load.
-    /// @param mass  As it was given, NaN where it was not.
+    virtual void parted(InteractionId id) noexcept = 0;  ///< By part(), not by overload.
+    /// Report World::insert_node().
+    /// @param mass  As given; NaN if it was left out.
     virtual void node_inserted(InteractionId element, double share, double mass) noexcept = 0;
     virtual void node_removed(BodyId node, double bend) noexcept = 0;  ///< By remove_node().
     virtual void set_mass(BodyId lump, double mass) noexcept = 0;
-    /// By World::lay_over() and lift_off(), definitions as given.
+    /// Report World::lay_over() and lift_off(), with definitions as given.
     virtual void laid_over(InteractionId element, const InteractionDef& before,
                            const InteractionDef& behind) noexcept = 0;
     virtual void lifted(InteractionId before, InteractionId behind,
                         const InteractionDef& element) noexcept = 0;
-    /// By World::move_along(), where it moved.
+    /// Report World::move_along() if it moved.
     virtual void moved_along(InteractionId before, InteractionId behind, double along,
                              double fed) noexcept = 0;
-    /// By World::cut(), whichever.
+    /// Report all forms of World::cut().
     virtual void cut(InteractionId element, double share) noexcept = 0;
-    /// By join() and attach(). @param b  A lump, or a body with a point.
+    /// Report join() and attach().
+    /// @param b  A node, or a body with a point.
     virtual void joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept = 0;
     virtual void detached(InteractionId element, int end) noexcept = 0;
     virtual void released(InteractionId hook) noexcept = 0;  ///< By World::release().
-    /// By restore(), or by copy_state() from a world whose save() this is.
+    /// Report restore(), or copy_state() from a world whose save() gives these bytes.
     virtual void restored(std::span<const std::byte> bytes) noexcept = 0;
-    /// By restore() of another structure. @param bytes  Its state.
+    /// Report restore() of another structure.
+    /// @param bytes  Its state.
     virtual void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept = 0;
-    /// Return a mark of the changes reported until now: a step begins, or a call that makes
-    /// several.
+    /// Return a mark of the changes reported until now. Called at the start of a step, or of a call
+    /// that makes several.
     virtual std::size_t mark() noexcept = 0;
-    /// That failed: changes reported since the mark are undone, and a replay must not make them.
+    /// Report a failure: changes since the mark are undone, and a replay must not make them.
     virtual void undone(std::size_t mark) noexcept = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file hawser.h
-/// Everything of hawser::hawser in one include; scene.h and session.h have libraries of their own.
+/// All of hawser::hawser in one include; scene.h and session.h have libraries of their own.
 
 #include <hawser/catenary.h>
 #include <hawser/changes.h>

@@ -1,45 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file limits.h
-/// What the states of a world are judged by, World::verdict(). The reason of each is in
-/// docs/limits.md.
+/// Limits of the monitors of a world, World::verdict(). docs/limits.md states the reason of each.
 
 namespace hawser {
 
-/// Beyond `doubtful` a result is that, beyond `wrong` a step is refused.
+/// Limits of a value. Beyond `doubtful` a result is suspect; beyond `wrong` a step fails.
 struct Limit {
     double doubtful, wrong;
 };
 
 namespace limit {
-/// Mechanical energy that came from nothing, over what was exchanged.
+/// Created mechanical energy relative to the exchanged energy.
 inline constexpr Limit kCreated{0.009, 0.2};
-/// The same with lines by their lengths, whatever they exert, where it lasts.
+/// The same with the energy of lines by their lengths, independent of their forces, if it lasts.
 inline constexpr Limit kHeld{0.05, 0.2};
-/// Created energy with all that rows and drag took added to it, which may hide some: over what was
-/// exchanged.
+/// Created energy plus the losses of rows and drag, which may hide a gain, relative to the
+/// exchanged energy.
 inline constexpr Limit kHidden{1.0, 2.0};
-/// Energy that went without reason, over what was exchanged.
+/// Unexplained loss of energy relative to the exchanged energy.
 inline constexpr Limit kLost{0.1, 0.3};
-/// What a joint softer than nothing, but no softer than this, may give is a gap [m/N].
+/// Largest compliance at which the violation of a joint counts as a gap [m/N].
 inline constexpr double kMeantRigid = 1e-10;
-inline constexpr Limit kOpen{0.005, 0.05};  ///< [m], and over the size of the smaller body.
-/// How deep bodies lie in each other, over the thickness of the thinner shape.
+/// Gap [m], and relative to the size of the smaller body.
+inline constexpr Limit kOpen{0.005, 0.05};
+/// Penetration depth relative to the thickness of the thinner shape.
 inline constexpr Limit kDeep{0.5, 1.0};
 inline constexpr Limit kCable{0.03, 0.15};  ///< |l − l₀(1 + T/EA)|/l₀.
-/// What no material bears, by its tension or its length: strain, and over that of the breaking
-/// load.
+/// Strain above the range of materials, and multiple of the strain at the breaking load. Values
+/// come from the tension or the length.
 inline constexpr double kMostStrain = 0.5, kMostBreaking = 8.0;
-inline constexpr Limit kCertificate{1e-3, 0.1};  ///< Relative, for kSustained.
-/// Share of the steps of kMemory whose iterations of rigid joints failed.
+inline constexpr Limit kCertificate{1e-3, 0.1};  ///< Relative residual that lasts for kSustained.
+/// Fraction of the steps of kMemory with failed iterations of rigid joints.
 inline constexpr double kIncomplete = 0.01;
-inline constexpr Limit kTurn{0.5, 20.0};   ///< Of a body or an element in a step [rad].
-inline constexpr double kMemory = 10.0;    ///< Of what was exchanged [s].
-inline constexpr double kMean = 0.5;       ///< Of energies that refuse a step [s].
-inline constexpr double kSustained = 0.5;  ///< [s].
-inline constexpr double kLook = 0.1;       ///< From look to look [s], at least a step.
-inline constexpr double kSettled = 3.0;    ///< What stands open at the start closes [steps].
-/// Energy that is nothing: of kinetic and elastic energy, and of all bodies this much higher [m].
+inline constexpr Limit kTurn{0.5, 20.0};   ///< Rotation of a body or element in a step [rad].
+inline constexpr double kMemory = 10.0;    ///< Decay time of exchanged energy and extrema [s].
+inline constexpr double kMean = 0.5;       ///< Averaging time of energies that fail a step [s].
+inline constexpr double kSustained = 0.5;  ///< Duration of a lasting residual [s].
+inline constexpr double kLook = 0.1;       ///< Sampling interval [s], at least a step.
+inline constexpr double kSettled = 3.0;    ///< Steps in which initial gaps decay.
+/// Energies that count as zero: relative to kinetic and elastic energy, and a height of all bodies
+/// [m].
 inline constexpr double kNothing = 1e-6, kNothingHigher = 1e-4;
 }  // namespace limit
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file system.h
-/// Systems: what acts on a world at the beginning of each step. Controllers, winches, water.
+/// Systems: components that act on a world at the start of each step, such as controllers, winches,
+/// water.
 ///
 /// ```cpp
 /// struct Wind final : hawser::System {
@@ -18,11 +19,11 @@
 /// };
 /// Wind& wind = static_cast<Wind&>(world.add_system(std::make_unique<Wind>()));
 /// ```
-/// A world owns its systems. Each step calls them once, in the order in which they were added,
-/// before bodies that touch are looked for; a step that is solved again within itself calls them no
-/// second time. What a system did belongs to the step: where that fails, the states of systems and
-/// their edits go back with the state of the world, and the next call repeats it. Results do not
-/// depend on threads as long as a system's own numbers do not.
+/// A world owns its systems. Each step calls them once, in the order of addition, before collision
+/// detection. A step that is solved again internally does not call them again. The actions of a
+/// system belong to the step. If the step fails, the states of systems and their edits are undone
+/// with the state of the world. The next call repeats them. Results do not depend on threads if
+/// those of the system do not.
 
 #include <hawser/def.h>
 #include <hawser/id.h>
@@ -51,55 +52,56 @@ namespace stepper {
 class LoadStore;
 }
 
-/// What the loads of one body add up to, to be added to. A body's velocity is (v, ω) of its centre
-/// of mass in the world frame; matrices are symmetric and hold their lower triangle row by row:
-/// (0,0), (1,0), (1,1), (2,0), …
+/// Sums of the loads of one body. A body's velocity is (v, ω) of its centre of mass in the world
+/// frame. Matrices are symmetric and stored as lower triangles row by row: (0,0), (1,0), (1,1),
+/// (2,0), …
 struct BodyLoad {
-    int freedom = 0;              ///< Of the body: 6 rigid, 3 lump, 1 scalar, 0 does not move.
+    int freedom = 0;              ///< Freedom of the body: 6 rigid, 3 node, 1 scalar, 0 fixed.
     double* force = nullptr;      ///< `freedom` entries [N, N m].
     double* mass = nullptr;       ///< A [kg, kg m, kg m²]: 21, 6 or 1 entries.
     double* damping = nullptr;    ///< D [N s/m, N s, N m s], as many.
     double* stiffness = nullptr;  ///< K [N/m, N, N m], as many.
 };
-/// Place of entry (row, column), column ≤ row, of such a matrix.
+/// Return the index of entry (row, column), column ≤ row, of such a matrix.
 [[nodiscard]] constexpr int triangle(int row, int column) noexcept {
     return row * (row + 1) / 2 + column;
 }
 
-/// Loads that systems put on bodies in one step; those of all systems add up, and are apart from
-/// applied forces (World::set_force()) and inputs. A load is
+/// Loads of systems on bodies in one step. Loads of all systems add up. They are separate from
+/// applied forces (World::set_force()) and inputs. A load:
 /// ```
 ///     f − A v̇ − D v − K (x − x_k)
 /// ```
-/// with x_k the pose at which the step begins: f is the force there and then, without what D makes.
-/// The step takes A, D and K implicitly, so that no load of them is too large for it, and solves
+/// Here x_k is the pose at the start of the step; f is the force at that time without the part of
+/// D. The step treats A, D and K implicitly, so that they may be arbitrarily large. It solves:
 /// ```
 ///     (M + A + h θ D + (h²/4) K) v₊ = M v + h f + (A + (h²/4) K − h (1 − θ) D) v + …
 /// ```
-/// of second order in h (docs/theory/loads.md; θ there). A force f(v) that depends
-/// on the velocity otherwise goes in as D = −∂f/∂v and f(v) + D v.
+/// The solution is of second order in h (θ: docs/methods.md, "Loads of systems"). For a force f(v)
+/// of another form use D = −∂f/∂v and f(v) + D v.
 ///
-/// A, D and K are symmetric and positive semi-definite: a step with others, or with what is not
-/// finite, ends with Status::bad_load. Loads on bodies that do not move have no effect. A body with
-/// a load stays awake.
+/// A, D and K are symmetric and positive semi-definite. A step with other matrices, or with values
+/// that are not finite, ends with Status::bad_load. Loads on fixed bodies have no effect. A body
+/// with a load stays awake.
 ///
-/// Memory: the first load on a body makes room for it, which later steps keep.
+/// Memory: the first load on a body allocates, and later steps reuse it.
 class Loads {
   public:
     explicit Loads(stepper::LoadStore& store) noexcept : store_(store) {}
     Loads(const Loads&) = delete;
     Loads& operator=(const Loads&) = delete;
 
-    /// The load of a body. Good until a body gets its first load. By several threads at once, each
-    /// with bodies of its own, for bodies that reserve() has named.
+    /// Return the load of a body, valid until a body gets its first load. Several threads may call
+    /// it for different bodies after reserve().
     [[nodiscard]] BodyLoad of(BodyId body) noexcept;
-    /// Room for loads on these bodies, so that threads may use of() (Prestep::for_each()).
+    /// Reserve loads of these bodies, so that threads may use of() (Prestep::for_each()).
     void reserve(std::span<const BodyId> bodies) noexcept;
 
-    /// Force at the centre of mass and torque, world frame [N, N m]; scalar: force.x().
+    /// Add a force at the centre of mass and a torque, world frame [N, N m]; scalar bodies use
+    /// force.x().
     void add_force(BodyId body, const Vec3& force, const Vec3& torque = Vec3::Zero()) noexcept;
-    /// Square matrices of up to six rows; of what a body has no freedom for nothing counts. Only
-    /// lower triangles are read.
+    /// Add square matrices of up to six rows. Only lower triangles are read, and entries without a
+    /// freedom of the body are ignored.
     template <class M>
     void add_mass(BodyId body, const M& a) noexcept {
         add(of(body), a, &BodyLoad::mass);
@@ -123,34 +125,34 @@ class Loads {
     stepper::LoadStore& store_;
 };
 
-/// A load of the last step as it was taken, for readers.
+/// A load of the last step, for readers.
 struct LoadView {
     BodyId body{};
     std::span<const double> force, mass, damping, stiffness;  ///< As in BodyLoad.
-    double late = 0.5;  ///< θ: share of D that the velocity after the step sees.
+    double late = 0.5;  ///< θ: weight of the velocity after the step in D.
 };
 
-/// A number of a system that others set or read by name.
+/// A value of a system that others set or read by name.
 struct SystemSignal {
     std::string system;       ///< System::name().
     std::string name;         ///< Unique in the system.
     std::string unit;         ///< SI.
-    double* value = nullptr;  ///< The system's own; lives as long as the system.
-    bool input = false;       ///< It may be set, within the range.
+    double* value = nullptr;  ///< Owned by the system and valid as long as it lives.
+    bool input = false;       ///< True if it may be set, within the range.
     double min = -1e300, max = 1e300;
 };
 
-/// Takes the signals of a system.
+/// Collects the signals of a system.
 class SignalTable {
   public:
     SignalTable(std::string system, std::vector<SystemSignal>& out)
         : system_(std::move(system)), out_(out) {}
-    /// A number that may be set between steps. It belongs to the state: visit_state() has to visit
-    /// it.
+    /// Add a value that may be set between steps. It belongs to the state, so visit_state() must
+    /// visit it.
     void input(std::string name, std::string unit, double& value, double min, double max) {
         out_.push_back({system_, std::move(name), std::move(unit), &value, true, min, max});
     }
-    /// A number to be read.
+    /// Add a value to be read.
     void output(std::string name, std::string unit, double& value) {
         out_.push_back({system_, std::move(name), std::move(unit), &value});
     }
@@ -160,20 +162,19 @@ class SignalTable {
     std::vector<SystemSignal>& out_;
 };
 
-/// Additions and removals that systems ask for in one step. They are done in the order in which
-/// they were asked for, once all systems have acted: the step that begins has them, the systems see
-/// them in the next one. A recording keeps them as those that are made between steps.
+/// Additions and removals that systems request in one step. They are made in the order of the
+/// requests after all systems have acted. The current step includes them, and systems see them in
+/// the next step. A recording stores them like edits between steps.
 ///
-/// What add_…() returns stands for what will be there: later edits of the same step may name it,
-/// nothing else may. Ids of things that are there already mean themselves.
+/// The id returned by add_…() is a placeholder. Only later edits of the same step may use it. Ids
+/// of existing objects keep their meaning.
 ///
-/// All or none: where the world refuses one, the step ends with Status::bad_edit. Whatever a step
-/// fails for, edits that were made are undone with the rest of the step (World::step()).
-/// Memory: each edit takes some, and several in one step are first tried in a copy of the
-/// definitions.
+/// All or none: if the world rejects one, the step ends with Status::bad_edit. If a step fails for
+/// any reason, its edits are undone (World::step()). Memory: each edit allocates, and several in
+/// one step are first tried in a copy of the definitions.
 class Edits {
   public:
-    /// What stands behind it.
+    /// Implementation interface.
     class Hands {
       public:
         virtual BodyId add(const BodyDef& def) noexcept = 0;
@@ -199,14 +200,14 @@ class Edits {
     void remove_interaction(InteractionId id) noexcept { hands_.remove(id); }
     void remove_shape(ShapeId id) noexcept { hands_.remove(id); }
     void remove_wire(WireId id) noexcept { hands_.remove(id); }
-    /// An element of a wire parts, as World::part() has it.
+    /// Break an element of a wire, as World::part().
     void part(InteractionId id) noexcept { hands_.part(id); }
 
   private:
     Hands& hands_;
 };
 
-/// Takes what a system cannot do without (System::holds()).
+/// Collects the objects that a system needs (System::holds()).
 class HoldTable {
   public:
     void hold(BodyId id) { bodies.push_back(id); }
@@ -220,10 +221,10 @@ class HoldTable {
     std::vector<InputId> inputs;
 };
 
-/// What a system sees of the step that begins, and may do to it.
+/// The step that begins, as a system sees and changes it.
 class Prestep {
   public:
-    /// What stands behind it.
+    /// Implementation interface.
     class Hands {
       public:
         virtual ~Hands() = default;
@@ -238,26 +239,25 @@ class Prestep {
         : world(of), time(at), step(h), count(so_far), edits(editor), hands_(by) {}
 
     /// The world before the step: poses at `time`, velocities half a step earlier, forces of the
-    /// last step. Functions that would change it or throw are not for a system.
+    /// last step. Systems must not call functions that change it or throw.
     const World& world;
-    const double time;         ///< Where the step begins [s].
+    const double time;         ///< Start of the step [s].
     const double step;         ///< h [s].
-    const std::int64_t count;  ///< Steps taken so far.
-    Edits edits;               ///< What is to come and to go.
+    const std::int64_t count;  ///< Number of steps taken.
+    Edits edits;               ///< Additions and removals.
 
-    /// Set an input of the world, as World::set_input() does between steps: clamped to its range.
-    /// Not finite, or an input that is not there: the step ends with Status::bad_load.
+    /// Set an input of the world, clamped to its range, as World::set_input(). A value that is not
+    /// finite, or an unknown input, ends the step with Status::bad_load.
     void set_input(InputId id, double value) noexcept { hands_.set_input(id, value); }
-    /// Something has happened, which readers of World::events_since() are to know: an event of
-    /// `time`, once the step is good.
+    /// Report an event of `time` to readers of World::events_since(), after the step succeeds.
     void tell(EventKind kind, BodyId body, double value) noexcept {
         hands_.tell(kind, body, {}, value);
     }
     void tell(EventKind kind, InteractionId interaction, double value) noexcept {
         hands_.tell(kind, {}, interaction, value);
     }
-    /// f(i) for i in [0, n), each once, on the threads of the world: for loads on many bodies. Each
-    /// i writes what is its own, so that nothing depends on threads. f must not throw.
+    /// Call f(i) for i in [0, n), each once, on the threads of the world: for loads on many bodies.
+    /// Each i writes only its own data, so results do not depend on threads. f must not throw.
     template <class F>
     void for_each(int n, F&& f) noexcept {
         using Body = std::remove_reference_t<F>;
@@ -270,18 +270,18 @@ class Prestep {
     Hands& hands_;
 };
 
-/// Nodes of wires that come and go before a step begins (System::before_step()). Unlike Edits they
-/// are made at once: loads and inputs of the step meet the wire as it is then. They are undone if
-/// the step fails. Recordings keep them.
+/// Insertion and removal of nodes of wires before a step begins (System::before_step()). Unlike
+/// Edits they are made at once, before loads and inputs of the step. They are undone if the step
+/// fails. Recordings store them.
 class NodeEdits {
   public:
-    /// What stands behind it.
+    /// Implementation interface.
     class Hands {
       public:
-        /// Before the first edit of a step: copy the state to which a failed step returns.
-        /// @return false: no memory.
+        /// Save the state to which a failed step returns, before the first edit of a step.
+        /// @return false if allocation fails.
         virtual bool begin() noexcept = 0;
-        /// An edit has failed for want of memory: the step fails.
+        /// Report that an edit failed for lack of memory: the step fails.
         virtual void out_of_memory() noexcept = 0;
         /// Report an event of the step.
         virtual void tell(const Event& event) noexcept = 0;
@@ -290,22 +290,29 @@ class NodeEdits {
         ~Hands() = default;
     };
     NodeEdits(World& of, Hands& by) noexcept : world(of), world_(of), hands_(by) {}
-    const World& world;  ///< As the last step left it, and earlier edits.
-    /// As World::insert_node(). @return the lump; invalid: the world refused it, or has no memory.
+    const World& world;  ///< After the last step and earlier edits.
+    /// Insert a node as World::insert_node().
+    /// @return the node; invalid: rejected, or no memory.
     BodyId insert_node(InteractionId element, double share, double mass = kDefault) noexcept;
-    /// As World::remove_node(). @return whether it went.
+    /// Remove a node as World::remove_node().
+    /// @return true if it was removed.
     bool remove_node(BodyId node, double bend = 0.05) noexcept;
-    /// An element comes to lie on what it touches (guide.h), running by `speed` [m/s]; with the
-    /// input NAME/friction/force. @param def  Defaults are filled in. @param material  Of the parts
-    /// [m]. @return false: refused, or no memory.
+    /// Divide an element at a turning point (guide.h), with the wire running at `speed` [m/s] and
+    /// the input NAME/friction/force.
+    /// @param def  Defaults are filled in.
+    /// @param material  Material of the parts [m].
+    /// @return false: rejected, or no memory.
     bool lay_over(GuideDef& def, double speed, Guide& out, double (&material)[2]) noexcept;
-    /// As World::lift_off(). @return invalid: refused, or no memory.
+    /// Join the parts as World::lift_off().
+    /// @return invalid: rejected, or no memory.
     InteractionId lift_off(const Guide& guide, const InteractionDef& element) noexcept;
-    /// As World::move_along(). @return whether it went.
+    /// Move the place as World::move_along().
+    /// @return true if it moved.
     bool move_along(const Guide& guide, double along, double fed) noexcept;
     /// Report an event of the time at which the step begins, once the step is good.
     void tell(EventKind kind, InteractionId interaction, double value) noexcept;
-    /// The system has no memory to choose its edits: the step ends with Status::out_of_memory.
+    /// Report that the system lacks memory to choose its edits: the step ends with
+    /// Status::out_of_memory.
     void out_of_memory() noexcept { hands_.out_of_memory(); }
 
   private:
@@ -313,7 +320,7 @@ class NodeEdits {
     Hands& hands_;
 };
 
-/// Acts on a world at the beginning of each step.
+/// A component that acts on a world at the start of each step.
 class System {
   public:
     System() = default;
@@ -321,65 +328,67 @@ class System {
     System(const System&) = delete;
     System& operator=(const System&) = delete;
 
-    /// Unique among the systems of a world; stays the same.
+    /// Return a constant name, unique among the systems of a world.
     [[nodiscard]] virtual std::string_view name() const noexcept = 0;
-    /// Once a step. Allocates nothing once it is warm.
+    /// Apply loads, inputs and edits in a step. Allocate nothing after warm-up.
     virtual void prestep(Prestep& now, Loads& loads) noexcept = 0;
-    /// Before a step begins, in the same order; prestep() of all of them follows.
+    /// Insert and remove nodes before a step begins, in the same order; prestep() of all systems
+    /// follows.
     virtual void before_step(NodeEdits& nodes) noexcept { static_cast<void>(nodes); }
-    /// All numbers that later steps depend on, in a fixed order and number: they are saved,
-    /// restored, hashed, copied to twins, and taken back where a step fails.
+    /// Visit all values that later steps depend on, in a fixed order and number. They are saved,
+    /// restored, hashed, copied to twins, and undone if a step fails.
     virtual void visit_state(StateVisitor& visitor) { static_cast<void>(visitor); }
-    /// Check a state that visit_state() has read from a snapshot, before anything acts on it: a
-    /// right checksum does not make sense of the numbers. Check indices, flags, enums, counts of
-    /// loops, and ids, which have to be alive where they are used. The world checks by itself that
-    /// numbers are finite and up to 1e300, and inputs among the signals within their ranges.
-    /// @param world  Has its bodies and interactions, but not yet their restored poses.
+    /// Check a state that visit_state() has read from a snapshot, before its first use; a valid
+    /// checksum does not make values valid. Check indices, flags, enums, loop counts, and that used
+    /// ids are alive. The world checks that numbers are finite and at most 1e300, and inputs among
+    /// the signals against their ranges.
+    /// @param world  With its bodies and interactions, but without their restored poses.
     virtual void check_state(const World& world, StateRules& rules) const {
         static_cast<void>(world);
         static_cast<void>(rules);
     }
-    /// Numbers with names for others. Asked for once, when it is added.
+    /// Add named values for others. Called once, when the system is added.
     virtual void signals(SignalTable& table) { static_cast<void>(table); }
-    /// What must not be removed while it acts: World::remove_body() and its like refuse it,
-    /// whatever else it hangs on included. Asked for at each removal.
+    /// List objects that must not be removed while it acts. World::remove_body() and similar
+    /// functions reject them, also if attached to a removed object. Called at each removal.
     virtual void holds(HoldTable& table) const { static_cast<void>(table); }
-    /// Mass of an element of a wire whose ends it loads with half each, as lumps have that of
-    /// others (WinchDef::element) [kg]; 0: it does not; below 0: a drum has hauled in more than
-    /// there was, and the account is the system's all the same. What goes on as another element
-    /// takes it over.
+    /// Return the mass of an element of a wire that this system carries [kg]. Each end gets half of
+    /// it, like the nodes of other elements (WinchDef::element). 0: none. Negative: a drum has
+    /// hauled in more than existed; the system still counts it. Another element may take over the
+    /// mass.
     [[nodiscard]] virtual double carried_mass(InteractionId element) const noexcept {
         static_cast<void>(element);
         return 0.0;
     }
-    /// Line that a drum of this system has paid out of an element in the state that there is, from
-    /// the start on, also what has become elements of its own since (OutputKind::drum) [m];
-    /// negative: hauled in. kDefault: it keeps no account of this element.
+    /// Return the line that a drum of this system has paid out of an element since the start [m],
+    /// including parts that have become elements (OutputKind::drum). Negative: hauled in. kDefault:
+    /// not counted here.
     [[nodiscard]] virtual double paid_out(const World& world,
                                           InteractionId element) const noexcept {
         static_cast<void>(world);
         static_cast<void>(element);
         return kDefault;
     }
-    /// Whether its loads are those of water (Energy::water); stays the same.
+    /// Return true if its loads are those of water (Energy::water); constant.
     [[nodiscard]] virtual bool is_water() const noexcept { return false; }
-    /// Whether a higher level of World::coarsening() would have it leave out more.
+    /// Return true if it would leave out more at a higher level of World::coarsening().
     [[nodiscard]] virtual bool coarsens() const noexcept { return false; }
-    /// Another one with the same definition, for World::twin(), which then copies the state; null:
-    /// a world with this system has no twin.
+    /// Return another system with the same definition, for World::twin(), which then copies the
+    /// state. Null: a world with this system has no twin.
     [[nodiscard]] virtual std::unique_ptr<System> clone() const { return nullptr; }
 };
 
-/// Why a step ended with Status::bad_load or Status::bad_edit; empty: no reason.
+/// Reason why a step ended with Status::bad_load or Status::bad_edit; empty: none.
 struct BadLoad {
-    std::string_view system{};  ///< Its name, while it lives.
-    BodyId body{};              ///< On which; invalid: no body of the world.
-    InputId input{};            ///< Or what it wanted to set, where that is valid.
-    bool of_input = false;      ///< The value or id of an input, not a load.
-    bool of_edit = false;       ///< An addition or removal, which `reason` says all of.
-    const char* reason = "";    ///< What is wrong, in words; good until the next step.
+    std::string_view system{};  ///< Name of the system, while it lives.
+    BodyId body{};              ///< Body of the load; invalid: none of the world.
+    InputId input{};            ///< Input to be set, if valid.
+    bool of_input = false;      ///< True: value or id of an input; false: a load.
+    bool of_edit = false;       ///< True: an addition or removal, with all details in `reason`.
+    const char* reason = "";    ///< Reason in words; valid until the next step.
 };
-/// In a sentence with system, body and remedy. @param world  In which it happened.
+/// Return a sentence with system, body and remedy.
+/// @param world  World of the failed step.
 [[nodiscard]] std::string to_string(const BadLoad& load, const World& world);
 
 }  // namespace hawser

@@ -12,14 +12,14 @@
 /// while (world.time() < 10.0)
 ///     if (world.step() != hawser::Status::ok) break;
 /// ```
-/// Set-up functions throw DefError, as does every function that is given an id of nothing; step()
-/// does not throw. A function that throws, std::bad_alloc or anything else, leaves the world as it
-/// was; so does a step that fails, and what is tried again gives the same bits as if nothing had
-/// failed. A name that is not found gives an invalid id. A world is used by one thread at a time: a
-/// second one that changes it or steps is refused (UseError, Status::in_use). Different worlds are
-/// independent. Bodies, interactions, shapes and inputs may be added and removed between steps; the
-/// next step repairs its analysis, and what an edit touches wakes. Velocities given to what is
-/// added later are used as they are; energy that comes and goes counts as edited (Energy).
+/// Set-up functions throw DefError, as does every function for an invalid id. step() does not
+/// throw. A function that throws any exception leaves the world unchanged, and so does a failed
+/// step. A retry gives the same bits as without the failure. An unknown name gives an invalid id.
+/// One thread at a time uses a world: a second one that changes it or steps is rejected (UseError,
+/// Status::in_use). Different worlds are independent. Bodies, interactions, shapes and inputs may
+/// be added and removed between steps. The next step repairs its analysis, and bodies near an edit
+/// wake. Velocities of later additions are used without a staggered start. Energy of edits counts
+/// as edited (Energy).
 
 #include <hawser/attempt.h>
 #include <hawser/def.h>
@@ -58,333 +58,371 @@ class ChangeListener;     // changes.h
 
 class World {
   public:
-    /// @throws DefError on a value out of range, ThreadError where the worker threads cannot be
-    ///         started, EnvironmentError (see check_environment()), std::bad_alloc.
+    /// Create a world.
+    /// @throws DefError on a value out of range, ThreadError if the worker threads cannot be
+    ///        started, EnvironmentError (see check_environment()), std::bad_alloc.
     explicit World(const WorldDef& def = {});
     ~World();                 ///< In a forked child: attempt.h.
-    World(World&&) noexcept;  ///< What is left may be destroyed or assigned to: attempt.h.
+    World(World&&) noexcept;  ///< The source may be destroyed or assigned to: attempt.h.
     World& operator=(World&&) noexcept;
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
     // --- Set-up -------------------------------------------------------------------------
-    /// @throws DefError on a duplicate name, a mass or inertia that is not positive definite,
-    ///         a value that is not finite.
+    /// Add a body.
+    /// @throws DefError on a duplicate name, a mass or inertia that is not positive definite, a
+    ///        value that is not finite.
     BodyId add_body(const BodyDef& def);
+    /// Add an interaction.
     /// @throws DefError on unknown bodies, no moving body, a parameter missing or out of range.
     InteractionId add_interaction(const InteractionDef& def);
-    /// Several, all or none. A load with a factor but no interaction is of the first of them.
-    /// @param ids  As many as there are definitions. @throws DefError.
+    /// Add several, all or none. A load with a factor but no interaction belongs to the first one.
+    /// @param ids  As many as definitions.
+    /// @throws DefError.
     void add_interactions(std::span<const InteractionDef> defs, std::span<InteractionId> ids);
-    /// A typed definition of joints.h or lines.h; what it returns stands there.
+    /// Add a typed definition of joints.h or lines.h; see there for the result.
     template <class Def>
     auto add(const Def& def) {
         const Attempt attempt(*this);
         return define(*this, def);
     }
-    /// @throws DefError when the parameter cannot be driven or the name is taken.
+    /// Add an input.
+    /// @throws DefError if the parameter cannot be driven or the name is in use.
     InputId add_input(const InputDef& def);
-    /// @throws DefError on a name that is taken, a value out of range.
+    /// Add a material.
+    /// @throws DefError on a name in use, a value out of range.
     MaterialId add_material(const MaterialDef& def);
-    /// A later pair of the same two materials replaces the first. @throws DefError on an unknown
-    /// material, a value out of range.
+    /// Add a pair of materials, which replaces an earlier pair of the same two.
+    /// @throws DefError on an unknown material, a value out of range.
     void add_material_pair(const MaterialPairDef& def);
-    /// @throws DefError on a body that cannot have such a shape, sizes out of range, a name that is
-    ///         taken, vertices that span no volume.
+    /// Add a shape.
+    /// @throws DefError on a body that cannot have such a shape, sizes out of range, a name in use,
+    ///        vertices that span no volume.
     ShapeId add_shape(const ShapeDef& def);
-    /// Take away a body, and all that hangs on it: its interactions, its shapes, the segments of
-    /// wires that end at it, what drives these. Friction that one of these loads stays, without
-    /// that load. Nothing is removed where this throws.
-    /// @return What went; valid until the next removal. @throws DefError, std::bad_alloc.
+    /// Remove a body with its interactions, its shapes, the segments of wires that end at it, and
+    /// their inputs. Friction loaded by one of these stays, without that load.
+    /// @return the removed objects; valid until the next removal.
+    /// @throws DefError, std::bad_alloc; without changes.
     const Removed& remove_body(BodyId id);
-    /// The same for an interaction, with the inputs that drive it …
+    /// Remove an interaction, with the inputs that drive it …
     const Removed& remove_interaction(InteractionId id);
     const Removed& remove_shape(ShapeId id);  ///< … a shape …
-    const Removed& remove_input(InputId id);  ///< … and an input: what it set stays as it is.
-    // What a system holds (System::holds()) is not removed: @throws DefError that names it.
-    /// Whoever is told of all that is done from now on, see changes.h; null: nobody. It has to
-    /// outlive the world, or be taken away. A twin() has none.
+    const Removed& remove_input(InputId id);  ///< … or an input, whose last value remains.
+    // Objects that a system holds (System::holds()) are not removed.
+    // @throws DefError with its name.
+    /// Set the listener for all further changes, see changes.h; null: none. It must outlive the
+    /// world or be reset. A twin() has none.
     void set_change_listener(ChangeListener* listener) noexcept;
     /// Analyse now instead of in the first step. @throws std::bad_alloc, LimitError.
     void prepare();
 
     // --- Systems (system.h) ---------------------------------------------------------------
-    /// It acts from the next step on, after those there are, with outputs "system.signal". @return
-    /// the same, which the world owns now. @throws DefError on a name that is empty or taken, on
-    /// signals without or with equal names, and where the method is `pgs` or `split`.
+    /// Add a system, which acts from the next step on after the others, with outputs
+    /// "system.signal".
+    /// @return the same system, now owned by the world.
+    /// @throws DefError on an empty name or one in use, signals with empty or equal names, or the
+    ///        method `pgs` or `split`.
     System& add_system(std::unique_ptr<System> system);
-    /// It acts no more. @return it, with its state. @throws DefError where it is not of this world.
+    /// Remove a system.
+    /// @return the system with its state.
+    /// @throws DefError if it does not belong to this world.
     std::unique_ptr<System> remove_system(const System& system);
     [[nodiscard]] int system_count() const noexcept;
     [[nodiscard]] System& system(int index);  ///< In the order in which they act. @throws DefError.
-    [[nodiscard]] System* find_system(std::string_view name) noexcept;  ///< Null: there is none.
+    [[nodiscard]] System* find_system(std::string_view name) noexcept;  ///< Null: none.
     [[nodiscard]] const System* find_system(std::string_view name) const noexcept;
-    /// Inputs and outputs of all systems.
+    /// Return the inputs and outputs of all systems.
     [[nodiscard]] std::span<const SystemSignal> system_signals() const noexcept;
-    /// By "system.name". @throws DefError where there is none, with the nearest name.
+    /// Return the value of "system.name".
+    /// @throws DefError if there is none, with the nearest name.
     [[nodiscard]] double system_signal(std::string_view name) const;
-    /// Clamped to its range, with an event. @throws DefError: no such input, or it is not finite.
+    /// Set a signal, clamped to its range, with an event.
+    /// @throws DefError on an unknown input or a value that is not finite.
     void set_system_signal(std::string_view name, double value);
-    /// Loads of systems in the last step, or the one that failed, by body; good until the next.
+    /// Return the loads of systems in the last or failed step, by body; valid until the next step.
     [[nodiscard]] std::vector<LoadView> loads() const;
-    /// Of the last step that ended with Status::bad_load or bad_edit.
+    /// Return the reason of the last Status::bad_load or bad_edit.
     [[nodiscard]] const BadLoad& bad_load() const noexcept;
 
     // --- Stepping -----------------------------------------------------------------------
-    /// Advance by WorldDef::step. Where the status is not ok the state is the last good one.
+    /// Advance by WorldDef::step. If the status is not ok the state is the last good one.
     Status step() noexcept;
-    /// End the step under way between parts of the factorisation or of the collisions, or else the
-    /// next one where it begins: with Status::cancelled and the last good state. Only an analysis
-    /// is not left in the middle. Another thread or a signal handler may call it: it sets a flag.
+    /// Cancel the current step between parts of the factorisation or of the collisions, or else the
+    /// next one at its start: Status::cancelled, with the last good state. An analysis is completed
+    /// first. Other threads and signal handlers may call it: it sets a flag.
     void cancel() noexcept;
     [[nodiscard]] double time() const noexcept;  ///< [s].
     [[nodiscard]] std::int64_t step_count() const noexcept;
     [[nodiscard]] const StepStats& stats() const noexcept;
-    [[nodiscard]] Energy energy() const noexcept;  ///< Of the state; zeros before prepare().
-    /// Worst of all states since the start or the last restore(), the present one included; of a
-    /// step that was refused as diverged the state that it came to.
+    [[nodiscard]] Energy energy() const noexcept;  ///< Energy of the state; zeros before prepare().
+    /// Return the worst result over all states since the start or the last restore(). It includes
+    /// the present state, or the rejected state of a diverged step.
     [[nodiscard]] Verdict verdict() const noexcept;
-    /// The next step leaves out just this, and WorldDef's budgets are ignored in it: repeats what
-    /// StepStats::degradation reported. Nothing (the default) takes it back. Iterations below 0: 0.
+    /// Leave out exactly this in the next step, and ignore WorldDef's budgets in it: repeats
+    /// StepStats::degradation. The default cancels it. Negative iterations count as 0.
     void degrade_next_step(const Degradation& degradation) noexcept;
-    [[nodiscard]] int coarsening() const noexcept;  ///< Degradation::wires of the step to come.
-    /// FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
-    /// instruction set in use. Equal for any number of threads and after save/restore.
+    [[nodiscard]] int coarsening() const noexcept;  ///< Degradation::wires of the next step.
+    /// Return FNV-1a 64 over poses, velocities, multipliers, time, inputs, and the name of the
+    /// instruction set. Equal for any number of threads and after save/restore.
     [[nodiscard]] std::uint64_t state_hash() const noexcept;
-    /// The same without the states of systems: equal in a replay, which repeats what they did.
+    /// Return the same without states of systems: equal in a replay, which repeats their actions.
     [[nodiscard]] std::uint64_t motion_hash() const noexcept;
-    /// Events since the last call, oldest first; keeps the newest 16,384 of slack and of taut each,
-    /// and 4,096 of any other kind.
+    /// Return events since the last call, oldest first: at most the newest 16,384 of slack and of
+    /// taut each, and 4,096 of any other kind.
     [[nodiscard]] std::vector<Event> take_events();
-    /// Events from a reader's cursor on, oldest first; it moves behind them. For several readers,
-    /// and beside take_events(). 0 begins with the oldest kept. @param out  What it held goes.
-    /// @return how many were forgotten since the cursor.
+    /// Read events from a reader's cursor on, oldest first, and advance it. For several readers,
+    /// also besides take_events(). 0 starts with the oldest stored event.
+    /// @param out  Its contents are replaced.
+    /// @return the number of events lost since the cursor.
     std::uint64_t events_since(std::uint64_t& cursor, std::vector<Event>& out) const;
-    /// Events so far: where a reader begins that wants none of them.
+    /// Return the cursor after all events, for a reader that skips them.
     [[nodiscard]] std::uint64_t event_cursor() const noexcept;
-    /// How many of a kind there were, the first and the worst; taking events changes nothing of it.
+    /// Return the count of a kind, its first and its worst event, independent of take_events().
     [[nodiscard]] EventExtremes event_extremes(EventKind kind) const noexcept;
 
     // --- Inputs and applied forces --------------------------------------------------------
-    [[nodiscard]] int input_count() const noexcept;                  ///< Places, as body_count().
+    [[nodiscard]] int input_count() const noexcept;                  ///< Indices, as body_count().
     [[nodiscard]] std::span<const InputId> inputs() const noexcept;  ///< As bodies().
     [[nodiscard]] const InputDef& input_def(InputId id) const;
     [[nodiscard]] InputId find_input(std::string_view name) const noexcept;
-    [[nodiscard]] double input(InputId id) const;  ///< Value last set, or that of the definition.
-    /// Clamped to the range, with an event. @throws DefError outside that of what is driven.
+    [[nodiscard]] double input(InputId id) const;  ///< Last value set, or that of the definition.
+    /// Set an input, clamped to its range, with an event.
+    /// @throws DefError outside the range of the driven parameter.
     void set_input(InputId id, double value);
     /// Replace the applied force [N] and torque [N m], world frame. Forces of inputs and loads of
-    /// systems are accounts of their own: all three add up. @throws DefError when not finite or
-    /// above 1e300, as add_body() does.
+    /// systems are separate; all three add up.
+    /// @throws DefError if not finite or above 1e300, as add_body().
     void set_force(BodyId body, const Vec3& force, const Vec3& torque);
 
     // --- Outputs (outputs.h) ----------------------------------------------------------------
-    /// @throws DefError on a name that is taken, a target that is not there or has no such number.
+    /// Add an output.
+    /// @throws DefError on a name in use, a target that does not exist or has no such value.
     OutputId add_output(const OutputDef& def);
-    /// Its value is NaN from now on, and its place goes to the next output that is added.
-    /// @throws DefError on an id of nothing, or on a signal, which goes with its system.
+    /// Remove an output: its value is NaN, and the next added output gets its index.
+    /// @throws DefError on an invalid id, or on a signal, which is removed with its system.
     void remove_output(OutputId id);
     [[nodiscard]] bool alive(OutputId id) const noexcept;
-    [[nodiscard]] int output_count() const noexcept;  ///< Places, as body_count().
+    [[nodiscard]] int output_count() const noexcept;  ///< Indices, as body_count().
     [[nodiscard]] std::span<const OutputId> output_ids() const noexcept;  ///< As bodies().
     [[nodiscard]] const OutputDef& output_def(OutputId id) const;  ///< With component and unit.
     [[nodiscard]] OutputId find_output(std::string_view name) const noexcept;
     [[nodiscard]] double output(OutputId id) const;  ///< Its value now, in SI units.
-    /// All, by place, of the last good step or of what was set since; valid until one is added. NaN
-    /// where what it is taken from, or the output itself, has been removed.
+    /// Return all values, by index, of the last good step or later changes; valid until an
+    /// addition. NaN if the output or its source has been removed.
     [[nodiscard]] std::span<const double> outputs() const noexcept;
 
     // --- Bodies ---------------------------------------------------------------------------
     [[nodiscard]] StateView state() const noexcept;  ///< All bodies without a copy: state.h.
-    /// Places of bodies: ids have an index below it. Where a body was removed one is empty.
+    /// Return the number of indices of bodies, including vacant ones after removals.
     [[nodiscard]] int body_count() const noexcept;
-    /// Of all bodies there are, ascending; valid until one is added or removed.
+    /// Return the ids of all bodies, ascending; valid until an addition or removal.
     [[nodiscard]] std::span<const BodyId> bodies() const noexcept;
-    /// Whether an id names something: it was added here, and has not been removed.
+    /// Return true if an id names an existing object of this world.
     [[nodiscard]] bool alive(BodyId id) const noexcept;
     [[nodiscard]] bool alive(InteractionId id) const noexcept;
     [[nodiscard]] bool alive(ShapeId id) const noexcept;
     [[nodiscard]] bool alive(InputId id) const noexcept;
-    /// As added, but for the group and the applied force and torque, which are those of now.
+    /// Return the definition as added, with the present group and applied force and torque.
     [[nodiscard]] const BodyDef& body_def(BodyId id) const;
     [[nodiscard]] BodyId find_body(std::string_view name) const noexcept;
     [[nodiscard]] Pose pose(BodyId id) const;       ///< At time().
     [[nodiscard]] Twist velocity(BodyId id) const;  ///< At time() − h/2 (the scheme is staggered).
-    [[nodiscard]] Twist predicted_velocity(BodyId id) const;  ///< 2 v − v of the step before.
-    /// Move a body between steps; multipliers are kept. Velocity is used as it is (no staggering).
-    /// @throws DefError as add_body() does: a position not finite or beyond 1e7 m, an orientation
-    /// far from length 1, a speed not finite or beyond 1e5, a velocity for a fixed body.
+    [[nodiscard]] Twist predicted_velocity(BodyId id) const;  ///< 2 v − v of the previous step.
+    /// Move a body between steps; multipliers are kept. The velocity is used without a staggered
+    /// start.
+    /// @throws DefError as add_body(): a position not finite or beyond 1e7 m, an orientation far
+    ///        from length 1, a speed not finite or beyond 1e5, a velocity for a fixed body.
     void set_pose(BodyId id, const Pose& pose);
     void set_velocity(BodyId id, const Twist& twist);
-    /// Whether it sleeps (WorldDef::sleep_after). Its velocity is then that of its last step.
+    /// Return true if it sleeps (WorldDef::sleep_after). Its velocity is then that of its last
+    /// step.
     [[nodiscard]] bool asleep(BodyId id) const;
-    /// Wake it, and all that it holds to, in the next step; a fixed or kinematic body: all there
-    /// are. All that changes a body, its forces or what acts on it wakes it anyhow.
+    /// Wake a body and its island in the next step; a fixed or kinematic body wakes all. Changes of
+    /// a body, its forces or its interactions wake it anyway.
     void wake(BodyId id);
-    /// World position of a point given in the body's frame, from its centre of mass [m].
+    /// Return the world position of a point in the body's frame, from its centre of mass [m].
     [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;
-    [[nodiscard]] Vec3 local_point(BodyId id, const Vec3& point) const;  ///< The other way [m].
+    [[nodiscard]] Vec3 local_point(BodyId id, const Vec3& point) const;  ///< The inverse [m].
 
     // --- Interactions -----------------------------------------------------------------------
-    [[nodiscard]] int interaction_count() const noexcept;  ///< Places, as body_count().
+    [[nodiscard]] int interaction_count() const noexcept;  ///< Indices, as body_count().
     [[nodiscard]] std::span<const InteractionId> interactions() const noexcept;  ///< As bodies().
-    /// Defaults filled in.
+    /// Return the definition with defaults filled in.
     [[nodiscard]] const InteractionDef& interaction_def(InteractionId id) const;
     [[nodiscard]] InteractionId find_interaction(std::string_view name) const noexcept;
-    /// Force of each row in the last step, along Gᵀ [N or N m]; zero before the first. Rows 0-2
-    /// of ball, hinge, universal and lock are the force on body 1 in the world's axes. A line in
+    /// Return the force of each row in the last step, along Gᵀ [N or N m]; zero before the first.
+    /// Rows 0-2 of ball, hinge, universal and lock are the force on body 1 in world axes. A line in
     /// tension has f < 0: tension = −force(id)[0].
     [[nodiscard]] std::span<const double> force(InteractionId id) const;
-    /// Of a kind that has one (KindInfo::coordinate): angle of frame 1 against frame 0 about z, −π
-    /// to π [rad], from where their x axes agree; way of point 1 along z of frame 0 [m]; position
-    /// of a scalar body. Joints agree with what limits, drives or rubs them. @throws DefError.
+    /// Return the coordinate of a kind with one (KindInfo::coordinate): the angle of frame 1
+    /// relative to frame 0 about z, −π to π [rad], 0 if their x axes agree. Sliders: the distance
+    /// of point 1 along z of frame 0 [m]. Scalar bodies: the position. Limits, drives and friction
+    /// of a joint have the same coordinate.
+    /// @throws DefError.
     [[nodiscard]] double coordinate(InteractionId id) const;
     [[nodiscard]] double speed(InteractionId id) const;  ///< Its rate, at time() − h/2.
-    /// Of a motor in the last step, positive where it pushes the coordinate up [N or N m].
+    /// Return the force of a motor in the last step, positive if it increases the coordinate [N or
+    /// N m].
     [[nodiscard]] double motor_force(InteractionId id) const;
-    /// Violation g of each row at the current poses [m or rad]; 0 for velocity rows.
+    /// Return the violation g of each row at the present poses [m or rad]; 0 for velocity rows.
     [[nodiscard]] std::array<double, kMaxInteractionRows> violation(InteractionId id) const;
     [[nodiscard]] RowsView rows(InteractionId id) const;  ///< At the present poses, see inspect.h.
-    [[nodiscard]] bool intact(InteractionId id) const;    ///< False once an element has parted.
-    /// Whether the last step solved its rows where the step ends, not linearised
-    /// (docs/theory/joints.md).
+    [[nodiscard]] bool intact(InteractionId id) const;    ///< False after an element has broken.
+    /// Return true if the last step solved its rows at the end of the step, not linearised
+    /// (methods.md, 2).
     [[nodiscard]] bool completed(InteractionId id) const;
-    /// Force of each row that the geometric stiffness of the last step was taken with [N or N m]:
-    /// force() before that step, or a larger one of a joint where the step was solved again
-    /// (StepStats::restiffened). Zero before the first step, and behind its rows.
+    /// Return the force of each row in the geometric stiffness of the last step [N or N m]. It is
+    /// force() before that step, or a larger one of a joint in a repeated solution
+    /// (StepStats::restiffened). Zero before the first step, and beyond its rows.
     [[nodiscard]] std::array<double, kMaxInteractionRows> stiffness_force(InteractionId id) const;
-    /// Steps to come in which the swings of an element's wire are damped more, since it would have
-    /// gained energy (StepStats::wire_repeats); 0: none, or no element of a wire.
+    /// Return the number of coming steps with more damping of the transverse vibration of an
+    /// element's wire. The reason is energy that it would have gained (StepStats::wire_repeats). 0:
+    /// none, or not a wire.
     [[nodiscard]] int wire_alert(InteractionId id) const;
 
     // --- Wires (wire.h) ---------------------------------------------------------------------
-    /// Lumps, elements, bends, segments; all or nothing. @throws DefError on what cannot be.
+    /// Add nodes, elements, bends and segments of a wire, all or nothing.
+    /// @throws DefError on invalid values.
     WireId add_wire(const WireDef& def);
-    /// Elements that are there, end to end, become a wire that does not own them. @throws DefError
+    /// Create a wire from existing elements, end to end, which it does not own.
+    /// @throws DefError
     WireId adopt_wire(const std::string& name, std::span<const InteractionId> elements,
                       const WireTrim& trim = {});
     void set_mass(BodyId lump, double mass);  ///< [kg]; drag and applied force follow: wire.h.
-    /// The first (0) or last (1) element of a wire becomes one that a drum pays out: length +
-    /// radius (coordinate − that of now). Loads of friction by it end, and lumps' halves of its
-    /// mass. @throws DefError where it is wound up, gone or parted, or the drum no scalar body.
+    /// Let a drum pay out the first (0) or last (1) element of a wire: length + radius (coordinate
+    /// − present coordinate). Loads of friction by it end, and nodes lose their halves of its mass.
+    /// @throws DefError if it is wound up, removed or broken, or the drum is not a scalar body.
     InteractionId wind_up(WireId id, int end, BodyId drum, double radius);
-    /// An element becomes two, of kind end_span, about a place (guide.h); they become one again.
+    /// Divide an element at a turning point into two of kind end_span (guide.h), and join them
+    /// again.
     std::array<InteractionId, 2> lay_over(InteractionId element, InteractionDef before,
                                           const InteractionDef& behind);
     InteractionId lift_off(InteractionId before, InteractionId behind, InteractionDef element);
     bool move_along(InteractionId before, InteractionId behind, double along, double fed);
-    /// Where a piece of a line leaves its first two bodies, of a wheel its tangent point [m].
+    /// Return the points where an element leaves its first two bodies; for a wheel the tangent
+    /// point [m].
     [[nodiscard]] std::array<Vec3, 2> ends(InteractionId id) const;
-    /// By how much it lies farther round the wheel at each than when defined, turns included [rad].
+    /// Return the angle on the wheel at each end beyond the defined one, turns included [rad].
     [[nodiscard]] std::array<double, 2> wrapped(InteractionId id) const;
-    const Removed& remove_wire(WireId id);  ///< With what add_wire() made; as remove_body().
+    const Removed& remove_wire(WireId id);  ///< With the objects of add_wire(); as remove_body().
     [[nodiscard]] std::span<const WireId> wires() const noexcept;  ///< As bodies().
     [[nodiscard]] bool alive(WireId id) const noexcept;
     [[nodiscard]] WireId find_wire(std::string_view name) const noexcept;
     [[nodiscard]] const std::string& wire_name(WireId id) const;
-    /// From end to end, bodies that hold it included; what is gone is still named (alive()).
+    /// Return the bodies from end to end, with those that hold the ends. Removed ones stay in the
+    /// list (alive()).
     [[nodiscard]] std::span<const BodyId> nodes(WireId id) const;
     [[nodiscard]] std::span<const InteractionId> elements(WireId id) const;
-    [[nodiscard]] double length(WireId id) const;  ///< Unstretched, as drums have it now [m].
-    /// In the last step, at s from 0 to length() [N]; 0: slack, parted. @throws DefError beyond.
+    /// Return the unstretched length at the present drum coordinates [m].
+    [[nodiscard]] double length(WireId id) const;
+    /// Return the tension in the last step, at s from 0 to length() [N]; 0: slack or broken.
+    /// @throws DefError beyond.
     [[nodiscard]] double tension(WireId id, double s) const;
-    /// An element parts, with an event; what it held counts as damped (Energy).
+    /// Break an element, with an event; its energy counts as damped (Energy).
     void part(WireId id, double s);
-    void part(InteractionId id);  ///< Once. @throws DefError where it is no element.
+    void part(InteractionId id);  ///< Once. @throws DefError for other kinds.
     BodyId insert_node(InteractionId element, double share, double mass = kDefault);  ///< wire.h.
-    bool remove_node(BodyId node, double bend = 0.05);  ///< @return whether it went.
-    [[nodiscard]] WireId wire_of(InteractionId element) const noexcept;  ///< Invalid: of none.
-    WireId cut(WireId id, double s);  ///< Cut, join, attach, let go: wire.h. @throws DefError
+    bool remove_node(BodyId node, double bend = 0.05);  ///< @return true if it was removed.
+    [[nodiscard]] WireId wire_of(InteractionId element) const noexcept;  ///< Invalid: none.
+    WireId cut(WireId id, double s);  ///< Cut, join, attach, release: wire.h. @throws DefError
     WireId cut(InteractionId element, double share);
     Joint join(WireId a, int end_a, WireId b, int end_b, const JoinDef& def = {});
     Joint attach(WireId id, int end, BodyId body, const Vec3& point, const JoinDef& def = {});
     Joint join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def);
     void detach(WireId id, int end);
     void detach(InteractionId element, int end);
-    void release(InteractionId hook);  ///< @throws DefError where it is no pelican hook.
+    void release(InteractionId hook);  ///< @throws DefError if it is not a pelican hook.
 
-    // --- Cuts (docs/theory/splits.md) ---------------------------------------------------------
-    /// Group of a body from the next step on (BodyDef::group).
+    // --- Cuts (docs/methods.md, 10) ---------------------------------------------------------
+    /// Set the group of a body from the next step on (BodyDef::group).
     void set_group(BodyId id, const std::string& group);
-    /// Groups of all bodies by hand, from partition() for cuts of the present state: "part 0",
-    /// "part 1", … Groups that follow the state end. @param parts  1, which ends groups, to 4096.
+    /// Set the groups of all bodies by hand, from partition() for cuts of the present state: "part
+    /// 0", "part 1", … This ends groups that follow the state.
+    /// @param parts  1, which ends groups, to 4096.
     void set_groups(int parts);
-    /// From the next step on the world makes groups itself, of all bodies that have none by hand,
-    /// and follows the state with them: WorldDef::parts and regroup_every. @param parts  0 to 4096;
-    /// 0 ends it: groups are those by hand. @param every  0 to 1,000,000 steps. With the parts
-    /// there are, groups stay as they are. @throws DefError.
+    /// Let the world choose groups from the next step on, for all bodies without a group by hand,
+    /// and follow the state: WorldDef::parts and regroup_every.
+    /// @param parts  0 to 4096; 0 ends it: only groups by hand. An unchanged number keeps the
+    ///        groups.
+    /// @param every  0 to 1,000,000 steps.
+    /// @throws DefError.
     void follow_groups(int parts, int every = 60);
-    /// Number of the group of each body, −1: it does not move, or has no group where the world
-    /// makes none. Groups by hand come first where it does. Analyses if need be.
+    /// Return the group index of each body, −1: fixed, or without a group if the world chooses
+    /// none. Groups by hand come first if it does. Analyses if needed.
     [[nodiscard]] std::vector<std::int32_t> groups() const;
-    /// How an interaction couples bodies of different groups, from the next step on; at first
-    /// WorldDef::coupling. Joints and lines can be cut, not what drives, rubs or limits.
+    /// Set how an interaction couples bodies of different groups, from the next step on; initially
+    /// WorldDef::coupling. Joints and lines can be cut; drives, friction and limits cannot.
     void set_coupling(InteractionId id, Coupling coupling);
     [[nodiscard]] Coupling coupling(InteractionId id) const;
-    /// Interactions that are cut, ascending. Analyses if need be.
+    /// Return the cut interactions, ascending. Analyses if needed.
     [[nodiscard]] std::vector<CutView> cuts() const;
-    /// A world of the same definitions in the same state, for measuring one step against another.
-    /// @param coupling  Of all interactions; none: as here. @throws DefError as set-up functions.
+    /// Return a world with the same definitions and state, for comparing one step with another.
+    /// @param coupling  Coupling of all interactions; none: as in this world.
+    /// @throws DefError as set-up functions.
     [[nodiscard]] World twin(std::optional<Coupling> coupling = std::nullopt) const;
-    /// Take the state of such a world. @throws DefError where definitions differ.
+    /// Copy the state of such a world.
+    /// @throws DefError if definitions differ.
     void copy_state(const World& other);
 
     // --- Shapes and contacts ----------------------------------------------------------------
-    /// Materials, the default one included, which is the first.
+    /// Return the number of materials with the default one, which is the first.
     [[nodiscard]] int material_count() const noexcept;
     [[nodiscard]] const MaterialDef& material_def(MaterialId id) const;
     [[nodiscard]] MaterialId find_material(std::string_view name) const noexcept;
-    /// As added, in that order.
+    /// Return the pairs as added, in that order.
     [[nodiscard]] std::span<const MaterialPairDef> material_pairs() const noexcept;
-    [[nodiscard]] int shape_count() const noexcept;                  ///< Places, as body_count().
+    [[nodiscard]] int shape_count() const noexcept;                  ///< Indices, as body_count().
     [[nodiscard]] std::span<const ShapeId> shapes() const noexcept;  ///< As bodies().
     [[nodiscard]] const ShapeDef& shape_def(ShapeId id) const;       ///< As added.
     [[nodiscard]] ShapeId find_shape(std::string_view name) const noexcept;
-    /// Contact points at the present poses whose shapes overlap (gap < 0), ascending by their
-    /// shapes. Takes no step and changes none. Forces are what the overlap and the stiffness of the
-    /// contact give; laws are zeros. @throws std::bad_alloc, LimitError; DefError where a body with
-    /// a shape is beyond 1e100 m.
+    /// Return contact points with overlap (gap < 0) at the present poses, ascending by their
+    /// shapes, without a step or changes. Forces follow from overlap and contact stiffness; laws
+    /// are zeros.
+    /// @throws std::bad_alloc, LimitError; DefError if a body with a shape is beyond 1e100 m.
     [[nodiscard]] std::vector<ContactView> overlaps() const;
-    /// Contact points of the last step, ascending by their shapes, those that sleep last; those
-    /// that are near without touching included. Empty before the first step and after restore().
+    /// Return the contact points of the last step, ascending by their shapes, sleeping ones last,
+    /// with near ones without touch. Empty before the first step and after restore().
     [[nodiscard]] std::vector<ContactView> contacts() const;
-    void contacts(std::vector<ContactView>& out) const;  ///< In the caller's memory instead.
-    /// Shapes that pressed on one then, one for each contact; also known after restore().
+    void contacts(std::vector<ContactView>& out) const;  ///< In the caller's buffer.
+    /// List the shapes that pressed on one in the last step, one per contact; also after restore().
     void pressing(ShapeId id, std::vector<ShapeId>& out) const;
-    /// 1 at places of bodies between which a segment touched something then, or was near it
-    /// (contact_margin); also known after restore(). What `out` held goes. @throws std::bad_alloc.
+    /// Set 1 at indices of bodies whose segment touched or was near (contact_margin) something in
+    /// the last step; also after restore(). Contents of `out` are replaced.
+    /// @throws std::bad_alloc.
     void touching(std::vector<std::uint8_t>& out) const;
 
     // --- Save and restore -------------------------------------------------------------------
-    /// The whole dynamic state, warm start included. Restoring it in a world built from the
-    /// same definitions continues bit for bit. Parameters are not part of it, apart from those
-    /// that inputs drive.
+    /// Return the whole dynamic state, warm start included. A world built from the same definitions
+    /// continues from it bit for bit. Parameters are not included, except those that inputs drive.
     [[nodiscard]] std::vector<std::byte> save() const;
-    void save(std::vector<std::byte>& out) const;  ///< In the caller's memory; what it held goes.
+    void save(std::vector<std::byte>& out) const;  ///< In the caller's buffer, replaced.
     [[nodiscard]] std::vector<std::byte> save_motion() const;  ///< Without states of systems.
-    /// @throws std::bad_alloc, LimitError; DefError when the bytes are damaged or belong to another
-    /// world: other pieces, step or parameters (any mass, length, stiffness, …; names, form and
-    /// threads may differ). The state is then unchanged.
+    /// Restore a state.
+    /// @throws std::bad_alloc, LimitError; DefError if the bytes are damaged or belong to another
+    ///        world: other objects, step or parameters (any mass, length, stiffness, …; names, form
+    ///        and threads may differ). The state is then unchanged.
     void restore(std::span<const std::byte> bytes);
     void restore_variant(std::span<const std::byte> bytes);  ///< Parameters and forces may differ.
-    /// What it is made of, and with a state of it, into a world of the same set-up: structure.h.
+    /// Return the definitions, to restore with a state in a world with the same settings:
+    /// structure.h.
     [[nodiscard]] Structure structure() const;
     void restore(const Structure& made_of, std::span<const std::byte> bytes);  ///< All or nothing.
-    [[nodiscard]] std::uint64_t identity() const;  ///< Equal: a state of one fits the other.
+    [[nodiscard]] std::uint64_t identity() const;  ///< Equal if states of one fit the other.
 
     // --- Inspection -------------------------------------------------------------------------
     [[nodiscard]] const WorldDef& settings() const noexcept;
     [[nodiscard]] SystemView inspect() const;  ///< See inspect.h.
-    /// Parts of about equal cost of the present state, see partition.h. @throws DefError on a
-    /// request that makes no sense.
+    /// Return parts of about equal cost of the present state, see partition.h.
+    /// @throws DefError on an invalid request.
     [[nodiscard]] PartitionView partition(const PartitionRequest& request) const;
-    [[nodiscard]] std::size_t memory_bytes() const noexcept;  ///< Held by state and solver.
+    [[nodiscard]] std::size_t memory_bytes() const noexcept;  ///< Memory of state and solver.
 
-    /// From the next step on record what each thread does and when, up to so many spans of each
-    /// thread (some thousand bodies: a few hundred a step); 0 ends it. What was recorded before is
-    /// dropped. @throws DefError above 2^28, std::bad_alloc; the trace that there is then goes on.
+    /// Record the activity of each thread from the next step on, up to a number of spans per thread
+    /// (a thousand bodies: a few hundred per step); 0 ends it. Earlier records are dropped.
+    /// @throws DefError above 2^28, std::bad_alloc; the present trace then continues.
     void start_trace(std::size_t spans);
-    [[nodiscard]] TraceView trace(std::int64_t steps = 1'000'000) const;  ///< The last steps kept.
+    /// Return the last stored steps.
+    [[nodiscard]] TraceView trace(std::int64_t steps = 1'000'000) const;
 
   private:
     friend class Attempt;

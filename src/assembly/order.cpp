@@ -21,7 +21,7 @@ void System::find_order(const model::Bodies& bodies, const model::Interactions& 
     analysis.keep_updates(!contacts.blocks.empty());
     const bool repairable = ordered_ && changed <= kRepairable * next.nodes();
     report_ = {};
-    // Until this is done there is none; after std::bad_alloc there will be none.
+    // Until the new order is complete there is none: after std::bad_alloc the next call plans anew.
     ordered_ = false;
     if (state == nullptr && repairable) {
         report_ = analysis.update(next, old_of_new_);
@@ -54,7 +54,8 @@ void System::place(const model::Bodies& bodies, const model::Interactions& inter
     place_capstans(interactions);
 }
 
-/// Before the panels are asked for: they are most of what a world takes.
+/// Throw LimitError if the panels would exceed most_bytes, before they are allocated: they are most
+/// of the memory of a world.
 void System::check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
                           int threads) const {
     const double ours = static_cast<double>(bodies.bytes() + interactions.bytes() + bytes()) -
@@ -77,7 +78,7 @@ void System::go_back(Kept& to) noexcept {
     node_of_body.swap(to.node_of_body);
     node_of_interaction.swap(to.node_of_interaction);
     ordered_ = to.ordered;
-    analysis.keep_updates(to.updates_kept);  // as the next change of shapes asks
+    analysis.keep_updates(to.updates_kept);  // as the next change of shapes requires
 }
 
 std::int32_t System::build_pattern(const model::Bodies& bodies, const model::Interactions& in) {

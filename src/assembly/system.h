@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file system.h
-/// From bodies and interactions to the block system and back: the only place that knows both.
+/// Assembly of the block system from bodies and interactions, and the addresses of its solution.
 ///
-/// Every interaction is either *condensed* (eliminated first: G ᵀΣ⁻¹G in the body blocks, the
-/// paper's second form) or *kept* (a node of its own with negative pivots). That is a choice of
-/// pivot order, not a second code path: residuals are always those of the saddle system, and
-/// refinement works on them. Automatic choice: condensed when G M⁻¹Gᵀ/Σ ≤ kSafeRatio for each
-/// row, beyond which the sum would lose the body's own digits.
+/// Every interaction has one of two forms. *Condensed* means eliminated first, with GᵀΣ⁻¹G in the
+/// body blocks, the second form of the paper. *Kept* means a node of its own with negative pivots.
+/// The form is a choice of pivot order, not a second code path. Residuals are always those of the
+/// saddle system, and refinement works on them. Automatic choice: condensed if G M⁻¹Gᵀ/Σ ≤
+/// kSafeRatio for each row. Beyond that ratio the sum would lose digits of the block of the body.
 ///
-/// The order of elimination follows what happens: where bodies touch for the first time, or some
-/// are added, it is repaired (factor/repair.h) and so depends on the past; it is part of the state.
+/// If bodies touch for the first time or are added, the order of elimination is repaired
+/// (factor/repair.h). The order depends on the past and is part of the state.
 
 #include <hawser/def.h>
 
@@ -39,22 +39,21 @@
 
 namespace hawser::assembly {
 
-/// Largest ratio G M⁻¹Gᵀ/Σ at which a row is condensed. With one refinement on the saddle
-/// residual the error at 1e9 is 1e-15, at 1e12 it is 1e-9 (see docs/theory/solver.md).
+/// Largest ratio G M⁻¹Gᵀ/Σ at which a row is condensed. With one refinement on the saddle residual
+/// the error at 1e9 is 1e-15, at 1e12 it is 1e-9 (see docs/methods.md).
 inline constexpr double kSafeRatio = 1e10;
 
-/// Σ of a rigid row, as a share of G M⁻¹Gᵀ: rows that repeat each other leave the matrix regular,
-/// and twenty links between bodies a hundred thousand times heavier give by some thousandths in
-/// their first step.
+/// Σ of a rigid row, as a fraction of G M⁻¹Gᵀ. With it redundant rows leave the matrix regular.
+/// Twenty links between bodies 100,000 times heavier yield by some thousandths in their first step.
 inline constexpr double kRigidShare = 2e-9;
 
-/// Part of the nodes that may come or go for a repair; beyond, a new order is made.
+/// Largest fraction of nodes added or removed for a repair; beyond it a new order is computed.
 inline constexpr double kRepairable = 0.125;
 
-/// Consecutive interactions, each the rows of the same one for one side of a cut.
+/// Consecutive interactions, each with the rows of one cut interaction for one side of the cut.
 struct Sides {
     std::int32_t first, count;
-    bool soften;  ///< Their Σ as large as stability needs, see soften_sides().
+    bool soften;  ///< Raise their Σ to the minimum for stability, see soften_sides().
 };
 
 class System {
@@ -63,19 +62,20 @@ class System {
     System(const System&) = delete;
     System& operator=(const System&) = delete;
 
-    /// Choose forms, order, analyse, make room. Called when the set of bodies or interactions
-    /// changed, or which bodies are asleep: these count as fixed, and what holds them is left out.
-    /// @param state  Of the analysis of the same system elsewhere, to go on from; null: none.
+    /// Choose forms, compute the order, analyse and allocate. Call it if the set of bodies or
+    /// interactions has changed, or the set of bodies asleep. Bodies asleep count as fixed, and the
+    /// interactions with such a body are left out.
+    /// @param state  Analysis of the same system elsewhere from which to continue; null: none.
     /// @throws std::bad_alloc.
     void analyse(const model::Bodies& bodies, model::Interactions& interactions,
                  const WorldDef& def, int threads, const factor::AnalysisState* state = nullptr);
-    /// Follow to contacts.touching() where links stay: the list of contributions alone.
-    /// @throws std::bad_alloc; analyse() then.
+    /// Update the list of contributions for contacts.touching() if the links are unchanged.
+    /// @throws std::bad_alloc; call analyse() then.
     void follow_touching(const model::Bodies& bodies, const model::Interactions& interactions);
-    /// Follow to contacts.links: order, structure and addresses. Forms and floors stay as they are.
-    /// @throws std::bad_alloc; analyse() then.
+    /// Update order, structure and addresses for contacts.links. Forms and floors do not change.
+    /// @throws std::bad_alloc; call analyse() then.
     void relink(const model::Bodies& bodies, const model::Interactions& interactions, int threads);
-    /// What an analysis goes on from, to go back to where one fails.
+    /// Data from which an analysis starts, for a return if the analysis fails.
     struct Kept {
         factor::KeptAnalysis analysis;
         std::vector<std::int32_t> node_of_body, node_of_interaction;
@@ -85,16 +85,18 @@ class System {
     void keep(Kept& out) const;
     /// Only analyse() makes the system one again.
     void go_back(Kept& to) noexcept;
-    /// Bytes that the factorisation may take. @throws LimitError from analyse() and relink() where
-    /// it would take more.
+    /// Limit of the memory of the factorisation [B]. @throws LimitError from analyse() and relink()
+    /// if more is needed.
     double most_bytes = 1e15;
-    bool consistent_mass = true;  ///< Elements move as such (View::pair_mass); else none does.
-    /// What the last of these did.
+    /// Elements have consistent mass (View::pair_mass); else lumped mass.
+    bool consistent_mass = true;
+    /// Return the report of the last update of the order.
     [[nodiscard]] const factor::RepairReport& report() const noexcept { return report_; }
-    /// Steps of batches whose contributions the last list took over from the one before.
+    /// Return the number of batch steps whose contributions the last list copied from the list
+    /// before.
     [[nodiscard]] std::ptrdiff_t carried() const noexcept { return history_.carried(); }
 
-    /// Raw pointers for the kernels; valid until the next analyse().
+    /// Return raw pointers for the kernels; valid until the next analyse().
     [[nodiscard]] View view(model::Bodies& bodies, model::Interactions& interactions,
                             const WorldDef& def) noexcept;
 
@@ -102,54 +104,56 @@ class System {
     const factor::Pattern& pattern = analysis.pattern();
     const factor::Symbolic& symbolic = analysis.symbolic();
     factor::Numeric numeric;
-    factor::DirtyParts dirty;         ///< Of a world in which something may touch.
-    factor::Unsymmetric unsymmetric;  ///< Of a world in which something may touch.
+    factor::DirtyParts dirty;         ///< Used if something may touch.
+    factor::Unsymmetric unsymmetric;  ///< Used if something may touch.
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
     Strips strips;
     Contacts contacts;
     base::Array<Op> ops;           ///< By column of the matrix.
-    base::Array<LaneOp> lane_ops;  ///< By place in the panels.
-    /// Interactions that no step looks at, and those that stand for them, each for the bodies of
-    /// one side (split/cuts.h). To be set before analyse().
+    base::Array<LaneOp> lane_ops;  ///< Sorted by address in the panels.
+    /// Cut interactions, which no step evaluates, and their replacements for the bodies of each
+    /// side (split/cuts.h). Set both before analyse().
     std::vector<std::int32_t> left_out;
     std::vector<Sides> sides;
-    bool keeps_momentum = false;           ///< View::momentum is not null. Before analyse().
-    std::vector<std::int32_t> bounded;     ///< Interactions with a bounded force, ascending.
-    std::vector<double> bounded_mobility;  ///< Of their first row: G M⁻¹ Gᵀ at the last analysis.
-    /// Friction of lines on what they run over, whose bound is part of the matrix
-    /// (solve/capstans.h). None where other methods than Newton's find the forces.
+    bool keeps_momentum = false;        ///< View::momentum is not null. Set it before analyse().
+    std::vector<std::int32_t> bounded;  ///< Interactions with a bounded force, ascending.
+    /// G M⁻¹Gᵀ of the first row of each at the last analysis.
+    std::vector<double> bounded_mobility;
+    /// Friction of lines at turning points, whose bound is part of the matrix (solve/capstans.h).
+    /// Empty if another method than Newton's computes the forces.
     std::vector<Capstan> capstans;
-    std::vector<CapstanEntry> capstan_entries;  ///< Those of one capstan follow each other.
+    std::vector<CapstanEntry> capstan_entries;  ///< Entries of one capstan are consecutive.
     base::Array<std::uint8_t> turning;          ///< View::turning.
     std::vector<std::int32_t> breakable;
-    std::vector<double> breaking_load;  ///< Of each breakable one [N].
+    std::vector<double> breaking_load;  ///< Breaking load of each breakable interaction [N].
 
     /// Write the blocks of one of numeric.pieces() into its panels, which are zero.
     void write_blocks(const View& view, int piece, double* panel) const noexcept;
-    /// What contacts that slide add beyond the symmetric part that write_blocks() wrote to both
-    /// halves of a piece with unsymmetric fronts (factor/unsymmetric.h).
+    /// Add the unsymmetric contributions of sliding contacts to one piece with unsymmetric fronts
+    /// (factor/unsymmetric.h). write_blocks() wrote the symmetric part to both halves.
     void write_skew(const View& view, int piece, double* upper) const noexcept;
-    /// Write the blocks, and what contacts that slide add to them, for a part of the panels.
+    /// Write the blocks and the contributions of sliding contacts for a part of the panels.
     void write_blocks(const View& view, const factor::DirtyParts& part, double* panel,
                       base::Executor& executor) const noexcept;
     void write_skew(const View& view, const factor::DirtyParts& part, double* upper,
                     base::Executor& executor) const noexcept;
-    /// Write what capstans add to both halves, with CapstanEntry::value as it is, of one piece.
+    /// Add the contributions of capstans to both halves of one piece, with the present
+    /// CapstanEntry::value.
     void write_capstans(int piece, double* panel, double* upper) const noexcept;
-    /// Node whose column holds a block of contacts.
+    /// Return the node whose column contains a block of contacts.
     [[nodiscard]] std::int32_t column_of(const ContactBlock& block) const noexcept {
         return factor::DirtyParts::column(symbolic, node_of_body[static_cast<std::size_t>(block.a)],
                                           node_of_body[static_cast<std::size_t>(block.b)]);
     }
 
-    /// Whether an interaction is left out, since its bodies sleep.
+    /// @return true if an interaction is left out because its bodies sleep.
     [[nodiscard]] bool rests(std::int32_t id) const noexcept {
         return rests_[static_cast<std::size_t>(id)] != 0;
     }
     [[nodiscard]] std::size_t bytes() const noexcept;
-    /// Whether the system, with the bodies and interactions of a model of `model` bytes, holds more
-    /// memory than at any call before [B]; counts as one growth.
+    /// @return true if the system and a model of `model` bytes need more memory [B] than at any
+    ///        call before. This counts as one growth.
     [[nodiscard]] bool grew(std::size_t model) noexcept {
         const std::size_t held = bytes() + model, before = held_;
         held_ = std::max(held, before);
@@ -157,33 +161,33 @@ class System {
     }
 
   private:
-    /// What a view shows of the arrays of the system.
+    /// Set the pointers of a view to the arrays of the system.
     void show_own(View& v) noexcept;
     void find_resting(const model::Bodies& bodies, const model::Interactions& interactions);
     void place_masses(const model::Interactions& interactions);
     void build_incidence(const model::Bodies& bodies, const model::Interactions& interactions);
-    /// Links: rigid bodies that only two ball joints touch, of which the first has them as its
-    /// second body. In a chain one's second joint is the next one's first, and bodies, joints and
-    /// all that belongs to them stand in a row.
+    /// Find links: rigid bodies with exactly two ball joints and nothing else. The first joint has
+    /// the link as its second body. In a chain the second joint of a link is the first joint of the
+    /// next. The data of links and joints are consecutive in memory.
     void find_links(const model::Bodies& bodies);
-    /// Where Jacobians and geometric terms are.
+    /// Assign addresses of Jacobians and geometric terms.
     void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions);
-    /// Sets mobilities of dampers, and what follows from them.
+    /// Set the mobilities of dampers and the fractions of damping that depend on them.
     void share_damping(const model::Bodies& bodies, model::Interactions& interactions,
                        double h) const;
-    /// Sets least_sigma of the rows of sides.
+    /// Set least_sigma of the rows of sides.
     void soften_sides(const model::Bodies& bodies, model::Interactions& interactions, double h);
     void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def);
-    /// Nodes and edges of the pattern that is next, and what each node was. @return of these how
-    /// many came or went.
+    /// Build the nodes and edges of the next pattern, and the previous node of each. @return the
+    /// number of nodes added and removed.
     std::int32_t build_pattern(const model::Bodies& bodies,
                                const model::Interactions& interactions);
     void find_islands(const model::Interactions& interactions);
     void find_bounded(const model::Interactions& interactions);
     void find_capstans(const model::Interactions& interactions, const WorldDef& def);
     void place_capstans(const model::Interactions& interactions);
-    /// Whether a matrix may be unsymmetric.
+    /// @return true if a matrix may be unsymmetric.
     [[nodiscard]] bool may_skew() const noexcept {
         return !contacts.blocks.empty() || !capstans.empty();
     }
@@ -229,16 +233,16 @@ class System {
     void check_memory(const model::Bodies& bodies, const model::Interactions& interactions,
                       int threads) const;
 
-    std::size_t held_ = 0;  ///< See grew().
+    std::size_t held_ = 0;  ///< Maximum memory so far [B], see grew().
     factor::RepairReport report_;
-    bool ordered_ = false;                                        ///< There is an order to repair.
-    std::vector<std::int32_t> old_of_new_;                        ///< Nodes.
+    bool ordered_ = false;                  ///< An order exists, which can be repaired.
+    std::vector<std::int32_t> old_of_new_;  ///< Nodes.
     std::vector<std::int32_t> body_before_, interaction_before_;  ///< Their nodes.
     factor::Pattern next_;
     factor::EdgeDealer edge_dealer_;
     std::vector<std::int32_t> edge_from_, edge_to_;
     graph::IslandFinder island_finder_;
-    std::vector<std::int32_t> member_begin_, members_;  ///< Of islands.
+    std::vector<std::int32_t> member_begin_, members_;  ///< Members of islands.
     std::vector<std::int32_t> cursor_;                  ///< Scratch, by body.
     std::vector<double> side_mobility_;                 ///< Scratch of soften_sides().
     std::vector<std::pair<std::int64_t, std::int32_t>> column_place_;  ///< Addresses, positions.
@@ -250,13 +254,13 @@ class System {
     base::Array<Op> ops_before_;  ///< The last list.
     base::Array<LaneOp> lane_ops_before_;
     OpHistory history_;
-    std::vector<std::int64_t> op_place_, lane_place_;  ///< Of each op, ascending.
+    std::vector<std::int64_t> op_place_, lane_place_;  ///< Address of each op, ascending.
     std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.
     base::Array<GeoPlace> geo_place_;
     base::Array<std::uint8_t> dof_, kept_, rests_;
     base::Array<std::uint8_t> links_;        ///< View::links.
     base::Array<std::uint8_t> among_lumps_;  ///< View::among_lumps.
-    base::Array<double> pair_mass_;          ///< View::pair_mass; empty: there is none.
+    base::Array<double> pair_mass_;          ///< View::pair_mass; empty: none.
     base::Array<std::int32_t> incident_begin_;
     base::Array<Incidence> incident_;
     std::vector<std::int32_t> incident_of_;  ///< Interaction of each.

@@ -26,7 +26,7 @@ HAWSER_INLINE __m256i first_mask(int n, int k) {
                               _mm256_set_epi64x(3, 2, 1, 0));
 }
 #endif
-/// 1 in the lanes whose bits are set, 0 in the others.
+/// Return 1 in the lanes whose bits are set, 0 in the others.
 HAWSER_INLINE V8 bit_lanes(std::uint8_t bits) {
 #if defined(__AVX512F__)
     return _mm512_maskz_mov_pd(bits, _mm512_set1_pd(1.0));
@@ -55,23 +55,24 @@ HAWSER_INLINE V8 load_first(const double* p, int n) {
     return load(v);
 #endif
 }
-/// Does load_at_least() read what it is asked for, and nothing behind it?
+/// True if load_at_least() reads only the requested entries.
 #if defined(__AVX512F__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kExactLoads = true;
 #else
 inline constexpr bool kExactLoads = false;
 #endif
-/// p[0..n), n > 0; other lanes hold anything. Without masks a whole vector is read: another thread
-/// may be writing what lies behind p + n, which is not used; the thread sanitizer cannot know.
+/// Load p[0..n), n > 0; other lanes are undefined. Without masks a whole vector is read. Another
+/// thread may be writing behind p + n; the result is not used, but the thread sanitizer cannot
+/// detect this.
 HAWSER_INLINE V8 load_at_least(const double* p, int n) {
     return kExactLoads ? load_first(p, n) : load(p);
 }
-/// p[i] = lane i for begin ≤ i < end.
+/// Store lane i in p[i] for begin ≤ i < end.
 HAWSER_INLINE void store_lanes(double* p, const V8& v, int begin, int end) {
 #if defined(__AVX512F__)
     _mm512_mask_storeu_pd(p, lane_mask(begin, end), v);
 #else
-    // No masked stores on AVX2: some processors take dozens of steps for one.
+    // No masked stores on AVX2: on some processors one takes dozens of cycles.
     if (begin <= 0 && end >= kLanes) return store(p, v);
     double lanes[kLanes];
     store(lanes, v);
@@ -106,7 +107,7 @@ HAWSER_INLINE V8 gather_range(const double* x, const std::int32_t* index, int be
     const __m256i i = _mm256_maskz_loadu_epi32(used, index);
     return _mm512_mask_i32gather_pd(_mm512_setzero_pd(), used, i, x, 8);
 #elif defined(__AVX2__)
-    // Not through memory: a vector cannot be read at once from what was stored by entries.
+    // Not through memory: a vector load of entries stored separately has to wait.
     auto one = [&](int i) { return i >= begin && i < end ? x[index[i]] : 0.0; };
     V8 v{};
     for (int i = 0; i < kLanes; i += kPartLanes)
@@ -160,7 +161,7 @@ HAWSER_INLINE void add_first(double* to, const double* from) {
 #endif
 }
 
-/// out[0..N) += the first N lanes of v; N = 1, 3 or 6. Nothing else is touched.
+/// Add the first N lanes of v to out[0..N); N = 1, 3 or 6. No other entry is read or written.
 template <int N>
 HAWSER_INLINE void add_lanes(double* out, const V8& v) {
     double lanes[8];

@@ -31,7 +31,7 @@ HAWSER_INLINE void set_part(V8& v, int, const Part& p) { v = p; }
 HAWSER_INLINE V8 load(const double* p) { return *reinterpret_cast<const V8*>(p); }
 HAWSER_INLINE void store(double* p, const V8& v) { *reinterpret_cast<V8*>(p) = v; }
 HAWSER_INLINE double lane(const V8& v, int i) { return v[i]; }
-/// v with the lanes from `count` on set to zero (whatever they held).
+/// Return v with the lanes from `count` on set to zero, whatever they contain.
 HAWSER_INLINE V8 first_lanes(const V8& v, int count) {
     const I8 index = {0, 1, 2, 3, 4, 5, 6, 7};
     const I8 keep = index < static_cast<long long>(count);
@@ -57,15 +57,16 @@ HAWSER_INLINE V8 select_greater(const V8& a, const V8& b, const V8& x, const V8&
 }
 // Not _mm512_sqrt_pd: g++ 12 warns falsely inside it.
 HAWSER_INLINE V8 root(const V8& v) { return _mm512_maskz_sqrt_pd(0xff, v); }
-/// Lanes whose pivot has the wrong sign or is not finite get the sign itself; kKeep: those that are
-/// finite and not zero stay. @return 1 in lanes of the wrong sign, or not finite.
+/// Replace pivots that have the wrong sign or are not finite by the sign. With kKeep, finite
+/// non-zero pivots stay.
+/// @return 1 in lanes with the wrong sign or a value that is not finite.
 template <bool kKeep>
 HAWSER_INLINE V8 fix_pivot(V8& d, double sign) {
     const I8 finite = d - d == 0.0, good = (d * sign > 0.0) & finite;
     d = (kKeep ? (d != 0.0) & finite : good) ? d : V8{} + sign;
     return good ? V8{} : V8{} + 1.0;
 }
-/// x[index] lane by lane; 0 where the index is negative.
+/// Gather x[index] lane by lane; 0 if the index is negative.
 HAWSER_INLINE V8 gather_lanes(const double* x, const std::int32_t* index) {
     const __m256i i = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
     const __mmask8 used = _mm256_cmp_epi32_mask(i, _mm256_setzero_si256(), _MM_CMPINT_NLT);
@@ -246,7 +247,7 @@ HAWSER_INLINE bool any(const V8& v) {
 #endif
 #endif
 }
-// What templates over vectors and single numbers need, for one number.
+// Scalar versions of functions used by templates over vectors and numbers.
 HAWSER_INLINE double root(double v) { return __builtin_sqrt(v); }
 HAWSER_INLINE double select_greater(double a, double b, double x, double y) {
     return a > b ? x : y;

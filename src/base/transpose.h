@@ -8,7 +8,7 @@
 namespace hawser::HAWSER_ISA {
 
 #if !defined(__AVX512F__)
-/// Transpose as many registers as one has lanes: lane j of p[i] becomes lane i of p[j].
+/// Transpose as many registers as a register has lanes: lane j of p[i] becomes lane i of p[j].
 HAWSER_INLINE void transpose(Part (&p)[kPartLanes]) {
 #if defined(__AVX2__)
     const PartMask even = {0, 4, 2, 6}, odd = {1, 5, 3, 7};
@@ -27,7 +27,7 @@ HAWSER_INLINE void transpose(Part (&p)[kPartLanes]) {
 }
 #endif
 
-/// Turn eight vectors round: lane j of v[i] becomes lane i of v[j].
+/// Transpose eight vectors: lane j of v[i] becomes lane i of v[j].
 HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
 #if defined(__AVX512F__)
     const I8 even = {0, 8, 2, 10, 4, 12, 6, 14}, odd = {1, 9, 3, 11, 5, 13, 7, 15};
@@ -207,7 +207,7 @@ HAWSER_INLINE void load_lanes(const double* base, const std::int32_t* from, V8 (
     transpose(v);
 }
 
-/// Whether eight records of N entries follow each other in memory.
+/// Return true if eight records of N entries are contiguous in memory.
 template <int N>
 [[nodiscard]] HAWSER_INLINE bool follow_each_other(const std::int32_t* from) {
     std::int32_t off = 0;

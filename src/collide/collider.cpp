@@ -21,10 +21,10 @@ constexpr int kContactChunk = 256;
 
 constexpr std::size_t kChunkRoom = kPairChunk * kMaxManifold;
 
-/// Points of one friction memory are this many margins apart at most when the feature changes.
+/// Largest distance between points of one friction memory if the feature changes, in margins.
 constexpr double kMatchMargins = 2.0;
 
-/// Inside out: meets nothing, not even itself.
+/// Inverted box: it meets no box, not even itself.
 constexpr Bounds kNowhere{{4e30, 4e30, 4e30}, {-4e30, -4e30, -4e30}};
 
 }  // namespace
@@ -34,8 +34,8 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
     find_owners(bodies.count());
     find_lines(interactions, bodies.count());
     filter_.build(shapes_, bodies.count(), interactions);
-    // Others stay as they were: collide() places all anew, and what the broad phase makes of their
-    // boxes here changes nothing but its time.
+    // Boxes of other shapes need no update: collide() places all shapes again. Their old boxes
+    // affect only the time of the broad phase.
     if (all_new_) placed_.clear();
     all_new_ = false;
     if (placed_.size() > shapes_.size()) placed_.resize(shapes_.size());
@@ -87,7 +87,7 @@ void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& 
     pool.for_each(base::chunks(shapes_.size(), kPlaceChunk), task);
 }
 
-/// Room for whatever the pairs may give: tasks do not allocate.
+/// Allocate for the largest possible number of contacts, since tasks do not allocate.
 void Collider::make_chunks(int tasks) {
     if (static_cast<int>(chunks_.size()) >= tasks) return;
     const auto room = at(tasks + tasks / 2 + 1);
@@ -128,7 +128,7 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
     const int tasks = base::chunks(pairs_.size(), kPairChunk);
     std::size_t total = 0;
     for (int i = 0; i < tasks; ++i) total += at(chunk_size_[at(i)]);
-    // Duplicates are yet to go, which are fewer than those that stay.
+    // Duplicates are still included; they are at most half of the total.
     const auto refuse_beyond = [](std::size_t n, std::size_t most) {
         if (n > most)
             throw LimitError({Bound::contacts, static_cast<double>(n), static_cast<double>(most)});
@@ -230,11 +230,11 @@ bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& aslee
 
 namespace {
 
-/// Whether a swept box is where numbers still tell lengths from each other: diverging motions get
-/// anywhere within a step.
+/// @return true if a swept box lies in a range where differences of coordinates are meaningful.
+///        Diverging motions reach any position within a step.
 bool has_place(const Placed& p) noexcept {
     constexpr double kFarthest = 1e100;                 // [m]: products of three of it are finite
-    if (p.swept.low[0] > p.swept.high[0]) return true;  // of a segment that has parted
+    if (p.swept.low[0] > p.swept.high[0]) return true;  // segment of a parted line
     for (int k = 0; k < 3; ++k)
         if (!(std::fabs(p.swept.low[k]) < kFarthest) || !(std::fabs(p.swept.high[k]) < kFarthest))
             return false;
@@ -256,7 +256,7 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
     finite_ = true;
     try {
         place_all(bodies, h, pool);
-        // Boxes of no place have no order either, by which the sweep sorts them.
+        // Boxes that are not finite have no order, and the sweep sorts them.
         finite_ = std::all_of(placed_.begin(), placed_.end(), has_place);
         if (!finite_) return nothing();
         broad_.find(placed_, filter_, h, margin,

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file collider.h
-/// All shapes of a world, and stage collide: poses in, contacts out.
+/// All shapes of a world, and the stage that computes contacts from poses.
 ///
-/// 1. Place every shape; box what it can reach within the step (placing.h).
-/// 2. Broad phase: pairs of boxes that meet (broad.h), as far as the filter allows (filter.h).
-/// 3. Narrow phase: the manifold of each pair (geometry.h), reduced (touch.h).
-/// 4. Duplicates at shared lumps go; each contact finds itself in the last step's set (match.h).
-///    What is asleep goes to the end (set_aside()).
+/// 1. Place every shape; compute the box that it can reach within the step (placing.h).
+/// 2. Broad phase: find the pairs of boxes that meet (broad.h), as far as the filter allows
+///    (filter.h).
+/// 3. Narrow phase: compute the manifold of each pair (geometry.h) and reduce it (touch.h).
+/// 4. Remove duplicates at shared lumps; find each contact in the set of the last step (match.h).
+///    Move contacts of bodies asleep to the end (set_aside()).
 ///
-/// Pairs are dealt out in chunks of fixed size and results are put together in the order of their
-/// keys, so threads, and what the broad phase remembers, change no bit of them. Nothing is
-/// allocated while the numbers of shapes, pairs and contacts stay below what they have been.
+/// Tasks process chunks of pairs of fixed size, and results are merged in the order of their keys.
+/// Neither threads nor the memory of the broad phase change a bit of the results. No memory is
+/// allocated while the numbers of shapes, pairs and contacts stay below their maxima so far.
 ///
-/// Continuous detection: boxes and margins grow with the velocities, so that a contact is there in
-/// the step before two shapes would pass through each other; the solver then keeps gap + h v_n ≥ 0.
-/// Not covered: a speed that first arises within the step (more than margin/h per step), and the
-/// solver holds a shape off the tangent plane at the closest points, so that fast shapes can touch
-/// beside an edge which they would just have missed.
+/// Continuous detection: boxes and margins grow with the velocities. A contact exists in the step
+/// before two shapes would pass through each other. The solver then keeps gap + h v_n ≥ 0.
+///
+/// Limits: a speed of more than margin/h that first arises within the step is not covered. The
+/// solver keeps a shape on one side of the tangent plane at the closest points. Fast shapes can
+/// therefore touch beside an edge that they would just have missed.
 
 #include "base/executor.h"
 #include "base/memory.h"
@@ -41,77 +43,78 @@ namespace hawser::collide {
 class Collider {
   public:
     Materials materials;
-    /// Shapes closer than this are in contact before they touch [m], see touch().
+    /// Largest gap at which shapes are in contact [m], see touch().
     double margin = 0.02;
-    /// Contacts of a step, and eight times as many pairs of shapes, that collide() finds at most.
+    /// Maximum number of contacts of a step. The maximum number of pairs of shapes is eight times
+    /// as large.
     std::int32_t most_contacts = 1'000'000'000;
-    double most_bytes = 1e15;  ///< That its arrays may take.
+    double most_bytes = 1e15;  ///< Limit of the memory of the arrays [B].
 
-    /// The definition has been checked (world/shape_checks.h) and its bodies exist. @return its
-    /// index. @throws DefError for vertices without volume, std::bad_alloc.
+    /// Add a shape. Its definition has been checked (world/shape_checks.h) and its bodies exist.
+    /// @return its index. @throws DefError for vertices without volume, std::bad_alloc.
     std::int32_t add(const ShapeDef& def, const model::Bodies& bodies);
     /// So that remove() does not throw. @throws std::bad_alloc.
     void make_room() {
         places.make_room();
-        base::make_room(new_, shapes_.size() + 2);  // all of them may go
+        base::make_room(new_, shapes_.size() + 2);  // all of them may be removed
     }
-    /// Nothing touches it any more. What was remembered of its contacts is for the caller to
-    /// forget: kept().
+    /// Remove a shape that nothing touches. The caller removes the memory of its contacts: see
+    /// forget().
     void remove(std::int32_t shape) noexcept;
-    /// A segment goes between other bodies, one of which may hold it at a point of its frame [m].
-    /// What was remembered of its contacts is for the caller to forget.
+    /// Attach a segment to other bodies. One of them may hold it at a point of its frame [m]. The
+    /// caller removes the memory of its contacts: see forget().
     void rewire(std::int32_t shape, std::int32_t first, std::int32_t second, const Vec3& point,
                 const model::Bodies& bodies) noexcept;
-    /// Take away the places from `kept` on, whose shapes have touched nothing yet.
+    /// Remove the places from `kept` on, whose shapes have not touched anything yet.
     void truncate(std::int32_t kept) noexcept;
-    /// Whether the box of a shape, at the present poses and with the margin, meets that of another
-    /// one there: what is near must not depend on steps before. @param f  Called with the other
-    /// one.
+    /// Call f with each other shape whose box meets the box of a shape, both at the present poses
+    /// and with the margin. The result does not depend on earlier steps. @param f  Called with the
+    /// Shape.
     template <class F>
     void each_near(std::int32_t shape, const model::Bodies& bodies, double h, F&& f) const;
     base::Places places;
     [[nodiscard]] int count() const noexcept { return static_cast<int>(shapes_.size()); }
     [[nodiscard]] const std::vector<Shape>& shapes() const noexcept { return shapes_; }
 
-    /// Set up for the shapes, materials, interactions that there are now. Keeps a pointer to
-    /// `interactions`: a segment of a line that has parted touches nothing any more, and one that a
-    /// body holds begins where the line does.
+    /// Set up for the present shapes, materials and interactions. Keeps a pointer to
+    /// `interactions`: a segment of a parted line touches nothing, and a segment held by a body
+    /// begins at the end of the line.
     /// @throws std::bad_alloc.
     void prepare(const model::Bodies& bodies, const model::Interactions& interactions, double h);
 
-    /// Contacts at the present poses; `out.surfaces` stays as surfaces() filled it.
-    /// @return false where memory could not grow, or over() or finite() say more; `out` is then
-    /// empty.
+    /// Compute the contacts at the present poses; `out.surfaces` stays as surfaces() set it.
+    /// @return false if memory could not grow, or for the reason in over() or finite(); `out` is
+    ///        then empty.
     [[nodiscard]] bool collide(const model::Bodies& bodies, double h, ContactSet& out,
                                base::Executor& pool) noexcept;
-    /// The bound that the last collide() met, if any.
+    /// Return the limit that the last collide() reached, if any.
     [[nodiscard]] const BoundMet& over() const noexcept { return over_; }
-    /// Whether all shapes had a place in the last collide(): else bodies move beyond all numbers.
+    /// @return true if all boxes in the last collide() were finite; else a motion diverges.
     [[nodiscard]] bool finite() const noexcept { return finite_; }
-    /// The step with these contacts is done: from now on they are what Contact::previous counts.
-    /// Before it, collide() may be called again (a step that failed is tried again).
+    /// Accept the contacts of the last collide() after the step is done. Contact::previous then
+    /// counts them. Before that, collide() may be called again if a failed step is repeated.
     void keep() noexcept {
         kept_.swap(found_);
         kept_awake_ = found_awake_;
     }
-    /// Contacts that act on a body asleep go behind the others: each either has no other body with
-    /// freedom, or only such as sleep too. @param asleep  1 a body. @return false where memory
-    /// could not grow.
+    /// Move contacts that act on a body asleep behind the others. Their other bodies have no
+    /// freedom or sleep too. @param asleep  1 for a body asleep. @return false if memory could not
+    /// grow.
     [[nodiscard]] bool set_aside(ContactSet& out, const base::Array<std::uint8_t>& asleep) noexcept;
-    /// Contacts of the last step that was done, in the order of its set: the memory that a restored
-    /// world needs to go on bit for bit.
+    /// Return the contacts of the last completed step, in the order of its set. A restored world
+    /// needs them to continue with the same bits.
     [[nodiscard]] base::Array<KeptContact>& kept() noexcept { return kept_; }
     [[nodiscard]] const base::Array<KeptContact>& kept() const noexcept { return kept_; }
 
-    /// The same in the set that the step under way found. @param stays  1 a contact: the others
-    /// are forgotten.
+    /// Remove the memory of contacts of kept() that no longer apply. @param stays  For each
+    /// contact: 0 to remove it.
     void forget(const std::vector<std::uint8_t>& stays) noexcept;
-    /// Of kept(), those that took part: they come first.
+    /// Return the number of contacts in kept() that took part in the step: they come first.
     [[nodiscard]] std::size_t& kept_awake() noexcept { return kept_awake_; }
     [[nodiscard]] const std::size_t& kept_awake() const noexcept { return kept_awake_; }
 
     void surfaces(double h, ContactSet& out) const { materials.surfaces(h, out.surfaces); }
-    /// Copy of the shapes and of what is remembered of their contacts.
+    /// Copy of the shapes and of the memory of their contacts.
     struct Kept {
         base::Places places;
         std::vector<Shape> shapes;
@@ -124,10 +127,10 @@ class Collider {
     /// Back to a copy; prepare() before the next use.
     void go_back(Kept& to) noexcept;
 
-    /// Where each shape was in the last collide().
+    /// Return the placement of each shape in the last collide().
     [[nodiscard]] const base::Array<Placed>& placed() const noexcept { return placed_; }
     [[nodiscard]] std::size_t pairs() const noexcept { return pairs_.size(); }
-    /// Times that capacity grew in collide() since the start.
+    /// Return how often capacity grew in collide() since the start.
     [[nodiscard]] std::int64_t growths() const noexcept { return growths_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -140,7 +143,7 @@ class Collider {
     void find_lines(const model::Interactions& interactions, int body_count);
 
     std::vector<Shape> shapes_;
-    std::vector<std::shared_ptr<const ShapeData>> data_;  ///< Of each shape, or null.
+    std::vector<std::shared_ptr<const ShapeData>> data_;  ///< Data of each shape, or null.
     const model::Interactions* lines_ = nullptr;
     Filter filter_;
     Broad broad_;
@@ -154,7 +157,7 @@ class Collider {
     BoundMet over_;
     bool finite_ = true;
     base::Array<std::uint8_t> drop_, taken_;
-    std::vector<std::int32_t> new_;  ///< Shapes that came or went since prepare().
+    std::vector<std::int32_t> new_;  ///< Shapes added or removed since prepare().
     bool all_new_ = false;           ///< All did.
     /// A piece of a line, listed at its end with the lower index.
     struct Line {

@@ -15,7 +15,8 @@ namespace {
 using nonsmooth::Cone;
 using nonsmooth::Resistance;
 
-/// Velocity and impulse of three rows, a share of the way, and how far u goes on the whole way.
+/// Velocity and impulse of three rows at a fraction of the way, and the change of u over the whole
+/// way.
 struct Along {
     double u[3], lambda[3], change[3];
 };
@@ -43,7 +44,8 @@ double slope_of(const Along& a, const double impulse[3]) noexcept {
     return sum;
 }
 
-/// @param normal  Impulse that the bounds go by.
+/// Return the part of a resistance in the slope ψ.
+/// @param normal  Impulse that determines the bounds.
 double resistance_slope(const Resistance& r, double normal, const double* from, double t) noexcept {
     const Along a = along_way(from, r.u, r.lambda, t);
     double impulse[3];

@@ -91,7 +91,7 @@ void shorten(Model& model, const Newton& newton, double t) noexcept {
 
 namespace {
 
-/// The part of resistances in contacts_merit().
+/// Return the part of resistances in contacts_merit().
 double resistance_merit(const Model& model, const Newton& newton, double t) noexcept {
     const Contacts& contacts = model.system.contacts;
     const assembly::Resistances& resistances = contacts.resistances;
@@ -136,7 +136,7 @@ double contacts_merit(const Model& model, const Newton& newton, double t) noexce
 
 namespace {
 
-/// The larger, or what is not a number.
+/// Return the larger value, or NaN.
 double nan_or_more(double a, double b) noexcept { return b <= a || a != a ? a : b; }
 
 }  // namespace

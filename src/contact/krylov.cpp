@@ -14,7 +14,7 @@ namespace {
 using nonsmooth::Cone;
 using nonsmooth::Resistance;
 
-/// Share of the defect that may stay: the next iteration takes up the rest.
+/// Fraction of the defect that may remain; the next iteration treats it.
 constexpr double kTolerance = 0.1;
 
 void times(const double* s, const double* u, double* out) noexcept {
@@ -22,11 +22,12 @@ void times(const double* s, const double* u, double* out) noexcept {
         out[i] = s[3 * i] * u[0] + s[3 * i + 1] * u[1] + s[3 * i + 2] * u[2];
 }
 
-/// Makes impulses on light and on heavy bodies comparable: λ² (W + Σ) is an energy.
+/// Return the scale that makes impulses on light and heavy bodies comparable: λ² (W + Σ) is an
+/// energy.
 double scale_of(const Cone& c) noexcept { return std::sqrt(c.mobility + c.sigma_n); }
 double scale_of(const Resistance& a) noexcept { return std::sqrt(a.mobility + a.sigma); }
 
-/// Scaled p' − S' u − λ of all rows.
+/// Compute the scaled p' − S' u − λ of all rows.
 void find_defects(const Model& model, const Newton& newton, double* w) noexcept {
     const assembly::Contacts& contacts = model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k, w += 3) {
@@ -57,7 +58,7 @@ void each_scale(const assembly::Contacts& contacts, F&& f) noexcept {
         for (int i = 0; i < 3; ++i) f(scale_of(a));
 }
 
-/// y = x + scaled (S' − S) u.
+/// Compute y = x + scaled (S' − S) u.
 void add_changes(const Model& model, const Newton& newton, const double* u, const double* x,
                  double* y) noexcept {
     const assembly::Contacts& contacts = model.system.contacts;
@@ -111,7 +112,7 @@ bool find_impulses(StepContext& ctx) noexcept {
         contacts.collect(v.solution, v.body_offset, u);
         add_changes(ctx.model, ctx.work.newton, u, x, gmres.image());
         left = gmres.take();
-        // Two flops an entry of L, forward and backward.
+        // Two flops per entry of L, forward and backward.
         ctx.work.solve.step_flops += 4 * ctx.model.system.symbolic.factor_nnz;
     }
     gmres.solution(w);

@@ -36,7 +36,7 @@ void project_all(Model& model) noexcept {
     }
 }
 
-/// Back to the iterate set aside. Its rows hold as those at hand do: to round-off.
+/// Return to the stored best iterate. Its rows hold like the current ones, to rounding.
 void take_best(Model& model, Work& work, runtime::Pool& pool) noexcept {
     const assembly::View v = row_view(model);
     const Newton& n = work.newton;
@@ -85,7 +85,7 @@ Status end_early(StepContext& ctx) noexcept {
     Contacts& contacts = ctx.model.system.contacts;
     if (ctx.work.newton.best < merit(ctx.model, ctx.work.newton, 0.0))
         take_best(ctx.model, ctx.work, ctx.pool);
-    constexpr double kPoor = 0.1;  // Worse tells less than how the last step ended.
+    constexpr double kPoor = 0.1;  // an iterate above this is worse than the end of the last step
     for (Cone& c : contacts.cones) c.coupling = nonsmooth::Coupling::lagged;
     if (ctx.work.stats.natural_map > kPoor) go_back_to_last(ctx.model, ctx.work.contact_speed);
     ctx.work.stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none);
@@ -97,7 +97,7 @@ Status end_early(StepContext& ctx) noexcept {
 }
 
 void end_hastily(Model& model, Work& work, runtime::Pool& pool) noexcept {
-    // After one iteration there is no other: that is when time is short.
+    // After a single iteration there is no better iterate, which happens when time is short.
     if (std::isfinite(work.newton.best) && work.newton.best < merit(model, work.newton, 0.0))
         take_best(model, work, pool);
     project_all(model);

@@ -17,7 +17,7 @@ using nonsmooth::Cone;
 
 namespace {
 
-/// Changes of state, within the iterations of one solve, after which the coupling is lagged.
+/// Changes of status within the iterations of one solve after which the coupling is lagged.
 constexpr int kMostChanges = 6;
 
 }  // namespace

@@ -9,22 +9,24 @@
 
 namespace hawser::stepper {
 
-/// Linearise a contact about the iterate; see linearise(). @param law  That of the last iterate;
-/// the new one. @param changes  Of its state in these iterations.
+/// Linearise a contact about the iterate; see linearise().
+/// @param law  In: law of the last iterate; out: the new one.
+/// @param changes  Number of changes of its status in these iterations.
 void renew_law(nonsmooth::Cone& cone, nonsmooth::Law& law, std::uint8_t& changes) noexcept;
 
-/// Where the laws of the iterate before stand.
+/// Validity of the laws of the previous iterate.
 enum class LastLaws : std::uint8_t {
-    none,  ///< Newton::laws are of another solve.
-    known  ///< In Newton::laws: a direction of sliding that has turned since is noticed.
+    none,  ///< Newton::laws belong to another solve.
+    known  ///< Newton::laws are valid, so a reversed direction of sliding is detected.
 };
 
-/// Linear laws of all contacts about the iterate. With `known`, sliding that turns round passes
-/// through sticking (nonsmooth/cone.h), and a contact that has changed more than kMostChanges times
-/// in these iterations goes on with lagged coupling. In the convex phase laws are those of
-/// convex_phase.h. @return contacts whose status changed.
+/// Compute linear laws of all contacts about the iterate. With `known`, reversing sliding passes
+/// through sticking (nonsmooth/cone.h). A contact that has changed more than kMostChanges times in
+/// these iterations continues with lagged coupling. In the convex phase the laws are those of
+/// convex_phase.h.
+/// @return the number of contacts whose status changed.
 std::int32_t linearise(Model& model, Work& work, runtime::Pool& pool, LastLaws last) noexcept;
-/// Σ (W + Σ) ‖λ − P‖² over all, a share t of the way: an energy [J].
+/// Return Σ (W + Σ) ‖λ − P‖² over all, at a fraction t of the way: an energy [J].
 [[nodiscard]] double merit(const Model& model, const Newton& newton, double t) noexcept;
 
 }  // namespace hawser::stepper

@@ -24,16 +24,16 @@ constexpr int kExactWireIterations = 8;  ///< Before the convex phase.
 constexpr double kUnsettled = 1e-3;      ///< Natural map of a contact whose line is settled.
 constexpr double kWireConvexEnd = 5e-3;  ///< Natural map below which the convex phase ends.
 constexpr int kWireHalvings = 4;
-constexpr std::int64_t kFlopsOfNode = 500;  ///< Of an iteration.
+constexpr std::int64_t kFlopsOfNode = 500;  ///< Flops per node and iteration.
 
 // --- The problem ------------------------------------------------------------------------------
 
-/// a += factor × E, 3×3.
+/// Compute a += factor × E, 3×3.
 void add_scaled_identity(double factor, double* a) noexcept {
     for (int i = 0; i < 3; ++i) a[4 * i] += factor;
 }
 
-/// Stiffness of an element against relative velocities: w (E − uuᵀ) − μE.
+/// Compute the stiffness of an element against relative velocities: w (E − uuᵀ) − μE.
 void element_block(const View& v, std::int32_t id, double out[9]) noexcept {
     std::fill_n(out, 9, 0.0);
     add_scaled_identity(-assembly::pair_mass_of(v, id), out);
@@ -44,13 +44,13 @@ void element_block(const View& v, std::int32_t id, double out[9]) noexcept {
         for (int j = 0; j < 3; ++j) out[3 * i + j] -= record[0] * record[1 + i] * record[1 + j];
 }
 
-/// Node of a body in a chain, −1: held.
+/// Return the node of a body in a chain, −1: fixed.
 std::int32_t node_in(const WireChains& chains, std::int32_t chain, std::int32_t body) noexcept {
     return body >= 0 && chains.chain_of[at(body)] == chain ? chains.node_of[at(body)] : -1;
 }
 
-/// Fill in the elements of a chain, and what they add to the stiffness. @return false if one of
-/// them has no compliance or gives way to another force.
+/// Fill in the elements of a chain and add their stiffness.
+/// @return false if one of them has no compliance or is replaced by another force.
 bool read_elements(const Model& model, Newton& newton, const View& v, std::int32_t chain) noexcept {
     const WireChains& chains = newton.chains;
     WireNewton& wire = newton.wire;
@@ -89,7 +89,7 @@ bool read_elements(const Model& model, Newton& newton, const View& v, std::int32
     return true;
 }
 
-/// Add the lumps' own blocks; what is held keeps its velocity.
+/// Add the blocks of the nodes; fixed ones keep their velocity.
 void read_lumps(const Newton& newton, WireNewton& wire, const View& v, std::int32_t chain,
                 const Model& model) noexcept {
     const WireChains& chains = newton.chains;
@@ -113,7 +113,7 @@ void read_lumps(const Newton& newton, WireNewton& wire, const View& v, std::int3
     }
 }
 
-/// Chain of the first lump that a contact acts on, −1: none.
+/// Return the chain of the first node that a contact acts on, −1: none.
 std::int32_t chain_of_contact(const WireChains& chains, const assembly::ContactRow& row) noexcept {
     for (int slot = 0; slot < row.slots; ++slot) {
         const std::int32_t body = row.slot[slot].body;
@@ -131,7 +131,7 @@ void list_wire_contacts(const Model& model, Newton& newton) noexcept {
         if (const std::int32_t c = chain_of_contact(newton.chains, contacts.rows[k]); c >= 0)
             ++wire.begin[at(c) + 1];
     for (std::size_t i = 1; i < wire.begin.size(); ++i) wire.begin[i] += wire.begin[i - 1];
-    // From behind, begin[c + 1] goes down from the end of chain c to its begin.
+    // In reverse order, begin[c + 1] moves from the end of chain c to its start.
     const std::int32_t all = wire.begin.back();
     for (std::size_t k = contacts.count(); k-- > 0;)
         if (const std::int32_t c = chain_of_contact(newton.chains, contacts.rows[k]); c >= 0)
@@ -160,7 +160,7 @@ void read_contacts(const Model& model, Newton& newton, std::int32_t chain) noexc
 
 double part_way(double from, double to, double t) noexcept { return from + t * (to - from); }
 
-/// Σ (W + Σ) ‖λ − P‖² a share t of the way, as merit().
+/// Return Σ (W + Σ) ‖λ − P‖² at a fraction t of the way, as merit().
 double wire_merit(const WireNewton& wire, std::size_t contacts, double t) noexcept {
     double sum = 0.0;
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
@@ -184,7 +184,7 @@ double wire_merit(const WireNewton& wire, std::size_t contacts, double t) noexce
     return sum;
 }
 
-/// ψ of convex_phase.h.
+/// Return ψ of convex_phase.h.
 double wire_slope(const WireNewton& wire, std::size_t contacts, double t) noexcept {
     double sum = 0.0;
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
@@ -226,7 +226,8 @@ void keep_wire_iterate(WireNewton& wire, std::size_t contacts, double t) noexcep
     }
 }
 
-/// Switch elements that ask for it. @return how many do.
+/// Switch elements that request it.
+/// @return their number.
 std::int32_t switch_elements(const Model& model, const View& v, WireNewton& wire) noexcept {
     std::int32_t asking = 0;
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
@@ -261,7 +262,8 @@ void renew_wire_laws(WireNewton& wire, std::size_t contacts) noexcept {
     }
 }
 
-/// Iterate to the end. @return false if that did not come.
+/// Iterate to convergence.
+/// @return false if the iterations did not converge.
 bool iterate_wire(const Model& model, Work& work, const View& v, std::int32_t chain) noexcept {
     WireNewton& wire = work.newton.wire;
     const std::size_t contacts = contacts_of(wire, chain);
@@ -309,7 +311,7 @@ void adopt_wire(Model& model, Work& work, const View& v, std::int32_t chain) noe
     }
 }
 
-/// True if the global iterate leaves something to settle in a chain.
+/// True if a chain is unsettled in the global iterate.
 bool is_unsettled(const Model& model, const Work& work, const View& v,
                   std::int32_t chain) noexcept {
     const WireChains& chains = work.newton.chains;

@@ -1,38 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wire_newton.h
-/// Newton's method on one wire: contacts and elements of a line settled together.
+/// Newton's method on one wire: contacts and elements of a line solved together.
 ///
-/// Where a line begins to slide on a deck, its contacts and its elements that only pull decide each
-/// other, one after the other along the line. The global iteration sees a lump's answer a
+/// When a line begins to slide on a deck, its contacts and its pulling elements determine each
+/// other in sequence along the line. In the global iteration the response of a node comes a
 /// factorisation later. But a line by itself is a small problem: a block tridiagonal matrix of 3×3
-/// blocks. About the iterate at hand, at which momentum balances, with hulls and all that is no
-/// lump of the line held,
+/// blocks. It is solved about the current iterate, at which momentum balances. Hulls and all bodies
+/// other than nodes of the line are fixed:
 /// ```
 ///   K δv = Σ Gᵀ(λ' − λ) + Σ Jᵀ(λ' − λ)     elements:  g' = g − G δv, g = c − G v
 ///                                                     pulling: λ' = g'/Σ,  slack: λ' = 0
 ///   K: masses, drag, geometric stiffness   contacts:  u' = u + J δv,  λ' = p − S u'
 /// ```
-/// The error of what is held is the ratio of the masses of lump and hull. The iteration is that of
-/// newton.h: exact laws first, the convex phase (convex_phase.h) if they do not end, and the exact
-/// laws again. Per iteration and lump it costs about 300 multiplications: some hundredths of a
-/// factorisation of the whole.
+/// The error by fixing them is the ratio of the masses of node and hull. The iteration is that of
+/// newton.h: exact laws first, the convex phase (convex_phase.h) if they do not converge, and then
+/// exact laws again. An iteration costs about 300 multiplications per node, which is some
+/// hundredths of a factorisation of the whole matrix.
 ///
-/// Its result is a guess: the laws of the line's contacts and the statuses of its elements go into
-/// the next global iteration, whose own tests decide. A line that does not end here is left alone.
+/// Its result is a guess: the laws of the line's contacts and the statuses of its elements are used
+/// in the next global iteration, whose own tests decide. A line that does not converge here is left
+/// unchanged.
 ///
-/// **Limits.** Lumps that anything but elements of the line holds (bending, a winch, a shackle)
-/// count as held; a line with bending stiffness is therefore left to the global iteration.
+/// *Limits.* Nodes held by interactions other than elements of the line (bending, a winch, a
+/// shackle) count as fixed. A line with bending stiffness is therefore left to the global
+/// iteration.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Arrays for the contacts of this step. @throws std::bad_alloc.
+/// Reserve arrays for the contacts of this step.
+/// @throws std::bad_alloc.
 void reserve_wire_newton(const Model& model, Newton& newton);
 
-/// Settle each line of which an element has switched since the matrix was factored, or a contact is
-/// farther from its law than settled lines are. Call after linearise(), whose laws it replaces.
+/// Solve each line with an element that has switched since the matrix was factored, or with a
+/// contact farther from its law than settled lines are. Call after linearise(), whose laws it
+/// replaces.
 void settle_wire_contacts(Model& model, Work& work) noexcept;
 
 }  // namespace hawser::stepper

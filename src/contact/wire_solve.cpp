@@ -10,7 +10,7 @@ namespace {
 
 using nonsmooth::ChainBlock;
 
-/// Part of element e in the matrix and the right-hand side; it lies between nodes k and k + 1.
+/// Add element e, between nodes k and k + 1, to the matrix and the right-hand side.
 void add_element(const WireElement& e, ChainBlock* nodes) noexcept {
     const double inverse = e.active ? 1.0 / e.sigma : 0.0;
     const double impulse = e.active ? e.from.r * inverse : -e.from.lambda;
@@ -31,7 +31,7 @@ void times3(const double* a, const double* x, double* out) noexcept {
         out[i] = a[3 * i] * x[0] + a[3 * i + 1] * x[1] + a[3 * i + 2] * x[2];
 }
 
-/// Part of a contact: Jᵀ S J and Jᵀ(p − S u − λ), J of a slot being w E.
+/// Add a contact: Jᵀ S J and Jᵀ(p − S u − λ), with J = w E for a slot.
 void add_contact(const WireContact& c, const assembly::ContactRow& row,
                  std::vector<ChainBlock>& nodes) noexcept {
     const double* e = row.axis;
@@ -59,7 +59,7 @@ void add_contact(const WireContact& c, const assembly::ContactRow& row,
     }
 }
 
-/// Where the velocities δv of the nodes lead to.
+/// Compute the results of the velocities δv of the nodes.
 void finish_solve_of(const Model& model, WireNewton& wire, std::int32_t chain) noexcept {
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
         WireElement& e = wire.elements[at(k)];

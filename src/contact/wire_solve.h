@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wire_solve.h
-/// One iteration of wire_newton.h: velocities of the lumps of a wire for given laws and statuses.
+/// One iteration of wire_newton.h: velocities of the nodes of a wire for given laws and statuses.
 
 #include "base/index.h"
 #include "context/context.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file context.h
-/// Everything that a step reads and writes, in three parts: Model, State and Work. What they are
-/// made of is told by the headers of data that this one includes; what is done with them by those
-/// of functions, which include this one.
+/// Data that a step reads and writes, in three parts: Model, State and Work. The data headers
+/// included here declare them. Headers of functions include this one.
 
 #include <hawser/def.h>
 #include <hawser/stats.h>
@@ -47,8 +46,8 @@
 
 namespace hawser::stepper {
 
-/// What a step is taken of: constant from one preparation of the system to the next, but for what
-/// bodies, interactions, wires, cuts and groups carry of the state in arrays of their own.
+/// Model of a step, constant between two preparations of the system. Exception: bodies,
+/// interactions, wires, cuts and groups contain parts of the state in their own arrays.
 struct Model {
     WorldDef def;
     model::Bodies bodies;
@@ -64,20 +63,21 @@ struct Model {
     double residual_floor = 0.0;  ///< Denominator floor of the momentum residual.
 };
 
-/// What a step goes on from beside Model: what a snapshot holds, a copy takes and a hash is of
-/// (src/world/saved_state.h), and what the last step left for readers and for the next one.
+/// State of a step in addition to Model. It has the data that a snapshot stores, a copy transfers
+/// and a hash covers (src/world/saved_state.h). It also has results of the last step for readers
+/// and for the next step.
 struct State {
     double time = 0.0;
     std::int64_t step = 0;
-    bool started = false;  ///< The staggered start has been made.
-    /// So many steps to come refine before they measure; more than eight: the last one was measured
-    /// first and asked for it (solve.cpp).
+    bool started = false;  ///< True if the staggered start has been made.
+    /// Number of coming steps that refine before they measure. More than eight: the last step
+    /// measured first and required refinement (solve.cpp).
     int refine_unasked = 0;
     Ledger ledger;
     LoadStore loads;
     JudgeData judge;
     EventLog events;
-    collide::ContactSet contacts;         ///< Of the step being taken, or of the last one.
+    collide::ContactSet contacts;         ///< Contacts of the current or last step.
     base::Array<double> contact_impulse;  ///< 3 a contact: on side 1, world frame [N s]; or empty.
     base::Array<std::uint8_t> contact_sliding;  ///< 1 a contact: friction at its limit; or empty.
     /// Positions and rotations at the last analysis, which chose forms and floors by them.
@@ -88,16 +88,16 @@ struct State {
     Degradation imposed;        ///< On the next step.
 };
 
-/// Whose time is counted, see timer.h.
+/// Stage whose time is counted, see timer.h.
 struct StageClock {
-    int stage_now = -1;  ///< −1: no one's.
+    int stage_now = -1;  ///< −1: none.
     std::chrono::steady_clock::time_point stage_since{};
 };
 
-/// What a solve overwrites of the state, see remember.h; and poses that come back (energy.cpp).
+/// State that a solve overwrites, see remember.h; and poses to be restored (energy.cpp).
 struct Before {
-    bool remembered = false;            ///< In this step.
-    std::vector<double> active;         ///< Of bounded interactions, for events as well.
+    bool remembered = false;            ///< True in a step after remember().
+    std::vector<double> active;         ///< Statuses of bounded interactions, also for events.
     std::vector<double> lambda;         ///< Multipliers.
     std::vector<std::uint8_t> repeats;  ///< Interactions::repeats.
     int refine_unasked = 0;             ///< State::refine_unasked.
@@ -110,11 +110,11 @@ struct SolveWork {
     bool factor_whole = false;                ///< Never in part: for tests, to compare bits.
     std::vector<assembly::Norms> norms;       ///< One a strip or group, merged in order.
     std::vector<double> losses;               ///< One a strip, of row_losses().
-    bool losses_known = false;                ///< They are those of λ and v₊ as they stand.
-    double step_work = 0.0, step_drag = 0.0;  ///< Of the step being taken [J].
-    std::int64_t step_flops = 0;              ///< Of all factorisations of the step.
+    bool losses_known = false;                ///< True if they belong to the current λ and v₊.
+    double step_work = 0.0, step_drag = 0.0;  ///< Work and drag of the current step [J].
+    std::int64_t step_flops = 0;              ///< Flops of all factorisations of the step.
     std::vector<std::int32_t> columns;        ///< Nodes of blocks that contacts and rows change.
-    std::vector<double> partial;              ///< Of merged_over().
+    std::vector<double> partial;              ///< Scratch of merged_over().
     std::vector<double> factored_active;      ///< By bounded row: `active` when last factored.
 };
 
@@ -127,18 +127,18 @@ struct JointWork {
     graph::LoopFinder loops;
 };
 
-/// What a step leaves out to end in time: src/budget.
+/// Data for the limits of a step's cost: src/budget.
 struct LimitWork {
     Budget budget;
     Deadline deadline;
     CutLevels cut_levels;
     Coarsening coarsening;
-    Laps laps;                  ///< Of the step being taken, where a budget asks for time.
+    Laps laps;                  ///< Laps of the current step, if a budget needs times.
     std::int64_t analyses = 0;  ///< StepStats::plans and repairs when the solver began.
-    bool knew_levels = false;   ///< Levels of cuts had been looked for by then.
+    bool knew_levels = false;   ///< True if levels of cuts had been searched by then.
 };
 
-/// Scratch and statistics, by stage. What is learned of times is no part of the state either.
+/// Scratch and statistics, by stage. Learned times are not part of the state.
 struct Work {
     StepStats stats;
     StageClock clock;
@@ -146,13 +146,13 @@ struct Work {
     Undo undo;
     Sleep sleep;
     SolveWork solve;
-    Newton newton;                      ///< Of a world in which something may touch.
-    base::Array<double> contact_speed;  ///< u where the step began, as in Newton::x.
+    Newton newton;                      ///< Data of worlds with contacts or bounded rows.
+    base::Array<double> contact_speed;  ///< u at the start of the step, as in Newton::x.
     JointWork joints;
     WireWork wires;
     LimitWork limits;
     std::vector<std::uint8_t> edits_stay;  ///< By contact of the last step.
-    /// Of spans on wheels, before bodies moved (Interactions::wheel_angles()).
+    /// Angles of spans on wheels before bodies moved (Interactions::wheel_angles()).
     std::vector<std::array<double, 2>> wheel_angles;
 };
 
@@ -162,7 +162,7 @@ struct StepContext {
         model.collider.margin = d.contact_margin;
         model.collider.most_contacts = d.max_contacts;
         model.collider.most_bytes = model.system.most_bytes = d.max_memory;
-        // They couple bodies beside the rows, which a sweep over rows does not see.
+        // Both couple bodies outside the rows, which a sweep over rows does not treat.
         if (d.nonsmooth == Nonsmooth::pgs)
             model.def.geometric_stiffness = model.def.rotation_damping = 0.0;
         model.system.consistent_mass = d.nonsmooth != Nonsmooth::pgs;
@@ -174,9 +174,10 @@ struct StepContext {
 
     runtime::Pool pool;
     runtime::PoolStopwatch pool_stopwatch{pool};
-    runtime::Stopwatch* stopwatch = &pool_stopwatch;  ///< Of the solver; tests put their own.
-    std::unique_ptr<runtime::Trace> trace;            ///< What threads do; none: not written down.
-    Actors* actors = nullptr;                         ///< Systems of the world, if it has some.
+    /// Stopwatch of the solver; tests set their own.
+    runtime::Stopwatch* stopwatch = &pool_stopwatch;
+    std::unique_ptr<runtime::Trace> trace;  ///< Activity of threads; null: not recorded.
+    Actors* actors = nullptr;               ///< Systems of the world, if it has some.
 
     /// Chunks of bodies or interactions: coarse tasks of fixed size.
     static constexpr std::int32_t kChunk = 128;

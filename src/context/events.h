@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file events.h
-/// What happened in steps. Lines that go slack and come taut do so by the thousand; what a user
-/// must not miss has room of its own, and of each kind the first and the worst stay for good.
+/// Events of steps. Lines become slack and taut by the thousand, so other kinds have separate
+/// capacity. The first and worst event of each kind are kept permanently.
 
 #include <hawser/stats.h>
 
@@ -16,11 +16,11 @@
 
 namespace hawser::stepper {
 
-/// Events since they were last taken: of each kind the newest, in memory of fixed size. Nothing is
-/// allocated after the construction, but by take().
+/// Events since the last take(): the newest of each kind, in memory of fixed size. After
+/// construction only take() allocates.
 class EventLog {
   public:
-    /// Of slack and taut each, and of any other kind.
+    /// Capacities: of slack and of taut each, and of any other kind.
     static constexpr std::size_t kFrequent = 16'384, kRare = 4'096;
 
     EventLog() {
@@ -77,13 +77,14 @@ class EventLog {
         return out;
     }
 
-    /// Events from number `cursor` on, oldest first; it moves behind them. @return those that are
-    /// no longer kept. @throws std::bad_alloc, and nothing has changed then but `out`.
+    /// Copy events from number `cursor` on, oldest first, and advance the cursor.
+    /// @return the number of lost events.
+    /// @throws std::bad_alloc; then only `out` has changed.
     std::uint64_t since(std::uint64_t& cursor, std::vector<Event>& out) const {
         out.clear();
         const auto total = static_cast<std::uint64_t>(total_);
         const auto from = static_cast<std::int64_t>(std::min(cursor, total));
-        // Each kind's ring is ascending: the least of their next ones comes next.
+        // Each kind's ring is ascending: the smallest of their next numbers follows.
         std::array<std::int64_t, kEventKindCount> next{};
         std::size_t found = 0;
         for (std::size_t k = 0; k < rings_.size(); ++k) {
@@ -114,7 +115,7 @@ class EventLog {
         cursor = total;
         return lost;
     }
-    /// How many events the world has told since its start, those that have left the ring included.
+    /// Return the number of events since the start, including those no longer stored.
     [[nodiscard]] std::uint64_t count() const noexcept {
         return static_cast<std::uint64_t>(total_);
     }
@@ -125,7 +126,7 @@ class EventLog {
 
   private:
     struct Numbered {
-        std::int64_t number = 0;  ///< Of all kinds, in the order in which they happened.
+        std::int64_t number = 0;  ///< Number among all kinds, in the order of occurrence.
         Event event;
     };
     struct Ring {

@@ -16,8 +16,7 @@ struct Regroup {
     static constexpr std::int64_t kSettle = 10;  ///< Steps until forces can be used as weights.
 
     // Part of the state:
-    /// Partition that follows the state; of it part, parts and worse_for. Empty: no groups are
-    /// made.
+    /// Partition that follows the state: part, parts and worse_for. Empty: no groups.
     graph::Partition parts;
     std::int64_t made = 0;   ///< Step before which the groups were made from the model alone.
     std::int64_t seen = -1;  ///< Step before which the last choice of groups was made.

@@ -21,26 +21,26 @@
 
 namespace hawser::stepper {
 
-/// What has to be done before the system may be used.
+/// Pending work before the system may be used.
 enum class Mend : std::uint8_t {
     nothing,
-    rebuild,  ///< Analyse as it was, at the poses of that analysis.
-    follow,   ///< Analyse for what is awake now, at the poses of the last analysis.
+    rebuild,  ///< Analyse as before, at the poses of that analysis.
+    follow,   ///< Analyse with the bodies awake now, at the poses of the last analysis.
     /// Bodies, interactions and shapes were put back (model_undo.h): prepare, then as rebuild …
     all,
     all_follow,  ///< … or as follow.
 };
 
-/// Copies of the last good state, of what has changed or is about to.
+/// Copies of the last good state, as far as it has changed or is about to.
 struct Undo {
-    /// How much may change beside velocities and impulses.
+    /// Extent of changes besides velocities and impulses.
     enum class Depth : std::uint8_t {
-        system,  ///< Links, cuts in force, groups, what sleeps: what stages graph to analyse do.
-        model,   ///< Also images and copies of cuts.
-        all,     ///< Also what a step leaves behind: for another state.
+        system,  ///< Links, cuts in force, groups, sleep: changes of the stages graph to analyse.
+        model,   ///< Also ghost bodies and duplicated rows of cuts.
+        all,     ///< Also results of a step, for another state.
     };
 
-    /// What a step counts.
+    /// Counters of a step.
     struct Scalars {
         std::int64_t step;
         double time;
@@ -54,9 +54,9 @@ struct Undo {
     /// The system was kept since.
     [[nodiscard]] bool holds() const noexcept { return depth >= 0; }
 
-    bool moved = false;   ///< Velocities and impulses are among what was kept.
+    bool moved = false;   ///< True if velocities and impulses are saved.
     bool linked = false;  ///< So are the steps in which links were used last.
-    int depth = -1;       ///< −1: the system is as it was.
+    int depth = -1;       ///< −1: the system is unchanged.
 
     // Motion.
     base::Array<double> v, spin_change, lambda, active;
@@ -81,7 +81,7 @@ struct Undo {
     std::vector<std::int32_t> group;
     std::vector<Coupling> coupling;
     graph::Partition parts;
-    Wires wires;  ///< Where they are about to be found anew.
+    Wires wires;  ///< Saved before they are searched again.
     std::int64_t made = 0, seen = -1;
     bool stale = true, grouped = false;
     std::int32_t grouped_interactions = 0;

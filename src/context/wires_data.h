@@ -8,7 +8,7 @@
 
 namespace hawser::stepper {
 
-/// Elements and lumps of one wire that are processed together.
+/// Elements and nodes of one wire that are processed together.
 struct WirePart {
     std::int32_t wire, element_begin, element_end, lump_begin, lump_end;
 };

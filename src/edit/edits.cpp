@@ -16,7 +16,7 @@ namespace {
 
 using generic::V3;
 
-/// End of a line at the half step before the poses, as held_by_element() has it.
+/// Return the end of a line at the half step before the poses, as held_by_element() does.
 V3 end_half_way(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const auto body = at(ctx.model.interactions.body[kMaxInteractionBodies * at(id) + slot]);
@@ -28,14 +28,14 @@ V3 end_half_way(const StepContext& ctx, std::int32_t id, std::size_t slot) noexc
     const Vec3& point = ctx.model.interactions.def[at(id)].point[slot];
     const V3 arm = generic::load9(&b.r[9 * body]) * V3{point[0], point[1], point[2]};
     const V3 w = generic::load3(v + 3);
-    // Half of the turn back by 2 atan(h|ω|/2).
+    // Rotate back by half: 2 atan(h|ω|/2).
     const double whole = 0.25 * ctx.model.def.step * ctx.model.def.step * dot(w, w);
     const V3 turn = (-half / (1.0 + std::sqrt(1.0 + whole))) * w;
     const V3 c = cross(turn, arm);
     return x + arm + (2.0 / (1.0 + dot(turn, turn))) * (c + cross(turn, c));
 }
 
-/// ½ (l − l₀)²/ε of a line by its true length.
+/// Return ½ (l − l₀)²/ε of a line by its true length.
 double energy_of_line(const StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto row = at(in.row_begin[at(id)]);
@@ -52,7 +52,7 @@ void disturb_bodies(StepContext& ctx, std::int32_t id) noexcept {
         disturb(ctx.model, ctx.model.interactions.body[kMaxInteractionBodies * at(id) + b]);
 }
 
-/// Where an array has an entry a contact of the last step, keep those that stay.
+/// Keep the remaining entries of an array with an entry per contact of the last step.
 template <class A>
 void compact(A& array, const std::vector<std::uint8_t>& stays, std::size_t each) noexcept {
     std::size_t n = 0;
@@ -69,14 +69,14 @@ void compact(A& array, const std::vector<std::uint8_t>& stays, std::size_t each)
 void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept {
     const auto& kept = ctx.model.collider.kept();
     std::vector<std::uint8_t>& stays = ctx.work.edits_stay;
-    stays.resize(kept.size());  // room was made by reserve_edit()
+    stays.resize(kept.size());  // reserve_edit() has reserved the capacity
     bool any = false;
     assembly::Contacts& c = ctx.model.system.contacts;
     for (std::size_t i = 0; i < kept.size(); ++i) {
         stays[i] = kept[i].shape[0] != shape && kept[i].shape[1] != shape;
         if (stays[i] != 0) continue;
         any = true;
-        // What lay on it, or it lay on.
+        // Wake the bodies on both sides of the contact.
         for (const auto& side : c.memory[i].body)
             for (const std::int32_t b : side)
                 if (b >= 0) disturb(ctx.model, b);
@@ -109,7 +109,7 @@ void begin_edit(StepContext& ctx) noexcept {
 }
 
 void begin_shape_edit(StepContext& ctx) noexcept {
-    // What is cut has images of bodies, which have no shapes.
+    // Cuts have ghost bodies, which have no shapes.
     const bool alone =
         ctx.state.started && ctx.state.changed != Changed::all && !may_split(ctx.model);
     begin_edit(ctx);

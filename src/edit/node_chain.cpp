@@ -82,8 +82,7 @@ NodeChain without_node(const NodeChain& chain) noexcept {
     one.mass = e.mass + f.mass;
     one.pair = a.point && b.point ? (e.pair + f.pair) : 0.0;
     one.rest = e.rest + f.rest;
-    // The law is linear in the strain, so that its mean over the material is the mean of the
-    // forces.
+    // The law is linear in the strain, so its mean over the material is the mean of the forces.
     one.EA = (e.rest + f.rest) / (e.rest / e.EA + f.rest / f.EA);
     one.pull = (e.rest * e.pull + f.rest * f.pull) / one.rest;
     one.rate = e.rate + f.rate;

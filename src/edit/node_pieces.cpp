@@ -107,8 +107,8 @@ Vec3 inflow_of(const StepContext& ctx, std::int32_t element, double beyond,
     const Vec3 chord = point_of(ctx, element, 1 - side) - point_of(ctx, element, side);
     const double speed =
         ctx.model.interactions.def[at(element)].get("radius") * packed[at(b.dof_begin[drum])];
-    // The share of the path between the drum and the place is that of the straight part times
-    // straight over path: what lies on the wheel takes no part in it.
+    // The fraction of the path between drum and position is that of the straight part, times
+    // straight over path, because the part on the wheel does not count.
     const double more = beyond_straight(ctx, element);
     return more * beyond * speed / ctx.model.interactions.rest_length[at(element)] * (more * chord);
 }
@@ -127,7 +127,7 @@ double beyond_straight(const StepContext& ctx, std::int32_t id) noexcept {
 double straight_share(const StepContext& ctx, std::int32_t id, double share) noexcept {
     if (!is_routed(ctx, id)) return share;
     const double more = beyond_straight(ctx, id);
-    // From the end that is no place.
+    // Counted from the end that is not at a drum or guide.
     const double out = drum_side(ctx, id) == 0 ? 1.0 - more * (1.0 - share) : more * share;
     return std::clamp(out, 0.0, 1.0);
 }
@@ -174,8 +174,8 @@ double rate_of(const StepContext& ctx, std::int32_t id) noexcept {
                 b.v[at(b.dof_begin[at(end_of(ctx, id, 2))])];
     return rate;
 }
-/// τ of the step's formula at an even rate, which damps stiff rows of its own (row_constants.h):
-/// λ = −(h/ε)(g + (h/4)(1/Υ − recall) ġ).
+/// Return τ of the step's formula at a constant rate, which includes the numerical damping of stiff
+/// rows (row_constants.h): λ = −(h/ε)(g + (h/4)(1/Υ − recall) ġ).
 double damping_time_of(const StepContext& ctx, std::int32_t id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto row = at(in.row_begin[at(id)]);
@@ -193,7 +193,7 @@ double force_of(const StepContext& ctx, std::int32_t id) noexcept {
 double rest_for(const StepContext& ctx, std::int32_t id, double force, double stiffness) noexcept {
     const double length = length_of(ctx, id);
     const double damped = damping_time_of(ctx, id) * rate_of(ctx, id);
-    // A rate that would move as much as the element is long is no stretch of it.
+    // A rate that would move by about the length of the element is not a strain.
     constexpr double kMost = 0.1;
     return (length + std::clamp(damped, -kMost * length, kMost * length)) /
            (1.0 + force / stiffness);
@@ -219,7 +219,7 @@ Vec3 sag_of(const Vec3& chord, double share, const Vec3& weight, double tension)
     const double length = chord.norm();
     if (!(tension > 0.0) || !(length > 0.0)) return Vec3::Zero();
     const Vec3 along = chord / length, across = weight - weight.dot(along) * along;
-    // Far from taut the balance is that of a chain, not of a small sag.
+    // Far from taut the equilibrium is that of a chain instead of a small sag.
     constexpr double kMostSag = 0.1;
     const double sag = length * share * (1.0 - share) / tension;
     const double most = kMostSag * length * std::min(share, 1.0 - share);
@@ -236,7 +236,7 @@ void set_element(StepContext& ctx, std::int32_t id, double rest, double mass,
     if (is_wound(ctx, id)) {
         d.set("drum_zero", ctx.model.bodies.x[3 * at(end_of(ctx, id, 2))]);
     } else if (in.row_flags[row] & model::kRowDamper) {
-        // A fraction of critical damping: the shorter, the less of it.
+        // A fraction of critical damping is proportional to the length.
         d.damping_time[0] *= rest / before;
         in.tau[row] = d.damping_time[0];
     }
@@ -275,7 +275,7 @@ void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t 
 
 void follow_masses(StepContext& ctx, const NodePlace& place) noexcept {
     model::Interactions& in = ctx.model.interactions;
-    // Ends of the elements there, which gear may hold as well.
+    // Ends of the elements at the node; gear may hold them as well.
     std::int32_t lumps[4] = {-1, -1, -1, -1};
     std::size_t next = 0;
     for (const std::int32_t id : {place.first, place.second})

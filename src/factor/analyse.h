@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file analyse.h
-/// From a pattern and an order of elimination to the structure of its factorisation, from nothing;
-/// repair.h follows a pattern that changes.
+/// Build the structure of a factorisation from a pattern and an order of elimination, without an
+/// earlier analysis. repair.h updates the structure when the pattern changes.
 
 #include "factor/ordering.h"
 #include "factor/pattern.h"
@@ -13,7 +13,7 @@
 
 namespace hawser::factor {
 
-/// Analyse a pattern for a given elimination order (made a postorder of its own tree).
+/// Analyse a pattern for a given elimination order, which is made a postorder of its own tree.
 [[nodiscard]] Symbolic analyse(const Pattern& pattern, Elimination plan);
 /// Analyse a pattern for an elimination order without chains.
 [[nodiscard]] Symbolic analyse(const Pattern& pattern, std::vector<std::int32_t> order);

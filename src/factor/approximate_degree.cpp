@@ -26,14 +26,14 @@ void ApproximateDegree::remove(std::int32_t node) noexcept {
     (before >= 0 ? next_[at(before)] : head_[at(degree_[at(node)])]) = after;
 }
 
-/// A variable and its twins.
+/// Append a variable and its twins to the order.
 void ApproximateDegree::finish(std::int32_t variable) noexcept {
     for (std::int32_t v = variable; v >= 0; v = twin_[at(v)]) *order_++ = v;
 }
 
 void ApproximateDegree::begin(const Pattern& pattern) {
     const std::size_t n = pattern.size.size(), entries = pattern.adjacent.size();
-    // An element is written behind all lists, which never have more entries than at the start.
+    // An element is written behind all lists. The total length of the lists never grows.
     if (2 * entries + n > at(std::numeric_limits<std::int32_t>::max())) throw std::bad_alloc();
     lists_.resize(2 * entries + n);
     for (auto* v : {&start_, &length_, &next_, &prev_, &last_twin_, &bucket_next_}) v->resize(n);
@@ -96,13 +96,13 @@ void ApproximateDegree::run(const Pattern& pattern, std::vector<std::int32_t>& o
     for (const std::int32_t v : dense_) *order_++ = v;
 }
 
-/// Move the lists together if the element of the pivot might not fit behind them.
+/// Compact the lists if the element of the pivot might not fit behind them.
 void ApproximateDegree::make_room(std::int32_t pivot) noexcept {
     std::int64_t most = length_[at(pivot)] - elements_[at(pivot)];
     for (std::int32_t k = 0; k < elements_[at(pivot)]; ++k)
         most += length_[at(lists_[at(start_[at(pivot)] + k)])];
     if (free_ + most <= static_cast<std::int64_t>(lists_.size())) return;
-    // The first entry of each list makes way for the number of its node.
+    // Replace the first entry of each list by the index of its node.
     for (std::size_t v = 0; v < length_.size(); ++v) {
         if (length_[v] == 0) continue;
         std::int32_t& first = lists_[at(start_[v])];
@@ -122,7 +122,7 @@ void ApproximateDegree::make_room(std::int32_t pivot) noexcept {
     free_ = to;
 }
 
-/// Append the variables of a list that the element does not have yet.
+/// Append the variables of a list that the element does not contain yet.
 void ApproximateDegree::gather(std::int32_t pivot, std::int32_t list, std::int32_t begin,
                                std::int32_t end) noexcept {
     for (std::int32_t k = start_[at(list)] + begin; k < start_[at(list)] + end; ++k) {
@@ -136,7 +136,8 @@ void ApproximateDegree::gather(std::int32_t pivot, std::int32_t list, std::int32
     }
 }
 
-/// Replace the pivot by its element: all variables of its elements, which end, and its own.
+/// Replace the pivot by its element: its own variables and all variables of its elements, which
+/// end.
 void ApproximateDegree::form_element(std::int32_t pivot) noexcept {
     const std::size_t p = at(pivot);
     weight_[p] = 0;
@@ -155,7 +156,7 @@ void ApproximateDegree::form_element(std::int32_t pivot) noexcept {
     mark_[p] = 1;
 }
 
-/// mark − stamp = |L_e \ L_p| for all elements beside the variables of the pivot's.
+/// Set mark − stamp = |L_e \ L_p| for all elements e adjacent to variables of the pivot's element.
 void ApproximateDegree::measure_elements(std::int32_t pivot) noexcept {
     const std::size_t p = at(pivot);
     for (std::int32_t k = start_[p]; k < start_[p] + length_[p]; ++k) {
@@ -170,8 +171,9 @@ void ApproximateDegree::measure_elements(std::int32_t pivot) noexcept {
     }
 }
 
-/// Leave out of a variable's list what the pivot's element covers, and put that in front.
-/// @return false if nothing else is left.
+/// Remove from a variable's list all entries that the pivot's element covers, and put that element
+/// first.
+/// @return false if no other entry remains.
 bool ApproximateDegree::shorten(std::int32_t pivot, std::int32_t variable) noexcept {
     const std::size_t v = at(variable);
     const std::int32_t begin = start_[v];
@@ -200,7 +202,7 @@ bool ApproximateDegree::shorten(std::int32_t pivot, std::int32_t variable) noexc
         lists_[at(to++)] = u;
     }
     if (to == begin) return false;
-    // The pivot or an element that ended was in the list, so there is a slot more.
+    // The list contained the pivot or an element that ended, so one slot is free.
     lists_[at(to)] = lists_[at(variables)];
     lists_[at(variables)] = lists_[at(begin)];
     lists_[at(begin)] = pivot;
@@ -210,11 +212,12 @@ bool ApproximateDegree::shorten(std::int32_t pivot, std::int32_t variable) noexc
     const std::size_t bucket = hash % bucket_.size();
     bucket_next_[v] = bucket_[bucket];
     bucket_[bucket] = variable;
-    next_[v] = static_cast<std::int32_t>(bucket);  // not in a list of degrees now
+    next_[v] = static_cast<std::int32_t>(bucket);  // not in a degree list any more
     return true;
 }
 
-/// All lists of the pivot's element; variables with nothing else are eliminated with the pivot.
+/// Shorten all lists of the pivot's element. Eliminate variables without other entries together
+/// with the pivot.
 void ApproximateDegree::shorten_lists(std::int32_t pivot) noexcept {
     const std::size_t p = at(pivot);
     for (std::int32_t k = start_[p]; k < start_[p] + length_[p]; ++k) {
@@ -227,7 +230,7 @@ void ApproximateDegree::shorten_lists(std::int32_t pivot) noexcept {
         weight_[v] = 0;
         length_[v] = 0;
     }
-    // Above all marks of this pivot.
+    // Raise the stamp above all marks of this pivot.
     stamp_ += static_cast<std::int64_t>(head_.size());
 }
 
@@ -261,7 +264,7 @@ void ApproximateDegree::join_bucket(std::int32_t first) noexcept {
             length_[j] = 0;
             bucket_next_[at(before)] = bucket_next_[j];
         }
-        // Marks of this variable end: it may be one of another bucket's pivot.
+        // Reset the marks of this variable, which may also be in the bucket of a later pivot.
         if (marked) (void)entries(i, [&](std::size_t u) { return twin_mark_[u] = -1, true; });
     }
 }
@@ -278,7 +281,7 @@ void ApproximateDegree::join_twins(std::int32_t pivot) noexcept {
     }
 }
 
-/// Give the variables of the element that are left their degrees, and forget the others.
+/// Set the degrees of the remaining variables of the element and drop the others.
 void ApproximateDegree::close_element(std::int32_t pivot) noexcept {
     const std::size_t p = at(pivot);
     std::int32_t to = start_[p];

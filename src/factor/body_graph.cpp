@@ -11,10 +11,11 @@
 namespace hawser::factor {
 namespace {
 
-constexpr std::int32_t kReach = 2;     ///< A wire's body couples to at most so many on each side.
-constexpr std::int32_t kShortest = 6;  ///< Bodies of a wire worth the name.
-constexpr std::int32_t kHub = 8;       ///< More neighbours than a wire beside a hub can have.
-constexpr std::uint8_t kDegrees = 2 * kReach + 1;  ///< Of what may lie in a wire: 0 to four.
+constexpr std::int32_t kReach = 2;     ///< Most neighbours of a wire's body on each side.
+constexpr std::int32_t kShortest = 6;  ///< Fewest bodies of a wire.
+constexpr std::int32_t kHub = 8;       ///< Nodes with more neighbours are hubs.
+/// Number of degrees of bodies in wires: 0 to 4.
+constexpr std::uint8_t kDegrees = 2 * kReach + 1;
 
 }  // namespace
 
@@ -46,8 +47,8 @@ BodyGraph WireFinder::graph(const Pattern& pattern) {
     return {start_.data(), adjacent_.data()};
 }
 
-/// Sums of `of` over all neighbours before those of each node, so that a node's sum is a
-/// difference: one loop that is not cut up by nodes.
+/// Compute prefix sums of `of` over the neighbours of all nodes. The sum of one node is then a
+/// difference, and a single loop covers all nodes.
 void WireFinder::sum_up(const BodyGraph& graph, std::size_t nodes,
                         const std::vector<std::uint8_t>& of) {
     const std::size_t edges = at(graph.start[nodes]);
@@ -57,7 +58,7 @@ void WireFinder::sum_up(const BodyGraph& graph, std::size_t nodes,
     for (std::size_t e = 0; e < edges; ++e) sum_[e + 1] = sum += of[at(graph.adjacent[e])];
 }
 
-/// Which nodes may lie in a wire: few neighbours, hubs not counted.
+/// Find the nodes that may lie in a wire: those with few neighbours, hubs not counted.
 void WireFinder::find_wire_like(const Pattern& pattern, const BodyGraph& graph) {
     const std::size_t n = pattern.size.size();
     hub_.resize(n);
@@ -76,7 +77,7 @@ void WireFinder::find_wire_like(const Pattern& pattern, const BodyGraph& graph) 
                    static_cast<std::uint8_t>(degree <= 2 * kReach);
     }
     if (!any_rows) return;
-    // Rows that couple to rows are no wire's (no mechanical system has them).
+    // Exclude bodies beside rows that couple to rows (no mechanical system has such rows).
     for (std::size_t v = 0; v < n; ++v) {
         if (pattern.sign[v] > 0) continue;
         bool odd = false;
@@ -94,7 +95,7 @@ void WireFinder::sort_by_degree(const BodyGraph& graph) {
     std::int32_t cursor[kDegrees + 1] = {};
     for (std::size_t v = 0; v < n; ++v) {
         const std::int32_t degree = sum_[at(graph.start[v + 1])] - sum_[at(graph.start[v])];
-        // Others are sorted behind the candidates.
+        // Sort all other nodes behind the candidates.
         degree_[v] = like_[v] != 0 ? static_cast<std::uint8_t>(degree) : kDegrees;
         ++cursor[degree_[v]];
     }
@@ -106,8 +107,8 @@ void WireFinder::sort_by_degree(const BodyGraph& graph) {
     candidates_.resize(count);
 }
 
-/// The one neighbour that no walk has come by, −1: none, −2: several (then `smallest` has fewest
-/// of its own).
+/// Return the only unvisited neighbour of a node, −1: none, −2: several.
+/// @param smallest  Unvisited neighbour with the smallest degree.
 std::int32_t WireFinder::only(const BodyGraph& graph, std::int32_t node,
                               std::int32_t& smallest) const noexcept {
     std::int32_t found = -1;
@@ -120,8 +121,8 @@ std::int32_t WireFinder::only(const BodyGraph& graph, std::int32_t node,
     return found;
 }
 
-/// Where three-body bending couples i to i + 2, the body before the last one still has one
-/// unvisited neighbour, and that is the next; else the last one has.
+/// Return the next body of a wire after `now`. If three-body bending couples i to i + 2, it is the
+/// unvisited neighbour of `before`. Otherwise it is the unvisited neighbour of `now`.
 std::int32_t WireFinder::successor(const Pattern& pattern, const BodyGraph& graph,
                                    std::int32_t before, std::int32_t now) const noexcept {
     std::int32_t smallest = -1;
@@ -135,7 +136,7 @@ std::int32_t WireFinder::successor(const Pattern& pattern, const BodyGraph& grap
     return std::find(near.begin(), near.end(), next) != near.end() ? next : -1;
 }
 
-/// From one end of a wire to the other.
+/// Walk from one end of a wire to the other.
 void WireFinder::walk(const Pattern& pattern, const BodyGraph& graph, std::int32_t seed) {
     std::int32_t before = -1, now = seed;
     while (now >= 0) {
@@ -147,8 +148,8 @@ void WireFinder::walk(const Pattern& pattern, const BodyGraph& graph, std::int32
     }
 }
 
-/// A body that touches another wire, or its own farther away than kReach, is taken out, and so
-/// many behind it that what is left falls apart there.
+/// Remove each body that touches another wire, or its own wire farther away than kReach. Remove
+/// enough bodies behind it that the remaining parts do not couple.
 void WireFinder::take_apart(const BodyGraph& graph) {
     std::vector<std::int32_t>& place = wires_.place;
     for (std::size_t k = 0; k < walked_.size(); ++k)
@@ -191,7 +192,7 @@ const Wires& WireFinder::find(const Pattern& pattern, const BodyGraph& graph) {
     sort_by_degree(graph);
     walked_.clear();
     walk_begin_.assign(1, 0);
-    // Ends first, by number of neighbours; what is left then are rings.
+    // Start from the ends, by number of neighbours. The remaining wires are rings.
     for (const std::int32_t v : candidates_) {
         if (!like_[at(v)]) continue;
         walk(pattern, graph, v);

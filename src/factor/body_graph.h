@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file body_graph.h
-/// Which bodies couple, directly or through rows, and the wires among them.
+/// Adjacency of bodies, direct or through rows, and the wires among them.
 
 #include "factor/pattern.h"
 
@@ -11,8 +11,8 @@
 
 namespace hawser::factor {
 
-/// Adjacency of positive nodes; two are neighbours when an edge or a negative node joins them.
-/// A view: of the pattern itself where it has no negative nodes.
+/// Adjacency of positive nodes. Two nodes are neighbours if an edge or a negative node joins them.
+/// A view, which refers to the pattern itself if the pattern has no negative nodes.
 struct BodyGraph {
     const std::int32_t *start, *adjacent;
     [[nodiscard]] std::span<const std::int32_t> neighbours(std::int32_t node) const noexcept {
@@ -20,22 +20,22 @@ struct BodyGraph {
     }
 };
 
-/// Sequences of bodies of one size in which each couples only to the next one or two, and to
-/// bodies that are in no wire. Bodies of two wires never couple.
+/// Sequences of bodies of one size. Each body couples only to the next one or two, and to bodies
+/// outside all wires. Bodies of two wires never couple.
 struct Wires {
     std::vector<std::int32_t> bodies;    ///< Nodes of all wires.
     std::vector<std::int32_t> begin{0};  ///< wires + 1 offsets into bodies.
     std::vector<std::int32_t> place;     ///< By node: index in bodies, −1 if in no wire.
 };
 
-/// Finds wires; a used one needs no memory for a pattern of about the same size.
+/// Finds wires. A second search in a pattern of similar size allocates nothing.
 class WireFinder {
   public:
-    /// Valid until the next call, and as long as the pattern.
+    /// Return the adjacency of bodies. Valid until the next call while the pattern lives.
     [[nodiscard]] BodyGraph graph(const Pattern& pattern);
 
-    /// Walk along nodes of small degree; nodes with many neighbours (hulls, drums, junctions) stay
-    /// outside, as does every node beside another wire. Valid until the next call.
+    /// Find wires by walks along nodes of small degree. Nodes with many neighbours (hulls, drums,
+    /// junctions) and nodes beside another wire stay outside. Valid until the next call.
     [[nodiscard]] const Wires& find(const Pattern& pattern, const BodyGraph& graph);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -52,9 +52,9 @@ class WireFinder {
 
     std::vector<std::int32_t> start_, adjacent_, mark_, sum_;
     std::vector<std::uint8_t> hub_;
-    std::vector<std::uint8_t> like_;        ///< May lie in a wire, and no walk has come by.
-    std::vector<std::uint8_t> degree_;      ///< Neighbours that may lie in a wire.
-    std::vector<std::int32_t> candidates_;  ///< By degree, then number.
+    std::vector<std::uint8_t> like_;        ///< May lie in a wire and no walk has visited it.
+    std::vector<std::uint8_t> degree_;      ///< Number of neighbours that may lie in a wire.
+    std::vector<std::int32_t> candidates_;  ///< Sorted by degree, then by index.
     std::vector<std::int32_t> walked_, walk_begin_;
     Wires wires_;
 };

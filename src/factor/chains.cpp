@@ -13,18 +13,18 @@ namespace hawser::factor {
 namespace {
 
 constexpr int kLanes = 8;
-constexpr std::int32_t kShortestPiece = 4;  ///< Units of a chain worth a lane.
+constexpr std::int32_t kShortestPiece = 4;  ///< Fewest units of a chain that uses a lane.
 
-/// Cycles of one step of eight lanes: p pivots over q rows. An estimate from counts of vector
-/// operations and the latency of a pivot, not a fit; only ratios matter.
+/// Estimate the cycles of one step of eight lanes with p pivots and q rows. The figures come from
+/// counts of vector operations and the latency of a pivot, not from a fit. Only ratios matter.
 double step_cost(double p, double q) {
     const double n = p + q;
     return 250.0 + 0.5 * (p * p * p / 3.0 + p * p * q + p * q * q) + 3.0 * n * p;
 }
-/// Cycles of the fronts that one separator body costs, its part in fronts of hubs included: about
-/// three times kFrontCost, since it touches two chains.
+/// Cycles of the fronts that one separator body costs, its part of the fronts of hubs included.
+/// About three times kFrontCost, because it touches two chains.
 constexpr double kSeparatorCost = 1500.0;
-/// Cycles of a unit eliminated in a front of its own, from a profile of a chain of rigid links.
+/// Cycles to eliminate a unit in a front of its own, from a profile of a chain of rigid links.
 constexpr double kFrontCost = 500.0;
 
 }  // namespace
@@ -59,8 +59,8 @@ void ChainFinder::cut(std::int32_t target) {
     }
 }
 
-/// Model of the time of all steps of all batches, and of the longest one.
-/// @param most  More is as good as this.
+/// Estimate the time of all steps of all batches plus half the longest batch.
+/// @param most  Bound: a larger cost may be returned early.
 double ChainFinder::plan_cost(int size, double most) {
     shapes_.clear();
     double total = 0.0, longest = 0.0;
@@ -68,10 +68,10 @@ double ChainFinder::plan_cost(int size, double most) {
         const Stretch& run = runs_[at(piece.run)];
         const std::int32_t n = run.end - run.begin, w = run.reach * size;
         const bool first = piece.from == 0, last = piece.to == n;
-        // From its freer end: a separator there is carried along, a hub at the wire's own end
-        // only by the piece that begins there.
+        // The piece starts at its freer end. It carries a separator there to its end; only the
+        // piece at the end of the wire carries the hub there.
         std::int32_t start = first ? run.start : w;
-        if (first && !last) start = 0;  // turned round when the wire's end is the less free one
+        if (first && !last) start = 0;  // reversed if the end of the wire is less free
         if (last && !first) start = run.start > 0 ? w : 0;
         shapes_.push_back({w + start + run.across + run.beside * (piece.to - piece.from), run.unit,
                            piece.to - piece.from, static_cast<std::int32_t>(shapes_.size())});
@@ -90,11 +90,11 @@ double ChainFinder::plan_cost(int size, double most) {
         total += cost;
         longest = std::max(longest, cost);
     }
-    // Half the longest batch stands for what other threads wait for it.
+    // Add half the longest batch for the time that other threads wait for it.
     return total + 0.5 * longest;
 }
 
-/// Facts about a run that its neighbourhood determines.
+/// Compute the figures of a run from its neighbourhood.
 ChainFinder::Stretch ChainFinder::describe(const Pattern& pattern, const BodyGraph& graph,
                                            const Wires& wires, std::int32_t begin,
                                            std::int32_t end) {
@@ -136,10 +136,10 @@ ChainFinder::Stretch ChainFinder::describe(const Pattern& pattern, const BodyGra
     return run;
 }
 
-/// Whether a chain is better eliminated backwards.
+/// Return true if a chain costs less when eliminated backwards.
 bool ChainFinder::turns(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
                         std::int32_t from, std::int32_t to) {
-    // Boundary scalars times the units that carry them, for either direction.
+    // Boundary scalars times the units that carry them, for both directions.
     std::int64_t forward = 0, backward = 0;
     auto visit = [&](std::int32_t k, std::int64_t& area, std::int32_t rest) {
         for (const std::int32_t u : graph.neighbours(wires.bodies[at(k)])) {
@@ -158,7 +158,7 @@ bool ChainFinder::turns(const Pattern& pattern, const BodyGraph& graph, const Wi
     return backward < forward;
 }
 
-/// Append one chain, its units in the better direction.
+/// Append one chain with its units in the cheaper direction.
 void ChainFinder::append(const Pattern& pattern, const BodyGraph& graph, const Wires& wires,
                          const Stretch& run, const Segment& piece, Chains& out) {
     const std::int32_t from = run.begin + piece.from, to = run.begin + piece.to;
@@ -169,7 +169,7 @@ void ChainFinder::append(const Pattern& pattern, const BodyGraph& graph, const W
         out.nodes.push_back(b);
         for (const std::int32_t r : pattern.neighbours(b)) {
             if (pattern.sign[at(r)] > 0) continue;
-            bool earlier = false;  // a body of the row has been eliminated before this one
+            bool earlier = false;  // true if a body of the row has been eliminated before this one
             for (const std::int32_t u : pattern.neighbours(r)) {
                 const std::int32_t place = wires.place[at(u)];
                 earlier |= place >= from && place < to && (turn ? place > k : place < k);
@@ -183,14 +183,14 @@ void ChainFinder::append(const Pattern& pattern, const BodyGraph& graph, const W
     out.reach.push_back(static_cast<std::int8_t>(run.reach));
 }
 
-/// The best pieces of runs_; none where fronts are better.
+/// Find the cheapest pieces of runs_; no pieces if fronts are cheaper.
 void ChainFinder::cut_best(std::int32_t bodies, std::int32_t longest, int size) {
     best_.clear();
     double best_cost = kFrontCost * bodies;
     std::size_t before = 0;
     auto consider = [&](std::int32_t target) {
         cut(std::max(target, kShortestPiece));
-        // No run has fewer pieces where the target is smaller: as many are the same ones.
+        // A smaller target never gives fewer pieces, so an equal number means equal pieces.
         if (std::exchange(before, pieces_.size()) == pieces_.size()) return;
         const double cost = plan_cost(size, best_cost);
         if (cost >= best_cost) return;

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file chains.h
-/// Wires in the graph of a matrix: sequences that are eliminated first, eight at a time.
+/// Chains: sequences of bodies in the graph of a matrix that are eliminated first, eight at a time.
 ///
-/// Most unknowns of a scene belong to wires: bodies b₁ b₂ … that couple only to their next one
-/// or two neighbours (two when three-body bending is present), each with the constraint rows r_i
-/// between it and later bodies. Cut into *chains* by separators of one or two bodies, they can
-/// be eliminated independently, and chains of equal shape in the lanes of vector registers:
+/// Most unknowns of a scene belong to wires: bodies b₁ b₂ … that couple only to their next one or
+/// two neighbours. Three-body bending needs two. Each body also has the constraint rows r_i between
+/// it and later bodies. Separators of one or two bodies cut wires into *chains*. Chains are
+/// eliminated independently, and chains of equal shape share the lanes of vector registers:
 ///
 /// ```
 ///   hub ─ b₁ ─ b₂ ─ … ─ b_n ─[ s ]─ b₁ ─ b₂ ─ … ─ b_n ─[ s ]─ …
 ///         └── chain, lane 0 ─┘      └── chain, lane 1 ─┘
 /// ```
-/// A *unit* is one body and the rows that belong to it: those whose first body in the chain it
-/// is. Units are eliminated in sequence; all else that a chain touches (hubs, separators) is its
-/// *boundary* and is eliminated after it.
+/// A *unit* is one body and its rows. A row belongs to its first body in the chain. Units are
+/// eliminated in sequence. All other nodes that a chain touches (hubs, separators) are its
+/// *boundary* and are eliminated after it.
 ///
-/// The price is fill: a chain with a separator at its start carries that along to its end (for
-/// rigid links 2.3 to 2.6 times the flops of a chain with a free start). So chains start at their
-/// freer end, and the number of cuts is chosen with an estimate of the time.
+/// Limits: chains cause fill. A chain with a separator at its start carries that separator to its
+/// end. For rigid links this takes 2.3 to 2.6 times the flops of a chain with a free start. So
+/// chains start at their freer end, and an estimate of the time chooses the number of cuts.
 
 #include "factor/body_graph.h"
 #include "factor/pattern.h"
@@ -31,17 +31,17 @@ namespace hawser::factor {
 
 /// Chains as flat arrays.
 struct Chains {
-    std::vector<std::int32_t> nodes;          ///< In the order of elimination.
+    std::vector<std::int32_t> nodes;          ///< Nodes in the order of elimination.
     std::vector<std::int32_t> unit_begin{0};  ///< units + 1 offsets into nodes.
     std::vector<std::int32_t> begin{0};       ///< chains + 1 offsets into units.
-    std::vector<std::int8_t> body_size;       ///< By chain: scalars of each of its bodies, 3 or 6.
-    std::vector<std::int8_t> reach;           ///< By chain: neighbours to couple to, 1 or 2.
+    std::vector<std::int8_t> body_size;       ///< Scalars of each body of a chain, 3 or 6.
+    std::vector<std::int8_t> reach;  ///< Neighbours that each body of a chain couples to, 1 or 2.
 
     [[nodiscard]] int count() const noexcept { return static_cast<int>(begin.size()) - 1; }
     [[nodiscard]] int units(int chain) const noexcept {
         return begin[static_cast<std::size_t>(chain) + 1] - begin[static_cast<std::size_t>(chain)];
     }
-    /// Nodes of one unit, its body first; `unit` counts through all chains.
+    /// Return the nodes of one unit, its body first. `unit` counts through all chains.
     [[nodiscard]] std::span<const std::int32_t> unit(int unit) const noexcept {
         const auto u = static_cast<std::size_t>(unit);
         return {nodes.data() + unit_begin[u], nodes.data() + unit_begin[u + 1]};
@@ -51,26 +51,27 @@ struct Chains {
     friend bool operator==(const Chains&, const Chains&) = default;
 };
 
-/// Finds wires and cuts them. Deterministic: depends on the pattern alone. A used one needs no
-/// memory for a pattern of about the same size.
+/// Finds wires and cuts them into chains. Deterministic: the result depends on the pattern alone. A
+/// second search in a pattern of similar size allocates nothing.
 class ChainFinder {
   public:
+    /// Find the chains of a pattern.
     /// @throws std::bad_alloc.
     void find(const Pattern& pattern, Chains& out);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    /// A wire: consecutive bodies that nothing but hubs and its own neighbours touch.
+    /// A wire: consecutive bodies that only hubs and their own neighbours touch.
     struct Stretch {
         std::int32_t begin, end;  ///< Range in Wires::bodies.
         std::int32_t reach;
         double unit;          ///< Scalars of a unit, rows included, on average.
-        std::int32_t start;   ///< Boundary scalars that the chain must carry from its freer end on.
+        std::int32_t start;   ///< Boundary scalars that the chain carries from its freer end.
         std::int32_t across;  ///< Boundary scalars that touch the whole wire (a deck under it).
-        double beside;        ///< Boundary scalars a body that touch the wire here and there.
+        double beside;        ///< Boundary scalars per body that touch single bodies of the wire.
     };
     struct Segment {
-        std::int32_t run, from, to;  ///< Bodies [from, to) of the run, relative.
+        std::int32_t run, from, to;  ///< Bodies [from, to), relative to the start of the run.
     };
     struct Shape {
         double q, p;
@@ -100,8 +101,9 @@ class ChainFinder {
 
 [[nodiscard]] Chains find_chains(const Pattern& pattern);
 
-/// Whether chains from elsewhere (a file) are chains of this pattern, as batches.h needs them, and
-/// eliminated as such. @param position  Of each node in the order of elimination.
+/// Return true if chains read from a file match this pattern, as batches.h requires, and are
+/// eliminated as chains.
+/// @param position  Position of each node in the order of elimination.
 [[nodiscard]] bool chains_fit(const Pattern& pattern, const Chains& chains,
                               std::span<const std::int32_t> position);
 

@@ -10,7 +10,8 @@
 namespace hawser::factor {
 namespace {
 
-/// v[new] = old v[old_of_new[new]], `none` for new nodes. @param carried  Memory to do it in.
+/// Set v[new] = old v[old_of_new[new]], and `none` for new nodes.
+/// @param carried  Scratch.
 template <class T>
 void carry_over(std::vector<T>& v, std::span<const std::int32_t> old_of_new, T none,
                 std::vector<T>& carried) {
@@ -31,13 +32,13 @@ void Columns::resize(std::size_t nodes) {
     moved_.resize(nodes, 0);
 }
 
-/// Row by row: a row of L has an entry in every column on the paths that lead from its neighbours
-/// before it up the tree (Liu 1990), so that columns come out sorted.
+/// Build the columns row by row. A row of L has an entry in each column on the paths from its
+/// earlier neighbours up the tree (Liu 1990), so columns come out sorted.
 void Columns::build(const Pattern& pattern, std::span<const std::int32_t> order,
                     std::span<const std::int32_t> position) {
     const std::size_t n = order.size();
     resize(n);
-    // By position, as long as rows are found: parents, entries and their scalars, marks.
+    // Indexed by position while rows are found: parents, entries and their scalars, marks.
     head_.assign(n, -1);
     next_.assign(n, 0);
     rows_.assign(n, 0);
@@ -56,7 +57,7 @@ void Columns::build(const Pattern& pattern, std::span<const std::int32_t> order,
         }
         mark[i] = own;
         for (const std::int32_t u : pattern.neighbours(order[i])) {
-            // A neighbour behind it counts as the row itself, whose mark ends the path.
+            // A later neighbour counts as the row itself, whose mark ends the path.
             std::int32_t k = std::min(position[at(u)], own);
             while (mark[k] != own) {
                 mark[k] = own;
@@ -114,7 +115,7 @@ void Columns::renumber(std::span<const std::int32_t> old_of_new, std::int32_t ol
     linked_ = false;
     for (std::int32_t& p : parent_)
         if (p >= 0) p = new_of_old[at(p)];
-    // A node that went leaves −1 in the columns that held it: they are all found stale.
+    // A removed node leaves −1 in the columns that contained it. All these columns are found stale.
     for (std::size_t v = 0; v < count_.size(); ++v)
         for (std::int32_t i = 0; i < count_[v]; ++i) {
             std::int32_t& u = pool_[static_cast<std::size_t>(begin_[v] + i)];
@@ -170,7 +171,7 @@ void Columns::repair(const Pattern& pattern, std::span<const std::int32_t> order
     }
     stale_list_.clear();
     for (std::size_t w = 0; w < todo_.size(); ++w)
-        while (todo_[w] != 0) {  // what is found stale lies behind
+        while (todo_[w] != 0) {  // newly stale columns lie behind
             const std::size_t k = 64 * w + at(std::countr_zero(todo_[w]));
             todo_[w] &= todo_[w] - 1;
             compute(pattern, order, position, order[k]);
@@ -194,8 +195,8 @@ void Columns::compute(const Pattern& pattern, std::span<const std::int32_t> orde
         found[count++] = p;
         below += pattern.size[at(u)];
     };
-    // Children first: one child's rows are sorted already. Those that have moved behind it are
-    // none any more, and will find their parent.
+    // Children first: the rows of a single child are already sorted. Skip children that have moved
+    // behind this node, because their parent is recomputed.
     for (std::int32_t c = head_[at(node)]; c >= 0; c = next_[at(c)])
         if (position[at(c)] < own)
             for (const std::int32_t u : rows(c)) take(u);
@@ -217,8 +218,8 @@ void Columns::compute(const Pattern& pattern, std::span<const std::int32_t> orde
     store(node, count);
 }
 
-/// The same rows, as marked, none of which has moved: rows in the same sequence might still stand
-/// at another place of the parent's.
+/// Return true if a column has the marked rows as before and none of them has moved. Rows in the
+/// same sequence might have other positions in the parent.
 bool Columns::same_as_before(std::int32_t node, std::size_t found) const noexcept {
     const std::span<const std::int32_t> old = rows(node);
     if (moved_[at(node)] != 0 || old.size() != found) return false;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file columns.h
-/// The structure of L, block column by block column, and its repair.
+/// The structure of L by block columns, and its repair.
 ///
-/// struct(v) = neighbours of v after it ∪ struct of its children, less v itself; the parent of v
-/// in the elimination tree is the first node of struct(v) (Liu, "The role of elimination trees in
-/// sparse factorization", 1990). Both are functions of the neighbours of v and of its children,
-/// so after an edit only those columns are computed again whose neighbours, children or
-/// children's structures changed, and the change stops where a column comes out as it was: a set of
-/// positions, of which the lowest is always next. No other column is looked at.
+/// Definition: struct(v) = neighbours of v after it ∪ struct of its children, less v itself. The
+/// parent of v in the elimination tree is the first node of struct(v) (Liu, "The role of
+/// elimination trees in sparse factorization", 1990). Both depend only on the neighbours of v and
+/// on its children. After an edit a repair therefore computes only columns whose neighbours,
+/// children or children's structures changed. The change stops at a column that comes out
+/// unchanged. A set of positions lists the stale columns, and the lowest is next. The repair reads
+/// no other column.
 ///
-/// Everything is named by node, not by position in the order: a column that does not change is
-/// not even touched when nodes before it come and go.
+/// Columns are stored by node, not by position in the order. An unchanged column needs no update
+/// when nodes before it are added or removed.
 
 #include "factor/pattern.h"
 
@@ -23,16 +24,18 @@ namespace hawser::factor {
 
 class Columns {
   public:
-    /// From nothing. `position` is the inverse of `order`. @throws std::bad_alloc.
+    /// Build the structure of all columns.
+    /// @param position  The inverse of `order`.
+    /// @throws std::bad_alloc.
     void build(const Pattern& pattern, std::span<const std::int32_t> order,
                std::span<const std::int32_t> position);
 
-    /// Carry the structure over to another numbering; new nodes (−1) get empty columns. Parents
-    /// of nodes that went are marked stale.
+    /// Carry the structure over to another numbering. New nodes (−1) get empty columns. Parents of
+    /// removed nodes are marked stale.
     void renumber(std::span<const std::int32_t> old_of_new, std::int32_t old_nodes);
 
-    /// Stale: neighbours or children changed. Moved: also at another place in the order, which
-    /// makes its neighbours stale too.
+    /// Mark a node stale: its neighbours or children changed. A moved node also has another
+    /// position in the order, which makes its neighbours stale too.
     void mark_stale(std::int32_t node) {
         if (stale_[static_cast<std::size_t>(node)] != 0) return;
         stale_[static_cast<std::size_t>(node)] = 1;
@@ -40,29 +43,29 @@ class Columns {
     }
     void mark_moved(const Pattern& pattern, std::int32_t node);
 
-    /// Compute stale columns again, and those above them as far as anything changes. Nodes that
-    /// are not marked moved keep their relative order.
+    /// Compute stale columns, and those above them until a column is unchanged. Nodes that are not
+    /// marked moved keep their relative order.
     void repair(const Pattern& pattern, std::span<const std::int32_t> order,
                 std::span<const std::int32_t> position);
 
     [[nodiscard]] std::int32_t parent(std::int32_t node) const noexcept {
         return parent_[static_cast<std::size_t>(node)];
     }
-    /// Nodes after it that it fills, in the order of elimination.
+    /// Return the nodes behind it in which it has entries, in the order of elimination.
     [[nodiscard]] std::span<const std::int32_t> rows(std::int32_t node) const noexcept {
         const auto n = static_cast<std::size_t>(node);
         return {pool_.data() + begin_[n], static_cast<std::size_t>(count_[n])};
     }
-    /// How many scalar rows those nodes make together.
+    /// Return the number of scalar rows of these nodes.
     [[nodiscard]] std::int32_t below(std::int32_t node) const noexcept {
         return below_[static_cast<std::size_t>(node)];
     }
-    /// Did the last build() or repair() give this node other rows, another place or other children?
-    /// Where it did not for a node and all below it in the tree, that whole branch is as it was.
+    /// Return true if the last build() or repair() changed the rows, position or children of this
+    /// node. A branch of the tree without such nodes is unchanged.
     [[nodiscard]] bool fresh(std::int32_t node) const noexcept {
         return fresh_[static_cast<std::size_t>(node)] != 0;
     }
-    /// Columns that the last build() or repair() computed.
+    /// Return the number of columns that the last build() or repair() computed.
     [[nodiscard]] std::int32_t computed() const noexcept { return computed_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -81,13 +84,14 @@ class Columns {
     void compact();
 
     std::vector<std::int32_t> parent_, count_, below_;
-    std::vector<std::int64_t> begin_;  ///< Into pool_, which has gaps where columns were moved.
+    /// Offset into pool_, which has gaps after columns were moved.
+    std::vector<std::int64_t> begin_;
     std::vector<std::int32_t> pool_, found_;
-    std::vector<std::int32_t> spare_;  ///< For the pool, and for rows while build() finds them.
-    std::vector<std::int32_t> head_, next_, prev_;  ///< Lists of children while they are linked.
+    std::vector<std::int32_t> spare_;  ///< Buffer for the pool, and for rows during build().
+    std::vector<std::int32_t> head_, next_, prev_;  ///< Lists of children during a call.
     bool linked_ = false;
-    std::vector<std::int32_t> mark_;   ///< Who took a node last.
-    std::vector<std::uint64_t> todo_;  ///< By position: stale columns that repair() must do.
+    std::vector<std::int32_t> mark_;   ///< Last column that marked each node.
+    std::vector<std::uint64_t> todo_;  ///< Stale columns by position that repair() must compute.
     std::vector<std::int32_t> stale_list_, moved_list_;  ///< Nodes that stale_ and moved_ mark.
     std::vector<std::int32_t> rows_;                     ///< Scratch of build().
     std::vector<std::int64_t> cursor_;                   ///< Scratch of build().

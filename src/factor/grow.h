@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file grow.h
-/// Arrays that follow a structure whose size changes.
+/// Arrays that grow with a structure of varying size.
 
 #include "base/memory.h"
 
@@ -10,8 +10,8 @@
 
 namespace hawser::factor {
 
-/// Contents are not kept. Structures that follow a changing pattern (repair.h) grow again and
-/// again: with room to spare where that is expected, and from the second time on.
+/// Grow an array to at least `size`; contents are lost. Structures that follow a changing pattern
+/// (repair.h) grow repeatedly. A quarter is added if `spare` is set, and from the second growth on.
 template <class T>
 void grow(base::Array<T>& array, std::int64_t size, bool spare = false) {
     if (static_cast<std::int64_t>(array.size()) >= size) return;
@@ -20,7 +20,7 @@ void grow(base::Array<T>& array, std::int64_t size, bool spare = false) {
     array.resize(static_cast<std::size_t>(room));
 }
 
-/// Whether an array must grow that has been in use.
+/// Return true if an array in use is smaller than `size`.
 template <class T>
 [[nodiscard]] bool outgrown(const base::Array<T>& array, std::int64_t size) {
     return !array.empty() && static_cast<std::int64_t>(array.size()) < size;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The way back of an analysis that failed.
+/// Restoration of an earlier analysis after a failure.
 #include "factor/repair.h"
 
 #include <utility>
@@ -24,7 +24,8 @@ void Analysis::go_back(KeptAnalysis& to) noexcept {
     stale_ = true;
 }
 
-/// Structure of the order after go_back(). What it is taken from stays until all is done.
+/// Rebuild the structure of the order after go_back(). The source stays unchanged until all is
+/// done.
 void Analysis::freshen() {
     if (!stale_) return;
     KeptAnalysis now;

@@ -20,27 +20,28 @@ struct FactorView {
     const Run* runs;
     const std::int8_t* sign;
     double* panel;  ///< L below the diagonal of each panel; zeros on and above it.
-    double* pivot;  ///< D, one a permuted scalar.
-    double* work;   ///< Update matrices that more than one task reads.
-    double* stack;  ///< `work`, moved on to what this thread has of it from stack_begin on.
+    double* pivot;  ///< D, one per permuted scalar.
+    double* work;   ///< Update matrices that several tasks read.
+    double* stack;  ///< `work`, shifted to this thread's stacks from stack_begin on.
     std::int64_t stack_begin;
-    double* carry;  ///< Forward substitution's update vectors, one entry an update row.
+    double* carry;  ///< Update vectors of the forward substitution, one entry per update row.
 
-    // Batches, see batches.h. Slot arrays hold eight lanes a slot.
+    // Batches, see batches.h. Slot arrays have eight lanes per slot.
     const BatchStep* batch_steps;
-    const std::int8_t* slot_sign;  ///< One a slot.
+    const std::int8_t* slot_sign;  ///< One per slot.
     const std::int32_t* slot_index;
     const std::int32_t* tail_slot;
     double* slot_pivot;  ///< 1/D.
     double* slot_y;      ///< Between forward and backward substitution.
-    bool distant;        ///< The panels are larger than a core's own cache.
+    bool distant;        ///< true if the panels are larger than a core's own cache.
 
     // Unsymmetric fronts, see unsymmetric.h.
-    const std::uint8_t* unsymmetric = nullptr;  ///< 1 where a front is; null: none is.
-    double* upper = nullptr;                    ///< Uᵀ, laid out like the panels.
+    /// 1 for an unsymmetric front; null: all are symmetric.
+    const std::uint8_t* unsymmetric = nullptr;
+    double* upper = nullptr;        ///< Uᵀ, laid out like the panels.
     double* upper_work = nullptr;   ///< Like work: upper halves of update matrices, transposed.
     double* upper_stack = nullptr;  ///< Like stack.
-    std::int8_t* wrong = nullptr;   ///< Set to 1 at wrong pivots, one a permuted scalar.
+    std::int8_t* wrong = nullptr;   ///< Set to 1 at wrong pivots, one per permuted scalar.
 
     [[nodiscard]] double* update(std::int64_t place) const noexcept {
         return (place < stack_begin ? work : stack) + place;
@@ -53,57 +54,59 @@ struct FactorView {
     }
 };
 
-/// Weights of nodes as rows of bits: a node weighs `least`, and more[c] in addition where row c of
-/// `rows` has its bit. At most one row has it.
+/// Weights of nodes as rows of bits. A node weighs `least`, plus more[c] if its bit in row c of
+/// `rows` is set. At most one row sets it.
 struct NodeWeights {
-    static constexpr int kMost = 5;  ///< Sizes beside the least: blocks have 1 to 6 scalars.
+    /// Number of sizes other than the least: blocks have 1 to 6 scalars.
+    static constexpr int kMost = 5;
     std::int32_t least = 1, count = 0;
     std::int32_t more[kMost] = {};
     const std::uint64_t* rows = nullptr;
 };
 
-/// All that is compiled for one instruction set.
+/// All functions that are compiled for one instruction set.
 struct Kernels {
-    /// Factor fronts [begin, end) in order. @return pivots of the wrong sign or not finite.
+    /// Factor fronts [begin, end) in order.
+    /// @return number of pivots of the wrong sign or not finite.
     int (*factor)(const FactorView& view, std::int32_t begin, std::int32_t end,
                   double* scratch) noexcept;
-    /// L y = x on fronts [begin, end); x is the permuted right-hand side, overwritten.
+    /// Solve L y = x on fronts [begin, end). x is the permuted right-hand side and is overwritten.
     void (*forward)(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
                     double* scratch) noexcept;
-    /// U z = D⁻¹ y on fronts [end, begin) from the top down; U = Lᵀ where symmetric.
+    /// Solve U z = D⁻¹ y on fronts [end, begin) from the top down. U = Lᵀ if symmetric.
     void (*backward)(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
                      double* scratch) noexcept;
-    /// The same three for the chains of a batch, with the updates they hand to their parents. The
-    /// first two do steps [begin, end) of it, and go on from where they stopped with the same
-    /// scratch. Wrong pivots are right in the sum over all steps.
+    /// Do the same for the chains of a batch, with the updates for their parents. The first two
+    /// process steps [begin, end) and continue with the same scratch. The counts of wrong pivots
+    /// are valid in the sum over all steps.
     int (*factor_batch)(const FactorView& view, const Batch& batch, std::int32_t begin,
                         std::int32_t end, double* scratch) noexcept;
     void (*forward_batch)(const FactorView& view, const Batch& batch, std::int32_t begin,
                           std::int32_t end, const double* x, double* scratch) noexcept;
     void (*backward_batch)(const FactorView& view, const Batch& batch, double* x,
                            double* scratch) noexcept;
-    /// Rows of bits (minimum_degree.h): row nodes[k] becomes (row ∪ with) ∩ among, sizes[k] the
-    /// weight of its nodes, and folds[k] the exclusive or of its words, for k < count. Rows are
-    /// aligned and have 8, 16, 24 or 32 words.
+    /// Unite rows of bits (minimum_degree.h) for k < count. Row nodes[k] becomes (row ∪ with) ∩
+    /// among, sizes[k] the weight of its nodes, and folds[k] the exclusive or of its words. Rows
+    /// are aligned and have 8, 16, 24 or 32 words.
     void (*unite_rows)(std::uint64_t* rows, std::int32_t words, const std::int32_t* nodes,
                        std::int32_t count, const std::uint64_t* with, const std::uint64_t* among,
                        const NodeWeights& weights, std::int32_t* sizes,
                        std::uint64_t* folds) noexcept;
-    /// Copy n doubles, a multiple of eight, to where they are not read soon: past the caches, which
-    /// would read what is there before. Both aligned to base::kAlign.
+    /// Copy n doubles, a multiple of eight, past the caches, because they are not read soon. A
+    /// cached store would first read the old values. Both arrays are aligned to base::kAlign.
     void (*stream)(double* to, const double* from, std::int64_t n) noexcept;
 };
 
-/// Pivot columns whose unscaled values a front keeps in the scratch.
+/// Number of pivot columns whose unscaled values a front keeps in the scratch.
 inline constexpr int kDepth = 32;
 
-/// Entries of scratch that a thread needs for symmetric fronts of at most this ld. With
-/// unsymmetric ones it needs twice this, or twice Symbolic::batch_scratch.
+/// Return the scratch of a thread for symmetric fronts of at most this ld [doubles]. Unsymmetric
+/// fronts need twice this, or twice Symbolic::batch_scratch.
 [[nodiscard]] constexpr std::int64_t scratch_size(std::int32_t max_front) {
     return kDepth * static_cast<std::int64_t>(max_front) + 128;
 }
 
-/// The kernels for the instruction set of this process.
+/// Return the kernels for the instruction set of this process.
 [[nodiscard]] const Kernels& factor_kernels() noexcept;
 
 }  // namespace hawser::factor

@@ -11,12 +11,13 @@
 namespace hawser::factor {
 namespace {
 
-/// Update slots come in threes, so that tiles of the window meet tiles when it moves on.
+/// Round scalars up to a multiple of three, so that tiles of the window stay aligned when it moves
+/// on.
 std::int32_t whole_tiles(std::int32_t scalars) { return (scalars + kTile - 1) / kTile * kTile; }
 
 }  // namespace
 
-/// Boundary nodes of each chain, the earliest touched first.
+/// Find the boundary nodes of each chain, sorted by first touch.
 void BatchBuilder::find_touches(const Job& job) {
     const Chains& chains = job.chains;
     const std::size_t n = job.pattern.size.size();
@@ -40,7 +41,7 @@ void BatchBuilder::find_touches(const Job& job) {
     }
 }
 
-/// Alike chains side by side.
+/// Sort the chains so that alike chains are adjacent.
 void BatchBuilder::sort_chains(const Chains& chains) {
     order_.clear();
     for (std::int32_t c = 0; c < chains.count(); ++c) {
@@ -57,7 +58,7 @@ void BatchBuilder::run(const Pattern& pattern, const Chains& chains,
                        const std::vector<std::int32_t>& front_of_chain, Symbolic& s) {
     if (chains.count() == 0) return;
     const Job job{pattern, chains, front_of_chain, s};
-    // Vectors of the kernels are aligned when the panels are.
+    // Vectors of the kernels are aligned if the panels are.
     s.panel_size = (s.panel_size + 7) & ~std::int64_t{7};
     s.node_step.assign(pattern.size.size(), -1);
     s.node_slot.assign(pattern.size.size(), -1);
@@ -104,7 +105,7 @@ void BatchBuilder::add_batch(const Job& job, std::span<const Alike> members) {
     s.batches.push_back(batch);
 }
 
-/// Sizes of the row nodes of every step, the union over the lanes, ascending.
+/// Find the sizes of the row nodes of every step, the union over the lanes, ascending.
 void BatchBuilder::find_row_slots(const Job& job, std::span<const Alike> members,
                                   std::int32_t steps) {
     row_sizes_.clear();
@@ -129,7 +130,7 @@ void BatchBuilder::find_row_slots(const Job& job, std::span<const Alike> members
     }
 }
 
-/// Match sizes with the slots that a lane has not used yet; add slots where none is left.
+/// Match sizes with the unused slots of a lane; add a slot if none is left.
 void BatchBuilder::assign_slots(std::span<const Alike> members) {
     slots_.clear();
     chosen_.clear();
@@ -151,7 +152,7 @@ void BatchBuilder::assign_slots(std::span<const Alike> members) {
     lane_begin_[members.size()] = chosen_.size();
 }
 
-/// Slots by first touch; offsets follow.
+/// Sort slots by first touch and compute their offsets.
 void BatchBuilder::place_slots(Batch& batch) {
     by_touch_.resize(slots_.size());
     std::iota(by_touch_.begin(), by_touch_.end(), 0);
@@ -185,7 +186,7 @@ void BatchBuilder::add_step(const Job& job, Batch& batch, std::int32_t q,
     s.batch_steps.push_back(step);
 }
 
-/// Nodes of a unit of one lane, in a step of the batch.
+/// Assign a step and slots to the nodes of a unit of one lane.
 void BatchBuilder::place_unit(const Job& job, Batch& batch, int lane, std::int32_t unit,
                               std::int32_t step) {
     Symbolic& s = job.s;
@@ -196,7 +197,7 @@ void BatchBuilder::place_unit(const Job& job, Batch& batch, int lane, std::int32
         std::int32_t slot = 0;
         if (v != job.chains.unit(unit)[0]) {
             slot = batch.body;
-            std::size_t r = 0;  // find_row_slots() made one for each
+            std::size_t r = 0;  // find_row_slots() made a slot for each
             while (used_[r] != 0 || rows[r] != job.pattern.size[at(v)]) slot += rows[r++];
             used_[r] = 1;
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lay_out_batches.h
-/// From chains to batches (batches.h): which chains go together, and where their panels are.
+/// From chains to batches (batches.h): grouping of chains and layout of their panels.
 
 #include "factor/chains.h"
 #include "factor/symbolic.h"
@@ -14,32 +14,34 @@
 
 namespace hawser::factor {
 
-/// Lays out batches. A used one needs no memory for chains of about the same number and size.
+/// Lays out batches. A second run on chains of similar number and size allocates nothing.
 class BatchBuilder {
   public:
-    /// Group the chains, give every node its step and slot, and lay out the panels behind the
-    /// ordinary ones. `s` has its fronts, rows and offsets; `front_of_chain` names the chains'
-    /// fronts. @throws std::bad_alloc.
+    /// Group the chains, assign a step and slot to every node, and lay out the panels behind the
+    /// ordinary ones. `s` has its fronts, rows and offsets. `front_of_chain` is the front of each
+    /// chain.
+    /// @throws std::bad_alloc.
     void run(const Pattern& pattern, const Chains& chains,
              const std::vector<std::int32_t>& front_of_chain, Symbolic& s);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    /// A boundary node of a chain, and how many steps before the end it is touched first.
+    /// A boundary node of a chain, and the number of steps before the end at which it is first
+    /// touched.
     struct Touch {
         std::int32_t node, size, steps;
     };
-    /// What a template holds: boundary slots shared by the lanes.
+    /// A boundary slot shared by the lanes.
     struct Slot {
         std::int32_t size, steps, offset;
     };
-    /// A chain, and what makes chains alike: shape, then what they carry, then length.
+    /// A chain with its sort key: shape, carried scalars, length.
     struct Alike {
         std::array<std::int32_t, 4> key;
         std::int32_t chain;
         friend auto operator<=>(const Alike&, const Alike&) = default;
     };
-    /// The model of this call.
+    /// Arguments of the current call.
     struct Job {
         const Pattern& pattern;
         const Chains& chains;
@@ -60,21 +62,21 @@ class BatchBuilder {
         const auto c = static_cast<std::size_t>(chain);
         return {touches_.data() + touch_begin_[c], touches_.data() + touch_begin_[c + 1]};
     }
-    /// Sizes of the row nodes of a step of the batch at hand, ascending.
+    /// Return the sizes of the row nodes of a step of the current batch, ascending.
     [[nodiscard]] std::span<const std::int32_t> row_slots(std::int32_t step) const noexcept {
         const auto k = static_cast<std::size_t>(step);
         return {row_sizes_.data() + row_begin_[k], row_sizes_.data() + row_begin_[k + 1]};
     }
 
     std::vector<std::int32_t> chain_of_, touched_by_;  ///< By node.
-    std::vector<std::int32_t> touch_begin_;            ///< By chain: its part of touches_.
+    std::vector<std::int32_t> touch_begin_;            ///< By chain: its range of touches_.
     std::vector<Touch> touches_;
     std::vector<Alike> order_;
-    // Of the batch at hand.
+    // Data of the current batch.
     std::vector<std::int32_t> row_begin_, row_sizes_, sizes_, union_, merged_;
     std::vector<Slot> slots_;
     std::vector<std::int32_t> chosen_;  ///< Slots of the lanes' touches, lane after lane.
-    std::size_t lane_begin_[kLaneCount + 1] = {};  ///< Of each lane in chosen_.
+    std::size_t lane_begin_[kLaneCount + 1] = {};  ///< Start of each lane in chosen_.
     std::vector<std::int32_t> by_touch_;
     std::vector<std::uint8_t> used_;
 };

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::int32_t round8(std::int32_t n) { return (n + 7) & ~7; }
 
-/// Empty, with the capacity of every array kept. Arrays that are overwritten entry by entry keep
-/// their entries: emptied, they would be filled with zeros first.
+/// Empty a structure and keep the capacity of every array. Arrays that are overwritten entry by
+/// entry keep their entries; otherwise they would be filled with zeros first.
 void reset(Symbolic& s) {
     s.tasks.clear();
     s.top.clear();
@@ -30,7 +30,7 @@ void reset(Symbolic& s) {
     s.matrix_nnz = s.factor_nnz = s.flops = s.critical_flops = 0;
 }
 
-/// Both, beside each other where there is a second thread.
+/// Run both, in parallel if there is a second thread.
 template <class A, class B>
 void beside(base::Executor* team, A&& a, B&& b) {
     if (team == nullptr || team->threads() == 1) {
@@ -91,7 +91,7 @@ void Layout::count_entries(const Pattern& pattern,
     for (std::int32_t v = 0; v < pattern.nodes(); ++v) count(v);
 }
 
-/// Fronts with the same pivots and rows as one of the last layout.
+/// Find the fronts with the same pivots and rows as a front of the last layout.
 void Layout::find_same_fronts(const Columns& columns, const Symbolic& s, bool follows) {
     const std::size_t count = supernodes_.parent.size();
     same_.assign(count, -1);
@@ -111,7 +111,7 @@ void Layout::find_same_fronts(const Columns& columns, const Symbolic& s, bool fo
     }
 }
 
-/// Fill in sizes, addresses, update rows.
+/// Fill in sizes, addresses and update rows.
 void Layout::lay_out_fronts(const Columns& columns, Symbolic& s) {
     const std::size_t count = supernodes_.parent.size();
     s.fronts.resize(count);
@@ -134,13 +134,13 @@ void Layout::lay_out_fronts(const Columns& columns, Symbolic& s) {
         front.ld = round8(front.p + front.q);
         front.ldu = round8(front.q);
         if (in_chain(s, front)) {
-            front.batch = 0;  // lay_out_batches() gives the right one, and the panel
+            front.batch = 0;  // lay_out_batches() sets the batch and the panel
             continue;
         }
         front.panel = s.panel_size;
         s.panel_size += static_cast<std::int64_t>(front.ld) * front.p;
-        // Vector loads of the update rows then end behind the last column: into a gap, not into
-        // the next panel, which another task may be writing.
+        // Add a gap behind the panel. Vector loads of the update rows then end in the gap behind
+        // the last column, not in the next panel, which another task may be writing.
         if (front.p + front.ldu > front.ld) s.panel_size += 8;
         s.max_front = std::max(s.max_front, front.ld);
         s.factor_nnz += static_cast<std::int64_t>(front.p) * (front.p + 1) / 2 +

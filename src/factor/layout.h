@@ -18,30 +18,31 @@
 
 namespace hawser::factor {
 
-/// Lays out a Symbolic. A used one needs no memory for a structure of about the same size.
+/// Lays out a Symbolic. A second run on a structure of similar size allocates nothing.
 class Layout {
   public:
-    /// @param symbolic  order is an order of elimination with these columns, position its inverse;
-    ///        the rest is overwritten, `updates_kept` obeyed.
-    /// @param edited  Where the columns are those of the last call after a Columns::repair(), nodes
-    ///        and chains the same, and `symbolic` is as the last call left it but for the order:
-    ///        the nodes that got other neighbours. What did not change is taken over then.
-    /// @param team  Finds rows and runs beside batches, tasks and update matrices: neither reads
-    ///        what the other writes. nullptr: one after the other.
+    /// Lay out the structure.
+    /// @param symbolic  `order` is an order of elimination with these columns, `position` its
+    ///        inverse. All other members are overwritten, except `updates_kept`, which is obeyed.
+    /// @param edited  The nodes with changed neighbours, if three conditions hold: the columns
+    ///        result from the last call and a Columns::repair(), nodes and chains are unchanged,
+    ///        and only the order of `symbolic` has changed. Unchanged parts are then reused.
+    /// @param team  Finds rows and runs in parallel with batches, tasks and update matrices.
+    ///        Neither reads data that the other writes. nullptr: sequential.
     void run(const Pattern& pattern, const Columns& columns, const Chains& chains,
              Symbolic& symbolic, std::optional<std::span<const std::int32_t>> edited = {},
              base::Executor* team = nullptr);
-    /// Fronts of the last call that are as they were before it.
+    /// Return the number of fronts that the last call left unchanged.
     [[nodiscard]] std::int32_t same() const noexcept { return same_count_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    /// Entries of a node are written so many at a time, and those past its end again by the next: a
-    /// loop of fixed length is one or two vector stores.
+    /// Number of entries of a node written at a time; the next node overwrites those past its end.
+    /// A loop of fixed length is one or two vector stores.
     static constexpr std::int32_t kWide = 8;
     static_assert(kWide >= kMaxBlock);
 
-    /// The last pivot's node: its structure covers every pivot's rows behind the front.
+    /// Return the node of the last pivot. Its structure covers every pivot's rows behind the front.
     [[nodiscard]] static std::int32_t last_node(const Symbolic& s, const Front& front) noexcept {
         return s.order[static_cast<std::size_t>(front.node_end - 1)];
     }
@@ -63,17 +64,18 @@ class Layout {
     Supernodes supernodes_;
     std::vector<std::int32_t> chain_of_, front_of_chain_, cursor_, task_;
     std::vector<std::int64_t> flops_, subtree_, path_, height_;
-    std::vector<std::int32_t> entries_;  ///< By node: of the matrix, twice those of its triangle.
+    std::vector<std::int32_t> entries_;  ///< Matrix entries by node, twice those of its triangle.
     std::int64_t matrix_entries_ = 0;    ///< Their sum.
-    /// The last layout's, and which of its fronts each front is, −1: none.
+    /// Data of the last layout, and the index of each front in it, −1: none.
     std::vector<Front> old_fronts_;
     std::vector<Run> old_runs_;
     std::vector<std::int32_t> old_order_, old_node_front_, same_;
     std::int32_t same_count_ = 0;
     std::vector<std::int64_t>
-        chain_rows_;                    ///< Where those of the chains begin, and the end of all.
-    std::vector<std::int64_t> freed_;   ///< By front: update matrices that it takes from a stack.
-    std::vector<std::int32_t> row_of_;  ///< By node: its row in a parent, if it has one.
+        chain_rows_;  ///< Offset of the rows of the chains, and the end of all rows.
+    /// By front: size of the update matrices that it pops from a stack.
+    std::vector<std::int64_t> freed_;
+    std::vector<std::int32_t> row_of_;  ///< By node: its row in a parent, if any.
     std::vector<std::uint8_t> parity_, crosses_;
     std::vector<std::pair<std::int32_t, std::int32_t>> edges_;
     std::vector<std::int64_t> left_;  ///< Scratch of link_tasks().

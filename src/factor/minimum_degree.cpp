@@ -34,7 +34,7 @@ void MinimumDegree::remove(std::int32_t node) noexcept {
     next_[at(before)] = after;
 }
 
-/// Weights of nodes, and lists for all degrees that they can have.
+/// Set the weights of nodes and one list for each possible degree.
 void MinimumDegree::weigh(const Pattern& pattern) {
     const std::int32_t n = pattern.nodes();
     bool has[kMaxBlock + 1] = {};
@@ -117,7 +117,7 @@ void MinimumDegree::run(const Pattern& pattern, std::vector<std::int32_t>& order
     }
 }
 
-/// A node and its twins.
+/// Append a node and its twins to the order.
 void MinimumDegree::finish(std::int32_t head) noexcept {
     heads_[at(head / 64)] &= ~bit(head);
     for (std::int32_t v = head; v >= 0; v = twin_[at(v)]) {
@@ -126,7 +126,8 @@ void MinimumDegree::finish(std::int32_t head) noexcept {
     }
 }
 
-/// What is left of a row, and the heads in it. @return how many heads.
+/// Remove eliminated nodes from a row and list the heads in it.
+/// @return number of heads.
 std::int32_t MinimumDegree::list_heads(const std::uint64_t* own, std::uint32_t in_words) noexcept {
     for (std::int32_t w = 0; w < words_; ++w) clique_[at(w)] = own[w] & left_[at(w)];
     std::int32_t count = 0;
@@ -138,11 +139,11 @@ std::int32_t MinimumDegree::list_heads(const std::uint64_t* own, std::uint32_t i
     return count;
 }
 
-/// The pivot and its twins, then those of its neighbours that have no others.
+/// Eliminate the pivot and its twins, then each neighbour without other neighbours.
 void MinimumDegree::eliminate(std::int32_t pivot, const Kernels& kernels) noexcept {
     remove(pivot);
     finish(pivot);
-    const std::int32_t clique = degree_[at(pivot)];  // all that is left of its neighbours
+    const std::int32_t clique = degree_[at(pivot)];  // weight of its remaining neighbours
     const std::int32_t count = list_heads(row(pivot), in_words_[at(pivot)]);
     kernels.unite_rows(rows_.data(), words_, touched_.data(), count, clique_.data(), left_.data(),
                        weights_, sizes_.data(), folds_.data());
@@ -170,8 +171,8 @@ void MinimumDegree::eliminate(std::int32_t pivot, const Kernels& kernels) noexce
     }
 }
 
-/// Of touched nodes with one row the first becomes the head of the others, which are marked −1.
-/// Mostly there are none, and no two folded rows meet in a table of one word.
+/// Join touched nodes with equal rows: the first becomes the head, the others are marked −1. Mostly
+/// there are none, and no two folded rows meet in a table of one word.
 void MinimumDegree::join_twins(std::int32_t count) noexcept {
     std::uint64_t seen = 0, again = 0;
     for (std::int32_t k = 0; k < count; ++k) {

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file minimum_degree.h
-/// Minimum degree orders of graphs of up to two thousand nodes, with the true degrees, in scalars.
+/// Minimum degree orders of graphs of up to 2048 nodes, with true degrees in scalars.
 ///
-/// Eliminating a node makes its neighbours a clique (Parter 1961); next comes one with the fewest
-/// neighbours (Tinney, Walker 1967). Graphs of scenes are small enough to be held as rows of bits,
-/// a closed neighbourhood each: the rows of all neighbours are then united with that of the pivot,
-/// some vector instructions for each, where the lists of a quotient graph (AMD) take a step for
-/// each entry, and their lengths are but bounds of the degrees. Nodes of one closed neighbourhood
-/// are eliminated together (George, Liu, "The evolution of the minimum degree ordering algorithm",
-/// 1989): they have one row, and count as one when the degree of either is taken (external
-/// degree). Ties go to the node whose degree changed last, then to the smallest.
+/// Eliminating a node makes its neighbours a clique (Parter 1961). The next pivot is a node with
+/// the fewest neighbours (Tinney, Walker 1967). Graphs of scenes are small enough to store each
+/// closed neighbourhood as a row of bits. The rows of all neighbours are united with the row of the
+/// pivot by a few vector instructions each. The lists of a quotient graph (AMD) need a step for
+/// each entry, and their lengths only bound the degrees. Nodes with equal closed neighbourhoods
+/// (twins) are eliminated together (George, Liu, "The evolution of the minimum degree ordering
+/// algorithm", 1989). They share one row and count as one node in each other's degree (external
+/// degree). Ties go to the node whose degree changed last, then to the smallest index.
 ///
-/// A node weighs its scalars: a pivot with d scalars around it makes a column of d entries and d²/2
-/// products, whatever the number of nodes. In a net, a string (one row) has 2 neighbours of 6
-/// scalars and a knot (3 scalars) has 4 of 4: counted in nodes strings go first, which leaves 3
-/// scalars a knot, counted in scalars knots go first, which leaves 2 rows a knot. Weights are
-/// divided by their greatest common divisor, so that nodes of one size weigh one.
+/// The weight of a node is its number of scalars. A pivot with d scalars around it makes a column
+/// of d entries and d²/2 products, whatever the number of nodes. Example: in a net, a string (one
+/// row) has 2 neighbours of 6 scalars, and a knot (3 scalars) has 4 of 4. Counted in nodes, strings
+/// go first, which leaves 3 scalars per knot. Counted in scalars, knots go first, which leaves 2
+/// rows per knot. Weights are divided by their greatest common divisor, so nodes of one size weigh
+/// one.
 
 #include "base/memory.h"
 #include "factor/kernels.h"
@@ -27,13 +28,15 @@
 
 namespace hawser::factor {
 
-/// A used one needs no memory for a graph of about the same size.
+/// Order nodes by minimum degree. A second run on a graph of similar size allocates nothing.
 class MinimumDegree {
   public:
-    /// Nodes beyond which lists take less time than rows.
+    /// Number of nodes above which lists take less time than rows.
     static constexpr std::int32_t kMost = 2048;
 
-    /// @param order  order[k] = node eliminated k-th. @cost O(fill · nodes / 512).
+    /// Order the nodes of a pattern.
+    /// @param order  order[k] = node eliminated k-th.
+    /// @cost O(fill · nodes / 512).
     void run(const Pattern& pattern, std::vector<std::int32_t>& order);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -54,20 +57,24 @@ class MinimumDegree {
         return rows_.data() + static_cast<std::ptrdiff_t>(node) * words_;
     }
 
-    std::int32_t words_ = 0;           ///< Of a row.
-    base::Array<std::uint64_t> rows_;  ///< Of a head: itself and its neighbours, gone ones perhaps.
-    base::Array<std::uint64_t> left_, heads_;  ///< Not eliminated; of these the first of twins.
-    base::Array<std::uint64_t> clique_;        ///< Neighbours of the pivot that are left.
-    base::Array<std::uint64_t> heavy_;         ///< Rows of weights_.
+    std::int32_t words_ = 0;  ///< Words of a row.
+    /// Row of a head: itself and its neighbours, perhaps with eliminated ones.
+    base::Array<std::uint64_t> rows_;
+    /// Nodes not eliminated; the heads among them (first of its twins).
+    base::Array<std::uint64_t> left_, heads_;
+    base::Array<std::uint64_t> clique_;  ///< Remaining neighbours of the pivot.
+    base::Array<std::uint64_t> heavy_;   ///< Rows of weights_.
     NodeWeights weights_;
-    std::vector<std::uint32_t> in_words_;        ///< Of a head: words of its row that are not zero.
-    std::vector<std::int32_t> next_, prev_;      ///< Rings, by degree: nodes, then a list for each.
-    std::vector<std::int32_t> degree_, weight_;  ///< Of a head: external degree; twins and itself.
-    std::vector<std::int32_t> twin_, last_twin_;  ///< The next one, −1: none; of a head.
-    std::vector<std::int32_t> touched_, sizes_;  ///< Heads beside the pivot, weights of their rows.
-    std::vector<std::uint64_t> folds_;           ///< Of these rows.
-    std::int32_t least_ = 0;                     ///< No head has a smaller degree.
-    std::int32_t* order_ = nullptr;              ///< Where the next one goes.
+    std::vector<std::uint32_t> in_words_;    ///< Non-zero words of the row of each head.
+    std::vector<std::int32_t> next_, prev_;  ///< Rings by degree: nodes, then one list per degree.
+    /// External degree of a head; its weight with twins.
+    std::vector<std::int32_t> degree_, weight_;
+    std::vector<std::int32_t> twin_, last_twin_;  ///< Next twin, −1: none; last twin of a head.
+    /// Heads adjacent to the pivot, and weights of their rows.
+    std::vector<std::int32_t> touched_, sizes_;
+    std::vector<std::uint64_t> folds_;  ///< Folds of these rows.
+    std::int32_t least_ = 0;            ///< Lower bound of the degrees of all heads.
+    std::int32_t* order_ = nullptr;     ///< Next entry of the order to write.
 };
 
 }  // namespace hawser::factor

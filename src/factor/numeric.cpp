@@ -11,7 +11,8 @@ namespace hawser::factor {
 void SymmetricNumeric::make_room(const Symbolic& symbolic, int threads, int sides) {
     const std::int64_t work = work_size(symbolic, threads);
     const auto carried = static_cast<std::int64_t>(symbolic.rows.size());
-    // What follows a pattern outgrows its arrays one after another: they grow together.
+    // Arrays of a structure that follows a pattern become too small one after another, so they grow
+    // together.
     const bool follows =
         outgrown(panel_, symbolic.panel_size) || outgrown(work_, work) || outgrown(carry_, carried);
     auto room = [&](std::int64_t size) { return follows ? size + size / 8 : size; };
@@ -31,7 +32,7 @@ void SymmetricNumeric::make_room(const Symbolic& symbolic, int threads, int side
     grow(scratch_, scratch_stride_ * threads);
 }
 
-constexpr std::int64_t kCached = 1'048'576;  // bytes that a core's own cache holds
+constexpr std::int64_t kCached = 1'048'576;  // bytes of a core's own cache
 
 FactorView SymmetricNumeric::view(const Symbolic& s, int thread) noexcept {
     double* stack = work_.data() + thread * (s.work_size - s.stack_begin);
@@ -61,8 +62,8 @@ void SymmetricNumeric::clear(const Symbolic& symbolic, base::Executor& executor)
     executor.for_each(chunks, zero);
 }
 
-/// on_batch(batch, node, thread) or on_fronts(begin, end, node, thread) for all of them, the ranges
-/// of a node in their order, going down in the reverse one.
+/// Call on_batch(batch, node, thread) or on_fronts(begin, end, node, thread) for all of them. The
+/// ranges of a node follow their order, or the reverse order on the way down.
 template <class Batches, class Fronts>
 void SymmetricNumeric::run_tasks(const Symbolic& s, TaskPass pass, base::Executor& executor,
                                  Batches&& on_batch, Fronts&& on_fronts) noexcept {

@@ -26,8 +26,8 @@ void Orderer::order(const Pattern& pattern, std::vector<std::int32_t>& order) {
     place_rows(pattern, order);
 }
 
-/// The core of the library is called, with what amd_order() would hand to it: the lists of a
-/// pattern are those of A + Aᵀ already, valid and sorted.
+/// Order the nodes with AMD. The core of the library is called with the arguments that amd_order()
+/// would pass: the lists of a pattern are those of A + Aᵀ, valid and sorted.
 void Orderer::order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& order) {
     const std::size_t n = pattern.size.size(), entries = pattern.adjacent.size();
     order.resize(n);
@@ -36,7 +36,7 @@ void Orderer::order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& or
     amd_defaults(control);
     // A hull with hundreds of neighbours is not "dense": only nodes above 10·√n·10 are.
     control[AMD_DENSE] = 100.0;
-    // With this much room the lists are seldom moved together; that changes no order.
+    // With this capacity the lists are seldom compacted. The capacity does not change the order.
     const std::size_t room = 2 * entries + n;
     if (room > at(std::numeric_limits<std::int32_t>::max())) throw std::bad_alloc();
     constexpr std::size_t kArrays = 8;
@@ -56,7 +56,7 @@ void Orderer::order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& or
     place_rows(pattern, order);
 }
 
-/// The boundary of each chain, each node once.
+/// Find the boundary of each chain, each node once.
 void Orderer::find_boundaries(const Pattern& pattern, const Chains& chains) {
     mark_.assign(rest_of_.size(), -1);
     boundary_.clear();
@@ -74,7 +74,7 @@ void Orderer::find_boundaries(const Pattern& pattern, const Chains& chains) {
     }
 }
 
-/// The pattern without the chains, in which their boundaries are cliques.
+/// Build the pattern without the chains, in which their boundaries are cliques.
 void Orderer::find_rest(const Pattern& pattern, const Chains& chains) {
     const std::size_t n = pattern.size.size();
     rest_of_.assign(n, 0);
@@ -90,7 +90,7 @@ void Orderer::find_rest(const Pattern& pattern, const Chains& chains) {
         left_.sign.push_back(pattern.sign[v]);
     }
     find_boundaries(pattern, chains);
-    // Chains that a node touches: numbers of boundary_, in lists.
+    // Lists of the chains that a node touches, as indices into boundary_.
     touch_.assign(rest_.size(), -1);
     touch_next_.resize(boundary_.size());
     mark_.resize(boundary_.size());  // from here on: the chain of each entry
@@ -137,7 +137,7 @@ void Orderer::place_rows(const Pattern& pattern, std::vector<std::int32_t>& orde
     const std::size_t n = order.size();
     position_.resize(n);
     for (std::size_t k = 0; k < n; ++k) position_[at(order[k])] = static_cast<std::int32_t>(k);
-    // Places from the last to the first, so that the lists behind a body ascend.
+    // Positions from last to first, so that the lists behind a body ascend.
     head_.assign(n, -1);
     next_.resize(n);
     bool moved = false;
@@ -154,7 +154,7 @@ void Orderer::place_rows(const Pattern& pattern, std::vector<std::int32_t>& orde
         moved = true;
     }
     if (!moved) return;
-    // Read by place: order is what is written.
+    // Read from a copy by position, because order is overwritten.
     work_.assign(order.begin(), order.end());
     std::size_t to = 0;
     for (std::size_t k = 0; k < n; ++k) {

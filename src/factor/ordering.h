@@ -4,12 +4,13 @@
 /// The order of elimination.
 ///
 /// Minimum degree on the graph of blocks, which is 4-6 times smaller than the graph of scalars.
-/// Degrees count scalars. Up to MinimumDegree::kMost nodes they are exact (minimum_degree.h), above
-/// they are bounds (approximate_degree.h; the AMD library if all nodes have one size). Then one
-/// repair that stability needs: a negative node (constraint rows) comes after at least one of its
-/// positive neighbours, because with compliance near zero its own diagonal is no pivot at all
-/// (Gill, Saunders, Shinnerl, "On the stability of Cholesky factorization for symmetric
-/// quasidefinite systems", 1996).
+/// Degrees count scalars. They are exact up to MinimumDegree::kMost nodes (minimum_degree.h).
+/// Above, they are bounds (approximate_degree.h; the AMD library if all nodes have one size).
+///
+/// A repair for stability follows: a negative node (constraint rows) comes after at least one of
+/// its positive neighbours. With compliance near zero its own diagonal is not a usable pivot (Gill,
+/// Saunders, Shinnerl, "On the stability of Cholesky factorization for symmetric quasidefinite
+/// systems", 1996).
 
 #include "factor/approximate_degree.h"
 #include "factor/chains.h"
@@ -21,25 +22,29 @@
 
 namespace hawser::factor {
 
-/// Order and chains of a matrix: chains first, then minimum degree on what is left, in which each
-/// chain stands as a clique of its boundary.
+/// Order and chains of a matrix: chains first, then minimum degree on the other nodes, with each
+/// chain replaced by a clique of its boundary.
 struct Elimination {
     std::vector<std::int32_t> order;
     Chains chains;
     friend bool operator==(const Elimination&, const Elimination&) = default;
 };
 
-/// Makes orders; a used one needs no memory for a pattern of about the same size.
+/// Computes orders. A second run on a pattern of similar size allocates nothing.
 class Orderer {
   public:
-    /// Minimum degree. @param order  order[k] = node eliminated k-th. @throws std::bad_alloc.
+    /// Order nodes by minimum degree.
+    /// @param order  order[k] = node eliminated k-th.
+    /// @throws std::bad_alloc.
     void order(const Pattern& pattern, std::vector<std::int32_t>& order);
-    /// Approximate minimum degree that counts nodes (the AMD library), for any number of nodes.
+    /// Order nodes by approximate minimum degree that counts nodes (the AMD library), for any
+    /// number of nodes.
     /// @throws std::bad_alloc.
     void order_by_amd(const Pattern& pattern, std::vector<std::int32_t>& order);
-    /// Chains, then minimum degree. @throws std::bad_alloc.
+    /// Find chains, then order the other nodes by minimum degree.
+    /// @throws std::bad_alloc.
     void plan(const Pattern& pattern, std::vector<std::int32_t>& order, Chains& chains);
-    /// See place_rows_after_bodies().
+    /// Place rows behind bodies, see place_rows_after_bodies().
     void place_rows(const Pattern& pattern, std::vector<std::int32_t>& order);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -50,21 +55,24 @@ class Orderer {
     ChainFinder chains_;
     MinimumDegree small_;
     ApproximateDegree large_;
-    std::vector<std::int32_t> work_;                    ///< Of AMD.
-    std::vector<std::int32_t> position_, head_, next_;  ///< Of place_rows().
-    // What chains leave.
+    std::vector<std::int32_t> work_;                    ///< Scratch of AMD.
+    std::vector<std::int32_t> position_, head_, next_;  ///< Scratch of place_rows().
+    // Pattern and data of the nodes outside chains.
     Pattern left_;
     std::vector<std::int32_t> rest_of_, rest_, left_order_;
-    std::vector<std::int32_t> boundary_, boundary_begin_;  ///< Of each chain, numbers in rest_.
+    std::vector<std::int32_t> boundary_,
+        boundary_begin_;  ///< Boundary of each chain: indices into rest_.
     std::vector<std::int32_t> touch_, touch_next_, mark_;
 };
 
-/// Approximate minimum degree. @return order[k] = node eliminated k-th. @throws std::bad_alloc.
+/// Order nodes by approximate minimum degree.
+/// @return order[k] = node eliminated k-th.
+/// @throws std::bad_alloc.
 [[nodiscard]] std::vector<std::int32_t> order_nodes(const Pattern& pattern);
 [[nodiscard]] Elimination plan_elimination(const Pattern& pattern);
 
-/// Move every negative node that precedes all its positive neighbours to just behind the first
-/// of them. Other nodes keep their relative order.
+/// Move every negative node that precedes all its positive neighbours to just behind the first of
+/// them. Other nodes keep their relative order.
 void place_rows_after_bodies(const Pattern& pattern, std::vector<std::int32_t>& order);
 
 }  // namespace hawser::factor

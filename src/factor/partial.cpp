@@ -8,7 +8,7 @@
 namespace hawser::factor {
 namespace {
 
-/// Where a front's panel ends, the gap behind it included: where the next one begins.
+/// Return the end of a front's panel with the gap behind it, where the next panel begins.
 std::int64_t panel_end(const Front& f) {
     return f.panel + static_cast<std::int64_t>(f.ld) * f.p + (f.p + f.ldu > f.ld ? 8 : 0);
 }
@@ -45,7 +45,7 @@ void DirtyParts::reserve(const Symbolic& s) {
 
 void DirtyParts::find(const Symbolic& s, std::span<const std::int32_t> columns,
                       const Unsymmetric* unsymmetric) noexcept {
-    if (++epoch_ == 0) {  // after 2³² calls: no mark may look fresh
+    if (++epoch_ == 0) {  // after 2³² calls: clear all marks, so that no old one is valid
         std::fill(front_mark_.begin(), front_mark_.end(), 0U);
         std::fill(batch_mark_.begin(), batch_mark_.end(), 0U);
         epoch_ = 1;

@@ -11,7 +11,7 @@ namespace hawser::factor {
 void EdgeDealer::deal(std::span<const std::int32_t> edge_from,
                       std::span<const std::int32_t> edge_to, Pattern& p) {
     const std::size_t n = p.size.size(), m = edge_from.size();
-    // Two counting sorts: bucket by column, then deal out by row; rows come out ascending.
+    // Two counting sorts: bucket by column, then distribute by row; rows come out ascending.
     begin_.assign(n + 1, 0);
     for (std::size_t e = 0; e < m; ++e) {
         if (edge_from[e] == edge_to[e]) continue;

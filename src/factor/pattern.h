@@ -3,10 +3,10 @@
 /// @file pattern.h
 /// The block graph of a symmetric quasi-definite matrix.
 ///
-/// A matrix K = [A Gᵀ; G −Σ] with A, Σ positive definite has an LDLᵀ factorisation with
-/// diagonal D for every symmetric permutation (Vanderbei, "Symmetric quasidefinite matrices",
-/// 1995), and the sign of each pivot is known beforehand. Nodes are dense blocks of 1-6
-/// scalars, edges are the blocks off the diagonal that may be non-zero.
+/// A matrix K = [A Gᵀ; G −Σ] with A, Σ positive definite has an LDLᵀ factorisation with diagonal D
+/// for every symmetric permutation (Vanderbei, "Symmetric quasidefinite matrices", 1995). The sign
+/// of each pivot is known beforehand. Nodes are dense blocks of 1-6 scalars. Edges are the
+/// off-diagonal blocks that may be non-zero.
 
 #include <cstddef>
 #include <cstdint>
@@ -31,10 +31,11 @@ struct Pattern {
     friend bool operator==(const Pattern&, const Pattern&) = default;
 };
 
-/// Deals out edges to the nodes of a pattern; a used one needs no memory for about as many.
+/// Distributes edges to the nodes of a pattern. A second run on a similar number of edges allocates
+/// nothing.
 class EdgeDealer {
   public:
-    /// Give `pattern`, which has its sizes and signs, its neighbours. Edges as of make_pattern().
+    /// Set the neighbours of `pattern`, which has its sizes and signs. Edges as for make_pattern().
     /// @throws std::bad_alloc.
     void deal(std::span<const std::int32_t> edge_from, std::span<const std::int32_t> edge_to,
               Pattern& pattern);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Panels that are filled, factored and substituted together, see numeric.h.
+/// Panels that are filled, factored and substituted together (numeric.h).
 #include "factor/grow.h"
 #include "factor/numeric.h"
 
@@ -58,7 +58,7 @@ void Numeric::make_pieces(const Symbolic& s) {
     task_piece_.push_back(static_cast<std::int32_t>(pieces_.size()));
 }
 
-/// Room for the largest piece of a batch, if they are streamed.
+/// Reserve memory for the largest piece of a batch, if pieces are streamed.
 void Numeric::find_stage(const Symbolic& s, int threads) {
     stage_stride_ = 0;
     if (s.panel_size <= streamed_size) return;
@@ -75,7 +75,8 @@ int Numeric::run_batch_piece(const Symbolic& symbolic, int piece, Fill fill, dou
     const Kernels& all = factor_kernels();
     const Kernels& kernels = all;
     const std::int64_t size = p.panel_end - p.panel_begin;
-    // Both go on with the next piece: each has its own share of the scratch.
+    // Factorisation and substitution continue with the next piece, so each has its own part of the
+    // scratch.
     double* forward = scratch(thread) + (unsymmetric_ ? 2 : 1) * batch_windows(batch);
     FactorView v = view(symbolic, thread);
     const bool streamed = stage_stride_ > 0 && !unsymmetric_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The places of new and moved nodes in an order that is kept: the table in repair.h.
+/// Positions of new and moved nodes in a kept order (list in repair.h).
 #include "base/index.h"
 #include "factor/repair.h"
 
@@ -9,23 +9,24 @@
 namespace hawser::factor {
 namespace {
 
-constexpr std::uint8_t kMoved = 1, kFresh = 2;  // of placing_
-constexpr std::int32_t kUnknown = -2;           // of anchor_; −1: behind all trees
+constexpr std::uint8_t kMoved = 1, kFresh = 2;  // values of placing_
+constexpr std::int32_t kUnknown = -2;           // value of anchor_; −1: behind all trees
 
-/// A hull with more neighbours stays where it is: most of the tree hangs below it.
+/// Number of neighbours above which a body keeps its position: most of the tree hangs below a hull.
 constexpr std::size_t kFewNeighbours = 16;
 
 }  // namespace
 
-/// What the branches of a node's neighbours have in common.
+/// Common data of the branches of a node's neighbours.
 struct Analysis::Meeting {
-    std::int32_t front = kUnknown;  ///< Lowest of one branch, or where several meet.
+    /// Lowest front of one branch, or the front in which several meet.
+    std::int32_t front = kUnknown;
     bool several = false;
-    std::int64_t first = -1;       ///< Least key of those that have one.
-    std::int32_t first_node = -1;  ///< First eliminated.
+    std::int64_t first = -1;       ///< Least key of the nodes with a key.
+    std::int32_t first_node = -1;  ///< First node eliminated.
 };
 
-/// The first common ancestor of two fronts, −1: none. Parents have higher numbers.
+/// Return the first common ancestor of two fronts, −1: none. Parents have higher indices.
 std::int32_t Analysis::meet(std::int32_t a, std::int32_t b) const noexcept {
     while (a != b) {
         if (a < 0 || b < 0) return -1;
@@ -35,7 +36,7 @@ std::int32_t Analysis::meet(std::int32_t a, std::int32_t b) const noexcept {
     return a;
 }
 
-/// The front that stands for a node's place; kUnknown while it has none.
+/// Return the front that represents the position of a node, kUnknown if it has none yet.
 std::int32_t Analysis::branch(std::int32_t node) const noexcept {
     if (anchor_[at(node)] != kUnknown || placing_[at(node)] != 0) return anchor_[at(node)];
     return symbolic_.node_front[at(old_of_new_[at(node)])];
@@ -61,7 +62,7 @@ void Analysis::visit(Meeting& m, std::int32_t node) const noexcept {
     }
 }
 
-/// Bodies that stay but need another place, and the rows that must stay behind them.
+/// Find the bodies that stay but need another position, and the rows that must stay behind them.
 void Analysis::choose_moves(const Pattern& next) {
     const std::int32_t n = next.nodes();
     placing_.assign(at(n), 0);
@@ -79,19 +80,19 @@ void Analysis::choose_moves(const Pattern& next) {
         if (placing_[at(v)] == kFresh) continue;
         for (const std::int32_t w : pattern_.neighbours(old_of_new_[at(v)]))
             if (const std::int32_t now = new_of_old_[at(w)]; now >= 0)
-                mark_[at(now)] = 2 * n + v;  // apart from the marks of the steps before
+                mark_[at(now)] = 2 * n + v;  // distinct from the marks of the steps before
         for (const std::int32_t u : next.neighbours(v))
             if (u > v && placing_[at(u)] != kFresh && mark_[at(u)] != 2 * n + v) join(next, v, u);
     }
-    for (const std::int32_t v : changes_) {  // who is placed has changed
+    for (const std::int32_t v : changes_) {  // every node to place counts as changed
         if (placing_[at(v)] == 0 || next.sign[at(v)] < 0) continue;
         for (const std::int32_t r : next.neighbours(v))
             if (next.sign[at(r)] < 0 && chain_of_[at(r)] < 0) placing_[at(r)] = kFresh;
     }
 }
 
-/// A new edge between nodes that stay: if they lie in different branches, one of them moves to
-/// where these meet.
+/// Process a new edge between nodes that stay. If they lie in different branches, one of them moves
+/// to the front in which the branches meet.
 void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
     const std::int32_t front_a = branch(a), front_b = branch(b);
     const std::int32_t common = meet(front_a, front_b);
@@ -105,7 +106,8 @@ void Analysis::join(const Pattern& next, std::int32_t a, std::int32_t b) {
     anchor_[at(moved)] = common;
 }
 
-/// Nodes in no chain: those that keep their place, in order, and those that need one.
+/// Collect the nodes in no chain: those that keep their position, in order, and those that need
+/// one.
 void Analysis::collect_rest(const Pattern& next) {
     const std::size_t n = changed_.size();
     placed_.clear();
@@ -119,7 +121,7 @@ void Analysis::collect_rest(const Pattern& next) {
     for (const std::int32_t old : symbolic_.order) {
         const std::int32_t v = new_of_old_[at(old)];
         if (v < 0 || chain_of_[at(v)] >= 0) continue;
-        // The one that is written last stays.
+        // Only entries that stay advance the count.
         const bool stays = placing_[at(v)] == 0;
         if (stays) key_[at(v)] = 2 * static_cast<std::int64_t>(kept) + 1;
         rest_[kept] = v;
@@ -127,7 +129,7 @@ void Analysis::collect_rest(const Pattern& next) {
     }
     rest_.resize(kept);
     before_.assign(rest_.size() + 1, -1);
-    behind_.assign(n + 1, -1);  // the last: behind all chains
+    behind_.assign(n + 1, -1);  // the last list: behind all chains
     next_.resize(n);
     spare_.assign(n, 0);
     for (std::size_t v = 0; v < n; ++v)
@@ -135,7 +137,7 @@ void Analysis::collect_rest(const Pattern& next) {
     between_.swap(spare_);
 }
 
-/// The key before the first pivot of a front that keeps its place.
+/// Return the key before the first pivot of a front that keeps its position.
 std::int64_t Analysis::before_front(std::int32_t front) const noexcept {
     for (; front >= 0; front = symbolic_.fronts[at(front)].parent) {
         const Front& f = symbolic_.fronts[at(front)];
@@ -163,7 +165,7 @@ void Analysis::place_body(const Pattern& next, std::int32_t v) {
         }
         anchor_[at(v)] = m.front == kUnknown ? -1 : m.front;
         between_[at(v)] = m.several ? 1 : 0;
-        // Alone or beside chains only: right behind these.
+        // A node that is isolated or adjacent to chains only goes directly behind them.
         key_[at(v)] =
             m.several ? before_front(m.front) : std::max<std::int64_t>(m.first, 0) / 2 * 2;
     }
@@ -182,7 +184,7 @@ void Analysis::place_rows(const Pattern& next, std::int32_t v) {
         hang(behind_, at(m.first_node), v);
 }
 
-/// The list of what stands at one place.
+/// Prepend a node to the list of a position.
 void Analysis::hang(std::vector<std::int32_t>& heads, std::size_t place, std::int32_t node) {
     next_[at(node)] = heads[place];
     heads[place] = node;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Members of SymmetricNumeric that factor a part anew (partial.h).
+/// Members of SymmetricNumeric that factor a part again (partial.h).
 #include "base/index.h"
 #include "factor/kernels.h"
 #include "factor/numeric.h"
@@ -19,7 +19,7 @@ void SymmetricNumeric::clear(const Symbolic&, const DirtyParts& dirty,
 
 int SymmetricNumeric::refactor(const Symbolic& s, const DirtyParts& dirty,
                                base::Executor& executor) noexcept {
-    const FactorView v = view(s, 0);  // no stacks: every update has its place
+    const FactorView v = view(s, 0);  // no stacks: every update matrix has its own memory
     const Kernels& kernels = factor_kernels();
     auto node = [&](int i, int thread) noexcept {
         int wrong = 0;

@@ -100,7 +100,8 @@ RepairReport Analysis::repair(const Pattern& next, std::span<const std::int32_t>
     return follow(next, compare(next, old_of_new));
 }
 
-/// Which nodes changed, by their new numbers. @return they have the ones they had.
+/// Find the changed nodes by their new indices.
+/// @return true if all nodes have their old indices.
 bool Analysis::compare(const Pattern& next, std::span<const std::int32_t> old_of_new) {
     const bool same_numbers = match_nodes(next, old_of_new);
     if (!same_numbers) columns_.renumber(old_of_new_, pattern_.nodes());
@@ -129,7 +130,8 @@ RepairReport Analysis::follow(const Pattern& next, bool same_numbers) {
     return report;
 }
 
-/// Fill old_of_new_ and its inverse. @return every node is the one it was, and none went.
+/// Fill old_of_new_ and its inverse.
+/// @return true if every node has its old index and none was removed.
 bool Analysis::match_nodes(const Pattern& next, std::span<const std::int32_t> old_of_new) {
     const std::int32_t n = next.nodes(), before = pattern_.nodes();
     if (old_of_new.empty() && next.size == pattern_.size && next.sign == pattern_.sign) {
@@ -153,7 +155,7 @@ bool Analysis::match_nodes(const Pattern& next, std::span<const std::int32_t> ol
     return same;
 }
 
-/// Which nodes are new or have other neighbours.
+/// Find the nodes that are new or have other neighbours.
 void Analysis::find_changes(const Pattern& next, bool same_numbers) {
     const std::int32_t n = next.nodes();
     changed_.resize(at(n));
@@ -182,8 +184,8 @@ void Analysis::find_changes(const Pattern& next, bool same_numbers) {
     });
 }
 
-/// find_changes() where nodes have their numbers still. How many neighbours a node has is no better
-/// known than the scene: so many at a time are compared, of which the first count.
+/// Do find_changes() for nodes with their old indices. The number of neighbours varies as the scene
+/// does. So a fixed number of entries is compared at a time, and masks select the valid ones.
 void Analysis::compare_lists(const Pattern& next) {
     constexpr std::int32_t kWide = 8;
     static constexpr std::int32_t kFirst[2 * kWide] = {-1, -1, -1, -1, -1, -1, -1, -1};
@@ -229,8 +231,8 @@ void Analysis::keep_chains(const Pattern& next, RepairReport& report) {
     std::swap(chains_, kept_);
 }
 
-/// A chain may touch other boundaries than before. Inside it stays as it was, and it touches no
-/// other chain.
+/// Return true if a chain is unchanged inside and touches no other chain. Its boundary may have
+/// changed.
 bool Analysis::chain_holds(const Pattern& next, std::int32_t chain) {
     for (std::int32_t u = chains_.begin[at(chain)]; u < chains_.begin[at(chain) + 1]; ++u)
         for (const std::int32_t v : chains_.unit(u)) {
@@ -241,7 +243,7 @@ bool Analysis::chain_holds(const Pattern& next, std::int32_t chain) {
             for (const std::int32_t w : pattern_.neighbours(old_of_new_[at(v)])) {
                 const std::int32_t now = new_of_old_[at(w)];
                 if (now < 0 || chain_of_[at(now)] != chain) continue;
-                mark_[at(now)] = n + v;  // apart from the marks of find_changes()
+                mark_[at(now)] = n + v;  // distinct from the marks of find_changes()
                 ++inside_before;
             }
             for (const std::int32_t w : next.neighbours(v)) {

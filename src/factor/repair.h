@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file repair.h
-/// An analysis that follows its pattern: contacts come and go at every step.
+/// An analysis that follows its pattern, since contacts begin and end at every step.
 ///
-/// Ordering is the larger part of an analysis and hardly depends on a few contacts, so a repair
-/// keeps the order of the nodes that stay, but for a few:
+/// Ordering is the larger part of an analysis and hardly depends on a few contacts. A repair keeps
+/// the order of the nodes that stay, with these exceptions:
 ///
 /// - A new body (positive node) comes before the first eliminated of its neighbours, directly or
 ///   through rows.
 /// - Rows (negative) that are new, or have other neighbours than before, come behind the first
-///   eliminated of their bodies, as stability demands (ordering.h).
-/// - Where the neighbours lie in different branches of the tree, the place is before the front in
-///   which the branches meet. Of two bodies that stay and become neighbours, in different branches,
-///   one moves to such a place. Otherwise one branch would come to hang below the other, and all
-///   that it carries to its top would pass through the other one as well.
-/// - A body placed where branches met is placed as if it were new when its neighbours change again.
-/// - Nodes of a chain (chains.h) whose inside changed, or which touches another chain now, stay
-///   where they were, but in ordinary fronts.
+///   eliminated of their bodies, for stability (ordering.h).
+/// - If the neighbours lie in different branches of the tree, the position is before the front in
+///   which the branches meet. If two bodies that stay become neighbours in different branches, one
+///   of them moves to such a position. Otherwise one branch would hang below the other, and all its
+///   updates would pass through the other as well.
+/// - A body placed at such a meeting is placed like a new one when its neighbours change again.
+/// - Nodes of a chain (chains.h) that changed inside or now touches another chain keep their
+///   position, but in ordinary fronts.
 ///
-/// Lists of neighbours are compared as a whole, and only nodes with another one are looked at. Then
-/// the structure is computed again where it changes (columns.h). Where it does not, nodes merge to
-/// the fronts that they were (tree.h) and land in their parents as they did (layout.h), if nodes
-/// keep their numbers and all chains hold. Addresses move with all that lies before them and are
-/// laid out anew, which is linear in the number of fronts and rows. The result is what analyse()
-/// gives for the same order and chains, member by member.
+/// Lists of neighbours are compared as a whole, and only nodes with a changed list are processed.
+/// Then the changed part of the structure is computed again (columns.h). Unchanged nodes merge to
+/// the same fronts (tree.h) and land in their parents as before (layout.h), if nodes keep their
+/// indices and all chains stay. Addresses depend on all preceding ones and are computed again, in
+/// time linear in the number of fronts and rows. The result equals the result of analyse() for the
+/// same order and chains, member by member.
 ///
-/// An order grows stale: update() makes a new one when the flops exceed kReplan times those after
-/// the last plan, and at once where more than kEdited of the nodes changed. Measured on the
-/// paper's scene in docs/factor_benchmark.md.
+/// Limits: an order becomes stale. A new order is computed by update() if the flops exceed kReplan
+/// times those after the last plan, or if more than kEdited of the nodes changed. Measurements on
+/// the paper's scene are in docs/factor_benchmark.md.
 
 #include "factor/columns.h"
 #include "factor/layout.h"
@@ -42,35 +42,34 @@
 
 namespace hawser::factor {
 
-/// Growth of the flops since the last plan at which a new one is made: a plan takes about twice the
-/// time of a repair.
+/// Growth of the flops since the last plan at which update() makes a new plan. A plan takes about
+/// twice the time of a repair.
 inline constexpr double kReplan = 1.2;
 
-/// Share of nodes that are new or have other neighbours above which a plan is made at once: it
-/// takes about as long as repairs with the plans that they end in, and the order is a new one.
-/// Where nodes are more than MinimumDegree::kMost an order takes most of the time: repairs pay for
-/// more changes.
+/// Fraction of new or changed nodes above which update() makes a plan at once. A plan takes about
+/// as long as the repairs and the later plan that it replaces, and its order is a new one. Above
+/// MinimumDegree::kMost nodes, ordering takes most of the time, so repairs pay for more changes.
 inline constexpr double kEdited = 0.125;
 
-/// What a repair did.
+/// Result of a repair.
 struct RepairReport {
-    std::int32_t placed = 0;     ///< Nodes that got a place in the order.
-    std::int32_t columns = 0;    ///< Block columns computed again; replanned: all.
+    std::int32_t placed = 0;     ///< Nodes that received a new position in the order.
+    std::int32_t columns = 0;    ///< Block columns computed again; all if replanned.
     std::int32_t dissolved = 0;  ///< Chains that became ordinary fronts.
-    std::int32_t same = 0;       ///< Fronts with the pivots and rows of one before.
-    bool replanned = false;      ///< update(): the order was made anew.
+    std::int32_t same = 0;       ///< Fronts with the pivots and rows of an earlier one.
+    bool replanned = false;      ///< true if update() computed a new order.
 };
 
-/// All that later repairs depend on beside the pattern. An analysis planned with it goes on as the
-/// one that it was taken from: member by member, after any repairs.
+/// All data besides the pattern that later repairs depend on. An analysis planned with it continues
+/// like the original: equal member by member, after any repairs.
 struct AnalysisState {
     Elimination elimination;
-    std::vector<std::uint8_t> between;  ///< By node: placed where branches met.
-    std::int64_t planned_flops = 0;     ///< At the last plan.
+    std::vector<std::uint8_t> between;  ///< By node: placed at a meeting of branches.
+    std::int64_t planned_flops = 0;     ///< Flops of the last plan.
     friend bool operator==(const AnalysisState&, const AnalysisState&) = default;
 };
 
-/// An analysis as it was, to go back to: enough to go on as if what came after had not been.
+/// A saved analysis, sufficient to continue from that state.
 struct KeptAnalysis {
     Pattern pattern;
     AnalysisState state;
@@ -80,47 +79,53 @@ struct KeptAnalysis {
 class Analysis {
   public:
     using Planner = std::function<Elimination(const Pattern&)>;
-    /// @param planner  Makes the orders; none: chains, then minimum degree.
+    /// Create an analysis.
+    /// @param planner  Computes the orders; none: chains, then minimum degree.
     explicit Analysis(Planner planner = nullptr) : planner_(std::move(planner)) {}
 
-    /// Give every update matrix a place of its own from the next call on (partial.h).
+    /// Assign separate memory to every update matrix from the next call on (partial.h).
     void keep_updates(bool keep) noexcept { symbolic_.updates_kept = keep; }
 
-    /// The order is the caller's: update() makes no other one while it serves.
+    /// Use the order of the caller: update() makes no other order while it fits.
     void keep_order(bool given) noexcept { order_given_ = given; }
 
-    /// Who helps from the next call on; nullptr: nobody. Results are the same.
+    /// Set the executor for the next calls; nullptr: none. Results do not depend on it.
     void use(base::Executor* team) noexcept { team_ = team; }
 
-    /// Order and analyse from nothing. @throws std::bad_alloc.
+    /// Order and analyse a pattern.
+    /// @throws std::bad_alloc.
     void plan(const Pattern& pattern);
-    /// Analyse from nothing with this order. @throws std::bad_alloc.
+    /// Analyse a pattern with this order.
+    /// @throws std::bad_alloc.
     void plan(const Pattern& pattern, Elimination elimination);
-    /// Go on from a state. @return false, and a plan() from nothing: it belongs to another pattern.
+    /// Continue from a state.
+    /// @return false, after a new plan(), if it belongs to another pattern.
     bool resume(const Pattern& pattern, const AnalysisState& state);
 
-    /// Follow to another pattern. @param old_of_new  For each of its nodes the node that it was,
-    /// −1: new, each old node at most once; empty: nodes keep their numbers, further ones are new.
-    /// A node of another size or sign counts as new. @throws std::bad_alloc; plan() again then.
+    /// Update the analysis to another pattern. A node of another size or sign counts as new.
+    /// @param old_of_new  For each node its former index, −1: new, each former node at most once.
+    ///        Empty: nodes keep their indices, further ones are new.
+    /// @throws std::bad_alloc; plan() again then.
     RepairReport repair(const Pattern& next, std::span<const std::int32_t> old_of_new = {});
 
-    /// repair(), and plan() where the order has become a bad one, or at once where much changed.
+    /// Call repair(), and plan() if the order has become stale or if much changed.
     RepairReport update(const Pattern& next, std::span<const std::int32_t> old_of_new = {});
 
-    /// Copy what the analysis is. @throws std::bad_alloc.
+    /// Save the analysis.
+    /// @throws std::bad_alloc.
     void keep(KeptAnalysis& out) const;
-    /// Go back to it; what is computed from it is computed again when it is needed next, by
-    /// update(), repair() or resume(). Until then symbolic() is of no use.
+    /// Restore a saved analysis. The next update(), repair() or resume() computes the derived data.
+    /// Until then symbolic() is invalid.
     void go_back(KeptAnalysis& to) noexcept;
 
     [[nodiscard]] const Symbolic& symbolic() const noexcept { return symbolic_; }
     [[nodiscard]] const Columns& columns() const noexcept { return columns_; }
-    /// Order and chains as they are now.
+    /// Return the current order and chains.
     [[nodiscard]] Elimination elimination() const { return {symbolic_.order, chains_}; }
     [[nodiscard]] AnalysisState state() const { return {elimination(), between_, planned_flops_}; }
-    /// That of the last call.
+    /// Return the pattern of the last call.
     [[nodiscard]] const Pattern& pattern() const noexcept { return pattern_; }
-    /// Flops at the last plan.
+    /// Return the flops of the last plan.
     [[nodiscard]] std::int64_t planned_flops() const noexcept { return planned_flops_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -132,7 +137,7 @@ class Analysis {
     void compare_lists(const Pattern& next);
     void keep_chains(const Pattern& next, RepairReport& report);
     [[nodiscard]] bool chain_holds(const Pattern& next, std::int32_t chain);
-    // How nodes are moved to their new places: see placing.cpp.
+    // Moves of nodes to new positions: placing.cpp.
     void choose_moves(const Pattern& next);
     void join(const Pattern& next, std::int32_t a, std::int32_t b);
     void collect_rest(const Pattern& next);
@@ -148,7 +153,7 @@ class Analysis {
 
     void analyse_order();
     void freshen();
-    /// f(node) for each that is marked, ascending: eight at a time are looked at.
+    /// Call f(node) for each marked node, ascending. Eight marks are tested at a time.
     template <class F>
     static void each_marked(const std::vector<std::uint8_t>& marks, F&& f) {
         const std::size_t n = marks.size();
@@ -171,22 +176,26 @@ class Analysis {
     Layout layout_;
     Symbolic symbolic_;
     std::int64_t planned_flops_ = 0;
-    bool stale_ = false;  ///< Columns, layout and structure do not belong to pattern and order.
+    /// true if columns, layout and structure do not belong to pattern and order.
+    bool stale_ = false;
 
-    // Buffers of repair(); by node of the next pattern unless said otherwise.
+    // Buffers of repair(), indexed by node of the next pattern unless stated otherwise.
     std::vector<std::int32_t> old_of_new_, new_of_old_;
-    std::vector<std::uint8_t> changed_;  ///< New, or other neighbours.
+    std::vector<std::uint8_t> changed_;  ///< 1: new, or with other neighbours.
     std::vector<std::int32_t> changes_;  ///< These nodes, ascending.
-    std::vector<std::uint8_t> placing_;  ///< Gets a place; kFresh: from its neighbours alone.
-    std::vector<std::uint8_t> between_;  ///< Kept from call to call: placed where branches met.
+    /// Non-zero: gets a new position; kFresh: from its neighbours alone.
+    std::vector<std::uint8_t> placing_;
+    std::vector<std::uint8_t> between_;  ///< Kept between calls: placed at a meeting of branches.
     std::vector<std::uint8_t> spare_;
-    std::vector<std::int32_t> anchor_;  ///< Front of the last structure that stands for its place.
+    /// Front of the last structure that represents the node's position.
+    std::vector<std::int32_t> anchor_;
     std::vector<std::int32_t> chain_of_, mark_;
-    std::vector<std::int32_t> rest_, placed_;  ///< Nodes in no chain: that stay; that are placed.
+    /// Nodes in no chain: those that stay; those that are placed.
+    std::vector<std::int32_t> rest_, placed_;
     std::vector<std::int64_t> key_;     ///< 2 rank + 1 of a node that stays, 2 rank before it.
     std::vector<std::int32_t> before_;  ///< By rank: bodies placed before that node.
     std::vector<std::int32_t> behind_;  ///< Rows placed behind a node.
-    std::vector<std::int32_t> next_;    ///< In either list.
+    std::vector<std::int32_t> next_;    ///< Links of both lists.
     Chains kept_;
 };
 

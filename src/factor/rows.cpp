@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Update rows, and the runs in which they land in the parents.
+/// Update rows, and the runs by which they are added to the parents.
 #include "base/index.h"
 #include "factor/layout.h"
 
@@ -7,7 +7,7 @@
 
 namespace hawser::factor {
 
-/// Update rows of the chains' fronts, which come first, or of all others.
+/// Fill the update rows of the chains' fronts, which come first, or of all others.
 void Layout::fill_rows(const Pattern& pattern, const Columns& columns, bool of_chains,
                        Symbolic& s) {
     const std::int32_t* offsets = s.node_offset.data();
@@ -16,8 +16,8 @@ void Layout::fill_rows(const Pattern& pattern, const Columns& columns, bool of_c
     for (const Front& front : s.fronts) {
         if (in_chain(s, front) != of_chains) continue;
         if (of_chains) chain_rows_.push_back(front.rows);
-        // What is written past the end of a front is written again by those behind it, up to the
-        // next chain's.
+        // Entries written past the end of a front are overwritten by the fronts behind it, up to
+        // the next chain.
         while (!of_chains && *done < front.rows) ++done;
         const std::int64_t limit = of_chains ? std::ssize(s.rows) : *done;
         std::int32_t* row = s.rows.data() + front.rows;
@@ -64,7 +64,7 @@ void Layout::find_all_runs(const Pattern& pattern, const Columns& columns, Symbo
     s.runs.resize(runs);
 }
 
-/// Where the update rows of a front land in its parent.
+/// Find the rows of the parent on which the update rows of a front land.
 void Layout::find_runs(const Pattern& pattern, const Columns& columns, Front& front, Symbolic& s) {
     const Front& parent = s.fronts[at(front.parent)];
     const std::int32_t p = parent.p, first = parent.offset;
@@ -74,7 +74,7 @@ void Layout::find_runs(const Pattern& pattern, const Columns& columns, Front& fr
     const std::int32_t* offsets = s.node_offset.data();
     const std::int8_t* sizes = pattern.size.data();
     std::int32_t* row_of = row_of_.data();
-    // The parent's rows are written down by node, or searched where they are many more.
+    // Store the parent's rows by node; if there are many more of them, search them.
     if (theirs.size() > 8 * own.size()) {
         for (const std::int32_t v : own)
             row_of[v] =
@@ -87,12 +87,12 @@ void Layout::find_runs(const Pattern& pattern, const Columns& columns, Front& fr
             row += sizes[v];
         }
     }
-    // A run stays on one side of the parent's pivot boundary: its columns then lie wholly in the
-    // panel or wholly in the update matrix. The last one is written again as long as it grows.
-    // What comes next is no better known than the scene: masks, not branches.
+    // A run stays on one side of the parent's pivot boundary, so its columns lie wholly in the
+    // panel or wholly in the update matrix. The last run is written again while it grows. Masks
+    // replace branches, because the next row is unpredictable.
     Run* runs = s.runs.data();
     std::int32_t from = 0, last = front.run_begin - 1, run_from = 0, run_to = 0;
-    std::int32_t next = p;  // goes on nowhere
+    std::int32_t next = p;  // continues nowhere
     for (const std::int32_t v : own) {
         const std::int32_t size = sizes[v], pivot = offsets[v] - first;
         const std::int32_t inside = -static_cast<std::int32_t>(pivot < p);

@@ -8,7 +8,7 @@
 namespace hawser::factor {
 namespace {
 
-/// Local row of a permuted scalar in a front.
+/// Return the local row of a permuted scalar in a front.
 std::int32_t local_row(const Symbolic& s, const Front& front, std::int32_t scalar) {
     if (scalar < front.offset + front.p) return scalar - front.offset;
     const auto* first = s.rows.data() + front.rows;
@@ -38,7 +38,7 @@ ColumnTargets::ColumnTargets(const Symbolic& symbolic, std::int32_t column) noex
     }
 }
 
-/// Row of a step's panel at which a node begins.
+/// Return the row of a step's panel at which a node begins.
 std::int32_t ColumnTargets::slot_of(std::size_t row) const noexcept {
     if (s_.node_front[row] != index_)
         return step_->p + s_.tail_slot[at(front_.rows + local_row(s_, front_, s_.node_offset[row]) -

@@ -14,7 +14,7 @@ namespace {
 
 using Edges = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/// Successors of each node, ascending, each once.
+/// List the successors of each node, ascending, each once.
 void fill_up(TaskGraph::Way& way, const Edges& edges, std::size_t n) {
     way.start.assign(n + 1, 0);
     way.waits.assign(n, 0);
@@ -22,7 +22,7 @@ void fill_up(TaskGraph::Way& way, const Edges& edges, std::size_t n) {
     for (const auto& [from, to] : edges) ++way.start[at(from)];
     std::exclusive_scan(way.start.begin(), way.start.end(), way.start.begin(), 0);
     for (const auto& [from, to] : edges) way.next[at(way.start[at(from)]++)] = to;
-    // Each start is the end now.
+    // Each start is now the end.
     auto begin = way.next.begin(), kept = begin;
     for (std::size_t v = 0; v < n; ++v) {
         const auto end = way.next.begin() + way.start[v];
@@ -36,7 +36,7 @@ void fill_up(TaskGraph::Way& way, const Edges& edges, std::size_t n) {
     for (const std::int32_t to : way.next) ++way.waits[at(to)];
 }
 
-/// The same edges, turned round.
+/// Reverse the edges.
 void fill_down(TaskGraph::Way& way, const TaskGraph::Way& up) {
     const std::size_t n = up.waits.size();
     way.start.resize(n + 1);
@@ -52,7 +52,7 @@ void fill_down(TaskGraph::Way& way, const TaskGraph::Way& up) {
     for (std::size_t v = 0; v < n; ++v) way.start[v] -= up.waits[v];
 }
 
-/// Nodes by what is left to do once they begin: their own work and the longest path behind it.
+/// Rank nodes by the remaining work when they begin: their own work and the longest path behind it.
 std::int64_t rank(TaskGraph::Way& way, const std::vector<std::int64_t>& work, bool up,
                   std::vector<std::int64_t>& left) {
     const std::size_t n = work.size();
@@ -102,7 +102,7 @@ void TaskQueue::reserve(const TaskGraph& graph, int threads) {
     const std::size_t n = graph.work.size(), words = (n + 63) / 64;
     if (waits_.size() < n) waits_.resize(n);
     if (ready_.size() < words) ready_.resize(words);
-    // At first in turns, as a list would be dealt out.
+    // Distribute new nodes among the threads in turn.
     for (std::size_t v = owner_.size(); v < n; ++v)
         owner_.push_back(static_cast<std::int16_t>(v % at(threads)));
     if (mine_.size() < words * at(threads)) mine_.resize(words * at(threads));
@@ -111,7 +111,8 @@ void TaskQueue::reserve(const TaskGraph& graph, int threads) {
 void TaskQueue::begin(const TaskGraph::Way& way, int threads) noexcept {
     const std::size_t n = way.waits.size();
     words_ = (n + 63) / 64;
-    // An executor may tell of more threads than there is room for, if it uses the first ones only.
+    // An executor may report more threads than the buffers have capacity for, if it uses only the
+    // first ones.
     if (words_ > 0) threads = std::min(threads, static_cast<int>(mine_.size() / words_));
     std::copy(way.waits.begin(), way.waits.end(), waits_.begin());
     std::fill_n(ready_.begin(), words_, std::uint64_t{0});
@@ -124,7 +125,7 @@ void TaskQueue::begin(const TaskGraph::Way& way, int threads) noexcept {
     }
 }
 
-/// The lowest ready bit of a word among those, −1: none.
+/// Clear and return the lowest ready bit of a word among the given bits, −1: none.
 int TaskQueue::take_bit(std::size_t w, std::uint64_t among) noexcept {
     std::atomic_ref word(ready_[w]);
     std::uint64_t bits = word.load(std::memory_order_relaxed) & among;
@@ -137,7 +138,8 @@ int TaskQueue::take_bit(std::size_t w, std::uint64_t among) noexcept {
     return -1;
 }
 
-/// As many calls as nodes: where nothing is ready, another thread is at work on what will be.
+/// Return the next ready node. Called once per node: if none is ready, another thread is running a
+/// predecessor.
 std::int32_t TaskQueue::take(const TaskGraph::Way& way, int thread, bool owns) noexcept {
     const std::uint64_t* mine = mine_.data() + at(thread) * words_;
     for (int spins = 0;; ++spins) {
@@ -152,7 +154,7 @@ std::int32_t TaskQueue::take(const TaskGraph::Way& way, int thread, bool owns) n
         if (spins < 2'000)
             relax();
         else
-            std::this_thread::yield();  // fewer cores than threads
+            std::this_thread::yield();  // for fewer cores than threads
     }
 }
 

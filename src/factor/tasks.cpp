@@ -7,7 +7,7 @@
 namespace hawser::factor {
 namespace {
 
-/// Flops of the steps that a chain takes part in.
+/// Return the flops of the steps that a chain takes part in.
 std::int64_t chain_flops(const Symbolic& s, const Front& front) {
     const Batch& batch = s.batches[at(front.batch)];
     std::int64_t flops = 0;
@@ -26,7 +26,7 @@ void Layout::choose_tasks(Symbolic& s) {
     std::int64_t total = 0;
     for (std::size_t f = 0; f < count; ++f) {
         const Front& front = s.fronts[f];
-        // The constant stands for the work per front that flops do not show. A chain's work is
+        // The constant stands for work per front that flops do not show. The work of a chain is
         // done before the tasks.
         const bool chain = front.batch >= 0;
         const std::int64_t own = flops_[f];
@@ -42,7 +42,7 @@ void Layout::choose_tasks(Symbolic& s) {
     }
     constexpr std::int64_t kParts = 48, kSmallest = 40'000;
     const std::int64_t target = std::max(total / kParts, kSmallest);
-    // Top: every front whose subtree is larger than the target.
+    // Top: every front whose subtree exceeds the target.
     std::int32_t begin = 0;
     std::int64_t work = 0;
     auto close = [&](std::int32_t end) {
@@ -69,8 +69,9 @@ void Layout::choose_tasks(Symbolic& s) {
     choose_top_tasks(s, target);
 }
 
-/// A front of the top goes on where its only child in the top ends, as it has to wait for that one
-/// anyway, until the path is as much work as a subtree: what hangs on its far end may come late.
+/// Form the tasks of the top. A front of the top continues the path of its only child in the top,
+/// for which it must wait anyway. A path ends when its work reaches that of a subtree, because
+/// predecessors of its far end may be late.
 void Layout::choose_top_tasks(Symbolic& s, std::int64_t target) {
     const auto below = static_cast<std::int32_t>(s.tasks.size());
     for (const std::int32_t f : s.top) {
@@ -101,7 +102,7 @@ void Layout::choose_top_tasks(Symbolic& s, std::int64_t target) {
     }
 }
 
-/// The graph: who hands an update matrix to whom.
+/// Build the graph: an edge for each update matrix passed to another node.
 void Layout::link_tasks(Symbolic& s) {
     const auto batches = static_cast<std::int32_t>(s.batches.size());
     s.graph.work.clear();
@@ -121,9 +122,9 @@ void Layout::link_tasks(Symbolic& s) {
     s.graph.build(edges_, left_);
 }
 
-/// Addresses of the update matrices: two stacks for each task, by parity of depth. All tasks have
-/// them in the same place, of which each thread has its own. What a task hands to another lives
-/// outside.
+/// Assign addresses to the update matrices: two stacks for each task, by parity of depth. All tasks
+/// have them at the same offsets, and each thread has its own copy. Update matrices passed to
+/// another task lie outside.
 void Layout::place_updates(Symbolic& s) {
     const std::size_t count = s.fronts.size();
     parity_.assign(count, 0);
@@ -156,7 +157,7 @@ void Layout::place_updates(Symbolic& s) {
         std::int64_t& peak = parity_[f] != 0 ? odd : even;
         peak = std::max(peak, front.update + size_of(front));
     }
-    // At least one vector between stacks, for the same reason.
+    // Leave at least one vector between stacks, because of vector loads.
     auto round = [](std::int64_t size) { return (size + 8 + 63) & ~std::int64_t{63}; };
     s.stack_begin = round(shared);
     const std::int64_t base[] = {s.stack_begin, s.stack_begin + round(even)};

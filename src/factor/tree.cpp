@@ -9,7 +9,7 @@
 namespace hawser::factor {
 namespace {
 
-/// Rough time of one front [ns]: a fixed part, a latency for each pivot, and the flops.
+/// Estimate the time of one front [ns]: a fixed part, a latency for each pivot, and the flops.
 /// Measured on AVX-512 and AVX2 machines; only ratios matter.
 double front_time(double p, double q) {
     const double n = p + q;
@@ -21,8 +21,8 @@ double front_time(double p, double q) {
 void TreeBuilder::postorder(const Columns& columns, std::vector<std::int32_t>& order,
                             std::vector<std::int32_t>& position) {
     const std::size_t n = order.size();
-    // Subtrees fill ranges, children left to right: from the sizes, the last ones first, follows
-    // where each ends. Roots hang on an extra node n.
+    // Subtrees fill ranges, children from left to right. The end of each follows from the sizes,
+    // from the last to the first. Roots hang on an extra node n.
     up_.resize(n);
     size_.assign(n + 1, 1);
     for (std::size_t k = 0; k < n; ++k) {
@@ -49,12 +49,12 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
                               std::span<const std::int32_t> chain_of, bool follows,
                               Supernodes& out) {
     const std::size_t n = order.size();
-    // Left to right: a node joins the front just before it when that front's last node is its
-    // child and merging is exact or pays.
+    // From left to right: a node joins the front just before it if that front's last node is its
+    // child and merging is exact or saves time.
     growing_.resize(n);
     grown_.resize(n);
     other_.assign(n, follows ? 0 : 1);
-    Growing* last = growing_.data();  // and what grows now
+    Growing* last = growing_.data();  // the current front
     auto time_of = [](Growing& g) {
         if (g.time < 0.0) g.time = front_time(g.p, g.q);
         return g.time;
@@ -73,7 +73,7 @@ void TreeBuilder::grow_fronts(const Pattern& pattern, const Columns& columns,
         if (up >= 0) other_[at(up)] = 1;
         *last = {id, id + 1, pattern.size[at(node)], columns.below(node), up, chain, -1.0};
         const Growing* const alone = last;
-        // A parent lies behind its child: in the last one, if before its end.
+        // A parent lies behind its child: in the last front if before its end.
         for (; last != growing_.data(); --last) {
             Growing& c = last[-1];
             if (c.parent < 0 || c.parent >= last->end || c.chain != last->chain) break;

@@ -3,10 +3,10 @@
 /// @file tree.h
 /// Postorder, supernodes and their amalgamation.
 ///
-/// A supernode is a chain of nodes whose structures nest. Amalgamation then merges a front with
-/// the child just before it when a simple model says that the zeros it adds cost less time
-/// than the front it saves (Ashcraft, Grimes, "The influence of relaxed supernode partitions
-/// on the multifrontal method", 1989).
+/// A supernode is a chain of nodes whose structures nest. Amalgamation merges a front with the
+/// child just before it if this saves time by a simple model. The added zeros must cost less than
+/// the saved front (Ashcraft, Grimes, "The influence of relaxed supernode partitions on the
+/// multifrontal method", 1989).
 
 #include "factor/columns.h"
 #include "factor/pattern.h"
@@ -23,19 +23,20 @@ struct Supernodes {
     std::vector<std::int32_t> p;       ///< Pivot scalars.
 };
 
-/// Turns columns into fronts; its buffers live as long as it does.
+/// Turns columns into fronts and keeps its buffers.
 class TreeBuilder {
   public:
-    /// Make `order` a postorder of its own tree, children in the sequence they had, and
-    /// `position`, its inverse, that of the new one.
+    /// Make `order` a postorder of its own tree, with children in their former sequence, and update
+    /// `position`, its inverse.
     void postorder(const Columns& columns, std::vector<std::int32_t>& order,
                    std::vector<std::int32_t>& position);
 
-    /// Amalgamated supernodes of a postorder. The nodes of a chain (chains.h) are one front,
-    /// whatever its shape. @param chain_of  By node, −1: in no chain; empty: there are none.
-    /// @param follows  The columns are those of the last call after a Columns::repair(), nodes and
-    ///        chains the same: what a node merges with depends on the branch below it alone, and is
-    ///        known where that is as it was.
+    /// Compute the amalgamated supernodes of a postorder. The nodes of a chain (chains.h) are one
+    /// front of any shape.
+    /// @param chain_of  By node, −1: in no chain; empty: no chains.
+    /// @param follows  True if the columns result from the last call and a Columns::repair(), with
+    ///        the same nodes and chains. Merging depends on the branch below a node alone, so
+    ///        unchanged branches are reused.
     void grow_fronts(const Pattern& pattern, const Columns& columns,
                      std::span<const std::int32_t> order, std::span<const std::int32_t> position,
                      std::span<const std::int32_t> chain_of, bool follows, Supernodes& out);
@@ -48,16 +49,16 @@ class TreeBuilder {
         std::int32_t p, q;        ///< Pivot and update scalars.
         std::int32_t parent;      ///< Position of the last pivot's parent.
         std::int32_t chain;
-        double time;  ///< Of the front alone, < 0: not known yet.
+        double time;  ///< Time of the front alone, < 0: not computed yet.
     };
-    /// A front when its last pivot so far came to it.
+    /// State of a front after its last pivot joined.
     struct Grown {
-        std::int32_t merged;  ///< Fronts that this pivot joined to one.
+        std::int32_t merged;  ///< Number of fronts that this pivot merged.
         std::int32_t nodes, p;
     };
     std::vector<Growing> growing_;
     std::vector<Grown> grown_;         ///< By node.
-    std::vector<std::uint8_t> other_;  ///< By position: something below is not as it was.
+    std::vector<std::uint8_t> other_;  ///< By position: 1 if a node below changed.
     std::vector<std::int32_t> up_, size_, end_, post_, front_at_;
 };
 

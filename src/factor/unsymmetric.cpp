@@ -15,7 +15,7 @@ void Unsymmetric::reserve(const Symbolic& s) {
 }
 
 void Unsymmetric::find(const Symbolic& s, std::span<const std::int32_t> columns) noexcept {
-    // Of the set before, perhaps of another structure.
+    // Clear the previous set, which may belong to another structure.
     for (const std::int32_t f : marked_) mark_[at(f)] = 0;
     for (const std::int32_t b : batches) batch_mark_[at(b)] = 0;
     marked_.clear();
@@ -41,7 +41,7 @@ void Unsymmetric::find(const Symbolic& s, std::span<const std::int32_t> columns)
                 flops += front_flops(front.p, front.q);
             }
         }
-    // The other chains of a batch last: their parents are not in the set for their sake.
+    // The other chains of a batch come last, because they do not add their parents to the set.
     for (const std::int32_t b : batches)
         for (const std::int32_t f : s.batches[at(b)].front)
             if (f >= 0 && mark_[at(f)] == 0) mark(f);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file unsymmetric.h
-/// Matrices with a symmetric pattern some of whose blocks have unsymmetric values: K = L D U, with
-/// unit triangles L and U, on the fronts and the schedule of LDLᵀ.
+/// Matrices with a symmetric pattern and some blocks with unsymmetric values: K = L D U, with unit
+/// triangles L and U, on the fronts and the schedule of LDLᵀ.
 ///
-/// A front is *unsymmetric* when it holds such a block or when one of its children is
-/// unsymmetric: its update matrix then is. So the set is closed under "is an ancestor of"; a batch
-/// of chains (batches.h) is one unit, but parents of its chains without such blocks stay
-/// symmetric. All other fronts stay LDLᵀ with U = Lᵀ and cost what they cost without this.
+/// A front is *unsymmetric* if it contains such a block or if one of its children is unsymmetric,
+/// since its update matrix then is. So the set is closed under "is an ancestor of". A batch of
+/// chains (batches.h) is one unit, but parents of its chains without such blocks stay symmetric.
+/// All other fronts stay LDLᵀ with U = Lᵀ at unchanged cost.
 ///
-/// The lower half of the matrix is written to the panels as ever. The upper half, transposed, is
+/// The lower half of the matrix is written to the panels as usual. The upper half, transposed, is
 /// written to a second array of the same layout: block (column, row), transposed, at the address
 /// Symbolic::target(row, column). Both halves of a symmetric front would be equal, and the second
 /// is neither written nor read.
@@ -23,14 +23,14 @@
 /// correct values() and upper() where the blocks are unsymmetric;
 /// numeric.factor(symbolic, executor, &unsymmetric); numeric.solve(symbolic, x, executor);
 /// ```
-/// There is no pivoting. Numeric::wrong_nodes() says at which nodes a pivot has not the sign that
-/// Symbolic::sign tells, which strong friction does: a sliding contact whose normal leans against
-/// the axes by more than its friction angle leaves a negative first pivot in a body's block that
-/// is regular as a whole. Such a pivot is used as it is unless it is zero; what digits it costs,
-/// refinement on the residual restores.
+/// Limits: there is no pivoting. Numeric::wrong_nodes() lists the nodes with a pivot of another
+/// sign than Symbolic::sign. Strong friction causes such pivots. If the normal of a sliding contact
+/// leans against the axes by more than its friction angle, the first pivot of the body's block is
+/// negative. The block as a whole is regular. Such a pivot is used unless it is zero, and
+/// refinement on the residual restores the lost digits.
 ///
-/// The arithmetic of the lower half of an unsymmetric front with symmetric values is that of
-/// LDLᵀ: it gives the same bits.
+/// In an unsymmetric front with symmetric values the arithmetic of the lower half is that of LDLᵀ
+/// and gives the same bits.
 
 #include "factor/symbolic.h"
 
@@ -42,10 +42,11 @@ namespace hawser::factor {
 
 struct Piece;
 
-/// Which fronts are unsymmetric.
+/// The set of unsymmetric fronts.
 class Unsymmetric {
   public:
-    /// Room for any set in this structure; find() then allocates nothing. @throws std::bad_alloc.
+    /// Reserve memory for any set in this structure; find() then allocates nothing.
+    /// @throws std::bad_alloc.
     void reserve(const Symbolic& symbolic);
 
     /// Close a set of columns (nodes, any order, duplicates allowed; DirtyParts::column() of each
@@ -58,21 +59,22 @@ class Unsymmetric {
     [[nodiscard]] bool is_batch(std::int32_t batch) const noexcept {
         return batch_mark_[static_cast<std::size_t>(batch)] != 0;
     }
-    /// Whether any of a piece's panels has a second half. @cost O(fronts of the piece).
+    /// Return true if any of a piece's panels has a second half.
+    /// @cost O(fronts of the piece).
     [[nodiscard]] bool is_piece(const Symbolic& symbolic, const Piece& piece) const noexcept;
     [[nodiscard]] bool empty() const noexcept { return fronts.empty() && batches.empty(); }
 
-    /// One a front, 1 where unsymmetric; all chains of an unsymmetric batch are.
+    /// Return one mark per front, 1: unsymmetric. All chains of an unsymmetric batch are marked.
     [[nodiscard]] const std::vector<std::uint8_t>& marks() const noexcept { return mark_; }
 
-    std::vector<std::int32_t> fronts;   ///< Without chains; in no order.
-    std::vector<std::int32_t> batches;  ///< In no order.
-    /// Of a full factorisation with this set: an unsymmetric front counts twice.
+    std::vector<std::int32_t> fronts;   ///< Unsymmetric fronts without chains, unordered.
+    std::vector<std::int32_t> batches;  ///< Unordered.
+    /// Flops of a full factorisation with this set; an unsymmetric front counts twice.
     std::int64_t flops = 0;
 
   private:
     std::vector<std::uint8_t> mark_, batch_mark_;
-    std::vector<std::int32_t> marked_;  ///< All of mark_ that is not zero.
+    std::vector<std::int32_t> marked_;  ///< Non-zero entries of mark_.
 };
 
 }  // namespace hawser::factor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Members of Numeric about fronts with unsymmetric values (unsymmetric.h): room for the upper
+/// Members of Numeric for fronts with unsymmetric values (unsymmetric.h): memory for the upper
 /// half, its values, and pivots of the wrong sign.
 #include "base/index.h"
 #include "factor/grow.h"

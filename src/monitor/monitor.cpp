@@ -25,7 +25,8 @@ constexpr std::size_t place(Judge judge) noexcept { return static_cast<std::size
 
 using Findings = std::array<Finding, kJudgeCount>;
 
-/// The worse of two findings, with the largest shares of both: a moment and a mean differ.
+/// Keep the worse of two findings, with the larger ratios of both, because momentary and mean
+/// values differ.
 void take(const Finding& f, Finding& worst) noexcept {
     const double wrong = std::max(f.wrong, worst.wrong);
     const double doubtful = std::max(f.doubtful, worst.doubtful);
@@ -34,11 +35,11 @@ void take(const Finding& f, Finding& worst) noexcept {
     worst.doubtful = doubtful;
 }
 
-/// What all judges say of a state. `state` goes on to it.
+/// Run all monitors on a state and advance `state` to it.
 Findings judged(StepContext& ctx, JudgeState& state) noexcept {
     const JudgePart p = look(ctx.model, ctx.state, ctx.pool, At::half_step);
     const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
-    if (state.begun == 0) state.open_start = p.open;  // bodies were put where they are
+    if (state.begun == 0) state.open_start = p.open;  // the poses were set by the user
     Findings out{};
     out[place(Judge::energy)] = energy_finding(ctx.model, ctx.state, p, state, time);
     out[place(Judge::violation)] = open_finding(ctx.model, ctx.state, p, state, time);
@@ -56,7 +57,8 @@ bool is_good(const Findings& findings) noexcept {
                        [](const Finding& f) { return f.doubtful <= 1.0; });
 }
 
-/// @return The grade of these findings, which join those of before.
+/// Add findings to a result.
+/// @return the grade of these findings.
 Grade add(const Findings& now, Verdict& verdict) noexcept {
     Grade grade = Grade::good;
     for (int k = 0; k < kJudgeCount; ++k) {
@@ -83,7 +85,7 @@ Grade add(const Findings& now, Verdict& verdict) noexcept {
     return grade;
 }
 
-/// What is asked in every step, before lines part in it.
+/// Run the checks of every step, before lines break in it.
 Findings borne(StepContext& ctx, JudgeState& state) noexcept {
     Findings out{};
     out[place(Judge::cable)] = strain_finding(ctx.model, ctx.state, state);
@@ -91,8 +93,8 @@ Findings borne(StepContext& ctx, JudgeState& state) noexcept {
     return out;
 }
 
-/// An event for each judge that has become doubtful.
-/// @param looks  All were asked; else those of borne() alone.
+/// Report an event for each monitor that has become suspect.
+/// @param looks  True if all monitors were run; otherwise only those of borne().
 void tell(State& state, StepStats& stats, const Findings& now, bool looks,
           JudgeState& memory) noexcept {
     constexpr EventKind kKinds[kJudgeCount] = {EventKind::energy_created, EventKind::joint_open,
@@ -117,7 +119,7 @@ void tell(State& state, StepStats& stats, const Findings& now, bool looks,
 }
 
 /// Report a step whose iterations of rigid joints failed (completion.h), once until kMemory has
-/// passed without one: so many ticks are left of it.
+/// passed without a failure. The remaining time is stored in ticks.
 void report_incomplete(StepContext& ctx) noexcept {
     constexpr std::uint8_t kTicks = 200;
     std::uint8_t& left = ctx.state.judge.state.told[kJudgeCount];
@@ -138,24 +140,24 @@ void report_incomplete(StepContext& ctx) noexcept {
     left = kTicks;
 }
 
-/// By how much the ledger rises from the start to the first look where forces stay as they are,
-/// beyond half of the work of the first step, which follow_energy() takes for what was done before
-/// the start.
+/// Return the rise of the ledger from the start to the first sample under constant forces, less
+/// half of the work of the first step. That half is the work before the start in follow_energy().
 ///
-/// With v₋ and v₊ half a step before and after the start, forces F that do work and N of gravity
-/// and springs, whose energy is counted half-way between poses:
+/// With v₋ and v₊ half a step before and after the start, forces F that do work, and forces N of
+/// gravity and springs. Their energy counts at the midpoint between poses:
 /// ```
 ///     W(−h/2 … 0) = (h/8) F·(3v₋ + v₊) = W(−h/2 … h/2)/2 − (h/8) F·(v₊ − v₋)
 ///     (x₀ + x₁)/2 = x(h/2) + (h/8)(v₊ − v₋)
 /// ```
-/// so that (h/8)(F − N)·(v₊ − v₋) is left. From rest, where v₋ = −v₊, the first step's work is
-/// nothing, and that is the kinetic energy that it ends with where N = 0.
+/// So (h/8)(F − N)·(v₊ − v₋) remains. From rest, where v₋ = −v₊, the first step's work is zero. For
+/// N = 0 the remainder then equals the kinetic energy at its end.
 double early_gain(StepContext& ctx) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const assembly::View v = view(ctx);
     double gain = drive_gain(ctx.model) + ctx.state.loads.gain(b, v.h, v.v, v.v_new) -
                   spring_gain(ctx.model, ctx.state.judge.elastic);
-    // Springs are (h/2)|ġ| longer or shorter half a step before the start, and hold that too.
+    // Half a step before the start, springs are longer or shorter by (h/2)|ġ| and store that energy
+    // too.
     gain += spring_way(ctx.model, ctx.state.judge.elastic);
     for (const std::int32_t body : b.moving) {
         const bool falls = b.weight[at(body)] && b.dof(body) >= 3;
@@ -186,9 +188,9 @@ void begin_judge(StepContext& ctx) noexcept {
 
 Status judge(StepContext& ctx) noexcept {
     JudgeData& d = ctx.state.judge;
-    // Joints are looked at in each step, at no cost: in between they may open and close.
+    // Joints are checked in each step at no cost, because they may open and close between samples.
     const bool open = ctx.work.stats.violation_max > limit::kOpen.doubtful;
-    // The account of a start is closed at the first look, up to this.
+    // The balance of the start is completed at the first sample, with this rise.
     if (ctx.state.step == 0 && ctx.model.def.staggered_start) {
         const double early = early_gain(ctx);
         for (double& start : d.state.mean) start += early;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file block_chain.h
-/// Block tridiagonal systems of 3×3 blocks: lumps of one wire.
+/// Block tridiagonal systems of 3×3 blocks, for the nodes of one wire.
 
 #include <cstddef>
 

@@ -7,9 +7,9 @@
 namespace hawser::nonsmooth {
 namespace {
 
-/// Share of W in the tangents' ρ. Iterations on a wall of bricks with 648 contacts, of which 150
-/// slide, at k = 3.4e7 N/m and at 1e8: 1.0: 7.4 and 11.2 a step, 0.3: 6.2 and 8.8, 0.1: 5.7
-/// and 7.2, 0.03: does not always end.
+/// Fraction of W in the tangents' ρ. Iterations per step on a wall of bricks with 648 contacts, of
+/// which 150 slide, at k = 3.4e7 N/m and at 1e8. 1.0: 7.4 and 11.2; 0.3: 6.2 and 8.8; 0.1: 5.7 and
+/// 7.2; 0.03: does not always converge.
 constexpr double kTangential = 0.1;
 
 /// r = u + Σλ − b.

@@ -16,26 +16,26 @@
 ///               stick  ‖y_t‖ ≤ μ y_n       r = 0
 ///               slip   else                r_n = 0,  λ_t = μ λ_n ŷ,  ŷ = y_t/‖y_t‖
 /// ```
-/// Newton's method replaces λ by its tangent there, λ = p − S u: S (3×3) is what the contact adds
-/// to the matrix as JᵀS J, p what it adds to the right-hand side. With κ = μ λ_n/‖y_t‖ < 1 and the
-/// tangent q ⟂ ŷ of a slipping contact
+/// *Tangent.* Newton's method replaces λ by its tangent there, λ = p − S u. S (3×3) is the
+/// contribution of the contact to the matrix as JᵀS J, p that to the right-hand side. With κ = μ
+/// λ_n/‖y_t‖ < 1 and the tangent q ⟂ ŷ of a slipping contact
 /// ```
 ///       open     stick          slip
 ///   S   0        diag(Σ)⁻¹      ⎡ 1/Σ_n        0  ⎤    s = κρ/(1 − κ + κρΣ_t) ≤ 1/Σ_t
 ///                               ⎣ μŷ/Σ_n   s q qᵀ ⎦
 /// ```
-/// The entry μŷ/Σ_n makes S unsymmetric. Coupling::lagged leaves it out: the disk keeps the radius
-/// of the last iterate, S is symmetric and positive, and each iteration solves a convex problem;
-/// more of them are needed.
+/// The entry μŷ/Σ_n makes S unsymmetric. Coupling::lagged leaves it out. The disk then keeps the
+/// radius of the last iterate, and S is symmetric and positive. Each iteration solves a convex
+/// problem, but more iterations are needed.
 ///
-/// ρ = 1/(W + Σ) of the normal and 1/(W/10 + Σ) of the tangents, with W the diagonal of J M⁻¹ Jᵀ,
-/// is independent of how stiff the contact is; where W = 0, y depends on u alone. Residual and
-/// linear law have the same ρ, so that Newton's direction is that of the residual.
+/// The numbers ρ = 1/(W + Σ) of the normal and 1/(W/10 + Σ) of the tangents, with W the diagonal of
+/// J M⁻¹ Jᵀ, do not depend on the stiffness of the contact. If W = 0, y depends on u alone.
+/// Residual and linear law have the same ρ, so that Newton's direction is that of the residual.
 ///
-/// **Turning round.** The law of slip has no stiffness along ŷ: if the friction force turns round,
-/// the point flies from one side of its solution to the other. Between both lies sticking. So where
-/// ŷ turns by more than 90° from one law to the next, the law of sticking takes its place for an
-/// iteration (hold_law()): λ_t then has the right direction, and slides next if it exceeds the
+/// *Reversal.* The law of slip has no stiffness along ŷ. If the friction force reverses, the point
+/// jumps from one side of its solution to the other, with sticking between both. So if ŷ turns by
+/// more than 90° from one law to the next, the law of sticking replaces it for an iteration
+/// (hold_law()). Then λ_t has the right direction, and the contact slides next if λ_t exceeds the
 /// disk.
 
 #include <cstdint>
@@ -63,7 +63,7 @@ struct Cone {
     double s[9];  ///< Row-major [kg].
     double p[3];  ///< [N s].
     Touch touch;
-    Coupling coupling;  ///< Of this contact, which may fall back to lagged.
+    Coupling coupling;  ///< Coupling of this contact, which may fall back to lagged.
 };
 
 /// A linear law λ = p − S u.
@@ -88,8 +88,8 @@ void project(double friction, double lambda[3]) noexcept;
 [[nodiscard]] double disk_radius(const Cone& cone, const double u[3],
                                  const double lambda[3]) noexcept;
 
-/// λ − P(λ − ρ r) with the ρ of linearise(): zero exactly where the law holds [N s].
-/// P shortens λ_t to the disk of radius μ P(y)_n.
+/// Compute λ − P(λ − ρ r) with the ρ of linearise(): zero exactly if the law holds [N s]. P
+/// shortens λ_t to the disk of radius μ P(y)_n.
 void residual(const Cone& cone, const double u[3], const double lambda[3], double out[3]) noexcept;
 
 /// ‖λ − y‖ / max(‖λ‖, ρ‖q‖, floor), see natural_map().

@@ -23,7 +23,7 @@ namespace hawser::record {
 
 static_assert(std::endian::native == std::endian::little, "files are little-endian");
 
-/// Bytes that are not what they should be.
+/// Invalid bytes.
 struct BadBytes : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -57,7 +57,7 @@ class ByteWriter {
     std::vector<std::byte> bytes_;
 };
 
-/// Reads what ByteWriter wrote. Every function throws BadBytes when the bytes run out.
+/// Reads the output of ByteWriter. Every function throws BadBytes at the end of the bytes.
 class ByteReader {
   public:
     explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -73,7 +73,7 @@ class ByteReader {
         const auto bytes = take(get<std::uint32_t>());
         return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
     }
-    /// Number of entries that follow, refused when they cannot fit in what is left.
+    /// Read the number of following entries. Throw if they cannot fit in the remaining bytes.
     /// @param least Smallest size of one entry [bytes].
     [[nodiscard]] std::size_t get_count(std::size_t least) {
         const std::size_t count = get<std::uint32_t>();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file changes.h
-/// What is done to a world, as bytes of a recording, and done again from them.
+/// Changes of a world as bytes of a recording, and their repetition.
 
 #include "record/bytes.h"
 
@@ -13,8 +13,8 @@
 
 namespace hawser::record {
 
-/// Writes down what a world tells of its changes (hawser/changes.h). One that does not fit into
-/// memory is lost, and failed() says so from then on.
+/// Writes the changes that a world reports (hawser/changes.h). A change that does not fit into
+/// memory is lost, and failed() returns true from then on.
 class ChangeBytes : public ChangeListener {
   public:
     void added(const BodyDef& def) noexcept override;
@@ -51,7 +51,8 @@ class ChangeBytes : public ChangeListener {
     void cut(InteractionId element, double share) noexcept override;
     void joined(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) noexcept override;
     void detached(InteractionId element, int end) noexcept override;
-    /// An end let go whose element has its mass from a system (System::carried_mass()) [kg].
+    /// Report a released end whose element has its mass from a system (System::carried_mass())
+    /// [kg].
     void detached_carried(InteractionId element, int end, double mass) noexcept;
     void released(InteractionId hook) noexcept override;
     void restored(std::span<const std::byte> bytes) noexcept override;
@@ -62,7 +63,7 @@ class ChangeBytes : public ChangeListener {
 
     /// All since the last clear(), in order.
     [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return out_.bytes(); }
-    /// Bodies came, went or were restored: frames have another layout from now on.
+    /// True if bodies were added, removed or restored: frames have another layout from now on.
     [[nodiscard]] bool other_bodies() const noexcept { return other_bodies_; }
     [[nodiscard]] bool failed() const noexcept { return failed_; }
     void clear() noexcept;
@@ -75,8 +76,8 @@ class ChangeBytes : public ChangeListener {
     bool other_bodies_ = false, failed_ = false;
 };
 
-/// Do to a world what bytes say was done to one in the same state. @throws BadBytes where they are
-/// none of ChangeBytes, DefError where the world refuses a change.
+/// Repeat recorded changes in a world in the same state.
+/// @throws BadBytes if the bytes are not from ChangeBytes, DefError if the world rejects a change.
 void apply_changes(std::span<const std::byte> bytes, World& world);
 
 }  // namespace hawser::record

@@ -14,7 +14,7 @@ RecordingListener::RecordingListener(RecordingWriter& writer, World& world) noex
 RecordingListener::~RecordingListener() { world_.set_change_listener(nullptr); }
 
 void RecordingListener::set(InputId id, double value) noexcept {
-    // One that came later has no name in the recording, or a place that another one had.
+    // A later input has no name in the recording, or the index of a removed one.
     if (id.generation != 0 || id.index >= inputs_) return ChangeBytes::set(id, value);
     try {
         if (!bytes().empty()) close_part();
@@ -55,8 +55,8 @@ void RecordingListener::detached(InteractionId element, int end) noexcept {
     mass > 0.0 ? detached_carried(element, end, mass) : ChangeBytes::detached(element, end);
 }
 
-/// A state has been restored: it belongs to the step at which the world was before, in a chunk of
-/// its own, before which a replay makes its world like that of the start.
+/// Store a restored state in a chunk of its own, at the step of the world before. A replay makes
+/// its world like that of the start before this chunk.
 template <class F>
 void RecordingListener::begin_take(F&& told) noexcept {
     const std::int64_t before = now_;

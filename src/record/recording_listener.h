@@ -20,16 +20,18 @@ class RecordingListener final : public ChangeBytes {
     RecordingListener(const RecordingListener&) = delete;
     RecordingListener& operator=(const RecordingListener&) = delete;
 
-    /// Inputs of a scene are commands, which a recording has apart.
+    /// Inputs of a scene are commands, which a recording stores separately.
     void set(InputId id, double value) noexcept override;
-    /// Replays have no systems, but what these did.
+    /// Replays have no systems, only their actions.
     void detached(InteractionId element, int end) noexcept override;
     void restored(std::span<const std::byte> bytes) noexcept override;
     void restored(const Structure& made_of, std::span<const std::byte> bytes) noexcept override;
-    /// Before each step. @throws RecordingError, also for what failed since the last call.
+    /// Write the changes. Call before each step.
+    /// @throws RecordingError, also for failures since the last call.
     void flush();
-    /// Writes the changes made while a step was taken. @param step  Steps taken before that one; a
-    /// replay makes the changes before it. @throws RecordingError
+    /// Write the changes made during a step.
+    /// @param step  Number of steps before that one; a replay makes the changes before it.
+    /// @throws RecordingError
     void flush(std::int64_t step);
     std::size_t mark() noexcept override;
     void undone(std::size_t mark) noexcept override;
@@ -49,8 +51,8 @@ class RecordingListener final : public ChangeBytes {
     World& world_;
     std::vector<Part> parts_;         ///< Closed ones that are not written yet, in order.
     std::vector<RecordedInput> set_;  ///< Since the last change; not written yet.
-    std::int32_t inputs_;             ///< Of the scene: the recording has their names.
-    std::int64_t now_;                ///< Steps taken when it looked last.
+    std::int32_t inputs_;  ///< Number of inputs of the scene: the recording has their names.
+    std::int64_t now_;     ///< Number of steps at the last call.
     std::exception_ptr fault_;
 };
 

@@ -28,7 +28,7 @@ std::size_t frame_bytes(const World& world, const SceneInfo& scene) {
 
 namespace {
 
-// A reader takes finite numbers only; what left the range of the format is at its end.
+// A reader accepts only finite numbers; values outside the range of the format are clamped.
 double in_range(double value) {
     constexpr double kMost = std::numeric_limits<double>::max();
     return std::isnan(value) ? 0.0 : std::clamp(value, -kMost, kMost);
@@ -38,8 +38,8 @@ float to_float(double value) {
     return static_cast<float>(std::isnan(value) ? 0.0 : std::clamp(value, -kMost, kMost));
 }
 
-// Positions are kept as distances from the start: single precision at a kilometre from the
-// origin would round to a tenth of a millimetre.
+// Positions are stored as distances from the start. At a kilometre from the origin single precision
+// would round to a tenth of a millimetre.
 void put_pose(ByteWriter& out, const Pose& pose, const Pose& start, BodyKind kind) {
     const int floats = pose_floats(kind);
     for (int k = 0; k < std::min(3, floats); ++k)
@@ -64,7 +64,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& file, const SceneI
     for (const CableInfo& cable : scene.cables)
         elements_.insert(elements_.end(), cable.elements.begin(), cable.elements.end());
 
-    // Indices of bodies in the layout are their places.
+    // Indices of bodies in the layout are their indices in the world.
     if (world.bodies().size() != static_cast<std::size_t>(world.body_count()))
         throw RecordingError(file.string() +
                              ": bodies were removed before the recording began; begin it with a "

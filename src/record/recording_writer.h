@@ -29,15 +29,16 @@ class RecordingWriter {
                     const RecordingSettings& settings);
     void add_frame(const World& world);
     void add_inputs(std::span<const RecordedInput> changes);
-    /// What a world told since the last call (changes.h); before the step that comes next.
+    /// Write the changes that a world reported since the last call (changes.h), before the next
+    /// step.
     void add_changes(std::int64_t step, const ChangeBytes& changes);
     void add_changes(std::int64_t step, std::span<const std::byte> changes, bool other_bodies);
-    /// What systems loaded bodies with in the last step; nothing where they did not.
+    /// Write the loads of systems in the last step, if any.
     void add_loads(const World& world);
     void add_note(std::int64_t step, std::string_view kind, std::span<const std::byte> bytes);
     void add_cut(const RecordedCut& cut);
     void add_event(const World& world, const Event& event);
-    /// The world went to another state of its own, which the last change was.
+    /// Note that the world restored another of its own states, which was the last change.
     void add_take(std::int64_t from, std::int64_t to);
     void finish(const World& world, Ending ending);
 
@@ -63,12 +64,13 @@ class RecordingWriter {
     [[nodiscard]] std::vector<BodyId> bodies_of_frame() const;
 
     std::vector<InteractionId> elements_;
-    std::vector<FramedBody> bodies_;  ///< Of a frame, in its order.
+    std::vector<FramedBody> bodies_;  ///< Bodies of a frame, in its order.
     WireFollower wires_;
     LineFollower lines_;
-    double water_ = 0.0;         ///< z of still water in the frame before [m].
-    bool other_wires_ = false;   ///< Than those of the start: frames have their tensions.
-    bool other_lines_ = false;   ///< Have come or gone: frames have their tensions.
+    double water_ = 0.0;        ///< z of still water in the frame before [m].
+    bool other_wires_ = false;  ///< Than those of the start: frames have their tensions.
+    /// True if lines were added or removed: frames then have their tensions.
+    bool other_lines_ = false;
     bool other_bodies_ = false;  ///< Than bodies_: they are written before the next frame.
 };
 

@@ -117,8 +117,7 @@ void Repeater::before_step(World& world) {
     const auto& changes = recording_.changes;
     const auto& cuts = recording_.cuts;
     std::int64_t now = world.step_count();
-    // A system sets both ends of a range, of which the first may be beyond the other one until that
-    // follows.
+    // A system sets both ends of a range. The first may be beyond the other one until that follows.
     std::vector<RecordedInput> later;
     for (;;) {
         const std::size_t end = end_of(changes.size(), &RecordedTake::changes);

@@ -122,7 +122,7 @@ Series collect_series(const Recording& recording, std::size_t limit) {
     }
     for (std::size_t i = 0; i < recording.frame_count(); ++i) {
         Frame frame = recording.frame(i);
-        // Before the first step there are no tensions: the curves begin with those of the next
+        // Tensions are unknown before the first step: the curves begin with those of the next
         // frame.
         if (i == 0 && frame.step == 0 && recording.frame_count() > 1) {
             const Frame next = recording.frame(1);

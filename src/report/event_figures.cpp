@@ -83,7 +83,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::brake_slip:
             return "N m";
         case EventKind::saturation:
-            // Of the actuator of a vessel: a rate or a power.
+            // For the actuator of a vessel a rate or a power.
             if (!known) return "";
             return is(InteractionKind::HingeMotor) ? "N m" : "N";
         case EventKind::range:
@@ -116,7 +116,7 @@ std::string plural(std::int64_t count, const char* one, const char* many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-/// What happened to things that have no number of their own.
+/// Describe events of objects without a number of their own.
 std::string how_often(const EventFigures& e) {
     const char* what = e.kind == EventKind::lift_off ? "wires left their guides "
                        : e.kind == EventKind::lay_on ? "wires came back onto their guides "

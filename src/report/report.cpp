@@ -175,7 +175,7 @@ void quality(Out out, const Summary& s) {
     if (s.energy_end.water != s.energy_start.water)
         fmt::format_to(out, "; water did {} in all",
                        record::with_unit(s.energy_end.water - s.energy_start.water, "J"));
-    // At rest nothing is exchanged, and a part of nothing says nothing.
+    // At rest no energy is exchanged, so a fraction of it is meaningless.
     if (s.energy_scale > 1e-6 * std::abs(s.energy_start.mechanical()))
         fmt::format_to(out, " ({:.2g} % of what was exchanged)", 100.0 * drift / s.energy_scale);
     fmt::format_to(out, "\n");

@@ -115,13 +115,13 @@ void SummaryCollector::after_step(const World& world, std::span<const Event> eve
 
 void SummaryCollector::add_operation(double time, std::string what) {
     ListedEvent done{time, kTimelineEvent, std::move(what), 0.0};
-    // Before what the step that it preceded has brought.
+    // Insert it before the events of the step that followed.
     auto at = summary_.events.end();
     while (at != summary_.events.begin() && std::prev(at)->time > time) --at;
     summary_.events.insert(at, std::move(done));
 }
 
-/// The share of steps of the last seconds whose iterations of rigid joints failed.
+/// Update the fraction of recent steps with failed iterations of rigid joints.
 void SummaryCollector::watch_joints(const World& world) {
     const StepStats& stats = world.stats();
     const bool failed = stats.completion_failures > completion_failures_;
@@ -156,7 +156,8 @@ void SummaryCollector::watch_cables(const World& world) {
     for (std::size_t c = 0; c < scene_.cables.size(); ++c) {
         CableFigures& figures = summary_.cables[c];
         Tensions& all = tensions_[c];
-        // Elements of a wire come and go with its nodes; links of a chain are no wire's.
+        // Elements of a wire are added and removed with its nodes; links of a chain belong to no
+        // wire.
         std::span<const InteractionId> elements = scene_.cables[c].elements;
         if (world.alive(all.wire)) elements = world.elements(all.wire);
         for (const InteractionId element : elements) {
@@ -186,7 +187,7 @@ void SummaryCollector::watch_bodies(const World& world) {
     }
 }
 
-// The first step gives the reference: before it there is no half-step position.
+// The first step gives the reference, because no half-step position exists before it.
 void SummaryCollector::watch_energy(const World& world) {
     const Energy energy = world.energy();
     const double potential = energy.gravity + energy.elastic;
@@ -245,7 +246,7 @@ Summary SummaryCollector::result(const World& world) const {
     if (out.timed_steps > 0)
         out.within_budget =
             static_cast<double>(within_budget_) / static_cast<double>(out.timed_steps);
-    // Potential energy has no natural zero: what was exchanged during the run is the measure.
+    // Potential energy has no natural zero, so the exchanged energy of the run is the scale.
     out.energy_scale = std::max(kinetic_max_, potential_high_ - potential_low_);
     for (std::size_t c = 0; c < out.cables.size(); ++c) {
         if (tensions_[c].count > 0)

@@ -22,11 +22,12 @@
 
 namespace hawser::report {
 
-/// Steps whose times do not count: caches, branch predictors and clocks are still cold.
+/// Number of steps whose times are not counted, because caches, branch predictors and clocks are
+/// cold.
 inline constexpr std::int64_t kWarmUpSteps = 60;
-/// Events that are listed one by one: of lines that go slack or come taut, and of all others.
+/// Number of listed events: of lines that become slack or taut, and of all others.
 inline constexpr std::size_t kListedEvents = 100;
-/// ListedEvent::kind of what the scene's timeline did.
+/// ListedEvent::kind of operations of the scene's timeline.
 inline constexpr const char* kTimelineEvent = "timeline";
 
 struct Spread {
@@ -38,10 +39,11 @@ struct FrictionFigures {
     std::int64_t steps = 0;              ///< With contacts, or with a residual.
     Spread natural_map, factorisations;  ///< See StepStats::natural_map, factor_work.
     std::int32_t flips_left = 0;         ///< Largest of a step.
-    /// Residual above WorldDef::contact_tolerance, or rows and contacts whose status was open.
+    /// Steps with a residual above WorldDef::contact_tolerance, or with undecided rows and
+    /// contacts.
     std::int64_t uncertified_steps = 0;
-    std::int64_t cut_steps = 0;  ///< Ended by a budget.
-    Spread cut_residual;         ///< Natural map of these.
+    std::int64_t cut_steps = 0;  ///< Steps ended by a budget.
+    Spread cut_residual;         ///< Natural map of these steps.
 };
 
 struct CableFigures {
@@ -67,37 +69,37 @@ struct ListedEvent {
 struct EventFigures {
     EventKind kind = EventKind::warning;
     std::int64_t count = 0;
-    ListedEvent first, worst;  ///< Where they are, in words.
-    const char* unit = "";     ///< Of the values.
-    bool vessels = false;      ///< Of kind saturation: actuators of vessels are among them.
+    ListedEvent first, worst;  ///< Position in words.
+    const char* unit = "";     ///< Unit of the values.
+    bool vessels = false;      ///< True if events of kind saturation include actuators of vessels.
 };
 
 struct Summary {
     std::string scene, scene_path;
     std::uint64_t scene_hash = 0;
     std::string outcome = "finished";  ///< "finished", "interrupted" or "failed".
-    StepStats last{};                  ///< Of the last step.
-    VerdictText verdict;               ///< Of all states.
+    StepStats last{};                  ///< Statistics of the last step.
+    VerdictText verdict;               ///< Result for all states.
     double start_time = 0.0;           ///< [s]
     std::int64_t steps = 0;            ///< In this run.
-    std::int64_t timed_steps = 0;      ///< Of those, counted in the times below.
+    std::int64_t timed_steps = 0;      ///< Steps counted in the times below.
     double step = 0.0;                 ///< Time step [s].
     Form form = Form::automatic;
     double contacts_median = 0.0, contacts_max = 0.0;  ///< Contact points of a step.
     double asleep_median = 0.0, asleep_max = 0.0;      ///< Bodies of a step.
     FrictionFigures friction;
-    Spread interactions, equations;  ///< Of a step, contact points and their rows included.
-    /// step_cpu_ms: CPU time of the thread that steps, where SummaryCollector was told it.
+    Spread interactions, equations;  ///< Per step, with contact points and their rows.
+    /// step_cpu_ms: CPU time of the stepping thread, if add_step_cpu() was called.
     Spread step_ms, solver_ms, solver_cpu_ms, step_cpu_ms;
-    Spread factorisations;                       ///< Of a timed step.
+    Spread factorisations;                       ///< Per timed step.
     double budget_ms = 0.0, budget_mflop = 0.0;  ///< 0: none.
     Degradations degradations;
     verify::Verification verified;     ///< With --verify; no steps without.
-    std::string objection;             ///< Of --verify to the last step; empty: none.
-    verify::CouplingFigures coupling;  ///< Of a split; no steps without.
-    int parts = 0;                     ///< WorldDef::parts where coupling is not exact, else 0.
+    std::string objection;             ///< Objection of --verify to the last step; empty: none.
+    verify::CouplingFigures coupling;  ///< Figures of a split; no steps otherwise.
+    int parts = 0;                     ///< WorldDef::parts if coupling is not exact, else 0.
     int regroup_every = 0;             ///< WorldDef::regroup_every [steps].
-    double within_budget = 1.0;        ///< Share of timed steps with solver_cpu_ms ≤.
+    double within_budget = 1.0;        ///< Fraction of timed steps with solver_cpu_ms ≤.
     std::array<double, kStageCount> stage_ms{};  ///< Medians.
     std::int64_t analyses = 0;                   ///< Steps of this run, of all, with one.
     double analyse_ms_max = 0.0;                 ///< Longest of these.
@@ -108,17 +110,17 @@ struct Summary {
     double violation_time = 0.0;      ///< [s]
     double stretch_error_max = 0.0;   ///< Relative.
     double stretch_error_time = 0.0;  ///< [s]
-    /// Largest share of the steps of limit::kMemory whose iterations of rigid joints failed.
+    /// Largest fraction of the steps of limit::kMemory with failed iterations of rigid joints.
     double incomplete = 0.0;
     double incomplete_time = 0.0;  ///< [s]
     Energy energy_start, energy_end;
-    SeaAccuracy sea;            ///< Of the last step.
-    double energy_scale = 0.0;  ///< What the drift is relative to [J].
+    SeaAccuracy sea;            ///< Accuracy of the last step.
+    double energy_scale = 0.0;  ///< Scale of the drift [J].
     Spread energy_step_drift;   ///< |Drift| of a single step [J].
-    /// In the order in which they happened. What the timeline did is there whole, as `timeline`.
+    /// Events in the order of occurrence, with all operations of the timeline as `timeline`.
     std::vector<ListedEvent> events;
-    std::vector<EventFigures> happened;  ///< Kinds that there were, what matters most first.
-    std::vector<std::string> warnings;   ///< Of the start, in words.
+    std::vector<EventFigures> happened;  ///< Kinds that occurred, the most important first.
+    std::vector<std::string> warnings;   ///< Warnings of the start, in words.
     std::vector<CableFigures> cables;
     std::vector<WireFigures> wires;
     std::vector<PartedWire> parted;  ///< The first ones, in order.
@@ -127,15 +129,16 @@ struct Summary {
     int threads = 1;
     double wall_seconds = 0.0;
     std::array<double, 3> load_start{}, load_end{};
-    std::size_t world_memory = 0;     ///< Held by state and solver [bytes].
+    std::size_t world_memory = 0;     ///< Memory of state and solver [bytes].
     std::int64_t missed_frames = -1;  ///< With --realtime; −1 without.
     double lateness_max = 0.0;        ///< With --realtime [s].
 
-    /// See energy_drift(from, to) [J].
+    /// Return energy_drift(from, to) [J].
     [[nodiscard]] double energy_drift() const noexcept;
 };
 
-/// Change of mechanical energy that applied and driven work, drag and contacts do not explain [J].
+/// Return the change of mechanical energy that applied and driven work, drag and contacts do not
+/// explain [J].
 [[nodiscard]] double energy_drift(const Energy& from, const Energy& to) noexcept;
 
 /// Watches a run. Costs O(elements) a step.
@@ -144,11 +147,12 @@ class SummaryCollector : public Observer {
     SummaryCollector(const record::SceneInfo& scene, const World& world);
     /// Call after each step with the events of that step.
     void after_step(const World& world, std::span<const Event> events) override;
-    /// Session::step_cpu_seconds() of the step that after_step() has just seen.
+    /// Add Session::step_cpu_seconds() of the step of the last after_step().
     void add_step_cpu(double seconds);
-    /// What a scene's timeline did before that step, in words. @param time  It was due at [s].
+    /// Add an operation of the timeline before that step, in words.
+    /// @param time  Time at which it was due [s].
     void add_operation(double time, std::string what);
-    /// Summary of the steps so far.
+    /// Return the summary of the steps until now.
     [[nodiscard]] Summary result(const World& world) const;
 
   private:
@@ -165,9 +169,9 @@ class SummaryCollector : public Observer {
     double incomplete_ = 0.0;               ///< See Summary::incomplete.
     std::vector<Pose> first_pose_;
     std::vector<BodyId> bodies_;
-    /// Of a cable: what its mean is taken of.
+    /// Sums for the mean of a cable.
     struct Tensions {
-        WireId wire{};  ///< None of a chain of links.
+        WireId wire{};  ///< Invalid for a chain of links.
         double sum = 0.0;
         std::int64_t count = 0;
     };
@@ -183,7 +187,7 @@ class SummaryCollector : public Observer {
 
 [[nodiscard]] std::string to_json(const Summary& summary);
 
-/// A page of text for the end of a run: what a user asks for first, the solver last.
+/// Return a page of text for the end of a run: figures for users first, the solver last.
 [[nodiscard]] std::string to_text(const Summary& summary);
 
 /// Lines about --verify; "" without a verified step.

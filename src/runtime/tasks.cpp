@@ -34,8 +34,8 @@ inline void relax() noexcept {
 #endif
 }
 
-/// Threads started while it lives take no signals from outside: handlers run on the threads of the
-/// program that has them, and what they work on is not gone while they do.
+/// Blocks signals in threads started while it lives. Handlers then run on the threads of the
+/// program, whose data exist while they run.
 class SignalsBlocked {
   public:
     SignalsBlocked() noexcept {
@@ -76,7 +76,7 @@ Pool::Pool(int threads)
 
 Pool::~Pool() { end_workers(); }
 
-/// In a forked child, where the workers do not exist, a join would wait for ever.
+/// End the workers. A forked child has no workers, so a join would never return.
 void Pool::end_workers() noexcept {
     if (static_cast<int>(::getpid()) != process_)
         for (std::jthread& w : workers_) w.detach();
@@ -212,8 +212,8 @@ void Pool::work(const std::stop_token& stop, int thread) noexcept {
     int idle = 0;
     std::uint64_t seen = 0;
     for (;;) {
-        // Read before the stop flag: a stop requested after the look at the flag changes this
-        // number, so that the wait below returns at once instead of sleeping for ever.
+        // Read before the stop flag. A later stop request changes this number, so that the wait
+        // below returns at once.
         const std::uint32_t awake = awake_.load(std::memory_order_acquire);
         if (stop.stop_requested()) return;
         if (const std::uint64_t batch = opened_.load(std::memory_order_acquire); batch != seen) {

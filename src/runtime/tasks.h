@@ -3,19 +3,19 @@
 /// @file tasks.h
 /// A fixed pool of workers behind base::Executor.
 ///
-/// Inside a step the workers spin (a fork and join costs about a microsecond); between steps
-/// they sleep on a futex, which costs tens of microseconds to leave and so happens once a
-/// step. Which thread runs which task varies, what a task computes does not. A worker that is
-/// still waking up delays nobody: a batch is done when its tasks are done, whoever did them.
+/// Inside a step the workers spin (a fork and join costs about a microsecond). Between steps they
+/// sleep on a futex. Waking costs tens of microseconds and happens once per step. The assignment of
+/// tasks to threads varies; the results do not. A worker that is still waking delays no other: a
+/// batch is done when its tasks are done.
 ///
-/// Each thread begins with a contiguous part of the tasks, by an atomic ticket of its own, and
-/// helps the next ones when that is done:
+/// Each thread begins with a contiguous part of the tasks, by an atomic ticket of its own, and then
+/// helps the next threads:
 ///
 ///     thread 0   0 1 2 3 |               then 4, 5, … where thread 1 has not come to them
 ///     thread 1           | 4 5 6 7       then 0, 1, …
 ///
-/// Loops over the same items, in this step and the next, so find them in the cache of the core
-/// that wrote them: between cores a cache line takes a tenth of a microsecond.
+/// *Locality.* Loops over the same items, in this step and the next, then find them in the cache of
+/// the core that wrote them. Between cores a cache line takes a tenth of a microsecond.
 
 #include "base/executor.h"
 
@@ -31,8 +31,9 @@ class Trace;
 
 class Pool final : public base::Executor {
   public:
-    /// @param threads  Including the caller; at least 1. @throws ThreadError where they cannot
-    /// start, std::bad_alloc; none is left running then.
+    /// Start the threads.
+    /// @param threads  Including the caller; at least 1.
+    /// @throws ThreadError if they cannot start, std::bad_alloc; none is left running then.
     explicit Pool(int threads);
     ~Pool() override;
     Pool(const Pool&) = delete;
@@ -43,10 +44,10 @@ class Pool final : public base::Executor {
     /// Let the workers sleep.
     void pause() noexcept;
 
-    /// Have stopping() say so until go_on(). By any thread, or a signal handler.
+    /// Let stopping() return true until go_on(). Called by any thread or a signal handler.
     void stop() noexcept { stopping_.store(true, std::memory_order_relaxed); }
     void go_on() noexcept { stopping_.store(false, std::memory_order_relaxed); }
-    /// Whether stopping() says no until this ends: what has begun to change the state is finished.
+    /// Let stopping() return false until this ends, so that changes of the state are completed.
     void shield(bool on) noexcept { shielded_.store(on, std::memory_order_relaxed); }
     [[nodiscard]] bool stopping() const noexcept override {
         return stopping_.load(std::memory_order_relaxed) &&
@@ -71,12 +72,12 @@ class Pool final : public base::Executor {
     void end_workers() noexcept;
     void drain(int thread) noexcept;
 
-    /// Ticket = batch number (high half) and next task (low half). While the fields that go with
-    /// it change, the low half is kClosed: a worker that read an old ticket together with new
-    /// fields then fails its compare-and-swap.
+    /// Ticket = batch number (high half) and next task (low half). While the fields of the ticket
+    /// change, the low half is kClosed. A worker that read an old ticket with new fields then fails
+    /// its compare-and-swap.
     static constexpr std::uint64_t kClosed = 0xffffffffU;
 
-    /// The tasks that a thread begins with, in a cache line of their own.
+    /// First tasks of a thread, in a cache line of their own.
     struct alignas(64) Part {
         std::atomic<std::uint64_t> ticket{kClosed};
         std::atomic<std::int32_t> end{0};
@@ -85,7 +86,7 @@ class Pool final : public base::Executor {
 
     // One cache line each, so that spinning on one does not slow the other.
     alignas(64) std::atomic<std::uint32_t> awake_{0};   ///< Odd while a step runs.
-    alignas(64) std::atomic<std::uint64_t> opened_{0};  ///< The batch that workers look for.
+    alignas(64) std::atomic<std::uint64_t> opened_{0};  ///< Batch that the workers poll.
     alignas(64) std::atomic<std::int32_t> done_{0};     ///< Tasks of this batch that are done.
     alignas(64) std::atomic<Task> task_{nullptr};
     std::atomic<void*> context_{nullptr};

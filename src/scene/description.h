@@ -30,27 +30,27 @@
 
 namespace hawser::scene {
 
-/// A winch before there is a world: its wire is a cable by name.
+/// A winch of the description. Its wire is given by the name of a cable.
 struct Winch {
     WinchDef def;
     std::string cable;
     int place = 0;
 };
 
-/// A guide before there is a world: its wire is a cable by name.
+/// A guide of the description. Its wire is given by the name of a cable.
 struct GuideItem {
     GuideDef def;
     std::string cable;
     int place = 0;
 };
 
-/// A post before there is a world: its shape has its name.
+/// A post of the description. Its shape is found by name.
 struct PostItem {
     PostDef def;
     int place = 0;
 };
 
-/// Deck gear before there is a world.
+/// Deck gear of the description.
 struct DeckGear {
     template <class Def>
     struct Item {
@@ -63,20 +63,21 @@ struct DeckGear {
     std::vector<Item<ChaserDef>> chasers;
 };
 
-/// A cable's resolution before there is a world.
+/// Resolution of a cable of the description.
 struct Resolution {
     ResolutionDef def;
     std::string cable;
     int place = 0;
 };
 
-/// A crane whose parts are among the bodies and interactions; it is driven once there is a world.
+/// A crane of the description. Its parts are among the bodies and interactions. Its drives are
+/// added to the world.
 struct Crane {
     std::variant<KnuckleCraneDef, LatticeCraneDef> def;
     int place = 0;
 };
 
-/// A cable in the water before there is a world.
+/// A cable in water, as described.
 struct CableWater {
     std::string cable{};
     std::vector<WaterLine::Section> sections{};
@@ -94,11 +95,11 @@ class Description {
   public:
     WorldDef settings;
     double duration = 10.0;
-    int version = 1;           ///< Of the format; see kFormatVersion.
-    std::optional<int> parts;  ///< settings.parts; none: kParts where no body has a group, else 0.
+    int version = 1;           ///< Version of the format; see kFormatVersion.
+    std::optional<int> parts;  ///< settings.parts; none: kParts if no body has a group, else 0.
     static constexpr int kParts = 4;
-    Mistakes* mistakes = nullptr;  ///< Where mistakes are taken down; null: they are thrown.
-    std::size_t copies = 1;        ///< That will be made of everything: counts against the limits.
+    Mistakes* mistakes = nullptr;  ///< List to which mistakes are added; null: they are thrown.
+    std::size_t copies = 1;        ///< Copies to be made, which count towards the limits.
     double default_compliance = kDefault;
     double default_damping_time = kDefault;
 
@@ -115,16 +116,16 @@ class Description {
     std::vector<Crane> cranes;
     std::vector<DeckGear::Item<VesselDef>> vessels;
     std::vector<Lever> levers;
-    std::vector<CableWater> waters;  ///< Cables that are in the water if there is any.
-    std::optional<SeaDef> sea;       ///< Without its lines.
+    std::vector<CableWater> waters;  ///< Cables that are in water if the scene has a sea.
+    std::optional<SeaDef> sea;       ///< The sea; its lines are in `waters`.
     Place sea_place;
-    /// Of each entry of its lists.
+    /// Place of each entry of its lists.
     std::vector<Place> sea_body_place, sea_hull_place, sea_rod_place;
     std::vector<MaterialDef> materials;  ///< Material i of the list is i + 1 of the world.
     std::vector<MaterialPairDef> material_pairs;
     std::vector<ShapeDef> shapes;
 
-    /// Take a place to which several items refer. @return its number.
+    /// Store a place to which several items refer. @return its number.
     int keep(const Place& place);
     [[nodiscard]] const Place& body_place(std::size_t i) const { return places_[body_at_[i]]; }
     [[nodiscard]] const Place& interaction_place(std::size_t i) const {
@@ -151,19 +152,20 @@ class Description {
         return places_[static_cast<std::size_t>(levers[i].place)];
     }
     [[nodiscard]] const Place& shape_place(std::size_t i) const { return places_[shape_at_[i]]; }
-    /// Of all shapes, "FILE: /shapes/3".
+    /// Return the places of all shapes, "FILE: /shapes/3".
     [[nodiscard]] std::vector<std::string> shape_places() const;
 
     void add_shape(ShapeDef def, int place);
-    /// The capsule between two ends goes, if there is one. @return it.
+    /// Remove the capsule between two ends. @return the capsule, if there is one.
     std::optional<ShapeDef> remove_segment(BodyId a, BodyId b);
-    /// Bits of the groups named by a word or a list of words. A group comes to be by being named.
+    /// Return the bits of the groups named by a word or a list of words. A new name makes a new
+    /// group.
     std::uint32_t groups(const Json& names, const Place& place);
-    /// Bits of the groups that a shape touches, named in the same way; check_groups() refuses names
-    /// that no shape has.
+    /// Return the bits of the groups that a shape touches, given in the same way. check_groups()
+    /// rejects names that no shape has.
     std::uint32_t touched(const Json& names, const Place& place);
     void check_groups() const;
-    /// @throws SceneError when the name is taken or there are too many.
+    /// @throws SceneError if the name exists or there are too many.
     BodyId add_body(BodyDef def, int place);
     InteractionId add_interaction(InteractionDef def, int place);
     void add_input(InputDef def, int place);
@@ -174,9 +176,9 @@ class Description {
     [[nodiscard]] BodyId find_body(const std::string& name) const;
     [[nodiscard]] InteractionId find_interaction(const std::string& name) const;
     [[nodiscard]] bool has_cable(const std::string& name) const;
-    /// Null where there is none.
+    /// Return the cable with this name; null if there is none.
     [[nodiscard]] const Cable* find_cable(const std::string& name) const;
-    /// The fixed body "world", added when first asked for.
+    /// Return the fixed body "world". The first call adds it.
     BodyId world_body();
     [[nodiscard]] BodyId world_body_if_any() const { return world_; }
 
@@ -191,8 +193,9 @@ class Description {
     std::vector<Place> places_;
     std::vector<std::size_t> body_at_, interaction_at_, input_at_, output_at_, shape_at_;
     std::vector<std::string> group_names_{"default"};
-    std::uint32_t named_groups_ = 0;                           ///< Those that some shape is in.
-    std::vector<std::pair<std::uint32_t, Place>> touched_at_;  ///< Where each group is named.
+    std::uint32_t named_groups_ = 0;  ///< Those that some shape is in.
+    /// Bits of the groups touched, and the place of each name.
+    std::vector<std::pair<std::uint32_t, Place>> touched_at_;
     std::unordered_map<std::string, std::int32_t> body_names_, interaction_names_, input_names_,
         output_names_, cable_names_;
     BodyId world_;
@@ -201,8 +204,8 @@ class Description {
 /// Part of the scene in which names are local: the scene itself or one instance.
 struct Scope {
     const Json* content = nullptr;  ///< Object with the lists "bodies", "cables", …
-    Place place;                    ///< Of `content`.
-    std::string prefix;             ///< Of all names made here, such as "port_crane/".
+    Place place;                    ///< Place of `content`.
+    std::string prefix;             ///< Prefix of all names in this scope, such as "port_crane/".
     Frame frame;
     std::unordered_map<std::string, std::string> bound;  ///< Local body name -> full name.
 };
@@ -211,31 +214,33 @@ struct Scope {
 [[nodiscard]] BodyId resolve_body(Description& out, const Scope& scope, const std::string& name,
                                   const Place& place);
 
-/// Interaction with this local name, among those there are so far. @throws SceneError with the
+/// Return the interaction with this local name among those read so far. @throws SceneError with the
 /// nearest name.
 [[nodiscard]] InteractionId resolve_interaction(const Description& out, const Scope& scope,
                                                 const std::string& name, const Place& place);
 
-/// Fill the description with everything in the document; see expand.cpp. Where mistakes are taken
-/// down, what they are in is left out.
+/// Fill the description from the document; see expand.cpp. If mistakes are collected, parts with
+/// mistakes are omitted.
 void expand(Description& out, const Document& document);
 
-/// "settings" and "defaults" of a scene (settings.cpp).
+/// Read "settings" and "defaults" of a scene (settings.cpp).
 void read_settings(Description& out, const Json& root);
 /// Bodies of one scope (bodies.cpp).
 void expand_bodies(Description& out, const Scope& scope);
 /// Interactions of one scope (interactions.cpp).
 void expand_interactions(Description& out, const Scope& scope);
-/// One cable (cables.cpp). `to_scope` is where the name of its last end is looked up.
+/// Read one cable (cables.cpp). `to_scope` is the scope of the name of its last end.
 void expand_cable(Description& out, const Scope& scope, const Scope& to_scope, const Json& cable,
                   const Document& document, const Place& place);
-/// Materials and their pairs (materials.cpp).
+/// Read the materials and their pairs (materials.cpp).
 void expand_materials(Description& out, const Document& document);
-/// Surface, groups of a shape, as far as given: "material", "groups", "touches" (materials.cpp).
+/// Read the surface and groups of a shape as far as given: "material", "groups", "touches"
+/// (materials.cpp).
 void read_surface(ShapeDef& def, Description& out, const Json& json, const Place& place);
-/// Shapes of a body, without its segments (shapes.cpp).
+/// Read the shapes of a body, except its segments (shapes.cpp).
 void expand_shapes(Description& out, BodyId body, const Json& list, const Place& place);
-/// Segments between the bodies of one scope and others, when all bodies are there (shapes.cpp).
+/// Read the segments between bodies of one scope and others. All bodies must have been read
+/// (shapes.cpp).
 void expand_segments(Description& out, const Scope& scope);
 /// Inputs of one scope (inputs.cpp).
 void expand_inputs(Description& out, const Scope& scope);
@@ -245,29 +250,31 @@ void expand_winches(Description& out, const Scope& scope);
 void expand_guides(Description& out, const Scope& scope);
 /// Posts of one scope, when all bodies are there (posts.cpp).
 void expand_posts(Description& out, const Scope& scope);
-/// Axes of cylinders of a radius [m] within edges of a body's box, hull or mesh: "edge_of" of a
-/// post (post_edges.cpp). @throws SceneError where it has none such.
+/// Return the axes of cylinders of a radius [m] within edges of the box, hull or mesh of a body,
+/// for "edge_of" of a post (post_edges.cpp). @throws SceneError if there are none.
 [[nodiscard]] std::vector<EdgeAxis> axes_of_edges(const Description& out, BodyId body,
                                                   const Json& json, double radius,
                                                   const Place& place);
-/// Cranes of one scope, when all bodies but cables are there (cranes.cpp).
+/// Read the cranes of one scope. All bodies except those of cables must have been read
+/// (cranes.cpp).
 void expand_cranes(Description& out, const Scope& scope);
 /// Lines over posts and sheaves of one scope, when all bodies are there (routes.cpp).
 void expand_routes(Description& out, const Scope& scope);
 /// The sea, when all bodies are there (sea.cpp). @param waters  How many are of copy 0.
 void expand_sea(Description& out, const Document& document, std::size_t waters);
-/// Takes a cable of which some section is in the water (sea.cpp).
+/// Store a cable if a section of it is in water (sea.cpp).
 void keep_water(Description& out, const CableWater& water);
-/// The sea of a world whose bodies and wires are there (sea.cpp). @throws SceneError, DefError.
+/// Add the sea to a world with bodies and wires (sea.cpp). @throws SceneError, DefError.
 void add_sea(World& world, const Description& from);
-/// Outputs of one scope, when all interactions are there (outputs.cpp).
+/// Read the outputs of one scope. All interactions must have been read (outputs.cpp).
 void expand_outputs(Description& out, const Scope& scope);
-/// One of them as a world has it: a tension of all elements of a cable is one of its wire, whose
-/// elements come and go. @param world  Has the scene's wires.
+/// Return the definition of an output for the world. The tension of all elements of a cable becomes
+/// that of its wire, whose number of elements can change. @param world  World with the wires of the
+/// scene.
 [[nodiscard]] OutputDef output_of(const Description& scene, std::size_t output, const World& world);
-/// Start from the stored state (state.cpp): bodies of copy 0, or the cables that join copies.
+/// Set the stored state (state.cpp) of the bodies of copy 0, or of the cables that join copies.
 void apply_state(Description& out, const Document& document);
-/// Copies of everything so far, and the cables that join them (repeat.cpp).
+/// Make copies of all parts so far, and the cables that join them (repeat.cpp).
 void expand_copies(Description& out, const Document& document);
 
 /// Replace "${name}" in every string by the parameter (templates.cpp).
@@ -278,7 +285,7 @@ void expand_copies(Description& out, const Document& document);
 [[nodiscard]] Vec3 vector_or(const Json& object, const char* key, const Vec3& fallback);
 [[nodiscard]] double number_or(const Json& object, const char* key, double fallback);
 [[nodiscard]] std::string text_or(const Json& object, const char* key, const char* fallback);
-/// What a client shows of an input or output: "unit", "group", "nominal".
+/// Read the display settings of an input or output: "unit", "group", "nominal".
 template <class Def>
 void read_display(Def& def, const Json& json) {
     def.unit = text_or(json, "unit", "");

@@ -15,14 +15,15 @@
 namespace hawser::scene {
 namespace {
 
-/// One use of a template with its parameters put in; owns its content.
+/// One use of a template with the values of its parameters; owns its content.
 struct InstanceScope {
     Scope scope;
     std::unique_ptr<Json> content;
     std::string note;  ///< Ending of messages about it.
 };
 
-/// Run `work`; a mistake found in it says in which instance it showed. @return attempt()'s.
+/// Run `work` and add the note to a mistake found in it. The note names the instance. @return the
+/// result of attempt().
 template <class Work>
 bool with_note(Mistakes* mistakes, const std::string& note, const Work& work) {
     if (mistakes != nullptr) {
@@ -62,7 +63,7 @@ class Expander {
                 expand_inputs(out_, item.scope);
             });
         }
-        // Of the scene itself, outputs may name what is in its instances.
+        // Outputs of the scene itself may name parts of its instances.
         for (const InstanceScope& item : scopes_) {
             (void)with_note(out_.mistakes, item.note, [&] { expand_outputs(out_, item.scope); });
         }
@@ -174,7 +175,7 @@ class Expander {
                        "there is no template " + in_quotes(name) + suggestion(name, known));
     }
 
-    /// The lists of the template with parameters in place, checked again.
+    /// Return the lists of the template with values for the parameters, checked again.
     Json fill_in(const Json& definition, const Json& instance, const InstanceScope& inner,
                  const Place& instance_place) {
         Json parameters = definition.value("parameters", Json::object());
@@ -273,7 +274,7 @@ class Expander {
 void expand(Description& out, const Document& document) {
     out.mistakes = document.mistakes;
     read_settings(out, document.root);
-    // Nothing else is made of a document that asks for too much.
+    // Read no further part of a document that exceeds the limits.
     if (!attempt(out.mistakes, [&] {
             check_counts(document, out.settings.max_bodies, out.settings.max_interactions);
         })) {

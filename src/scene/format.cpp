@@ -151,7 +151,7 @@ std::vector<Field> state_fields() {
             {"description", text("a text"), false, "", "", "Remarks."}};
 }
 
-/// What a scene and an included file share.
+/// Return the fields that scenes and included files have in common.
 std::vector<Field> common_fields(const ShapePtr& line, const ShapePtr& group) {
     return {{"$schema", text("a text"), false, "", "", "For editors."},
             {"version", integer("the version 1 or 2", 1, kFormatVersion), true, "", "",

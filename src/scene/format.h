@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file format.h
-/// Scene format version 1 as shapes. What an interaction accepts comes from the table of
-/// kinds (hawser/interactions.h), everything else from format.cpp.
+/// Scene format version 1 as shapes. The keys of an interaction come from the table of kinds
+/// (hawser/interactions.h), all others from format.cpp.
 
 #include <hawser/settings.h>
 
@@ -22,7 +22,7 @@ inline constexpr int kMaxCopies = 1000;
 inline constexpr std::size_t kMaxGroups = 32;  ///< Collision groups, "default" included.
 inline constexpr int kMaxIncludeDepth = 8;
 inline constexpr int kMaxInstanceDepth = 8;
-// Limits that catch a wrong unit or a damaged digit; far beyond anything marine.
+// Limits that detect a wrong unit or a damaged digit; far beyond marine values.
 inline constexpr double kMostMass = 1e15;
 inline constexpr double kMostLength = 1e6;
 inline constexpr double kMostForce = 1e15;
@@ -33,7 +33,7 @@ struct Format {
     ShapePtr part;   ///< A file that is included.
     ShapePtr state;  ///< A state file.
 
-    ShapePtr operations;  ///< Of a timeline, or of a file of them.
+    ShapePtr operations;  ///< Shape of a timeline, in the scene or in a file of its own.
     ShapePtr line_type;
     ShapePtr bodies;  ///< The lists of a scene, and of a template once its parameters are in.
     ShapePtr interactions;
@@ -57,61 +57,62 @@ struct Format {
 /// Keys of the outermost object of a scene, a part and a state.
 [[nodiscard]] const std::set<std::string>& outermost_keys();
 
-/// How a scene is simulated. See format_settings.cpp.
+/// Return the shape of the settings of a simulation. See format_settings.cpp.
 [[nodiscard]] ShapePtr settings_shape();
-/// Largest value of a setting in a scene, where that is less than what a world may have.
+/// Return the largest value of a setting in a scene if it is less than the limit of a world.
 [[nodiscard]] double most_of(const SettingInfo& setting);
 
-/// What a line is made of, and a cable. See format_cables.cpp.
+/// Return the shapes of a line type and of a cable. See format_cables.cpp.
 [[nodiscard]] ShapePtr line_type_shape();
 [[nodiscard]] ShapePtr cable_shape();
 
-/// A winch at the end of a cable. See format_cables.cpp.
+/// Return the shape of a winch at the end of a cable. See format_cables.cpp.
 [[nodiscard]] ShapePtr winch_shape();
 
-/// What a cable runs over. See format_routes.cpp.
+/// Return the shapes of a guide and of a post, over which cables run. See format_routes.cpp.
 [[nodiscard]] ShapePtr guide_shape();
 [[nodiscard]] ShapePtr post_shape();
-/// Deck gear. See format_deck.cpp.
+/// Return the shapes of deck gear. See format_deck.cpp.
 [[nodiscard]] ShapePtr stopper_shape();
 [[nodiscard]] ShapePtr pin_shape();
 [[nodiscard]] ShapePtr hook_shape();
 [[nodiscard]] ShapePtr chaser_shape();
-/// A crane on a body. See format_cranes.cpp.
+/// Return the shape of a crane on a body. See format_cranes.cpp.
 [[nodiscard]] ShapePtr crane_shape();
-/// What its hook may take.
+/// Return the shape of a load that the hook of a crane may carry.
 [[nodiscard]] ShapePtr crane_load_shape();
-/// What sails. See format_vessels.cpp.
+/// Return the shape of a vessel. See format_vessels.cpp.
 [[nodiscard]] ShapePtr vessel_shape();
-/// The sea, and what a line type says of water. See format_sea.cpp.
+/// Return the shape of the sea. See format_sea.cpp.
 [[nodiscard]] ShapePtr sea_shape();
-/// An entry of "hulls" (format_hulls.cpp).
+/// Return the shape of an entry of "hulls" (format_hulls.cpp).
 [[nodiscard]] ShapePtr water_hull_shape();
 [[nodiscard]] std::vector<Field> line_water_fields();
 
-/// A line over posts and sheaves. See format_routes.cpp.
+/// Return the shape of a line over posts and sheaves. See format_routes.cpp.
 [[nodiscard]] ShapePtr route_shape();
 
-/// An operation at a time. See format_timeline.cpp.
+/// Return the shape of an operation at a given time. See format_timeline.cpp.
 [[nodiscard]] ShapePtr operation_shape();
 
-/// Shape of one interaction, by kind. See format_kinds.cpp.
+/// Return the shape of one interaction, by kind. See format_kinds.cpp.
 [[nodiscard]] ShapePtr interaction_shape();
 
-/// Shapes of one input, and of one output by kind. See format_signals.cpp.
+/// Return the shapes of one input, and of one output by kind. See format_signals.cpp.
 [[nodiscard]] ShapePtr input_shape();
 [[nodiscard]] ShapePtr output_shape();
 
-/// Shapes of a body, and what a material, a pair of them, a cable's contact is. See
-/// format_shapes.cpp.
+/// Return the shapes of the shapes of a body, a material, a pair of materials, and the contact of a
+/// cable. See format_shapes.cpp.
 [[nodiscard]] std::vector<Field> surface_fields();  ///< Material and groups of a shape.
 [[nodiscard]] ShapePtr shape_of_body();
 [[nodiscard]] ShapePtr material();
 [[nodiscard]] ShapePtr material_pair();
 [[nodiscard]] ShapePtr cable_contact();
 
-/// True for a parameter whose default is read off the pose in which the scene describes the
-/// bodies: the distance of two points, the height of a ship, the coordinate of a drum.
+/// @return true for a parameter whose default is computed from the pose of the bodies in the scene.
+///        Examples are the distance of two points, the height of a ship, and the coordinate of a
+///        drum.
 [[nodiscard]] bool taken_from_pose(const KindInfo& kind, std::string_view param);
 
 /// Short ways to write shapes.

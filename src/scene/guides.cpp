@@ -71,7 +71,8 @@ CableSection& section_of(Cable& cable, std::size_t element) {
     return cable.sections[k];
 }
 
-/// The lump gives up its half of the element's mass, with its share of drag and weight in water.
+/// Subtract half of the mass of the element from the lump, with its fraction of drag and of weight
+/// in water.
 void lighten(BodyDef& lump, double half, const Place& place) {
     if (lump.kind != BodyKind::lump || !(half > 0.0)) return;
     if (!(lump.mass > half * (1.0 + 1e-6)))
@@ -87,7 +88,7 @@ void lighten(BodyDef& lump, double half, const Place& place) {
 /// Bends about its ends have the guide for a neighbour now.
 void turn_bends(Description& out, const InteractionDef& element, const GuidePlan& plan,
                 double radius) {
-    // Where each part touches the wheel: the mark that its frame has there.
+    // Point at which each part touches the wheel, as marked by its frame there.
     const auto touches = [&](const InteractionDef& part, std::size_t slot) {
         return Vec3(part.point[slot] + std::abs(radius) * (part.frame[slot] * Vec3::UnitX()));
     };
@@ -104,7 +105,7 @@ void turn_bends(Description& out, const InteractionDef& element, const GuidePlan
     }
 }
 
-/// The capsule of a part between a lump and the guide.
+/// Add the capsule of a part between a lump and the guide.
 void add_part_segment(Description& out, const ShapeDef& whole, const InteractionDef& part,
                       const char* suffix, int place) {
     const auto is_lump = [&](std::size_t end) {
@@ -136,7 +137,7 @@ GuideDef read_guide(Description& out, const Scope& scope, const Json& json, cons
     return def;
 }
 
-/// What the guide makes of the element comes into the lists of the scene.
+/// Replace an element by the parts before and behind the guide, with slide and friction.
 void divide(Description& out, Cable& cable, std::size_t k, GuideDef& def, const Place& place) {
     const InteractionDef element = element_of(out, cable.stretch[k]);
     const double length = element.get("length"), mass = std::max(0.0, element.get("mass"));

@@ -10,7 +10,7 @@
 namespace hawser::scene {
 namespace {
 
-/// What of the description is copy 0.
+/// Size of each list of the description in copy 0.
 struct Extent {
     std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, posts,
         stoppers, pins, hooks, chasers, resolutions, cranes, levers, vessels;
@@ -24,7 +24,8 @@ void rename(std::string& name, const std::string& prefix) {
     }
 }
 
-/// A stored state of this very copy, in place of the shifted state of copy 0.
+/// Return the stored state of the copy with this name, which replaces the shifted state of copy 0;
+/// null if there is none.
 const Json* own_state(const Document& document, const std::string& name) {
     const auto state = document.root.find("state");
     if (state == document.root.end()) {
@@ -82,7 +83,7 @@ class Copier {
         for (int copy = 1; copy < copies; ++copy) {
             add_copy(copy);
         }
-        out_.copies = 1;  // They are there now: what follows is counted once.
+        out_.copies = 1;  // The copies exist now, so that later items count once.
         for (int copy = 0; copy + 1 < copies; ++copy) {
             add_joins(copy);
         }
@@ -112,7 +113,7 @@ class Copier {
         add_shapes(prefix, shift);
     }
 
-    /// What of this copy stands for what of copy 0.
+    /// Return the counterpart of a body or interaction of copy 0 in this copy.
     [[nodiscard]] BodyId mapped(BodyId id) const {
         return id.valid() ? bodies_[static_cast<std::size_t>(id.index)] : id;
     }
@@ -253,7 +254,7 @@ class Copier {
             }
             ShapeDef def = out_.shapes[i];
             rename(def.name, prefix);
-            // Where the world holds a wire.
+            // point at which a body "world" holds a wire
             if (def.body_b.valid() && (is_world(def.body) || is_world(def.body_b)))
                 def.position += shift;
             def.body = mapped(def.body);
@@ -304,7 +305,8 @@ class Copier {
         }
     }
 
-    /// A plane at rest along which the copies lie: it is there already for all of them.
+    /// @return true for a plane of a fixed body that is parallel to the offset: one plane serves
+    ///        all copies.
     [[nodiscard]] bool is_its_own_copy(const ShapeDef& def) const {
         const BodyDef& body = out_.body(def.body);
         const Vec3 normal = body.orientation * (def.orientation * Vec3::UnitZ());
@@ -343,7 +345,7 @@ class Copier {
     Vec3 offset_;
     Extent base_;
     int number_ = 0;
-    // Of the copy that is being added:
+    // Data of the copy that is being added:
     std::vector<BodyId> bodies_{};  ///< By index in copy 0.
     std::int32_t first_ = 0;        ///< Its first interaction.
 };

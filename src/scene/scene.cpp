@@ -31,7 +31,7 @@ std::uint64_t hash_text(std::string_view text) {
     return hash;
 }
 
-/// Hands the flat lists to a new world. What it refuses is reported at its place in the file.
+/// Adds the flat lists to a new world. Errors of the world are reported at their place in the file.
 class Builder {
   public:
     explicit Builder(const Description& description) : description_(description) {}
@@ -69,7 +69,8 @@ class Builder {
     }
 
   private:
-    /// Run `work`; what the world refuses becomes a mistake at this place. @return attempt()'s.
+    /// Run `work` and convert an error of the world to a mistake at this place. @return the result
+    /// of attempt().
     template <class Work>
     bool take(const Place& place, const Work& work) {
         return attempt(description_.mistakes, [&] {
@@ -99,7 +100,7 @@ class Builder {
         for (std::size_t i = 0; i < description_.bodies.size(); ++i) {
             const BodyDef& def = description_.bodies[i];
             const bool added = take(description_.body_place(i), [&] { world.add_body(def); });
-            if (!added) {  // One in its place, so that numbers stay what they are.
+            if (!added) {  // add a substitute, so that numbers do not change
                 world.add_body({.name = "", .kind = BodyKind::fixed});
                 whole_ = false;
             }
@@ -118,7 +119,7 @@ class Builder {
         numbered_ &= whole_;
     }
 
-    /// With the wires that they wind up, which cables are.
+    /// Add the winches, and the wires of the cables, which they wind up.
     void add_winches(World& world) {
         if (!numbered_) {
             return;
@@ -146,7 +147,7 @@ class Builder {
         }
     }
 
-    /// Ends of routes stop at the places that they run through.
+    /// Add the stops that keep the ends of routes at their turning points.
     void add_end_stops(World& world) {
         if (!numbered_) return;
         std::vector<InteractionId> ends;
@@ -168,18 +169,18 @@ class Builder {
         }
     }
 
-    /// Add the posts, whose shapes have been added before.
+    /// Add the posts. Their shapes have been added before.
     void add_posts(World& world) {
         for (std::size_t i = 0; i < description_.posts.size() && numbered_ && whole_; ++i) {
             (void)take(description_.post_place(i), [&] {
                 PostDef def = description_.posts[i].def;
                 def.shape = world.find_shape(def.name);
-                if (def.shape.valid()) world.add(def);  // Else the shape was refused.
+                if (def.shape.valid()) world.add(def);  // else the shape was rejected
             });
         }
     }
 
-    /// @throws SceneError where no system has such an input.
+    /// Check that each lever has an input of a system. @throws SceneError.
     void check_levers(const World& world) {
         for (std::size_t i = 0; i < description_.levers.size() && numbered_; ++i) {
             const std::string& wanted = description_.levers[i].input.signal;
@@ -198,7 +199,7 @@ class Builder {
         }
     }
 
-    /// After the winches, whose elements they leave as they are.
+    /// Add the resolutions after the winches, whose elements they do not change.
     void add_resolutions(World& world) {
         for (std::size_t i = 0; i < description_.resolutions.size() && numbered_; ++i) {
             const Resolution& one = description_.resolutions[i];
@@ -256,7 +257,8 @@ void check_options(const Options& options, const Place& place) {
     }
 }
 
-/// @param mistakes  Where they are taken down: there is no scene then. Null: they are thrown.
+/// @param mistakes  List to which mistakes are added; the result is then empty. Null: they are
+///        thrown.
 std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,
                                 const Options& options, Mistakes* mistakes) {
     const Place place{file.string(), ""};
@@ -329,7 +331,7 @@ std::optional<Scene> try_scene(const Read& read, const std::filesystem::path& fi
     return scene;
 }
 
-/// Where mistakes are thrown, there is a scene.
+/// Return the scene. Mistakes are thrown, so that there always is one.
 Scene make_or_throw(Json root, const std::filesystem::path& file, const Options& options) {
     std::optional<Scene> scene = make_scene(std::move(root), file, options, nullptr);
     if (!scene) throw std::logic_error(file.string() + ": no scene, and no mistake to tell of");

@@ -13,7 +13,7 @@ namespace {
 using Ordered = nlohmann::ordered_json;
 using Type = Shape::Type;
 
-/// Writes shapes as schemas; named ones go to "definitions" and are referred to.
+/// Writes shapes as schemas. Named shapes go to "definitions", and the schema refers to them.
 class Writer {
   public:
     Ordered write(const Shape& shape, bool placeholders) {

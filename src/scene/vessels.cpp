@@ -17,7 +17,7 @@ namespace hawser::scene {
 namespace {
 
 constexpr double kVesselDegree = std::numbers::pi / 180.0;
-/// Share by which the mass of a body may differ from that of the published ship.
+/// Largest relative difference between the mass of the body and that of the published ship.
 constexpr double kMassOff = 0.05;
 
 template <class T>
@@ -109,7 +109,7 @@ WindLoad read_wind(const Json& json) {
     return w;
 }
 
-/// Coefficients of a published ship, whose body this is.
+/// Return the coefficients of a published ship for this body.
 VesselDef read_ship(const Json& json, const BodyDef& body, const Place& place) {
     const std::string name = json["ship"].get<std::string>();
     PublishedShip ship;
@@ -174,7 +174,8 @@ VesselDef read_vessel(Description& out, const Scope& scope, const Json& json, co
     return def;
 }
 
-/// The library counts terms where a scene names them.
+/// Reject a vessel at its place. The library gives the number of a term; the message gives its
+/// name.
 [[noreturn]] void refuse_vessel(const Place& place, const VesselDef& def, const DefError& error) {
     FieldWords said = field_words(error);
     constexpr std::string_view kTerms = "polynomial/terms/";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file vessels.h
-/// The numbers of a vessel in a scene (hawser/vessel.h): format and reader go by one table. Keys
-/// that end in _deg are degrees here and radians in definitions.
+/// The numbers of a vessel in a scene (hawser/vessel.h). One table serves the format and the
+/// reader. Keys that end in _deg are in degrees here and in radians in definitions.
 
 #include <hawser/vessel.h>
 
@@ -15,9 +15,10 @@ struct VesselNumber {
     const char* key;
     double T::* value;
     const char* unit;
-    const char* fallback;  ///< In words; "" where it must be given.
+    const char* fallback;  ///< Default in words; "" if the value is required.
     const char* doc;
-    double least, most;  ///< `least` itself only where there is a default, or it is below 0.
+    /// Range. `least` is included only if there is a default, or if it is negative.
+    double least, most;
 };
 
 inline constexpr double kVesselFar = 1e4, kVesselStrong = 1e15, kVesselAny = 1e6;
@@ -171,7 +172,7 @@ struct VesselTable<RudderDef> {
 
 /// Vessels of one scope, when all bodies are there (vessels.cpp).
 void expand_vessels(Description& out, const Scope& scope);
-/// After the sea. @throws SceneError where the world refuses some.
+/// Add the vessels after the sea. @throws SceneError if the world rejects some.
 void add_vessels(World& world, const Description& from);
 
 }  // namespace hawser::scene

@@ -28,7 +28,7 @@ struct Session::Impl {
     template <class Writer>
     struct Output {
         std::unique_ptr<Writer> to;
-        std::int64_t every = 1, begun = 0, written = 0;  ///< Steps taken.
+        std::int64_t every = 1, begun = 0, written = 0;  ///< Numbers of steps.
         [[nodiscard]] bool due(const World& world) const {
             return to && (world.step_count() - begun) % every == 0;
         }
@@ -42,15 +42,16 @@ struct Session::Impl {
     std::vector<record::ControlChange> control;
     std::size_t next_control = 0;  ///< The first one that is not in force yet.
     session::Timeline timeline;
-    std::uint64_t identity = 0;  ///< Of the scene at its start …
-    Structure made_of;           ///< … and where it begins with a saved state, what it is made of …
-    std::vector<std::byte> start;          ///< … and its state.
-    std::vector<std::string> differences;  ///< Of the scene from that of the saved state.
-    /// A control file's columns are the inputs by place, and behind them these signals.
+    std::uint64_t identity = 0;    ///< Identity of the scene at its start …
+    Structure made_of;             ///< … and its structure if it begins with a saved state …
+    std::vector<std::byte> start;  ///< … and its state.
+    /// Differences of the scene from that of the saved state.
+    std::vector<std::string> differences;
+    /// Columns of a control file: the inputs by index, then these signals.
     std::vector<std::string> signals;
     std::size_t places = 0;
     Output<record::RecordingWriter> recording;
-    std::unique_ptr<record::RecordingListener> listener;  ///< Of the recording.
+    std::unique_ptr<record::RecordingListener> listener;  ///< Listener of the recording.
     session::RunNotes notes;
     Output<record::CsvWriter> table;
     std::unique_ptr<verify::Verifier> verifier;
@@ -58,12 +59,12 @@ struct Session::Impl {
     std::vector<Event> events;
     std::string objection;
     Status last = Status::ok;
-    double step_cpu = 0.0;  ///< Of the thread that steps, in the last one [s].
+    double step_cpu = 0.0;  ///< CPU time of the stepping thread in the last step [s].
 
     explicit Impl(scene::Scene given) : scene(std::move(given)), info(record::info_of(scene)) {}
     [[nodiscard]] World& world() noexcept { return scene.world; }
 
-    /// Set what the control file has until now.
+    /// Apply the values of the control file until now.
     void take_controls() {
         constexpr double kSlack = 1e-6;  // Times are multiples of the step up to rounding.
         World& w = world();
@@ -81,7 +82,7 @@ struct Session::Impl {
             w.set_input(id, change.value);  // others have been removed
     }
 
-    /// The name by which the timeline knows what a control file sets.
+    /// Return the name of a control file's target in the timeline.
     [[nodiscard]] std::string target(const record::ControlChange& change) {
         if (static_cast<std::size_t>(change.input) < places)
             return world().input_def(InputId{change.input}).name;
@@ -91,9 +92,9 @@ struct Session::Impl {
         return name;
     }
 
-    /// In a run that begins behind the start, of each input what the file had last is in force,
-    /// unless the timeline has set it since: once, as its value may be that of the state, and what
-    /// came before would wake what sleeps.
+    /// Apply the last value of each input before the start of a run that begins later, unless the
+    /// timeline has set it since. Apply only that one, because the state may already contain it,
+    /// and earlier values would wake sleeping bodies.
     void go_on_with_controls() {
         if (world().step_count() == 0) return;
         const double done = session::last_done(world());
@@ -137,7 +138,7 @@ struct Session::Impl {
         table.written = world().step_count();
     }
 
-    /// What the last step left out, what happened in it, and a frame where one is due.
+    /// Write the work that the last step left out, its events, and a frame if one is due.
     void write_step() {
         if (recording.to) {
             if (const StepStats& stats = world().stats(); stats.degradation.any())
@@ -152,7 +153,7 @@ struct Session::Impl {
 };
 
 namespace {
-/// Of the calling thread so far [s].
+/// Return the CPU time of the calling thread [s].
 double thread_cpu_seconds() noexcept {
     timespec t{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -174,7 +175,7 @@ scene::Scene scene_around(World world) {
     return scene;
 }
 
-/// By place; "" where one was removed.
+/// Return the names of inputs by index; "" at vacant indices.
 std::vector<std::string> input_names(const World& world) {
     std::vector<std::string> names(static_cast<std::size_t>(world.input_count()));
     for (const InputId id : world.inputs())
@@ -284,8 +285,8 @@ void Session::record(const std::filesystem::path& file, std::int32_t every) {
     check_every(every);
     impl_->listener.reset();
     World& world = impl_->world();
-    // A recording begins with the world that its scene makes; what else there is by now came with
-    // a saved state, to which it goes on from there (chunk TAKE).
+    // A recording begins with the world of its scene. Other objects came with a saved state, with
+    // which the recording continues (chunk TAKE).
     if (impl_->start.empty() || world.identity() == impl_->identity)
         return impl_->open_recording(file, every);
     const Structure made_of = world.structure();
@@ -322,7 +323,7 @@ void Session::write_csv(const std::filesystem::path& file, std::int32_t every) {
     const World& world = impl_->world();
     impl_->table = {std::make_unique<record::CsvWriter>(file, impl_->info, world), every,
                     world.step_count(), world.step_count()};
-    if (world.step_count() > 0) impl_->add_row();  // Before the first step no tension is known.
+    if (world.step_count() > 0) impl_->add_row();  // tensions are unknown before the first step
 }
 
 void Session::note(std::string_view kind, std::span<const std::byte> bytes) {
@@ -354,7 +355,7 @@ Status Session::step() {
     const double cpu = thread_cpu_seconds();
     impl_->last = world.step();
     impl_->step_cpu = thread_cpu_seconds() - cpu;
-    // What systems did to the world within the step belongs before it.
+    // Changes of systems within the step belong before it.
     if (impl_->listener) impl_->listener->flush(step);
     if (impl_->last != Status::ok) return impl_->last;
     impl_->events = world.take_events();

@@ -12,9 +12,10 @@ namespace {
 
 constexpr int kMostPasses = 20;
 
-/// λ and v₊ as they stand. All that ask for it are switched at first; then, since two may go on
-/// switching each other for ever, the first one only (K. G. Murty's least index rule, which ends).
-/// @return how many ask for it; none are switched from kMostPasses on.
+/// Switch rows by the current λ and v₊. At first all rows that request it switch. Two rows may
+/// alternate forever, so later only the first one switches (K. G. Murty's least index rule, which
+/// terminates).
+/// @return the number of requesting rows; none switch from kMostPasses on.
 std::int32_t switch_solved(Model& model, Work& work, int pass) noexcept {
     constexpr int kTogether = 6;
     take_bounds(model, work.newton);
@@ -29,11 +30,11 @@ std::int32_t switch_solved(Model& model, Work& work, int pass) noexcept {
 }  // namespace
 
 Status settle_bounds(StepContext& ctx) noexcept {
-    constexpr int kMostSolves = 100;  // of bounds that move
+    constexpr int kMostSolves = 100;  // for moving bounds
     const double tolerance = ctx.model.def.contact_tolerance;
     for (int pass = 0, solves = 0; pass <= kMostPasses; ++solves) {
         ctx.work.stats.natural_map = bounds_map(ctx.model, ctx.work.newton);
-        // In the end nothing is moved, so that λ is what has been solved for.
+        // At the end nothing is moved, so that λ is the solution.
         if (solves >= kMostSolves) pass = kMostPasses;
         Status status = Status::ok;
         const bool moved = ctx.work.stats.natural_map > tolerance;

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file active_set.h
-/// Rows at their bounds, solved again until they agree with them (bounds.h): in worlds without
-/// contacts, and by methods that solve for contacts separately. All rows that ask for it switch at
-/// first, then the first one only (K. G. Murty's least index rule, which ends).
+/// Repeated solution until rows at their bounds are consistent with the solution (bounds.h). Used
+/// in worlds without contacts, and by methods that solve for contacts separately. All requesting
+/// rows switch at first, then only the first one (K. G. Murty's least index rule, which
+/// terminates).
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// switch_bounds() for a solution λ, v₊ as it stands. @return whether to solve again.
+/// Call switch_bounds() for the current solution λ, v₊.
+/// @return true if another solve is needed.
 [[nodiscard]] bool update_active_set(Model& model, Work& work, int pass) noexcept;
 
-/// Of a solution with contacts that has been refined: solve again while bounds are off the loads
-/// that they follow. The iterations that led there were not refined, and a bound that is a small
-/// share of its load may be off by what they left.
+/// Solve a refined solution with contacts again while bounds do not match the loads that they
+/// follow. The previous iterations were not refined. A bound that is a small fraction of its load
+/// may be wrong by their residual.
 [[nodiscard]] Status follow_loads(StepContext& ctx) noexcept;
 
-/// Solve again until the rows of a world without contacts agree with their bounds. Statuses that
-/// still change in the end are counted in stats.flips_left.
+/// Solve again until the rows of a world without contacts are consistent with their bounds.
+/// stats.flips_left counts the statuses that still change at the end.
 [[nodiscard]] Status settle_bounds(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

@@ -46,7 +46,7 @@ void begin_analysis(Model& model, State& state) {
 
 void analyse_system(Model& model, Work& work, runtime::Pool& pool,
                     const factor::AnalysisState* state) {
-    model.system.analysis.use(nullptr);  // mostly between steps, where the pool sleeps
+    model.system.analysis.use(nullptr);  // mostly between steps, when the pool sleeps
     model.system.analyse(model.bodies, model.interactions, model.def, pool.threads(), state);
     work.solve.norms.resize(at(model.system.strips.count() + model.system.strips.groups()));
     work.solve.losses.resize(at(model.system.strips.count()));
@@ -84,7 +84,7 @@ void finish_preparation(StepContext& ctx) {
     ctx.work.before.carriers.resize(16 * ctx.model.bodies.driven.size());
     ctx.work.wheel_angles.resize(ctx.model.interactions.spans.size());
     reserve_undo(ctx.model, ctx.work.undo);
-    // Slides next to no mass are no measure of what contacts and lines of lumps have.
+    // Slides of almost no mass give no scale for contacts and lines of nodes.
     constexpr double kNone = 1e300;
     double mass = 0.0, least = kNone, least_of_all = kNone;
     for (const std::int32_t b : ctx.model.bodies.moving) {
@@ -94,7 +94,7 @@ void finish_preparation(StepContext& ctx) {
         if (ctx.model.bodies.dof(b) > 1) least = std::min(least, m);
     }
     if (least == kNone) least = least_of_all;
-    // A millionth of the impulse of one gravity over a step: far below any real load.
+    // A millionth of the impulse of standard gravity over a step: far below any real load.
     ctx.model.residual_floor = 1e-6 * ctx.model.def.step * 9.81 * std::sqrt(mass) + 1e-300;
     ctx.model.contact_floor = 1e-6 * ctx.model.def.step * 9.81 * least;
     ctx.model.scalar_floor = 1e-6 * ctx.model.def.step * 9.81 * least_of_all;

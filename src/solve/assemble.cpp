@@ -15,7 +15,7 @@ namespace {
 
 using assembly::View;
 
-/// Whether the solution starts at v_start: with contacts Newton's method has a start of its own.
+/// Return true if the solution starts at v_start. With contacts Newton's method has its own start.
 bool starts_moving(const Model& model) noexcept {
     return model.system.contacts.count() == 0 && model.def.nonsmooth != Nonsmooth::pgs;
 }
@@ -34,7 +34,7 @@ void assemble_system(StepContext& ctx) noexcept {
     const bool completes = ctx.model.completion.any;
     const bool moving = starts_moving(ctx.model);
     View rows = v;
-    // PGS measures its solution without renewing what v₊ does.
+    // PGS computes residuals without updating the effect of v₊.
     if (!moving && ctx.model.def.nonsmooth != Nonsmooth::pgs) rows.v_start = nullptr;
     sweep(
         ctx.model, ctx.pool,

@@ -27,13 +27,14 @@ double stiffness_scale(const Model& model, std::size_t i) noexcept {
            in.sigma[at(in.row_begin[at(model.system.bounded[i])])];
 }
 
-/// W + Σ of the rule by which rows switch: in the convex phase with a fraction of W, as contacts.
+/// Return W + Σ for the rule by which rows switch. In the convex phase it uses a fraction of W, as
+/// contacts do.
 double switch_scale(const Model& model, const Newton& newton, std::size_t i) noexcept {
     const double scale = stiffness_scale(model, i);
     return newton.convex ? scale - (1.0 - kConvexShare) * model.system.bounded_mobility[i] : scale;
 }
 
-/// λ, and r = c − G v − Σλ, which is 0 of an active row: it has been solved for.
+/// Return λ and r = c − G v − Σλ. r is 0 for an active row, which has been solved for.
 BoundedRow row_now(const View& v, std::int32_t id) noexcept {
     const std::int32_t row = v.row_begin[id];
     const double lambda = v.lambda[row];
@@ -42,8 +43,8 @@ BoundedRow row_now(const View& v, std::int32_t id) noexcept {
     return {lambda, r};
 }
 
-/// The end of the range that an impulse was at when the ends were elsewhere: that of its sign, or,
-/// where both ends are on one side of 0 (a winch that pulls with one tension or another), the
+/// Return the end of the range that an impulse was at before the ends moved: the end of its sign.
+/// If both ends are on one side of 0 (a winch that pulls with one of two tensions), return the
 /// nearer one.
 double moved_with(const ImpulseRange& range, double held) noexcept {
     if (held == 0.0) return std::clamp(0.0, range.low, range.high);
@@ -57,7 +58,7 @@ BoundedRow along(const Newton& n, std::size_t i, double t) noexcept {
     return {a.lambda + t * (b.lambda - a.lambda), a.r + t * (b.r - a.r)};
 }
 
-/// A line that is taut and pulls, of which nothing but that has to be known.
+/// Return true for a taut line that pulls and has no other law.
 bool pulls_on(const View& v, std::int32_t id) noexcept {
     constexpr int kOther = model::kRange | model::kMotor | model::kFriction;
     const double lambda = v.lambda[v.row_begin[id]];
@@ -65,38 +66,37 @@ bool pulls_on(const View& v, std::int32_t id) noexcept {
            v.parted[id] == 0 && lambda < 0.0 && lambda > -model::kUnbounded;
 }
 
-/// Where a row is, and where it asks to be.
+/// Status of a row, and the status that the law requires.
 struct Wish {
     bool was_active, active;
-    bool across;       ///< From one end of its range to the other.
-    double projected;  ///< Its impulse, within the range [N s].
+    bool across;       ///< True if it moves from one end of its range to the other.
+    double projected;  ///< Its impulse, clamped to the range [N s].
     [[nodiscard]] bool asks() const noexcept { return active != was_active || across; }
 };
 Wish wish_of(const Model& model, const Newton& newton, const View& v, std::size_t i,
              const BoundedRow& p, const ImpulseRange& range) noexcept {
     const std::int32_t id = model.system.bounded[i];
     const bool was_active = v.active[id] != 0.0;
-    // An idle row goes where its bound has gone; only then it is asked whether it stays.
+    // An inactive row first follows its bound. Then the rule decides whether it stays inactive.
     const double lambda = was_active ? p.lambda : moved_with(range, v.held[id]);
     const double y = lambda + p.r / switch_scale(model, newton, i);
     const double projected = std::clamp(y, range.low, range.high);
     const bool active = range.low < y && y < range.high;
-    // A motor that is told to turn back may pass from one end to the other within a step.
+    // A reversed motor may move from one end to the other within a step.
     const bool across = !was_active && !active && projected != lambda;
     return {was_active, active, across, projected};
 }
-/// Rows that never switch: what parted or gives way to another force, and what is in the middle of
-/// its range.
+/// Return true for rows that never switch: broken or replaced rows, and ranges with equal ends.
 bool stays(const Model& model, const View& v, std::int32_t id, const ImpulseRange& range) noexcept {
     return v.parted[id] || model.wires.gives_way(id) ||
            ((v.flags[id] & model::kRange) && range.low == range.high);
 }
 
-/// Places in a row that begin or end to slide ask for what rounding of their tensions makes.
+/// Return true if a request to switch a place in a run comes from the rounding of its tensions.
 bool is_rounding(const Model& model, std::int32_t id, const Wish& wish, double lambda,
                  const ImpulseRange& range) noexcept {
     const double way = std::fabs(wish.projected - lambda), width = range.high - range.low;
-    // A stop, which holds whatever pulls, has no bound to compare with.
+    // A stop without a finite bound gives no scale.
     constexpr double kStop = 1e20;  // [N s]
     if (width > kStop) return false;
     if (way > kCapstanAtBound * width || !is_capstan(model, id)) return false;
@@ -173,7 +173,8 @@ double bounds_slope(const Model& model, const Newton& newton, double t) noexcept
         if (stays(model, v, id, range)) continue;
         const double sigma = v.sigma[v.row_begin[id]];
         const BoundedRow &from = newton.row[i], &to = newton.row_end[i], p = along(newton, i, t);
-        // c − G v = r + Σλ. A row without compliance is at a bound, or has its impulse solved for.
+        // c − G v = r + Σλ. A row without compliance is at a bound or has the impulse of the
+        // solution.
         const double asked = p.r + sigma * p.lambda;
         double impulse = p.lambda;
         if (sigma > 0.0)
@@ -203,7 +204,7 @@ double bounds_map(const Model& model, const Newton& newton) noexcept {
     for (const std::int32_t id : in.motors) {
         if (!limits_power(in, id) || !idle(id) || !(newton.bound_time > 0.0)) continue;
         const double excess = power_excess(model, newton, id);
-        // Below its power a motor gives the whole of its force.
+        // Below its power limit a motor exerts its full force.
         const auto is_at = [&](double bound) {
             const double end = newton.bound_time * bound;
             return std::fabs(in.held[at(id)] - end) <= 1e-12 * std::fabs(end);
@@ -216,13 +217,13 @@ double bounds_map(const Model& model, const Newton& newton) noexcept {
 
 namespace {
 
-/// Impulses at bounds that follow their loads, where they are idle. Others are not part of it.
+/// Read the impulses of inactive rows at bounds that follow their loads; others give 0.
 void read_held(const Model& model, const Newton& newton, double* out) noexcept {
     for (const std::int32_t id : newton.loaded)
         *out++ = model.interactions.active[at(id)] == 0.0 ? model.interactions.held[at(id)] : 0.0;
 }
 
-/// Bounds moved with their loads: farther, by what that did the last times.
+/// Extrapolate bounds that moved with their loads, from the effect of earlier moves.
 void extrapolate_bounds(Model& model, Work& work) noexcept {
     const View v = row_view(model);
     nonsmooth::Anderson& follow = work.newton.follow;
@@ -231,7 +232,7 @@ void extrapolate_bounds(Model& model, Work& work) noexcept {
     for (const std::int32_t id : work.newton.loaded) {
         double& held = model.interactions.held[at(id)];
         const double there = *x++;
-        // Friction does not turn round, whatever its load.
+        // Friction does not reverse at any load.
         if (v.active[id] != 0.0 || !(there * held > 0.0)) continue;
         held = v.lambda[v.row_begin[id]] = there;
         work.solve.losses_known = false;
@@ -257,7 +258,7 @@ std::int32_t switch_bounds(Model& model, Work& work, double floor, std::int32_t 
         if (wish.active && wish.was_active) continue;
         if (wish.asks() && is_rounding(model, id, wish, p.lambda, range)) continue;
         if (wish.asks()) {
-            // Lines that lie about are slack and taut by rounding: that decides nothing.
+            // Lines without load are slack or taut by rounding, which does not count.
             const double least =
                 work.newton.on_scalar[i] != 0 ? std::min(floor, model.scalar_floor) : floor;
             if (std::fabs(wish.projected - p.lambda) <= least) continue;

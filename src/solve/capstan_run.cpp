@@ -8,7 +8,8 @@
 namespace hawser::stepper {
 namespace {
 
-constexpr double kRounding = 2e-15;  ///< Of the impulses of which a place has the difference.
+/// Relative rounding of the impulses whose difference acts at a place.
+constexpr double kRounding = 2e-15;
 
 /// Write the speed w of a place as a linear function of the impulses before and behind it.
 void give_way(RunPlace& p) noexcept {
@@ -25,7 +26,7 @@ void give_way(RunPlace& p) noexcept {
     p.w2 = (p.behind - side * p.share[1]) / p.mass;
 }
 
-/// Solve the tridiagonal system for the impulses λ of all parts, by the statuses there are.
+/// Solve the tridiagonal system for the impulses λ of all parts, with the present statuses.
 void solve_run(std::size_t n, RunPlace* place, RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) give_way(place[k]);
     double above = 0.0, above_right = 0.0;  // of the part before: upper/diagonal, right/diagonal
@@ -62,8 +63,9 @@ void solve_run(std::size_t n, RunPlace* place, RunPart* part) noexcept {
         part[i].lambda = part[i].right - part[i].upper * part[i + 1].lambda;
 }
 
-/// Compute the speeds w of all places from the impulses. Where one slides, its own equation has w
-/// as a small difference of large forces over a small mass; that of the part before it has not.
+/// Compute the speeds w of all places from the impulses. In the equation of a sliding place, w is a
+/// small difference of large forces over a small mass. The equation of the part before it avoids
+/// this.
 void find_speeds(std::size_t n, RunPlace* place, const RunPart* part) noexcept {
     for (std::size_t k = 0; k < n; ++k) {
         RunPlace& p = place[k];
@@ -76,8 +78,9 @@ void find_speeds(std::size_t n, RunPlace* place, const RunPart* part) noexcept {
 }
 
 /// Change the statuses that the solution contradicts: parts between pulling and slack, places
-/// between holding and sliding, to either side. @param most  Statuses to change at most.
-/// @return how many have been changed.
+/// between holding and sliding in either direction.
+/// @param most  Largest number of changes.
+/// @return the number of changes.
 int switch_run(std::size_t n, RunPlace* place, RunPart* part, int most) noexcept {
     int switched = 0;
     for (std::size_t i = 0; i <= n && switched < most; ++i) {
@@ -90,7 +93,7 @@ int switch_run(std::size_t n, RunPlace* place, RunPart* part, int most) noexcept
         switched += pulls != p.pulls ? 1 : 0;
         p.pulls = pulls;
     }
-    std::int32_t before = 0;  // side of the place before, as it was
+    std::int32_t before = 0;  // former side of the place before
     for (std::size_t k = 0; k < n && switched < most; ++k) {
         RunPlace& p = place[k];
         const std::int32_t was = p.side, behind = k + 1 < n ? place[k + 1].side : 0;
@@ -101,17 +104,17 @@ int switch_run(std::size_t n, RunPlace* place, RunPart* part, int most) noexcept
         if (p.side == 0) {
             const double force =
                 p.mass * (w - p.free) - p.before * part[k].lambda - p.behind * part[k + 1].lambda;
-            // Behind what has slid, places are left at their bounds.
+            // Behind a place that has slid, places are at their bounds.
             constexpr double beyond = 1.0 + kCapstanAtBound;
             if (force > beyond * (p.high + load)) side = 1;
             if (force < beyond * (p.low - load)) side = -1;
         } else {
-            // It slides on while its spring would ask for more.
+            // A sliding place continues while its spring requires more.
             const double bound = p.side > 0 ? p.high + load : p.low - load;
             const double noise =
                 kRounding * (std::fabs(part[k].lambda) + std::fabs(part[k + 1].lambda)) / p.mass;
             const bool goes_on = p.side * (p.hold - w - p.sigma * bound) > -noise;
-            // Places that slide towards each other hold where they meet: from there on, not all.
+            // Places that slide towards each other: only those from the meeting point on hold.
             if (goes_on || (before == p.side && behind == p.side)) side = p.side;
         }
         before = was;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file capstan_run.h
-/// Which places of one run of a line slide, and which of its parts pull, with the rest of the world
-/// as it is.
+/// Sliding places and pulling parts of one run of a line, with the rest of the world fixed.
 /// ```
 ///     part 0 ── place 0 ── part 1 ── place 1 ── … ── place n−1 ── part n
 /// ```
-/// A part i has the impulse λ_i, a place k the speed w_k along the line. Of a place that holds w_k
-/// follows from the impulses beside it by its spring, of one that slides from its bound; put into
-/// the rows of the parts they leave a tridiagonal system of n + 1 impulses, which is solved by
-/// elimination. Statuses that the solution contradicts switch all together, later one by one.
+/// A part i has the impulse λ_i, a place k the speed w_k along the line. For a holding place, w_k
+/// follows from the adjacent impulses by its spring; for a sliding one from its bound. Substituted
+/// into the rows of the parts this gives a tridiagonal system of n + 1 impulses, solved by
+/// elimination. Contradicted statuses switch all together, later one by one.
 
 #include "context/newton_data.h"
 
@@ -17,11 +16,11 @@
 
 namespace hawser::stepper {
 
-/// Find which places slide and which parts pull: solve the run and change the statuses that the
-/// solution contradicts, in turns. At the bound of turns they need not agree with each other, but
-/// are closer to it than those of the solution that was refused.
-/// @return whether they are others than those.
-/// @param n  Places; of the parts there is one more.
+/// Find the sliding places and pulling parts: solve the run and change the contradicted statuses,
+/// in turns. If the limit of turns is reached, the statuses need not be consistent, but are closer
+/// to it than those of the rejected solution.
+/// @param n  Number of places; there is one more part.
+/// @return true if the statuses differ from the initial ones.
 bool find_statuses(std::size_t n, RunPlace* place, RunPart* part) noexcept;
 
 }  // namespace hawser::stepper

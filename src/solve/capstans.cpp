@@ -15,7 +15,7 @@ using assembly::CapstanEntry;
 
 double sign_of(double x) noexcept { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
 
-/// f(capstan, its entries) of all.
+/// Call f(capstan, its entries) for all capstans.
 template <class F>
 void each_capstan(assembly::System& system, F&& f) noexcept {
     CapstanEntry* entry = system.capstan_entries.data();
@@ -29,7 +29,7 @@ bool slides(const Model& model, const Capstan& c) noexcept {
     return model.interactions.active[at(c.friction)] == 0.0;
 }
 
-/// Sign of the force of one that slides; kept for when the force itself is none.
+/// Return the sign of the force of a sliding capstan. If the force is zero, return the last sign.
 double side_of(const Model& model, Capstan& c) noexcept {
     const double held = model.interactions.held[at(c.friction)];
     if (held != 0.0) c.side = sign_of(held);
@@ -42,7 +42,7 @@ void begin_capstans(Model& model) noexcept {
     const model::Interactions& in = model.interactions;
     each_capstan(model.system, [&](Capstan& c, std::span<CapstanEntry> entries) {
         c.side = sign_of(in.held[at(c.friction)]);
-        // Entries are of the loads that there are, in their order.
+        // Entries belong to the existing loads, in their order.
         const model::Load* load = &in.loads[at(in.load_begin[at(c.friction)])];
         for (CapstanEntry& e : entries) {
             while (load->rows == 0) ++load;

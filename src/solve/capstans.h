@@ -1,68 +1,70 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file capstans.h
-/// Lines that run over bollards, pins and sheaves: their friction, with its bound in the matrix.
+/// Friction of lines over bollards, pins and sheaves, with its bound in the matrix.
 ///
-/// At a place that a line turns round by an angle δ, T₁ and T₂ are its tensions before and behind,
-/// λ₁, λ₂ = −h T₁, −h T₂ the multipliers of its spans (model/kinds/routes.h), q̇ what runs through
-/// and F the friction on it:
+/// At a place where a line turns by an angle δ, T₁ and T₂ are its tensions before and behind. The
+/// multipliers of its spans are λ₁, λ₂ = −h T₁, −h T₂ (model/kinds/routes.h). q̇ is the speed of
+/// the line through the place, and F the friction on it:
 /// ```
 ///     m q̇₊ − m q̇ = h (T₂ − T₁) + h F,   |F| ≤ F₀ + k (T₁ + T₂),   k = tanh(μδ/2)
 /// ```
-/// While it slides one way, with σ the sign of F, and m next to nothing, T₁ (1 − σk) = T₂ (1 + σk),
-/// or T₁/T₂ = e^{σμδ}: Euler's and Eytelwein's ratio exactly, however a circle is divided into
-/// places.
+/// While it slides in one direction, with σ the sign of F and negligible m, T₁ (1 − σk) = T₂ (1 +
+/// σk), or T₁/T₂ = e^{σμδ}. This is Euler's and Eytelwein's ratio, for any division of a circle
+/// into places.
 ///
-/// **In the matrix.** As a bound that follows its loads an iteration behind (bounds.h), F makes
-/// itself up by a share k, and rows of places by nearly all of themselves. Here F is what it is as
-/// a function of λ₁, λ₂: the slide's equation gets −σ k more of each, with no counterpart in the
-/// equations of the spans,
+/// *In the matrix.* A bound an iteration behind its loads (bounds.h) contains F itself by a
+/// fraction k. In rows of places this fraction is almost 1. Here F is a function of λ₁, λ₂. The
+/// slide's equation gets an additional −σ k of each, without a counterpart in the equations of the
+/// spans,
 /// ```
 ///            q̇      −λ₁      −λ₂
 ///     q̇  [   m     1 − σk  −1 − σk ]
 ///     λ₁ [   1      −Σ₁            ]       k < 1: signs stay as they are.
 ///     λ₂ [  −1               −Σ₂   ]
 /// ```
-/// so that fronts above it are factored as L D U (factor/unsymmetric.h). With slides eliminated
-/// before the multipliers, which the order does since they have few neighbours, what is left of a
-/// run of places is tridiagonal in the tensions, with negative entries beside a positive diagonal
-/// and columns that each sum up to W + Σ: an M-matrix, and no pivot turns, whatever slides. In a
-/// run between two bodies that pull each other over it a pivot may; it is used as it is, and
-/// refinement shows what it cost.
+/// so that fronts above it are factored as L D U (factor/unsymmetric.h). Slides have few
+/// neighbours, so the order eliminates them before the multipliers. The Schur complement of a run
+/// of places is then tridiagonal in the tensions. It has negative entries beside a positive
+/// diagonal, and each column sums to W + Σ. So it is an M-matrix and no pivot changes sign for any
+/// sliding. In a run between two bodies that pull each other over it, a pivot may change sign. It
+/// is used unchanged, and refinement shows the lost accuracy.
 ///
-/// **Which slide.** By the active set of bounds.h: a place that holds and would have to hold more
-/// begins to slide, one that slides the other way begins to hold. In a run one that begins to slide
-/// loads the next; runs.h finds all at once.
+/// *Status.* The active set of bounds.h decides. A place that would have to hold more begins to
+/// slide, and one that slides in the wrong direction begins to hold. In a run, a place that begins
+/// to slide loads the next one; runs.h finds all at once.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Of the bound: impulses on a slide below it are rounding. With slides a millionth of what pulls,
-/// they are speeds of 1e-11 m/s.
+/// Fraction of the bound below which impulses on a slide are rounding. With slides of a millionth
+/// of the pulled mass, these are speeds of 1e-11 m/s.
 inline constexpr double kCapstanNoise = 1e-14;
-/// Of the largest impulse of a run: speeds of its slides are differences of its impulses over next
-/// to no mass, and their rounding is passed on from place to place. Below so much a place that
-/// slides the wrong way does so by rounding, though its own tensions be small.
+/// Fraction of the largest impulse of a run. Speeds of its slides are differences of its impulses
+/// over almost no mass, and their rounding passes from place to place. Below this fraction a slide
+/// in the wrong direction is rounding, even if its own tensions are small.
 inline constexpr double kCapstanRounding = 1e-15;
-/// Of the bound: a place that holds does not begin to slide for so much more. Behind places that
-/// have slid all are left at their bounds.
+/// Relative excess over the bound before a holding place begins to slide. Behind places that have
+/// slid, all are at their bounds.
 inline constexpr double kCapstanAtBound = 1e-10;
 
-/// Which way capstans slide where a step begins, by hold_bounds(): nothing is known from before.
+/// Set the directions of sliding at the start of a step from hold_bounds(), without data of the
+/// last step.
 void begin_capstans(Model& model) noexcept;
 
-/// Impulses of sliding capstans without their loads: what a solution from λ = 0 begins with.
+/// Set the impulses of sliding capstans without their loads, for a solution that starts from λ = 0.
 void release_capstans(Model& model, const Newton& newton) noexcept;
 
-/// Impulses of sliding capstans by their loads as they are at hand. After each change of λ, before
-/// momentum is balanced.
+/// Set the impulses of sliding capstans from their current loads. Call after each change of λ,
+/// before momentum is balanced.
 void follow_capstans(Model& model, const Newton& newton, const assembly::View& v) noexcept;
 
-/// What goes into the matrix, by the statuses at hand. @return whether anything does.
+/// Write the coupling terms of the matrix for the current statuses.
+/// @return true if there are any.
 [[nodiscard]] bool couple_capstans(Model& model) noexcept;
 
-/// Whether the bound of this friction is in the matrix.
+/// Return true if the bound of this friction is in the matrix.
 [[nodiscard]] bool is_capstan(const Model& model, std::int32_t friction) noexcept;
 
 }  // namespace hawser::stepper

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Work that enters through interactions, lines whose length a drum pays out, and motors at an end
-/// of their force range.
+/// Work of interactions, lines with a length paid out by a drum, and motors at an end of their
+/// force range.
 #include "solve/drives.h"
 
 #include "assembly/rows.h"
@@ -14,13 +14,13 @@
 namespace hawser::stepper {
 namespace {
 
-/// How much of the velocities before and after the step counts.
+/// Weights of the velocities before and after the step.
 struct Weights {
     double before, after;
 };
 
-/// λ·G (a v + b v₊) over the rows. With a = b = ½ that is what an interaction does to the kinetic
-/// energy of the bodies that move, exact for the scheme: its velocities change by M⁻¹Gᵀλ.
+/// Return λ·G (a v + b v₊) over the rows. With a = b = ½ this is the work of an interaction on the
+/// kinetic energy of moving bodies, exact for the scheme, since their velocities change by M⁻¹Gᵀλ.
 double impulse_times(const assembly::View& v, std::int32_t id, Weights weights,
                      bool rigid_rows_only) noexcept {
     double room[model::kArmRoom];
@@ -44,8 +44,8 @@ double impulse_times(const assembly::View& v, std::int32_t id, Weights weights,
     return work;
 }
 
-/// −λ·(G v of prescribed velocities): what carriers put into an elastic or rigid row, which hands
-/// it on to the bodies or keeps it.
+/// Return −λ·(G v of prescribed velocities): the work of carriers on elastic or rigid rows, which
+/// transfer it to the bodies or store it.
 double work_of_carriers(const Model& model, const assembly::View& v, std::int32_t id,
                         bool elastic_rows_only) noexcept {
     const model::RowState s = model.interactions.row_state(id, model.bodies);
@@ -58,7 +58,7 @@ double work_of_carriers(const Model& model, const assembly::View& v, std::int32_
     return work;
 }
 
-/// The same of friction, whose rows all take it.
+/// Return the same work for friction, on all of its rows.
 double friction_of_carriers(const Model& model, const assembly::View& v, std::int32_t id) noexcept {
     const model::RowState s = model.interactions.row_state(id, model.bodies);
     double work = 0.0;
@@ -66,14 +66,14 @@ double friction_of_carriers(const Model& model, const assembly::View& v, std::in
     return work;
 }
 
-/// True if a friction has a bound that nothing overcomes: what stops at a guide, whatever rubs.
+/// True if a friction has an infinite bound: the stop of a guide.
 bool is_stop(const Model& model, std::int32_t id) {
     const InteractionDef& d = model.interactions.def[at(id)];
     return d.kind == InteractionKind::LineFriction && d.get("force") >= model::kUnbounded;
 }
 
-/// f(id, whether it is friction, whether it is driven) of what may do work from outside. Friction
-/// counts with what its spring holds.
+/// Call f(id, true if friction, true if driven) for interactions that may do external work. The
+/// work of friction includes the energy of its spring.
 template <class F>
 void each_drive(const Model& model, const assembly::View& v, F&& f) noexcept {
     for (const std::int32_t id : model.interactions.working) {
@@ -97,7 +97,7 @@ DriveWork drive_work(Model& model) noexcept {
             if (carried) out.driven += work_of_carriers(model, v, id, driven);
             return;
         }
-        // The work of a carrier is driven; the rest of the work on the bodies is friction.
+        // The work of a carrier is driven; the remaining work on the bodies is friction.
         const double put_in = carried ? friction_of_carriers(model, v, id) : 0.0;
         out.driven += put_in;
         (is_stop(model, id) ? out.stopped : out.friction) += put_in - work;
@@ -166,10 +166,11 @@ void follow_winches(Model& model, State& state) noexcept {
         const auto row = at(in.row_begin[at(id)]);
         const double before = in.epsilon[row];
         in.follow_length(id, model.bodies, h);
-        // With the energy g²/2ε at the new compliance; at the old one it was ε_new/ε_old of it.
+        // The energy is g²/2ε at the new compliance; at the old one it was the ε_new/ε_old part of
+        // it.
         if (in.epsilon[row] == before) continue;
         const double more = in.elastic(id, model.bodies, h) * (1.0 - in.epsilon[row] / before);
-        // A slide of a guide or post drives nothing.
+        // A slide of a guide or bollard does no driven work.
         if (kind_info(in.kinds[at(id)]).is(kAtGuide))
             state.ledger.damped -= more;
         else
@@ -181,7 +182,7 @@ void report_saturation(StepContext& ctx) noexcept {
     model::Interactions& in = ctx.model.interactions;
     for (std::size_t i = 0; i < in.motors.size(); ++i) {
         const std::int32_t id = in.motors[i];
-        // One that may give no force at all is off.
+        // A motor with a zero range is off.
         const bool off = in.low[at(id)] == 0.0 && in.high[at(id)] == 0.0;
         const bool at_end = in.active[at(id)] == 0.0 && !off;
         if (at_end && !in.saturated[i])

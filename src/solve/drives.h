@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file drives.h
-/// Parts of stage 8 that concern motors, driven lengths and winches.
+/// Work of motors, driven lengths and winches in stage 8.
 
 #include "context/context.h"
 
@@ -10,33 +10,35 @@
 
 namespace hawser::stepper {
 
-/// In a step [J], see Energy.
+/// Work in a step [J], see Energy.
 struct DriveWork {
-    double driven = 0.0;    ///< By motors, rigid rows that an input drives, prescribed velocities.
-    double friction = 0.0;  ///< Taken by friction in joints, slides and drums.
-    double stopped = 0.0;   ///< Taken where a slide is held against running on (wire/guide.h).
+    /// Work of motors, rigid rows driven by inputs, and prescribed velocities.
+    double driven = 0.0;
+    double friction = 0.0;  ///< Energy dissipated by friction in joints, slides and drums.
+    double stopped = 0.0;   ///< Energy dissipated by stops of slides (wire/guide.h).
 };
-/// Compute them before the velocities are overwritten.
+/// Compute the work before the velocities are overwritten.
 [[nodiscard]] DriveWork drive_work(Model& model) noexcept;
 
-/// Impulses of the same over the step, times by how much the velocities at them change in it [J].
-/// Before the velocities are overwritten.
+/// Return the sum of the impulses of drives over the step times the change of their velocities [J].
+/// Call before the velocities are overwritten.
 [[nodiscard]] double drive_gain(Model& model) noexcept;
 
-/// The same of springs and lines. @param springs  Interactions.
+/// Return the same for springs and lines.
+/// @param springs  Interactions.
 [[nodiscard]] double spring_gain(Model& model, std::span<const std::int32_t> springs) noexcept;
 
-/// Σ h² ġ²/ε of springs, bodies with a prescribed velocity included [J].
+/// Return Σ h² ġ²/ε of springs, with prescribed velocities [J].
 [[nodiscard]] double spring_way(Model& model, std::span<const std::int32_t> springs) noexcept;
 
-/// Bodies with a prescribed velocity: exactly, a turn by h|ω| about ω.
+/// Move bodies with a prescribed velocity exactly: a rotation by h|ω| about ω.
 void move_carriers(Model& model) noexcept;
 
-/// The stiffness of a line on a drum is EA over the length that is paid out: take it anew from the
-/// drums' coordinates. The strain energy that goes onto or comes off the drum is counted as driven.
+/// Update the stiffness of lines on drums, EA over the length paid out, from the drums'
+/// coordinates. Strain energy that moves onto or off the drum counts as driven.
 void follow_winches(Model& model, State& state) noexcept;
 
-/// Log motors whose force has come to an end of its range.
+/// Report motors whose force has reached an end of its range.
 void report_saturation(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

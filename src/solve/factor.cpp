@@ -15,7 +15,7 @@ namespace {
 
 using assembly::View;
 
-/// What a factorisation writes: piece by piece, or the dirty part.
+/// Writes the matrix piece by piece, or its dirty part.
 struct Writer {
     const assembly::System& system;
     const View& view;
@@ -25,13 +25,13 @@ struct Writer {
     }
     static void skew(void* self, int piece, double* panel, double* upper) noexcept {
         const Writer& w = *static_cast<Writer*>(self);
-        // Where nothing touches, blocks have the laws of what touched last.
+        // Without contacts, blocks have the laws of earlier contacts.
         if (w.system.contacts.count() > 0) w.system.write_skew(w.view, piece, upper);
         w.system.write_capstans(piece, panel, upper);
     }
 };
 
-/// Nodes of the columns of blocks that are marked.
+/// Collect the nodes of the columns of marked blocks.
 void collect_columns(const assembly::System& s, const std::vector<std::uint8_t>& marks,
                      std::vector<std::int32_t>& columns) noexcept {
     columns.clear();
@@ -61,7 +61,7 @@ void keep_factored(const Model& model, std::vector<double>& factored) noexcept {
         factored[i] = model.interactions.active[at(model.system.bounded[i])];
 }
 
-/// Wrong pivots fail a factorisation, but for those that sliding contacts may bring about
+/// Return true if wrong pivots fail a factorisation. Those that sliding contacts may cause do not
 /// (factor/unsymmetric.h).
 bool fails(const factor::Numeric& numeric, int wrong) noexcept {
     return wrong > 0 && numeric.wrong_nodes().empty();
@@ -98,7 +98,7 @@ Status factor(StepContext& ctx, bool whole) noexcept {
         collect_columns(s, s.contacts.block_changed, ctx.work.solve.columns);
         add_switched(ctx.model, ctx.work.solve.factored_active, ctx.work.solve.columns);
         s.dirty.find(s.symbolic, ctx.work.solve.columns, set);
-        // Beyond this share, one pass through memory beats fewer flops.
+        // Above this fraction, one pass through memory takes less time than fewer flops.
         constexpr double kPartial = 0.7;
         if (static_cast<double>(s.dirty.flops) < kPartial * static_cast<double>(all)) {
             ctx.work.solve.step_flops += s.dirty.flops;

@@ -12,7 +12,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// What others add to the bound of friction, by their impulses at hand [N s].
+/// Return the sum of the loads on the bound of friction, from the current impulses [N s].
 double load_of(const Model& model, std::int32_t id) noexcept {
     const model::Interactions& in = model.interactions;
     if (in.load_begin[at(id)] < 0) return 0.0;
@@ -27,27 +27,26 @@ double load_of(const Model& model, std::int32_t id) noexcept {
     return sum;
 }
 
-/// Impulse λ with which a motor drives with power P at the speed that follows from it:
+/// Return the impulse λ with which a motor drives with power P at the resulting speed:
 /// ```
-///     λ (w + W (λ − λ_k)) = h P        λ_k, w impulse and speed at hand, W mobility of the row
+///     λ (w + W (λ − λ_k)) = h P        λ_k, w present impulse and speed, W mobility of the row
 /// ```
-/// The positive root. It is exact if W is the mobility of the whole system; a larger W converges to
-/// the same λ from one iteration to the next, since λ = λ_k there.
+/// This is the positive root. It is exact if W is the mobility of the whole system. A larger W
+/// converges to the same λ over the iterations, since λ = λ_k there.
 double impulse_of_power(double work, double w, double lambda, double mobility) noexcept {
     const double b = w - mobility * lambda;
     const double root = std::sqrt(b * b + 4.0 * mobility * work);
-    // The form without cancellation.
+    // This form avoids cancellation.
     return b > 0.0 ? 2.0 * work / (b + root) : (root - b) / (2.0 * mobility);
 }
 
-/// Speed of the first row of an interaction by the velocities at hand.
+/// Return the speed of the first row of an interaction at the current velocities.
 double speed_of_row(const Model& model, std::int32_t id) noexcept {
     return row_speed(row_view(const_cast<Model&>(model)), id);  // reads only
 }
 
-/// Move both ends of a motor's range into the impulses that its power allows. A range on one side
-/// of 0 beyond them (a winch that renders: it pulls between two tensions) shrinks to the power
-/// limit.
+/// Limit both ends of a motor's range to the impulses that its power allows. A range on one side of
+/// 0 beyond them (a rendering winch that pulls between two tensions) shrinks to the power limit.
 void limit_power(const Model& model, const Newton& newton, std::int32_t id,
                  ImpulseRange& range) noexcept {
     const model::Interactions& in = model.interactions;
@@ -80,7 +79,7 @@ ImpulseRange impulse_range(const Model& model, const Newton& newton, std::int32_
         const double g = in.g[at(in.row_begin[at(id)])];
         return {g > 0.0 ? -kAll : 0.0, g < 0.0 ? kAll : 0.0};
     }
-    // A line's force has no bound in an impact either.
+    // The force of a line is also unbounded in an impact.
     const double time = flags & (model::kMotor | model::kFriction) ? newton.bound_time : 1.0;
     ImpulseRange range{time * in.low[at(id)], time * in.high[at(id)]};
     if ((flags & model::kMotor) && in.power[at(id)] < model::kUnbounded && time > 0.0)

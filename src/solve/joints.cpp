@@ -19,17 +19,17 @@ namespace {
 using assembly::Turning;
 using assembly::View;
 
-constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint beyond is not completed.
+constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint above the limit is not completed.
 
-/// Writes into the record of a compact joint (model/arms.h) whether it is completed, as the sign of
-/// its swing number's constant, where kernels read it.
+/// Write into the record of a compact joint (model/arms.h) whether it is completed. Kernels read it
+/// as the sign of the constant of its oscillation number.
 void mark_record(model::Interactions& in, const JointPlace& joint, bool completed) noexcept {
     if (joint.record < 0) return;
     double& swing = in.jacobian[at(joint.record)];
     swing = completed ? -std::fabs(swing) : std::fabs(swing);
 }
 
-/// Spins that belong to completed joints.
+/// Find the spins of completed joints.
 void find_turning(Model& model) noexcept {
     const model::Interactions& in = model.interactions;
     std::fill(model.system.turning.begin(), model.system.turning.end(), std::uint8_t{0});
@@ -61,7 +61,7 @@ void find_joints(Model& model, JointWork& joints) {
         c.places.push_back({in.row_begin[at(id)],
                             in.arms[at(id)] != 0 ? in.jac_begin[at(id)] + model::kArmsSwing : -1,
                             std::min<std::int32_t>(in.rows[at(id)], 3)});
-        if (in.epsilon[at(in.row_begin[at(id)])] > 0.0) continue;  // what gives is determined
+        if (in.epsilon[at(in.row_begin[at(id)])] > 0.0) continue;  // compliant rows are determined
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * id)];
         c.rigid.push_back(id);
         joints.edges.emplace_back(node(body[0]), node(body[1]));
@@ -132,7 +132,7 @@ void adopt_completed(StepContext& ctx) noexcept {
 Turning renew_completed(StepContext& ctx) noexcept {
     const View v = view(ctx);
     const assembly::Strips& strips = ctx.model.system.strips;
-    auto& parts = ctx.work.joints.turnings;  // one a strip or group
+    auto& parts = ctx.work.joints.turnings;  // one per row block or group
     sweep(
         ctx.model, ctx.pool,
         [&](int strip) { parts[at(strip)] = complete_strip(ctx.model, v, strip, v.v_new, false); },

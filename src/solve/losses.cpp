@@ -14,12 +14,12 @@ namespace {
 
 using assembly::View;
 
-/// ġ at v and at v₊, of every row.
+/// ġ of every row at v and at v₊.
 struct Rates {
     double before[kMaxInteractionRows], after[kMaxInteractionRows];
 };
 
-/// From the Jacobian. With what bodies with a prescribed velocity add.
+/// Compute rates from the Jacobian, with the part of bodies with a prescribed velocity.
 void rates_by_jacobian(const Model& model, const View& v, std::int32_t id, Rates& out) noexcept {
     double room[model::kArmRoom];
     const double* jac = packed_rows(v, id, room);
@@ -38,8 +38,8 @@ void rates_by_jacobian(const Model& model, const View& v, std::int32_t id, Rates
     }
 }
 
-/// From c = Υ(Rġ − 4g/h), R what is recalled of ġ, and the row's equation, which spares a pass over
-/// the Jacobian.
+/// Compute rates from c = Υ(Rġ − 4g/h), R the factor of ġ, and from the row's equation. This avoids
+/// a pass over the Jacobian.
 void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -50,7 +50,8 @@ void rates_by_rows(const View& v, std::int32_t id, Rates& out) noexcept {
     }
 }
 
-/// ½ g²/ε where the row pulls or pushes. @param now  Violation at the poses of the step.
+/// Return ½ g²/ε if the row pulls or pushes.
+/// @param now  Violation at the poses of the step.
 double held(const View& v, std::int32_t id, std::int32_t row, double now, double g) noexcept {
     if (!model::holds_energy(v.epsilon[row], v.rest_length[id])) return 0.0;
     if ((v.flags[id] & model::kOneSided) && g < 0.0) return 0.0;
@@ -58,9 +59,9 @@ double held(const View& v, std::int32_t id, std::int32_t row, double now, double
     return 0.5 * g * g / v.epsilon[row];
 }
 
-/// Whether a line was taut at the last half-step position, so that assembly left its c as it is
-/// (when_slack() in assembly/isa/slack.h). @param before  ġ by c; of a line that was slack it gives
-/// 0.
+/// Return true if a line was taut at the last half-step position. Assembly then left its c
+/// unchanged (when_slack() in assembly/isa/slack.h).
+/// @param before  ġ from c; 0 for a line that was slack.
 bool was_taut(const View& v, std::int32_t row, double before) noexcept {
     return v.g[row] - 0.5 * v.h * before > 1e-9 * std::fabs(v.g[row]);
 }
@@ -96,7 +97,7 @@ double losses_of(const Model& model, const View& v, std::int32_t id) noexcept {
 double losses_between(const Model& model, const View& v, std::int32_t begin,
                       std::int32_t end) noexcept {
     double taken = 0.0;
-    end = std::min(end, interaction_count(model));  // images count with what they stand for
+    end = std::min(end, interaction_count(model));  // duplicated rows count with their original
     for (; begin < end; begin += assembly::kLossChunk) {
         const std::int32_t to = std::min(end, begin + assembly::kLossChunk);
         std::int32_t left[assembly::kLossChunk];
@@ -141,7 +142,7 @@ double cut_losses(Model& model, std::int32_t id) noexcept {
 double held_by_line(Model& model, std::int32_t id) noexcept {
     const View v = row_view(model);
     const std::int32_t row = v.row_begin[id];
-    if (model.system.rests(id)) {  // cut: no step has evaluated it; bodies have moved
+    if (model.system.rests(id)) {  // cut: not evaluated in this step, and bodies have moved
         const model::RowState now = model.interactions.row_state(id, model.bodies);
         return held(v, id, row, now.g[0], now.g[0] - 0.5 * v.h * (now.rate[0] + now.carried[0]));
     }

@@ -17,12 +17,12 @@ using assembly::Capstan;
 using assembly::CapstanEntry;
 using assembly::View;
 
-/// Places [first, last) of System::capstans; their entries begin at `entry`, two each.
+/// Places [first, last) of System::capstans, with entries from `entry` on, two each.
 struct Run {
     std::size_t first, last, entry;
 };
 
-/// f(run) of all places that follow each other along a line.
+/// Call f(run) for all sequences of consecutive places along a line.
 template <class F>
 void each_run(const assembly::System& s, F&& f) noexcept {
     std::size_t entry = 0;
@@ -47,7 +47,7 @@ std::int32_t side_of(const Model& model, const Capstan& c) noexcept {
     return held > 0.0 || (held == 0.0 && c.side > 0.0) ? 1 : -1;
 }
 
-/// Mobility of one body along a row, next to what its slides make.
+/// Return the mobility of one body along a row, in comparison with that of its slides.
 double mobility_of(const model::Bodies& b, const View& v, std::int32_t body, const double* jac) {
     const int dof = v.dof[body];
     if (dof == 1) return jac[0] * jac[0] / v.body_block[assembly::block_place(v.dof_begin[body])];
@@ -59,13 +59,13 @@ double mobility_of(const model::Bodies& b, const View& v, std::int32_t body, con
     return sum;
 }
 
-/// What a part asks of its slides, with all else that it pulls at giving way by itself.
+/// Read the terms of a part for its slides. All other bodies that it pulls respond independently.
 void read_part(const Model& model, const View& v, std::int32_t id, std::int32_t slide_0,
                std::int32_t slide_1, RunPart& p, double* entry_0, double* entry_1) noexcept {
     p.id = id;
     p.row = v.row_begin[id];
     p.pulls = v.active[id] != 0.0;
-    // What parted, or gives way to another force, never comes to pull.
+    // A broken or replaced part never pulls again.
     p.one_sided =
         (v.flags[id] & model::kOneSided) != 0 && v.parted[id] == 0 && !model.wires.gives_way(id);
     p.lambda = p.pulls ? v.lambda[p.row] : 0.0;

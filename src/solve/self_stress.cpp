@@ -15,7 +15,7 @@ namespace {
 
 using assembly::View;
 
-/// A number in [−½, ½) that belongs to a row: without a pattern, and the same on every machine.
+/// Return a pseudo-random number in [−½, ½) for a row, equal on every machine.
 double drawn(std::int32_t row) noexcept {
     std::uint64_t x = static_cast<std::uint64_t>(row) + 1;
     x *= 0x9e3779b97f4a7c15;  // J. S. Steele et al., SplitMix (2014)
@@ -24,14 +24,14 @@ double drawn(std::int32_t row) noexcept {
     return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53 - 0.5;
 }
 
-constexpr double kDrawnSquare = 1.0 / 12.0;  ///< Mean square of what is drawn.
+constexpr double kDrawnSquare = 1.0 / 12.0;  ///< Mean square of drawn().
 
-/// Sizes of a momentum that joints push with: of the sum over bodies, and of what each joint gives.
+/// Magnitudes of the momentum of joint impulses: of the sum over bodies, and of each joint's part.
 struct Push {
     double sum = 0.0, parts = 0.0;  ///< Squares.
 };
 
-/// Gᵀλ into the solver's vector, for the impulses λ(row) of some joints.
+/// Write Gᵀλ into the solver's vector, for the impulses λ(row) of some joints.
 template <class Lambda>
 Push load_joints(const Model& model, SolveWork& solve, const View& v, Lambda lambda) noexcept {
     Push size;
@@ -57,14 +57,14 @@ Push load_joints(const Model& model, SolveWork& solve, const View& v, Lambda lam
     return size;
 }
 
-/// u of K [u; −λ'] = [Gᵀλ; 0] for what load_joints() has left in the solver's vector, in place.
+/// Solve for u of K [u; −λ'] = [Gᵀλ; 0] in place, after load_joints().
 void solve_loaded(StepContext& ctx, const View& v) noexcept {
     const StageTimer timer(ctx, Stage::factor);
     ctx.model.system.numeric.solve(ctx.model.system.symbolic, v.solution, ctx.pool);
     ++ctx.work.stats.substitutions;
 }
 
-/// λ' of one joint then.
+/// Read λ' of one joint from the solution.
 void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
     double room[model::kArmRoom];
     const double* jac = packed_rows(v, id, room);
@@ -75,10 +75,10 @@ void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
     }
 }
 
-constexpr double kShare = 0.01;  ///< Of a joint's impulse: less may go or stay.
+constexpr double kShare = 0.01;  ///< Fraction of a joint's impulse below which changes are ignored.
 
-/// Whether the filter changes the impulse λ(row) of a joint by more than kShare; `kept`: it
-/// filtered.
+/// Return true if the filter changes the impulse λ(row) of a joint by more than kShare.
+/// @param kept  Output: the filtered impulse.
 template <class Lambda>
 bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noexcept {
     double all = 0.0, less = 0.0;
@@ -91,11 +91,11 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noe
     return less > kShare * kShare * all;
 }
 
-/// Lets what is taken from joints move nothing, Gᵀ `taken` = 0: what one substitution leaves of it
-/// is momentum that bodies would lack, so the same filter, applied to what is taken, gives back
-/// what is to stay.
+/// Correct `taken` so that its removal moves no body, Gᵀ `taken` = 0. One substitution leaves a
+/// residual momentum that the bodies would lack. The same filter, applied to `taken`, returns the
+/// part that must stay.
 void keep_momentum(StepContext& ctx, const View& v) noexcept {
-    constexpr double kMost = 1e-11;  ///< Of the impulses.
+    constexpr double kMost = 1e-11;  ///< Relative to the impulses.
     constexpr int kFilterPasses = 2;
     double* taken = ctx.work.joints.taken.data();
     const auto loss = [&](std::int32_t, std::int32_t row) noexcept { return taken[row]; };
@@ -111,9 +111,9 @@ void keep_momentum(StepContext& ctx, const View& v) noexcept {
     }
 }
 
-/// One pass of the filter over `lost`, which becomes what the pass takes of it. @return whether
-/// that is more than kShare of what was drawn for any joint that repeats others; others do not
-/// then.
+/// Filter `lost` once and replace it by the removed part. Clear the redundant mark of joints whose
+/// removed part is at most kShare of the drawn impulse.
+/// @return true if any marked joint remains.
 bool lose_again(StepContext& ctx, const View& v) noexcept {
     double* lost = ctx.work.joints.taken.data();
     (void)load_joints(ctx.model, ctx.work.solve, v,
@@ -136,12 +136,13 @@ bool lose_again(StepContext& ctx, const View& v) noexcept {
     return any;
 }
 
-/// Which joints in loops repeat others now: those of which impulses drawn at random lose something
-/// in the filter, and of that as much again. Impulses that move nothing are lost whole each time;
-/// of soft modes of long chains Σ takes a share, and of the rest a smaller one.
+/// Find the joints in loops that are redundant now. Their random impulses lose more than kShare in
+/// each of two filter passes; the second pass filters the part removed by the first. Impulses that
+/// move nothing are removed entirely in each pass. For soft modes of long chains Σ removes a
+/// fraction, and the next pass a smaller one.
 ///
-/// Of many joints some draw next to nothing: what such a one loses counts over what joints draw on
-/// average, for else one in thousands would pass for a repeated one wherever a thousandth is lost.
+/// Among many joints some draw almost zero. So the loss is compared with at least the mean draw.
+/// Otherwise one joint in thousands would count as redundant wherever a thousandth is removed.
 void probe_loops(StepContext& ctx) noexcept {
     const View v = view(ctx);
     for (const std::int32_t id : ctx.model.completion.looped) {
@@ -157,7 +158,7 @@ void probe_loops(StepContext& ctx) noexcept {
 }  // namespace
 
 void take_self_stress(StepContext& ctx) noexcept {
-    constexpr std::int64_t kEvery = 16;  // steps: loops that become singular do so gradually
+    constexpr std::int64_t kEvery = 16;  // steps: loops become singular gradually
     const std::vector<std::int32_t>& looped = ctx.model.completion.looped;
     if (looped.empty()) return;
     if (!ctx.state.started || ctx.state.step % kEvery == 0) probe_loops(ctx);
@@ -183,7 +184,8 @@ void take_self_stress(StepContext& ctx) noexcept {
     for (const std::int32_t id : looped)
         for (int r = 0; r < v.rows[id]; ++r) {
             const std::int32_t row = v.row_begin[id] + r;
-            // What the row's equation lacks by that is not a residual: the impulse moves nothing.
+            // The resulting defect of the row's equation is not a residual, because the impulse
+            // moves nothing.
             v.residual[row] += v.sigma[row] * taken[row];
             v.lambda[row] -= taken[row];
         }

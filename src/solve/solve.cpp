@@ -39,7 +39,7 @@ Norms merged(const std::vector<Norms>& parts) noexcept {
     return n;
 }
 
-/// Right-hand side of the first solve, from rows and body terms.
+/// Compute the right-hand side of the first solve from rows and body terms.
 void start_solve(Model& model, Work& work, runtime::Pool& pool, const View& v) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     release_capstans(model, work.newton);
@@ -53,7 +53,7 @@ void start_solve(Model& model, Work& work, runtime::Pool& pool, const View& v) n
     work.solve.rhs_ready = true;
 }
 
-/// λ of all rows by the solver's vector, and of what slides over bollards by theirs.
+/// Update λ of all rows from the solver's vector, and that of sliding capstans from their loads.
 void update_rows(Model& model, const Work& work, runtime::Pool& pool, const View& v,
                  bool first) noexcept {
     const assembly::Kernels& k = assembly::kernels();
@@ -62,7 +62,8 @@ void update_rows(Model& model, const Work& work, runtime::Pool& pool, const View
     follow_capstans(model, work.newton, v);
 }
 
-/// Right-hand side that corrects v₊ and λ as they stand, after contacts or ranges changed.
+/// Compute the right-hand side that corrects the current v₊ and λ, after contacts or ranges
+/// changed.
 void continue_solve(Model& model, Work& work, runtime::Pool& pool, const View& v) noexcept {
     const assembly::Kernels& k = assembly::kernels();
     std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
@@ -80,17 +81,18 @@ void continue_solve(Model& model, Work& work, runtime::Pool& pool, const View& v
     work.solve.rhs_ready = true;
 }
 
-/// v₊ += solution, for all bodies.
+/// Add the solution to v₊ for all bodies.
 void add_everywhere(runtime::Pool& pool, const View& v) noexcept {
     over(pool, v.body_count,
          [&](std::int32_t a, std::int32_t b) { assembly::kernels().add_solution(v, a, b); });
 }
 
-/// What follows a correction of v₊ and λ: the right-hand side of another one, or the norms of the
-/// solution as it stands.
+/// Next step after a correction of v₊ and λ: the right-hand side of another one, or the norms of
+/// the solution.
 enum class Next { solve, measure };
 
-/// v₊, λ corrected by the solver's vector, residuals renewed. `first`: they are the solution.
+/// Correct v₊ and λ by the solver's vector and update the residuals.
+/// @param first  True if the vector is the solution itself.
 Norms correct(Model& model, Work& work, runtime::Pool& pool, const View& v, bool first,
               Next next) noexcept {
     SolveWork& solve = work.solve;
@@ -108,7 +110,7 @@ Norms correct(Model& model, Work& work, runtime::Pool& pool, const View& v, bool
         pool.for_each(strips.groups(), add_shared);
     }
     if (next == Next::measure) std::fill(solve.norms.begin(), solve.norms.end(), Norms{});
-    // With contacts, the last solution that is measured need not be the step's.
+    // With contacts, the last measured solution need not be that of the step.
     solve.losses_known = next == Next::measure && !touching;
     sweep(
         model, pool,
@@ -147,22 +149,24 @@ Status report(const Model& model, Work& work, const Norms& n) noexcept {
     return Status::ok;
 }
 
-/// Of a solution that has been corrected. Of a million links rounding leaves 1e-12 to 3e-12, and
-/// another one, a third of the step's time, leaves the same.
+/// Tolerance of a corrected solution. For a million links rounding leaves 1e-12 to 3e-12. Another
+/// correction, a third of the step's time, leaves the same.
 constexpr double kCorrected = 1e-11;
 
-/// Does a residual ask for a correction? Relative for momentum; rows in their units [m/s, rad/s].
+/// Return true if a residual requires a correction: relative for momentum, in their units for rows
+/// [m/s, rad/s].
 bool wants_refinement(const Model& model, const StepStats& stats, const Norms& n) noexcept {
     const double good = stats.refinements > 0 ? kCorrected : model.def.solution_tolerance;
     return momentum_residual(model, n) > good || n.constraint > good;
 }
 
-/// Two more than are asked for: stiff rows on very light bodies need them.
+/// Return the largest number of corrections: two more than defined, which stiff rows on very light
+/// bodies need.
 int most_refinements(const Model& model) noexcept {
     return model.def.refinements > 0 ? model.def.refinements + 2 : 0;
 }
 
-/// More corrections while the residual asks for them, then what it is.
+/// Repeat corrections while the residual requires them, then report it.
 Status finish_solve(Model& model, Work& work, runtime::Pool& pool, const View& v, Norms n,
                     int most) noexcept {
     for (int extra = 0; extra < most; ++extra) {
@@ -186,9 +190,9 @@ Status factor_and_solve(StepContext& ctx) noexcept {
     const View v = view(ctx);
     if (!ctx.work.solve.rhs_ready) start_solve(ctx.model, ctx.work, ctx.pool, v);
     if (const Status status = factor(ctx, true); status != Status::ok) return status;
-    // To measure a solution and refine it then takes a pass over all rows and bodies more than to
-    // refine at once; where the residuals of two steps running asked for it, it is not asked again
-    // for a while. A correction that was not needed takes more than such a pass.
+    // Measuring a solution before refining it costs an additional pass over all rows and bodies. If
+    // the residuals of two consecutive steps required refinement, the measurement is skipped for
+    // some steps. An unneeded correction costs more than such a pass.
     constexpr int kAWhile = 8, kAskedOnce = kAWhile + 1;
     const bool asked_once = ctx.state.refine_unasked >= kAskedOnce;
     const bool measured_first =
@@ -203,7 +207,8 @@ Status factor_and_solve(StepContext& ctx) noexcept {
                     i < refinements ? Next::solve : Next::measure);
     }
     ctx.work.stats.refinements = refinements;
-    if (ctx.model.completion.any) return report(ctx.model, ctx.work, n);  // its rounds refine, too
+    // the constraint iterations also refine
+    if (ctx.model.completion.any) return report(ctx.model, ctx.work, n);
     if (measured_first) {
         const bool asks =
             ctx.model.def.refinements > 0 && wants_refinement(ctx.model, ctx.work.stats, n);

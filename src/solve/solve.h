@@ -2,30 +2,30 @@
 #pragma once
 /// @file solve.h
 /// Right-hand sides, corrections of v₊ and λ, and their residuals. A solution is refined while its
-/// residual asks for it and a correction quarters it.
+/// residual requires it and each correction reduces the residual to a quarter.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Stage 6. Write the blocks of the matrix, factor, solve, refine: v₊ and λ.
+/// Run stage 6: write the blocks of the matrix, factor, solve and refine v₊ and λ.
 [[nodiscard]] Status factor_and_solve(StepContext& ctx) noexcept;
 
 /// Write the blocks, factor and solve once, without refinement: one iteration of a Newton method.
-/// `first`: from v₊ = 0, else from v₊ and λ as they are.
+/// @param first  True to start from v₊ = 0, otherwise from the current v₊ and λ.
 [[nodiscard]] Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept;
 
-/// One more iteration from v₊ and λ as they are, with the factorisation at hand.
+/// Run one more iteration from the current v₊ and λ with the current factorisation.
 void continue_with_factor(StepContext& ctx) noexcept;
 
-/// Refine what newton_solve() found, and measure it.
+/// Refine the result of newton_solve() and measure it.
 [[nodiscard]] Status refine(StepContext& ctx) noexcept;
 
-/// refine() where the residual is above solution_tolerance. `measured`: the residual is in the
-/// statistics, else it is measured first.
+/// Call refine() if the residual is above solution_tolerance.
+/// @param measured  True if the residual is in the statistics; otherwise it is measured first.
 [[nodiscard]] Status settle_rounds(StepContext& ctx, bool measured) noexcept;
 
-/// Measure v₊, λ and row residuals as they stand, found without the matrix.
+/// Measure the current v₊, λ and row residuals, found without the matrix.
 [[nodiscard]] Status measure(StepContext& ctx) noexcept;
 
 }  // namespace hawser::stepper

@@ -21,7 +21,7 @@ bool is_chain_element(const model::Interactions& in, std::int32_t id) noexcept {
            in.bodies[at(id)] == 2 && in.rows[at(id)] == 1;
 }
 
-/// The other element of a lump that holds exactly two, −1: none.
+/// Return the other element of a node with exactly two, −1: none.
 std::int32_t neighbour_of(const LumpElements& lump, std::int32_t element) noexcept {
     if (lump.count != 2) return -1;
     return lump.element[0] == element ? lump.element[1] : lump.element[0];
@@ -32,7 +32,7 @@ std::int32_t body_of(const Model& model, std::int32_t element, int slot) noexcep
     return model.interactions.body[at(kMaxInteractionBodies * id + slot)];
 }
 
-/// List the elements of each lump, and mark all other rows as listed.
+/// List the elements of each node, and mark all other rows as listed.
 void list_lumps(const Model& model, WireChains& chains) {
     const std::vector<std::int32_t>& bounded = model.system.bounded;
     chains.lumps.assign(at(model.bodies.count()), {});
@@ -82,7 +82,7 @@ void number_nodes(const Model& model, WireChains& chains, std::size_t first) noe
     }
 }
 
-/// Add the chain that begins with an element, if it has more than that one.
+/// Add the chain that begins with an element, if it has more than one.
 void add_chain(const Model& model, WireChains& chains, std::int32_t element) {
     const std::size_t first = chains.element.size();
     while (element >= 0) {
@@ -106,7 +106,7 @@ void add_chain(const Model& model, WireChains& chains, std::int32_t element) {
     number_nodes(model, chains, first);
 }
 
-/// Σ w² Eᵀ S E of the contacts of each lump, without the part of S that makes it unsymmetric.
+/// Sum Σ w² Eᵀ S E of the contacts of each node, without the part of S that makes it unsymmetric.
 void add_contacts_to_lumps(const Model& model, WireChains& chains) noexcept {
     std::fill(chains.block.begin(), chains.block.end(), std::array<double, 9>{});
     const assembly::Contacts& contacts = model.system.contacts;
@@ -128,7 +128,7 @@ void add_contacts_to_lumps(const Model& model, WireChains& chains) noexcept {
     }
 }
 
-/// Â_n⁻¹ g of lump n, by Cramer's rule: Â is positive definite.
+/// Return Â_n⁻¹ g of node n by Cramer's rule; Â is positive definite.
 std::array<double, 3> mobility_times(const Model& model, const WireChains& chains,
                                      std::int32_t body, const double* g) noexcept {
     std::array<double, 9> a = chains.block[at(body)];
@@ -149,7 +149,7 @@ double product(const double* g, const std::array<double, 3>& x) noexcept {
     return g[0] * x[0] + g[1] * x[1] + g[2] * x[2];
 }
 
-/// Columns of an element's row at one of its bodies.
+/// Return the columns of an element's row at one of its bodies.
 const double* columns_at(const View& v, std::int32_t id, std::int32_t body) noexcept {
     const std::int32_t first = v.body[kMaxInteractionBodies * id];
     return v.jacobian + v.jac_begin[id] + (first == body ? 0 : v.dof[first]);

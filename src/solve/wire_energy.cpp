@@ -14,9 +14,9 @@ namespace {
 
 using assembly::View;
 
-/// h² T/(l m) of an element up to which its wire is not looked at: a wave across passes a seventh
-/// of an element in a step. Beyond ¼ the step damps its swing (assembly/geo.h); where it comes taut
-/// it may gain before.
+/// Value of h² T/(l m) of an element up to which its wire is not checked: a transverse wave passes
+/// a seventh of an element in a step. Beyond ¼ the step damps its vibration (assembly/geo.h). An
+/// element that becomes taut may gain energy below that.
 constexpr double kResolved = 0.02;
 
 bool is_fast(const Model& model, const Before& kept, const View& v, std::int32_t id) noexcept {
@@ -26,7 +26,7 @@ bool is_fast(const Model& model, const Before& kept, const View& v, std::int32_t
     return v.h * impulse * v.lightness[id] > kResolved * length;
 }
 
-/// Σ ½ m |v₊² − v²| of some lumps.
+/// Return Σ ½ m |v₊² − v²| of some nodes.
 double kinetic_exchange(const Model& model, const View& v, std::int32_t begin,
                         std::int32_t end) noexcept {
     double sum = 0.0;
@@ -89,7 +89,7 @@ void measure_wires(Model& model, runtime::Pool& pool) noexcept {
         g.noise += w.part_gain[i].noise;
         g.unbooked += w.part_gain[i].unbooked;
     }
-    // Without the part along the rows, which the ledger books as damped.
+    // Leave out the part along the rows, which the ledger counts as damped.
     for (std::size_t k = 0; k < w.count(); ++k)
         if (w.fast[k] && may_touch(model, static_cast<std::int32_t>(k)))
             w.gain[k].gain = -w.gain[k].unbooked;

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wire_energy.h
-/// What wires gained in a step. At a half step, where velocities live, an element holds
-/// V(d) = k/2 (|d| − l₀)², none of it where it is slack and only pulls; in the step it gives the
-/// bodies at its ends p·w̄, its impulse times their mean relative velocity. What it holds more
-/// afterwards and what it gave are together energy out of nothing, whatever else acts on the
-/// bodies.
+/// Energy that wires gained in a step.
 ///
-/// **Wires that may touch** (a lump has a shape) leave out the part along the rows. For an element
-/// that moves along its direction only, SPOOK's law (docs/theory/step.md) gives
+/// At a half step, where velocities are defined, an element stores V(d) = k/2 (|d| − l₀)², or 0 if
+/// it is slack and only pulls. In the step it does the work p·w̄ on the bodies at its ends, its
+/// impulse times their mean relative velocity. The increase of its stored energy plus this work is
+/// created energy, whatever else acts on the bodies.
+///
+/// **Wires that may touch** (a node has a shape) leave out the part along the rows. For an element
+/// that moves along its direction only, SPOOK's law (docs/methods.md, 2) gives
 /// ```
 ///   gain = −h k τ w₊ (w + w₊)/2        w, w₊ its rate before and after the step
 /// ```
-/// plus ½ k (h w/2)² if it was slack and comes taut: of either sign, up to a thousand times the
-/// kinetic energy of a stiff element, and gone within steps, since the damping τ = 2h is beyond
-/// critical. The ledger books it as damped (losses.h). A line that slides on a deck and comes taut
-/// was refused for it in step after step; the bound of wire_plan.cpp then turned it into speeds
-/// along the line, which the bound keeps, and which were refused again.
+/// plus ½ k (h w/2)² if it was slack and becomes taut. This has either sign and may be a thousand
+/// times the kinetic energy of a stiff element. It vanishes within steps, since the damping τ = 2h
+/// is beyond critical. The ledger counts it as damped (losses.h). With this part, a line that
+/// slides on a deck and becomes taut was rejected in step after step. The bound of wire_plan.cpp
+/// then turned it into speeds along the line, which the bound preserves, and which were rejected
+/// again.
 
 #include "context/context.h"
 
@@ -24,13 +26,14 @@
 
 namespace hawser::stepper {
 
-/// Mark wires whose swing the step does not resolve. @return whether there are any.
+/// Mark wires whose transverse vibration the step does not resolve.
+/// @return true if there are any.
 [[nodiscard]] bool find_fast_wires(Model& model, const Before& kept) noexcept;
 
-/// True if a wire has a shape on one of its lumps.
+/// True if a wire has a shape on one of its nodes.
 [[nodiscard]] bool may_touch(const Model& model, std::int32_t wire) noexcept;
 
-/// Compute for the marked wires what energy they gained (Wires::gain [J]).
+/// Compute the energy gain of the marked wires (Wires::gain [J]).
 void measure_wires(Model& model, runtime::Pool& pool) noexcept;
 
 }  // namespace hawser::stepper

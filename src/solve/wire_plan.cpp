@@ -18,19 +18,19 @@ namespace {
 using assembly::View;
 using generic::V3;
 
-constexpr int kNoReturn = 2;   ///< Level from which the stiffness gives nothing back.
-constexpr int kLastStiff = 3;  ///< The last one with stiffness alone.
+constexpr int kNoReturn = 2;   ///< Level from which the stiffness returns no energy.
+constexpr int kLastStiff = 3;  ///< Last level with stiffness alone.
 constexpr int kHoldsAll = 7;   ///< Level at which all slack elements count as taut.
 
-/// An element between its ends: at present, half a step ago and half a step ahead [m], and the
-/// relative velocities of slot 0 against 1 that K goes by.
+/// An element between its ends: now, half a step ago and half a step ahead [m], and the relative
+/// velocities of slot 0 to slot 1 used by K.
 struct Line {
     V3 arm[2], back, ahead, apart;
-    V3 before, started;  ///< Velocity of point 1 less that of point 0: now, and as expected next.
+    V3 before, started;  ///< Velocity of point 1 relative to point 0: now, and as expected next.
     double rest, stiffness;
 };
 
-/// Velocity of the body in a slot, as a kernel sees it.
+/// Return the velocity of the body in a slot, as a kernel reads it.
 void velocity_of(const View& v, const double* packed, std::int32_t body, V3& lin, V3& ang) {
     const double* given = packed == v.v ? v.v_before : v.v_fixed;
     const double* p = v.dof[body] == 0 ? given + 6 * body : packed + v.dof_begin[body];
@@ -72,10 +72,10 @@ Line line_of(const View& v, std::int32_t id) noexcept {
     return o;
 }
 
-/// The tension by the law at the half step after the solution at hand [N].
+/// Return the tension by the law at the half step after the current solution [N].
 double tension_after(const Line& l) noexcept { return l.stiffness * (norm(l.ahead) - l.rest); }
 
-/// K of the element is w (E − uuᵀ), and its bodies get the impulse `past` on slot 0 beside.
+/// Write K = w (E − uuᵀ) of an element and the additional impulse `past` on slot 0.
 void write_line(const View& v, std::int32_t id, double w, const V3& u, const Line& l,
                 const V3& past) noexcept {
     const assembly::GeoPlace& place = v.geo[id];
@@ -83,7 +83,7 @@ void write_line(const View& v, std::int32_t id, double w, const V3& u, const Lin
     record[0] = w;
     generic::store3(record + 1, u);
     double* slot[2] = {v.geo_force + place.slot(0), v.geo_force + place.slot(1)};
-    // What K does to the velocities that the solution starts from, then what it gives back.
+    // Effect of K on the start velocities, then the part that it returns.
     const V3 now = v.v_start ? (-w) * (l.started - dot(u, l.started) * u) : V3{0, 0, 0};
     if (place.dof == 3) {
         const double pair = pair_mass_of(v, id);
@@ -100,7 +100,8 @@ void write_line(const View& v, std::int32_t id, double w, const V3& u, const Lin
     }
 }
 
-/// @param pull  Tension to reckon with [N].
+/// Write the stiffness of an element.
+/// @param pull  Tension to use [N].
 void write_stiff(const View& v, std::int32_t id, const Line& l, double pull, bool back) noexcept {
     const double length = std::max(norm(l.apart), 1e-9);
     const V3 u = generic::load3(v.geo_record + v.geo[id].record + 1);
@@ -170,7 +171,7 @@ void replan_wires(Model& model, const View& v, int strip) noexcept {
 void settle_wires(StepContext& ctx) noexcept {
     Wires& w = ctx.model.wires;
     remember_gains(ctx.model);
-    // What a guarded wire lost is known exactly, and counts instead of what its rows tell.
+    // The loss of a guarded wire is known exactly, and replaces the one computed from its rows.
     if (w.measured)
         for (std::size_t k = 0; k < w.count(); ++k)
             if (w.fast[k]) ctx.state.ledger.damped += w.gain[k].unbooked;
@@ -203,8 +204,8 @@ double held_by_element(const View& v, std::int32_t id) noexcept {
         back[b] = now[b] - (0.5 * v.h) * lin;
         if (lumps) continue;
         const V3 arm = generic::load3(record + 4 + 3 * b);
-        // Half of the turn by 2 atan(h|ω|/2): a stiff spring feels the third order that Line::back
-        // leaves out.
+        // Half of the rotation by 2 atan(h|ω|/2). A stiff spring needs the third-order term that
+        // Line::back leaves out.
         const double whole = 0.25 * v.h * v.h * dot(ang, ang);
         const double half = -0.5 * v.h / (1.0 + std::sqrt(1.0 + whole));
         now[b] = now[b] + arm;

@@ -1,31 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wire_plan.h
-/// What refused wires are stepped with. Let d be the vector between an element's ends at the half
-/// step before, d₊ that at the one after, l₀ its length at rest.
+/// Laws for steps with rejected wires.
 ///
-/// *Stiffness.* The tension T behind K = (T/l)(E − nnᵀ) becomes what the refused step has brought
-/// about, and then K acts with h² in full on the velocity after the step, with no share before it.
+/// Let d be the vector between an element's ends half a step before, d₊ the one half a step after,
+/// and l₀ the rest length.
 ///
-/// *Bound.* At last the element pulls with k (d₊ − l₀ d/|d|): the gradient of k/2 |d₊ − l₀ d/|d||²,
-/// which is V at d and nowhere below it. It is quadratic and convex, and its force is that at the
-/// end of the step, so the wire cannot gain (docs/theory/wires.md); a slack one, which may end
-/// taut, pulls with k (d₊ − d). The row itself gives way.
+/// *Stiffness.* The tension T in K = (T/l)(E − nnᵀ) becomes that of the rejected step. K then acts
+/// with h² in full on the velocity after the step, without a part before it.
+///
+/// *Bound.* At the last levels the element pulls with k (d₊ − l₀ d/|d|), the gradient of k/2 |d₊ −
+/// l₀ d/|d||². This function equals V at d and is nowhere below V. It is quadratic and convex, and
+/// its force is that at the end of the step. So the wire cannot gain energy (docs/methods.md, 12).
+/// A slack element that may become taut pulls with k (d₊ − d). The row itself is inactive.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// What refused wires are to be solved with next, from the solution that was refused.
+/// Choose the next laws of rejected wires from the rejected solution.
 void plan_wires(Model& model, const Before& kept, std::int32_t wire) noexcept;
 
-/// Write what refused wires are stepped with over what evaluate() wrote, of one strip.
+/// Overwrite the results of evaluate() for rejected wires of one row block.
 void replan_wires(Model& model, const assembly::View& v, int strip) noexcept;
 
-/// Multipliers and states of elements that gave way, once their losses are counted.
+/// Set multipliers and states of replaced elements, after their losses are counted.
 void settle_wires(StepContext& ctx) noexcept;
 
-/// Elastic energy of an element at the half step before the poses at hand [J].
+/// Return the elastic energy of an element at the half step before the current poses [J].
 [[nodiscard]] double held_by_element(const assembly::View& v, std::int32_t id) noexcept;
 
 }  // namespace hawser::stepper

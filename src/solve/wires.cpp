@@ -12,9 +12,10 @@
 namespace hawser::stepper {
 namespace {
 
-constexpr std::int32_t kPart = 64;  ///< Elements, or lumps, of one part.
-/// Steps after which a loss no longer comes back, all but a third: what the stiffness takes of a
-/// swing of few steps a period, and returns in a quarter of it, is above what the guard allows.
+constexpr std::int32_t kPart = 64;  ///< Number of elements or nodes in one part.
+/// Steps after which all but a third of a loss no longer comes back. The stiffness takes energy
+/// from a vibration with few steps per period and returns it a quarter of a period later. This
+/// exceeds the limit of the guard.
 constexpr double kCreditSteps = 240.0;
 
 bool is_element(const Model& model, std::int32_t id) {
@@ -22,7 +23,7 @@ bool is_element(const Model& model, std::int32_t id) {
     if (in.gone(id)) return false;
     const KindInfo& kind = kind_info(in.kinds[at(id)]);
     if (!kind.is(kAlongLine) || kind.is(kWoundUp)) return false;
-    // A rod is none, but a spring between two points.
+    // A rod is not an element; a spring between two points is.
     if (!kind.is(kWireElement) &&
         !(in.epsilon[at(in.row_begin[at(id)])] > model::kElasticCompliance))
         return false;
@@ -30,7 +31,7 @@ bool is_element(const Model& model, std::int32_t id) {
     return model.bodies.dof(body[0]) == 3 || model.bodies.dof(body[1]) == 3;
 }
 
-/// Smallest of the numbers joined with i.
+/// Return the smallest index joined with i.
 std::int32_t root_of(std::vector<std::int32_t>& joined, std::int32_t i) {
     while (joined[at(i)] != i) {
         joined[at(i)] = joined[at(joined[at(i)])];
@@ -39,7 +40,7 @@ std::int32_t root_of(std::vector<std::int32_t>& joined, std::int32_t i) {
     return i;
 }
 
-/// Elements joined by lumps: by interaction, the first one of its wire; −1: no element.
+/// Join elements at nodes. By interaction: the first element of its wire; −1: not an element.
 void join_elements(const Model& model, std::int32_t count, WireWork& work) {
     const model::Interactions& in = model.interactions;
     std::vector<std::int32_t>& joined = work.joined;
@@ -60,7 +61,7 @@ void join_elements(const Model& model, std::int32_t count, WireWork& work) {
         if (joined[at(id)] >= 0) joined[at(id)] = root_of(joined, id);
 }
 
-/// Elements, wire by wire: wires by their first element, elements ascending.
+/// List the elements by wire: wires by their first element, elements ascending.
 void list_elements(std::int32_t count, WireWork& work) {
     Wires& made = work.made;
     made.wire_of.assign(at(count), -1);
@@ -70,7 +71,8 @@ void list_elements(std::int32_t count, WireWork& work) {
     for (std::int32_t id = 0; id < count; ++id) {
         if (work.joined[at(id)] < 0) continue;
         std::int32_t& wire = made.wire_of[at(id)];
-        wire = made.wire_of[at(work.joined[at(id)])];  // that of the first, which comes first
+        // that of the first element, which has the lowest index
+        wire = made.wire_of[at(work.joined[at(id)])];
         if (wire < 0) {
             wire = static_cast<std::int32_t>(begin.size()) - 1;
             begin.push_back(0);
@@ -87,7 +89,7 @@ void list_elements(std::int32_t count, WireWork& work) {
     }
 }
 
-/// Lumps by wire, and parts of elements and lumps.
+/// List nodes by wire, and parts of elements and nodes.
 void make_parts(const Model& model, WireWork& work) {
     Wires& w = work.made;
     const model::Interactions& in = model.interactions;
@@ -132,8 +134,8 @@ void release_wires(Model& model) noexcept {
 
 namespace {
 
-/// What wires remember, where they are others than before: of what an element's wire had, each
-/// element keeps its share.
+/// Transfer the memory of wires after their elements changed: each element keeps its part of its
+/// wire's memory.
 void recall_wires(const Model& model, const State& state, WireWork& work) {
     const Wires& w = model.wires;
     Wires& made = work.made;
@@ -165,7 +167,7 @@ void recall_wires(const Model& model, const State& state, WireWork& work) {
             made.alert[k] = std::max(made.alert[k], w.alert[at(wire)]);
             made.recoil[k] = longer_recoil(made.recoil[k], w.recoil[at(wire)]);
         }
-        // To the last bit where it is the same wire still.
+        // Keep the exact bits if it is still the same wire.
         if (kept > 0 && one && kept == had[at(first)]) made.credit[k] = w.credit[at(first)];
     }
 }

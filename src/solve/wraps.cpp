@@ -37,10 +37,10 @@ double wrap_angle(const Model& model, std::int32_t friction) noexcept {
         using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
         axis = Eigen::Map<const RowMajor>(&bodies.r[9 * body]) * axis;
     }
-    // Across the axis alone.
+    // Across the axis only.
     const double across = u.dot(v) - u.dot(axis) * v.dot(axis);
     const double about = std::atan2(turn.dot(axis), across) * (wheel > 0.0 ? 1.0 : -1.0);
-    // What it was, and by how much each part lies on the wheel farther than then.
+    // The earlier angle, plus the change of the arc of each part on the wheel.
     const double lies = defined + in.wrapped(before, bodies)[1] + in.wrapped(behind, bodies)[0];
     return std::max(0.0, lies + std::remainder(about - lies, kTurn));
 }

@@ -80,7 +80,7 @@ void ModelUndo::go_back(StepContext& ctx) noexcept {
     s.analysed_r.swap(analysed_r_);
     std::swap(s.edits, edits_);
     s.changed = changed_;
-    // Where the model was to be prepared anyway, that follows from the order put back.
+    // If the model was to be prepared anyway, that follows from the restored order.
     if (changed_ != Changed::all)
         s.mend = mend_ == Mend::follow || mend_ == Mend::all_follow ? Mend::all_follow : Mend::all;
     else

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file model_undo.h
-/// Copy of model and state from before the first edit that a system makes within a step.
+/// Copy of model and state before the first edit of a system within a step.
 ///
-/// A step that fails returns to the last good state (state/undo.h). That copy begins behind the
-/// edits; this one brings back the bodies, interactions and shapes of before, with their indices,
-/// multipliers and memories. The analysed system is not copied but for what its order goes on from:
-/// it is rebuilt before its next use, like that of a restored world, to the same bits (Mend::all).
+/// A failed step returns to the last good state (access/undo.h). That copy begins behind the edits.
+/// This one restores the earlier bodies, interactions and shapes with their indices, multipliers
+/// and memories. Only the data that determine the order of the analysed system are copied. It is
+/// rebuilt before its next use, like that of a restored world, to the same bits (Mend::all).
 ///
-/// Memory is kept from step to step: once warm, a copy allocates nothing but long names.
-/// Cost: linear in the size of the model, about as much as the analysis that an edit needs.
+/// Memory is kept between steps: after warm-up, a copy allocates only for long names. Cost: linear
+/// in the size of the model, about that of the analysis that an edit needs.
 
 #include "context/context.h"
 
@@ -20,9 +20,11 @@ namespace hawser::stepper {
 
 class ModelUndo {
   public:
-    /// Copy. @throws std::bad_alloc.
+    /// Save the model and state.
+    /// @throws std::bad_alloc.
     void keep(const StepContext& ctx);
-    /// Put the copy back. Call once after keep(), when the step has gone back (restore_kept()).
+    /// Restore the saved data. Call once after keep(), after the step has been undone
+    /// (restore_kept()).
     void go_back(StepContext& ctx) noexcept;
 
   private:

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file analysed_poses.h
-/// Poses of the last analysis in place of the present ones, to analyse once more as then.
+/// Analysis at the poses of the last analysis instead of the present ones.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Poses and which rows are active are those of an analysis for as long as this lives.
+/// Restores poses and active rows of the last analysis while it lives.
 class AnalysedPoses {
   public:
     explicit AnalysedPoses(StepContext& ctx)

@@ -24,7 +24,7 @@ namespace {
 using assembly::Contacts;
 using nonsmooth::Cone;
 
-/// Arrays for this step's contacts; growth is counted.
+/// Size the arrays for this step's contacts and count growth.
 void make_room(StepContext& ctx) {
     Contacts& c = ctx.model.system.contacts;
     const std::size_t held = c.bytes();
@@ -38,7 +38,7 @@ void make_room(StepContext& ctx) {
     if (c.bytes() > held) ++ctx.work.stats.growths;
 }
 
-/// Resistances of this step's contacts, and arrays for as many rows.
+/// Prepare the resistances of this step's contacts, and arrays for their rows.
 void make_resistances(StepContext& ctx) {
     Contacts& c = ctx.model.system.contacts;
     const std::size_t held = c.resistances.bytes();
@@ -48,7 +48,8 @@ void make_resistances(StepContext& ctx) {
     if (c.resistances.bytes() > held) ++ctx.work.stats.growths;
 }
 
-/// An acceleration is asked for at the start: what approaches goes on, what slides keeps sliding.
+/// Set targets for the acceleration at the start: approaching points continue, sliding points keep
+/// sliding.
 void ask_for_acceleration(Cone& c, double gap) noexcept {
     constexpr double kSlow = 0.05;   // [m/s]
     constexpr double kClose = 1e-6;  // [m]
@@ -58,7 +59,7 @@ void ask_for_acceleration(Cone& c, double gap) noexcept {
     c.b[2] = slides ? 0.0 : c.u[2];
 }
 
-/// An acceleration is asked for at the start: what rolls or spins keeps doing so.
+/// Set targets for the acceleration at the start: rolling and spinning continue.
 void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
     constexpr double kSlow = 0.05;  // [rad/s]
     a.b[0] = std::fabs(a.u[0]) > kSlow ? 0.0 : a.u[0];
@@ -70,12 +71,12 @@ void ask_for_acceleration(nonsmooth::Resistance& a) noexcept {
 }  // namespace
 
 Contacts::Blocks prepare_contacts(Model& model, Work& work) {
-    std::vector<std::uint8_t>& touches = work.sleep.mark;  // scratch here as there
+    std::vector<std::uint8_t>& touches = work.sleep.mark;  // scratch, as in sleep
     touches.assign(at(model.bodies.count()), 0);
     for (const collide::Shape& s : model.collider.shapes())
         for (const std::int32_t b : s.body)
             if (b >= 0) touches[at(b)] = 1;
-    std::vector<std::int32_t>& touching = work.solve.columns;  // scratch, too
+    std::vector<std::int32_t>& touching = work.solve.columns;  // also scratch
     touching.clear();
     for (std::int32_t b = 0; b < model.bodies.count(); ++b)
         if (touches[at(b)] != 0) touching.push_back(b);
@@ -108,7 +109,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     });
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
     if (status != Status::ok) return status;
-    // u of the last step's velocities; λ is that of the last step.
+    // u at the velocities of the last step; λ is that of the last step.
     update_slots(ctx.model, ctx.pool, ctx.model.bodies.v.data());
     c.resistances.recall(c.rows);
     over(ctx.pool, static_cast<std::int32_t>(c.count()), [&](std::int32_t a, std::int32_t b) {
@@ -130,8 +131,8 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
     return Status::ok;
 }
 
-// λ·J(v + v₊)/2 is exactly what a contact does to the kinetic energy of the bodies that move: all
-// of λ·(u + u₊)/2 but the part of bodies with a prescribed velocity, which is their work.
+// λ·J(v + v₊)/2 is exactly the work of a contact on the kinetic energy of moving bodies. It equals
+// λ·(u + u₊)/2 less the work of bodies with a prescribed velocity.
 void count_contact_work(StepContext& ctx) noexcept {
     const Contacts& contacts = ctx.model.system.contacts;
     for (std::size_t k = 0; k < contacts.count(); ++k) {

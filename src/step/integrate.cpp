@@ -22,7 +22,7 @@ namespace {
 
 using assembly::View;
 
-/// Lines that pull with more than they bear part.
+/// Break lines whose tension exceeds their breaking load.
 void break_lines(StepContext& ctx, const View& v) noexcept {
     for (std::size_t i = 0; i < ctx.model.system.breakable.size(); ++i) {
         const std::int32_t id = ctx.model.system.breakable[i];
@@ -36,7 +36,7 @@ void break_lines(StepContext& ctx, const View& v) noexcept {
     }
 }
 
-/// Lines that came taut or went slack, and ranges at an end.
+/// Report lines that became taut or slack, and ranges at an end.
 void report_switches(StepContext& ctx, const View& v) noexcept {
     for (std::size_t i = 0; i < ctx.work.before.active.size(); ++i) {
         std::int32_t id = ctx.model.system.bounded[i];
@@ -44,7 +44,7 @@ void report_switches(StepContext& ctx, const View& v) noexcept {
         if (now == ctx.work.before.active[i] || v.parted[id]) continue;
         if (v.flags[id] & (model::kMotor | model::kFriction)) continue;
         const std::int32_t row = v.row_begin[id];
-        id = speaker(ctx.model, id);  // of the sides of a cut one
+        id = speaker(ctx.model, id);  // one event for all sides of a cut interaction
         if (id < 0) continue;
         if (v.flags[id] & model::kRange) {
             if (now != 0.0) push_event(ctx, EventKind::range, id, v.g[row]);
@@ -88,14 +88,14 @@ void integrate(StepContext& ctx) noexcept {
     ctx.work.newton.switch_late = false;
     break_lines(ctx, v);
     report_switches(ctx, v);
-    // Renews rows, so that events come first; anchors and winches go by the poses then.
+    // Events come first, because this renews rows. Anchors and winches then follow the poses.
     close_joints(ctx);
     finish_completion(ctx.model);
     move_anchors(ctx.model);
     follow_wheels(ctx.model, ctx.work);
     report_saturation(ctx);
     follow_winches(ctx.model, ctx.state);
-    // Above this the solution no longer satisfies its own equations to engineering accuracy.
+    // Above this limit the solution violates its own equations beyond engineering accuracy.
     constexpr double kResidualWarning = 1e-8;
     if (ctx.work.stats.momentum_residual > kResidualWarning)
         push_event(ctx, EventKind::warning, -1, ctx.work.stats.momentum_residual);

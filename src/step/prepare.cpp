@@ -16,7 +16,7 @@ namespace {
 
 using assembly::Contacts;
 
-/// After a step that failed: from the order of the last analysis, at its poses.
+/// Rebuild after a failed step, from the order of the last analysis and at its poses.
 void rebuild_undone(StepContext& ctx) {
     const bool all = ctx.state.mend == Mend::all || ctx.state.mend == Mend::all_follow;
     ctx.model.system.contacts.make_blocks();
@@ -32,11 +32,12 @@ void rebuild_undone(StepContext& ctx) {
     ctx.state.changed = Changed::nothing;
 }
 
-/// Where shapes alone came or went: the blocks of contacts, and the order where links went. Forms
-/// and shares of damping stay those of the last analysis. @return false: it has to be analysed.
+/// Update after changes of shapes alone: the blocks of contacts, and the order if links were
+/// removed. Forms and damping fractions stay those of the last analysis.
+/// @return false if an analysis is needed.
 bool follow_shapes(StepContext& ctx, Contacts::Blocks changed) {
     if (ctx.state.changed != Changed::shapes) return false;
-    // What followed before is undone: which blocks changed is not known.
+    // Earlier updates were undone, so the changed blocks are unknown.
     const bool undone = ctx.state.mend != Mend::nothing;
     // With the first shapes that may touch, updates of fronts are kept.
     if ((changed != Contacts::Blocks::same || undone) &&
@@ -65,7 +66,7 @@ Contacts::Blocks prepare_touching(StepContext& ctx) {
 
 void finish_preparing(StepContext& ctx) {
     const bool any = ctx.state.edits.any;
-    ctx.state.edits.any = true;  // the judge goes on
+    ctx.state.edits.any = true;  // the monitors continue
     try {
         prepare_judge(ctx.model, ctx.state);
     } catch (...) {

@@ -31,7 +31,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Stage 2. Contacts at the present poses.
+/// Run stage 2: find contacts at the present poses.
 Status find_contacts(StepContext& ctx) noexcept {
     const std::int64_t growths = ctx.model.collider.growths();
     const bool found = ctx.model.collider.collide(ctx.model.bodies, ctx.model.def.step,
@@ -46,7 +46,7 @@ Status find_contacts(StepContext& ctx) noexcept {
                                                          : Status::over_bound;
 }
 
-/// Contacts of the step, after impacts.
+/// Start the contacts of the step, after impacts.
 Status start_moving(StepContext& ctx) noexcept {
     bool found = false;
     Status status = start_contacts(ctx, Phase::regular);
@@ -55,9 +55,9 @@ Status start_moving(StepContext& ctx) noexcept {
     return status == Status::ok && found ? start_contacts(ctx, Phase::regular) : status;
 }
 
-/// From time 0 to −h/2, in the first step.
+/// Move velocities from time 0 to −h/2, in the first step.
 Status start_world(StepContext& ctx) noexcept {
-    // Its trial steps need the loads of systems.
+    // The trial steps need the loads of systems.
     if (const Status acted = prestep(ctx); acted != Status::ok) return acted;
     keep_motion(ctx);
     ctx.state.loads.added = added_energy(ctx.model, ctx.state, ctx.pool, ctx.model.bodies.v.data());
@@ -90,7 +90,8 @@ void clear_figures(Model& model, Work& work) noexcept {
     work.stats.foreseen_seconds = 0.0;
 }
 
-/// @return when the solver began.
+/// Start the timers of the solver.
+/// @return its start time.
 Clock::time_point start_solver(StepContext& ctx) noexcept {
     const Clock::time_point start = Clock::now();
     ctx.stopwatch->start();
@@ -108,7 +109,7 @@ void end_solver(StepContext& ctx, Clock::time_point start) noexcept {
                     static_cast<double>(std::max<std::int64_t>(1, s.factor_flops));
 }
 
-/// Stage collide: contacts at the present poses, and who wakes of them.
+/// Run stage collide: find contacts at the present poses and wake bodies by them.
 Status collide(StepContext& ctx) noexcept {
     ctx.state.loads.count_change(ctx.model.bodies, ctx.pool);
     Status status = Status::ok;
@@ -116,30 +117,30 @@ Status collide(StepContext& ctx) noexcept {
     return status == Status::ok ? wake_disturbed(ctx) : status;
 }
 
-/// Stage graph: groups that follow the state, and what a deadline may cut between them.
+/// Run stage graph: update groups that follow the state, and the cuts that a deadline may use.
 Status graph(StepContext& ctx) noexcept {
     const Status status = regroup(ctx);
     return status == Status::ok ? prepare_levels(ctx) : status;
 }
 
-/// Stage analyse, where the system of this step is another one than that of the last: by other
-/// cuts, or bodies that touch for the first time. Contacts are rows then, and impacts have been.
+/// Run stage analyse if the system differs from that of the last step, by other cuts or a first
+/// contact of bodies. Afterwards contacts are rows and impacts are done.
 Status analyse_step(StepContext& ctx) noexcept {
     if (const Status status = choose_cuts(ctx); status != Status::ok) return status;
     remember(ctx);
     return ctx.model.collider.count() > 0 ? start_moving(ctx) : Status::ok;
 }
 
-/// Stages factor and nonsmooth, which take turns.
+/// Run stages factor and nonsmooth, which alternate.
 Status solve_velocities(StepContext& ctx) noexcept {
     begin_budget(ctx);
     const Status status = solve_assembled(ctx);
     return status == Status::ok ? guard_wires(ctx) : status;
 }
 
-/// Whether the solution is one that may become the state.
+/// Check whether the solution may become the state.
 Status accept(StepContext& ctx) noexcept {
-    // What was left out because of it is not to be used.
+    // A cancelled solution is incomplete and must not be used.
     if (ctx.pool.stopping()) return Status::cancelled;
     return timed(ctx, Stage::integrate, [](StepContext& c) {
         c.state.loads.measure(c.model.bodies, c.model.def.step, c.model.bodies.v.data(),
@@ -148,7 +149,7 @@ Status accept(StepContext& ctx) noexcept {
     });
 }
 
-/// Stage integrate: there is no way back from here.
+/// Run stage integrate, which cannot be undone.
 void finish(StepContext& ctx) noexcept {
     ctx.state.events.release(true);
     timed(ctx, Stage::integrate, integrate);
@@ -160,7 +161,7 @@ void finish(StepContext& ctx) noexcept {
     fall_asleep(ctx);
 }
 
-/// All stages. Where it fails, the state may be that of a step half done.
+/// Run all stages. If it fails, the state may be incomplete.
 Status take_step(StepContext& ctx) noexcept {
     const bool starts = !ctx.state.started;
     Status status = starts ? start_world(ctx) : Status::ok;
@@ -187,12 +188,12 @@ Status take_step(StepContext& ctx) noexcept {
     return status;
 }
 
-/// After a step that failed: the state of the last good one.
+/// Restore the last good state after a failed step.
 void go_back(StepContext& ctx) noexcept {
     if (ctx.work.before.remembered && !ctx.work.undo.moved) recall(ctx);
     restore_kept(ctx);
     take_back_systems(ctx);
-    // A residual that is no number is told as the largest one: readers compare and print it.
+    // Report a NaN residual as the largest number, because readers compare and print it.
     StepStats& s = ctx.work.stats;
     for (double* residual : {&s.momentum_residual, &s.constraint_residual, &s.natural_map})
         if (!std::isfinite(*residual)) *residual = std::numeric_limits<double>::max();
@@ -212,7 +213,7 @@ Status step(StepContext& ctx) noexcept {
     }
     if (status != Status::ok) {
         go_back(ctx);
-        // Whatever the step ended with then came of what was left out.
+        // After cancellation any other status is a consequence of the missing work.
         if (ctx.pool.stopping()) status = Status::cancelled;
     }
     if (status == Status::cancelled) ctx.pool.go_on();

@@ -45,7 +45,7 @@ Mat3 cross_matrix(const Vec3& a) {
 
 Verifier::Verifier(const World& world, Checks checks)
     : step_(world.settings().step), checks_(checks), states_(world), sea_(world) {
-    // Where there are no groups yet, or no time was short yet, they may come to be split.
+    // Worlds without groups or with an unused budget may split later.
     if (world.settings().coupling != Coupling::exact)
         throw DefError(
             "--verify checks momentum, which a split does not keep; use --coupling exact");
@@ -83,11 +83,11 @@ void Verifier::follow(const World& world) {
     unsure_.resize(bodies);
     slept_.resize(bodies);
     moving_.clear();
-    // Of bodies that are not scalar, of all, and of a world that has none.
+    // Least mass of bodies that are not scalar, of all, and of a world without any.
     constexpr double kNone = 1e300;
     double least = kNone, least_of_all = kNone, mass = 0.0;
     for (const BodyId id : bodies_) {
-        // What comes had no torque before, and its velocity stays as it is until then.
+        // Added bodies had no torque before. Their velocity is constant until then.
         if (!std::binary_search(before.begin(), before.end(), id)) {
             change_[slot(id.index)].setZero();
             twist_[slot(id.index)] = world.velocity(id);
@@ -123,7 +123,7 @@ void Verifier::before_step(const World& world) {
         const std::size_t b = slot(id.index);
         pose_[b] = world.pose(id);
         twist_[b] = world.velocity(id);
-        // What it would go on with is not 2 v − v₋ where an edit gave it a velocity, or made it.
+        // The extrapolation is not 2 v − v₋ after an edit of the velocity, or for a new body.
         const Twist &now = twist_[b], &left = left_[b];
         if (now.linear != left.linear || now.angular != left.angular) {
             const Twist ahead = world.predicted_velocity(id);
@@ -157,10 +157,10 @@ std::string Verifier::after_step(const World& world) {
     }
     const StepStats& stats = world.stats();
     const double map = step_map(world);
-    // The step counts friction with loads and motors with a limit of power by how far their bounds
-    // moved after they were last solved for: contacts may then be better than that, not worse.
+    // The step counts friction with loads and motors with a power limit by the motion of their
+    // bounds after the last solve. Contacts may then be better than that, not worse.
     const double better = loads_ ? stats.natural_map : 0.0;
-    // What is within rounding may be any of it there.
+    // Values within rounding may differ there.
     const double difference = std::max(
         map - stats.natural_map, stats.natural_map - std::max(map, within_rounding_) - better);
     const double excess = bound_excess(world);
@@ -182,17 +182,17 @@ std::string Verifier::after_step(const World& world) {
                           stats.flips_left > 0 || stats.momentum_residual > kNotStrict;
     if (!checks_.strict && (unsolved || stats.cut)) return {};
     if (!wrong_law_.empty()) return wrong_law_;
-    // Comparisons written so that what is not a number fails.
+    // Comparisons are written so that NaN fails.
     if (!(difference <= rounding + 1e-6 * stats.natural_map))
         return fmt::format("the natural map is {:.3e}, the step says {:.3e}", map,
                            stats.natural_map);
-    // A step that says itself how far it is from solved is a hard one; many in a row are wrong.
+    // A single step that reports itself as unsolved is accepted; a sequence of them fails.
     const double most = world.settings().contact_tolerance;
     unsolved_ = !stats.cut && !(map <= most + rounding) ? unsolved_ + step_ : 0.0;
     if (unsolved_ > 0.0 && !(map <= limit::kCertificate.wrong && unsolved_ < limit::kSustained))
         return fmt::format("the natural map is {:.3e}, more than {:.3e}", map, most);
-    // Bounds of friction are followed until their share in the natural map is small enough; rows
-    // that were still switching are reported as such.
+    // Bounds of friction are followed until their part of the natural map is small enough; rows
+    // that still switch are reported as such.
     if (!stats.cut && stats.flips_left == 0 && !(excess <= stats.natural_map + rounding))
         return fmt::format("{} by {:.3e}, relative", beyond_bound(world), excess);
     if (!(momentum <= rounding))
@@ -233,7 +233,8 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
             const Vec3& arm = side.arm[i];
             const Vec3 at_point = now.linear + now.angular.cross(arm);
             u += sign * w * at_point;
-            // Of what a coordinate loses, levers make velocity, and a segment's length shares.
+            // The rounding of a coordinate enters velocities by arms, and by the length of a
+            // segment.
             terms += at_point.norm() * (1.0 + contact.point.norm() / side.length) +
                      now.angular.norm() * contact.point.norm();
             const double along = n.dot(before.linear + before.angular.cross(arm));
@@ -260,7 +261,8 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
     const double rho = 1.0 / (mobility + std::max(sn, st));
     const Vec3 error = lambda - onto_cone(lambda - rho * (r + shift * n), n, contact.friction);
     const Vec3 q = rho * (u - contact.target - mobility * lambda);
-    // What is left of velocities that cancel is their rounding, here other than in the step.
+    // The remainder of cancelling velocities is their rounding, which differs from that in the
+    // step.
     constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
     const double rounding = kRounding * rho * (terms + contact.target.norm()),
                  over = std::max({lambda.norm(), q.norm(), floor_});
@@ -283,7 +285,7 @@ double Verifier::turn_map(const World& world, const ContactView& contact) {
         angular_[b] += sign * lambda;
         if (is_free(def.kind)) mobility += def.inertia.inverse().trace() / 3.0;
     }
-    // Parts that are free have no row.
+    // Free components have no row.
     const auto rows = [&](const Vec3& x) -> Vec3 {
         const Vec3 about = x.dot(n) * n;
         return (contact.torsional > 0.0 ? about : Vec3(Vec3::Zero())) +

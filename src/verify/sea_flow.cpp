@@ -15,7 +15,7 @@ double share_below(double surface, double middle, double high) {
     return std::clamp((surface - middle) / high + 0.5, 0.0, 1.0);
 }
 
-/// Projected area along an axis, of shares of cells.
+/// Return the projected area along an axis, for fractions of cells.
 double projected(const std::vector<HullCell>& cells, const std::vector<double>& share, int axis) {
     std::map<std::pair<int, int>, std::pair<double, double>> rows;  // extent, width
     const auto a = static_cast<std::size_t>((axis + 1) % 3);

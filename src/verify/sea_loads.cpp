@@ -170,7 +170,7 @@ void SeaVerifier::add_half(const World& world, WireId wire, std::size_t element,
     const double wet = std::clamp((at.surface - bottom) / reach, 0.0, 1.0);
     if (wet <= 0.0 || length <= 0.0) return;
     Vec3 t = line.normalized();
-    // What has parted hangs as the node's other element does.
+    // A broken element hangs like the node's other element.
     const std::size_t next = last ? element + 1 : element - 1;  // −1: beyond the end, too
     if (line.isZero(0.0) && next < world.elements(wire).size() &&
         sort_of(world, wire, next) != nullptr &&
@@ -287,7 +287,7 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
             if (!(most <= 1e-14 * size)) worst = std::max(worst, most / size);
         };
         const double speed = before[numbered(view.body.index)].linear.norm();
-        // Beside its own size that of the body: where water hardly moves, nothing is known of it.
+        // The scale includes the weight of the body, because almost still water gives no scale.
         const double m = world.body_def(view.body).mass, h = world.settings().step;
         compare(
             view.force, [&](int i) { return mine.force[i]; },
@@ -309,7 +309,7 @@ double SeaVerifier::after_step(const World& world, const std::vector<Pose>& pose
         }
         mine.wet = false;
     }
-    // What should have a load, but has none.
+    // Bodies that should have a load but have none.
     for (const Load& left : load_)
         if (left.wet && left.force.norm() > 0.0) worst = std::max(worst, 1.0);
     return worst;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file sea_loads.h
-/// What the sea (hawser/sea.h) has to do to bodies, computed anew from its definition and what a
-/// World shows: sums over components by functions of the standard library, hulls cut and integrated
-/// at Gauss points. Of the library it takes the list of components, whose wave numbers it checks.
+/// Loads of the sea (hawser/sea.h) on bodies, computed independently from its definition and the
+/// public data of a World. Sums over components use functions of the standard library. Hulls are
+/// cut and integrated at Gauss points. Only the list of components comes from the library; its wave
+/// numbers are checked.
 
 #include <hawser/hawser.h>
 
@@ -17,16 +18,18 @@ namespace hawser::verify {
 class SeaVerifier {
   public:
     explicit SeaVerifier(const World& world);
-    /// Another state has been restored: memories of hulls begin with what the library has then.
+    /// Restart after another state was restored: memories of hulls begin with those of the library.
     void begin_anew() noexcept { past_.clear(); }
-    /// Inputs and time of the step to come.
+    /// Read inputs and time of the next step.
     void before_step(const World& world);
-    /// @param pose, before  Of all bodies, where the step began. @return the largest difference of
-    /// a load of the sea from that computed here, over its size and the body's; 0 without a sea.
+    /// Compare the loads of a step.
+    /// @param pose, before  Of all bodies at its start.
+    /// @return the largest difference of a load of the sea from the computed one, relative to its
+    ///        size and the body's; 0 without a sea.
     [[nodiscard]] double after_step(const World& world, const std::vector<Pose>& pose,
                                     const std::vector<Twist>& before);
-    /// Largest difference that a sound step has: rounding in double precision, or the tolerance of
-    /// kinematics in single precision (docs/theory/waves.md).
+    /// Return the largest difference in a correct step: rounding in double precision, or the
+    /// tolerance of kinematics in single precision (docs/sea.md, "Accuracy of kinematics").
     [[nodiscard]] double limit() const noexcept;
 
   private:
@@ -66,15 +69,15 @@ class SeaVerifier {
     [[nodiscard]] Vec3 convection(const Vec3& x) const;
     // sea_radiation.cpp
     struct Past {
-        HullMemory at_start;            ///< As the library has it where verifying began.
+        HullMemory at_start;            ///< Value of the library at the start of verification.
         std::vector<Mat6> kernel;       ///< K(mh), m = 1 …
         std::vector<Vec6> velocity;     ///< ν̄, newest first.
-        Eigen::VectorXd states;         ///< Of a state space.
+        Eigen::VectorXd states;         ///< States of a state space.
         Eigen::MatrixXd step_on, b, c;  ///< e^{Ah}, B, C.
         Vec6 last = Vec6::Zero(), ahead = Vec6::Zero();
         bool begun = false, slow_begun = false;
         std::array<std::array<double, 3>, 4> lag{};
-        double until = 0.0;  ///< Time to which it goes [s].
+        double until = 0.0;  ///< End time [s].
     };
     void begin_past(const World& world, std::size_t hull);
     void add_coefficients(const WaterHull& def, Past& past, const Pose& pose, const Twist& twist);
@@ -101,10 +104,10 @@ class SeaVerifier {
     double gravity_ = 9.81;
     std::vector<std::pair<InteractionId, const LineWater*>> known_;  ///< As defined, ascending.
     std::vector<LineWater> volumes_;
-    std::vector<BodyId> ends_;  ///< That hold lines.
+    std::vector<BodyId> ends_;  ///< Bodies that hold lines.
     SeaInputs inputs_{};
     double time_ = 0.0, level_ = 0.0;
-    std::vector<bool> intact_;  ///< By interaction, where the step began.
+    std::vector<bool> intact_;  ///< By interaction, at the start of the step.
     SeaMoment air_{};
     std::vector<Load> load_;
     std::vector<Past> past_;  ///< By hull.

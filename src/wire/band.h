@@ -9,16 +9,17 @@
 
 namespace hawser::wire {
 
-/// A symmetric band matrix of half width 5: two coordinates a node, bending over three nodes.
+/// A symmetric band matrix of half width 5: two coordinates per node, bending over three nodes.
 class Band {
   public:
     static constexpr std::size_t kWide = 6;
 
     explicit Band(std::size_t rows) : rows_(rows), a_(rows * kWide, 0.0) {}
     void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
-    /// Entry of row i and column j ≤ i.
+    /// Return the entry of row i and column j ≤ i.
     double& at(std::size_t i, std::size_t j) { return a_[i * kWide + (i - j)]; }
-    /// Factor as L D Lᵀ. @return false where a pivot is not positive.
+    /// Factor as L D Lᵀ.
+    /// @return false if a pivot is not positive.
     bool factor() {
         for (std::size_t i = 0; i < rows_; ++i) {
             const std::size_t first = i >= kWide - 1 ? i - (kWide - 1) : 0;

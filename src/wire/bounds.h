@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file bounds.h
-/// Numbers that drums, gypsies and what orders them have in common.
+/// Constants shared by drums, gypsies and their controls.
 
 #include "base/number.h"
 
@@ -10,8 +10,9 @@
 namespace hawser::wire {
 
 inline constexpr double kTurn = 2.0 * std::numbers::pi;  ///< [rad]
-inline constexpr double kUnbounded = 1e30;               ///< A torque that nothing overcomes [N m].
-inline constexpr double kNear = 1e-9;    ///< Of a force at its bound, which rounding has moved.
-inline constexpr double kStands = 1e-4;  ///< A drum whose wire is slower than this stands [m/s].
+inline constexpr double kUnbounded = 1e30;               ///< Torque of a clamped row [N m].
+/// Relative distance below a bound at which a force counts as at it, for rounding.
+inline constexpr double kNear = 1e-9;
+inline constexpr double kStands = 1e-4;  ///< Wire speed below which a drum counts as at rest [m/s].
 
 }  // namespace hawser::wire

@@ -16,15 +16,15 @@ namespace hawser {
 namespace wire {
 namespace {
 
-/// Lengths below this part of the wire are rounding.
+/// Fraction of the wire's length below which lengths count as rounding.
 constexpr double kNothing = 1e-12;
 
-/// The vertical plane of the ends.
+/// The vertical plane through both ends.
 struct Frame {
     Vec3 along, side, up;
-    double x = 0.0, z = 0.0;  ///< Of the last end from the first [m].
-    double bottom = 0.0;      ///< From the first end [m].
-    double water = 0.0;       ///< Still water, from the first end [m].
+    double x = 0.0, z = 0.0;  ///< Last end relative to the first [m].
+    double bottom = 0.0;      ///< Height of the seabed above the first end [m].
+    double water = 0.0;       ///< Height of still water above the first end [m].
 
     Frame(const CatenaryDef& def, double length) : up(-def.down.normalized()) {
         const Vec3 d = def.to - def.from;
@@ -45,7 +45,7 @@ struct Frame {
     }
 };
 
-/// Of the inner nodes, and the last one where it is free.
+/// Return the least height of the inner nodes, and of the last node if it is free [m].
 double lowest(const Plane& shape, bool free) {
     double z = 0.0, least = std::numeric_limits<double>::infinity();
     for (std::size_t e = 0; e + (free ? 0 : 1) < shape.chord.size(); ++e) {
@@ -57,8 +57,8 @@ double lowest(const Plane& shape, bool free) {
 
 struct Solved {
     Plane shape;
-    bool below = false;  ///< An end lies under the seabed.
-    bool dips = false;   ///< Something else lies under it, for want of a better shape.
+    bool below = false;  ///< true if an end lies under the seabed
+    bool dips = false;   ///< true if another node lies under it because no better shape was found
 };
 
 Solved solve(const CatenaryDef& def, const Chain& chain, const Frame& f) {
@@ -67,7 +67,8 @@ Solved solve(const CatenaryDef& def, const Chain& chain, const Frame& f) {
     if (!def.seabed) return out;
     const double size = chain.total_length() + std::abs(f.z) + std::abs(f.bottom);
     const double first = -f.bottom, last = f.z - f.bottom;
-    // An end may lie as far under the bottom as its element reaches, not steeply.
+    // An end may lie below the bottom by half the length of its element, so that the element is not
+    // steep.
     constexpr double kSunk = 0.5, kDigits = 1e-9;
     out.below = first < -std::max(kSunk * chain.length.front(), kDigits * size) ||
                 (!def.free && last < -std::max(kSunk * chain.length.back(), kDigits * size));
@@ -87,7 +88,8 @@ Solved solve(const CatenaryDef& def, const Chain& chain, const Frame& f) {
     return out;
 }
 
-/// Nodes from chords; what the last digits leave open at the last end goes to all alike.
+/// Compute node positions from chords. Distribute the closing error at the last end evenly over all
+/// elements.
 void place(const CatenaryDef& def, const Chain& chain, const Frame& f, const Plane& shape,
            Catenary& out) {
     const std::size_t n = chain.elements();
@@ -105,14 +107,14 @@ void place(const CatenaryDef& def, const Chain& chain, const Frame& f, const Pla
     if (!def.free) out.nodes[n] = def.to;
 }
 
-/// Tension that an element has by where its ends are.
+/// Return the tension of an element from the positions of its ends [N].
 Vec3 pull(const Chain& chain, const std::vector<Vec3>& nodes, std::size_t e) {
     const Vec3 d = nodes[e + 1] - nodes[e];
     const double length = d.norm(), stretch = length - chain.length[e];
     return stretch > 0.0 ? Vec3(stretch / chain.compliance[e] / length * d) : Vec3::Zero().eval();
 }
 
-/// Largest force left at a node that moves.
+/// Return the largest residual force at a free node [N].
 double residual(const CatenaryDef& def, const Chain& chain, const Frame& f, const Plane& shape,
                 const std::vector<Vec3>& nodes) {
     const std::size_t n = chain.elements();
@@ -137,7 +139,7 @@ double residual(const CatenaryDef& def, const Chain& chain, const Frame& f, cons
     return most;
 }
 
-/// What is allowed to be left: the tolerance, and what the last digits of positions can say.
+/// Return the allowed residual: the tolerance plus the rounding of positions [N].
 double allowed(const CatenaryDef& def, const Chain& chain, const Catenary& shape) {
     double weight = std::abs(chain.half_last), stiffest = 0.0, far = 0.0;
     for (const double w : chain.weight) weight = std::max(weight, std::abs(w));
@@ -148,8 +150,8 @@ double allowed(const CatenaryDef& def, const Chain& chain, const Catenary& shape
     return def.tolerance * weight + 16.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
 }
 
-/// Weights of nodes by the shares of halves that are wet in the shape that they give.
-/// @return whether the iteration ended: a wire that floats may come and go.
+/// Iterate node weights by the wet fractions of half elements in the resulting shape.
+/// @return true if converged; the wet part of a floating wire may alternate.
 bool soak(const CatenaryDef& def, Chain& chain, const Frame& f, Solved& solved) {
     constexpr int kIterations = 60;
     for (int k = 0; k < kIterations; ++k) {
@@ -163,7 +165,7 @@ bool soak(const CatenaryDef& def, Chain& chain, const Frame& f, Solved& solved) 
     return false;
 }
 
-/// A straight line between the ends: where a search of the wet part begins.
+/// Return the straight line between the ends as the first guess of the wet part.
 Plane straight(const CatenaryDef& def, const Chain& chain, const Frame& f) {
     Plane out;
     for (const double l : chain.length)
@@ -172,7 +174,7 @@ Plane straight(const CatenaryDef& def, const Chain& chain, const Frame& f) {
     return out;
 }
 
-/// True if the shape leaves its plane, or elements without tension keep a place of their own.
+/// Return true if slack elements between two ends leave the shape undetermined.
 bool stays_slack(const CatenaryDef& def, const Plane& shape) { return !def.free && shape.slack; }
 
 }  // namespace
@@ -224,7 +226,7 @@ Catenary catenary(const CatenaryDef& def) {
             solved.dips = false;
             wire::place(def, chain, frame, solved.shape, out);
         } else {
-            std::fill(chain.bend.begin(), chain.bend.end(), 0.0);  // as without bending
+            std::fill(chain.bend.begin(), chain.bend.end(), 0.0);  // without bending stiffness
         }
     }
     out.pull_from = wire::pull(chain, out.nodes, 0);

@@ -45,7 +45,7 @@ void check_rest(const CatenaryDef& def) {
         refuse_wire("the friction of its seabed must be 0 or more");
 }
 
-/// Material coordinates of all nodes.
+/// Return the material coordinates of all nodes.
 std::vector<double> coordinates(const CatenaryDef& def, double total) {
     std::vector<double> out{0.0};
     if (def.nodes.empty()) {
@@ -88,7 +88,7 @@ Chain make_chain(const CatenaryDef& def) {
     out.diameter.assign(n, 0.0);
     out.bend.assign(n + 1, 0.0);
     std::size_t part = 0;
-    double end = def.sections[0].length;   // of the section
+    double end = def.sections[0].length;   // end of the section
     std::vector<double> heavy(n, 0.0);     // weight of the elements
     std::vector<double> flexible(n, 0.0);  // length over EI
     for (std::size_t e = 0; e < n; ++e) {
@@ -191,7 +191,7 @@ std::vector<Vec3> arc(std::span<const double> lengths, double chord) {
     }
     const Vec3 sum = bend(turn);
     const double size = sum.norm();
-    // Turned into the x axis; shortened where elements of unequal length cannot close.
+    // Rotate into the x axis. Shorten the chords if elements of unequal length cannot close.
     const double scale = size > chord ? chord / size : 1.0;
     const double c = size > 0.0 ? sum.x() / size : 1.0, s = size > 0.0 ? sum.y() / size : 0.0;
     for (Vec3& d : out) d = scale * Vec3(c * d.x() + s * d.y(), c * d.y() - s * d.x(), 0.0);

@@ -16,9 +16,10 @@
 namespace hawser::wire {
 namespace {
 
-/// Of an element: nearer to its ends the ring is not put, since a part of no length is a rigid one.
+/// Fraction of an element at its ends in which the ring is not placed. A part of almost no length
+/// would be rigid.
 constexpr double kFromEnd = 0.06;
-constexpr std::int32_t kTryAgain = 15;  ///< Steps, where a wire was refused.
+constexpr std::int32_t kTryAgain = 15;  ///< Steps until the next try after a wire was rejected.
 
 std::unique_ptr<GuideSystem> no_guide(const ChaserDef& def) {
     GuideDef guide;
@@ -52,7 +53,7 @@ void ChaserSystem::check_state(const World& world, StateRules& rules) const {
     rules.require(wait_ >= 0 && wait_ <= kTryAgain, "the wait of the chaser is out of range");
     rules.range(arrived_, 0.0, 2.0, "there is no such end of the wire");
     if (!is(ChaserState::on)) return;
-    // A wire that was taken away is let go before the next step.
+    // A removed wire is released before the next step.
     const Guide& ids = guide_->ids();
     if (world.alive(ids.slide) && world.alive(ids.before) && world.alive(ids.behind) &&
         world.alive(ids.friction))
@@ -78,7 +79,8 @@ void ChaserSystem::holds(HoldTable& table) const {
     if (is(ChaserState::on)) guide_->holds(table);
 }
 
-/// Of wires that are not made fast to the ring, where nodes can run through.
+/// Find the nearest point of wires that are not fastened to the ring, on elements whose nodes can
+/// run through.
 PlaceOnWire ChaserSystem::nearest(const World& world) const {
     const auto loose = [&](WireId wire) {
         const auto nodes = world.nodes(wire);
@@ -88,7 +90,8 @@ PlaceOnWire ChaserSystem::nearest(const World& world) const {
                          [](const InteractionDef& d) { return d.get("mass") > 0.0; });
 }
 
-/// The eye is where the wire passes: nothing is pulled to it.
+/// Close the ring on the nearest wire. The eye is where the wire passes, so the wire is not pulled
+/// to it.
 void ChaserSystem::take(NodeEdits& nodes) {
     const World& world = nodes.world;
     if (wait_ > 0) {
@@ -127,12 +130,12 @@ void ChaserSystem::let_go(NodeEdits& nodes) {
     if (guide_->parted()) return;
     const InteractionDef element = lifted_element(nodes.world, *guide_, false);
     value_ = std::max(guide_->tension()[0], guide_->tension()[1]);
-    become(ChaserState::open, Due::let_go);  // it holds nothing of it
+    become(ChaserState::open, Due::let_go);  // the ring holds nothing
     if (!lift_off_guide(nodes, *guide_, element)) return become(ChaserState::on, Due::nothing);
     guide_ = no_guide(def_);
 }
 
-/// Where it is on its wire.
+/// Compute the outputs: position of the ring on its wire, tensions, speed.
 void ChaserSystem::look(const World& world) {
     held_ = at_ = left_ = arrived_ = angle_ = speed_ = tension_[0] = tension_[1] = 0.0;
     shown_ = state_;
@@ -179,13 +182,13 @@ void ChaserSystem::before_step(NodeEdits& nodes) noexcept {
     } catch (const std::bad_alloc&) {
         nodes.out_of_memory();
     } catch (const std::exception&) {
-        due_ = 0;  // without memory: it looks anew before the next step
+        due_ = 0;  // out of memory: retried before the next step
     }
 }
 
 void ChaserSystem::tell(Prestep& now) noexcept {
     constexpr EventKind kKinds[] = {EventKind::join, EventKind::missed, EventKind::detach};
-    // A state that was tampered with may say anything.
+    // A modified state may contain any number.
     if (due_ > 0 && due_ <= 3) now.tell(kKinds[due_ - 1], def_.body, value_);
     due_ = 0;
     const auto end = static_cast<std::int32_t>(arrived_);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file chaser_system.h
-/// What a chaser does before each step begins (hawser/chaser.h): the wire in it is that of a guide
-/// on the ring, which comes and goes.
+/// System of a chaser (hawser/chaser.h): closes on a wire and releases it before a step. The wire
+/// in the ring runs over a guide on the ring, which exists while the ring is closed.
 
 #include <hawser/chaser.h>
 #include <hawser/system.h>
@@ -35,7 +35,7 @@ class ChaserSystem final : public System {
     }
 
   private:
-    /// Of what there is to tell, in the next prestep.
+    /// Event that the next prestep reports.
     enum class Due : std::int32_t { nothing, taken, missed, let_go };
 
     [[nodiscard]] bool is(ChaserState state) const noexcept {
@@ -55,10 +55,10 @@ class ChaserSystem final : public System {
     // State.
     std::unique_ptr<GuideSystem> guide_;
     double close_ = 0.0;
-    double value_ = 0.0;  ///< Of what is due.
+    double value_ = 0.0;  ///< Value of the due event.
     std::int32_t state_ = 0, due_ = 0;
-    std::int32_t reached_ = 0;  ///< End of which it has told.
-    std::int32_t wait_ = 0;     ///< Steps until it tries again.
+    std::int32_t reached_ = 0;  ///< End that was reported.
+    std::int32_t wait_ = 0;     ///< Steps until the next try.
     // Outputs.
     double shown_ = 0.0, held_ = 0.0, at_ = 0.0, left_ = 0.0, arrived_ = 0.0, angle_ = 0.0;
     double speed_ = 0.0;

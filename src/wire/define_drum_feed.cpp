@@ -16,7 +16,8 @@ namespace {
     throw DefError("drum feed '" + def.name + "': " + why);
 }
 
-/// Return the element of the wire's end that lies on a drum. @throws DefError
+/// Return the element of the wire's end that lies on a drum.
+/// @throws DefError
 InteractionId element_on_drum(const World& world, const DrumFeedDef& def) {
     if (!world.alive(def.wire)) refuse_feed(def, "the wire does not exist");
     if (def.end != 0 && def.end != 1) refuse_feed(def, "end must be 0, the first one, or 1");

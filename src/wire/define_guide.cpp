@@ -21,7 +21,7 @@ namespace {
     throw DefError("guide '" + def.name + "': " + why);
 }
 
-/// Distance of a point from what is between two others [m].
+/// Return the distance of a point from the segment between two others [m].
 double apart(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 d = b - a;
     const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
@@ -43,7 +43,7 @@ InteractionId nearest_element(const World& world, const GuideDef& def) {
         best = id;
     }
     if (!best.valid()) refuse(def, "no element of its wire is whole and without a drum or guide");
-    // Another one would be pulled to it from there.
+    // An element at another guide would be pulled to this one.
     constexpr double kSame = 1e-3;
     if (guided < least - kSame)
         refuse(def,
@@ -52,7 +52,8 @@ InteractionId nearest_element(const World& world, const GuideDef& def) {
     return best;
 }
 
-/// The elements that have its slide already. @throws DefError
+/// Return the elements that already have its slide.
+/// @throws DefError
 Guide guide_there_is(const World& world, const GuideDef& def) {
     Guide out;
     out.slide = def.slide;
@@ -71,14 +72,15 @@ Guide guide_there_is(const World& world, const GuideDef& def) {
     return out;
 }
 
-/// Nodes that run through must have somewhere to come from and to go to. @throws DefError
+/// Check that elements on both sides are long enough for nodes to run through.
+/// @throws DefError
 void check_room(const World& world, const GuideDef& def, InteractionId before, InteractionId behind,
                 const std::array<double, 2>& material) {
     if (!(def.element_length > 0.0)) return;
     const auto elements = world.elements(def.wire);
     const auto length = [&](InteractionId id) { return world.interaction_def(id).get("length"); };
     constexpr double kRoom = 2.0, kRounding = 1e-6;
-    // Beside another guide elements are as short as it takes (room.h); a drum makes its own.
+    // Beside another guide elements are shortened as needed (room.h). A drum creates its own.
     constexpr double kLeast = 0.2;
     for (const int way : {-1, 1}) {
         auto at = std::find(elements.begin(), elements.end(), way < 0 ? before : behind);
@@ -130,11 +132,13 @@ void check(World& world, const GuideDef& def) {
 ///
 /// The wire turns about +axis n. With its direction u it touches the wheel on the side s = u × n of
 /// the centre c:
-/// - A wire that is drawn with a turn about n, or against it, tells the side by that: u₁ × u₂ · n
-///   of the elements before and behind.
-/// - A wire that is drawn straight passes the centre at the offset o = (p − c)·s, p on the element:
-///   o ≈ +R as the radius says, o ≈ −R on the other side.
-/// Beyond two radii neither counts: the wire is led to the guide from elsewhere. @throws DefError
+/// - A wire drawn with a turn about n, or against it, shows the side by u₁ × u₂ · n of the elements
+///   before and behind.
+/// - A wire drawn straight passes the centre at the offset o = (p − c)·s, p on the element: o ≈ +R
+///   for the side of the radius, o ≈ −R for the other side.
+///
+/// Beyond two radii neither test applies, because the wire is led to the guide from elsewhere.
+/// @throws DefError
 void check_place(const GuideDef& def, const InteractionDef& element, const RouteBodies& bodies,
                  const DrawnWire& drawn) {
     const auto in_world = [&](std::size_t end) -> Vec3 {
@@ -175,7 +179,7 @@ GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double 
     RoutePlan plan;
     try {
         out.slide = route_slides(route, bodies).front();
-        // Bodies are numbered by the caller.
+        // The caller numbers the bodies.
         plan = plan_route(route, bodies, std::array<BodyId, 1>{BodyId{0}});
     } catch (const DefError& error) {
         refuse(def, wire::without_route(error.what()));
@@ -193,7 +197,7 @@ GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double 
         const std::size_t side = part == &out.before ? 0 : 1;
         out.material[side] = part->get("length");
         part->set("tension_only", element.get("tension_only"));
-        // It follows the length, as do shares of critical damping.
+        // The default compliance follows from the length, and the damping time scales with it.
         part->compliance[0] = kDefault;
         part->damping_time[0] = element.damping_time[0] * out.material[side] / whole;
     }

@@ -12,12 +12,12 @@
 namespace hawser {
 namespace {
 
-/// Pitch of a link [m].
+/// Return the pitch of a link [m].
 double pitch_of(const WinchDef& def) noexcept {
     return std::isnan(def.gypsy.pitch) ? 4.0 * def.wire_diameter : def.gypsy.pitch;
 }
 
-/// Chain that moves with the wheel [m].
+/// Return the length of chain that moves with the wheel [m].
 double moving_chain(const WinchDef& def) noexcept {
     return def.gypsy.wrap * gypsy_radius(def) + def.gypsy.locker_fall;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file define_gypsy.h
-/// From the definition of a gypsy to its chain, its grip and its bitter end.
+/// Chain, grip and bitter end from the definition of a gypsy.
 
 #include <hawser/winch.h>
 
@@ -9,13 +9,15 @@
 
 namespace hawser::wire {
 
-/// Whether it is a gypsy, no drum.
+/// Return true if the winch is a gypsy instead of a drum.
 [[nodiscard]] inline bool is_gypsy(const WinchDef& def) noexcept { return def.gypsy.pockets != 0; }
 
-/// A gypsy with what was left out. @throws DefError
+/// Return the gypsy with defaults filled in.
+/// @throws DefError
 [[nodiscard]] GypsyWheel gypsy_of(const WinchDef& def);
 
-/// The grip and the bitter end, where wheel and chain are there. @throws DefError
+/// Add the grip and the bitter end. Wheel and chain must exist.
+/// @throws DefError
 void add_gypsy_parts(World& world, const WinchDef& def, const GypsyWheel& wheel, WinchIds& ids);
 
 }  // namespace hawser::wire

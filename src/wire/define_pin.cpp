@@ -18,7 +18,7 @@ namespace hawser {
 namespace wire {
 
 namespace {
-constexpr double kThere = 1e-3;  ///< So near to where it is wanted it stands [m].
+constexpr double kThere = 1e-3;  ///< Distance from the target at which the pin stands [m].
 }
 
 void PinSystem::visit_state(StateVisitor& v) {
@@ -50,7 +50,8 @@ void PinSystem::prestep(Prestep& now, Loads&) noexcept {
 
 namespace {
 
-constexpr double kPlay = 0.01;  ///< Of a pin between its stops, beyond where the motor goes [m].
+/// Play of a pin beyond the range of its motor, between its stops [m].
+constexpr double kPlay = 0.01;
 
 [[noreturn]] void refuse(const PinDef& def, const std::string& why) {
     throw DefError("pin '" + def.name + "': " + why);
@@ -118,7 +119,7 @@ BodyId define(World& world, const PinDef& def) {
         slide.point = world.pose(body).position;
         slide.axis = world.pose(body).orientation * Vec3::UnitZ();
         slide.coordinate = def.up ? 0.0 : -length;
-        // Wire that runs up or down along it must not carry it beyond its housing.
+        // Wire that runs along the pin must not move it beyond its housing.
         slide.limit = AxisLimit{.min = -length - kPlay, .max = kPlay};
         slide.motor = AxisMotor{.force_min = -def.force, .force_max = def.force};
         const JointIds joint = world.add(slide);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From the definition of a resolution to its system.
+/// System of a resolution from its definition.
 #include <hawser/resolution.h>
 #include <hawser/world.h>
 
@@ -20,7 +20,8 @@ namespace {
     throw DefError("resolution '" + def.name + "': " + what);
 }
 
-/// Of masses a length, up to which elements are of one line type: edits change their rest lengths.
+/// Relative difference of masses per length up to which elements are of one line type. Edits change
+/// their rest lengths.
 constexpr double kSameLine = 0.05;
 
 void check_number(const ResolutionDef& def, const char* what, double value, double least,
@@ -30,8 +31,8 @@ void check_number(const ResolutionDef& def, const char* what, double value, doub
                         number(most));
 }
 
-/// What a wire's Stretch elements are made of, by line type; empty: none has a mass. Elements of
-/// one EA whose masses a length differ by more than rounding are of two.
+/// Return the line types of a wire's Stretch elements; empty: no element has a mass. Elements of
+/// one EA are of two types if their masses per length differ by more than rounding.
 std::vector<wire::WireResolution::Line> lines_of(const World& world, WireId wire) {
     struct Sum {
         double EA, mass, length;
@@ -58,7 +59,7 @@ std::vector<wire::WireResolution::Line> lines_of(const World& world, WireId wire
     return out;
 }
 
-/// Of the element that a drum pays out [m]; 0: no drum does.
+/// Return the length of the element that a drum pays out [m]; 0: no drum.
 double length_at_drum(const World& world, WireId wire) {
     const auto elements = world.elements(wire);
     for (const InteractionId id : {elements.front(), elements.back()}) {
@@ -94,7 +95,7 @@ void check_numbers(const ResolutionDef& def) {
                         number(2.0 * def.min_length));
 }
 
-/// A bound in some place is 0 or within the limits.
+/// Check that a local bound is 0 or within the limits.
 void check_bound(const ResolutionDef& def, const char* what, double value) {
     if (value == 0.0) return;
     if (!(value >= def.min_length && value <= def.max_length))

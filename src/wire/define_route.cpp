@@ -20,28 +20,29 @@ using wire::check;
 using wire::refuse;
 
 constexpr double kPi = 3.14159265358979323846;
-/// Mass of a slide over that of the lightest body that the line pulls at: far from both, what it
-/// takes to speed it up and what rounding leaves.
+/// Ratio of a slide's mass to that of the lightest body that the line pulls. It is far from two
+/// limits: the force that accelerates the slide, and rounding.
 constexpr double kSlideMass = 1e-6;
 
-/// An end or a place, as the line lies.
+/// An end or place of the line.
 struct Corner {
     BodyId body{}, slide{};
     Vec3 point = Vec3::Zero();  ///< In the body's frame.
     Vec3 axis = Vec3::UnitY();  ///< In the body's frame.
-    double radius = 0.0;        ///< Signed.
-    double out = 0.0;           ///< Length that comes to the part behind per unit of slide.
+    double radius = 0.0;        ///< Signed [m].
+    double out = 0.0;           ///< Length that the part behind gains per unit of slide.
     Vec3 centre = Vec3::Zero(), normal = Vec3::UnitY();  ///< World frame.
-    Quat orientation = Quat::Identity();                 ///< Of the body.
+    Quat orientation = Quat::Identity();                 ///< Orientation of the body.
 };
 
-/// The straight part between two corners: its ends, and its direction.
+/// The straight part between two corners: its ends and direction.
 struct Straight {
     Vec3 from, to, along;
     double length;
 };
 
-/// Two wheels whose axes are not parallel. @param s  In: about how the line lies.
+/// Correct the tangent between two wheels with axes that are not parallel.
+/// @param s  In: approximate line.
 void leave_own_planes(const Corner& a, const Corner& b, Straight& s) {
     const auto small = [](const Vec3& v) { return generic::V3{v.x(), v.y(), v.z()}; };
     const generic::V3 axes[2] = {small(a.normal), small(b.normal)};
@@ -54,7 +55,7 @@ void leave_own_planes(const Corner& a, const Corner& b, Straight& s) {
     s.to = b.centre + b.radius * Vec3(q[1].x, q[1].y, q[1].z);
 }
 
-/// As model/kinds/routes.h has it.
+/// Return the straight part between two corners, by the formulas of model/kinds/routes.h.
 Straight straight_between(const RouteDef& def, const Corner& a, const Corner& b) {
     const Vec3 d = b.centre - a.centre;
     Straight s{a.centre, b.centre, Vec3::UnitX(), 0.0};
@@ -78,7 +79,7 @@ Straight straight_between(const RouteDef& def, const Corner& a, const Corner& b)
     return s;
 }
 
-/// Angle by which the line turns at a corner [rad].
+/// Return the angle by which the line turns at a corner [rad].
 double turned(const Corner& c, const RoutePlace& place, const Vec3& before, const Vec3& behind) {
     double angle = std::atan2(before.cross(behind).norm(), before.dot(behind));
     if (c.radius != 0.0) {
@@ -90,7 +91,7 @@ double turned(const Corner& c, const RoutePlace& place, const Vec3& before, cons
     return angle + 2.0 * kPi * place.turns;
 }
 
-/// Frame whose z is the wheel's axis and whose x points to where the line touches it.
+/// Return the frame with z along the wheel's axis and x to the point where the line touches it.
 Quat frame_at(const Quat& orientation, const Corner& c, const Vec3& touches) {
     const Vec3 z = orientation.conjugate() * c.normal;
     Vec3 x = orientation.conjugate() * (touches - c.centre);
@@ -137,7 +138,7 @@ std::string part_name(const RouteDef& def, const char* what, std::size_t i) {
     return def.name.empty() ? std::string() : def.name + "/" + what + std::to_string(i + 1);
 }
 
-/// How much lies on each place [m], and the angles there.
+/// Compute the length of line on each place [m], and the angles there.
 std::vector<double> arcs_of(const RouteDef& def, const std::vector<Corner>& corners,
                             const std::vector<Straight>& straight, std::vector<double>& angles) {
     std::vector<double> arcs;
@@ -150,9 +151,10 @@ std::vector<double> arcs_of(const RouteDef& def, const std::vector<Corner>& corn
     return arcs;
 }
 
-/// A part between two corners. @param lies  Its length as it lies, with its halves of what lies on
-/// the places at its ends [m]. @param own  The same without tension. @param to_end  Behind it the
-/// line ends.
+/// Return the interaction of a part between two corners.
+/// @param lies  Stretched length with half of the arcs at its ends [m].
+/// @param own  Its length without tension [m].
+/// @param to_end  True if the line ends behind the part.
 InteractionDef part_between(const RouteDef& def, const Corner& a, const Corner& b,
                             const Straight& straight, double lies, double own, bool to_end) {
     InteractionDef d;
@@ -189,7 +191,7 @@ InteractionDef part_between(const RouteDef& def, const Corner& a, const Corner& 
     d.body[3] = b.slide;
     d.set("slide_0", a.out).set("slide_1", to_b);
     d.set("wheel_0", a.radius).set("wheel_1", b.radius);
-    // Of what lies on the places, its path has only how that changes.
+    // The path of the interaction contains only changes of the arcs.
     d.set("length", own - (lies - straight.length));
     d.compliance[0] = own / def.EA;
     return d;
@@ -204,12 +206,12 @@ RouteBodies bodies_of(const World& world, const RouteDef& def) {
     };
 }
 
-/// Mass of a slide in units of the lightest body.
+/// Return the mass of a slide in units of the lightest body.
 ///
-/// The speed of a sliding place is a difference of tensions over its mass, so that its rounding is
-/// ε T/m. With much friction the tensions T₁ ≪ T₂ of a place differ by up to e^{μδ}, and the slide
-/// of a light end would move by the rounding of the heavy one: from 10⁴ on it gets as much more
-/// mass, up to a thousandth of the lightest body.
+/// The acceleration of a slide is a difference of tensions over its mass, so its rounding is ε T/m.
+/// With much friction the tensions T₁ ≪ T₂ at a place differ by up to e^{μδ}, and rounding of the
+/// heavy end would move the slide of the light end. So the mass grows in proportion from a ratio of
+/// 10⁴ on, up to a thousandth of the lightest body.
 double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightest,
                   double heaviest) {
     constexpr double kRatio = 1e4, kMost = 1e-3;
@@ -261,7 +263,7 @@ RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
         straight.push_back(straight_between(def, corners[i], corners[i + 1]));
     RoutePlan out;
     const std::vector<double> arcs = arcs_of(def, corners, straight, out.angles);
-    // Half of what lies on a place belongs to the part before it, half to the one behind.
+    // Half of each arc belongs to the part before it, half to the part behind.
     double path = 0.0;
     std::vector<double> lies;
     for (std::size_t i = 0; i < straight.size(); ++i) {
@@ -284,7 +286,7 @@ RoutePlan plan_route(const RouteDef& def, const RouteBodies& bodies,
         const double rubs = p.friction * out.angles[i] - std::log(p.efficiency);
         if (rubs == 0.0) continue;
         InteractionDef f;
-        // An angle that is given is not that of now.
+        // A given angle need not equal the current one.
         const bool follows = std::isnan(p.angle);
         f.kind = follows ? InteractionKind::LineFriction : InteractionKind::ScalarFriction;
         f.name = part_name(def, "friction", i);
@@ -310,7 +312,7 @@ void stop_ends(World& world, const std::string& name, std::vector<InteractionId>
 
 namespace {
 
-/// Stop the ends of a route that are made fast to bodies; the first free name is taken.
+/// Add stops to the ends of a route that are fastened to bodies, under the first free name.
 void add_end_stops(World& world, const RouteDef& def, const Route& route) {
     std::vector<InteractionId> ends;
     for (const InteractionId id : route.parts)
@@ -341,7 +343,7 @@ Route define(World& world, const RouteDef& def) {
         out.angles = std::move(plan.angles);
         add_end_stops(world, def, out);
     } catch (...) {
-        // With the slides goes all that hangs on them.
+        // Removing the slides removes everything attached to them.
         for (const BodyId id : out.slides) world.remove_body(id);
         throw;
     }

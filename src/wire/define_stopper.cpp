@@ -42,7 +42,7 @@ void check(World& world, const StopperDef& def) {
                         " m; give 0 for a jaw, 0.05 to 10 for a chain stopper");
 }
 
-/// Two that are closed at the start would hold one node, each with all of its load.
+/// Check that no other closed stopper holds the same node. Each would carry its full load.
 void check_others(World& world, const StopperDef& def) {
     if (!def.closed) return;
     const auto claim = wire::StopperSystem(def).claim(world);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From the definition of a winch to its drum, element, motor, brake and system.
+/// Drum, element, motor, brake and system from the definition of a winch.
 #include <hawser/lines.h>
 #include <hawser/winch.h>
 #include <hawser/world.h>
@@ -49,7 +49,8 @@ void check_numbers(const WinchDef& def) {
         refuse(def, "brake_dynamic is above brake_static: a band that slips holds no more");
 }
 
-/// What fits on the drum. @throws DefError where that is less than what is to be there.
+/// Return the geometry of the drum.
+/// @throws DefError if its capacity is less than the stored length.
 wire::DrumGeometry drum_of(const WinchDef& def) {
     constexpr double kLeast = 2.5;  // radius over diameter of the wire
     check_number(def, "core_radius", def.core_radius, 0.0, true);
@@ -79,7 +80,7 @@ wire::DrumGeometry drum_of(const WinchDef& def) {
     }
     if (drum.layers() < 1)
         refuse(def, "flange_radius = " + number(def.flange_radius) + " m: no layer fits below it");
-    // Drums usually keep as many as the default; a short wire may have less than that.
+    // Drums usually keep the default number. A short wire may have less.
     const WinchDef usual;
     if (const double wraps = drum.place(def.stored).wraps;
         def.dead_wraps > usual.dead_wraps && def.dead_wraps > wraps)
@@ -93,7 +94,8 @@ wire::DrumGeometry drum_of(const WinchDef& def) {
     return drum;
 }
 
-/// A scalar body that is there has to have the inertia that the winch says. @throws DefError
+/// Check that an existing scalar body has the inertia of the winch.
+/// @throws DefError
 void check_scalar(const World& world, const WinchDef& def, BodyId body, const char* what,
                   double inertia) {
     if (!world.alive(body) || world.body_def(body).kind != BodyKind::scalar)
@@ -104,7 +106,8 @@ void check_scalar(const World& world, const WinchDef& def, BodyId body, const ch
                         number(mass) + "; give the same");
 }
 
-/// The element by which a drum that there is pays out the wire's end. @throws DefError
+/// Return the element by which an existing drum pays out the wire's end.
+/// @throws DefError
 InteractionId wound_end(const World& world, const WinchDef& def) {
     check_scalar(world, def, def.drum, "drum", def.inertia);
     if (is_gypsy(def)) check_scalar(world, def, def.chain, "chain", gypsy_chain_inertia(def));
@@ -118,11 +121,12 @@ InteractionId wound_end(const World& world, const WinchDef& def) {
     return id;
 }
 
-/// Length of the elements that it pays out [m]; 0: it makes no nodes. @throws DefError
+/// Return the length of the elements that it pays out [m]; 0: it makes no nodes.
+/// @throws DefError
 double element_of(const World& world, const WinchDef& def) {
     const auto elements = world.elements(def.wire);
     const InteractionId at_drum = def.end == 0 ? elements.front() : elements.back();
-    double mass = 0.0;  // of an element that has some of its own
+    double mass = 0.0;  // of an element with own mass
     for (const InteractionId id : elements)
         if (world.alive(id) && !kind_info(world.interaction_def(id).kind).is(kWoundUp))
             mass = std::max(mass, world.interaction_def(id).get("mass"));
@@ -135,7 +139,7 @@ double element_of(const World& world, const WinchDef& def) {
                         " m, and would make as many nodes; give the length of an element, or 0 "
                         "for one that grows");
     const bool wound = kind_info(world.interaction_def(at_drum).kind).is(kWoundUp);
-    const bool single = wound && elements.size() == 1;  // of which all is the drum's
+    const bool single = wound && elements.size() == 1;  // the drum's element is the whole wire
     if ((!(mass > 0.0) && !(asked && single)) || !(def.mass_per_length > 0.0)) {
         if (!asked) return 0.0;
         refuse(def, mass > 0.0 || single
@@ -150,7 +154,7 @@ double element_of(const World& world, const WinchDef& def) {
     return asked ? def.element : world.interaction_def(at_drum).get("length");
 }
 
-/// What the system drives, of which of its parts, and how that is called.
+/// An input that the system drives: its field, the interaction, its parameter and its name.
 struct Driven {
     InputId wire::WinchInputs::* input;
     InteractionId WinchIds::* of;
@@ -167,7 +171,7 @@ constexpr Driven kDriven[] = {
     {&wire::WinchInputs::length, &WinchIds::line, "length", "/length"},
     {&wire::WinchInputs::drum_zero, &WinchIds::line, "drum_zero", "/drum_zero"}};
 
-/// Of a gypsy beside these.
+/// Further inputs of a gypsy.
 constexpr Driven kDrivenOfGypsies[] = {
     {&wire::WinchInputs::grip_speed, &WinchIds::grip, "speed", "/grip/speed"},
     {&wire::WinchInputs::grip_low, &WinchIds::grip, "force_min", "/grip/force_min"},
@@ -198,7 +202,8 @@ void check_names(const World& world, const WinchDef& def) {
     for (const Driven& d : of_gypsy(def)) check(d);
 }
 
-/// Drum, and the chain on a gypsy, where there are none. @throws DefError
+/// Add the drum, and the chain of a gypsy.
+/// @throws DefError
 void add_wheel(World& world, const WinchDef& def, WinchIds& ids) {
     ids.drum = world.add_body({.name = def.name + "/drum",
                                .kind = BodyKind::scalar,

@@ -3,13 +3,13 @@
 /// @file drum_feed_system.h
 /// System of a bare drum that feeds a wire (hawser/drum_feed.h).
 ///
-/// The element at the drum holds the material a [m]:
+/// The element at the drum contains the material a [m]:
 /// ```
 ///     a₊ = a + r Δθ      put_node(): a − f,   take_node(): a + f      (feed.h)
 /// ```
-/// The rest length of the element is at its bound when l₀ + r (θ − θ₀) ≤ ε l₀ (kinds/lines.h). The
-/// event `hauled_in` is reported in the first step that begins there. The step before is known from
-/// the velocity of the drum, so that the event needs no state.
+/// The rest length of the element is at its bound if l₀ + r (θ − θ₀) ≤ ε l₀ (kinds/lines.h). The
+/// event `hauled_in` is reported in the first step that begins there. The velocity of the drum
+/// gives the previous position, so the event needs no state.
 
 #include <hawser/drum_feed.h>
 #include <hawser/system.h>
@@ -21,7 +21,9 @@ namespace hawser::wire {
 
 class DrumFeedSystem final : public System {
   public:
-    /// @param line  Element at the drum. @param material  Its unstretched length [m].
+    /// Create the system.
+    /// @param line  Element at the drum.
+    /// @param material  Its unstretched length [m].
     DrumFeedSystem(DrumFeedDef def, InteractionId line, double material, double angle);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }

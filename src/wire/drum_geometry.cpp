@@ -9,10 +9,10 @@
 namespace hawser::wire {
 namespace {
 
-/// Of a quotient that is a whole number but for rounding.
+/// Tolerance of a quotient that is a whole number except for rounding.
 constexpr double kRounding = 1e-9;
 
-/// A quotient as a whole number up to the most layers or wraps; NaN is 0.
+/// Return a quotient as a whole number, at most the largest count of layers or wraps; NaN gives 0.
 int whole_part(double quotient) noexcept {
     const double whole = std::floor(quotient + kRounding);
     return whole >= 0.0 ? static_cast<int>(std::min(whole, 1.0 * DrumGeometry::kMostLayers)) : 0;
@@ -40,9 +40,9 @@ double DrumGeometry::length_of(int layers) const noexcept {
 DrumGeometry::Place DrumGeometry::place(double length) const noexcept {
     Place out{.radius = radius(1)};
     const double n = wraps_a_layer();
-    // A length that no drum holds, and NaN, end in the last layer or at the first.
+    // A length above any capacity ends in the last layer. NaN ends in the first.
     const double l = length > 0.0 ? std::min(length, length_of(kMostLayers)) : 0.0;
-    // The larger root of S(K) = l, and then the whole number that rounding may have missed.
+    // Take the larger root of S(K) = l and correct the whole number for rounding.
     const double a = 0.5 * layer_pitch, b = radius(1) - a, c = l / (kTurn * n);
     const double root = 2.0 * c / (b + std::sqrt(b * b + 4.0 * a * c));
     out.layer = root > 1.0 ? static_cast<int>(std::min(std::ceil(root), 1.0 * kMostLayers)) : 1;
@@ -51,7 +51,7 @@ DrumGeometry::Place DrumGeometry::place(double length) const noexcept {
     out.radius = radius(out.layer);
     const double here = (l - length_of(out.layer - 1)) / (kTurn * out.radius);
     out.wraps = (out.layer - 1) * n + here;
-    // Layers are laid there and back, between the middles of the first and the last wrap.
+    // Layers are wound back and forth, between the middles of the first and the last wrap.
     const double way = std::min(here / n, 1.0) * (width - wire_diameter);
     const double from_flange = out.layer % 2 == 1 ? way : width - wire_diameter - way;
     out.across = from_flange - 0.5 * (width - wire_diameter);
@@ -62,7 +62,7 @@ double DrumGeometry::leaving_radius(double length) const noexcept {
     const Place at = place(length);
     const double here = length - length_of(at.layer - 1),
                  whole = kTurn * at.radius * wraps_a_layer();
-    // Half of the wire of a wrap between both layers; of a narrow drum half of the layer.
+    // Half of the wire of a wrap between both layers; for a narrow drum half of the layer.
     const auto half = [&](int below) {
         const double r = radius(below) + 0.5 * layer_pitch;
         return kTurn * r * std::min(0.5, 0.25 * wraps_a_layer());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file drum_geometry.h
-/// How wire lies on a drum.
+/// Geometry of wire on a drum.
 ///
 /// ```
 ///      flange          layer k turns at r_k = R + d/2 + (k − 1) p
@@ -15,16 +15,17 @@
 /// ```
 ///     S(K) = 2π n Σ r_k = 2π n (K (R + d/2) + p K (K − 1)/2)
 /// ```
-/// and the layer that the length L on the drum ends in is the first K with S(K) ≥ L. A wrap is a
-/// ring of a round wire, of the moment of inertia ρ 2π r (r² + 3 d²/16) about the drum's axis
-/// (a torus: m (r² + ¾ a²), a = d/2), of which the wire on the drum has the sum.
+/// The length L on the drum ends in the first layer K with S(K) ≥ L. A wrap is a ring of round wire
+/// with the moment of inertia ρ 2π r (r² + 3 d²/16) about the drum's axis (a torus: m (r² + ¾ a²),
+/// a = d/2). The wire on the drum has the sum over its wraps.
 ///
-/// At a flange the wire climbs from one layer to the next: over the wire of one wrap, half before
-/// the layer ends and half behind, the radius that it leaves at (leaving_radius()) goes from r_k to
-/// r_{k+1} evenly. The sums above stay, as much of a wrap is below them as above.
+/// At a flange the wire climbs from one layer to the next. Over the wire of one wrap, half before
+/// the end of the layer and half behind, the radius at which it leaves (leaving_radius()) changes
+/// linearly from r_k to r_{k+1}. The sums above remain valid, because the parts above and below
+/// cancel.
 ///
-/// Not part of it: the helix of a wrap, longer than the circle by ½ (d/2πr)² (2e-4 for r = 8 d).
-/// Level wind is ideal: the wire leaves at the wrap that is being laid or taken.
+/// Limits: the helix of a wrap, longer than the circle by ½ (d/2πr)² (2e-4 for r = 8 d), is
+/// neglected. Level wind is ideal: the wire leaves at the wrap that is being laid or taken off.
 
 namespace hawser::wire {
 
@@ -33,39 +34,42 @@ struct DrumGeometry {
     double width = 0.0;          ///< w [m].
     double wire_diameter = 0.0;  ///< d [m].
     double layer_pitch = 0.0;    ///< p [m].
-    double flange_radius = 0.0;  ///< Wire does not stand above it [m].
+    double flange_radius = 0.0;  ///< Largest outer radius of wire [m].
 
-    /// Most layers, and most wraps of a layer, that are counted.
+    /// Upper bound of layers, and of wraps in a layer.
     static constexpr int kMostLayers = 100'000;
 
-    /// Turns side by side in a layer, n.
+    /// Return the number of wraps side by side in a layer, n.
     [[nodiscard]] int wraps_a_layer() const noexcept;
-    /// Layers that fit below the flange.
+    /// Return the number of layers that fit below the flange.
     [[nodiscard]] int layers() const noexcept;
-    /// r_k of layer k, 1 the innermost [m].
+    /// Return r_k of layer k, 1 the innermost [m].
     [[nodiscard]] double radius(int layer) const noexcept;
-    /// Length of wire in K full layers, S(K) [m].
+    /// Return the length of wire in K full layers, S(K) [m].
     [[nodiscard]] double length_of(int layers) const noexcept;
-    /// Length of wire that fits below the flange [m].
+    /// Return the length of wire that fits below the flange [m].
     [[nodiscard]] double capacity() const noexcept { return length_of(layers()); }
 
-    /// Where wire of a length on the drum ends.
+    /// End of a length of wire on the drum.
     struct Place {
-        int layer = 1;        ///< 1 the innermost, also of an empty drum.
-        double radius = 0.0;  ///< r of it [m].
-        double wraps = 0.0;   ///< On the drum, in all.
-        double across = 0.0;  ///< Level wind: along the axis from the middle, −w/2 to w/2 [m].
+        int layer = 1;        ///< 1 the innermost, also for an empty drum.
+        double radius = 0.0;  ///< Radius of the layer [m].
+        double wraps = 0.0;   ///< Total wraps on the drum.
+        /// Position of the level wind along the axis from the middle, −w/2 to w/2 [m].
+        double across = 0.0;
     };
-    /// @param length  [m]; below 0 and NaN as 0, beyond the capacity on further layers, up to
-    /// kMostLayers.
+    /// Find the end of a length of wire.
+    /// @param length  [m]; negative lengths and NaN count as 0. Lengths beyond the capacity fill
+    ///        further layers, up to kMostLayers.
     [[nodiscard]] Place place(double length) const noexcept;
-    /// Radius at which the wire leaves the drum with a length on it [m].
+    /// Return the radius at which the wire leaves the drum with a length on it [m].
     [[nodiscard]] double leaving_radius(double length) const noexcept;
-    /// Angle by which the drum has turned from empty to hold a length [rad].
+    /// Return the angle by which the drum turns from empty to a length [rad].
     [[nodiscard]] double angle(double length) const noexcept;
-    /// Length of wire on the drum when it has turned by an angle from empty [m].
+    /// Return the length of wire on the drum after a turn from empty [m].
     [[nodiscard]] double length(double angle) const noexcept;
-    /// Inertia of the wire on the drum about its axis [kg m²]. @param mass_per_length  [kg/m].
+    /// Return the inertia of the wire on the drum about its axis [kg m²].
+    /// @param mass_per_length  [kg/m].
     [[nodiscard]] double inertia(double length, double mass_per_length) const noexcept;
 };
 

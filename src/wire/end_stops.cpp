@@ -20,7 +20,7 @@ void EndStops::prestep(Prestep& now, Loads& loads) noexcept {
         const double rate = radius * world.velocity(slide).linear.x();
         const double least = kLeast * whole;
         if (rate >= 0.0 || std::min(rest, rest + rate * now.step - least) > least) continue;
-        // The tension of a part that EA stretches by 1 % is the largest that is expected.
+        // The largest expected tension stretches a part by 1 %.
         const double tension = std::max(-world.force(id)[0], kLeast * part.get("EA"));
         const double damping = tension / kCreep;
         loads.add_damping(slide, Eigen::Matrix<double, 1, 1>(damping));

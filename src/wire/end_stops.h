@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file end_stops.h
-/// Ends of lines that stop at the place that they run through (hawser/route.h, stop_ends()).
+/// End stops of lines at the place that they run through (hawser/route.h, stop_ends()).
 ///
 /// ```
 ///     end ●──── part ────(o)═══ line ═══      rest length of the part:  l = l₀ + r (q − q₀)
 ///                       place, slide q
 /// ```
-/// In a step that would end with l + r q̇ h < ε l₀ (ε = 1 %) while the line runs out, the slide gets
-/// the damping D = T/v of the tension T at a speed v of 1e-6 m/s: it stands. Nothing holds it when
-/// it runs back. No state: the condition follows from coordinate and speed of the slide.
+/// If a step would end with l + r q̇ h < ε l₀ (ε = 1 %) while the line runs out, the slide receives
+/// the damping D = T/v. It balances the tension T at the speed v = 1e-6 m/s, so the slide stands.
+/// It runs back freely. There is no state: the condition follows from coordinate and speed of the
+/// slide.
 
 #include <hawser/system.h>
 

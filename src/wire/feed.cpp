@@ -10,9 +10,10 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kAnyBend = 1.6;  ///< A node at a drum goes unless the wire folds.
+/// Bend limit: a node at a drum is removed unless the wire folds.
+constexpr double kAnyBend = 1.6;
 constexpr double kOtherLine =
-    0.2;  ///< By which mass a length differs where no stretch explains it.
+    0.2;  ///< Relative difference of mass per length that no stretch explains.
 
 }  // namespace
 
@@ -71,7 +72,7 @@ void load_element(const World& world, Loads& loads, const ElementAtDrum& element
 bool put_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept {
     const double beyond = feed.element / there, share = feed.ahead ? 1.0 - beyond : beyond;
     const double mass = feed.mass_per_length * there;
-    // By the bits that the world takes.
+    // Use the bits that the world uses.
     const double taken = feed.ahead ? 1.0 - share : share;
     if (!nodes.insert_node(feed.line, share, mass).valid()) return false;
     at -= taken * there;
@@ -91,7 +92,8 @@ bool take_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& at)
     const InteractionDef& beyond = world.interaction_def(next);
     if (kind_info(beyond.kind).is(kWoundUp)) return false;
     const double mass = beyond.get("mass");
-    // Wire of another line type stays outboard: this one's diameter and mass are known here.
+    // Wire of another line type stays outboard, because only the diameter and mass of this one are
+    // known.
     const double line = mass / beyond.get("length");
     if (beyond.get("EA") != world.interaction_def(feed.line).get("EA") ||
         std::abs(line - feed.mass_per_length) > kOtherLine * feed.mass_per_length)
@@ -100,7 +102,7 @@ bool take_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& at)
     const bool to_lump = world.body_def(far).kind == BodyKind::lump;
     const double there = world.body_def(lump).mass + (to_lump ? world.body_def(far).mass : 0.0);
     if (!(mass > 0.0) || !nodes.remove_node(lump, kAnyBend)) return false;
-    // Lumps may have kept some of their halves (edit/node_drum.cpp).
+    // Nodes may have kept some of their halves (step/node_drum.cpp).
     const double given = there - (to_lump ? world.body_def(far).mass : -0.5 * mass);
     constexpr double kRounding = 1e-11;
     at += (std::abs(given - mass) > kRounding * mass ? given : mass) / feed.mass_per_length;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file feed.h
-/// An element whose wire comes from a drum or runs through a guide: nodes that come and go there,
-/// and what acts on its ends.
+/// An element with wire from a drum or through a guide: insertion and removal of nodes, and loads
+/// on its ends.
 ///
 /// ```
 ///     drum or guide ───────── line ───────── node ── wire ──
 ///                    material a [m], no lump has any
 /// ```
-/// Half of the material acts on the node by a load, with its weight, mass and drag, half on what
-/// holds the other end. What feeds it has the weight along the wire, so that the tension there is
-/// that of the element and the weight of half of it.
+/// Half of the material acts on the node by a load with its weight, mass and drag. The other half
+/// acts on the body at the other end. The drum or guide receives the weight along the wire. The
+/// tension there is then that of the element plus the weight of half of it.
 
 #include <hawser/system.h>
 
@@ -18,18 +18,21 @@
 
 namespace hawser::wire {
 
-/// Of the length of what comes, where a node comes and goes.
+/// Relative material length at which a node is inserted or removed.
 inline constexpr double kGrown = 1.5, kShrunk = 0.25;
 
-/// Slot of the element that its first node has. @param fallback  Where neither end is a lump.
+/// Return the slot of the first node in the element.
+/// @param fallback  Slot if neither end is a node.
 [[nodiscard]] std::size_t node_slot(const World& world, InteractionId line, std::size_t fallback);
 
-/// Weight of some of the element's material, by what acts on its node beside forces of interactions
-/// [N]. @param mass  [kg]
+/// Return the weight of some material of the element, from the loads on its node other than
+/// interactions [N].
+/// @param mass  [kg]
 [[nodiscard]] Vec3 weight_at(const World& world, InteractionId line, std::size_t node, double mass);
 
-/// The element's halves act on its ends. @param half  Mass of one [kg]. @param held  Where the end
-/// without a node is held, from the centre of its body, world frame [m].
+/// Load both ends with the element's halves.
+/// @param half  Mass of one half [kg].
+/// @param held  Attachment of the end without a node, from the centre of its body, world frame [m].
 void load_ends(const World& world, Loads& loads, InteractionId line, std::size_t node, double half,
                const Vec3& weight, const Vec3& held);
 
@@ -42,28 +45,30 @@ struct ElementAtDrum {
     double material = 0.0;         ///< Unstretched length of the element [m].
 };
 
-/// Load both ends of the element with half of its mass, weight and drag each, and the drum with the
-/// weight along the wire. @param node  Slot of the element's first node, from node_slot().
+/// Load both ends of the element with half of its mass, weight and drag each. Load the drum with
+/// the weight along the wire.
+/// @param node  Slot of the element's first node, from node_slot().
 void load_element(const World& world, Loads& loads, const ElementAtDrum& element, std::size_t node);
 
-/// Vector from the fairlead to the first node, world frame [m].
+/// Return the vector from the fairlead to the first node, world frame [m].
 [[nodiscard]] Vec3 along_element(const World& world, InteractionId line, std::size_t node);
 
-/// What a node that comes or goes needs to know.
+/// Data for inserting or removing a node.
 struct Feed {
     InteractionId line{};
-    bool ahead = false;            ///< What feeds it is at its first end.
-    double element = 0.0;          ///< Length of what comes [m].
+    bool ahead = false;            ///< True if the drum or guide is at the first end.
+    double element = 0.0;          ///< Length of inserted elements [m].
     double mass_per_length = 0.0;  ///< [kg/m]
 };
 
-/// A node comes on the element. @param at  Its material [m], which gets less by what the node
-/// takes.
-/// @return whether one came.
+/// Insert a node on the element.
+/// @param at  Material of the element [m]; the node reduces it.
+/// @return true if a node was inserted.
 bool put_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept;
 
-/// The element's node goes: `at` grows by the material beyond it. Wire of another line type stays.
-/// @return whether it went.
+/// Remove the node of the element: `at` grows by the material beyond it. Wire of another line type
+/// stays.
+/// @return true if the node was removed.
 bool take_node(NodeEdits& nodes, const Feed& feed, std::size_t node, double& at) noexcept;
 
 }  // namespace hawser::wire

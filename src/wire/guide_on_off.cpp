@@ -11,8 +11,7 @@
 namespace hawser::wire {
 namespace {
 
-/// The element that a wire becomes where it is let go is divided by a node when its material is
-/// longer than this times GuideDef::element_length.
+/// Factor of GuideDef::element_length. A released element with more material is divided by a node.
 constexpr double kLongLifted = 1.5;
 
 }  // namespace
@@ -55,7 +54,8 @@ void GuideSystem::run_off(NodeEdits& nodes) noexcept {
     if (!whole(world)) return;
     const auto ends = [&](std::size_t side) {
         const double length = def_.element_length > 0.0 ? length_[side] : material_[side];
-        // An end that is whipped round leaves straight what has no material any more.
+        // The end of a fast wire may leave the wheel while its straight part still has length but
+        // no material.
         const bool none_left =
             def_.element_length > 0.0 && !(material_[side] > 0.0) && runs_out(side);
         return (none_left || nearly_used_up(world, side)) &&
@@ -63,16 +63,16 @@ void GuideSystem::run_off(NodeEdits& nodes) noexcept {
     };
     if (!ends(0) && !ends(1)) return;
     InteractionDef lifted = lifted_element(world, *this, true);
-    // What lay round the wheel comes off it as well.
+    // The wire on the wheel comes off as well.
     if (const double whole = material_[0] + material_[1];
         def_.element_length > 0.0 && whole > lifted.get("length"))
         lifted.set("length", whole);
-    parted_ = kRunsOff;  // it holds nothing of the wire
+    parted_ = kRunsOff;  // the guide holds no wire any more
     if (!lift_off_guide(nodes, *this, lifted)) {
         parted_ = 0;
         return;
     }
-    tension_.fill(std::max(tension_[0], tension_[1]));  // for what tells of it
+    tension_.fill(std::max(tension_[0], tension_[1]));  // for its report
     angle_ = speed_ = 0.0;
     stopped_ = -1;
 }

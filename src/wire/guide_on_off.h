@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file guide_on_off.h
-/// Guides that come and go while the world runs: what a wire lies on as long as it lies on a post
-/// (hawser/post.h), the eye of a chaser (hawser/chaser.h).
+/// Guides that are added and removed during the run: a wire on a bollard (hawser/post.h), the eye
+/// of a chaser (hawser/chaser.h).
 
 #include "wire/guide_system.h"
 
@@ -10,19 +10,22 @@
 
 namespace hawser::wire {
 
-/// One that no wire lies on. @param def  What is the same for all wires.
+/// Return a guide without a wire.
+/// @param def  Values that hold for all wires.
 [[nodiscard]] std::unique_ptr<GuideSystem> bare_guide(GuideDef def);
 
-/// Lays def.element over a guide. All of its mass is on one side or the other from then on, but for
-/// what lumps keep. @param speed  Of the wire running through, from its first end [m/s].
-/// @return null: it was refused, and nothing has changed. @throws std::bad_alloc, which a step that
-/// is tried again does not meet.
+/// Engage def.element with a guide. All of its mass is on one side or the other from then on,
+/// except the mass that nodes keep.
+/// @param speed  Speed of the wire through the guide, from its first end [m/s].
+/// @return null if it was rejected and nothing has changed.
+/// @throws std::bad_alloc, not again when the step is retried.
 [[nodiscard]] std::unique_ptr<GuideSystem> lay_on_guide(NodeEdits& nodes, GuideDef def,
                                                         double speed);
 
-/// Makes one element of both parts, lifted_element() (lift.h); a long one is divided by a node. The
-/// system that has the guide may not hold the parts any more. @param made  Out, unless null: the
-/// element. @return false: it was refused.
+/// Join both parts to one element, lifted_element() (lift.h). Divide a long one by a node. The
+/// system of the guide must no longer refer to the parts.
+/// @param made  Out, unless null: the element.
+/// @return false if it was rejected.
 [[nodiscard]] bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide,
                                   const InteractionDef& element, InteractionId* made = nullptr);
 

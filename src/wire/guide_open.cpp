@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Guides without an upper roller: the wire leaves where it would pull, and comes back.
+/// Guides without an upper roller: the wire leaves if it would pull at the wheel, and returns.
 ///
 /// *Leaving.* Seen along the axis, the wire turns by α on the wheel; T is its tension, w the weight
-/// of the half elements there towards the wheel. The wheel presses with T α + w for small α. It
-/// would have to pull, and the wire leaves, where α < −kLetGo and T (α + kLetGo) + w < 0, as at a
-/// post.
+/// of the half elements there towards the wheel. The wheel presses with T α + w for small α. If α <
+/// −kLetGo and T (α + kLetGo) + w < 0 it would have to pull, and the wire leaves, as at a bollard.
 ///
-/// *Coming back.* Of each element of the wire take the point nearest to the axis, at the distance d
-/// on the side on which the wire lies on the wheel. The wire is back where d < R:
+/// *Returning.* On each element of the wire find the point nearest to the axis, at the distance d
+/// on the side on which the wire runs on the wheel. The wire has returned if d < R:
 /// ```
 ///         u ►         d: from the centre, along outward = sgn(R) u × axis
 ///     ────┬────
 ///      .-'┆d'-.
 ///     (   c    )
 /// ```
-/// It is laid on where it has come to the wheel within kDeep of an element's length, so that a wire
-/// that passes under the wheel stays there, and beside the guide's point by no more than kBeside R.
-/// A node at the wheel goes first.
+/// It engages if it is within kDeep of an element's length of the wheel, so that a wire that passes
+/// under the wheel stays there. It must also be within kBeside R of the guide's point along the
+/// axis. A node at the wheel is removed first.
 #include "wire/guide_on_off.h"
 #include "wire/lift.h"
 
@@ -30,23 +29,25 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kLetGo = 2e-3;            ///< Angle that does not count [rad].
-constexpr double kDeep = 0.25;             ///< Of the element.
-constexpr double kBeside = 2.0;            ///< Of the radius.
-constexpr double kAtNode = 0.06;           ///< Of an element: its node is at the wheel.
-constexpr double kMostBend = 3.2;          ///< A node at the wheel goes however the wire is bent.
+constexpr double kLetGo = 2e-3;    ///< Angle within rounding of straight [rad].
+constexpr double kDeep = 0.25;     ///< Fraction of the element.
+constexpr double kBeside = 2.0;    ///< Multiple of the radius.
+constexpr double kAtNode = 0.06;   ///< Fraction of an element at its end: its node is at the wheel.
+constexpr double kMostBend = 3.2;  ///< Bend limit: a node at the wheel is removed at any bend.
 constexpr std::int32_t kRefusedWait = 15;  ///< Steps.
 
-/// Where an element passes a wheel.
+/// Point of an element nearest to a wheel.
 struct Passing {
     InteractionId element{};
-    double share = 0.0;   ///< Of the element.
-    double gap = 1e300;   ///< Beyond the wheel's radius, outwards [m].
-    double length = 0.0;  ///< Of the element [m].
-    double beside = 0.0;  ///< From the guide's point, along the axis [m].
+    double share = 0.0;   ///< Fraction along the element.
+    double gap = 1e300;   ///< Distance outside the wheel's surface [m].
+    double length = 0.0;  ///< Length of the element [m].
+    double beside = 0.0;  ///< Distance from the guide's point along the axis [m].
 };
 
-/// @param centre, axis  In the world.
+/// Find the point of an element nearest to the wheel.
+/// @param centre  World frame [m].
+/// @param axis  World frame, unit.
 Passing passing(const World& world, InteractionId id, const GuideDef& def, const Vec3& centre,
                 const Vec3& axis) {
     const std::array<Vec3, 2> ends = world.ends(id);
@@ -59,7 +60,7 @@ Passing passing(const World& world, InteractionId id, const GuideDef& def, const
     return {id, share, at.dot(outward) - std::abs(def.radius), d.norm(), at.dot(axis)};
 }
 
-/// The element of a wire that passes the wheel nearest, seen along its axis; none: invalid.
+/// Find the element of a wire that passes nearest to the wheel, seen along its axis; invalid: none.
 Passing nearest_passing(const World& world, const GuideDef& def, const Vec3& centre,
                         const Vec3& axis) {
     Passing best;
@@ -67,14 +68,14 @@ Passing nearest_passing(const World& world, const GuideDef& def, const Vec3& cen
         if (!world.alive(id) || !world.intact(id)) continue;
         if (kind_info(world.interaction_def(id).kind).is(kWoundUp)) continue;
         const Passing one = passing(world, id, def, centre, axis);
-        // At an end of it another element is nearer, or none passes.
+        // At the end of an element another one is nearer, or none passes.
         if (std::abs(one.beside) > kBeside * std::abs(def.radius)) continue;
         if (!best.element.valid() || std::abs(one.gap) < std::abs(best.gap)) best = one;
     }
     return best;
 }
 
-/// Of the wire past the wheel, along the element [m/s].
+/// Return the speed of the wire past the wheel, along the element [m/s].
 double speed_along(const World& world, const GuideDef& def, const Passing& at) {
     const InteractionDef& d = world.interaction_def(at.element);
     const std::array<Vec3, 2> ends = world.ends(at.element);
@@ -99,7 +100,7 @@ void GuideSystem::lift(NodeEdits& nodes) noexcept {
     if (!(angle_ < -kLetGo && pressing(world, kLetGo) < 0.0)) return;
     const double tension = std::max(tension_[0], tension_[1]);
     const InteractionDef element = lifted_element(world, *this, false);
-    parted_ = kLifted;  // it holds nothing of the wire
+    parted_ = kLifted;  // the guide holds no wire any more
     InteractionId made{};
     if (!lift_off_guide(nodes, *this, element, &made)) {
         parted_ = 0;
@@ -143,7 +144,7 @@ void GuideSystem::come_back(NodeEdits& nodes) noexcept {
     } catch (const std::bad_alloc&) {
         nodes.out_of_memory();
     } catch (const std::exception&) {
-        wait_ = kRefusedWait;  // no memory: the step fails, and this with it
+        wait_ = kRefusedWait;  // out of memory: the step fails as a whole
     }
 }
 

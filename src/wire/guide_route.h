@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file guide_route.h
-/// A guide as a route (hawser/route.h) of one place: the line from end to end of the element that
+/// A guide as a route (hawser/route.h) of one place: the line between the ends of the element that
 /// passes it.
 
 #include <hawser/guide.h>
@@ -15,7 +15,7 @@
 
 namespace hawser::wire {
 
-/// A line from end to end of the element, over the guide.
+/// Return the line between the ends of the element, over the guide.
 inline RouteDef route_of(const GuideDef& def, const InteractionDef& element, double tension) {
     RouteDef out;
     out.EA = element.get("EA");
@@ -34,13 +34,14 @@ inline RouteDef route_of(const GuideDef& def, const InteractionDef& element, dou
     return out;
 }
 
-/// The largest angle by which the wire turns on it: half a turn beyond those asked for [rad].
+/// Return the largest angle by which the wire turns on the guide: half a turn beyond the defined
+/// ones [rad].
 inline double most_angle(const GuideDef& def) {
     const double half = std::acos(-1.0);
     return half * (1.0 + 1e-9) + 2.0 * half * def.turns;
 }
 
-/// Why a wire does not lie on it that would turn by more than most_angle().
+/// Return the message for a wire that would turn by more than most_angle().
 inline std::string too_far_round(const GuideDef& def, const InteractionDef& element, double tension,
                                  const RouteBodies& bodies, double angle) {
     GuideDef other = def;
@@ -61,7 +62,8 @@ inline std::string too_far_round(const GuideDef& def, const InteractionDef& elem
            "nodes of the wire";
 }
 
-/// "route: places/0: radius: …" is what a guide calls "radius: …".
+/// Return the message of a guide from that of its route: "route: places/0: radius: …" becomes
+/// "radius: …".
 inline std::string without_route(const std::string& text) {
     for (const char* lead : {"places/0: ", "route: "})
         if (const auto at = text.find(lead); at != std::string::npos)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A wire slides along the axis of its guide (sideways.h).
+/// Sliding of a wire along the axis of its guide (sideways.h).
 #include <hawser/world.h>
 
 #include "wire/guide_system.h"

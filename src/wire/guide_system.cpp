@@ -15,11 +15,11 @@
 namespace hawser::wire {
 namespace {
 
-/// Slot of the guide in the element before it and in the one behind.
+/// Slot of the guide in the elements before and behind it.
 constexpr std::size_t kPlace[2] = {1, 0};
-/// What comes to the element per unit of the slide.
+/// Change of the elements' material per unit of the slide.
 constexpr double kSign[2] = {-1.0, 1.0};
-/// Of `element_length`: shorter is at the guide.
+/// Fraction of `element_length`: a shorter straight part is at the guide.
 constexpr double kLeast = 0.05;
 constexpr std::int32_t kMostWait = 1000;  ///< Steps.
 
@@ -71,7 +71,7 @@ void GuideSystem::check_state(const World& world, StateRules& rules) const {
 }
 
 void GuideSystem::check_place(const World& world, StateRules& rules) const {
-    if (ran_off()) return;  // nothing of it is used
+    if (ran_off()) return;  // nothing else is used
     const auto lies = [&](std::size_t side) {
         if (!world.alive(element(side))) return false;
         const InteractionDef& d = world.interaction_def(element(side));
@@ -120,7 +120,8 @@ double GuideSystem::carried_mass(InteractionId id) const noexcept {
     return 0.0;
 }
 
-/// From the guide to the node on a side, without what lies on the wheel [m].
+/// Return the straight distance from the guide to the node on a side, without the arc on the wheel
+/// [m].
 double GuideSystem::straight(const World& world, std::size_t side) const noexcept {
     const InteractionDef& d = world.interaction_def(element(side));
     const std::size_t node = 1 - kPlace[side];
@@ -133,7 +134,7 @@ double GuideSystem::straight(const World& world, std::size_t side) const noexcep
     return std::sqrt(std::max(0.0, apart - def_.radius * def_.radius) + along * along);
 }
 
-/// What the last step came to, before nodes come or go.
+/// Sample the result of the last step before nodes are inserted or removed.
 void GuideSystem::look(const World& world) noexcept {
     if (ran_off()) {
         tension_ = {};
@@ -155,7 +156,8 @@ void GuideSystem::look(const World& world) noexcept {
         material_[side] += kSign[side] * ran;
         const std::array<Vec3, 2> ends = world.ends(element(side));
         u[side] = (ends[1] - ends[0]).normalized();
-        // At the guide it has the weight of the half element there as well, and moves it along.
+        // At the guide the element also carries the weight of half of it, and accelerates it along
+        // the wire.
         const Vec3 weight = weight_at(world, element(side), 1 - kPlace[side], half_mass(side));
         const double more = kSign[side] * weight.dot(u[side]);
         hanging_ += more;
@@ -190,7 +192,7 @@ double GuideSystem::pressing(const World& world, double slack) const noexcept {
     return 0.5 * (tension_[0] + tension_[1]) * (angle_ + slack) - weight.dot(outward);
 }
 
-/// What no lump has of the elements at the guide.
+/// Load the ends with the mass of the elements at the guide that no node carries.
 void GuideSystem::weigh(const World& world, Loads& loads) const noexcept {
     if (!(def_.element_length > 0.0) || parted_ != 0) return;
     double moved = 0.0, pull = 0.0;
@@ -217,8 +219,8 @@ bool GuideSystem::nearly_used_up(const World& world, std::size_t side) const noe
     return std::min(straight(world, side), material_[side]) < least && runs_out(side);
 }
 
-/// Held against running out of a side, until the slide is pulled the other way.
-/// A wire that has parted at the guide is held there: nothing else balances its other part.
+/// Hold the slide against running out of a side until it is pulled the other way. A wire that has
+/// broken at the guide is held, because nothing else balances its other part.
 void GuideSystem::stop(Prestep& now) noexcept {
     if (ran_off()) return;
     if (parted_ != 0) {
@@ -228,13 +230,13 @@ void GuideSystem::stop(Prestep& now) noexcept {
     }
     const std::int32_t was = stopped_;
     if (stopped_ >= 0) {
-        // Of running out of the side before it, which is up the slide, the stop pushes down.
+        // Against running out of the side before it, which is up the slide, the stop pushes down.
         const double force = now.world.force(ids_.friction)[0];
         if (force * kSign[static_cast<std::size_t>(stopped_)] < 0.0) stopped_ = -1;
     }
     for (std::size_t side = 0; side < 2 && stopped_ < 0 && was < 0; ++side)
         if (nearly_used_up(now.world, side)) stopped_ = static_cast<std::int32_t>(side);
-    // The weight at the guide presses on it as the tensions of the elements do.
+    // The weight at the guide adds to the pressure like the tensions of the elements.
     const double exponent = def_.friction * std::max(0.0, angle_) - std::log(def_.efficiency);
     const double least = std::tanh(0.5 * exponent) * std::max(0.0, hanging_);
     const double wanted = stopped_ >= 0 ? kUnbounded : least;
@@ -256,12 +258,12 @@ void GuideSystem::before_step(NodeEdits& nodes) noexcept {
     look(world);
     if (lifted()) return come_back(nodes);
     if (parted_ != 0) return;
-    def_.wire = world.wire_of(ids_.before);  // a cut or splice may have made it another one
+    def_.wire = world.wire_of(ids_.before);  // a cut or splice may have changed the wire
     for (std::size_t side = 0; side < 2 && def_.element_length > 0.0; ++side) {
         const double out = straight(world, side), there = material_[side];
         const double length = length_[side] = element_beside(world, def_, element(side), side, out);
         Feed feed{element(side), side == 1, def_.element_length, def_.mass_per_length};
-        // Where the next guide or post is near, the lump comes as near.
+        // If the next guide or bollard is near, the node is placed as near.
         if (length < def_.element_length) feed.element = std::max(length, there - length);
         if (out > kGrown * length && there > length)
             (void)put_node(nodes, feed, there, material_[side]);

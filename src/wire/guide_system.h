@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file guide_system.h
-/// What a guide does at the beginning of each step (hawser/guide.h).
+/// System of a guide (hawser/guide.h).
 ///
-/// *Stops.* Where a side has next to nothing left and no node could go, the slide is held by its
-/// friction, whose bound is raised for it, until what holds it would have to push: until it is
-/// pulled back. Where the wire ends there (lift.h) it runs off instead, and the guide has none
-/// from then on.
+/// *Stops.* If a side is nearly used up and no node could be removed, the bound of the friction is
+/// raised, so that it holds the slide. It is lowered when the slide is pulled back, that is when
+/// the stop would have to push. If the wire ends there (lift.h), it runs off instead, and the guide
+/// has no wire from then on.
 ///
-/// What runs through, dq of the slide, comes off the material before and goes onto that behind. The
-/// straight part to the node on each side, of length L, says when nodes come and go: material that
-/// lies on the wheel has none.
+/// The length dq that runs through moves from the material before to the material behind. The
+/// straight part of length L to the node on each side decides when nodes are inserted or removed.
+/// Material on the wheel has no nodes.
 ///
-/// *Open guides* (GuideDef::closed) have what visit_place() visits among their state: after a wire
-/// came back its parts are others.
+/// *Open guides* (GuideDef::closed) have the data of visit_place() in their state: after a wire has
+/// returned, its parts are new interactions.
 /// ```
 ///              a
 ///               \ L = √(d² − R²)         d from the axis to the node, square to the axis
@@ -34,15 +34,16 @@ namespace hawser::wire {
 
 class GuideSystem final : public System {
   public:
-    /// @param material  Of the elements before and behind [m].
-    /// @param stop  The force of its friction beside that of the angle.
+    /// Create the system.
+    /// @param material  Material of the elements before and behind [m].
+    /// @param stop  Input: friction force in addition to that of the angle.
     GuideSystem(GuideDef def, const Guide& ids, InputId stop,
                 const std::array<double, 2>& material);
-    /// What is not the same for all times where a post has it: what lies on it, and how.
+    /// Visit the data that vary for a guide of a bollard: the wire on it and its geometry.
     void visit_place(StateVisitor& visitor);
     /// Check the numbers of visit_place().
     void check_place(const World& world, StateRules& rules) const;
-    /// The wire runs through from the start [m/s].
+    /// Start with the wire running through at a speed [m/s].
     void begin_at(double speed) noexcept { speed_ = speed; }
 
     [[nodiscard]] const GuideDef& def() const noexcept { return def_; }
@@ -52,27 +53,28 @@ class GuideSystem final : public System {
     [[nodiscard]] double angle() const noexcept { return angle_; }
     [[nodiscard]] double slide() const noexcept { return slide_; }
     [[nodiscard]] double speed() const noexcept { return speed_; }
-    /// It acts on nothing any more: the wire has parted in it, or run off.
+    /// True if the guide no longer acts: the wire has broken in it or run off.
     [[nodiscard]] bool parted() const noexcept { return parted_ != 0; }
     [[nodiscard]] bool ran_off() const noexcept { return parted_ >= kRunsOff; }
-    /// The wire has left it, as it has no upper roller, and may come back.
+    /// True if the wire has left a guide without upper roller; it may return.
     [[nodiscard]] bool lifted() const noexcept { return parted_ == kLifted; }
-    /// Side that has nothing left to run, 0 before it, 1 behind it; −1: both have.
+    /// Return the side that is used up: 0 before it, 1 behind it; −1: none.
     [[nodiscard]] int stopped() const noexcept { return stopped_; }
-    /// What the wire presses on the wheel with, for small angles [N]: its tension by the angle, and
-    /// the weight of the half elements that is put on the guide, where it points to the wheel.
-    /// Below 0 the wheel would have to hold the wire. @param slack  Angle that does not count
-    /// [rad].
+    /// Return the force by which the wire presses on the wheel, for small angles [N]: its tension
+    /// times the angle, plus the weight of the half elements towards the wheel. Negative if the
+    /// wheel would have to pull.
+    /// @param slack  Angle treated as straight [rad].
     [[nodiscard]] double pressing(const World& world, double slack) const noexcept;
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
-    /// What came of slide_sideways().
+    /// Result of slide_sideways().
     struct Sideways {
-        double by = 0.0;       ///< How far the wire has gone along the axis [m].
-        bool off_end = false;  ///< It would go beyond its room, and has not gone.
+        double by = 0.0;       ///< Displacement of the wire along the axis [m].
+        bool off_end = false;  ///< True if the wire would leave its range; it has not moved.
     };
-    /// The wire goes along the axis where it pulls that way by more than friction holds
-    /// (sideways.h). After before_step(). @param room  Down and up the axis [m].
+    /// Move the wire along the axis if it pulls by more than friction holds (sideways.h). Call
+    /// after before_step().
+    /// @param room  Range down and up the axis [m].
     Sideways slide_sideways(NodeEdits& nodes, const std::array<double, 2>& room) noexcept;
 
     void prestep(Prestep& now, Loads& loads) noexcept override;
@@ -94,18 +96,18 @@ class GuideSystem final : public System {
         return parted_ == 0 && world.intact(ids_.before) && world.intact(ids_.behind);
     }
     [[nodiscard]] double straight(const World& world, std::size_t side) const noexcept;
-    /// Of what no lump has of an element [kg].
+    /// Return half of the mass of an element that no node carries [kg].
     [[nodiscard]] double half_mass(std::size_t side) const noexcept;
-    /// Whether the wire runs through from a side to the other.
+    /// Return true if the wire runs out of a side.
     [[nodiscard]] bool runs_out(std::size_t side) const noexcept {
         return (side == 0 ? -speed_ : speed_) < 0.0;
     }
-    /// Whether what is left on a side is next to nothing, and going.
+    /// Return true if a side is nearly used up and still running out.
     [[nodiscard]] bool nearly_used_up(const World& world, std::size_t side) const noexcept;
-    /// Lets go of a wire that ends where it runs out.
+    /// Release a wire that ends where it runs out.
     void run_off(NodeEdits& nodes) noexcept;
-    /// Without an upper roller (guide_open.cpp): lets go of a wire that would pull at it, and takes
-    /// one that comes back.
+    /// Release a wire that would pull at a guide without upper roller, and accept one that returns
+    /// (guide_open.cpp).
     void lift(NodeEdits& nodes) noexcept;
     void come_back(NodeEdits& nodes) noexcept;
     bool lay_back(NodeEdits& nodes, InteractionId element, double along);
@@ -119,17 +121,17 @@ class GuideSystem final : public System {
     // State.
     std::array<double, 2> material_;
     double slide_ = 0.0;
-    double bound_ = 0.0;  ///< Of its friction, beside the elements' tensions [N].
-    /// 1: the wire has parted in it. Or it has run off, which is to be told, or is.
+    double bound_ = 0.0;  ///< Bound of its friction in addition to the elements' tensions [N].
+    /// 1: the wire has broken in it. kRunsOff: it has run off, to be reported. kRanOff: reported.
     std::int32_t parted_ = 0;
     static constexpr std::int32_t kRunsOff = 2, kRanOff = 3;
-    static constexpr std::int32_t kLifted = 4;  ///< Of an open guide: no wire lies on it.
-    std::int32_t wait_ = 0;                     ///< Steps until a lifted wire is looked for.
-    std::int32_t stopped_ = -1;                 ///< Side that has nothing left to run, −1: none.
+    static constexpr std::int32_t kLifted = 4;  ///< An open guide without a wire.
+    std::int32_t wait_ = 0;                     ///< Steps until the next search for a lifted wire.
+    std::int32_t stopped_ = -1;                 ///< Side that is used up, −1: none.
     // Outputs.
     double angle_ = 0.0, speed_ = 0.0;
     std::array<double, 2> tension_{};
-    /// Of elements that come and go on each side, as room.h has it [m].
+    /// Lengths of inserted elements on each side, by room.h [m].
     std::array<double, 2> length_{def_.element_length, def_.element_length};
     double hanging_ = 0.0;  ///< Weight of the half elements along the wire [N].
 };

@@ -9,8 +9,8 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kInPocket = 1e-6;  ///< Of a pocket, where a link lies in it.
-constexpr double kAhead = 2.0;      ///< Steps before the next pocket in which it is looked for.
+constexpr double kInPocket = 1e-6;  ///< Fraction of a pocket within which a link is seated.
+constexpr double kAhead = 2.0;      ///< Steps ahead in which the next pocket is searched.
 
 }  // namespace
 
@@ -52,7 +52,7 @@ GripOrder GypsyChain::order(double h) const noexcept {
     const auto most = [&](double force) { return std::min(force * r, kUnbounded); };
     if (jumping_ == 0) {
         const double bound = caught_ != 0 ? kUnbounded : most(wheel_.jump_load);
-        // Back to the middle of the pocket by what rounding and compliance have left.
+        // Return to the middle of the pocket, against rounding and compliance.
         return {-way_ / (h * r), -bound, bound};
     }
     const double rubs = most(wheel_.jump_friction);

@@ -16,14 +16,16 @@
 /// ```
 /// The grip is the row of a scalar_clutch: r (θ_c − θ_w)' = u, with a range of forces.
 /// - *Seated*, s a whole number of pockets: u = 0, |F| ≤ jump_load. So it jumps at T − T_0 =
-///   jump_load, less what accelerates the chain on the wheel, in the step in which that is reached.
-/// - *Between pockets*: links ride on the wheel and rub, u = 0 and |F| ≤ jump_friction. Below that
-///   they rest where they are.
-/// - *Near the next pocket*, with T − T_0 ≤ jump_load: u is what gets them to its middle within the
-///   step, with any force that holds back, none that pushes: they fall into it, and what they had
-///   of velocity against the wheel is lost in the step after. Above jump_load they pass on to the
-///   next one.
-/// What the row takes counts as driven, as that of motors does.
+///   jump_load, less the force that accelerates the chain on the wheel, in the step that reaches
+///   it.
+/// - *Between pockets*: links slide on the wheel with friction, u = 0 and |F| ≤ jump_friction.
+///   Below that they rest.
+/// - *Near the next pocket*, with T − T_0 ≤ jump_load: u moves them to its middle within the step,
+///   with any force that holds back and none that pushes. They fall into the pocket, and the next
+///   step removes their velocity against the wheel. Above jump_load they pass on to the next
+///   pocket.
+///
+/// The work of the row counts as driven, like that of motors.
 
 #include <hawser/id.h>
 #include <hawser/system.h>
@@ -34,32 +36,35 @@
 
 namespace hawser::wire {
 
-/// A gypsy, all of whose numbers are known.
+/// A gypsy with all values known.
 struct GypsyWheel {
     double radius = 0.0;         ///< r [m].
     double pocket = 0.0;         ///< 2 p [m].
     double jump_load = 0.0;      ///< [N].
     double jump_friction = 0.0;  ///< [N].
     double fall = 0.0;           ///< [m].
-    double locker = 0.0;         ///< What it holds [m].
-    double zero = 0.0;           ///< θ_c − θ_w where s is 0.
+    double locker = 0.0;         ///< Capacity of the locker [m].
+    double zero = 0.0;           ///< θ_c − θ_w at s = 0.
 };
 
-/// What the grip's row may do in a step [rad/s, N m].
+/// Speed and bounds of the grip's row in a step [rad/s, N m].
 struct GripOrder {
     double speed = 0.0, low = 0.0, high = 0.0;
 };
 
-/// Where the chain is on its wheel.
+/// State of the chain on its wheel.
 class GypsyChain {
   public:
     explicit GypsyChain(const GypsyWheel& wheel) noexcept : wheel_(wheel) {}
 
-    /// What the last step came to. @param apart  θ_c − θ_w; @param rate  its rate [rad/s].
-    /// @param torque  Of the grip's row on the chain [N m]. @param pull  T − T_0 now [N].
-    /// @return the load at which it has begun to jump, or passed on to another pocket [N]; 0: no.
+    /// Read the result of the last step.
+    /// @param apart  θ_c − θ_w.
+    /// @param rate  Its rate [rad/s].
+    /// @param torque  Torque of the grip's row on the chain [N m].
+    /// @param pull  T − T_0 now [N].
+    /// @return the load at which it has begun to jump or passed to another pocket [N]; 0: neither.
     [[nodiscard]] double look(double apart, double rate, double torque, double pull) noexcept;
-    /// For a step of h [s] that begins.
+    /// Return the order for a step of h [s] that begins.
     [[nodiscard]] GripOrder order(double h) const noexcept;
     [[nodiscard]] bool jumps() const noexcept { return jumping_ != 0; }
     void visit_state(StateVisitor& v);
@@ -70,8 +75,9 @@ class GypsyChain {
 
   private:
     GypsyWheel wheel_;
-    double seat_ = 0.0;                             ///< Pocket that it is in, or behind [pockets].
-    double way_ = 0.0, rate_ = 0.0, gained_ = 0.0;  ///< From there [m, m/s], and by the last step.
+    double seat_ = 0.0;  ///< Pocket that it is in, or behind [pockets].
+    /// Distance and speed from there [m, m/s], and the change of speed in the last step.
+    double way_ = 0.0, rate_ = 0.0, gained_ = 0.0;
     double pull_ = 0.0;
     double count_ = 0.0, jumped_ = 0.0, grip_ = 0.0, tail_ = 0.0;  ///< Outputs.
     std::int32_t jumping_ = 0, caught_ = 0;

@@ -14,7 +14,7 @@ struct Sums {
     double x = 0.0, z = 0.0, x_h = 0.0, x_v = 0.0, z_v = 0.0;
 };
 
-/// Solves for the last end of one chain.
+/// Solves for the position of the last end of one chain.
 class Hanging {
   public:
     Hanging(const Chain& chain, double x, double z)
@@ -57,8 +57,8 @@ class Hanging {
         return out;
     }
 
-    /// Pulls are told from that of the element next to a fold: there their last digits decide, and
-    /// that of the first element has fewer of them.
+    /// Count pulls from the element nearest to a fold. There their last digits decide, and counting
+    /// from the first element loses digits.
     void rebase() {
         const auto nearest = std::min_element(rise_.begin(), rise_.end(), [&](double a, double b) {
             return std::abs(v_ + a) < std::abs(v_ + b);
@@ -68,7 +68,7 @@ class Hanging {
         v_ += base;
     }
 
-    /// Vertical pull, told so, for which the rise is right: it grows with it.
+    /// Find the vertical pull, counted so, that gives the required rise. The rise grows with it.
     double match_rise(double h) {
         double step = force_;
         double low = v_ - step, high = v_ + step;
@@ -83,8 +83,8 @@ class Hanging {
         return v_;
     }
 
-    /// Without horizontal pull all elements are vertical, and what does not pull leans as far as it
-    /// reaches: the answer if the last end is no farther than that.
+    /// Return the shape without horizontal pull: all elements are vertical, and slack ones lean as
+    /// far as they reach. Valid if the last end is within that reach.
     Plane without_pull() {
         Plane out;
         const double v0 = match_rise(0.0);
@@ -130,10 +130,10 @@ class Hanging {
 
     const Chain& chain_;
     double x_, z_, small_, compliance_;
-    std::vector<double> rise_;         ///< Σ w up to the elements, from an element [N].
-    double least_ = 0.0, most_ = 0.0;  ///< Of it, from the first [N].
-    double force_ = 0.0;               ///< Size of its pulls [N].
-    double v_ = 0.0;                   ///< Last vertical pull found, where the next search begins.
+    std::vector<double> rise_;         ///< Σ w up to each element, from a base element [N].
+    double least_ = 0.0, most_ = 0.0;  ///< Bounds of the sum from the first element [N].
+    double force_ = 0.0;               ///< Scale of its pulls [N].
+    double v_ = 0.0;                   ///< Last vertical pull found, the start of the next search.
     bool done_ = false;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lay_on.h
-/// A guide's element is divided (hawser/guide.h), for guides and for posts.
+/// Division of an element by a guide (hawser/guide.h), for guides and bollards.
 
 #include <hawser/guide.h>
 
@@ -9,23 +9,26 @@
 
 namespace hawser::wire {
 
-/// Lumps at the ends of an element.
+/// Nodes at the ends of an element.
 struct EndLumps {
-    double mass = 0.0;  ///< Of both [kg].
+    double mass = 0.0;  ///< Total mass of both [kg].
     int count = 0;
 };
 [[nodiscard]] EndLumps end_lumps(const World& world, const InteractionDef& element);
-/// What lumps kept of their halves of an element that was laid over a guide, being between two of
-/// them [kg]. @param mass  Of the element.
+/// Return the mass that nodes kept of their halves of an element that was laid over a guide between
+/// two of them [kg].
+/// @param mass  Mass of the element [kg].
 [[nodiscard]] double kept_by_lumps(const EndLumps& before, const EndLumps& after, double mass);
 
-/// Slide, parts and friction of a guide, all or nothing but for memory that ends. @param def  What
-/// was left to defaults is filled in. @param speed  Of the wire running through [m/s]. @param
-/// material  Of the parts [m]. @param drawn  Compare the side of the wheel with the wire as drawn.
+/// Add slide, parts and friction of a guide, all or none unless allocation fails.
+/// @param def  Defaults are filled in.
+/// @param speed  Speed of the wire through the guide [m/s].
+/// @param material  Material of the parts [m].
+/// @param drawn  Compare the side of the wheel with the wire as drawn.
 /// @throws DefError
 [[nodiscard]] Guide lay_on(World& world, GuideDef& def, double speed,
                            std::array<double, 2>& material, bool drawn = false);
-/// The force of its friction beside that of the angle.
+/// Add the input of its friction force in addition to that of the angle.
 InputId add_stop(World& world, const GuideDef& def, const Guide& guide);
 
 }  // namespace hawser::wire

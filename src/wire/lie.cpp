@@ -11,7 +11,7 @@
 namespace hawser::wire {
 namespace {
 
-/// An element that rises by `sunk` and pulls by h along the bottom: how far it reaches, its
+/// An element that rises by `sunk` and pulls by h along the bottom: its horizontal reach and its
 /// tension.
 struct Rising {
     double x = 0.0, tension = 0.0;
@@ -26,7 +26,7 @@ struct Rising {
     }
 };
 
-/// Two lifted parts and what lies between.
+/// Two lifted parts and the part on the bottom between them.
 class Laid {
   public:
     Laid(const Chain& chain, double x, double first, double last, double friction)
@@ -54,7 +54,7 @@ class Laid {
     }
 
   private:
-    /// How far an element rises to the bottom or falls from it.
+    /// Return the height by which an element rises to the bottom or descends from it [m].
     [[nodiscard]] double sunk(std::size_t e) const {
         return e == 0 ? sunk_first_ : e + 1 == n_ ? sunk_last_ : 0.0;
     }
@@ -69,13 +69,14 @@ class Laid {
         out.tension.push_back(tension);
     }
     void note_laid(Plane& out, std::size_t first, std::size_t last) const {
-        // An end that is as good as on the bottom is on it.
+        // An end within rounding of the bottom is on it.
         const double digits = 1e-9 * chain_.total_length();
         out.laid_first = first == 0 && sunk_first_ > digits ? 1 : first;
         out.laid_last = last == n_ && sunk_last_ > digits ? n_ - 1 : last;
     }
 
-    /// Both drop straight down; what lies has no tension, and an arc takes up what is too long.
+    /// Return the shape without pull: both ends drop straight down, the part on the bottom has no
+    /// tension, and an arc takes up excess length.
     Plane without_pull() const {
         Plane out;
         out.slack = true;
@@ -108,13 +109,14 @@ class Laid {
         }
     }
 
-    /// Tension of what lies, elements a to n − b, under the pull h where it is lifted.
+    /// Compute the tension of elements a to n − b on the bottom, under the pull h of the lifted
+    /// parts.
     std::vector<double> along_bottom(double h, std::size_t a, std::size_t b, double va,
                                      double vb) const {
         const std::size_t count = n_ - a - b;
         std::vector<double> out(count, h);
         if (!(friction_ > 0.0) || (!lifted_first_ && !lifted_last_)) return out;
-        // What the bottom carries: the two nodes at the edges are lifted in part.
+        // Load on the bottom: the two nodes at its ends are partly lifted.
         const auto carried = [&](std::size_t node) {
             double w = chain_.weight[node];
             if (node == a && a > 0) w -= a_.pull_at(a - 1, va);
@@ -135,7 +137,7 @@ class Laid {
         return out;
     }
 
-    /// The lifted parts carry more than there is.
+    /// Return true if the lifted parts carry more than the total weight.
     [[nodiscard]] bool overlap(double va, double vb) const {
         return va + a_.base() + vb + b_.base() > weight_;
     }
@@ -168,7 +170,7 @@ class Laid {
         }
         const double h =
             growing_root([&](double at) { return miss(at); }, low, high, high, small_, true);
-        // Where it lifts before it spans the distance there is no root.
+        // If it lifts before it spans the distance there is no root.
         if (const Growing g = miss(h); g.above || std::abs(g.value) > 1e-9 * (x_ + chain_.s.back()))
             return {};
         const double va = a_.match_height(h), vb = b_.match_height(h);
@@ -193,7 +195,7 @@ class Laid {
     std::size_t n_;
     double x_, friction_;
     bool lifted_first_, lifted_last_;
-    double sunk_first_, sunk_last_;  ///< How far the ends lie under the bottom [m].
+    double sunk_first_, sunk_last_;  ///< Depth of the ends under the bottom [m].
     Lifted a_, b_;
     double weight_, small_;
 };
@@ -212,7 +214,7 @@ std::optional<Plane> lie_between(const Chain& chain, double x, double first, dou
 
 std::optional<Plane> lie_free(const Chain& chain, double first) {
     if (floats(chain) || chain.half_last < 0.0) return {};
-    Chain whole = chain;  // the free node lies like any other one
+    Chain whole = chain;  // the free node lies like any other
     whole.weight.back() = chain.half_last;
     const Lifted side(whole, first, 0);
     if (side.off_bottom() > chain.elements() || side.dropped().v > whole.total_weight()) return {};

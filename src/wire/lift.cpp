@@ -12,7 +12,7 @@
 namespace hawser::wire {
 namespace {
 
-/// Whether nothing but these elements, bends, and what has parted is at a lump.
+/// Return true if only these elements, bends and broken interactions act on a node.
 bool holds_only(const World& world, BodyId lump, InteractionId a, InteractionId b) noexcept {
     for (const InteractionId id : world.interactions()) {
         if (id == a || id == b) continue;
@@ -25,7 +25,8 @@ bool holds_only(const World& world, BodyId lump, InteractionId a, InteractionId 
     return true;
 }
 
-/// The next element of the wire away from a guide; invalid: there is none, or it has parted.
+/// Return the next element of the wire away from a guide; invalid if there is none or it has
+/// broken.
 InteractionId next_to_end(const World& world, InteractionId element, std::size_t side) {
     const auto elements = world.elements(world.wire_of(element));
     const auto at = std::find(elements.begin(), elements.end(), element);

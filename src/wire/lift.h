@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lift.h
-/// What a wire is again where it leaves a guide, and whether it runs off one.
+/// The element of a wire that leaves a guide, and the test whether it runs off the guide.
 ///
 /// ```
 ///     b ──── f ──── n ── part ──( )── part ──        n the lump next to the guide
 /// ```
-/// The lump before a free end b has nobody to give its mass to but b (edit/node_drum.cpp): it does
-/// not run through, and less than an element of wire is left of it. It runs off with what hangs on
-/// it.
+/// The node before a free end b can give its mass only to b (step/node_drum.cpp). So it does not
+/// run through, and less than an element of wire remains there. It runs off with everything
+/// attached to it.
 
 #include <hawser/interactions.h>
 
@@ -22,19 +22,21 @@ namespace hawser::wire {
 
 class GuideSystem;
 
-/// The element that both parts at a guide become, of the material that they have: at the rest
-/// length that keeps the tension along the straight way between their ends, or, where the wire
-/// keeps its rest length, at the sum of theirs.
+/// Return the element that replaces both parts at a guide, with their material.
+/// @param keeps_length  True: its rest length is the sum of theirs. False: it keeps the tension
+///        along the straight line between the ends.
 [[nodiscard]] InteractionDef lifted_element(const World& world, const GuideSystem& guide,
                                             bool keeps_length);
-/// Of a part at a drum or guide, or any other element of a wire, now [m].
+/// Return the current rest length of a part at a drum or guide, or of another element of a wire
+/// [m].
 [[nodiscard]] double rest_length(const World& world, InteractionId id);
 
-/// @param part  Of a wire at a guide. @param side  0: the guide is at its last end, 1: at its
-/// first.
-/// @param mass_per_length  Of the wire [kg/m]. @param element_length  Of its elements [m].
-/// @return whether nothing is beyond its lump, or one element to a free lump, which nothing holds
-/// and which is no heavier than an element: an anchor stops at a guide.
+/// Return true if the wire beyond the part's node ends, or has one element to a free node. That
+/// node must be unattached and at most as heavy as an element: an anchor stops at a guide.
+/// @param part  Part of a wire at a guide.
+/// @param side  0: the guide is at its last end, 1: at its first.
+/// @param mass_per_length  Mass per length of the wire [kg/m].
+/// @param element_length  Length of its elements [m].
 [[nodiscard]] bool ends_free(const World& world, InteractionId part, std::size_t side,
                              double mass_per_length, double element_length) noexcept;
 

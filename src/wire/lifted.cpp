@@ -67,12 +67,12 @@ void Lifted::write(double h, double v, std::vector<Vec3>& chord,
 }
 
 void Lifted::drop() {
-    double hanging = 0.0;     // length of the elements that hang, stretched
-    double compliance = 0.0;  // of them
+    double hanging = 0.0;     // stretched length of the hanging elements
+    double compliance = 0.0;  // their compliance
     if (!(height_ > 0.0)) return;
     std::size_t m = 0;
     while (m < most_) {
-        // With v = Σ weights down to node m the elements from there to the next weight have no
+        // With v = Σ weights down to node m, the elements from there to the next weight have no
         // pull, and those above hang.
         double slack = 0.0, soft = 0.0;
         std::size_t next = m;
@@ -87,7 +87,7 @@ void Lifted::drop() {
             drop_.lean = std::sqrt(std::max(0.0, (slack - drop_.rise) * (slack + drop_.rise)));
             break;
         }
-        // They hang as well, with all or a part of that weight.
+        // They hang as well, with all or part of that weight.
         hanging += slack;
         compliance += soft;
         m = next;

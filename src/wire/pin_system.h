@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file pin_system.h
-/// Drives a guide pin to where it is wanted (hawser/pin.h): at its speed, and where that would be
-/// more in a step, by half of what is left, until 1 mm is left.
+/// System of a guide pin (hawser/pin.h). It moves the pin to the requested height at its speed.
+/// Near the target it moves by half of the remaining way per step, until 1 mm remains.
 
 #include <hawser/pin.h>
 #include <hawser/system.h>
@@ -14,11 +14,11 @@
 
 namespace hawser::wire {
 
-/// What a pin system drives.
+/// Inputs that a pin system drives.
 struct PinDrive {
     InteractionId motor{};
     InputId speed{};
-    double length = 0.0;  ///< From up to down [m].
+    double length = 0.0;  ///< Distance between up and down [m].
     double most = 0.0;    ///< [m/s]
 };
 
@@ -40,7 +40,7 @@ class PinSystem final : public System {
     std::string name_;
     PinDrive drive_;
     // State.
-    double up_, height_, speed_ = 0.0;  ///< Wanted, and where it is, 1: up; [m/s].
+    double up_, height_, speed_ = 0.0;  ///< Requested and actual height, 1: up; speed [m/s].
 };
 
 }  // namespace hawser::wire

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file place_on_wire.h
-/// The place on any wire that is nearest to a point: what a stopper and a chaser take.
+/// The point of any wire that is nearest to a given point, for stoppers and chasers.
 
 #include <hawser/world.h>
 
@@ -14,14 +14,15 @@ namespace hawser::wire {
 struct PlaceOnWire {
     WireId wire{};
     InteractionId element{};
-    double share = 0.0;  ///< Of the element, from its first body.
-    double far = 1e300;  ///< From the point [m].
+    double share = 0.0;  ///< Fraction along the element, from its first body.
+    double far = 1e300;  ///< Distance from the point [m].
     Vec3 at{0, 0, 0};    ///< World frame [m].
 };
 
-/// Of all elements that hold and that no drum or guide has. @param from_end  Of an element: nearer
-/// to its ends no place is looked for. @param takes  Of a wire, and of an element's definition:
-/// whether they are looked at.
+/// Find the nearest point on intact elements that are at no drum or guide.
+/// @param from_end  Fraction of an element at its ends that is excluded.
+/// @param takes_wire  True for wires to search.
+/// @param takes_element  True for definitions of elements to search.
 template <class TakesWire, class TakesElement>
 [[nodiscard]] PlaceOnWire nearest_place(const World& world, const Vec3& point, double from_end,
                                         const TakesWire& takes_wire,
@@ -46,7 +47,7 @@ template <class TakesWire, class TakesElement>
     return out;
 }
 
-/// As outputs of gear tell a wire: 1 the first of World::wires(), 0: none.
+/// Return the number by which outputs identify a wire: 1 for the first of World::wires(), 0: none.
 [[nodiscard]] inline double number_of(const World& world, WireId wire) noexcept {
     const auto wires = world.wires();
     const auto found = std::find(wires.begin(), wires.end(), wire);

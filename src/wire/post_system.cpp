@@ -17,13 +17,16 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kStrain = 1e-5;     ///< ε of post_system.h.
-constexpr double kNearEnd = 0.06;    ///< Of an element: a lump lies on the post.
+constexpr double kStrain = 1e-5;  ///< ε of post_system.h.
+/// Fraction of an element at its end: the node lies on the bollard.
+constexpr double kNearEnd = 0.06;
 constexpr double kTouches = 2e-3;    ///< Gap at which a contact bears [m].
-constexpr double kBentOnPost = 3.2;  ///< A lump on a post goes however the wire is bent there.
-constexpr std::int32_t kSteady = 3;  ///< Looks running at which a wire touches before it is taken.
-constexpr std::int32_t kWait = 15;   ///< Steps.
-/// The element before or behind another; invalid: there is none, or a drum or guide loads it.
+constexpr double kBentOnPost = 3.2;  ///< Bend limit: a node on a bollard is removed at any bend.
+/// Consecutive samples with contact after which a wire engages.
+constexpr std::int32_t kSteady = 3;
+constexpr std::int32_t kWait = 15;  ///< Steps.
+/// Return the element before or behind another; invalid if there is none or if a drum or guide
+/// loads it.
 InteractionId neighbour(const World& world, WireId wire, InteractionId element, bool behind) {
     const auto elements = world.elements(wire);
     const auto at = std::find(elements.begin(), elements.end(), element);
@@ -34,8 +37,9 @@ InteractionId neighbour(const World& world, WireId wire, InteractionId element, 
                : InteractionId{};
 }
 
-/// Of the elements that come and go at a post, where its definition has none: that of what it has
-/// touched, or, as others near may have had that shortened (room.h), of the longest beside it [m].
+/// Return the length of elements inserted at a bollard without a defined length [m]. It is that of
+/// the touched element, or of the longest neighbour, since other bollards may have shortened the
+/// element (room.h).
 double usual_length(const World& world, WireId wire, InteractionId element) {
     const double own = world.interaction_def(element).get("length");
     double longest = own;
@@ -72,7 +76,7 @@ void PostSystem::visit_state(StateVisitor& v) {
     for (std::int32_t* x : {&wait_, &steady_}) v.visit(*x);
     for (double* x : {&taken_, &let_go_, &held_, &angle_, &slide_, &tension_[0], &tension_[1]})
         v.visit(*x);
-    // Of others it is what it was when they were taken: their hashes stay what they were.
+    // Visited only for bollards with sliding wires; others keep the hashes of earlier versions.
     if (def_.slides)
         for (double* x : {&slid_, &along_}) v.visit(*x);
     for (const auto& guide : guides_) {
@@ -126,7 +130,7 @@ bool PostSystem::has(WireId wire) const noexcept {
     return false;
 }
 
-/// Wires that touch the post come to lie on it.
+/// Engage wires that touch the bollard.
 void PostSystem::take(NodeEdits& nodes) {
     const World& world = nodes.world;
     if (wait_ > 0) {
@@ -139,10 +143,10 @@ void PostSystem::take(NodeEdits& nodes) {
     world.pressing(def_.shape, pressing_);
     for (const ShapeId other : pressing_) {
         Touch touch;
-        // Earlier takings of this step have removed shapes.
+        // Wires engaged earlier in this step have lost their shapes.
         if (!world.alive(other) || !find(world, other, touch)) continue;
         const double gap = std::abs(touch.radius) - place_.radius - world.shape_def(other).radius;
-        // Across the end of the post it lies on that, not beside the post.
+        // A wire across the end of the bollard lies on the end, not beside it.
         if (touch.across_end || gap > kTouches || touch.strain > kStrain) continue;
         const auto slot = std::find(on_.begin(), on_.end(), 0);
         if (has(touch.wire) || slot == on_.end()) continue;
@@ -152,17 +156,17 @@ void PostSystem::take(NodeEdits& nodes) {
     }
 }
 
-/// A lump on the post goes: one element takes the place of the two beside it, its chord through the
-/// post. It lies on the side of the post on which the lump was.
+/// Remove a node on the bollard: one element replaces the two beside it, with its chord through the
+/// bollard. It lies on the node's side of the bollard.
 bool PostSystem::take_lump(NodeEdits& nodes, Touch& touch) const {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(touch.element);
     const bool first = touch.share < 0.5;
     const BodyId lump = d.body[first ? 0 : 1];
-    // What a guide loads is its own, and its lumps go by its own account.
+    // Elements loaded by a guide and their nodes belong to that guide.
     const InteractionId next = neighbour(world, touch.wire, touch.element, !first);
     if (!next.valid()) return false;
-    if (first) touch.element = next;  // which stays
+    if (first) touch.element = next;  // this element stays
     const double radius = touch.radius, half = std::abs(radius) - place_.radius;
     if (!nodes.remove_node(lump, kBentOnPost)) return false;
     place_touch(world, half, touch);
@@ -192,12 +196,13 @@ bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
     return true;
 }
 
-/// From the middle of the post [m].
+/// Return the position of a wire along the axis from the middle of the bollard [m].
 double PostSystem::along(const GuideSystem& guide) const noexcept {
     return (guide.def().point - place_.centre).dot(place_.axis);
 }
 
-/// @return whether the wire has come to an end of the post, over which it would go on.
+/// Slide a wire along the axis.
+/// @return true if the wire has reached an end of the bollard and would slide over it.
 bool PostSystem::slide(NodeEdits& nodes, std::size_t slot) noexcept {
     const double at = along(*guides_[slot]), half = place_.half_length;
     const auto went = guides_[slot]->slide_sideways(nodes, {-half - at, half - at});
@@ -210,7 +215,7 @@ bool PostSystem::let_go(NodeEdits& nodes, std::size_t slot, bool off_end) {
     const GuideSystem& guide = *guides_[slot];
     bool past = off_end;
     if (!guide.ran_off() && !pulls(world, guide, past)) return false;
-    on_[slot] = 0;  // it holds nothing of it
+    on_[slot] = 0;  // the slot holds no wire any more
     if (!guide.ran_off() && !lift_off_guide(nodes, guide, lifted_element(world, guide, past))) {
         on_[slot] = 1;
         return false;
@@ -244,7 +249,7 @@ void PostSystem::before_step(NodeEdits& nodes) noexcept {
     } catch (const std::bad_alloc&) {
         nodes.out_of_memory();
     } catch (const std::exception&) {
-        steady_ = 0;  // without memory: what touches is looked at anew
+        steady_ = 0;  // out of memory: contacts are sampled again in the next step
     }
     tell();
 }

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file post_system.h
-/// What a post does before each step begins (hawser/post.h): it looks at what the last step's
-/// contacts were, has the guide of each wire that lies on it act, and takes and lets go of wires.
+/// System of a bollard (hawser/post.h). Before each step it samples the contacts of the last step,
+/// runs the guide of each engaged wire, and engages and disengages wires.
 ///
-/// *When a contact is taken.* A contact node bears by the tension of its wire alone, whose pull
-/// across grows with the angle, and a step of h sees the angle that it begins with. With the nodes'
-/// speeds u and v across, a and b away from the post, a step stretches the wire by
+/// *When a contact engages.* A contact node is held by the tension of its wire alone. Its
+/// transverse pull grows with the angle, and a step of h uses the angle at its start. With the
+/// nodes' transverse speeds u and v, a and b away from the bollard, a step stretches the wire by
 /// ```
 ///     ε = ((u h)²/2a + (v h)²/2b)/(a + b)
 /// ```
-/// of which it knew nothing. The contact, which knows the surface, stops the wire first: it is
-/// taken once ε is below 1e-5.
+/// The step does not account for this strain. The contact resolves the surface and stops the wire
+/// first. The wire engages when ε < 1e-5.
 
 #include <hawser/post.h>
 #include <hawser/shapes.h>
@@ -28,13 +28,13 @@
 
 namespace hawser::wire {
 
-/// Where a post's shape is, in the frame of its body.
+/// Position of a bollard's shape in the frame of its body.
 struct PostPlace {
     BodyId body{};
     Vec3 centre{0, 0, 0}, axis{0, 0, 1};     ///< [m], unit.
     double radius = 0.0, half_length = 0.0;  ///< [m]
-    BodyId carrier{};                        ///< That bears wires which lie on it (add_post()).
-    Vec3 carried_axis{0, 0, 1};              ///< The axis in its frame.
+    BodyId carrier{};                        ///< Body that carries engaged wires (add_post()).
+    Vec3 carried_axis{0, 0, 1};              ///< The axis in the frame of the carrier.
 };
 
 class PostSystem final : public System, public PassedPost {
@@ -57,13 +57,13 @@ class PostSystem final : public System, public PassedPost {
     [[nodiscard]] Apart apart(const World& world, const std::array<Vec3, 2>& line) const override;
 
   private:
-    /// An element that touches the post.
+    /// An element that touches the bollard.
     struct Touch {
         InteractionId element{};
         WireId wire{};
-        Vec3 point{0, 0, 0};  ///< Of the axis next to it, in the frame of the body [m].
-        double share = 0.0;   ///< Of the element, where it is next to the axis.
-        double radius = 0.0;  ///< From the axis, with the sign of GuideDef::radius [m].
+        Vec3 point{0, 0, 0};  ///< Nearest point of the axis, in the frame of the body [m].
+        double share = 0.0;   ///< Fraction of the element nearest to the axis.
+        double radius = 0.0;  ///< Distance from the axis, with the sign of GuideDef::radius [m].
         bool across_end = false;
         double along = 0.0;   ///< Speed past the surface, from its first end [m/s].
         double strain = 0.0;  ///< ε above.
@@ -83,20 +83,21 @@ class PostSystem final : public System, public PassedPost {
     PostPlace place_;
     // State.
     std::vector<std::unique_ptr<GuideSystem>> guides_;  ///< By slot.
-    std::vector<std::int32_t> on_;                      ///< 1 where a wire lies in a slot.
-    std::int32_t wait_ = 0;                             ///< Steps until it takes anything again.
-    std::int32_t steady_ = 0;  ///< Looks running at which a wire has touched it.
+    std::vector<std::int32_t> on_;                      ///< 1: a wire lies in the slot.
+    std::int32_t wait_ = 0;                             ///< Steps until the next wire may engage.
+    std::int32_t steady_ = 0;  ///< Consecutive samples in which a wire has touched it.
     double taken_ = 0.0, let_go_ = 0.0, slid_ = 0.0;
     // Outputs.
     double held_ = 0.0, angle_ = 0.0, slide_ = 0.0, along_ = 0.0, tension_[2] = {};
 
-    std::vector<ShapeId> pressing_;  ///< Memory.
+    std::vector<ShapeId> pressing_;  ///< Scratch.
 };
 
-/// Adds a post. @param carrier  That bears wires which lie on it, and on which the body of the
-/// shape slides along the axis, as a pin does through a deck: wires keep their place on it, and are
-/// let go where the shape's end has gone past them. Invalid: the body of the shape. @throws
-/// DefError
+/// Add a bollard.
+/// @param carrier  Body that carries engaged wires and along whose axis the body of the shape
+///        slides, as a pin does through a deck. Wires keep their position on it and disengage when
+///        the end of the shape has passed them. Invalid: the body of the shape.
+/// @throws DefError
 void add_post(World& world, const PostDef& def, BodyId carrier);
 
 }  // namespace hawser::wire

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where wires touch a post, and where they would pull at it.
+/// Contacts of wires with a bollard, and the test whether wires would pull at it.
 #include "wire/post_system.h"
 
 #include <hawser/world.h>
@@ -10,14 +10,15 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kPulls = -2e-3;  ///< Angle below which a wire would pull at its post [rad].
-/// Of the radius: a wire that just touches turns by next to nothing, and not the other way.
+constexpr double kPulls = -2e-3;  ///< Angle below which a wire would pull at its bollard [rad].
+/// Relative tolerance of the radius: a wire that just touches turns by almost 0 and not backwards.
 constexpr double kInside = 1e-9;
 
-/// Where two lines are closest: share of a–b, and way along the axis from its centre [m].
+/// Closest points of two lines: fraction along a–b, and distance along the axis from its centre
+/// [m].
 struct Closest {
     double share, along;
-    Vec3 apart;  ///< From the axis to a–b, square to the axis.
+    Vec3 apart;  ///< Vector from the axis to a–b, perpendicular to the axis.
 };
 Closest closest(const Vec3& a, const Vec3& b, const Vec3& centre, const Vec3& axis) noexcept {
     const Vec3 d = b - a;
@@ -30,7 +31,7 @@ Closest closest(const Vec3& a, const Vec3& b, const Vec3& centre, const Vec3& ax
     return {share, along, at - along * axis};
 }
 
-/// Of an end of an element, at a place of the world [m/s].
+/// Return the velocity of an end of an element at a point of the world [m/s].
 Vec3 speed_at(const World& world, const InteractionDef& d, std::size_t end, const Vec3& place) {
     const Twist twist = world.velocity(d.body[end]);
     if (world.body_def(d.body[end]).kind == BodyKind::lump) return twist.linear;
@@ -48,11 +49,12 @@ PostSystem::Apart PostSystem::apart(const World& world, const std::array<Vec3, 2
     return {std::hypot(near.apart.norm(), beyond) - place_.radius, near.share};
 }
 
-/// The element of a capsule of a wire. @return false: none that could be taken.
+/// Find the element of a capsule of a wire.
+/// @return false if there is none that may engage.
 bool PostSystem::find(const World& world, ShapeId segment, Touch& out) const {
     const ShapeDef& capsule = world.shape_def(segment);
     if (!capsule.body_b.valid()) return false;
-    // A body that holds one end may hold the wire elsewhere, too.
+    // A body that holds one end may also hold the wire elsewhere.
     const bool first = world.body_def(capsule.body).kind == BodyKind::lump;
     const BodyId lump = first ? capsule.body : capsule.body_b;
     for (const WireId wire : world.wires()) {
@@ -106,8 +108,8 @@ void PostSystem::place_touch(const World& world, double half, Touch& out) const 
     }
 }
 
-/// Whether a wire would have to pull at the post, or has passed an end of it. @param past  Known
-/// before to have passed; whether it has.
+/// Return true if a wire would have to pull at the bollard or has passed its end.
+/// @param past  In: it had passed before. Out: it has passed.
 bool PostSystem::pulls(const World& world, const GuideSystem& guide, bool& past) const {
     if (guide.parted()) return false;
     const Pose pose = world.pose(place_.body);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a resolution sees of its wire: lengths of material, angles, tension.
+/// Samples of a resolution: material lengths, angles and tension of its wire.
 #include "wire/wire_resolution.h"
 
 #include <hawser/world.h>
@@ -9,8 +9,9 @@
 
 namespace hawser::wire {
 
-/// Of the line type with the EA of an element, of several that whose mass fits its rest length
-/// best, which edits and forces change a little; 0: it is of another wire, spliced to this one.
+/// Return the mass per length of the line type with the EA of an element. Among several types,
+/// choose the best match of mass over rest length, which edits and forces change slightly. 0: the
+/// element belongs to another wire that was spliced to this one.
 double WireResolution::mass_per_length_of(const InteractionDef& element) const noexcept {
     if (lines_.size() == 1) return lines_[0].mass_per_length;
     const double EA = element.get("EA"), now = element.get("mass") / element.get("length");
@@ -21,7 +22,7 @@ double WireResolution::mass_per_length_of(const InteractionDef& element) const n
     return best;
 }
 
-/// Elements and nodes as they are.
+/// Sample elements and nodes.
 void WireResolution::look(const World& world) {
     const auto elements = world.elements(def_.wire);
     const auto nodes = world.nodes(def_.wire);
@@ -47,13 +48,13 @@ void WireResolution::look(const World& world) {
     bend(world);
 }
 
-/// Angles and curvatures at nodes.
+/// Compute angles and curvatures at nodes.
 void WireResolution::bend(const World& world) noexcept {
     for (std::size_t k = 1; k < elements_.size(); ++k) {
         const Element &a = elements_[k - 1], &b = elements_[k];
         if (!a.whole || !b.whole) continue;
         at_[k].angle = std::atan2(a.chord.cross(b.chord).norm(), a.chord.dot(b.chord));
-        // What a drum pays out has no material of its own that is known here.
+        // The material of the element at a drum is not known here.
         const auto length = [&](const Element& e) {
             return e.wound ? world.interaction_def(e.id).get("length") : e.length;
         };

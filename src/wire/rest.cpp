@@ -40,9 +40,10 @@ class Balance {
         soften_ = 1.0;
     }
 
-    /// @return whether the balance is found to `tolerance`.
+    /// Find the balance.
+    /// @return true if it is found to `tolerance`.
     bool solve(double tolerance) {
-        // Soft elements first: a step of Newton's method turns them without stretching them much.
+        // Start with soft elements, which a Newton step rotates without much stretch.
         double strain = 0.0;
         for (std::size_t e = 0; e < n_; ++e)
             strain = std::max(strain, weight() * chain_.compliance[e] / chain_.length[e]);
@@ -69,7 +70,7 @@ class Balance {
             out.tension.push_back(
                 std::max(0.0, (std::hypot(dx, dz) - chain_.length[e]) / chain_.compliance[e]));
         }
-        // Of several parts that lie, the longest.
+        // Report the longest contiguous part on the bottom.
         std::size_t begin = 1, most = 0;
         for (std::size_t i = 1; around_.bottom && i <= moving_ + 1; ++i) {
             if (i <= moving_ && x_[2 * i + 1] <= *around_.bottom + none) continue;
@@ -90,7 +91,7 @@ class Balance {
     }
 
   private:
-    static constexpr double kSoft = 1e-2;  ///< Strain under the whole weight, at first.
+    static constexpr double kSoft = 1e-2;  ///< Initial strain under the whole weight.
     static constexpr int kOuter = 40, kInner = 400;
 
     [[nodiscard]] double weight() const {
@@ -104,7 +105,8 @@ class Balance {
         return 0.5 * ((i > 0 ? chain_.heavy[i - 1] : 0.0) + (i < n_ ? chain_.heavy[i] : 0.0));
     }
 
-    /// Take the slopes of half elements. @return the largest change of a buoyancy by it [N].
+    /// Update the slopes of half elements.
+    /// @return the largest resulting change of a buoyancy [N].
     double take_forms() {
         if (!around_.water) return 0.0;
         double change = 0.0;
@@ -125,7 +127,7 @@ class Balance {
         return change;
     }
 
-    /// Friction of nodes that lie, at most its coefficient times what the bottom carries.
+    /// Update the friction of nodes on the bottom, at most the coefficient times their load on it.
     double take_friction() {
         if (!(around_.friction > 0.0) || !around_.bottom) return 0.0;
         std::vector<double> g(2 * (n_ + 1), 0.0);
@@ -168,7 +170,7 @@ class Balance {
         return std::atan2(ax * bz - az * bx, ax * bx + az * bz);
     }
 
-    /// Force that is left at each coordinate, with the other sign; of all nodes.
+    /// Compute the negative residual force at each coordinate of all nodes.
     void gradient(std::vector<double>& g) {
         std::fill(g.begin(), g.end(), 0.0);
         for (std::size_t e = 0; e < n_; ++e) {
@@ -196,7 +198,7 @@ class Balance {
         }
     }
 
-    /// Bend angle of a node, its gradient and second derivatives by the six coordinates.
+    /// Bend angle of a node, with gradient and second derivatives by the six coordinates.
     struct Bent {
         double sine, cosine;
         std::array<double, 6> slope;
@@ -218,7 +220,7 @@ class Balance {
         return out;
     }
 
-    /// Add a block of second derivatives by the chord of two nodes.
+    /// Add a block of second derivatives for the chord of two nodes.
     void add_chord(std::size_t node, double xx, double xz, double zz) {
         const double block[2][2] = {{xx, xz}, {xz, zz}};
         for (std::size_t p = 0; p < 2; ++p)
@@ -228,7 +230,7 @@ class Balance {
                         add(2 * (node + p) + r, 2 * (node + q) + s,
                             (p == q ? 1.0 : -1.0) * block[r][s]);
     }
-    /// Add to the lower triangle; coordinates of ends that are held are left out.
+    /// Add to the lower triangle; skip coordinates of fixed ends.
     void add(std::size_t row, std::size_t column, double value) {
         if (row < column || column < 2 || row >= 2 * moving_ + 2) return;
         band_.at(row - 2, column - 2) += value;
@@ -277,7 +279,7 @@ class Balance {
         return most;
     }
 
-    /// Newton's method to a force of at most `tolerance` at each coordinate.
+    /// Run Newton's method until the force at each coordinate is at most `tolerance`.
     bool minimise(double tolerance) {
         std::vector<double> g(2 * (n_ + 1), 0.0), step(2 * moving_), next;
         gradient(g);
@@ -317,7 +319,7 @@ class Balance {
                 std::swap(x_, next);
                 gradient(g);
                 const double after = left(g);
-                // Below the digits of the energy the forces decide.
+                // Below the rounding of the energy the forces decide.
                 if (now - then <= digits && !(after < force)) {
                     std::swap(x_, next);
                     gradient(g);
@@ -339,8 +341,8 @@ class Balance {
     Surroundings around_;
     std::size_t n_, moving_;
     std::vector<double> x_;       ///< x, z of all nodes [m].
-    std::vector<HalfForm> half_;  ///< Two a node: towards the first end, and towards the last.
-    std::vector<double> friction_, wanted_;  ///< Along x, of the nodes [N].
+    std::vector<HalfForm> half_;  ///< Two per node: towards the first end, and towards the last.
+    std::vector<double> friction_, wanted_;  ///< Along x at the nodes [N].
     double soften_ = 1.0;                    ///< Factor of compliances.
     Band band_;
 };

@@ -12,19 +12,20 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kTwoElements = 1.9;  ///< Of an element: with so much between nothing is shorter.
-constexpr double kReach = 0.2;   ///< Of an element: a post so near to the wire is one it passes.
-constexpr double kKeeps = 0.25;  ///< The same where the lump between is there already.
-constexpr double kLeast = 0.2;   ///< Along the wire [m].
+/// Free length in elements above which no element is shortened.
+constexpr double kTwoElements = 1.9;
+constexpr double kReach = 0.2;   ///< Distance in elements within which a wire passes a bollard.
+constexpr double kKeeps = 0.25;  ///< The same distance if the node between already exists.
+constexpr double kLeast = 0.2;   ///< Smallest length along the wire [m].
 
-/// Whether the wheel of a guide is the post itself.
+/// Return true if the wheel of a guide is the bollard itself.
 bool is_of(const GuideDef& guide, std::string_view post) noexcept {
     return guide.name.size() > post.size() && guide.name.starts_with(post) &&
            guide.name[post.size()] == '/';
 }
 
-/// f(ends, length of what comes before, id) of the elements on a side of a guide, from it outwards,
-/// until f returns false.
+/// Call f(ends, length before it, id) for the elements on a side of a guide, outwards, until f
+/// returns false.
 template <class F>
 void each_element(const World& world, const GuideDef& guide, InteractionId line, std::size_t side,
                   F&& f) {
@@ -44,7 +45,7 @@ bool is_wound(const World& world, InteractionId id) {
     return kind_info(world.interaction_def(id).kind).is(kWoundUp);
 }
 
-/// Along the wire to the next guide, if that is nearer than `enough` [m].
+/// Return the distance along the wire to the next guide, at most `enough` [m].
 double way_to_guide(const World& world, const GuideDef& guide, InteractionId line, std::size_t side,
                     double enough) {
     double way = enough;
@@ -52,14 +53,15 @@ double way_to_guide(const World& world, const GuideDef& guide, InteractionId lin
         sum += (ends[1] - ends[0]).norm();
         if (sum >= enough) return false;
         if (id == line || !is_wound(world, id)) return true;
-        // A drum makes elements of its own length, and has room for two of them.
+        // A drum makes elements of its own length and has room for two.
         if (kind_info(world.interaction_def(id).kind).is(kAtGuide)) way = sum;
         return false;
     });
     return way;
 }
 
-/// Along the wire to where it passes a post that it does not lie on, if that is nearer [m].
+/// Return the distance along the wire to the nearest bollard that it passes without lying on it, at
+/// most `enough` [m].
 double way_to_post(const World& world, const GuideDef& guide, InteractionId line, std::size_t side,
                    double enough, double reach) {
     double way = enough;

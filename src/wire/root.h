@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file root.h
-/// Root of a function that grows.
+/// Root of a growing function.
 
 #include <cmath>
 
 namespace hawser::wire {
 
-/// A value of a growing function and how fast it grows; `above` alone where it has no value: the
-/// argument is too large.
+/// Value and slope of a growing function. `above` is true if the argument is too large for a value.
 struct Growing {
     double value = 0.0, slope = 0.0;
     bool above = false;
 };
 
-/// Where f, which grows, is zero: Newton's method, within a bracket that each step narrows and
-/// halves where Newton leaves it. Ends where |f| ≤ small or no number is left between the ends.
+/// Find the root of a growing function f by Newton's method within a bracket. Each step narrows the
+/// bracket, and halves it if Newton leaves it. Stop if |f| ≤ small or no number lies between the
+/// ends.
 /// @param low,high  f(low) ≤ 0 ≤ f(high).
 /// @param guess     Between them.
-/// @param positive  They are 0 or more, and may span many powers of ten.
+/// @param positive  Arguments are ≥ 0 and may span many powers of ten.
 template <class F>
 double growing_root(F&& f, double low, double high, double guess, double small, bool positive) {
     double at = guess;
-    double last = high - low;  // width two steps ago: Newton that does not halve it gives way
+    double last = high - low;  // width two steps ago: bisect if Newton does not halve it
     for (int i = 0; i < 300; ++i) {
         const Growing g = f(at);
         if (!g.above && std::abs(g.value) <= small) return at;

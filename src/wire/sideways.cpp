@@ -8,10 +8,12 @@ namespace hawser::wire {
 namespace {
 
 constexpr int kWayRounds = 60;
-constexpr double kWaySolved = 1e-13;  ///< Of both parts: a way no better known.
-constexpr double kLeastWay = 1e-7;    ///< A way that is not worth going [m].
-constexpr double kMostWay = 0.25;     ///< Of the shorter part, in a step.
-/// Of the way to the shortest: how far inside its bound a place comes to rest, so that it stays.
+/// Rounding of a displacement, relative to the length of both parts.
+constexpr double kWaySolved = 1e-13;
+constexpr double kLeastWay = 1e-7;  ///< Smallest displacement [m].
+/// Largest displacement in a step, as a fraction of the shorter part.
+constexpr double kMostWay = 0.25;
+/// Relative distance inside its bound at which a place comes to rest, so that it stays.
 constexpr double kInsideBound = 1e-9;
 
 double slope_of_lean(const Crossing& c, double s) noexcept {
@@ -54,10 +56,10 @@ double fed_between(const Parts& p) noexcept {
         path[k] = p.rest[k] + p.longer[k] + p.changes[k];
     }
     const double rest = p.rest[0] + p.rest[1], both = path[0] + path[1];
-    // Without tension both are slack by the same share.
+    // Without tension both have the same relative slack.
     if (both <= rest || (strain[0] == 0.0 && strain[1] == 0.0))
         return path[0] * rest / both - p.rest[0];
-    // Of strains t ε₁ and t ε₂: the lengths at rest are what there is. Convex in t.
+    // Find strains t ε₁ and t ε₂ for which the rest lengths sum to the total. Convex in t.
     double t = 1.0;
     for (int i = 0; i < kWayRounds; ++i) {
         const double first = path[0] / (1.0 + t * strain[0]),

@@ -14,14 +14,15 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kLink = 1.0;            ///< Of a chain stopper [m].
-constexpr double kGives = 1e-3;          ///< A chain stopper at its rated load [m].
-constexpr double kStraight = 0.05;       ///< Angle at which a node is not needed [rad].
-constexpr std::int32_t kPatience = 300;  ///< Steps after which it goes at any angle.
-constexpr double kRenew = 3.0;     ///< Hauled in so far a chain stopper takes another node [m].
+constexpr double kLink = 1.0;            ///< Link of a chain stopper [m].
+constexpr double kGives = 1e-3;          ///< Deflection of a chain stopper at its rated load [m].
+constexpr double kStraight = 0.05;       ///< Angle below which a node is not needed [rad].
+constexpr std::int32_t kPatience = 300;  ///< Steps after which it is removed at any angle.
+/// Hauled length after which a chain stopper uses another node [m].
+constexpr double kRenew = 3.0;
 constexpr std::int32_t kTry = 15;  ///< Steps between tries to take an idle node away.
 
-/// Whether another stopper holds the lump.
+/// Return true if another stopper holds the node.
 bool is_held(const World& world, const StopperSystem& by, BodyId lump) noexcept {
     for (const SystemSignal& s : world.system_signals()) {
         if (s.name != "close" || s.system == by.name()) continue;
@@ -64,7 +65,7 @@ void StopperSystem::check_state(const World& world, StateRules& rules) const {
     for (const BodyId id : idle_) rules.require(lump(id), "an idle node is none of a wire");
     const Vec3 place(place_[0], place_[1], place_[2]);
     rules.require(place.allFinite() && place.norm() <= 1e7, "the place is out of range");
-    if (!world.alive(joint_)) return;  // others took it away
+    if (!world.alive(joint_)) return;  // removed by another system
     const InteractionDef& d = world.interaction_def(joint_);
     rules.require(d.name == joint_name_ && d.body[0] == def_.body && d.body[1] == node_,
                   "the stopper's joint is another one");
@@ -91,7 +92,7 @@ std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexc
         if (id == found.element) break;
         if (world.alive(id)) out.at += rest_length(world, id);
     }
-    // As lump_at() has it.
+    // By the rules of lump_at().
     const InteractionDef& d = world.interaction_def(found.element);
     const double length = d.get("length"), least = kStopperAtLump / length;
     const double way = length * std::min(found.share, 1.0 - found.share);
@@ -100,7 +101,7 @@ std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexc
     return out;
 }
 
-/// The lump that is to be held; invalid: there is none within reach.
+/// Return the node to hold; invalid if none is within reach.
 BodyId StopperSystem::lump_at(NodeEdits& nodes, const PlaceOnWire& found) noexcept {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(found.element);
@@ -123,7 +124,7 @@ BodyId StopperSystem::lump_at(NodeEdits& nodes, const PlaceOnWire& found) noexce
     return {};
 }
 
-/// What others may read of the place.
+/// Set the outputs of the held position.
 void StopperSystem::tell(const World& world, const PlaceOnWire& found) noexcept {
     held_ = number_of(world, found.wire);
     at_ = 0.0;
@@ -156,7 +157,7 @@ void StopperSystem::take(NodeEdits& nodes) noexcept {
     become(StopperState::closing);
 }
 
-/// Nodes that nothing needs any more. A wire that stays bent does not keep them for ever.
+/// Remove nodes that are no longer needed. A wire that stays bent does not keep them forever.
 void StopperSystem::drop_idle(NodeEdits& nodes) noexcept {
     if (++idle_steps_ % kTry != 0) return;
     const double bend = idle_steps_ > kPatience ? std::numbers::pi : kStraight;
@@ -170,9 +171,9 @@ void StopperSystem::before_step(NodeEdits& nodes) noexcept {
     if (is(StopperState::open) && close_ >= 0.5) take(nodes);
 }
 
-/// Between the body and the node, where it is now.
+/// Create the joint between the body and the node at its current position.
 void StopperSystem::make_joint(Prestep& now) noexcept {
-    if (!now.world.alive(node_)) {  // taken away since by whoever feeds its wire
+    if (!now.world.alive(node_)) {  // removed since by the system that feeds its wire
         node_ = {};
         become(StopperState::open);
         return;
@@ -196,7 +197,7 @@ void StopperSystem::make_joint(Prestep& now) noexcept {
 void StopperSystem::hold(Prestep& now) noexcept {
     const World& world = now.world;
     if (!joint_.valid()) joint_ = world.find_interaction(joint_name_);
-    if (!world.alive(joint_)) {  // others took it away, or its node
+    if (!world.alive(joint_)) {  // removed by another system, or with its node
         joint_ = {};
         node_ = put_ = {};
         held_ = load_ = at_ = 0.0;
@@ -220,7 +221,7 @@ void StopperSystem::hold(Prestep& now) noexcept {
     const Vec3 came = Vec3(place_[0], place_[1], place_[2]) - place;
     const double in = came.dot(def_.outboard.normalized());
     if (in < def_.pitch) return;
-    // The pawl falls. The same node is held, farther in, until another one is nearer by far.
+    // The pawl falls. The same node is held, farther in, until another one is much nearer.
     came_in_ += in;
     std::copy_n(place.data(), 3, place_);
     after_ =

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file stopper_system.h
-/// What a shark jaw or chain stopper does before each step begins (hawser/stopper.h).
+/// System of a shark jaw or chain stopper (hawser/stopper.h).
 ///
-/// Nodes are put on wires at once, before the step (System::before_step()); the joint comes and
-/// goes by the edits of the step, so that the world has it from then on. The event of its coming is
-/// told in the next step, when its name is there, that of its going in the step before.
+/// Nodes are inserted at once, before the step (System::before_step()). The joint is added and
+/// removed by the edits of the step. The event of its addition is reported in the next step, when
+/// its name exists. The event of its removal is reported in the step before.
 
 #include <hawser/stopper.h>
 #include <hawser/system.h>
@@ -21,12 +21,12 @@
 
 namespace hawser::wire {
 
-/// What a stopper would hold if it closed now.
+/// The node that a stopper would hold if it closed now.
 struct StopperClaim {
     WireId wire{};
-    double at = 0.0;  ///< Of the node, along the wire's material from its first end [m].
+    double at = 0.0;  ///< Position of the node along the wire's material from its first end [m].
 };
-/// A lump so near to the place that a stopper takes is used instead of a new one [m].
+/// Distance within which a stopper uses an existing node instead of a new one [m].
 inline constexpr double kStopperAtLump = 0.1;
 
 class StopperSystem final : public System {
@@ -44,9 +44,9 @@ class StopperSystem final : public System {
         return std::make_unique<StopperSystem>(def_);
     }
     [[nodiscard]] const StopperDef& def() const noexcept { return def_; }
-    /// The lump that it holds or is about to hold; invalid: none.
+    /// Return the node that it holds or is about to hold; invalid: none.
     [[nodiscard]] BodyId node() const noexcept { return node_; }
-    /// None: no wire is within its reach.
+    /// Return the node that it would hold; none if no wire is within reach.
     [[nodiscard]] std::optional<StopperClaim> claim(const World& world) const noexcept;
 
   private:
@@ -67,15 +67,15 @@ class StopperSystem final : public System {
     std::string joint_name_;
     // State.
     double close_ = 0.0;
-    std::int32_t state_ = 0, after_ = 0;  ///< StopperState; what follows where it lets go.
+    std::int32_t state_ = 0, after_ = 0;  ///< StopperState; state after the release.
     std::int32_t told_ = 1;               ///< 0: an event is due.
     std::int32_t idle_steps_ = 0;
-    BodyId node_{}, put_{};         ///< Held; put there by it; to go.
-    std::array<BodyId, 8> idle_{};  ///< Once put there, to go.
+    BodyId node_{}, put_{};         ///< Node held; node that it inserted.
+    std::array<BodyId, 8> idle_{};  ///< Inserted earlier, to be removed.
     InteractionId joint_{};
-    double came_in_ = 0.0;  ///< Through a chain stopper, past its node [m].
-    double place_[3] = {};  ///< Of the node as it was taken, in the body's frame [m].
-    double far_ = 0.0;      ///< Then from the stopper [m].
+    double came_in_ = 0.0;  ///< Length hauled through a chain stopper past its node [m].
+    double place_[3] = {};  ///< Position of the node at closing, in the body's frame [m].
+    double far_ = 0.0;      ///< Its distance from the stopper at closing [m].
     // Outputs.
     double shown_ = 0.0, held_ = 0.0, load_ = 0.0, at_ = 0.0;
 };

@@ -17,8 +17,8 @@ std::optional<Plane> touch_once(const Chain& chain, double x, double sunk, doubl
     rest.compliance.erase(rest.compliance.begin());
     rest.weight.erase(rest.weight.begin());
     rest.weight.front() = 0.0;
-    // The first element takes the horizontal pull of the others, by which it stretches. That is
-    // next to nothing against the distance which is left to them: it is found in a few rounds.
+    // The first element stretches under the horizontal pull of the others. This changes their
+    // distance very little, so a few iterations suffice.
     const double length = chain.length[0], compliance = chain.compliance[0];
     double h = 0.0, level = 0.0, tension = 0.0;
     Plane shape;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file touch.h
-/// A taut wire whose first end lies a little under a level bottom and that touches it at its first
-/// node alone: its element pulls that node down, so that the rest may lift more than all weight.
+/// A taut wire with its first end slightly under a level bottom and only its first node on it. The
+/// first element pulls that node down, so the rest may lift more than the total weight.
 
 #include "wire/chain.h"
 
@@ -10,11 +10,12 @@
 
 namespace hawser::wire {
 
-/// Between an end `sunk` under the bottom and one x away at height `last` over it, without
-/// friction; none where the node would lift or others would lie as well.
+/// Find the shape between an end `sunk` under the bottom and an end x away at height `last` above
+/// it, without friction.
+/// @return none if the node would lift or other nodes would lie.
 [[nodiscard]] std::optional<Plane> touch_once(const Chain& chain, double x, double sunk,
                                               double last);
-/// A shape seen from the other end.
+/// Return the shape counted from the other end.
 [[nodiscard]] Plane reversed(const Plane& shape);
 
 }  // namespace hawser::wire

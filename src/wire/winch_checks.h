@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file winch_checks.h
-/// Refusals of a winch's definition, by its name.
+/// Errors of a winch's definition, with its name.
 
 #include <hawser/def.h>
 #include <hawser/winch.h>
@@ -16,7 +16,8 @@ namespace hawser::wire {
     throw DefError("winch '" + def.name + "': " + what);
 }
 
-/// @throws DefError for a number below the least one, or at it where it has to be above.
+/// Check a number.
+/// @throws DefError if it is below `least`, or equal to it when `above` is set.
 inline void check_number(const WinchDef& def, const char* what, double value, double least,
                          bool above) {
     if (value > least || (!above && value == least)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The element at a winch's drum: what acts on its ends, and nodes that come and go there.
+/// The element at a winch's drum: loads on its ends, and insertion and removal of nodes.
 #include "wire/feed.h"
 #include "wire/winch_system.h"
 
@@ -9,13 +9,13 @@
 #include <cmath>
 
 namespace hawser::wire {
-/// Slot of the element that the first node has. A splice may have turned the wire round since the
-/// winch was made.
+/// Return the slot of the first node in the element. A splice may have reversed the wire since the
+/// winch was added.
 std::size_t WinchSystem::node_slot(const World& world) const noexcept {
     return wire::node_slot(world, ids_.line, def_.end == 0 ? 1 : 0);
 }
 
-/// From the fairlead to the first node.
+/// Return the vector from the fairlead to the first node.
 Vec3 WinchSystem::along_element(const World& world) const noexcept {
     return wire::along_element(world, ids_.line, node_slot(world));
 }
@@ -25,7 +25,7 @@ Vec3 WinchSystem::weight_of_half(const World& world) const noexcept {
                      0.5 * def_.mass_per_length * std::max(at_drum_, 0.0));
 }
 
-/// What no lump has of the element at the drum acts on both of its ends.
+/// Load both ends with the mass of the element at the drum that no node carries.
 void WinchSystem::weigh_element(const World& world, Loads& loads) const noexcept {
     if (!feeds() || parted_ != 0) return;
     load_element(world, loads, {ids_.line, wound(), radius_, def_.mass_per_length, at_drum_},
@@ -43,7 +43,7 @@ void WinchSystem::before_step(NodeEdits& nodes) noexcept {
     const Feed feed{ids_.line, node == 1, def_.element, def_.mass_per_length};
     if (there > kGrown * def_.element) {
         const bool put = put_node(nodes, feed, there, at_drum_);
-        // Each step tries again; the first one tells of it.
+        // Each step retries; only the first failure is reported.
         crowded_ = !put && at_drum_ <= kGrown * def_.element;
     } else if (there < kShrunk * def_.element) {
         (void)take_node(nodes, feed, node, at_drum_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a winch tells its motor, brake and clutch to do.
+/// Orders of a winch to its motor, brake and clutch.
 #include "wire/band_brake.h"
 #include "wire/bounds.h"
 #include "wire/winch_system.h"
@@ -23,7 +23,7 @@ std::span<const char* const> winch_modes() noexcept {
 }  // namespace hawser
 
 namespace hawser::wire {
-/// Nothing more is hauled in.
+/// Return true if no more wire can be hauled in.
 bool WinchSystem::full() const noexcept {
     if (hauled_in_) return true;
     if (wheel_) return stored_ >= wheel_->locker;
@@ -46,12 +46,12 @@ void WinchSystem::order_motor(Orders& out) noexcept {
             if (wraps_ <= def_.dead_wraps && out.speed > 0.0) out.speed = 0.0;
             break;
         case WinchMode::tension:
-            // It pulls with its torque until it takes in as fast as it may.
+            // Pull with the set torque up to the largest hauling speed.
             out.speed = in;
             out.low = -std::min(tension_ * radius_, haul);
             break;
         case WinchMode::render:
-            if (omega_ < 0.999 * in) {  // taking in as fast as it may
+            if (omega_ < 0.999 * in) {  // hauling at the largest speed
                 out.speed = in;
                 out.low = -std::min(least, haul);
             } else {
@@ -65,10 +65,10 @@ void WinchSystem::order_motor(Orders& out) noexcept {
     }
     if (full()) {
         out.speed = std::max(out.speed, 0.0);
-        if (pulls) out.high = pay;  // mode render pulls, else
+        if (pulls) out.high = pay;  // mode render pulls otherwise
     }
     if (clutch_ < 0.5 || parted_ != 0) out.low = out.high = out.speed = 0.0;
-    // What is left jams at the fairlead, whatever the motor does: no further in, but out.
+    // The remaining wire jams at the fairlead for any order of the motor: it can only move out.
     if (jams_ && parted_ == 0) out.high = kUnbounded;
 }
 
@@ -82,7 +82,7 @@ WinchSystem::Orders WinchSystem::orders() noexcept {
         out.hold = brake_ * (slipping_ != 0 ? slips : def_.brake_static);
     else if (m == WinchMode::release)
         out.hold = def_.release_load * radius_;
-    if (empty_ != 0 && parted_ == 0 && !wheel_) {  // the fastening holds: no further out, but in
+    if (empty_ != 0 && parted_ == 0 && !wheel_) {  // the fastening holds: the drum can only haul
         out.hold = kUnbounded;
         out.back = 0.0;
     }
@@ -121,7 +121,7 @@ void WinchSystem::turn_along(const Prestep& now, Loads& loads) noexcept {
     const bool engaged = clutch_ >= 0.5;
     double added = wound_inertia();
     if (engaged) added += def_.motor_inertia;
-    if (engaged && engaged_ == 0)  // what stood is taken along
+    if (engaged && engaged_ == 0)  // the motor at rest is accelerated
         loads.add_force(ids_.drum, {-def_.motor_inertia * omega_ / now.step, 0.0, 0.0});
     engaged_ = engaged ? 1 : 0;
     inertia_ = def_.inertia + added;

@@ -34,7 +34,7 @@ WinchSystem::WinchSystem(WinchDef def, const WinchWheel& wheel, const WinchIds& 
     pull_limit_ = def_.torque_haul / radius_;
 }
 
-/// Where the wire that is on the drum ends; of a gypsy turns of what is in its locker.
+/// Return the end of the wire on the drum; for a gypsy the turns of the chain in its locker.
 DrumGeometry::Place WinchSystem::place() const noexcept {
     if (!wheel_) return drum_.place(stored_);
     return {.radius = wheel_->radius,
@@ -46,7 +46,8 @@ double WinchSystem::leaving_radius() const noexcept {
     return wheel_ ? wheel_->radius : drum_.leaving_radius(stored_);
 }
 
-/// What the drum has turned since the account was last kept is added: that is done as steps begin.
+/// Return the length paid out. The turn of the drum since the last update, which happens at the
+/// start of steps, is added.
 double WinchSystem::paid_out(const World& world, InteractionId element) const noexcept {
     if (element != ids_.line) return kDefault;
     const double since = parted_ == 0 && world.intact(element)
@@ -55,7 +56,7 @@ double WinchSystem::paid_out(const World& world, InteractionId element) const no
     return def_.stored - stored_ + since;
 }
 
-/// Of the wire on the drum [kg m²]; the chain on a gypsy is a body of its own.
+/// Return the inertia of the wire on the drum [kg m²]; 0 for a gypsy, whose chain is a body.
 double WinchSystem::wound_inertia() const noexcept {
     return wheel_ ? 0.0 : drum_.inertia(stored_, def_.mass_per_length);
 }
@@ -75,13 +76,13 @@ void WinchSystem::visit_state(StateVisitor& v) {
 
 void WinchSystem::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
-    constexpr double kMostWire = 1e7, kMostAngle = 1e15;  // [m], [rad]: as positions of bodies
+    constexpr double kMostWire = 1e7, kMostAngle = 1e15;  // [m], [rad]: as for positions of bodies
     rules.range(stored_, -kMostWire, kMostWire, "the wire on the drum is out of range");
     rules.range(at_drum_, -kMostWire, kMostWire, "the wire at the drum is out of range");
     rules.range(angle_, -kMostAngle, kMostAngle, "the angle of the drum is out of range");
     const double most = drum_.radius(DrumGeometry::kMostLayers) + (wheel_ ? wheel_->radius : 0.0);
     rules.range(radius_, 1e-9, most, "the radius of the drum is out of range");
-    // It follows from the wire on the drum, but for rounding.
+    // It follows from the wire on the drum, except for rounding.
     const double radius = leaving_radius();
     rules.require(parted_ != 0 || std::abs(radius_ - radius) <= 1e-9 * radius,
                   "the radius of the drum is not that of the wire on it");
@@ -132,7 +133,7 @@ WinchMode WinchSystem::mode() const noexcept {
     return static_cast<WinchMode>(static_cast<int>(std::lround(mode_)));
 }
 
-/// What the last step came to.
+/// Sample the result of the last step.
 void WinchSystem::look(const Prestep& now) noexcept {
     const double angle = now.world.pose(wound()).position.x();
     turned_ = angle - angle_;
@@ -162,7 +163,7 @@ void WinchSystem::look(const Prestep& now) noexcept {
                                      2.0 * now.step * radius_ * std::abs(leaving_);
 }
 
-/// A brake at its bound, against whose torque the drum turned.
+/// Count the slip of a brake at its bound while the drum turns against its torque.
 void WinchSystem::count_slip(Prestep& now) noexcept {
     const double torque = now.world.force(ids_.brake)[0];
     const double most = torque < 0.0 ? set_.hold : set_.hold * set_.back;
@@ -179,7 +180,7 @@ void WinchSystem::count_slip(Prestep& now) noexcept {
     slipping_ = slips ? 1 : 0;
 }
 
-/// A motor in mode render that paid out against all that it may hold with: its other modes leave
+/// Count a motor in mode render that pays out at its largest holding torque. Its other modes keep
 /// their upper bound above 0.
 void WinchSystem::count_rendering(Prestep& now) noexcept {
     const bool gives = mode() == WinchMode::render && set_.high <= 0.0 && set_.low < 0.0 &&
@@ -203,16 +204,17 @@ void WinchSystem::follow_layer(Prestep& now) noexcept {
     const InteractionDef& line = now.world.interaction_def(ids_.line);
     const double rest = line.get("length") + radius_ * (angle_ - line.get("drum_zero"));
     radius_ = radius;
-    // A rest length that has been wound in altogether has none to be kept.
+    // Keep a positive length if all wire has been wound in.
     now.set_input(inputs_.length, std::max(rest, 1e-6));
     now.set_input(inputs_.drum_zero, angle_);
     now.set_input(inputs_.radius, radius_);
 }
 
-/// What of the tension comes to the wire's end on the drum, and whether that holds.
+/// Compute the tension at the wire's end on the drum, and check whether its fastening holds.
 void WinchSystem::check_fastening(Prestep& now) noexcept {
     if (parted_ != 0) return;
-    // A drum that its fastening stops springs back a little: it is empty until it has hauled.
+    // A drum stopped by its fastening springs back slightly. It counts as empty until it has
+    // hauled.
     constexpr double kHauled = 0.25;  // wraps
     const bool none = stored_ <= 0.0 || (empty_ != 0 && wraps_ < kHauled);
     if (none && empty_ == 0) now.tell(EventKind::drum_empty, ids_.drum, pull_);
@@ -226,13 +228,13 @@ void WinchSystem::check_fastening(Prestep& now) noexcept {
     parted_ = 1;
 }
 
-/// What a gypsy's chain does on its wheel, and what hangs behind it.
+/// Update a gypsy's chain on its wheel and the load of the chain behind it.
 void WinchSystem::follow_chain(const GypsyWheel& wheel, Prestep& now, Loads& loads) noexcept {
     const World& world = now.world;
     const double out = std::max(leaving_, 0.0) * radius_;  // [m/s]
     const double line = def_.mass_per_length;
     const double weight = parted_ == 0 ? line * world.settings().gravity.norm() * wheel.fall : 0.0;
-    const double rate = parted_ == 0 ? line * out : 0.0;  // taken from the heap [kg/s]
+    const double rate = parted_ == 0 ? line * out : 0.0;  // lifted from the heap [kg/s]
     chain_.feel_tail(weight + rate * out);
     const double apart = angle_ - world.pose(ids_.drum).position.x();
     const double jumped =
@@ -248,7 +250,7 @@ void WinchSystem::follow_chain(const GypsyWheel& wheel, Prestep& now, Loads& loa
     set(inputs_.grip_speed, grip_set_.speed, grip.speed);
     set(inputs_.grip_low, grip_set_.low, grip.low);
     set(inputs_.grip_high, grip_set_.high, grip.high);
-    // The bitter end holds what would run out, and lets in.
+    // The bitter end holds against running out and allows hauling.
     set(inputs_.end, end_set_, empty_ != 0 && parted_ == 0 ? kUnbounded : 0.0);
 }
 

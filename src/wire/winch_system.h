@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file winch_system.h
-/// What a winch does at the beginning of each step (hawser/winch.h).
+/// System of a winch (hawser/winch.h).
 ///
-/// **Layers.** The length L on the drum is what turns take from it, L' = L − r Δθ, r the radius
-/// that the last step had. The layer follows from L. Where it changes, the element's radius does,
-/// with its length and drum_zero so that the rest length of now is what it was: tension and energy
-/// do not jump. Within a step r is constant, so that the work of the wire, T r Δθ, is that on the
-/// drum.
+/// *Layers.* Turning changes the length L on the drum: L' = L − r Δθ, with the radius r of the
+/// last step. The layer follows from L. When the layer changes, the element's radius changes. Its
+/// length and drum_zero change too, so that the rest length, the tension and the energy do not
+/// jump. Within a step r is constant, so the work of the wire, T r Δθ, equals that on the drum.
 ///
-/// **Wound wire.** The drum's body has the bare drum's inertia; that of the wire on it, J(L), is
-/// added mass A of a load. Wire that leaves the drum moves as the drum does, so that it takes its
-/// own momentum dJ ω along and leaves ω as it was: just what a changed A does (Loads). The energy
-/// ½ dJ ω² that goes with it is booked as work of systems.
+/// *Wound wire.* The drum's body has the inertia of the bare drum. The inertia of the wire on it,
+/// J(L), is added mass A of a load. Wire that leaves the drum moves as the drum does. It carries
+/// its own momentum dJ ω along and leaves ω unchanged, which is the effect of a changed A (Loads).
+/// The energy ½ dJ ω² counts as work of systems.
 ///
-/// **Nodes.** The element at the drum has the material a [m], a' = −L'. Half of it acts on its
-/// first node by a load, with its weight, mass and drag, half on the fairlead and, along the wire,
-/// on the drum; so that the tension at the fairlead is that of the element and the weight of half
-/// of it. Both halves change with a as the wound wire's inertia does. A node that comes with the
-/// piece f takes f from a, and half of f into each of two lumps: what the fairlead feels stays.
+/// *Nodes.* The element at the drum has the material a [m], a' = −L'. Half of it acts on its
+/// first node by a load with its weight, mass and drag. The other half acts on the fairlead and,
+/// along the wire, on the drum. So the tension at the fairlead is that of the element plus the
+/// weight of half of it. Both halves change with a as the inertia of the wound wire does. A node
+/// inserted with a piece f takes f from a, and half of f goes to each of two nodes. The load on the
+/// fairlead is unchanged.
 ///
-/// **Clutch.** Engaged it adds the motor's inertia J_m to A. A motor that stood is taken along in
-/// one step, (J + J_m) ω₊ = J ω: the force −J_m ω/h beside A. What is lost is booked with it.
+/// *Clutch.* An engaged clutch adds the motor's inertia J_m to A. A motor at rest is accelerated
+/// in one step, (J + J_m) ω₊ = J ω, by the force −J_m ω/h in addition to A. The loss counts as work
+/// of systems.
 
 #include <hawser/system.h>
 #include <hawser/winch.h>
@@ -37,23 +38,24 @@
 
 namespace hawser::wire {
 
-/// What of a winch's world a system drives.
+/// Inputs of interactions that a winch system drives.
 struct WinchInputs {
-    InputId speed, low, high;                 ///< Of the motor.
-    InputId hold, back;                       ///< Of the brake.
-    InputId radius, length, drum_zero;        ///< Of the element.
-    InputId grip_speed, grip_low, grip_high;  ///< Of a gypsy's grip …
-    InputId end;                              ///< … and of its bitter end.
+    InputId speed, low, high;                 ///< Motor.
+    InputId hold, back;                       ///< Brake.
+    InputId radius, length, drum_zero;        ///< Element.
+    InputId grip_speed, grip_low, grip_high;  ///< Grip of a gypsy.
+    InputId end;                              ///< Bitter end of a gypsy.
 };
 
-/// What the wire lies on.
+/// Drum or gypsy of a winch.
 struct WinchWheel {
     DrumGeometry drum{};
-    std::optional<GypsyWheel> gypsy{};  ///< Instead of the drum.
+    std::optional<GypsyWheel> gypsy{};  ///< Replaces the drum.
 };
 
 class WinchSystem final : public System {
   public:
+    /// Create the system.
     /// @param at_drum  Material of the element at the drum [m].
     WinchSystem(WinchDef def, const WinchWheel& wheel, const WinchIds& ids,
                 const WinchInputs& inputs, double at_drum);
@@ -66,11 +68,11 @@ class WinchSystem final : public System {
     void signals(SignalTable& table) override;
     void holds(HoldTable& table) const override;
     [[nodiscard]] double carried_mass(InteractionId element) const noexcept override {
-        // Below 0 where more has come in than there was: it is the winch's account all the same.
+        // May be negative if more wire was hauled than existed.
         return element == ids_.line && feeds() && parted_ == 0 ? def_.mass_per_length * at_drum_
                                                                : 0.0;
     }
-    /// By the account of what is on the drum, which begins anew with no node.
+    /// Return the length paid out, by the count of the wire on the drum.
     [[nodiscard]] double paid_out(const World& world,
                                   InteractionId element) const noexcept override;
     [[nodiscard]] std::unique_ptr<System> clone() const override {
@@ -79,12 +81,12 @@ class WinchSystem final : public System {
     }
 
   private:
-    /// What motor and brake may do in the step that begins [rad/s, N m].
+    /// Speed and bounds of motor and brake in the step that begins [rad/s, N m].
     struct Orders {
         double speed = 0.0, low = 0.0, high = 0.0;
         double hold = 0.0, back = 1.0;
     };
-    /// What an input was last set to, so that it is set where it changes.
+    /// Last value of each input, so that it is set only when it changes.
     struct Set {
         double speed, low, high, hold, back;
     };
@@ -97,7 +99,7 @@ class WinchSystem final : public System {
     [[nodiscard]] DrumGeometry::Place place() const noexcept;
     [[nodiscard]] double leaving_radius() const noexcept;
     [[nodiscard]] double wound_inertia() const noexcept;
-    /// What the element at the drum is paid out by.
+    /// Return the body that pays out the element at the drum.
     [[nodiscard]] BodyId wound() const noexcept { return wheel_ ? ids_.chain : ids_.drum; }
     void check_fastening(Prestep& now) noexcept;
     void count_release(Prestep& now) noexcept;
@@ -133,12 +135,14 @@ class WinchSystem final : public System {
     // Outputs.
     double layer_ = 1.0, wraps_ = 0.0, across_ = 0.0, pull_ = 0.0, pull_limit_ = 0.0;
     double inertia_ = 0.0, state_ = 0.0;
-    // Of the step that begins.
-    double turned_ = 0.0, omega_ = 0.0, leaving_ = 0.0;  ///< Of wire, drum and wire.
-    bool crowded_ = false;    ///< A node could not be put for the first time.
-    bool hauled_in_ = false;  ///< The element at the drum has next to no length left, or will soon.
-    bool jams_ = false;       ///< It has.
-    bool jams_now_ = false;   ///< It has since the last step.
+    // Values of the step that begins.
+    /// Turn of the wire [rad]; speed of the drum; speed of the wire [rad/s].
+    double turned_ = 0.0, omega_ = 0.0, leaving_ = 0.0;
+    bool crowded_ = false;  ///< True if a node could not be inserted for the first time.
+    /// True if the element at the drum is or will soon be at its least length.
+    bool hauled_in_ = false;
+    bool jams_ = false;      ///< True if it is at its least length.
+    bool jams_now_ = false;  ///< True if it reached its least length in the last step.
 };
 
 }  // namespace hawser::wire

@@ -12,10 +12,10 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kLevel = 1.5;   ///< Of lengths, a level of coarsening.
-constexpr double kSlack = 1e-9;  ///< Of lengths, for rounding.
-/// Angle between elements up to which a node may go [rad]: the chord that takes their place is
-/// shorter than both by angle²/8, 3e-4 of it.
+constexpr double kLevel = 1.5;   ///< Ratio of lengths per coarsening level.
+constexpr double kSlack = 1e-9;  ///< Relative tolerance of lengths for rounding.
+/// Angle between elements up to which a node may be removed [rad]. The chord that replaces both
+/// elements is shorter by angle²/8, a fraction of 3e-4.
 constexpr double kFlat = 0.05;
 
 }  // namespace
@@ -66,10 +66,11 @@ void WireResolution::signals(SignalTable& table) {
     table.output("material", "m", material_);
 }
 
-/// L of each element. @throws std::bad_alloc.
+/// Compute the bound L of each element.
+/// @throws std::bad_alloc.
 void WireResolution::bound_elements(const World& world) {
     world.touching(touching_);
-    // Whether a node from one to another, of those that there are, touches something.
+    // Return true if an existing node of a range touches something.
     const auto touches = [&](std::size_t from, std::size_t to) {
         for (std::size_t k = from; k <= std::min(to, at_.size() - 1); ++k) {
             const auto place = static_cast<std::size_t>(at_[k].id.index);
@@ -103,8 +104,7 @@ void WireResolution::bound_elements(const World& world) {
     }
 }
 
-/// Nodes that were there at the last look have been idle for as long as they had been. The others
-/// begin.
+/// Restore the idle counts of nodes known from the last sample. New nodes start at 0.
 void WireResolution::recall() noexcept {
     std::int32_t from = 0;
     for (Node& node : at_) {
@@ -128,11 +128,11 @@ void WireResolution::remember() noexcept {
     }
 }
 
-/// Whether the wire would do without a node.
+/// Return true if a node may be removed.
 bool WireResolution::may_go(std::size_t node) const noexcept {
     const Element &a = elements_[node - 1], &b = elements_[node];
     if (!a.plain || !b.plain || at_[node].angle > kFlat) return false;
-    if (a.mass_per_length != b.mass_per_length) return false;  // where two line types meet
+    if (a.mass_per_length != b.mass_per_length) return false;  // a boundary of two line types
     const double both = a.length + b.length;
     return both <= def_.max_length * scale_ * (1.0 + kSlack) &&
            both * def_.hysteresis <= std::min(a.bound_to_go, b.bound_to_go);
@@ -148,7 +148,7 @@ void WireResolution::count_idle() noexcept {
     }
 }
 
-/// The element that is most too long gets a node.
+/// Insert a node in the element that exceeds its bound most.
 bool WireResolution::refine(NodeEdits& nodes) noexcept {
     std::size_t worst = elements_.size();
     double most = 1.0 + kSlack;
@@ -171,7 +171,7 @@ bool WireResolution::refine(NodeEdits& nodes) noexcept {
     return true;
 }
 
-/// The node goes that is needed least.
+/// Remove the node that is needed least.
 bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
     const std::int32_t wait = scale_ > 1.0 ? 1 : patience_;
     std::size_t least = 0;
@@ -186,7 +186,7 @@ bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
     }
     if (least == 0) return false;
     if (!nodes.remove_node(at_[least].id, kFlat)) {
-        at_[least].idle = -patience_;  // others have their turn
+        at_[least].idle = -patience_;  // let other nodes go first
         return false;
     }
     for (const std::size_t k : {least - 1, least + 1}) at_[k].idle = 0;
@@ -194,7 +194,7 @@ bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
     return true;
 }
 
-/// Take the figures that its signals show: nodes, material, longest and shortest element.
+/// Set the outputs: nodes, material, longest and shortest element.
 void WireResolution::tell(const World& world) noexcept {
     nodes_ = static_cast<double>(world.nodes(def_.wire).size());
     material_ = longest_ = 0.0;
@@ -217,7 +217,7 @@ void WireResolution::tell(const World& world) noexcept {
 void WireResolution::before_step(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
     const std::int64_t now = world.step_count();
-    // Before the first step no force is known.
+    // No force is known before the first step.
     if (now == 0 || now == looked_ || (now + phase_) % def_.interval != 0) return;
     if (!world.alive(def_.wire)) return;
     patience_ = std::max(1, static_cast<std::int32_t>(std::ceil(
@@ -234,7 +234,7 @@ void WireResolution::before_step(NodeEdits& nodes) noexcept {
         nodes.out_of_memory();
         return;
     } catch (const std::exception&) {
-        return;  // without memory: in the next step
+        return;  // out of memory: retried in the next step
     }
     looked_ = now;
     tell(world);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wire_resolution.h
-/// What a resolution does before a step begins (hawser/resolution.h).
+/// System of a resolution (hawser/resolution.h).
 ///
-/// All that decides is read from the world: poses, forces of the last step, masses of elements, and
-/// which segments touch. Own state is the averaged tension and, for each node, for how many looks
-/// running it has not been needed: what a snapshot holds goes on bit for bit. A step that fails is
-/// begun again with the nodes as they are; a second look in the same step does nothing, so that
-/// what follows is the same.
+/// All decisions depend on the world: poses, forces of the last step, masses of elements, and
+/// contacts of segments. The own state is the averaged tension and, for each node, the number of
+/// consecutive samples in which it was not needed. So a restored snapshot continues bit for bit. A
+/// failed step is retried with the nodes as they are. A second sample in the same step does
+/// nothing, so the result is the same.
 
 #include <hawser/resolution.h>
 #include <hawser/system.h>
@@ -21,16 +21,20 @@ namespace hawser::wire {
 
 class WireResolution final : public System {
   public:
-    /// One line type of a wire: elements of it have its EA.
+    /// One line type of a wire, identified by its EA.
     struct Line {
         double EA = 0.0;               ///< [N]
         double mass_per_length = 0.0;  ///< [kg/m]
     };
 
-    /// @param def  All of it given. @param lines  What the wire is made of: at least one. @param
-    /// room  Nodes that are remembered. @param phase  Of looks. @param nodes  That there are.
-    /// @param bodies  Of the world: memory for them is reserved, so that the first look allocates
-    /// nothing.
+    /// Create the system.
+    /// @param def  With all values set.
+    /// @param lines  Line types of the wire, at least one.
+    /// @param room  Number of remembered nodes.
+    /// @param phase  Phase of samples.
+    /// @param nodes  Number of existing nodes.
+    /// @param bodies  Number of bodies of the world. Memory for them is reserved, so that the first
+    ///        sample allocates nothing.
     WireResolution(const ResolutionDef& def, std::vector<Line> lines, std::size_t room,
                    std::int64_t phase, double nodes, std::size_t bodies);
 
@@ -47,26 +51,26 @@ class WireResolution final : public System {
     }
 
   private:
-    /// Of an element as it is now.
+    /// Sampled data of an element.
     struct Element {
         InteractionId id{};
-        double length = 0.0;           ///< Of its material [m].
-        double mass_per_length = 0.0;  ///< Of its line type [kg/m]; 0: of none that is known.
+        double length = 0.0;           ///< Length of its material [m].
+        double mass_per_length = 0.0;  ///< Mass of its line type [kg/m]; 0: unknown.
         double bound = 0.0;            ///< L [m].
-        /// The same for a node to go: where it touches something one element further out, since
-        /// what is near comes and goes at the end of where it touches.
+        /// Bound for removing a node. It also covers contacts one element further out, since nodes
+        /// near the end of a contact region alternate.
         double bound_to_go = 0.0;
         double tension = 0.0;  ///< [N]
         Vec3 chord{0, 0, 0};   ///< [m]
-        bool whole = false;    ///< It is there and has not parted.
-        bool plain = false;    ///< And it may get nodes, and lose those at its ends.
-        bool wound = false;    ///< A drum pays it out.
+        bool whole = false;    ///< True if it exists and is intact.
+        bool plain = false;  ///< True if it is whole and may gain nodes or lose those at its ends.
+        bool wound = false;  ///< True if a drum pays it out.
     };
-    /// Between the element of the same number and the one before.
+    /// Node between element i − 1 and element i.
     struct Node {
         BodyId id{};
         double angle = 0.0, curvature = 0.0;  ///< [rad, 1/m]
-        std::int32_t idle = 0;                ///< Looks in which it was not needed.
+        std::int32_t idle = 0;                ///< Samples in which it was not needed.
     };
 
     [[nodiscard]] double mass_per_length_of(const InteractionDef& element) const noexcept;
@@ -88,21 +92,21 @@ class WireResolution final : public System {
     std::int64_t phase_;
 
     // State.
-    std::vector<std::int32_t> memory_;  ///< Place, generation and idle looks of nodes known.
+    std::vector<std::int32_t> memory_;  ///< Index, generation and idle samples of known nodes.
     std::int32_t known_ = 0;
-    std::int64_t looked_ = -1;  ///< Step before which it looked last.
-    double tension_ = -1.0;     ///< Averaged [N]; below 0: not known.
-    std::int32_t wanted_ = -1;  ///< Place of a node at which more are wanted than there may be.
+    std::int64_t looked_ = -1;  ///< Step of the last sample.
+    double tension_ = -1.0;     ///< Averaged [N]; negative: unknown.
+    std::int32_t wanted_ = -1;  ///< Index of a node where more nodes are needed than allowed.
     std::int32_t told_ = 0;
     double nodes_ = 0.0, shortest_ = 0.0, longest_ = 0.0, material_ = 0.0;
     double inserted_ = 0.0, removed_ = 0.0;
 
-    // Of the look under way.
+    // Data of the current sample.
     std::vector<Element> elements_;
     std::vector<Node> at_;  ///< One more than elements.
     std::vector<std::uint8_t> touching_;
-    double scale_ = 1.0;         ///< Of lengths, by the level of coarsening.
-    std::int32_t patience_ = 0;  ///< In looks.
+    double scale_ = 1.0;         ///< Factor of lengths by the coarsening level.
+    std::int32_t patience_ = 0;  ///< Patience in samples.
 };
 
 }  // namespace hawser::wire

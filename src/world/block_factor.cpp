@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The public face of src/factor.
+/// Implementation of the public interface to src/factor.
 #include "base/index.h"
 #include "world/block_impl.h"
 #include "world/block_pattern.h"
@@ -27,7 +27,7 @@ void BlockFactor::Impl::take(const BlockPattern& p) {
         value_begin.push_back(value_begin.back() + p.size[at(e.row)] * p.size[at(e.column)]);
 }
 
-/// Find where each block of the matrix goes among the panels of the factor.
+/// Compute the address of each matrix block in the panels of the factor.
 void BlockFactor::Impl::place() {
     const factor::Symbolic& s = analysis.symbolic();
     numeric.reserve(s, pool.threads());
@@ -78,7 +78,7 @@ void BlockFactor::Impl::copy(const CopyOp& op, const double* values) noexcept {
                 from[i * op.columns + j];
 }
 
-/// Blocks that `first` + each of these holds.
+/// Copy the blocks of the holders `first` + each of these indices.
 void BlockFactor::Impl::copy_held(std::span<const std::int32_t> holders, std::int32_t first,
                                   const double* values) noexcept {
     auto one = [&](int i, int) noexcept {
@@ -178,7 +178,7 @@ Status BlockFactor::refactor(std::span<const double> values,
                              std::span<const std::int32_t> changed_blocks) noexcept {
     Impl& m = *impl_;
     assert(static_cast<std::int64_t>(values.size()) == value_count());
-    // There must be a factor to start from; a wrong pivot elsewhere in it would go unreported.
+    // A factor must exist to start from. A wrong pivot elsewhere in it would go unreported.
     if (!m.options.partial || !m.factored || m.wrong != 0 ||
         changed_blocks.size() > m.columns.size()) {
         m.part_flops = m.analysis.symbolic().flops;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file block_impl.h
-/// What a BlockFactor keeps.
+/// Data of a BlockFactor.
 
 #include "factor/numeric.h"
 #include "factor/partial.h"
@@ -18,12 +18,11 @@
 namespace hawser {
 
 struct BlockFactor::Impl {
-    /// Copies one block of values to its place; `holder` is the front or batch whose panel holds
-    /// it.
+    /// Copies one block of values to its address. `holder` is the front or batch with its panel.
     struct CopyOp {
         std::int64_t from = 0, to = 0;
         std::int32_t holder = 0, step = 1, ld = 0;
-        std::int8_t rows = 0, columns = 0;  ///< Of the block as it is given.
+        std::int8_t rows = 0, columns = 0;  ///< Size of the given block.
         bool diagonal = false;
     };
 
@@ -40,7 +39,7 @@ struct BlockFactor::Impl {
                    const double* values) noexcept;
     Status finish(int wrong) noexcept;
 
-    /// Threads spin while this lives.
+    /// Keeps the threads spinning while it lives.
     class Awake {
       public:
         explicit Awake(runtime::Pool& pool) : pool_(pool) { pool_.resume(); }
@@ -61,14 +60,14 @@ struct BlockFactor::Impl {
     std::vector<BlockEdge> edges;
     std::vector<std::int64_t> value_begin, scalar_begin;
     std::vector<CopyOp> ops;                 ///< Grouped: fronts, then batches.
-    std::vector<std::int32_t> holder_begin;  ///< Into ops.
-    std::vector<std::int32_t> column_of;     ///< Of each block: the node whose column holds it.
-    std::vector<std::int32_t> columns;       ///< Of changed blocks.
+    std::vector<std::int32_t> holder_begin;  ///< Offsets into ops.
+    std::vector<std::int32_t> column_of;     ///< Node whose column contains each block.
+    std::vector<std::int32_t> columns;       ///< Columns of changed blocks.
     std::vector<double> permuted, rest, row_sum;
     factor::RepairReport report;
     std::int64_t part_flops = 0;
     int wrong = 0;
-    bool factored = false;  ///< Since the last analysis.
+    bool factored = false;  ///< True if factored since the last analysis.
 };
 
 }  // namespace hawser

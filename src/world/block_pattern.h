@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file block_pattern.h
-/// Public patterns as src/factor has them.
+/// Conversion of public patterns to those of src/factor.
 
 #include "factor/pattern.h"
 
@@ -12,10 +12,12 @@
 
 namespace hawser::world {
 
-/// @throws std::invalid_argument where the pattern is malformed.
+/// Convert a pattern.
+/// @throws std::invalid_argument if it is malformed.
 [[nodiscard]] factor::Pattern graph_of(const BlockPattern& pattern);
 
-/// @throws std::invalid_argument where it is not a permutation of the nodes.
+/// Check an elimination order.
+/// @throws std::invalid_argument if it is not a permutation of the nodes.
 void check_order(const BlockPattern& pattern, std::span<const std::int32_t> order);
 
 }  // namespace hawser::world

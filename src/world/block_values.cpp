@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Products of a BlockFactor with the values of a matrix: what it was factored from is compared
-/// with.
+/// Products of a BlockFactor with the values of a matrix, for the comparison with its
+/// factorisation.
 #include "base/index.h"
 #include "world/block_impl.h"
 
@@ -40,7 +40,7 @@ double BlockFactor::residual(std::span<const double> values, std::span<const dou
         double most = 0.0, unfit = 0.0;
         for (const double d : v) {
             most = std::max(most, std::abs(d));
-            unfit += d - d;  // not a number where d is none
+            unfit += d - d;  // NaN if d is NaN
         }
         return most + unfit;
     };

@@ -16,7 +16,7 @@
 namespace hawser::world {
 namespace {
 
-// Beyond these, products of entries overflow or lose all digits.
+// Beyond these limits, products of entries overflow or lose all digits.
 constexpr double kMaxLength = 1e7, kMaxSpeed = 1e5, kMaxMass = 1e15;
 
 void finite(const Where& where, const char* field, double value, double limit = 1e300) {
@@ -141,7 +141,7 @@ void check(const BodyDef& def) {
 
 namespace {
 
-/// What an element takes of its lumps must be theirs.
+/// Check that the nodes of an element have at least half of its mass.
 void check_mass(const InteractionDef& def, const model::Bodies& bodies) {
     const double half = 0.5 * def.params[at(kind_info(def.kind).mass_param)];
     constexpr double kRounding = 1e-9;
@@ -180,7 +180,7 @@ void check(const InteractionDef& def, const model::Bodies& bodies, int count,
                                       : " must be a scalar body "
                                         "(drum, spool) for a ") +
                               info.name + (scalar ? " does not take there" : ""));
-        // A span needs an orientation for its wheels alone.
+        // A span needs an orientation only for its wheels.
         const bool wheel = info.is(kRouted) && b < 2 && info.uses_points &&
                            std::fabs(model::wheel_at(def, static_cast<std::size_t>(b))) > 0.0;
         if (info.uses_frames && kind == BodyKind::lump && (wheel || !info.is(kRouted)))

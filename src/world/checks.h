@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file checks.h
-/// What a world refuses, with the reason and the remedy.
+/// Errors of definitions, with the reason and the remedy.
 
 #include <hawser/def.h>
 #include <hawser/interactions.h>
@@ -15,13 +15,13 @@
 
 namespace hawser::world {
 
-/// Whom a message is about: put into words only where something is refused. What it was made of
-/// must live as long.
+/// Subject of an error message. The text is built only if a definition is rejected. The arguments
+/// must outlive this object.
 class Where {
   public:
-    /// "body 'bob'" or "body (unnamed)".
+    /// Name a subject: "body 'bob'" or "body (unnamed)".
     Where(const char* what, const std::string& name) noexcept : what_(what), name_(&name) {}
-    /// In words already.
+    /// Use a ready text.
     Where(const std::string& text) noexcept : name_(&text) {}
     [[nodiscard]] std::string text() const;
 
@@ -30,44 +30,60 @@ class Where {
     const std::string* name_;
 };
 
-/// Refuses `where` with a reason. @throws DefError
+/// Reject a definition.
+/// @throws DefError with the subject and a reason.
 [[noreturn]] void refuse(const Where& where, const std::string& what);
 
-/// Whether what an element leaves free has a mass. @param mass  Of its end [kg]. @param carried  Of
-/// what a drum has paid out [kg]; below 0: it has hauled in more. @throws DefError
+/// Check that the free end of an element has a mass.
+/// @param mass  Mass of its end [kg].
+/// @param carried  Mass of the wire that a drum has paid out [kg]; negative: it has hauled in more.
+/// @throws DefError
 void check_end(const std::string& where, double mass, double carried);
 
+/// Check the settings of a world.
 /// @throws DefError
 void check(const WorldDef& def);
+/// Check a body.
 /// @throws DefError
 void check(const BodyDef& def);
-/// Checks bodies, points, frames and row constants. @param count  Bodies of the user.
-/// @param before  Interactions of the user. @param places  Theirs. @throws DefError
+/// Check bodies, points, frames and row constants of an interaction.
+/// @param count  Number of user bodies.
+/// @param before  User interactions.
+/// @param places  Their index table.
+/// @throws DefError
 void check(const InteractionDef& def, const model::Bodies& bodies, int count,
            std::span<const InteractionDef> before, const base::Places& places);
-/// Checks a load of `def` by what it is the force of. @throws DefError
+/// Check a load of `def` against the interaction whose force it uses.
+/// @throws DefError
 void check_load(const InteractionDef& def, const FrictionLoad& load, const InteractionDef& other);
-/// Checks parameters once defaults have been filled in. @throws DefError
+/// Check parameters after defaults have been filled in.
+/// @throws DefError
 void check_params(const InteractionDef& def);
-/// @param method  Not all of them have every resistance. @throws DefError
+/// Check a material.
+/// @param method  Some methods lack some resistances.
+/// @throws DefError
 void check(const MaterialDef& def, Nonsmooth method);
-/// @param materials  That there are. @throws DefError
+/// Check a pair of materials.
+/// @param materials  Number of existing materials.
+/// @throws DefError
 void check(const MaterialPairDef& def, int materials, Nonsmooth method);
+/// Check a shape.
 /// @throws DefError
 void check(const ShapeDef& def, const model::Bodies& bodies, int count, int materials);
 
-/// The ranges of a definition for what changes later. @throws DefError
+/// Check later changes against the ranges of a definition.
+/// @throws DefError
 void check_pose(const Where& where, const Vec3& position, const Quat& orientation);
 void check_velocity(const Where& where, const Vec3& linear, const Vec3& angular);
 void check_force(const Where& where, const Vec3& force, const Vec3& torque);
 
-/// Why a kind has none, and which have.
+/// Return the message for a kind without coordinate or motor, with the kinds that have one.
 [[nodiscard]] std::string no_coordinate(const KindInfo& kind);
 [[nodiscard]] std::string no_motor(const KindInfo& kind);
 
-/// For messages: as short as it may be, 1e+300 has 301 digits else.
+/// Format a number for messages, as short as possible (1e+300 would have 301 digits).
 [[nodiscard]] std::string number(double value);
-/// "body 'bob'" or "body (unnamed)" for messages.
+/// Return "body 'bob'" or "body (unnamed)" for messages.
 [[nodiscard]] std::string label(const char* what, const std::string& name);
 
 }  // namespace hawser::world

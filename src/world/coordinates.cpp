@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Coordinates of joints, and of what limits, drives or rubs them.
+/// Coordinates of joints and of the limits, drives and friction on them.
 #include <hawser/world.h>
 
 #include "world/checks.h"
@@ -30,6 +30,7 @@ std::string no_motor(const KindInfo& kind) {
 
 namespace {
 
+/// Return the coordinate of an interaction.
 /// @throws DefError for a kind without a coordinate.
 model::Coordinate coordinate_of(const stepper::StepContext& ctx, std::size_t i) {
     const InteractionDef& def = ctx.model.interactions.def[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Couplings of single interactions, and worlds that differ in coupling only.
+/// Couplings of single interactions, and worlds that differ only in coupling.
 #include <hawser/inspect.h>
 #include <hawser/partition.h>
 
@@ -151,7 +151,7 @@ std::vector<CutView> World::cuts() const {
 
 namespace {
 
-/// What moves and remembers, as much of each array as both worlds have.
+/// Copy motion and memory, up to the common length of each array.
 void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
     std::vector<std::span<const std::byte>> arrays;
     world::visit_motion(from,
@@ -162,13 +162,13 @@ void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
         const std::span<std::byte> mine = std::as_writable_bytes(std::span(a));
         std::copy_n(its.begin(), std::min(its.size(), mine.size()), mine.begin());
     });
-    // Their wires are others where other elements are cut.
+    // With other cut elements the wires differ.
     if (from.model.wires.count() != to.model.wires.count()) {
         std::fill(to.model.wires.credit.begin(), to.model.wires.credit.end(), 0.0);
         std::fill(to.model.wires.alert.begin(), to.model.wires.alert.end(), 0);
         std::fill(to.model.wires.recoil.begin(), to.model.wires.recoil.end(), 0);
     }
-    if (to.model.def.sleep_after == 0.0) {  // what sleeps there is awake here
+    if (to.model.def.sleep_after == 0.0) {  // sleeping bodies are awake in this world
         std::fill(to.model.bodies.asleep.begin(), to.model.bodies.asleep.end(), std::uint8_t{0});
         std::fill(to.model.bodies.quiet.begin(), to.model.bodies.quiet.end(), 0);
     }
@@ -189,7 +189,8 @@ void copy_values(const stepper::StepContext& from, stepper::StepContext& to) {
     to.work.stats.step = from.state.step;
 }
 
-/// Contacts that are remembered. @return whether other bodies touch than did here.
+/// Copy remembered contacts.
+/// @return true if other bodies touch than before.
 bool copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
     assembly::Contacts& c = to.model.system.contacts;
     const assembly::Contacts& f = from.model.system.contacts;
@@ -209,7 +210,7 @@ bool copy_contacts(const stepper::StepContext& from, stepper::StepContext& to) {
     return true;
 }
 
-/// Groups that follow the state, where both worlds have some.
+/// Copy groups that follow the state, if both worlds have some.
 void copy_groups(const stepper::StepContext& from, stepper::StepContext& to) {
     if (!stepper::makes_groups(from.model) || !stepper::makes_groups(to.model)) return;
     const bool same = to.model.regroup.parts.part == from.model.regroup.parts.part;
@@ -284,7 +285,7 @@ void World::copy_from(const World& other) {
             to.model.interactions.set_anchor(id, to.model.interactions.anchor[at(id)]);
     for (const std::int32_t id : to.model.interactions.winches)
         to.model.interactions.follow_length(id, to.model.bodies, to.model.def.step);
-    // Images and copies differ with the coupling.
+    // Ghost bodies and duplicated rows differ with the coupling.
     if (from.model.interactions.count() != to.model.interactions.count())
         stepper::follow_cuts(to.model);
     if (from.model.cuts.interfaces == to.model.cuts.interfaces &&

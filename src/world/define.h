@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file define.h
-/// From typed definitions to those of the table: names of parameters are looked up there, and what
-/// is not given stays kDefault.
+/// Conversion of typed definitions to table definitions. Parameter names are looked up here, and
+/// missing values stay kDefault.
 
 #include <hawser/joints.h>
 
@@ -12,37 +12,38 @@
 
 namespace hawser::world {
 
-/// What one typed definition is made of, the joint first.
+/// Interactions of one typed definition, the joint first.
 struct Parts {
     std::vector<InteractionDef> defs;
-    /// Where the id of each goes, or null.
+    /// Destination of each id, or null.
     std::vector<InteractionId*> ids;
     void add(InteractionDef def, InteractionId& id) {
         defs.push_back(std::move(def));
         ids.push_back(&id);
     }
-    /// Add all interactions, or none where one is refused.
+    /// Add all interactions, or none if one is rejected.
     void add_to(World& world) const;
 };
 
-/// "boom/motor"; "" of what has no name.
+/// Return "boom/motor", or "" without a name.
 [[nodiscard]] std::string part_name(const std::string& name, const char* part);
 
-/// A parameter that is given.
+/// Set a parameter if a value is given.
 void set_given(InteractionDef& def, std::string_view param, double value);
-/// The same compliance and damping time in every row.
+/// Set the same compliance and damping time in every row.
 void set_rows(InteractionDef& def, double compliance, double damping_time);
 
-/// The three things that act on a coordinate, each of its own kind, at the place of `frame`.
+/// Kinds of the three interactions on a coordinate, placed at `frame`.
 struct AxisKinds {
     InteractionKind limit, motor, friction;
 };
-/// @param own  Whether a joint, the first part, presses on the friction.
+/// Add the limit, motor and friction of a coordinate.
+/// @param own  True if the first part, a joint, presses on the friction.
 void add_axis(Parts& parts, const InteractionDef& frame, const std::string& name,
               const AxisKinds& kinds, const std::optional<AxisLimit>& limit,
               const std::optional<AxisMotor>& motor, const std::optional<AxisFriction>& friction,
               AxisIds& ids);
-/// Frames of the first `count` bodies with their z along an axis, which agree as these stand now.
+/// Set frames of the first `count` bodies with z along an axis, which agree in the current poses.
 void set_frames(InteractionDef& def, const World& world, std::size_t count, const Vec3& axis,
                 JointFrame in);
 void set_motor(InteractionDef& def, const AxisMotor& motor);

@@ -64,7 +64,7 @@ void set_friction(InteractionDef& def, const AxisFriction& friction) {
 
 namespace {
 
-/// An end that is left out is as far away as the table allows.
+/// Set a limit. A missing end gets the largest allowed distance.
 void set_limit(InteractionDef& def, const AxisLimit& limit) {
     for (const ParamInfo& p : kind_info(def.kind).params) {
         const bool low = std::string_view(p.name) == "min";
@@ -113,7 +113,7 @@ constexpr AxisKinds kAbout{InteractionKind::HingeRange, InteractionKind::HingeMo
 constexpr AxisKinds kAlong{InteractionKind::SlideRange, InteractionKind::SlideMotor,
                            InteractionKind::SlideFriction};
 
-/// A joint of two bodies, and where it is in the world.
+/// A joint of two bodies and its position in the world.
 class Joint {
   public:
     template <class Def>
@@ -137,21 +137,21 @@ class Joint {
             refuse("a lump is a point, " + number(out.point[slot].norm()) +
                    " m away from there; put the joint at its position");
     }
-    /// A direction of the definition in the world.
+    /// Return a direction of the definition in world axes.
     [[nodiscard]] Vec3 direction(const Vec3& axis) const {
         const double length = axis.norm();
         if (!std::isfinite(length) || !(length > 1e-9))
             refuse("its axis has no direction; give one of any length but 0");
         return (in_a_ ? Vec3(pose_[0].orientation * axis) : axis) / length;
     }
-    /// Frame of one side: z along a direction of the world.
+    /// Set the frame of one side with z along a direction of the world.
     void set_frame(std::size_t slot, const Vec3& z) {
         set_frame(slot, turn_between(Vec3::UnitZ(), z));
     }
     void set_frame(std::size_t slot, const Quat& frame) {
         out.frame[slot] = (pose_[slot].orientation.conjugate() * frame).normalized();
     }
-    /// Frames of both sides about an axis: turned and apart as the coordinates say.
+    /// Set the frames of both sides about an axis, with the angle and distance of the coordinates.
     void set_axis(const Vec3& axis, double turned, double apart) {
         if (!std::isfinite(turned) || !std::isfinite(apart))
             refuse("its coordinate is not a finite number");
@@ -177,7 +177,7 @@ class Joint {
     Vec3 point_;
 };
 
-/// A hinge or a slider with its parts.
+/// Add a hinge or slider with its parts.
 template <class Def>
 JointIds add_driven(World& world, InteractionKind kind, const AxisKinds& kinds, const Def& def) {
     Joint joint(world, kind, def);

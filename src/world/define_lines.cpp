@@ -13,7 +13,7 @@ namespace {
 
 using world::set_given;
 
-/// A point on a body, which a lump has none of.
+/// Attach to a point of a body. A node must have the point 0.
 void attach(InteractionDef& def, const World& in, std::size_t slot, BodyId body,
             const Vec3& point) {
     def.body[slot] = body;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What comes into a world and leaves it.
+/// Addition and removal of objects of a world.
 #include <hawser/world.h>
 
 #include "world/checks.h"
@@ -19,12 +19,12 @@ using world::claim_for;
 
 namespace {
 
-/// The place that a thing will have: an empty one, or behind all others.
+/// Return the index of the next object: a vacant one, or the end.
 std::int32_t next_place(std::int32_t vacant, int count) noexcept {
     return vacant < 0 ? count : vacant;
 }
 
-/// A definition at a place, behind all others or not. Room has been made.
+/// Store a definition at an index, at the end or not. Capacity has been reserved.
 template <class T>
 void put(std::vector<T>& list, std::int32_t place, T&& value) noexcept {
     if (at(place) == list.size())
@@ -66,7 +66,7 @@ BodyId World::add_body(const BodyDef& def) {
     const std::int32_t place = next_place(c.model.bodies.place_for(def.kind), body_count());
     std::int32_t group = -1;
     claim_for(m.body_names, def.name, place, "body", [&] { group = m.number_of_group(def.group); });
-    // From here on nothing throws.
+    // No call below throws.
     stepper::begin_edit(c);
     (void)c.model.bodies.add(def);
     put(m.body_defs, place, std::move(kept));
@@ -94,7 +94,7 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     stepper::reserve_edit(c);
     const std::int32_t place = next_place(all.place_for(d.kind), interaction_count());
     claim(m.interaction_names, d.name, place, "interaction");
-    // From here on nothing throws.
+    // No call below throws.
     const InteractionId id = m.put_interaction(std::move(d));
     if (m.listener != nullptr) m.listener->added(def);
     return id;
@@ -124,7 +124,7 @@ ShapeId World::add_shape(const ShapeDef& def) {
         m.ctx.model.collider.places.find_vacant([](std::int32_t) { return true; }), shape_count());
     claim_for(m.shape_names, def.name, place, "shape",
               [&] { m.ctx.model.collider.add(def, m.ctx.model.bodies); });
-    // From here on nothing throws.
+    // No call below throws.
     put(m.shape_defs, place, std::move(kept));
     stepper::begin_shape_edit(m.ctx);
     stepper::settle_shape(m.ctx, place);
@@ -152,7 +152,8 @@ void World::set_change_listener(ChangeListener* listener) noexcept { impl_->list
 
 namespace {
 
-/// Remove one thing with what hangs on it. @param call  Name of the function of World.
+/// Remove one object with everything attached to it.
+/// @param call  Name of the function of World.
 template <class Impl, class Id>
 const Removed& remove_one(Impl& impl, Id id, const char* call) {
     const world::Using use(impl.use, call);
@@ -173,7 +174,7 @@ const Removed& World::remove_interaction(InteractionId id) {
 const Removed& World::remove_shape(ShapeId id) { return remove_one(*impl_, id, "remove_shape"); }
 const Removed& World::remove_input(InputId id) { return remove_one(*impl_, id, "remove_input"); }
 
-/// Room for all that there is: a hull may take anything with it.
+/// Reserve capacity for all objects, because removing a hull may remove any of them.
 void World::Impl::reserve_removal() {
     stepper::reserve_edit(ctx);
     ctx.model.bodies.make_room();
@@ -195,7 +196,7 @@ void World::Impl::forget_removal() noexcept {
 
 namespace {
 
-/// What a call that takes back its own additions removes is named as far as there is room.
+/// Note a removed object while there is capacity, in calls that undo their own additions.
 template <class Id>
 void note(std::vector<Id>& list, Id id) noexcept {
     if (list.size() < list.capacity()) list.push_back(id);
@@ -210,7 +211,7 @@ const Removed& World::Impl::sorted_removal() noexcept {
     return removed;
 }
 
-/// What hangs on it goes first.
+/// Remove a body, its attached objects first.
 void World::Impl::remove(BodyId id) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     for (std::int32_t i = stepper::interaction_count(ctx.model); i-- > 0;) {
@@ -253,7 +254,7 @@ void World::Impl::remove(ShapeId id) noexcept {
     note(removed.shapes, id);
 }
 
-/// What it set stays as it is.
+/// Remove an input. The value that it set remains.
 void World::Impl::remove(InputId id) noexcept {
     InputDef& def = inputs[at(id.index)];
     const InteractionId driven = def.interaction;
@@ -273,7 +274,7 @@ void World::Impl::remove(InputId id) noexcept {
     note(removed.inputs, id);
     const auto same = [&](const InputDef& other) { return other.interaction == driven; };
     if (!driven.valid() || std::any_of(inputs.begin(), inputs.end(), same)) return;
-    stepper::begin_edit(ctx);  // it may be completed now
+    stepper::begin_edit(ctx);  // the interaction may take part in the end-of-step iteration now
     ctx.model.interactions.unmark_driven(driven.index);
 }
 

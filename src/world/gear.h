@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file gear.h
-/// What holds ends of wires together (hawser/wire.h).
+/// Gear that holds ends of wires together (hawser/wire.h).
 
 #include <hawser/id.h>
 #include <hawser/structure.h>
@@ -11,16 +11,17 @@
 
 namespace hawser::world {
 
-using GearInUse = GearPiece;  ///< It may have gone or parted since.
+using GearInUse = GearPiece;  ///< The gear may have been removed or broken since.
 
-/// A lump that one element holds.
+/// A node that one element holds.
 struct FreeEnd {
     BodyId lump;
     InteractionId element;
-    std::size_t slot = 0;  ///< Of the element.
+    std::size_t slot = 0;  ///< Slot of the element.
 };
 
-/// What can be told without the world. @throws DefError
+/// Check a definition as far as possible without the world.
+/// @throws DefError
 void check(const JoinDef& def);
 
 }  // namespace hawser::world

@@ -14,7 +14,7 @@
 namespace hawser::world {
 namespace {
 
-/// Takes many small values, and hashes them some kilobytes at a time.
+/// Collects small values and hashes some kilobytes at a time.
 class Digest {
   public:
     void bytes(const void* data, std::size_t size) {
@@ -34,7 +34,7 @@ class Digest {
     void array(const A& a) {
         bytes(a.data(), a.size() * sizeof(a[0]));
     }
-    /// The front of an array.
+    /// Add the first entries of an array.
     template <class A>
     void front(const A& a, std::size_t count) {
         bytes(a.data(), count * sizeof(a[0]));
@@ -61,7 +61,7 @@ void add(const MaterialDef& m, Digest& to) {
     to.value(values);
 }
 
-/// All that shapes and materials are, names apart.
+/// Add the data of all shapes and materials, except names.
 void add(const std::vector<ShapeDef>& shapes, const collide::Collider& collider, Digest& to) {
     for (int i = 0; i < collider.materials.count(); ++i) add(collider.materials.def(i), to);
     for (const MaterialPairDef& pair : collider.materials.pairs()) {
@@ -92,7 +92,7 @@ void add(const std::vector<ShapeDef>& shapes, const collide::Collider& collider,
 
 std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
     Digest to;
-    // Of what the user added: images and copies of cuts follow from it.
+    // Only user objects count, because ghost bodies and duplicated rows of cuts follow from them.
     const auto bodies = static_cast<std::size_t>(stepper::body_count(ctx.model)),
                count = static_cast<std::size_t>(stepper::interaction_count(ctx.model));
     to.front(ctx.model.bodies.kind, bodies);
@@ -153,7 +153,7 @@ std::uint64_t parameters_of(const stepper::StepContext& ctx, const std::vector<I
         const InteractionDef& d = ctx.model.interactions.def[i];
         to.bytes(d.point.data(), sizeof d.point);
         to.bytes(d.frame.data(), sizeof d.frame);
-        // One that follows the length says nothing of its own.
+        // A compliance that follows the length has no own value.
         std::array<double, kMaxInteractionRows> compliance = d.compliance;
         if ((ctx.model.interactions.flags[i] & model::kFromLength) != 0) compliance[0] = kDefault;
         to.array(compliance);

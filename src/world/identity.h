@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file identity.h
-/// What a world must be for a snapshot to belong to it.
+/// Identity of a world, which a snapshot must match.
 
 #include <hawser/def.h>
 #include <hawser/shapes.h>
@@ -13,12 +13,12 @@
 
 namespace hawser::world {
 
-/// Everything that must agree for the bytes to mean the same thing.
+/// Return a hash of all data that determine the meaning of a snapshot's bytes.
 [[nodiscard]] std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs);
 
-/// What the bodies, interactions, inputs and settings are, apart from what is part of the state: a
-/// run goes on bit for bit with the same parameters only. Left out are parameters that inputs
-/// drive, applied forces, the number of threads, and the form, whose results agree to round-off.
+/// Return a hash of the parameters of bodies, interactions, inputs and settings, without the state.
+/// A run continues bit for bit only with equal parameters. Excluded are parameters driven by
+/// inputs, applied forces, the number of threads, and the form, whose results agree to rounding.
 [[nodiscard]] std::uint64_t parameters_of(const stepper::StepContext& ctx,
                                           const std::vector<InputDef>& inputs,
                                           const std::vector<ShapeDef>& shapes);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file impl.h
-/// What a World owns.
+/// Data of a World.
 
 #include <hawser/changes.h>
 #include <hawser/edits.h>
@@ -37,13 +37,14 @@ struct World::Impl final : private world::InputDoor {
     world::Names groups;
     [[nodiscard]] std::int32_t number_of_group(const std::string& name);
     std::vector<ShapeDef> shape_defs;
-    std::vector<InputDef> inputs;  ///< Without a name where one was removed.
+    std::vector<InputDef> inputs;  ///< Without a name at vacant indices.
     std::vector<double> input_values;
     base::Places input_places;
-    std::vector<InputId> input_ids;  ///< Of what there is, ascending.
+    std::vector<InputId> input_ids;  ///< Ids of existing inputs, ascending.
     world::Names body_names, interaction_names, input_names, material_names, shape_names;
 
-    /// Places that ids name. @throws DefError for an id of nothing, or of what has been removed.
+    /// Return the index of an id.
+    /// @throws DefError for an invalid id or a removed object.
     [[nodiscard]] std::size_t place(BodyId id) const {
         return world::place_of(id, ctx.model.bodies.places, stepper::body_count(ctx.model), "body");
     }
@@ -58,11 +59,12 @@ struct World::Impl final : private world::InputDoor {
         return world::place_of(id, input_places, input_places.count(), "input");
     }
 
-    // Of what there is, ascending.
+    // Ids of existing objects, ascending.
     std::vector<BodyId> body_ids;
     std::vector<InteractionId> interaction_ids;
     std::vector<ShapeId> shape_ids;
-    // Pieces of a world without any (structure.cpp). @throws DefError, std::bad_alloc.
+    // Construction of an empty world (structure.cpp).
+    // @throws DefError, std::bad_alloc.
     void make(World& self, const Structure& from);
     void make_bodies(World& self, const Placed<BodyDef>& from);
     void make_shapes(World& self, const Structure& from);
@@ -72,28 +74,29 @@ struct World::Impl final : private world::InputDoor {
     void make_wires(const Placed<WirePieces>& from);
 
     world::WireList wires;
-    /// What a world was before several things are added at once.
+    /// State of a world before several objects are added together.
     struct Mark {
-        std::int32_t bodies, interactions, shapes;  ///< Places.
-        std::size_t noted;                          ///< Of stepper::Edits.
-        stepper::Edited edited;                     ///< Of the ledger.
+        std::int32_t bodies, interactions, shapes;  ///< Array sizes.
+        std::size_t noted;                          ///< Number of entries of stepper::Edits.
+        stepper::Edited edited;                     ///< Edits of the energy ledger.
         stepper::Changed changed;
         bool any_edit, stale;
-        BodyId end[2];          ///< Bodies that are touched …
-        std::int32_t quiet[2];  ///< … and for how long they had been at rest.
+        BodyId end[2];          ///< Touched bodies …
+        std::int32_t quiet[2];  ///< … and the number of steps for which they had been at rest.
     };
     [[nodiscard]] Mark mark(BodyId from, BodyId to) const noexcept;
     void tell_of(const world::Wire& made) const noexcept;
     void take_back(const Mark& before, const world::Wire& made) noexcept;
     [[nodiscard]] WireId keep_wire(world::Wire& wire);
-    /// Room for one more wire, of a name that is claimed. @return the empty place that it will
-    /// have, −1: behind all others. @throws DefError, std::bad_alloc.
+    /// Reserve capacity for one more wire and claim its name.
+    /// @return the vacant index that it will use, −1: the end.
+    /// @throws DefError, std::bad_alloc.
     [[nodiscard]] std::int32_t claim_wire(const std::string& name);
     WireId put_wire(world::Wire& wire, std::int32_t vacant) noexcept;
     void forget_wire(WireId id) noexcept;
     [[nodiscard]] const world::Wire& wire(WireId id) const;
-    // Of insert_node() and remove_node(): the wire that an element is of, null where it is of none;
-    // what definitions say of the bodies and elements about a node; the capsule of an element.
+    // Helpers of insert_node() and remove_node(): the wire of an element, null if it has none;
+    // updates of the definitions of bodies and elements about a node; the capsule of an element.
     [[nodiscard]] world::Wire* wire_with(InteractionId element) noexcept;
     void know_wire_of(InteractionId element);
     void follow_definitions(const stepper::NodePlace& place) noexcept;
@@ -103,9 +106,9 @@ struct World::Impl final : private world::InputDoor {
     void join_segments(ShapeId near, ShapeId far) noexcept;
     [[nodiscard]] ShapeId segment_between(std::int32_t a, std::int32_t b) const noexcept;
     void check_node(InteractionId element, double share, double mass) const;
-    /// Before a node that two elements hold, 0, and behind it, 1.
+    /// Return the element before a node (side 0) or behind it (side 1).
     [[nodiscard]] InteractionId element_at(BodyId node, std::size_t side) noexcept;
-    /// Makes a short element that a cut leaves at an end one with the next, where its node can go.
+    /// Join a short element at an end left by a cut with the next one, if its node can be removed.
     void join_short_end(World& world, InteractionId end, std::size_t side) noexcept;
     void check_cut_at_node(const std::string& where, stepper::NodePlace& place) const;
     [[nodiscard]] bool carried(const world::Wire& wire, std::size_t element) const noexcept;
@@ -124,7 +127,7 @@ struct World::Impl final : private world::InputDoor {
     [[nodiscard]] std::optional<ShapeDef> next_segment(const stepper::NodePlace& place, BodyId node,
                                                        bool first, const world::Wire* wire) const;
 
-    // Of wires that are cut, joined and let go (wire_cuts.cpp, wire_joins.cpp, wire_ends.cpp).
+    // Wires that are cut, joined and released (wire_cuts.cpp, wire_joins.cpp, wire_ends.cpp).
     std::vector<world::GearInUse> gear;
     [[nodiscard]] WireId id_of(const world::Wire& wire) const noexcept {
         return wires.places.id<WireId>(static_cast<std::int32_t>(&wire - wires.wires.data()));
@@ -145,26 +148,27 @@ struct World::Impl final : private world::InputDoor {
     void open_gear(InteractionId element, BodyId lump);
     void free_lump(World& world, InteractionId element, std::size_t side);
 
-    Removed removed;  ///< By the last removal.
+    Removed removed;  ///< Objects of the last removal.
     void forget_removal() noexcept;
     void reserve_removal();
     [[nodiscard]] const Removed& sorted_removal() noexcept;
     void remove(BodyId id) noexcept;
     void remove(InteractionId id) noexcept;
-    /// A definition that is complete and has been checked becomes an interaction; its name has been
-    /// claimed, and room been made for it.
+    /// Add a complete, checked definition as an interaction. Its name has been claimed and capacity
+    /// reserved.
     InteractionId put_interaction(InteractionDef&& whole) noexcept;
     void remove(ShapeId id) noexcept;
     void remove(InputId id) noexcept;
-    /// @throws DefError where a system holds one of these, or what would go with it.
-    /// @param stays  Of what is on the body, it does not go with it; invalid: all goes.
+    /// Check that no system holds an object or the objects removed with it.
+    /// @param stays  Interaction on the body that is not removed with it; invalid: all are removed.
+    /// @throws DefError
     void refuse_held(BodyId id, InteractionId stays = {}) const;
     void refuse_held(InteractionId id) const;
     void refuse_held(ShapeId id) const;
     void refuse_held(InputId id) const;
 
     ChangeListener* listener = nullptr;
-    /// Nobody is told what a function does within one that is told itself.
+    /// Suspends the listener, for calls within a reported call.
     class Untold {
       public:
         explicit Untold(Impl& impl) noexcept : impl_(impl), listener_(impl.listener) {
@@ -179,12 +183,13 @@ struct World::Impl final : private world::InputDoor {
         ChangeListener* listener_;
     };
     world::Systems systems{*this};
-    /// What systems asked for, in the world that is this. @return ok, bad_edit or out_of_memory.
+    /// Make the edits that systems requested, in this world.
+    /// @return ok, bad_edit or out_of_memory.
     [[nodiscard]] Status make_edits(World& world) noexcept;
     [[nodiscard]] Structure structure() const;
 
-    /// Inputs that are forces along the world's axes, ascending. What acts on a body is what the
-    /// user applied (BodyDef::force and torque), and then what these have, in this order.
+    /// A force input along world axes, ascending. The force on a body is the user's (BodyDef::force
+    /// and torque) plus the values of these inputs in this order.
     struct ForceInput {
         std::int32_t body, component, input;
         friend constexpr auto operator<=>(const ForceInput&, const ForceInput&) = default;
@@ -192,21 +197,21 @@ struct World::Impl final : private world::InputDoor {
     std::vector<ForceInput> force_inputs;
     void add_up_force(BodyId body, int component) noexcept;
     [[nodiscard]] double user_force(std::size_t body, int component) const noexcept;
-    /// Forces on bodies are those that the user applied, for a snapshot; and all again. After
-    /// reading one what acts on bodies is what the user applied.
+    /// Remove input forces from the bodies for a snapshot, and add them again. After reading a
+    /// snapshot, bodies have the user forces only.
     void leave_user_forces() noexcept;
     void add_up_forces() noexcept;
-    void put_user_forces() noexcept;  ///< As the definitions have them.
+    void put_user_forces() noexcept;  ///< Restore user forces from the definitions.
     void take_user_forces() noexcept;
 
-    /// Inputs with forces in the frame of their body, in the order added, and the six forces of
-    /// each one's body while a step is taken that has them turned into the world.
+    /// Inputs with forces in the frame of their body, in the order added. During a step the body's
+    /// six previous forces are stored for each of them.
     std::vector<std::int32_t> local_inputs;
     std::vector<double> forces_before;
     void turn_forces() noexcept override;
     void unturn_forces() noexcept override;
 
-    /// Definitions, ids and names from before the first edit that a system makes within a step.
+    /// Definitions, ids and names before the first edit of a system within a step.
     struct StepUndo {
         bool holds = false;
         stepper::ModelUndo model;
@@ -229,33 +234,36 @@ struct World::Impl final : private world::InputDoor {
         std::vector<ForceInput> force_inputs;
         std::vector<std::int32_t> local_inputs;
     };
-    StepUndo undo;     ///< Of the step; memory is kept from step to step.
-    StepUndo attempt;  ///< Of an Attempt.
-    /// Whether a call of several edits is undone as a whole where it is refused (Attempt): what a
-    /// system edits before a step takes back its own additions, but for cuts.
+    StepUndo undo;     ///< Undo data of the step; the memory is kept between steps.
+    StepUndo attempt;  ///< Undo data of an Attempt.
+    /// Return true if a rejected call of several edits is undone as a whole (Attempt). Edits of a
+    /// system before a step undo their own additions, except with cuts.
     [[nodiscard]] bool composite() const noexcept {
         return stepper::has_cuts(ctx.model) || !systems.editing();
     }
+    /// Save the state for undo.
     /// @throws std::bad_alloc.
     void keep_for_undo(StepUndo& u) const;
     void put_back(StepUndo& u) noexcept;
-    /// All that the step that has failed did, and what its systems edited. @param mark  Of the
-    /// listener when it began.
+    /// Undo all changes of a failed step and the edits of its systems.
+    /// @param mark  Mark of the listener at the start of the step.
     void undo_step(std::size_t mark) noexcept;
     [[nodiscard]] Status take_step() noexcept;
 
-    factor::KeptAnalysis saved_analysis;  ///< Scratch of save(), so that it needs no memory twice.
+    /// Scratch of save(), so that a second call allocates nothing.
+    factor::KeptAnalysis saved_analysis;
     world::Outputs outputs;
     world::Use use;
 
     void apply_input(std::size_t index, double value);
-    /// What acts at present where an input does: its value, unless something else set it since.
+    /// Return the current value at the target of an input: its value unless another call set it
+    /// since.
     [[nodiscard]] double applied(const InputDef& input) const;
-    /// What an input acts on wakes.
+    /// Wake the target of an input.
     void disturb(const InputDef& input) noexcept;
 
   private:
-    // For systems within a step (world/systems.h).
+    // Calls of systems within a step (world/systems.h).
     bool set(InputId id, double value, Before& before) noexcept override;
     bool set_untold(InputId id, double value, Before& before) noexcept override {
         const Untold untold(*this);

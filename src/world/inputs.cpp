@@ -19,7 +19,7 @@ using world::lookup;
 
 namespace {
 
-/// Refuse a nominal size or a spring of an input that no display could use.
+/// Reject a nominal size or spring of an input that no display could use.
 void check_display(const InputDef& def, const world::Where& where) {
     if (!(def.nominal >= 0.0) || !std::isfinite(def.nominal))
         throw DefError(where.text() + ": nominal = " + world::number(def.nominal) +
@@ -28,8 +28,8 @@ void check_display(const InputDef& def, const world::Where& where) {
         throw DefError(where.text() + ": spring is not a finite number; leave it out for none");
 }
 
-/// Narrows the range of `def` to that of its parameter: an input must not reach what
-/// add_interaction() would have refused.
+/// Limit the range of `def` to that of its parameter: an input must not reach values that
+/// add_interaction() rejects.
 void limit_to_param(InputDef& def, const KindInfo& kind, const world::Where& where) {
     for (const ParamInfo& p : kind.params) {
         if (def.param != p.name) continue;
@@ -46,7 +46,7 @@ void limit_to_param(InputDef& def, const KindInfo& kind, const world::Where& whe
 
 constexpr double kMostInputForce = 1e30;  ///< [N, N m]
 
-/// Values that the physics of an input can follow. InputDef::min and max may be narrower.
+/// Range of values that the physics of an input supports. InputDef::min and max may be narrower.
 struct Followed {
     double min = -kMostInputForce, max = kMostInputForce;
     const char* unit = "";
@@ -59,7 +59,7 @@ Followed followed(const World& world, const InputDef& def) {
     return {};
 }
 
-/// Refuse a range that `value` would leave empty, as add_interaction() does.
+/// Reject a value that would leave a range empty, as add_interaction() does.
 void check_pair(const World& world, const InputDef& def, double value) {
     if (!def.interaction.valid()) return;
     constexpr std::pair<const char*, const char*> kPairs[] = {{"min", "max"},
@@ -76,7 +76,7 @@ void check_pair(const World& world, const InputDef& def, double value) {
     }
 }
 
-/// Of two inputs of a parameter a restored world could not tell which was set last.
+/// Reject a second input of a parameter. A restored world could not determine which was set last.
 void refuse_second(const InputDef& other, const InputDef& def, const world::Where& where) {
     if (other.interaction == def.interaction && other.param == def.param)
         throw DefError(where.text() + ": input '" + other.name + "' drives '" + def.param +
@@ -132,7 +132,7 @@ InputId World::add_input(const InputDef& def) {
     }
     std::int32_t place = m.input_places.find_vacant([](std::int32_t) { return true; });
     claim(m.input_names, def.name, place < 0 ? input_count() : place, "input");
-    // From here on nothing throws.
+    // No call below throws.
     if (def.interaction.valid()) m.ctx.model.interactions.mark_driven(def.interaction.index);
     if (place < 0) {
         place = m.input_places.append();
@@ -182,7 +182,7 @@ void World::set_input(InputId id, double value) {
         c.state.events.push({c.state.time, EventKind::input_clamped, def.interaction, value, id});
         ++c.work.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
     }
-    // What a changed length or target does to elastic energy is work done by the input.
+    // A change of elastic energy by a new length or target is work of the input.
     const auto elastic = [&] {
         return def.interaction.valid() && c.state.started
                    ? c.model.interactions.elastic(def.interaction.index, c.model.bodies,
@@ -281,7 +281,7 @@ void World::Impl::turn_forces() noexcept {
 }
 
 void World::Impl::unturn_forces() noexcept {
-    // The last one first: several may be of one body.
+    // Reverse order, because several inputs may act on one body.
     for (std::size_t k = local_inputs.size(); k-- > 0;) {
         const InputDef& def = inputs[at(local_inputs[k])];
         std::copy_n(&forces_before[6 * k], 6, &ctx.model.bodies.force[6 * at(def.body.index)]);

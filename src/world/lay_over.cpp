@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// An element of a wire comes to lie over what it runs over (hawser/guide.h).
+/// An element of a wire is laid over a fairlead, roller or bollard (hawser/guide.h).
 #include <hawser/world.h>
 
 #include "context/context.h"
@@ -20,7 +20,8 @@
 namespace hawser {
 namespace {
 
-/// @throws DefError where the parts are not those of the element.
+/// Check that the parts belong to the element.
+/// @throws DefError
 void check_parts(const world::Where& where, const InteractionDef& old, const InteractionDef& before,
                  const InteractionDef& behind) {
     const auto ends = [&](const InteractionDef& d) {
@@ -35,9 +36,9 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
         world::refuse(where, "the slide must take from the part before and give to the one behind");
 }
 
-/// What a lump at the end of an element gives of its half to the guide there [kg]: all of it, or,
-/// where the next element is one that a drum or a guide loads, too, all but a hundredth, as a body
-/// needs some mass of its own (edit/node_drum.cpp). 0: it cannot.
+/// Return the mass of its half element that a node passes to the guide [kg]. This is all of it, or
+/// all but a hundredth if a drum or guide also loads the next element, because a body needs some
+/// mass (step/node_drum.cpp). 0: not possible.
 double given_to_guide(const World& world, const world::Wire& wire, InteractionId element,
                       std::size_t end, double half) {
     const double has = world.body_def(world.interaction_def(element).body[end]).mass;
@@ -49,13 +50,14 @@ double given_to_guide(const World& world, const world::Wire& wire, InteractionId
     return std::max(0.0, std::min(has, half) - stepper::kKeptMass * half);
 }
 
-/// Parts of an element at a guide, and the capsules that they have.
+/// Parts of an element at a guide, and their capsules.
 struct Parts {
     std::array<InteractionId, 2> element;
     std::array<ShapeId, 2> capsule;
 };
 
-/// Adds them, all or none. @param then  What may throw as well.
+/// Add the parts, all or none.
+/// @param then  Further call that may throw.
 template <class F>
 Parts add_parts(World& world, const WireTrim& trim, const InteractionDef& before,
                 const InteractionDef& behind, F&& then) {
@@ -106,7 +108,7 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
     std::array<InteractionId, 2> out;
     {
         const Impl::Untold untold(m);
-        // Its name changes hands once nothing can be refused.
+        // The name moves after all checks.
         const std::string name_before = std::exchange(before.name, "");
         const Parts parts =
             add_parts(*this, wire->trim, before, behind, [&m] { m.reserve_removal(); });
@@ -129,7 +131,7 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
         const auto k = place - wire->elements.begin();
         wire->elements.insert(place + 1, out[1]);
         wire->nodes.insert(wire->nodes.begin() + k + 1, before.body[1]);
-        for (const std::size_t side : {0U, 1U})  // has the guide for a neighbour now
+        for (const std::size_t side : {0U, 1U})  // its neighbour is now the guide
             m.turn_bend(old.body[side], old.body[1 - side], before.body[1],
                         stepper::held_at(m.ctx, out[side].index, 1 - side));
         std::erase_if(wire->bends, [&](InteractionId id) { return !alive(id); });
@@ -141,7 +143,7 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
     return out;
 }
 
-/// The bend about a lump has another neighbour, which is held at a point of its frame.
+/// Replace a neighbour of the bend about a node by a body that holds it at a point of its frame.
 void World::Impl::turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& point) noexcept {
     model::Interactions& in = ctx.model.interactions;
     const std::int32_t bend = stepper::bend_about(ctx, lump.index, from.index);
@@ -152,15 +154,16 @@ void World::Impl::turn_bend(BodyId lump, BodyId from, BodyId to, const Vec3& poi
     drop_folded(bend);
 }
 
-/// A bend between two places of one body goes: an interaction has each of its bodies once, and what
-/// a lump's bend does between a post and a drum of one ship is next to nothing. Room has been made
-/// (reserve_removal()).
+/// Remove a bend between two places of one body. An interaction has each body once, and the effect
+/// of a node's bend between a bollard and a drum of one ship is negligible. Capacity has been
+/// reserved (reserve_removal()).
 void World::Impl::drop_folded(std::int32_t bend) noexcept {
     if (bend >= 0 && stepper::end_of(ctx, bend, 0) == stepper::end_of(ctx, bend, 2))
         remove(ctx.model.interactions.id(bend));
 }
 
-/// @throws DefError where two parts are not what lay_over() made. @return the wire.
+/// Return the wire of two parts.
+/// @throws DefError if they are not results of lay_over().
 world::Wire& World::Impl::wire_on_guide(InteractionId before, InteractionId behind,
                                         const InteractionDef& element) {
     const InteractionDef &a = ctx.model.interactions.def[at(before.index)],
@@ -196,7 +199,7 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
     InteractionId out;
     {
         const Impl::Untold untold(m);
-        weigh(half);  // An element with a mass needs lumps that have it.
+        weigh(half);  // An element with a mass needs nodes with that mass.
         ShapeId capsule;
         try {
             out = add_interaction(element);

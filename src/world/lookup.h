@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file lookup.h
-/// Ids and names that a caller gives.
+/// Lookup of ids and names from callers.
 
 #include "base/index.h"
 #include "base/memory.h"
@@ -20,7 +20,7 @@
 
 namespace hawser::world {
 
-/// The place that an id names; refuses one of nothing, and one of what has been removed.
+/// Return the index of an id; reject invalid ids and those of removed objects.
 template <class Id>
 std::size_t place_of(const Id& id, const base::Places& places, int count, const char* what) {
     if (id.index >= 0 && id.index < count && places.names(id)) return at(id.index);
@@ -32,7 +32,7 @@ std::size_t place_of(const Id& id, const base::Places& places, int count, const 
                    (places.holds(id.index) ? "; another one has its place" : ""));
 }
 
-/// To be looked up without a copy of the name, which would need memory.
+/// Hash for lookups without a copy of the name, which would allocate.
 struct NameHash {
     using is_transparent = void;
     std::size_t operator()(std::string_view name) const noexcept {
@@ -40,13 +40,13 @@ struct NameHash {
     }
 };
 
-/// What has which name. Entries of names that are given back serve again, so that names that come
-/// and go need no memory.
+/// Table from names to indices. Entries of released names are reused, so repeated additions and
+/// removals allocate nothing.
 class Names {
   public:
     using Map = std::unordered_map<std::string, std::int32_t, NameHash, std::equal_to<>>;
     Names() = default;
-    /// Of another world: the names alone.
+    /// Copy from another world: the names alone.
     Names(const Names& from) : map_(from.map_) {}
     Names& operator=(const Names& from) {
         map_ = from.map_;
@@ -58,7 +58,8 @@ class Names {
     ~Names() = default;
     Names(std::initializer_list<Map::value_type> list) : map_(list) {}
 
-    /// Copy the names, with capacity to give each of them back. @throws std::bad_alloc.
+    /// Copy the names, with capacity to release each of them.
+    /// @throws std::bad_alloc.
     void copy(const Names& from) {
         if (known_ && copied_ == from.changes_) return;
         known_ = false;
@@ -67,7 +68,7 @@ class Names {
         copied_ = from.changes_;
         known_ = true;
     }
-    /// Back to a copy, which is none from then on.
+    /// Return to a copy, which is invalid afterwards.
     void go_back(Names& to) noexcept {
         if (to.known_ && to.copied_ == changes_) return;
         map_.swap(to.map_);
@@ -80,12 +81,14 @@ class Names {
     [[nodiscard]] bool contains(std::string_view name) const noexcept {
         return map_.find(name) != map_.end();
     }
-    /// The place of a name; −1: nothing has it.
+    /// Return the index of a name; −1: unused.
     [[nodiscard]] std::int32_t find(std::string_view name) const noexcept {
         const auto found = map_.find(name);
         return found == map_.end() ? -1 : found->second;
     }
-    /// @return false: something has the name. @throws std::bad_alloc.
+    /// Add a name.
+    /// @return false if it is in use.
+    /// @throws std::bad_alloc.
     bool add(const std::string& name, std::int32_t place) {
         if (contains(name)) return false;
         base::make_room(spare_, map_.size() + 1);  // for erase()
@@ -107,14 +110,14 @@ class Names {
         spare_.push_back(map_.extract(found));
         ++changes_;
     }
-    /// The entry of a name, taken out to be given to another place; empty: nothing has the name.
+    /// Extract the entry of a name to give it to another index; empty if the name is unused.
     [[nodiscard]] Map::node_type take(std::string_view name) noexcept {
         const auto found = map_.find(name);
         if (found == map_.end()) return {};
         ++changes_;
         return map_.extract(found);
     }
-    /// What take() took out, for another place. No entry may have come since.
+    /// Insert an entry from take() for another index. No entry may have been added since.
     void give(Map::node_type entry, std::int32_t place) noexcept {
         if (entry.empty()) return;
         entry.mapped() = place;
@@ -124,8 +127,8 @@ class Names {
   private:
     Map map_;
     std::vector<Map::node_type> spare_;
-    std::uint64_t changes_ = 0;  ///< So many so far; never back.
-    // Of a copy.
+    std::uint64_t changes_ = 0;  ///< Count of changes; never decreases.
+    // Data of a copy.
     std::uint64_t copied_ = 0;  ///< `changes_` of the original.
     bool known_ = false;
 };
@@ -136,7 +139,7 @@ inline void claim(Names& names, const std::string& name, std::int32_t index, con
         throw DefError(std::string(what) + " '" + name + "': the name is taken; names are unique");
 }
 
-/// A claim is given back where f() throws; what f() did it takes back itself.
+/// Claim a name and call f(). Release the claim if f() throws; f() undoes its own changes.
 template <class F>
 void claim_for(Names& names, const std::string& name, std::int32_t index, const char* what, F&& f) {
     claim(names, name, index, what);
@@ -148,7 +151,7 @@ void claim_for(Names& names, const std::string& name, std::int32_t index, const 
     }
 }
 
-/// What had the name is gone.
+/// Release the name of a removed object.
 inline void release(Names& names, const std::string& name) noexcept {
     if (!name.empty()) names.erase(name);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A place that a wire runs over goes along the axis of its wheel (hawser/guide.h, post.h).
+/// Motion of a place that a wire runs over, along the axis of its wheel (hawser/guide.h, post.h).
 #include <hawser/world.h>
 
 #include "base/number.h"
@@ -18,10 +18,10 @@
 namespace hawser {
 namespace {
 
-/// A part at the place, and the bend about the lump at its other end.
+/// A part at the place, and the bend about the node at its other end.
 struct Part {
     std::int32_t id = -1, bend = -1;
-    std::size_t place = 0, slot = 0;  ///< Of the place, in the part and in the bend.
+    std::size_t place = 0, slot = 0;  ///< Slots of the place in the part and in the bend.
 };
 
 Part part_at(const stepper::StepContext& ctx, InteractionId id, std::size_t place) noexcept {
@@ -33,7 +33,8 @@ Part part_at(const stepper::StepContext& ctx, InteractionId id, std::size_t plac
     return out;
 }
 
-/// @throws DefError where they are no two parts with room for it.
+/// Check that they are two parts with enough length.
+/// @throws DefError
 void check_move(const World& world, const model::Interactions& in, InteractionId before,
                 InteractionId behind, double along, double fed) {
     const InteractionDef &a = world.interaction_def(before), &b = world.interaction_def(behind);
@@ -62,8 +63,8 @@ bool World::move_along(InteractionId before, InteractionId behind, double along,
     check_move(*this, in, before, behind, along, fed);
     if (!intact(before) || !intact(behind)) return false;
     const std::array<Part, 2> parts{part_at(c, before, 1), part_at(c, behind, 0)};
-    // The ledger has its energies half a step before the poses. What a move adds is to be found
-    // where it makes a part far longer than it pulls, too, which elastic() leaves out.
+    // The ledger has its energies half a step before the poses. The energy added by a move must
+    // also be found if a part becomes much longer, which elastic() leaves out.
     struct Held {
         double ledger = 0.0, posed = 0.0;  ///< [J]
     };
@@ -103,7 +104,7 @@ bool World::move_along(InteractionId before, InteractionId behind, double along,
     for (const std::size_t k : {0U, 1U}) {
         const InteractionDef& d = in.def[at(parts[k].id)];
         const Vec3 by = along * (d.frame[parts[k].place] * Vec3::UnitZ());
-        // One part gets longer with its slide, the other shorter: both by `fed`.
+        // One part gets longer with its slide, the other shorter, both by `fed`.
         put(parts[k], {was[k].point + by, was[k].bend + by, was[k].zero + fed});
     }
     const Held has = held();
@@ -117,7 +118,7 @@ bool World::move_along(InteractionId before, InteractionId behind, double along,
             stepper::disturb(c.model, in.body[kMaxInteractionBodies * at(part.id) + b]);
     m.follow_inputs(before.index);
     m.follow_inputs(behind.index);
-    // An analysis takes shares of damping of the directions of lines: it has to see this one.
+    // Damping fractions in an analysis depend on the directions of lines, so it must be repeated.
     stepper::begin_shape_edit(c);
     if (m.listener != nullptr) m.listener->moved_along(before, behind, along, fed);
     return true;

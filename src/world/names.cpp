@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What statuses, stages, events and bounds are called.
+/// Names of statuses, stages, events and bounds.
 #include <hawser/stats.h>
 
 #include "world/checks.h"

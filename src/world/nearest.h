@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file nearest.h
-/// The name that was probably meant.
+/// The known name nearest to a wrong one.
 
 #include <algorithm>
 #include <cstddef>
@@ -12,7 +12,8 @@
 
 namespace hawser::world {
 
-/// Insertions, deletions and replacements from one word to the other (V. Levenshtein, 1966).
+/// Return the number of insertions, deletions and replacements between two words (V. Levenshtein,
+/// 1966).
 [[nodiscard]] inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
@@ -28,7 +29,7 @@ namespace hawser::world {
     return row.back();
 }
 
-/// "; did you mean 'x'?", or "; give one of a, b, c" where none is near.
+/// Return "; did you mean 'x'?", or "; give one of a, b, c" if no name is near.
 [[nodiscard]] inline std::string remedy_of(std::string_view wrong,
                                            std::span<const char* const> known) {
     const char* best = nullptr;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where a node of a wire may come or go (hawser/wire.h).
-#include "edit/node_pieces.h"
-#include "edit/nodes.h"
+/// Checks for inserting and removing a node of a wire (hawser/wire.h).
+#include "step/node_pieces.h"
+#include "step/nodes.h"
 #include "world/checks.h"
 #include "world/impl.h"
 
@@ -11,7 +11,8 @@
 
 namespace hawser {
 
-/// @throws DefError, with the remedy, where an element cannot have a node.
+/// Check that an element can have a node.
+/// @throws DefError with the remedy.
 void World::Impl::check_node(InteractionId element, double share, double mass) const {
     const model::Interactions& in = ctx.model.interactions;
     const std::size_t e = place(element);
@@ -41,22 +42,24 @@ void World::Impl::check_node(InteractionId element, double share, double mass) c
         world::refuse(where, "its compliance is not that of its length; leave it out");
 }
 
-/// Where two line types meet no element could take the place of both. Masses a length differ a
-/// little by edits, which change rest lengths. @throws DefError.
+/// Check that two elements have one line type, so that one can replace both. Masses per length
+/// differ slightly by edits, which change rest lengths.
+/// @throws DefError.
 void World::Impl::refuse_two_lines(BodyId node, const stepper::NodePlace& place) const {
     constexpr double kSame = 0.1;
     const model::Interactions& in = ctx.model.interactions;
     const InteractionDef &a = in.def[at(place.first)], &b = in.def[at(place.second)];
     for (const std::int32_t id : {place.first, place.second})
-        if (stepper::is_wound(ctx, id)) return;  // has the line of the other one
+        if (stepper::is_wound(ctx, id)) return;  // has the line type of the other one
     const double x = a.get("mass") * b.get("length"), y = b.get("mass") * a.get("length");
     if (a.get("EA") == b.get("EA") && std::abs(x - y) <= kSame * std::max(x, y)) return;
     world::refuse(world::Where("body", body_defs[at(node.index)].name),
                   "two line types meet there; take away nodes on either side of it");
 }
 
-/// @throws DefError, with the remedy, where a node cannot go. @return which of the elements beside
-/// it stays.
+/// Check that a node can be removed.
+/// @return the element beside it that stays.
+/// @throws DefError with the remedy.
 std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place,
                                           double bend) const {
     const world::Where where("body", body_defs[at(node.index)].name);
@@ -75,14 +78,14 @@ std::int32_t World::Impl::check_node_goes(BodyId node, stepper::NodePlace& place
                       "compliance that is not that of their length");
     }
     refuse_two_lines(node, place);
-    double own = 0.0;  // of the wire
+    double own = 0.0;  // mass of the wire
     for (const std::int32_t id : {place.first, place.second})
         own += 0.5 * stepper::mass_of_element(ctx, id);
-    // What a lump kept when it was between two drums or guides goes with it: of elements that may
-    // have been ten times as long, on either side.
+    // The mass that a node kept between two drums or guides is removed with it. Elements may have
+    // been ten times as long, on either side.
     constexpr double kKept = 10.0 * 2.0 * stepper::kKeptMass;
     const bool drum = second || stepper::is_wound(ctx, place.first);
-    const double more = drum ? kKept : 1e-6;  // else rounding
+    const double more = drum ? kKept : 1e-6;  // otherwise rounding
     if (body_defs[at(node.index)].mass > (1.0 + more) * own)
         world::refuse(where, "it has " + world::number(body_defs[at(node.index)].mass - own) +
                                  " kg beside the wire's, of gear or a load, which would be lost");

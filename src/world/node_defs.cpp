@@ -36,10 +36,10 @@ InteractionDef other_element(const model::Interactions& in, std::int32_t element
     const double length = (first ? share : 1.0 - share) * in.rest_length[at(element)];
     out.set("length", length);
     for (const char* same : {"EA", "tension_only", "breaking_load"}) out.set(same, def.get(same));
-    // The lump beyond gets its half of it in settle_node(), until when it has none.
+    // The next node gets its half of the mass in settle_node(); until then it has none.
     constexpr double kNone = 1e-3;
     if (wound) out.set("mass", kNone * mass);
-    // A fraction of critical damping, that of a drum's element by that of the wire beyond.
+    // A fraction of critical damping. For a drum's element use that of the wire beyond.
     const std::int32_t as = wound && beside >= 0 ? beside : element;
     if (in.row_flags[at(in.row_begin[at(as)])] & model::kRowDamper)
         out.damping_time[0] =

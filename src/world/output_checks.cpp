@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is refused as an output, with the remedy.
+/// Checks of outputs, with the remedy.
 #include "world/checks.h"
 #include "world/nearest.h"
 #include "world/outputs.h"
@@ -39,7 +39,7 @@ void check_body(const std::string& where, const char* field, BodyId body, const 
                           " has no orientation: leave the point at 0, it is the body itself");
 }
 
-/// Lumps do not turn, a drum has one coordinate.
+/// Check a component of a body: nodes do not rotate, a drum has one coordinate.
 void check_body_component(const std::string& where, const OutputDef& def, int component,
                           const model::Bodies& bodies) {
     const int dof = bodies.dof(def.body.index);
@@ -57,7 +57,8 @@ const char* unit_by(KindCoordinate coordinate, const char* about, const char* al
                                                  : open;
 }
 
-/// Of coordinate, speed, motor_force, force, drum. @return the unit.
+/// Check a coordinate, speed, motor_force, force or drum output.
+/// @return its unit.
 std::string check_interaction(const std::string& where, const OutputDef& def, int component,
                               const model::Interactions& in, int count) {
     if (def.interaction.index < 0 || def.interaction.index >= count)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What outputs there are.
+/// Table of the existing outputs.
 #include <hawser/outputs.h>
 
 #include "world/outputs.h"

@@ -20,7 +20,7 @@ bool turns(const model::Bodies& b, std::int32_t body) noexcept {
     return b.dof(body) == 6 || b.dof(body) == 0;
 }
 
-/// A vector of the body's frame in the world's.
+/// Return a vector of the body's frame in world axes.
 Vec3 turned(const model::Bodies& b, std::int32_t body, const Vec3& local) noexcept {
     if (!turns(b, body)) return Vec3::Zero();
     const double* r = &b.r[9 * at(body)];
@@ -78,7 +78,7 @@ double tension(const model::Interactions& in, InteractionId id) noexcept {
     return std::sqrt(sum);
 }
 
-/// Whether all that it is taken from is there.
+/// Return true if all objects that an output reads exist.
 bool alive(const stepper::StepContext& ctx, const WireList& wires, const OutputDef& def) noexcept {
     const auto body = [&](BodyId id) { return !id.valid() || ctx.model.bodies.places.names(id); };
     const auto one = [&](InteractionId id) {
@@ -89,7 +89,8 @@ bool alive(const stepper::StepContext& ctx, const WireList& wires, const OutputD
            std::all_of(def.line.begin(), def.line.end(), one);
 }
 
-/// Of the elements that a wire still has; not a number where the one that is meant has gone.
+/// Return the tension of the remaining elements of a wire; NaN if the requested one has been
+/// removed.
 double wire_tension(const model::Interactions& in, const Wire& wire, int component) noexcept {
     double most = std::numeric_limits<double>::quiet_NaN();
     const auto of = [&](InteractionId id) { return in.places.names(id) ? tension(in, id) : most; };
@@ -111,8 +112,8 @@ double line_tension(const model::Interactions& in, const std::vector<Interaction
     return most;
 }
 
-/// A winch makes elements of what its drum pays out, and its layers have other radii: it keeps the
-/// account. Of a drum by itself it is what it has turned.
+/// Return the output of a drum. A winch counts the length itself, because it adds elements and its
+/// layers have different radii. For a bare drum the length follows from its turn.
 double drum(const World& world, const stepper::StepContext& ctx, const Systems& systems,
             InteractionId id, int component) noexcept {
     const model::Interactions& in = ctx.model.interactions;
@@ -162,7 +163,7 @@ OutputId Outputs::add(OutputDef def, int component) {
     places_.make_room();
     std::int32_t place = places_.find_vacant([](std::int32_t) { return true; });
     claim(names_, def.name, place < 0 ? places_.count() : place, "output");
-    // From here on nothing throws.
+    // No call below throws.
     wants_energy_ = wants_energy_ || (def.kind == OutputKind::statistic && component >= kGravity);
     if (place < 0) {
         place = places_.append();

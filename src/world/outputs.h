@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file outputs.h
-/// Outputs of a world as they are evaluated: in the order of their ids, from the state alone,
-/// without asking for memory.
+/// Outputs of a world. They are evaluated in the order of their ids from the state alone, without
+/// allocation.
 
 #include <hawser/outputs.h>
 #include <hawser/system.h>
@@ -22,13 +22,13 @@
 
 namespace hawser::world {
 
-/// Components of OutputKind::pose, velocity, tension, drum, as the table has them.
+/// Components of OutputKind::pose, velocity, tension, drum, in the order of the table.
 enum PoseComponent : std::uint8_t { kRoll = 3, kPitch, kYaw, kQuaternion };
 enum VelocityComponent : std::uint8_t { kTurning = 3 };
 enum TensionComponent : std::uint8_t { kFirst, kLast, kLargest };
 enum DrumComponent : std::uint8_t { kPaidOut, kLength };
-/// Components of OutputKind::statistic. Up to kStepFigures those of a step, which a state does not
-/// tell; then energies.
+/// Components of OutputKind::statistic. Those up to kStepFigures are figures of a step, which a
+/// state does not contain. Energies follow.
 enum Statistic : std::uint8_t {
     kResidual,
     kRowResidual,
@@ -47,22 +47,23 @@ enum Statistic : std::uint8_t {
     kFriction,
     kContactLoss,
     kDamped,
-    kGravity,  ///< This one and those behind it take a pass over all interactions.
+    kGravity,  ///< This one and the following ones need a pass over all interactions.
     kElastic,
     kMechanical,
 };
 
 class Outputs {
   public:
-    /// A definition that has been checked, with its component and unit filled in. @throws
-    /// std::bad_alloc, DefError where the name is taken.
+    /// Add a checked definition with its component and unit.
+    /// @throws std::bad_alloc; DefError if the name is in use.
     OutputId add(OutputDef def, int component);
-    /// One for a signal of a system, which has to live as long. @throws as add().
+    /// Add an output for a signal of a system, which must live as long.
+    /// @throws as add().
     OutputId add(const SystemSignal& signal);
     void remove(std::size_t place) noexcept;
-    /// All signals of a system that goes.
+    /// Remove all signals of a system that is removed.
     void remove_signals(std::string_view system) noexcept;
-    /// The signals of other systems of the same definition, after a copy.
+    /// Bind signals of other systems with the same definition, after a copy.
     void bind(std::span<const SystemSignal> signals) noexcept;
     [[nodiscard]] bool alive(OutputId id) const noexcept { return places_.names(id); }
     [[nodiscard]] std::span<const OutputId> ids() const noexcept { return ids_; }
@@ -70,34 +71,38 @@ class Outputs {
         return places_.id<OutputId>(place);
     }
     [[nodiscard]] const std::vector<OutputDef>& defs() const noexcept { return defs_; }
-    /// The place of an id. @throws DefError for one of nothing.
+    /// Return the index of an id.
+    /// @throws DefError if it does not exist.
     [[nodiscard]] std::size_t place(OutputId id) const;
     [[nodiscard]] const Names& names() const noexcept { return names_; }
     [[nodiscard]] const std::vector<double>& values() const noexcept { return values_; }
-    /// Keep the figures of a good step.
+    /// Store the figures of a successful step.
     void keep_figures(const StepStats& stats) noexcept;
-    /// They are of another state than the one there is now.
+    /// Clear figures that belong to another state.
     void forget_figures() noexcept { figures_.fill(0.0); }
-    /// Whether some output asks for an energy that only a pass over all interactions gives.
+    /// Return true if an output needs an energy that requires a pass over all interactions.
     [[nodiscard]] bool wants_energy() const noexcept { return wants_energy_; }
-    /// All values. @param energy  Where wants_energy().
+    /// Evaluate all outputs.
+    /// @param energy  Used if wants_energy().
     void evaluate(const World& world, const stepper::StepContext& ctx, const WireList& wires,
                   const Systems& systems, const Energy& energy) noexcept;
 
   private:
     std::vector<OutputDef> defs_;
     std::vector<std::uint8_t> component_;
-    std::vector<const double*> signal_;  ///< Of a system; null: it is none.
+    std::vector<const double*> signal_;  ///< Signal of a system; null: none.
     std::vector<double> values_;
     std::array<double, kStepFigures> figures_{};
     Names names_;
     base::Places places_;
-    std::vector<OutputId> ids_;  ///< Of what there is, ascending.
+    std::vector<OutputId> ids_;  ///< Ids of existing outputs, ascending.
     bool wants_energy_ = false;
 };
 
-/// Check a definition and fill in its component and unit. @param bodies, interactions  Of the user.
-/// @return the number of its component. @throws DefError with the nearest name or another remedy.
+/// Check a definition and fill in its component and unit.
+/// @param bodies, interactions  Numbers of user objects.
+/// @return the number of its component.
+/// @throws DefError with the nearest name or another remedy.
 int check_output(OutputDef& def, const stepper::StepContext& ctx, const WireList& wires, int bodies,
                  int interactions);
 

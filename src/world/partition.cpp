@@ -34,7 +34,7 @@ double seconds_since(Clock::time_point& from) {
 void list_cuts(const assembly::PartGraph& g, const model::Interactions& in,
                const graph::Partition& p, PartitionView& view) {
     for (const std::int32_t e : p.cut) {
-        // Pairs that touch stay whole, so that cuts are interactions.
+        // Touching pairs are not cut, so all cuts are interactions.
         const auto i = static_cast<std::size_t>(e);
         CutInteraction cut;
         cut.interaction = in.id(e);
@@ -55,7 +55,8 @@ void list_cuts(const assembly::PartGraph& g, const model::Interactions& in,
     }
 }
 
-/// Largest part and separators over all; costs change with the contacts there are.
+/// Return the cost of the largest part and the separators as a fraction of all. Costs change with
+/// the contacts.
 double makespan(const graph::Partition& p) {
     double longest = 0.0, sum = static_cast<double>(p.separator_cost);
     for (const std::int64_t cost : p.cost) {
@@ -65,7 +66,8 @@ double makespan(const graph::Partition& p) {
     return sum > 0.0 ? (longest + static_cast<double>(p.separator_cost)) / sum : 0.0;
 }
 
-/// Separators of an earlier state brought up to date. @return false where a new partition is due.
+/// Update the separators of an earlier state.
+/// @return false if a new partition is due.
 bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_t> model_cost,
                        const PartitionView& before, const graph::PartitionOptions& options,
                        graph::Partition& out) {
@@ -86,7 +88,7 @@ bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_
     }
     graph::Follower follower;
     follower.start(graph, cost, out);
-    // Edges that came join two parts; separators whose edges went join the part beside them.
+    // New edges join two parts. Separators with removed edges join the adjacent part.
     std::vector<std::int32_t> changed;
     for (std::int32_t e = 0; e < graph.edges(); ++e) {
         std::int32_t part = graph::kNoPart;
@@ -101,7 +103,7 @@ bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_
         if (joins && graph.edge(e).size() > graph::Follower::kMostMembers) return false;
         if (between && !joins) changed.push_back(-1 - e);
     }
-    constexpr std::int64_t kFew = 20;  // one in so many
+    constexpr std::int64_t kFew = 20;  // one in this many
     const auto came = std::count_if(changed.begin(), changed.end(), [](auto e) { return e >= 0; });
     if (kFew * came > graph.edges()) return false;
     for (const std::int32_t e : changed)
@@ -114,7 +116,8 @@ bool follow_separators(const assembly::PartGraph& g, std::span<const std::int64_
     return makespan(out) <= graph::Follower::kWorn * before.makespan_new;
 }
 
-/// @throws DefError on a request that cannot be.
+/// Check a request.
+/// @throws DefError
 void check(const PartitionRequest& request, std::size_t bodies) {
     if (request.parts < 1 || request.parts > 4096)
         throw DefError("a partition has 1 to 4096 parts");
@@ -127,7 +130,8 @@ void check(const PartitionRequest& request, std::size_t bodies) {
         throw DefError("a partition goes on from one of the same use");
 }
 
-/// Parts between separators. @param partitioner  Has read the graph.
+/// Find parts between separators.
+/// @param partitioner  With the graph read.
 graph::Partition find_separators(const assembly::PartGraph& g, const PartitionRequest& request,
                                  graph::Partitioner& partitioner, PartitionView& view) {
     graph::Partition p;
@@ -146,7 +150,7 @@ graph::Partition find_separators(const assembly::PartGraph& g, const PartitionRe
     return p;
 }
 
-/// Parts with cuts between them.
+/// Find parts with cuts between them.
 graph::Partition find_split(const assembly::PartGraph& g, const PartitionRequest& request,
                             PartitionView& view) {
     graph::Partition p;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Several interactions at once, all or none.
+/// Addition of several interactions at once, all or none.
 #include "world/parts.h"
 
 #include <hawser/world.h>
@@ -40,7 +40,7 @@ void World::add_interactions(std::span<const InteractionDef> defs, std::span<Int
     if (m.interaction_ids.size() + defs.size() > at(m.ctx.model.def.max_interactions))
         throw DefError("too many interactions; raise max_interactions = " +
                        std::to_string(m.ctx.model.def.max_interactions));
-    // What is refused is found before anything is added.
+    // All checks come before the first addition.
     world::Names names;
     for (const InteractionDef& d : defs) {
         world::check(d, m.ctx.model.bodies, body_count(),
@@ -62,7 +62,7 @@ void World::add_interactions(std::span<const InteractionDef> defs, std::span<Int
                 if (!load.interaction.valid() && load.factor != 0.0) load.interaction = ids[0];
             ids[added] = add_interaction(d);
         }
-    } catch (...) {  // memory that ends
+    } catch (...) {  // allocation failure
         m.forget_removal();
         while (added-- > 0) {
             m.remove(ids[added]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file parts.h
-/// Interactions on their way into a world.
+/// Completion of interactions before they are added.
 
 #include <hawser/interactions.h>
 
@@ -9,8 +9,9 @@
 
 namespace hawser::world {
 
-/// Defaults filled in, those from the present poses as well, of a definition whose bodies have been
-/// checked; then its parameters are checked. @throws DefError.
+/// Fill in defaults, also those from the present poses, of a definition with checked bodies. Then
+/// check its parameters.
+/// @throws DefError.
 void fill_in(InteractionDef& def, const stepper::StepContext& ctx);
 
 }  // namespace hawser::world

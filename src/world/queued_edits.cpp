@@ -13,7 +13,7 @@
 namespace hawser::world {
 namespace {
 
-/// What a stand-in has become, or the id itself.
+/// Return the real id of a placeholder, or the id itself.
 template <class Id>
 Id real(Id id, const std::vector<Id>& made) {
     if (id.index >= -1) return id;
@@ -61,7 +61,7 @@ void QueuedEdits::clear() noexcept {
 
 namespace {
 
-/// One edit, with a world to make it in and what came before it.
+/// Makes one edit in a world, with the results of the edits before it.
 template <class Made, class Part>
 struct Maker {
     World& world;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file queued_edits.h
-/// What systems ask to be added and removed in a step, until it is done.
+/// Edits that systems request during a step, until they are made.
 
 #include <hawser/system.h>
 
@@ -12,8 +12,8 @@
 
 namespace hawser::world {
 
-/// Definitions and ids in the order in which they were asked for. What an addition returns is a
-/// stand-in, with an index below −1: −2 is the first body that was queued, −3 the second, …
+/// Definitions and ids in the order of the requests. An addition returns a placeholder with an
+/// index below −1: −2 is the first queued body, −3 the second, …
 class QueuedEdits final : public Edits::Hands {
   public:
     BodyId add(const BodyDef& def) noexcept override;
@@ -26,15 +26,16 @@ class QueuedEdits final : public Edits::Hands {
     void remove(WireId id) noexcept override { put(id); }
     void part(InteractionId id) noexcept override { put(Part{id}); }
 
-    /// Whose edits those to come are.
+    /// Set the system of the following edits.
     void begin_system(std::string_view name) noexcept { system_ = name; }
     void clear() noexcept;
     [[nodiscard]] std::size_t size() const noexcept { return list_.size(); }
     [[nodiscard]] std::size_t left() const noexcept { return list_.size() - done_; }
     [[nodiscard]] bool out_of_memory() const noexcept { return out_of_memory_; }
-    /// Name of the system that asked for the next edit.
+    /// Return the name of the system that requested the next edit.
     [[nodiscard]] std::string_view next_system() const noexcept { return list_[done_].system; }
-    /// Make the next one. @throws what World's function does; it is then still to be made.
+    /// Make the next edit.
+    /// @throws as the function of World; the edit then stays queued.
     void make_next(World& world);
 
   private:
@@ -47,7 +48,7 @@ class QueuedEdits final : public Edits::Hands {
         Edit edit;
         std::string_view system;
     };
-    /// What additions have become.
+    /// Ids of the additions made.
     struct Made {
         std::vector<BodyId> bodies;
         std::vector<InteractionId> interactions;
@@ -61,7 +62,8 @@ class QueuedEdits final : public Edits::Hands {
     std::vector<Entry> list_;
     std::size_t done_ = 0;
     Made made_;
-    std::int32_t bodies_ = 0, interactions_ = 0, shapes_ = 0, wires_ = 0;  ///< Queued.
+    /// Numbers of queued additions.
+    std::int32_t bodies_ = 0, interactions_ = 0, shapes_ = 0, wires_ = 0;
     std::string_view system_;
     bool out_of_memory_ = false;
 };

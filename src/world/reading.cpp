@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a client reads of a world without a copy, or into memory of its own.
+/// Read access of clients to a world, without a copy or into their own memory.
 #include <hawser/world.h>
 
 #include "world/impl.h"
@@ -10,7 +10,7 @@ namespace hawser {
 StateView World::state() const noexcept {
     const stepper::StepContext& ctx = impl_->ctx;
     const model::Bodies& b = ctx.model.bodies;
-    // Images of bodies (split/cuts.h) stand behind those of the user.
+    // Ghost bodies (split/cuts.h) stand behind the user bodies.
     const auto n = at(body_count());
     const auto first = [](const auto& array, std::size_t count) {
         return std::span(array).first(count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Restore, all or nothing.
+/// Restoration of a state, all or nothing.
 #include <hawser/world.h>
 
 #include "state/undo.h"
@@ -18,7 +18,7 @@ void World::restore_variant(std::span<const std::byte> bytes) {
     const world::Using use(impl_->use, "restore_variant");
     restore_saved(bytes, true);
     if (impl_->listener == nullptr) return;
-    std::vector<std::byte> own;  // which a replay of this world takes
+    std::vector<std::byte> own;  // for a replay of this world
     write_saved(own, true);
     impl_->listener->restored(own);
 }

@@ -7,7 +7,7 @@ namespace hawser::world {
 
 SavedState::SavedState(const stepper::StepContext& ctx, const std::vector<double>& values,
                        const Header& header) {
-    // As large as those of the world that is to take them: pairwise, in the order of the list.
+    // Use the sizes of the target world, pairwise in the order of the list.
     std::vector<std::size_t> sizes;
     visit_motion(ctx, [&](const auto& its) { sizes.push_back(its.size()); });
     std::size_t next = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file saved_state.h
-/// The arrays of a snapshot in their order, and a place to read them to before a world takes them.
+/// Arrays of a snapshot in their order, and buffers to read them into before a world accepts them.
 
 #include "context/context.h"
 #include "world/impl.h"
@@ -13,24 +13,24 @@
 
 namespace hawser::world {
 
-/// Identifies the world's layout and says how much follows.
+/// Identifies the world's layout and contains the sizes of the arrays that follow.
 struct Header {
     char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '7'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
-    std::uint64_t contacts = 0;     ///< Remembered from the last step.
-    std::uint64_t resistances = 0;  ///< Those of them that resist rolling or spinning.
+    std::uint64_t contacts = 0;     ///< Contacts remembered from the last step.
+    std::uint64_t resistances = 0;  ///< Number with rolling or spinning resistance.
     std::uint64_t links = 0;        ///< Pairs of bodies that touched.
-    std::uint64_t nodes = 0;        ///< Of the order of elimination.
-    std::uint64_t chained = 0, units = 0, chains = 0;  ///< Nodes in chains, and so on.
-    std::uint64_t grouped = 0;  ///< Bodies whose groups follow the state: all or none.
-    std::uint64_t bytes = 0;    ///< Of the arrays that follow.
-    std::uint64_t systems = 0;  ///< Names and sizes of systems, whose states come last.
+    std::uint64_t nodes = 0;        ///< Nodes of the elimination order.
+    std::uint64_t chained = 0, units = 0, chains = 0;  ///< Nodes in chains, units, chains.
+    std::uint64_t grouped = 0;  ///< Bodies with groups that follow the state: all or none.
+    std::uint64_t bytes = 0;    ///< Size of the arrays that follow.
+    std::uint64_t systems = 0;  ///< Hash of names and sizes of systems, whose states come last.
     std::uint64_t system_bytes = 0;
 };
 
-/// Groups that follow the state, which come first: how many images and copies there are depends
-/// on them.
+/// Visit groups that follow the state. They come first, because the numbers of ghost bodies and
+/// duplicated rows depend on them.
 template <class Groups, class F>
 void visit_groups(Groups& groups, F&& f) {
     f(groups.parts.part.data(), groups.parts.part.size() * sizeof(std::int32_t));
@@ -40,13 +40,13 @@ void visit_groups(Groups& groups, F&& f) {
     f(&groups.seen, sizeof groups.seen);
 }
 
-/// Visit what moves and what remembers, of bodies, interactions and wires: f(array) in a fixed
-/// order. Of two worlds with the same definitions that couple otherwise, the arrays agree in front.
+/// Visit motion and memory of bodies, interactions and wires: f(array) in a fixed order. For two
+/// worlds with the same definitions and other couplings, the leading parts of the arrays agree.
 template <class Context, class F>
 void visit_motion(Context& ctx, F&& f) {
     f(ctx.model.bodies.x);
     f(ctx.model.bodies.q);
-    // Kept, not computed anew: the integrator's kernel rounds as its instruction set does.
+    // Stored, not recomputed: the integrator's kernel rounds differently on each instruction set.
     f(ctx.model.bodies.r);
     f(ctx.model.bodies.v);
     f(ctx.model.bodies.v_start);
@@ -88,7 +88,7 @@ void visit_values(Context& ctx, F&& f) {
     f(ctx.work.stats.event_count);
 }
 
-/// Visit contacts that are remembered: f(array).
+/// Visit remembered contacts: f(array).
 template <class Context, class F>
 void visit_contacts(Context& ctx, F&& f) {
     f(ctx.model.collider.kept());
@@ -111,7 +111,7 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     visit_contacts(ctx, array);
     value(ctx.model.collider.kept_awake());
     value(ctx.model.cuts.asked);
-    // Repaired again and again, the order of elimination depends on the past.
+    // After repeated repairs the order of elimination depends on the past.
     array(order.elimination.order);
     array(order.between);
     array(order.elimination.chains.nodes);
@@ -124,15 +124,17 @@ void visit_state(Context& ctx, std::vector<double>& inputs, Order& order, F&& f)
     visit_values(ctx, value);
 }
 
-/// The state as bytes say it, sized by the header and by the world that is to take it: it has the
-/// members of a StepContext that visit_state() visits.
+/// The state read from bytes, sized by the header and the target world. It has the members of a
+/// StepContext that visit_state() visits.
 struct SavedState {
-    /// @param header  Its counts fit into the bytes that there are. @throws std::bad_alloc.
+    /// Allocate the arrays.
+    /// @param header  With counts that fit into the available bytes.
+    /// @throws std::bad_alloc.
     SavedState(const stepper::StepContext& ctx, const std::vector<double>& inputs,
                const Header& header);
-    /// How many bytes all arrays of the state take.
+    /// Return the size of all arrays of the state [bytes].
     [[nodiscard]] std::uint64_t size();
-    /// Take all from bytes, of which there are size().
+    /// Read all arrays from size() bytes.
     void read(std::span<const std::byte> from);
 
     struct {
@@ -186,7 +188,8 @@ struct SavedState {
         } judge;
         base::Array<double> analysed_x, analysed_r;
         std::int64_t step = 0;
-        std::uint8_t started = 0;  ///< A byte: any other than 0 and 1 is no bool.
+        /// A byte, because values other than 0 and 1 are not a valid bool.
+        std::uint8_t started = 0;
         int refine_unasked = 0;
         stepper::Ledger ledger;
     } state;
@@ -199,13 +202,13 @@ struct SavedState {
     std::vector<double> inputs;
 };
 
-/// Arrays for an order of elimination.
+/// Allocate the arrays of an elimination order.
 [[nodiscard]] factor::AnalysisState room_for_order(const Header& header);
 
-/// Whether a world may go on from a state: indices that exist, numbers that are finite, counts and
-/// steps that agree. What is not looked at here is whether the order of elimination is one of the
-/// system's pattern, which the analysis tells.
-/// @param inputs  Their definitions. @throws DefError that names the quantity.
+/// Check that a world can continue from a state: valid indices, finite numbers, consistent counts
+/// and steps. The analysis checks that the elimination order belongs to the system's pattern.
+/// @param inputs  Their definitions.
+/// @throws DefError with the name of the quantity.
 void check_state(const stepper::StepContext& ctx, const std::vector<InputDef>& inputs,
                  const SavedState& state);
 

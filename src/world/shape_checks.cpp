@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a world refuses of shapes and materials.
+/// Checks of shapes and materials.
 #include "world/checks.h"
 
 #include <cmath>
@@ -9,8 +9,8 @@ namespace hawser::world {
 namespace {
 
 constexpr double kLongest = 1e6;                 ///< [m].
-constexpr std::size_t kMostNodes = 1U << 24;     ///< Of a heightfield.
-constexpr std::size_t kMostVertices = 1U << 22;  ///< Of a mesh; as many triangles.
+constexpr std::size_t kMostNodes = 1U << 24;     ///< Nodes of a heightfield.
+constexpr std::size_t kMostVertices = 1U << 22;  ///< Vertices of a mesh, and its triangles.
 constexpr std::size_t kMostHull = 4096;          ///< Vertices of a hull.
 
 [[noreturn]] void reject(const Where& where, const std::string& what) {

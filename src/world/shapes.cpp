@@ -22,7 +22,7 @@ using world::lookup;
 
 namespace {
 
-/// What a contact that resists rolling or spinning says of it.
+/// Fill in the moments of a contact with rolling or spinning resistance.
 void add_resistance(const stepper::StepContext& ctx, std::size_t i, ContactView& v) {
     const assembly::Contacts& contacts = ctx.model.system.contacts;
     if (v.asleep) {

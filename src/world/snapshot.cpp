@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Save and restore: a header that identifies the world's layout, then the arrays of the
-/// state in a fixed order, then a checksum. Multipliers and slack flags belong to the state:
-/// geometric stiffness and the active set start from them.
+/// Save and restore: a header that identifies the world's layout, the arrays of the state in a
+/// fixed order, and a checksum. Multipliers and slack flags belong to the state, because geometric
+/// stiffness and the active set start from them.
 #include <hawser/world.h>
 
 #include "base/hash.h"
@@ -29,7 +29,7 @@ using world::parameters_of;
 using world::visit_groups;
 using world::visit_state;
 
-/// Whether as many entries as a header says fit into as many bytes.
+/// Return true if the numbers of entries of a header fit into a number of bytes.
 bool fits(const Header& h, std::size_t bytes) {
     const auto fit = [&](std::uint64_t n, std::size_t size) { return n <= bytes / size; };
     return fit(h.contacts, sizeof(collide::KeptContact) + sizeof(assembly::ContactMemory)) &&
@@ -39,7 +39,7 @@ bool fits(const Header& h, std::size_t bytes) {
            fit(h.units, sizeof(std::int32_t)) && fit(h.chains, sizeof(std::int32_t) + 2);
 }
 
-/// Arrays of the state with an entry a contact; what was shown of contacts is gone.
+/// Resize arrays of the state with an entry per contact, and clear the visible contacts.
 void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t resistances) {
     ctx.model.collider.kept().resize(count);
     ctx.model.system.contacts.memory.resize(count);
@@ -51,7 +51,8 @@ void resize_contacts(stepper::StepContext& ctx, std::size_t count, std::size_t r
     ctx.work.stats.contacts = 0;
 }
 
-/// What the bytes say of groups. @return false where that cannot be.
+/// Read the groups.
+/// @return false if they are invalid.
 bool read_groups(const stepper::StepContext& ctx, const std::byte* from, stepper::Regroup& out) {
     out.parts.part.resize(ctx.model.regroup.parts.part.size());
     visit_groups(out, [&](void* to, std::size_t n) {
@@ -66,7 +67,8 @@ bool read_groups(const stepper::StepContext& ctx, const std::byte* from, stepper
     return out.parts.part.empty() || out.parts.parts == ctx.model.regroup.parts.parts;
 }
 
-/// Groups as saved, and the images and copies that come of them. @return whether others were there.
+/// Apply saved groups with their ghost bodies and duplicated rows.
+/// @return true if the groups differed.
 bool take_groups(stepper::StepContext& ctx, const stepper::Regroup& saved) {
     if (ctx.model.regroup.parts.part == saved.parts.part) return false;
     ctx.model.regroup.parts.part = saved.parts.part;
@@ -76,7 +78,7 @@ bool take_groups(stepper::StepContext& ctx, const stepper::Regroup& saved) {
     return true;
 }
 
-/// Analyse at the poses at which the saved world was analysed; the state stays as it is.
+/// Analyse at the poses of the saved world's analysis; the state is unchanged.
 void analyse_as_saved(stepper::StepContext& ctx, const factor::AnalysisState& order) {
     const auto x = ctx.model.bodies.x;
     const auto r = ctx.model.bodies.r;
@@ -89,7 +91,7 @@ void analyse_as_saved(stepper::StepContext& ctx, const factor::AnalysisState& or
     ctx.model.interactions.active = active;
 }
 
-/// States of systems, which go back to the old ones unless they are kept.
+/// States of systems, restored to the old ones unless they are kept.
 class SystemsAsSaved {
   public:
     SystemsAsSaved(world::Systems& systems, std::size_t bytes) : systems_(systems), before_(bytes) {
@@ -108,8 +110,9 @@ class SystemsAsSaved {
     bool kept_ = false;
 };
 
-/// The arrays, which have been checked. @throws DefError for an order of elimination that is none
-/// of this system; the state is then neither the old nor the new one.
+/// Apply the checked arrays.
+/// @throws DefError for an elimination order that does not belong to this system. The state is then
+///        invalid.
 void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const Header& header,
                 const std::byte* from, bool regrouped) {
     const auto analysed_x = ctx.state.analysed_x;
@@ -133,7 +136,7 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
         asleep != ctx.model.bodies.asleep || ctx.state.analysed_x != analysed_x ||
         ctx.state.analysed_r != analysed_r || ctx.model.system.analysis.state() != order)
         analyse_as_saved(ctx, order);
-    // Of a world with another form of its equations, it is planned anew.
+    // A world with another form of its equations plans a new order.
     const factor::AnalysisState now = ctx.model.system.analysis.state();
     if (now != order && now.elimination.order.size() == order.elimination.order.size())
         throw DefError("snapshot: its order of elimination is none of this world's");
@@ -181,7 +184,7 @@ void World::write_saved(std::vector<std::byte>& out, bool systems) const {
     header.systems = systems ? m.systems.layout() : world::Systems::no_layout();
     header.system_bytes = systems ? m.systems.state_bytes() : 0;
     out.resize(sizeof header + header.bytes + header.system_bytes + sizeof(std::uint64_t));
-    m.leave_user_forces();  // what inputs add follows from their values
+    m.leave_user_forces();  // input forces follow from their values
     std::byte* to = out.data();
     auto put = [&](const void* from, std::size_t n) {
         if (n > 0) std::memcpy(to, from, n);
@@ -221,7 +224,8 @@ void World::take_saved(std::span<const std::byte> bytes, bool variant) {
     stepper::ready(m.ctx);
     const auto damaged = [] { return DefError("snapshot: the bytes are damaged (checksum)"); };
     if (sum != base::checksum(bytes.data(), bytes.size() - sizeof sum)) throw damaged();
-    // What bytes alone tell is told before anything changes, the rest by going back.
+    // Errors found in the bytes alone are reported before any change. Other errors are reported
+    // after an undo.
     visit_groups(m.ctx.model.regroup, [&](const void*, std::size_t n) { size += n; });
     stepper::Regroup groups;
     if (header.grouped != m.ctx.model.regroup.parts.part.size() || !fits(header, bytes.size()) ||
@@ -244,7 +248,7 @@ void World::take_saved(std::span<const std::byte> bytes, bool variant) {
     m.ctx.state.time = static_cast<double>(m.ctx.state.step) * m.ctx.model.def.step;
     m.ctx.work.stats.step = m.ctx.state.step;
     m.ctx.work.stats.time = m.ctx.state.time;
-    // Parameters and forces follow their inputs, lines their drums.
+    // Parameters and forces follow their inputs, lines follow their drums.
     if (variant) {
         m.put_user_forces();
         m.ctx.state.judge.state = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a check of a start looks at: rows and overlaps at the present poses.
+/// Data for a check of a start: rows and overlaps at the present poses.
 #include <hawser/inspect.h>
 #include <hawser/world.h>
 
@@ -42,7 +42,7 @@ std::vector<ContactView> World::overlaps() const {
     stepper::ready(ctx);
     collide::ContactSet found;
     ctx.model.collider.surfaces(ctx.model.def.step, found);
-    // Until keep() the collider remembers nothing of it.
+    // The collider remembers no result until keep().
     if (!ctx.model.collider.collide(ctx.model.bodies, ctx.model.def.step, found, ctx.pool)) {
         const BoundMet met = ctx.model.collider.over();
         if (met.bound != Bound::none) throw LimitError(met);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a state read from bytes must be like. A right checksum says who wrote it at most, not that
-/// it makes sense: an index from a file is used as an address a step later.
+/// Checks of a state read from bytes. A valid checksum does not make the content valid, and a later
+/// step uses indices from a file as addresses.
+#include "access/wire_alerts.h"
 #include "base/index.h"
 #include "context/wire_alerts.h"
 #include "solve/wires.h"
@@ -14,14 +15,15 @@
 namespace hawser::world {
 namespace {
 
-/// Far beyond what any scene reaches; below it no product of a few of them overflows [m, m/s].
+/// Far beyond any scene; below it no product of a few of them overflows [m, m/s].
 constexpr double kFar = 1e15;
-/// Forces, impulses, energies [N, N s, J].
+/// Limit of forces, impulses, energies [N, N s, J].
 constexpr double kHuge = 1e40;
-/// A product is a double up to this many steps.
+/// Largest number of steps that a double represents exactly.
 constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;
-constexpr double kUnit = 1e-6;  ///< Of lengths of quaternions and entries of rotations.
-constexpr std::int32_t kMostQuiet = 1'000'000'000;  ///< Steps, see step/sleep.cpp.
+constexpr double kUnit = 1e-6;  ///< Tolerance of quaternion norms and entries of rotations.
+/// Largest number of steps at rest, see step/sleep.cpp.
+constexpr std::int32_t kMostQuiet = 1'000'000'000;
 
 [[noreturn]] void refuse_state(const std::string& what) {
     throw DefError("snapshot: not a state that a world can have: " + what);
@@ -49,7 +51,7 @@ void flags(const A& array, const char* what) {
             refuse_state(std::string(what) + " is no flag" + entry(i));
 }
 
-/// Whether the norm of a quaternion is 1 to within `off`.
+/// Return true if the norm of a quaternion is 1 to within `off`.
 bool unit(const double* q, double off) {
     const double n = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     return std::abs(n - 1.0) <= off;
@@ -68,14 +70,14 @@ void check_bodies(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(s.model.bodies.v_start, "a predicted velocity", kFar);
     numbers(s.model.bodies.v_fixed, "a prescribed velocity", kFar);
     numbers(s.model.bodies.spin_change, "a change of spin", kFar);
-    numbers(s.model.bodies.force, "an applied force", 1e300);  // as setters take it
+    numbers(s.model.bodies.force, "an applied force", 1e300);  // the limit of the setters
     numbers(s.state.analysed_x, "an analysed position", kFar);
     numbers(s.state.analysed_r, "an analysed rotation", 2.0);
     flags(s.model.bodies.asleep, "sleep");
     for (std::size_t b = 0; b < at(ctx.model.bodies.count()); ++b) {
         const double* q = &s.model.bodies.q[4 * b];
         if (!unit(q, kUnit)) refuse_state("an orientation is no rotation" + entry(b));
-        // Of lumps too: the images of cut lines take theirs.
+        // Also for nodes, because ghost bodies of cut lines copy theirs.
         if (!is_rotation_of(&s.model.bodies.r[9 * b], q))
             refuse_state("a rotation is not that of the orientation" + entry(b));
         if (s.model.bodies.asleep[b] != 0 && ctx.model.bodies.dof(static_cast<int>(b)) == 0)
@@ -111,7 +113,7 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
             refuse_state("what cannot part has parted" + entry(i));
 }
 
-/// Whether a side of a contact remembers bodies that the side's shape has.
+/// Return true if a side of a contact remembers bodies of the side's shape.
 bool fits(const std::int32_t (&body)[2], const collide::Shape& shape) {
     const auto of_shape = [&](std::int32_t b) { return b == shape.body[0] || b == shape.body[1]; };
     return body[0] >= 0 && of_shape(body[0]) &&
@@ -186,7 +188,7 @@ void check_links(const stepper::StepContext& ctx, const SavedState& s) {
     }
 }
 
-/// As far as it can be told without the pattern.
+/// Check an elimination order as far as possible without the pattern.
 void check_order(const factor::AnalysisState& order) {
     flags(order.between, "a place in the order of elimination");
     std::vector<std::uint8_t> seen(order.elimination.order.size(), 0);
@@ -255,7 +257,7 @@ void check_state(const stepper::StepContext& ctx, const std::vector<InputDef>& i
     check_order(state.order);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         number(state.inputs[i], "an input", 1e300);
-        // What acts where no input was ever set may lie outside of its range.
+        // Without a set input the value may lie outside the input's range.
         const InteractionDef* d = inputs[i].interaction.valid()
                                       ? &ctx.model.interactions.def[at(inputs[i].interaction.index)]
                                       : nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a world is made of, and a world made of it (hawser/structure.h).
+/// Structure of a world, and construction of a world from it (hawser/structure.h).
 #include <hawser/world.h>
 
 #include "world/checks.h"
@@ -19,7 +19,7 @@
 namespace hawser {
 namespace {
 
-/// Something that weighs as many entries as what was there; it goes again when all has its place.
+/// Return a body with a number of entries, which fills an index until all objects have theirs.
 BodyDef placeholder(int room) {
     BodyDef def;
     def.kind = room == 6   ? BodyKind::rigid
@@ -40,7 +40,7 @@ void take_places(Placed<Def>& to, const base::Places& from) {
         if (at(k) < count) to.vacant.push_back(k);
 }
 
-/// Ids with the generations that places have by now.
+/// Renew ids with the current generations of their indices.
 template <class Id>
 void name_anew(std::vector<Id>& ids, const base::Places& places) noexcept {
     for (Id& id : ids) id = places.id<Id>(id.index);
@@ -83,7 +83,7 @@ Structure World::Impl::structure() const {
         d.kind = in.def[at(i)].kind;
         if (in.gone(i)) continue;
         d = in.def[at(i)];
-        // Then it follows the length, as it does here.
+        // A default compliance follows the length, as it does here.
         if (in.flags[at(i)] & model::kFromLength) d.compliance[0] = kDefault;
         for (int r = 0; r < in.rows[at(i)]; ++r)
             out.compliances.push_back(in.defined[at(in.row_begin[at(i)] + r)]);
@@ -108,8 +108,7 @@ Structure World::Impl::structure() const {
     return out;
 }
 
-/// Places are filled in their order and emptied afterwards, since what is added would take an empty
-/// one.
+/// Indices are filled in order and vacated afterwards, because an addition would use a vacant one.
 void World::Impl::make_bodies(World& self, const Placed<BodyDef>& from) {
     check(from, "bodies");
     for (const BodyDef& def : from.defs) self.add_body(def);
@@ -122,7 +121,7 @@ void World::Impl::make_shapes(World& self, const Structure& from) {
     check(from.shapes, "shapes");
     for (const MaterialDef& def : from.materials) self.add_material(def);
     for (const MaterialPairDef& pair : from.pairs) self.add_material_pair(pair);
-    // Of any body: a sphere that touches nothing.
+    // On any body: a sphere that touches nothing.
     ShapeDef none{.kind = ShapeKind::sphere, .body = {}, .radius = 1.0};
     for (const BodyId b : body_ids)
         if (ctx.model.bodies.kind[at(b.index)] != BodyKind::scalar) none.body = b;
@@ -143,7 +142,7 @@ void World::Impl::make_interactions(World& self, const Placed<InteractionDef>& f
             continue;
         }
         InteractionDef d = from.defs[i];
-        d.load = {};  // what loads it may have a later place
+        d.load = {};  // an interaction that loads it may have a later index
         self.add_interaction(d);
     }
     for (const std::int32_t i : from.vacant) in.places.vacate(i);
@@ -243,9 +242,9 @@ std::uint64_t World::identity() const {
     return base::checksum(both, sizeof both, base::kFnvStart);
 }
 
-/// In a world of its own first; the systems go over to it, and back where the state is none of it.
+/// Restore in a separate world first. The systems move to it, and back if the state does not fit.
 void World::restore(const Structure& made_of, std::span<const std::byte> bytes) {
-    std::unique_ptr<Impl> before;  // outlives its mark of being in use
+    std::unique_ptr<Impl> before;  // outlives its lock
     const world::Using use(impl_->use, "restore");
     Impl& m = *impl_;
     World out(m.ctx.model.def);

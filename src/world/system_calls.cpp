@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a world's users say to its systems, and what systems do to its inputs within a step.
+/// Access of users to the systems of a world, and of systems to its inputs within a step.
 #include <hawser/world.h>
 
 #include "context/context.h"
@@ -70,9 +70,10 @@ void World::set_system_signal(std::string_view name, double value) {
                        " to " + world::number(s.max) + " " + s.unit);
     *s.value = std::clamp(value, s.min, s.max);
     if (*s.value == value) return;
-    Event clamped{.time = impl_->ctx.state.time, .kind = EventKind::input_clamped, .value = value};
-    clamped.signal = static_cast<std::int32_t>(&s - impl_->systems.signals().data());
-    impl_->ctx.state.events.push(clamped);
+    // A signal has no input id; ids below 0 stand for signals (record/event_input.h).
+    const auto place = static_cast<std::int32_t>(&s - impl_->systems.signals().data());
+    impl_->ctx.state.events.push(
+        {impl_->ctx.state.time, EventKind::input_clamped, {}, value, InputId{-2 - place}});
     ++impl_->ctx.work.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
 }
 std::vector<LoadView> World::loads() const { return impl_->ctx.state.loads.view(); }
@@ -106,7 +107,7 @@ bool World::Impl::set(InputId id, double value, Before& before) noexcept {
     if (within != before.applied || within != before.value) disturb(def);
     apply_input(at(id.index), within);
     ctx.state.ledger.drive += elastic() - held;
-    // Told as if it had been set before the step, which is the same: a recording needs no systems.
+    // Reported as if set before the step, which is equivalent: a recording needs no systems.
     if (listener != nullptr) listener->set(id, value);
     return true;
 }

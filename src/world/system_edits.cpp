@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Edits that systems ask for: the step that they begin ends, the edits are made, and it is taken
-/// again with what the systems did.
+/// Edits that systems request. The current step ends, the edits are made, and the step is repeated
+/// with the recorded actions of the systems.
 #include <hawser/world.h>
 
 #include "context/context.h"
@@ -32,7 +32,7 @@ void Systems::keep_deed(const stepper::StepContext& ctx) {
     deed_.known = true;
 }
 
-/// Inputs and loads of what has gone since go with it.
+/// Repeat the recorded actions of the systems. Inputs and loads of removed objects are dropped.
 void Systems::repeat_deed(stepper::StepContext& ctx) {
     take_states(deed_.states);
     told_ = deed_.told;
@@ -54,10 +54,10 @@ void Systems::repeat_deed(stepper::StepContext& ctx) {
         std::copy_n(from + n + 2 * entries, entries, to.stiffness);
     }
     if (ctx.state.loads.touched())
-        (void)ctx.state.loads.fault(ctx.pool);  // which found nothing before
+        (void)ctx.state.loads.fault(ctx.pool);  // which found no fault before
 }
 
-/// What a system reaches through its NodeEdits.
+/// Access of a system through its NodeEdits.
 class Systems::NodeHands final : public NodeEdits::Hands {
   public:
     NodeHands(Systems& of, double time) : of_(of), time_(time) {}

@@ -18,7 +18,7 @@
 namespace hawser::world {
 namespace {
 
-/// A visitor that does something with each array.
+/// A visitor that calls f for each array.
 template <class F>
 class Visitor final : public StateVisitor {
   public:
@@ -31,7 +31,7 @@ class Visitor final : public StateVisitor {
     F f_;
 };
 
-/// Finds a number of a state that no system can go on from.
+/// Finds a number of a state from which no system can continue.
 class NumberCheck final : public StateVisitor {
   public:
     [[nodiscard]] bool good() const noexcept { return good_; }
@@ -45,7 +45,7 @@ class NumberCheck final : public StateVisitor {
     bool good_ = true;
 };
 
-/// f(data, bytes) of the arrays of a system's state.
+/// Call f(data, bytes) for the arrays of a system's state.
 template <class F>
 void visit(System& system, bool around_step, F&& f) {
     Visitor visitor(around_step, [&f](void* data, std::size_t size) { f(data, size); });
@@ -58,7 +58,7 @@ std::string full_name(const SystemSignal& s) { return s.system + "." + s.name; }
 
 namespace {
 
-/// Applied forces are those that were set, for as long as this lives: inputs may change them.
+/// Keeps the applied forces as set while it lives, because inputs may change them.
 class Unturned {
   public:
     explicit Unturned(InputDoor& door) noexcept : door_(door) { door.unturn_forces(); }
@@ -72,7 +72,7 @@ class Unturned {
 
 }  // namespace
 
-/// What a system reaches through its Prestep.
+/// Access of a system through its Prestep.
 class Systems::Hands final : public Prestep::Hands {
   public:
     Hands(Systems& of, stepper::StepContext& ctx) : of_(of), ctx_(ctx) {}
@@ -91,7 +91,7 @@ class Systems::Hands final : public Prestep::Hands {
             earlier.clamped = before.clamped;
             return;
         }
-        of_.set_.push_back(before);  // act() has made room for one of each
+        of_.set_.push_back(before);  // act() has reserved capacity for one of each
     }
     void tell(EventKind kind, BodyId body, InteractionId interaction,
               double value) noexcept override {
@@ -104,7 +104,7 @@ class Systems::Hands final : public Prestep::Hands {
         try {
             of_.told_.push_back(event);
         } catch (const std::bad_alloc&) {
-            of_.untold_ = true;  // none is left out: the step ends, and is tried again
+            of_.untold_ = true;  // no event is lost: the step ends and is retried
         }
     }
     void run(int count, void (*task)(void*, int) noexcept, void* context) noexcept override {
@@ -136,7 +136,7 @@ System& Systems::add(std::unique_ptr<System> system) {
                                "' is listed twice; names are unique in a system");
     }
     list_.push_back(std::move(system));
-    // From here on nothing throws.
+    // No call below throws.
     signals_.swap(all);
     return *list_.back();
 }

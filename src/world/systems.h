@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file systems.h
-/// The systems of a world: in order, with their signals, and with what a step that fails takes
-/// back.
+/// The systems of a world in order, with their signals and the data to undo a failed step.
 
 #include <hawser/system.h>
 
@@ -21,36 +20,38 @@
 
 namespace hawser::world {
 
-/// What a world lets its systems do between the beginning of a step and its end.
+/// Access of systems to the world between the start of a step and its end.
 class InputDoor {
   public:
     virtual ~InputDoor() = default;
-    /// How the input was, so that set() can be taken back.
+    /// Previous state of an input, for take_back().
     struct Before {
         std::int32_t input = -1;
-        double value = 0.0, applied = 0.0;    ///< Asked for, and in force.
-        std::int32_t body[3] = {-1, -1, -1};  ///< What it disturbs …
-        std::int32_t quiet[3] = {0, 0, 0};    ///< … and how long that had been at rest.
+        double value = 0.0, applied = 0.0;    ///< Requested value and value in force.
+        std::int32_t body[3] = {-1, -1, -1};  ///< Bodies that it disturbs …
+        /// … and the number of steps for which they had been at rest.
+        std::int32_t quiet[3] = {0, 0, 0};
         double asked = 0.0;
         bool clamped = false;
     };
-    /// @return false: there is no such input, or the value is not finite.
+    /// Set an input.
+    /// @return false if it does not exist or the value is not finite.
     virtual bool set(InputId id, double value, Before& before) noexcept = 0;
-    /// The same of what has been told already.
+    /// Set an input without a report to the listener.
     virtual bool set_untold(InputId id, double value, Before& before) noexcept = 0;
     [[nodiscard]] virtual InputId id_of(std::int32_t input) const noexcept = 0;
     virtual void take_back(const Before& before) noexcept = 0;
-    /// Tell that it asked for a value beyond its range.
+    /// Report that a requested value was beyond its range.
     virtual void tell(const Before& before) noexcept = 0;
-    /// A system is about to edit the world: copy the state to which a failed step returns, unless
-    /// this step has done so. @return false: no memory.
+    /// Begin edits by a system: save the state to which a failed step returns, unless this step has
+    /// done so.
+    /// @return false if allocation fails.
     [[nodiscard]] virtual bool begin_edits() noexcept = 0;
-    /// While a step is taken, forces of inputs in the frames of their bodies are turned into the
-    /// world and stand among the applied ones. Without them, and with them again as inputs and
-    /// poses are by then.
+    /// Remove the forces of inputs in body frames from the applied forces, and add them again with
+    /// the current inputs and poses. During a step they are rotated into world axes.
     virtual void unturn_forces() noexcept = 0;
     virtual void turn_forces() noexcept = 0;
-    /// How many inputs the world has.
+    /// Return the number of inputs of the world.
     [[nodiscard]] virtual std::size_t count() const noexcept = 0;
 };
 
@@ -61,11 +62,13 @@ class Systems final : public stepper::Actors {
     Systems(const Systems&) = delete;
     Systems& operator=(const Systems&) = delete;
 
-    /// @throws DefError, std::bad_alloc; nothing has changed then.
+    /// Add a system.
+    /// @throws DefError, std::bad_alloc; without any change.
     System& add(std::unique_ptr<System> system);
+    /// Remove a system.
     /// @throws DefError.
     std::unique_ptr<System> remove(const System& system);
-    /// All systems of a world go over to this one, which has none.
+    /// Move all systems of a world to this one, which has none.
     void take_all(Systems& from) noexcept {
         list_.swap(from.list_);
         signals_.swap(from.signals_);
@@ -74,12 +77,14 @@ class Systems final : public stepper::Actors {
     [[nodiscard]] System& at(std::size_t i) const { return *list_[i]; }
     [[nodiscard]] System* find(std::string_view name) const noexcept;
     [[nodiscard]] const std::vector<SystemSignal>& signals() const noexcept { return signals_; }
+    /// Return a signal.
     /// @throws DefError with the nearest name.
     [[nodiscard]] const SystemSignal& signal(std::string_view name) const;
 
-    /// Set the world whose step systems see.
+    /// Set the world that systems see in a step.
     void use(const World& world) noexcept { world_ = &world; }
-    /// What systems hold, each told with its name. @throws std::bad_alloc, and what f throws.
+    /// Call f for the objects that each system holds, with its name.
+    /// @throws std::bad_alloc, and exceptions of f.
     template <class F>
     void each_held(F&& f) const {
         for (const auto& s : list_) {
@@ -91,56 +96,59 @@ class Systems final : public stepper::Actors {
             f(s->name(), held_);
         }
     }
-    /// What systems carry of an element (System::carried_mass()) [kg]; below 0 where a drum has
-    /// hauled in more than there was of it.
+    /// Return the mass of an element that systems carry (System::carried_mass()) [kg]; negative if
+    /// a drum has hauled in more than existed.
     [[nodiscard]] double carried_mass(InteractionId element) const noexcept {
         double sum = 0.0;
         for (const auto& s : list_) sum += s->carried_mass(element);
         return sum;
     }
-    /// System::paid_out() of the system that keeps account of an element [m]; else kDefault.
+    /// Return System::paid_out() of the system that counts an element [m], otherwise kDefault.
     [[nodiscard]] double paid_out(const World& world, InteractionId element) const noexcept {
         for (const auto& s : list_)
             if (const double paid = s->paid_out(world, element); !std::isnan(paid)) return paid;
         return kDefault;
     }
-    /// In begin_step().
+    /// True during begin_step().
     [[nodiscard]] bool editing() const noexcept { return editing_; }
-    /// Whether nodes are systems' to put and take: those that carry an element keep its account.
+    /// Return true if only systems may insert and remove nodes: a system that carries an element
+    /// counts its length.
     [[nodiscard]] bool refuses_nodes(InteractionId element) const noexcept {
         return !editing_ && carried_mass(element) != 0.0;
     }
-    /// The step has ended since systems asked for edits, and has gone back: they are to be made,
-    /// and then the step taken once more, with what the systems did in it.
+    /// True if the step has ended and been undone because systems requested edits. They are made
+    /// next, and the step is repeated with the recorded actions of the systems.
     [[nodiscard]] bool wants_edits() const noexcept { return queue_.size() > 0 && deed_.known; }
-    /// Make them. @return what is wrong, in BadLoad too; Status::ok: all are made.
+    /// Make the requested edits.
+    /// @return the fault, also in BadLoad; Status::ok if all are made.
     Status make_edits(World& world) noexcept;
     [[nodiscard]] std::size_t queued() const noexcept { return queue_.left(); }
-    /// Whether some of them would leave out more at a higher level of coarsening.
+    /// Return true if a system would leave out more at a higher level of coarsening.
     [[nodiscard]] bool coarsens() const noexcept {
         return std::any_of(list_.begin(), list_.end(),
                            [](const auto& system) { return system->coarsens(); });
     }
-    /// A step begins: keep the states of systems, and have these put and take nodes of wires.
+    /// Begin a step: save the states of systems and let them insert and remove nodes of wires.
     /// @return ok or out_of_memory.
     Status begin_step(World& world) noexcept;
-    /// The step failed: states of systems as they were when it began.
+    /// Undo a failed step: restore the states of systems at its start.
     void undo_step() noexcept;
-    /// What systems did for a step that has not been taken is forgotten: the state is another.
+    /// Discard the recorded actions for a step that was not taken, because the state has changed.
     void forget() noexcept;
     Status act(stepper::StepContext& ctx) noexcept override;
     void accept(stepper::StepContext& ctx) noexcept override;
     void go_back(stepper::StepContext& ctx) noexcept override;
 
-    /// Names and sizes of states.
+    /// Return a hash of names and sizes of states.
     [[nodiscard]] std::uint64_t layout() const;
-    [[nodiscard]] static std::uint64_t no_layout() noexcept;  ///< Of none.
+    [[nodiscard]] static std::uint64_t no_layout() noexcept;  ///< Layout without systems.
     [[nodiscard]] std::size_t state_bytes() const;
     void save(std::byte* to) const;
     void restore(const std::byte* from);
-    /// Check the states that restore() has read. @throws DefError that names system and quantity.
+    /// Check the states read by restore().
+    /// @throws DefError with the names of system and quantity.
     void check_states(const World& world) const;
-    /// Continues a hash with all states.
+    /// Continue a hash with all states.
     [[nodiscard]] std::uint64_t hash(std::uint64_t h) const;
 
     BadLoad bad;
@@ -148,13 +156,13 @@ class Systems final : public stepper::Actors {
   private:
     class Hands;
     class NodeHands;
-    /// What systems did in a step that ended for their edits, to be done again.
+    /// Recorded actions of systems in a step that ended for their edits, to be repeated.
     struct Deed {
         struct Load {
             BodyId body;
             std::vector<double> numbers;  ///< f, A, D, K.
         };
-        std::vector<std::byte> states;  ///< Afterwards.
+        std::vector<std::byte> states;  ///< States after the actions.
         std::vector<std::pair<InputId, double>> inputs;
         std::vector<Load> loads;
         std::vector<Event> told;
@@ -170,16 +178,16 @@ class Systems final : public stepper::Actors {
     const World* world_ = nullptr;
     std::vector<std::unique_ptr<System>> list_;
     std::vector<SystemSignal> signals_;
-    mutable HoldTable held_;              ///< Scratch of each_held(), whose memory is kept.
-    bool acted_ = false;                  ///< In the step being taken.
-    bool editing_ = false;                ///< In begin_step().
-    std::vector<std::byte> begun_;        ///< States when the step began, …
-    bool begun_known_ = false;            ///< … if there was memory for them.
+    mutable HoldTable held_;              ///< Scratch of each_held(), with its memory kept.
+    bool acted_ = false;                  ///< True if systems have acted in the current step.
+    bool editing_ = false;                ///< True during begin_step().
+    std::vector<std::byte> begun_;        ///< States at the start of the step, …
+    bool begun_known_ = false;            ///< … valid if there was memory for them.
     std::vector<std::byte> kept_;         ///< States before prestep().
-    std::vector<InputDoor::Before> set_;  ///< Inputs that it set, in that order.
-    std::vector<Event> told_;             ///< Events that they told of.
-    bool untold_ = false;                 ///< There was no room for one of them.
-    double drive_ = 0.0;                  ///< Ledger::drive before it.
+    std::vector<InputDoor::Before> set_;  ///< Inputs set by prestep(), in order.
+    std::vector<Event> told_;             ///< Events that systems reported.
+    bool untold_ = false;                 ///< True if there was no capacity for an event.
+    double drive_ = 0.0;                  ///< Ledger::drive before prestep().
     QueuedEdits queue_;
     Deed deed_;
     std::string edit_fault_;  ///< BadLoad::reason of an edit.

@@ -29,7 +29,7 @@ TraceView World::trace(std::int64_t steps) const {
     const runtime::Trace* const trace = impl_->ctx.trace.get();
     if (trace == nullptr) return view;
     trace->copy(trace->lost_until(), view);
-    // Whole steps, and of these the last.
+    // The last of the complete steps.
     std::vector<double> begin;
     double end = 0.0;
     for (const TraceSpan& s : view.spans) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A world of the same definitions, at the same places.
+/// A world with the same definitions at the same indices.
 #include <hawser/world.h>
 
 #include "world/impl.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A step that fails takes back what its systems edited (state/model_undo.h).
+/// Undo of the edits of systems in a failed step (step/model_undo.h).
 #include <hawser/changes.h>
 
 #include "step/step.h"
@@ -90,7 +90,7 @@ void World::Impl::undo_step(std::size_t mark) noexcept {
     if (listener != nullptr) listener->undone(mark);
 }
 
-/// Before the start nothing is at stake: all is analysed then.
+/// Before the start no undo is needed, because all is analysed then.
 Attempt::Attempt(World& world, bool wanted) : world_(world) {
     World::Impl& m = *world.impl_;
     const world::Using use(m.use, "add");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file use.h
-/// One thread at a time uses a world. Whoever steps or changes it marks it as in use; a second
-/// thread that tries, or a change that a step calls back, is refused before it reads or writes
-/// anything. The mark is one atomic exchange, some ten nanoseconds.
+/// Exclusive use of a world by one thread. A call that steps or changes the world marks it as in
+/// use. A call by a second thread, or a change from a callback within a step, is rejected before it
+/// reads or writes anything. The mark is one atomic exchange, about ten nanoseconds.
 
 #include <hawser/def.h>
 
@@ -16,7 +16,8 @@ namespace hawser::world {
 
 class Use {
   public:
-    /// @return 0 refused, 1 granted, 2 granted within a call of the same thread.
+    /// Try to lock the world.
+    /// @return 0 rejected, 1 granted, 2 granted within a call of the same thread.
     int take() noexcept {
         const pthread_t me = this_thread();
         pthread_t user = kNobody;
@@ -27,28 +28,29 @@ class Use {
         return user == me && !stepping_ ? 2 : 0;
     }
     void leave() noexcept { user_.store(kNobody, std::memory_order_release); }
-    /// Of the thread that has it: a step begins, or ends.
+    /// Mark the start or end of a step, by the thread that uses the world.
     void stepping(bool on) noexcept { stepping_ = on; }
     [[nodiscard]] bool is_mine() const noexcept {
         return user_.load(std::memory_order_relaxed) == this_thread();
     }
 
-    /// Something may have changed since this was last taken back: what follows from the state is
-    /// computed anew when it is asked for.
+    /// True if the state may have changed since unchanged(). Derived data are then computed again
+    /// on request.
     [[nodiscard]] bool changed() const noexcept { return changed_; }
     void unchanged() noexcept { changed_ = false; }
 
   private:
-    /// No thread_local mark: mold places a program's read-only data wrongly behind one of a byte,
+    /// No thread_local mark: mold places read-only data of a program wrongly behind a one-byte one,
     /// and the program does not start.
     static pthread_t this_thread() noexcept { return ::pthread_self(); }
-    static constexpr pthread_t kNobody = 0;  ///< glibc's are addresses.
+    static constexpr pthread_t kNobody = 0;  ///< thread ids of glibc are addresses
     std::atomic<pthread_t> user_{kNobody};
-    bool stepping_ = false;  ///< Read and written by the thread that has it alone.
+    bool stepping_ = false;  ///< Read and written only by the thread that uses the world.
     bool changed_ = true;
 };
 
-/// A call that changes a world, or computes in it. @throws UseError where it is in use.
+/// A call that changes a world or computes in it.
+/// @throws UseError if it is in use.
 class Using {
   public:
     Using(Use& use, const char* call) : use_(use), granted_(use.take()) {
@@ -71,7 +73,7 @@ class Using {
     int granted_;
 };
 
-/// The same where nothing may be thrown.
+/// The same for functions that may not throw.
 class MaybeUsing {
   public:
     explicit MaybeUsing(Use& use) noexcept : use_(use), granted_(use.take()) {}
@@ -81,7 +83,7 @@ class MaybeUsing {
     MaybeUsing(const MaybeUsing&) = delete;
     MaybeUsing& operator=(const MaybeUsing&) = delete;
     [[nodiscard]] bool granted() const noexcept { return granted_ != 0; }
-    /// Not within another call either.
+    /// True if it is not within another call.
     [[nodiscard]] bool alone() const noexcept { return granted_ == 1; }
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Words of what a world vouches for.
+/// Names of the quantities that a world monitors.
 #include <hawser/stats.h>
 
 #include <cstddef>

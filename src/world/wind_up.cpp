@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The end of a wire comes to lie on a drum.
+/// Winding of the end of a wire onto a drum.
 #include <hawser/world.h>
 
 #include "context/asleep.h"
@@ -34,7 +34,7 @@ void World::set_mass(BodyId lump, double mass) {
         impl_->add_up_force(lump, k);
     }
     c.state.ledger.edited.given += stepper::energy_of_body(c, lump.index);
-    // Elements know how heavy the lighter of their ends is.
+    // Elements store the mass of the lighter of their ends.
     model::Interactions& in = c.model.interactions;
     for (const InteractionId id : impl_->interaction_ids)
         for (std::size_t slot = 0; slot < in.bodies[at(id.index)]; ++slot)
@@ -74,9 +74,9 @@ InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
         d.set(same, stretch.get(same));
     d.body[2] = drum;
     d.set("radius", radius).set("drum_zero", pose(drum).position.x());
-    // A compliance that came from the length follows it.
+    // A compliance derived from the length follows it.
     if ((in.flags[at(old.index)] & model::kFromLength) != 0) d.compliance[0] = kDefault;
-    // All that can be refused is, and room is made, before the old element goes.
+    // All checks are done and capacity is reserved before the old element is removed.
     InteractionDef whole = d;
     world::check(whole, impl_->ctx.model.bodies, body_count(),
                  std::span(in.def).first(at(interaction_count())), in.places);
@@ -84,7 +84,7 @@ InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
     impl_->refuse_held(old);
     impl_->reserve_removal();
     impl_->ctx.model.interactions.make_room(d.kind);
-    // From here on nothing throws: the name changes hands with the node that holds it.
+    // No call below throws: the name moves with its table node.
     world::Names::Map::node_type name = impl_->interaction_names.take(d.name);
     impl_->remove(old);
     if (impl_->listener != nullptr) impl_->listener->removed(old);

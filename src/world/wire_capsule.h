@@ -11,13 +11,13 @@
 
 namespace hawser::world {
 
-/// The capsule of an element between two bodies, which hold it at these points of their frames [m]:
-/// of one between two lumps, and where the wire has capsules to its ends of one between a lump and
-/// a body. None otherwise, or where the wire touches nothing.
+/// Return the capsule of an element between two bodies, attached at these points of their frames
+/// [m]. An element between two nodes has one. An element between a node and a body has one if the
+/// wire has capsules to its ends. No capsule if the wire touches nothing.
 [[nodiscard]] std::optional<ShapeDef> capsule_of(const World& world, const WireTrim& trim,
                                                  const std::array<BodyId, 2>& body,
                                                  const std::array<Vec3, 2>& point);
-/// Of an element as it is defined.
+/// Return the capsule of a defined element.
 [[nodiscard]] inline std::optional<ShapeDef> capsule_of(const World& world, const WireTrim& trim,
                                                         const InteractionDef& element) {
     return capsule_of(world, trim, {element.body[0], element.body[1]},

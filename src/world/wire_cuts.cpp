@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that are cut in two (hawser/wire.h, edit/wire_ends.h).
+/// Cutting of wires in two (hawser/wire.h, step/wire_ends.h).
 #include <hawser/world.h>
 
 #include "context/push_event.h"
@@ -22,14 +22,15 @@
 namespace hawser {
 namespace {
 
-/// Share of an element within which a cut is at its node, so that no tiny element is left.
+/// Fraction of an element at its node within which a cut is at the node, so that no tiny element
+/// remains.
 constexpr double kNear = 1e-3;
 
-/// Share of the element beside it below which an element that a cut leaves at an end is made one
-/// with it: the light lump between them would be whipped round faster than a step follows.
+/// Ratio to the next element below which a cut element at an end is joined with it. The light node
+/// between them would move faster than a step resolves.
 constexpr double kShort = 0.25;
 
-/// "tow/2" where tow or a piece of it is cut: the first that nothing has.
+/// Return a new name such as "tow/2" if tow or a piece of it is cut: the first unused one.
 std::string next_name(const world::Names& names, const std::string& of) {
     std::string base = of;
     const std::size_t slash = of.rfind('/');
@@ -41,7 +42,7 @@ std::string next_name(const world::Names& names, const std::string& of) {
         if (std::string name = base + "/" + std::to_string(k); !names.contains(name)) return name;
 }
 
-/// The second piece of a wire, and which bodies are on it. Room for both is made before the cut.
+/// The second piece of a wire, and the bodies on it. Capacity for both is reserved before the cut.
 class SecondPiece {
   public:
     SecondPiece(const world::Wire& whole, std::string_view name, int bodies) {
@@ -55,7 +56,9 @@ class SecondPiece {
         constexpr std::size_t kComing = 4;
         behind_.assign(at(bodies) + kComing, 0);
     }
-    /// @param second  Element with which it begins. @param end  The lump there.
+    /// Move the objects behind a cut to the second piece.
+    /// @param second  First element of the piece.
+    /// @param end  Its first node.
     void take(world::Wire& whole, InteractionId second, BodyId end, const model::Interactions& in,
               const collide::Collider& collider) noexcept {
         const auto k = std::find(whole.elements.begin(), whole.elements.end(), second) -
@@ -92,7 +95,7 @@ class SecondPiece {
     std::vector<std::uint8_t> behind_;  ///< By body.
 };
 
-/// As the lump that it comes beside, or as those at the ends of an element.
+/// Return a body like the node that it stands beside, or like those at the ends of an element.
 BodyDef end_body(const World& w, const InteractionDef& element) {
     BodyDef out{.kind = BodyKind::lump, .position = w.pose(element.body[0]).position};
     out.mass = 1.0;
@@ -120,7 +123,7 @@ void World::Impl::follow_definition(BodyId lump) noexcept {
     body_defs[at(lump.index)].linear_damping = stepper::damping_of(ctx, lump.index);
 }
 
-/// What begins at a node begins at another lump at its place, which has been added.
+/// Move the objects that begin at a node to another node at its position, which has been added.
 void World::Impl::part_lump(const stepper::NodePlace& place, BodyId end) noexcept {
     model::Interactions& in = ctx.model.interactions;
     const BodyId node = ctx.model.bodies.id(place.node), far = in.def[at(place.second)].body[1];
@@ -145,6 +148,7 @@ InteractionId World::Impl::element_at(BodyId node, std::size_t side) noexcept {
     return ctx.model.interactions.id(side == 0 ? place.first : place.second);
 }
 
+/// Join a short element at an end with the next one.
 /// @param side  0: the end is the first end of the element, 1: its last one.
 void World::Impl::join_short_end(World& world, InteractionId end, std::size_t side) noexcept {
     const model::Interactions& in = ctx.model.interactions;
@@ -156,24 +160,26 @@ void World::Impl::join_short_end(World& world, InteractionId end, std::size_t si
         const Untold untold(*this);
         (void)world.remove_node(ctx.model.bodies.id(place.node), std::numbers::pi);
     } catch (const std::exception&) {
-        return;  // what holds the node keeps the element as well
+        return;  // an object that holds the node also keeps the element
     }
 }
 
-/// Whether a drum or guide has the mass of an element of a wire.
+/// Return true if a drum or guide has the mass of an element of a wire.
 bool World::Impl::carried(const world::Wire& wire, std::size_t element) const noexcept {
     return systems.carried_mass(wire.elements[element]) != 0.0;
 }
 
-/// Lumps next to an element that is carried() have no mass to share: a wire that is to be cut at
-/// such a node is cut a quarter into the nearest element beyond. @param node  Its number. @param s
-/// [m]. @return the element, and where in it.
+/// Find the point of a cut next to an element that is carried(), whose nodes have no mass to
+/// divide. The cut is a quarter into the nearest element beyond.
+/// @param node  Its index.
+/// @param s  [m].
+/// @return the element, and the fraction in it.
 std::pair<InteractionId, double> World::Impl::beside_carried(const world::Wire& wire,
                                                              std::size_t node,
                                                              double s) const noexcept {
     constexpr double kBeyond = 0.25;
     const model::Interactions& in = ctx.model.interactions;
-    std::size_t first = node, last = node;  // of those that are carried; behind them
+    std::size_t first = node, last = node;  // range of carried elements
     while (first > 0 && carried(wire, first - 1)) --first;
     while (last < wire.elements.size() && carried(wire, last)) ++last;
     double begin = 0.0, end = 0.0;
@@ -186,7 +192,7 @@ std::pair<InteractionId, double> World::Impl::beside_carried(const world::Wire& 
     }
     const bool before = first > 0 && (last == wire.elements.size() || s - begin < end - s);
     if (before) return {wire.elements[first - 1], 1.0 - kBeyond};
-    // Where all is carried the node stays what it is, and what refuses it says why.
+    // If all are carried, the node is returned and its check reports the reason.
     if (last == wire.elements.size()) return {wire.elements[std::min(node, last - 1)], 0.0};
     return {wire.elements[last], kBeyond};
 }
@@ -230,7 +236,8 @@ WireId World::cut(WireId id, double s) {
     return cut(wire.elements[k], 0.0);
 }
 
-/// @throws DefError, with the remedy, where a wire cannot be cut at a node.
+/// Check that a wire can be cut at a node.
+/// @throws DefError with the remedy.
 void World::Impl::check_cut_at_node(const std::string& where, stepper::NodePlace& place) const {
     if (!stepper::is_lump(ctx, place.node) || !stepper::find_place(ctx, place))
         world::refuse(where,
@@ -257,14 +264,14 @@ WireId World::cut(InteractionId element, double share) {
     if (!(share >= 0.0 && share < 1.0))
         world::refuse(where, "it is cut at a share from 0 to below 1, not " + world::number(share));
     m.know_wire_of(element);
-    if (stepper::has_cuts(c.model)) stepper::begin_edit(c);  // without copies of anything
+    if (stepper::has_cuts(c.model)) stepper::begin_edit(c);  // remove duplicated rows first
     stepper::NodePlace place{.node = def.body[0].index};
     if (share == 0.0) m.check_cut_at_node(where, place);
     m.reserve_removal();
     std::int32_t vacant = -1;
     world::Wire made;
     made.lumps.reserve(1);
-    // Names are claimed last, and given back where a node does not fit.
+    // Names are claimed last, and released if a node does not fit.
     std::optional<SecondPiece> second;
     const Impl::Mark before = m.mark(def.body[0], def.body[1]);
     const stepper::Edited edited = c.state.ledger.edited;
@@ -286,9 +293,9 @@ WireId World::cut(InteractionId element, double share) {
         m.take_back(before, made);
         throw;
     }
-    // From here on nothing throws.
+    // No call below throws.
     const BodyId end = made.lumps[0];
-    // A taut wire is straight there while it is whole, and a node can go; of a slack one later.
+    // A taut wire is straight before the cut, so a node can be removed now; on a slack one later.
     if (share > 0.0)
         for (const std::size_t side : {0U, 1U})
             m.join_short_end(*this, m.element_at(node, side), 1 - side);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Ends of wires: whether they are free, and how they are let go (hawser/wire.h).
+/// Ends of wires: test whether they are free, and release (hawser/wire.h).
 #include <hawser/world.h>
 
 #include "context/asleep.h"
@@ -76,7 +76,7 @@ void World::detach(InteractionId element, int end) {
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
     const BodyId body = in.def[e].body[at(end)];
     m.know_wire_of(element);
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // without copies of anything
+    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
     if (stepper::is_lump(m.ctx, body.index))
         m.open_gear(element, body);
     else
@@ -97,7 +97,7 @@ void World::Impl::open_gear(InteractionId element, BodyId lump) {
     for (const world::GearInUse& g : gear)
         if (holds(g)) refuse_held(g.id);
     reserve_removal();
-    // From here on nothing throws.
+    // No call below throws.
     const double tension = stepper::tension_of(ctx, element.index);
     stepper::begin_recoil(ctx.model, element.index, false);
     for (const world::GearInUse& g : gear)
@@ -109,7 +109,7 @@ void World::Impl::open_gear(InteractionId element, BodyId lump) {
 
 namespace {
 
-/// The lump that an end let go has.
+/// Return the node of a released end.
 BodyDef freed_body(const World& w, const stepper::StepContext& c, std::int32_t element,
                    std::size_t side, const stepper::LumpShare& share) {
     const BodyDef& next = w.body_def(c.model.interactions.def[at(element)].body[1 - side]);
@@ -125,7 +125,7 @@ BodyDef freed_body(const World& w, const stepper::StepContext& c, std::int32_t e
     return out;
 }
 
-/// The same element between other bodies, without a drum, as the one beyond it.
+/// Return the element between other bodies without a drum, with the data of the next element.
 InteractionDef unwound(const stepper::StepContext& c, const std::array<std::int32_t, 2>& element,
                        std::size_t side, BodyId lump, double mass) {
     const model::Interactions& in = c.model.interactions;
@@ -151,7 +151,7 @@ void make_room_for_end(world::Wire& wire) {
     base::make_room(wire.shapes, 1);
 }
 
-/// One element pulls in another's place.
+/// Copy the forces of one element to its replacement.
 void go_on(model::Interactions& in, std::int32_t from, std::int32_t to) noexcept {
     const auto before = at(in.row_begin[at(from)]), now = at(in.row_begin[at(to)]);
     in.lambda[now] = in.lambda[before];
@@ -159,7 +159,7 @@ void go_on(model::Interactions& in, std::int32_t from, std::int32_t to) noexcept
     in.active[at(to)] = in.active[at(from)];
 }
 
-/// The wire ends at a lump of its own.
+/// Let the wire end at a node of its own.
 void end_at_lump(world::Wire& wire, std::size_t side, const world::Wire& made, InteractionId before,
                  InteractionId now) noexcept {
     (side == 0 ? wire.nodes.front() : wire.nodes.back()) = made.lumps[0];
@@ -169,12 +169,12 @@ void end_at_lump(world::Wire& wire, std::size_t side, const world::Wire& made, I
     for (const ShapeId id : made.shapes) wire.shapes.push_back(id);
 }
 
-/// What a lump at the end of an element takes with it.
+/// Share of a node at the end of an element in a release.
 struct EndShare {
     stepper::LumpShare share;
-    double carried;       ///< Mass of the element that is its winch's [kg].
-    std::int32_t beyond;  ///< The element on the other side of the next lump; −1: none.
-    bool lump_next;       ///< The element's other end is a lump.
+    double carried;       ///< Mass of the element that its winch carries [kg].
+    std::int32_t beyond;  ///< Element on the other side of the next node; −1: none.
+    bool lump_next;       ///< True if the element's other end is a node.
 };
 
 EndShare end_share(const stepper::StepContext& ctx, const world::Systems& systems,
@@ -187,7 +187,8 @@ EndShare end_share(const stepper::StepContext& ctx, const world::Systems& system
     if (out.lump_next) {
         const stepper::NodeLinks links = stepper::links_of(ctx, next.index);
         out.beyond = links.before == e ? links.after : links.before;
-        // The new end has what its body held: half of the element, whatever else the next lump has.
+        // The new end has half of the element like the body before it, for any other mass of the
+        // next node.
         const double half = out.share.mass;
         out.share = half > 0.0
                         ? stepper::LumpShare{half, half / ctx.model.bodies.mass[at(next.index)]}
@@ -200,7 +201,7 @@ EndShare end_share(const stepper::StepContext& ctx, const world::Systems& system
     return out;
 }
 
-/// The capsule of an end which had none, as that of the next element.
+/// Return the capsule of an end without one, like that of the next element.
 template <class Impl>
 std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t beyond) {
     const ShapeId its =
@@ -212,7 +213,7 @@ std::optional<ShapeDef> capsule_like(const Impl& m, std::int32_t beyond) {
     return out;
 }
 
-/// To the last bit, which scaling back would not.
+/// Restore the mass to the last bit, which scaling back would not.
 template <class Impl>
 void put_back_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
     BodyDef& now = m.body_defs[at(lump.index)];
@@ -228,7 +229,8 @@ void put_back_mass(Impl& m, World& world, BodyId lump, const BodyDef& was) {
 
 }  // namespace
 
-/// Off a body. What lies on a drum stays there, parted; another element goes on in its place.
+/// Release an element from a body. The part on a drum stays there, broken, and another element
+/// replaces it.
 void World::Impl::free_lump(World& world, InteractionId element, std::size_t side) {
     model::Interactions& in = ctx.model.interactions;
     const std::int32_t e = element.index;
@@ -252,7 +254,8 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     try {
         made.lumps.push_back(world.add_body(freed_body(world, ctx, e, side, share)));
         const BodyId lump = made.lumps[0];
-        // Before the element that needs it: what a drum pays out may be heavier than the next one.
+        // Before the element that needs it, since the material at a drum may be heavier than the
+        // next element.
         if (carried > 0.0 && lump_next) world.set_mass(next, was.mass + 0.5 * carried);
         if (wound)
             made.elements.push_back(
@@ -268,13 +271,13 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
         ctx.state.ledger.edited = edited;
         throw;
     }
-    // From here on nothing throws.
+    // No call below throws.
     const BodyId lump = made.lumps[0];
     const double tension = stepper::tension_of(ctx, e);
     const std::int32_t bend = stepper::bend_about(ctx, next.index, held.index);
     stepper::begin_recoil(ctx.model, e, false);
     if (lump_next && beyond >= 0)
-        stepper::begin_recoil(ctx.model, beyond, false);  // what a drum pays out is of no wire
+        stepper::begin_recoil(ctx.model, beyond, false);  // an element at a drum belongs to no wire
     stepper::begin_edit(ctx);
     if (bend >= 0)
         stepper::move_end(ctx, bend, stepper::end_of(ctx, bend, 0) == held.index ? 0 : 2,

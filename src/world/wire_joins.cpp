@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Ends of wires that are joined, and held to bodies (hawser/wire.h, edit/wire_ends.h).
+/// Joining of wire ends, and attachment to bodies (hawser/wire.h, step/wire_ends.h).
 #include <hawser/world.h>
 
 #include "context/push_event.h"
@@ -54,7 +54,7 @@ void refuse_beyond(const std::string& where, double apart, double most) {
                                  " m; bring it nearer, or give a longer reach");
 }
 
-/// "tow/gear", "tow/gear2", … that nothing has.
+/// Return the first unused of "tow/gear", "tow/gear2", …
 std::string gear_name(const World& w, const std::string& wire) {
     std::string name = wire + "/gear";
     for (int k = 2; w.find_interaction(name).valid() || w.find_body(name).valid(); ++k)
@@ -122,7 +122,7 @@ Joint World::join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
     const bool lump = kind == BodyKind::lump;
     if (lump) (void)m.free_end(b);
     if (kind == BodyKind::scalar) world::refuse(where, "a scalar body holds no end of a wire");
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // without copies of anything
+    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
     Joint out;
     if (def.gear == Gear::triplate) {
         if (!lump)
@@ -139,7 +139,7 @@ Joint World::join(BodyId a, BodyId b, const Vec3& point, const JoinDef& def) {
     return out;
 }
 
-/// Comes with the velocity of the lump that holds it.
+/// Add the mass of gear, which starts with the velocity of its node.
 void World::Impl::add_gear_mass(BodyId lump, double mass) noexcept {
     if (!(mass > 0.0)) return;
     const double had = stepper::energy_of_body(ctx, lump.index);
@@ -149,7 +149,7 @@ void World::Impl::add_gear_mass(BodyId lump, double mass) noexcept {
     ctx.state.ledger.edited.given += stepper::energy_of_body(ctx, lump.index) - had;
 }
 
-/// From a lump to a body, the one first that the wire of the lump begins with.
+/// Return the link from a node to a body, in the direction of the node's wire.
 InteractionDef World::Impl::link_of(const World& world, BodyId a, BodyId b, const Vec3& point,
                                     const JoinDef& def) const {
     const world::FreeEnd end = free_end(a);
@@ -190,7 +190,7 @@ Joint World::Impl::hold(World& world, BodyId a, BodyId b, const Vec3& point, con
         const Untold untold(*this);
         out.held[0] = world.add_interaction(d);
     }
-    // From here on nothing throws.
+    // No call below throws.
     gear.push_back({out.held[0], def.gear});
     add_gear_mass(a, lump ? 0.5 * def.mass : def.mass);
     if (lump) add_gear_mass(b, 0.5 * def.mass);
@@ -198,7 +198,7 @@ Joint World::Impl::hold(World& world, BodyId a, BodyId b, const Vec3& point, con
     return out;
 }
 
-/// Its first two holes lie on the line of the ends, the third as low as it may.
+/// Add a plate with its first two holes on the line of the ends and the third as low as possible.
 Joint World::Impl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& def) {
     const Vec3 pa = world.pose(a).position, pb = world.pose(b).position;
     const double apart = (pb - pa).norm();
@@ -209,7 +209,7 @@ Joint World::Impl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& de
     Vec3 up = -ctx.model.def.gravity;
     if (!(up.cross(u).norm() > 1e-6 * up.norm())) up = u.unitOrthogonal();
     const Vec3 y = (up - up.dot(u) * u).normalized();
-    // The first two holes see the third across the centre: opposite their mean.
+    // Seen from the first two holes, the third lies across the centre, opposite their mean.
     const Vec3 along = (h[1] - h[0]).normalized(), third = -(h[0] + h[1]).normalized();
     Mat3 local, target;
     local << along, third, along.cross(third);

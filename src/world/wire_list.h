@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wire_list.h
-/// What a world keeps of its wires: which bodies and interactions they are made of.
+/// Wires of a world: their bodies and interactions.
 
 #include <hawser/structure.h>
 
@@ -15,7 +15,7 @@
 namespace hawser::world {
 
 struct Wire : WirePieces {
-    /// One of nothing yet, in the memory that there is.
+    /// Start an empty wire and keep its memory.
     void begin(std::string_view of, bool made) {
         name = of;
         owns = made;
@@ -29,12 +29,12 @@ struct Wire : WirePieces {
 };
 
 struct WireList {
-    std::vector<Wire> wires;  ///< By place; without elements where one was removed.
+    std::vector<Wire> wires;  ///< By index; without elements at vacant indices.
     base::Places places;
     Names names;
-    std::vector<WireId> ids;  ///< Of what there is, ascending.
-    Wire coming;              ///< Memory of the next one.
-    std::vector<Vec3> lumps;  ///< Memory for where its lumps are.
+    std::vector<WireId> ids;  ///< Ids of existing wires, ascending.
+    Wire coming;              ///< Buffer of the next wire.
+    std::vector<Vec3> lumps;  ///< Buffer for the positions of its nodes.
 };
 
 }  // namespace hawser::world

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostElements = 100'000;
 
-/// Sections of a wire; of one without any the one that it is.
+/// Sections of a wire; a wire without sections has a single one.
 class Sections {
   public:
     explicit Sections(const WireDef& def) : list_(def.sections) {
@@ -35,13 +35,15 @@ class Sections {
     Sections& operator=(const Sections&) = delete;
 
     [[nodiscard]] std::span<const WireSection> list() const noexcept { return list_; }
-    void set_length(double length) noexcept { one_.length = length; }  ///< Of the only one.
+    void set_length(double length) noexcept {
+        one_.length = length;
+    }  ///< Length of the only section [m].
     [[nodiscard]] std::int64_t elements() const noexcept {
         std::int64_t sum = 0;
         for (const WireSection& s : list_) sum += s.elements;
         return sum;
     }
-    /// Section of element i.
+    /// Return the section of element i.
     [[nodiscard]] const WireSection& of(std::size_t i) const noexcept {
         for (const WireSection& s : list_) {
             const auto here = static_cast<std::size_t>(s.elements);
@@ -58,7 +60,7 @@ class Sections {
 
 double element_of(const WireSection& s) noexcept { return s.length / s.elements; }
 
-/// Where the lumps are: the path, or by length between the ends.
+/// Compute the positions of the nodes: the path, or by length between the ends.
 void find_places(const World& w, const WireDef& def, const Sections& sections,
                  std::vector<Vec3>& out) {
     out.assign(def.path.begin(), def.path.end());
@@ -93,7 +95,7 @@ double length_of(const World& w, const WireDef& def, const std::vector<Vec3>& lu
     return sum + (def.to.valid() ? (w.world_point(def.to, def.to_point) - last).norm() : 0.0);
 }
 
-/// Adds the pieces of a wire to a world.
+/// Adds the parts of a wire to a world.
 class WireMaker {
   public:
     WireMaker(World& world, const WireDef& def, Wire& out, std::vector<Vec3>& lumps)
@@ -106,7 +108,7 @@ class WireMaker {
     }
 
     void make() {
-        // What is noted must not throw, or it would not be taken away.
+        // Recording a part must not throw, or it could not be removed again.
         const auto n = static_cast<std::size_t>(sections_.elements());
         out_.nodes.reserve(n + 1);
         out_.lumps.reserve(n);
@@ -142,7 +144,8 @@ class WireMaker {
                : def_.to.valid() && i + 1 == out_.nodes.size() ? def_.to_point
                                                                : Vec3::Zero().eval();
     }
-    /// The lump behind element i has half of it, and half of the next one unless it is a free end.
+    /// Add the node behind element i with half of its mass, and half of the next one unless it is a
+    /// free end.
     void add_lump(std::size_t i) {
         const bool end = !def_.to.valid() && i + 1 == lumps_.size();
         const WireSection& before = sections_.of(i);
@@ -173,7 +176,7 @@ class WireMaker {
         d.set("length", element).set("EA", s.EA);
         if (def_.consistent_mass) d.set("mass", s.mass_per_length * element);
         if (!std::isnan(s.breaking_load)) d.set("breaking_load", s.breaking_load);
-        // Fraction ζ of critical of the highest axial mode, ω = 2c/l with c = √(EA/ρ).
+        // Fraction ζ of critical damping of the highest axial mode, ω = 2c/l with c = √(EA/ρ).
         if (!std::isnan(s.axial_damping))
             d.damping_time[0] = s.axial_damping * element * std::sqrt(s.mass_per_length / s.EA);
         out_.elements.push_back(world_.add_interaction(d));
@@ -184,7 +187,7 @@ class WireMaker {
         d.kind = InteractionKind::Bend;
         d.body = {out_.nodes[i - 1], out_.nodes[i], out_.nodes[i + 1]};
         d.point = {point(i - 1), point(i), point(i + 1), Vec3::Zero()};
-        // About the node both halves bend in a row: the sum of their flexibilities.
+        // About the node both halves bend in series: sum their flexibilities.
         const WireSection &before = sections_.of(i - 1), &after = sections_.of(i);
         double length = element_of(before), EI = before.EI;
         if (&before != &after) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wire_maker.h
-/// From the definition of a wire to its lumps, elements, bends and segments.
+/// Nodes, elements, bends and capsules from the definition of a wire.
 
 #include <hawser/world.h>
 
@@ -11,11 +11,13 @@
 
 namespace hawser::world {
 
-/// What can be told without the world. @throws DefError
+/// Check a definition as far as possible without the world.
+/// @throws DefError
 void check(const WireDef& def);
 
-/// Adds the pieces of a wire to a world, and notes them in `out` one by one: where this throws,
-/// they are for the caller to take away. @param lumps  Memory for where its lumps are.
+/// Add the parts of a wire to a world and record them in `out` one by one. If this throws, the
+/// caller removes them.
+/// @param lumps  Buffer for the positions of its nodes.
 /// @throws DefError, std::bad_alloc.
 void make_wire(World& world, const WireDef& def, Wire& out, std::vector<Vec3>& lumps);
 

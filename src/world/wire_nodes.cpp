@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Nodes of wires that come and go (hawser/wire.h, edit/nodes.h).
+/// Insertion and removal of nodes of wires (hawser/wire.h, step/nodes.h).
 #include <hawser/world.h>
 
 #include "edit/node_pieces.h"
@@ -18,7 +18,7 @@
 namespace hawser {
 namespace {
 
-/// Where an element is in a list; −1: it is not there.
+/// Return the position of an element in a list; −1: absent.
 template <class Id>
 std::ptrdiff_t find_in(const std::vector<Id>& list, Id id) noexcept {
     const auto found = std::find(list.begin(), list.end(), id);
@@ -31,8 +31,9 @@ void make_room_for_node(world::Wire& wire) {
     base::make_room(wire.shapes, 1);
 }
 
-/// Room has been made. @param made  The node and what came with it. @param first  The other element
-/// comes before the one that was there.
+/// Insert a node. Capacity has been reserved.
+/// @param made  The node and the objects added with it.
+/// @param first  True if the new element comes before the existing one.
 void put_node(world::Wire& wire, InteractionId element, const world::Wire& made,
               bool first) noexcept {
     const auto k = find_in(wire.elements, element);
@@ -59,8 +60,8 @@ WireId World::wire_of(InteractionId element) const noexcept {
     return {};
 }
 
-/// What an edit changed of masses and drags, and with them of forces that lumps have by their mass,
-/// for readers of definitions; and the inputs of an element at a drum, which set what they say.
+/// Update definitions after an edit of masses and drags, and the forces of nodes that depend on
+/// mass. Also update the inputs of an element at a drum.
 void World::Impl::follow_definitions(const stepper::NodePlace& place) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     for (const std::int32_t id : {place.first, place.second}) {
@@ -87,8 +88,8 @@ void World::Impl::follow_inputs(std::int32_t element) noexcept {
             input_values[i] = ctx.model.interactions.def[at(element)].get(inputs[i].param);
 }
 
-/// EI of a bend that comes with a node on an element [N m²]: that of the bend at its first end, or
-/// at its last one where line types meet at the first.
+/// Return the EI of a bend added with a node on an element [N m²]. It is that of the bend at the
+/// first end, or at the last end if line types meet at the first.
 double World::Impl::stiffness_beside(const stepper::NodePlace& place,
                                      const world::Wire* wire) const noexcept {
     const model::Interactions& in = ctx.model.interactions;
@@ -110,10 +111,10 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     m.check_node(element, share, mass);
     stepper::NodePlace place{.first = element.index};
     const bool wound = stepper::is_wound(m.ctx, element.index);
-    // Whether the new element comes first: that at a drum stays there.
+    // True if the new element comes first, because the one at a drum stays there.
     const bool first = wound && stepper::drum_side(m.ctx, element.index) == 1;
     const double whole = wound ? mass : stepper::mass_of_element(m.ctx, element.index);
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // without copies of anything
+    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
     (void)stepper::find_place(m.ctx, place);
     const BodyId a = in.def[at(element.index)].body[0], b = in.def[at(element.index)].body[1];
     const BodyDef body = world::node_body(*this, in.def[at(element.index)],
@@ -147,7 +148,7 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
         m.take_back(before, made);
         throw;
     }
-    // From here on nothing throws.
+    // No call below throws.
     place.node = made.lumps[0].index;
     place.first = first ? made.elements[0].index : element.index;
     place.second = first ? element.index : made.elements[0].index;
@@ -166,7 +167,7 @@ bool World::remove_node(BodyId node, double bend) {
     Attempt attempt(*this, stepper::has_cuts(impl_->ctx.model));
     Impl& m = *impl_;
     (void)m.place(node);
-    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // without copies of anything
+    if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
     stepper::NodePlace place{.node = node.index};
     const std::int32_t stays = m.check_node_goes(node, place, bend);
     model::Interactions& in = m.ctx.model.interactions;

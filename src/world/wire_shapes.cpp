@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Capsules of wires, as elements come, go and change hands.
-#include "edit/edits.h"
-#include "edit/node_pieces.h"
+/// Capsules of wires when elements are added, removed or replaced.
+#include "step/edits.h"
+#include "step/node_pieces.h"
 #include "world/impl.h"
 #include "world/wire_capsule.h"
 
@@ -29,7 +29,7 @@ std::optional<ShapeDef> capsule_of(const World& world, const WireTrim& trim,
 
 }  // namespace world
 
-/// A segment goes between other bodies, of which one may hold it at a point of its frame.
+/// Move a segment to other bodies, one of which may hold it at a point of its frame.
 void World::Impl::put_segment(ShapeId segment, BodyId first, BodyId second,
                               const Vec3& point) noexcept {
     stepper::forget_contacts(ctx, segment.index);
@@ -40,8 +40,8 @@ void World::Impl::put_segment(ShapeId segment, BodyId first, BodyId second,
     ctx.model.collider.rewire(segment.index, first.index, second.index, point, ctx.model.bodies);
 }
 
-/// The segment of an element goes to where the element goes: to a lump, or to a body that holds it
-/// where it was held before.
+/// Move the segment of an element with it: to a node, or to a body that holds it at its previous
+/// point.
 void World::Impl::move_segment(ShapeId segment, std::size_t side, BodyId to) noexcept {
     const ShapeDef& def = shape_defs[at(segment.index)];
     const BodyId first = side == 0 ? to : def.body, second = side == 0 ? def.body_b : to;
@@ -49,8 +49,8 @@ void World::Impl::move_segment(ShapeId segment, std::size_t side, BodyId to) noe
     put_segment(segment, first, second, lumps ? Vec3(Vec3::Zero()) : def.position);
 }
 
-/// Two segments that meet at a lump which goes become one. Between two bodies there is none: both
-/// go with the lump.
+/// Join two segments that meet at a removed node. Between two bodies there is none: both are
+/// removed with the node.
 void World::Impl::join_segments(ShapeId near, ShapeId far) noexcept {
     const ShapeDef &before = shape_defs[at(near.index)], &behind = shape_defs[at(far.index)];
     const bool ends_at_lump = stepper::is_lump(ctx, behind.body_b.index);
@@ -59,7 +59,7 @@ void World::Impl::join_segments(ShapeId near, ShapeId far) noexcept {
     put_segment(near, before.body, behind.body_b, point);
 }
 
-/// The capsule between two ends of an element, in their order; invalid: there is none.
+/// Return the capsule between two ends of an element, in their order; invalid: none.
 ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexcept {
     for (const ShapeId id : shape_ids) {
         const std::int32_t* body = ctx.model.collider.shapes()[at(id.index)].body;
@@ -68,7 +68,7 @@ ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexc
     return {};
 }
 
-/// The capsule that comes with a node on an element; none: its wire touches nothing there.
+/// Return the capsule added with a node on an element; none if its wire touches nothing there.
 std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodePlace& place, BodyId node,
                                                   bool first, const world::Wire* wire) const {
     const auto end = [&](std::size_t slot) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that are spliced (hawser/wire.h, edit/wire_ends.h).
+/// Splicing of wires (hawser/wire.h, step/wire_ends.h).
 #include <hawser/world.h>
 
 #include "context/push_event.h"
@@ -17,7 +17,8 @@
 namespace hawser {
 namespace {
 
-/// Elements, nodes and pieces of one wire behind those of another; room has been made.
+/// Append elements, nodes and other parts of one wire to those of another. Capacity has been
+/// reserved.
 void put_behind(world::Wire& to, const world::Wire& more, BodyId both) noexcept {
     to.nodes.back() = both;
     to.nodes.insert(to.nodes.end(), more.nodes.begin() + 1, more.nodes.end());
@@ -29,7 +30,7 @@ void put_before(world::Wire& to, const world::Wire& more, BodyId both) noexcept 
     to.elements.insert(to.elements.begin(), more.elements.begin(), more.elements.end());
 }
 
-/// A bend at the node that two become, as the one beside it.
+/// Return a bend at the joined node, like the one beside it.
 InteractionDef bend_at_splice(const model::Interactions& in, std::int32_t beside, BodyId before,
                               BodyId node, BodyId after, double length) {
     InteractionDef out;
@@ -47,7 +48,7 @@ void make_room_for(world::Wire& to, const world::Wire& more) {
     base::make_room(to.shapes, more.shapes.size() + 1);
 }
 
-/// Of the lumps that have become one the second has gone.
+/// The joined node, and the one removed.
 struct Spliced {
     BodyId both, gone;
 };
@@ -64,7 +65,7 @@ void take_in(world::Wire& to, world::Wire& more, const Spliced& lumps, bool behi
 
 }  // namespace
 
-/// Elements, bends and capsules of a chain are from end to end the other way.
+/// Reverse elements, bends and capsules of a chain.
 void World::Impl::turn_round(std::span<const std::int32_t> chain) noexcept {
     model::Interactions& in = ctx.model.interactions;
     for (std::size_t k = 0; k < chain.size(); ++k) {
@@ -118,7 +119,7 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
         bend = world.add_interaction(bend_at_splice(in, beside, one.slot == 1 ? far_a : far_b, a,
                                                     one.slot == 1 ? far_b : far_a, length));
     }
-    // From here on nothing throws.
+    // No call below throws.
     stepper::begin_edit(ctx);
     const Vec3 load = body_defs[at(b.index)].force;
     turn_round(chain);

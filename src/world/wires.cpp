@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires as things of a world (hawser/wire.h).
+/// Wires as objects of a world (hawser/wire.h).
 #include <hawser/world.h>
 
 #include "context/asleep.h"
@@ -48,7 +48,7 @@ WireId World::add_wire(const WireDef& def) {
     return id;
 }
 
-/// Piece by piece, in the order in which they came.
+/// Report a wire part by part, in the order of addition.
 void World::Impl::tell_of(const world::Wire& made) const noexcept {
     if (listener == nullptr) return;
     try {
@@ -56,7 +56,7 @@ void World::Impl::tell_of(const world::Wire& made) const noexcept {
         for (const auto* list : {&made.elements, &made.bends})
             for (const InteractionId id : *list) {
                 InteractionDef d = ctx.model.interactions.def[at(id.index)];
-                // As it was given: then it follows the length.
+                // As given: a default follows the length.
                 if (ctx.model.interactions.flags[at(id.index)] & model::kFromLength)
                     d.compliance[0] = kDefault;
                 listener->added(d);
@@ -83,8 +83,8 @@ World::Impl::Mark World::Impl::mark(BodyId from, BodyId to) const noexcept {
             {quiet(from), quiet(to)}};
 }
 
-/// As if what was added since had not been: places behind all others go, others are empty again
-/// with the generation that they had.
+/// Undo additions since a mark. Indices at the end are removed; others are vacant again with their
+/// former generation.
 void World::Impl::take_back(const Mark& before, const world::Wire& made) noexcept {
     forget_removal();
     for (const ShapeId id : made.shapes) {
@@ -219,7 +219,7 @@ double World::length(WireId id) const {
 
 namespace {
 
-/// Element at a material coordinate; what was removed has no length.
+/// Return the element at a material coordinate. Removed elements have no length.
 InteractionId element_at(const World& w, const model::Interactions& in, const world::Wire& wire,
                          double s) {
     double end = 0.0;
@@ -244,7 +244,8 @@ double World::tension(WireId id, double s) const {
     return intact(element) ? std::max(0.0, -force(element)[0]) : 0.0;
 }
 
-/// Of a new element it is not known yet which wire recoils with it. @throws std::bad_alloc.
+/// Update the wire assignment for recoil of a new element.
+/// @throws std::bad_alloc.
 void World::Impl::know_wire_of(InteractionId element) {
     const std::vector<std::int32_t>& added = ctx.state.edits.interactions;
     if (!ctx.state.started || std::find(added.begin(), added.end(), element.index) != added.end())

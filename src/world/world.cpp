@@ -63,7 +63,7 @@ void World::cancel() noexcept { impl_->ctx.pool.stop(); }
 
 void World::degrade_next_step(const Degradation& degradation) noexcept {
     impl_->ctx.state.imposed = degradation;
-    // As 0, where it came from bytes that no step wrote.
+    // Clamped to 0, because bytes may not come from a step.
     impl_->ctx.state.imposed.iterations = std::max(0, degradation.iterations);
     impl_->ctx.state.imposed.wires = std::clamp(degradation.wires, 0, stepper::Coarsening::kMost);
     if (impl_->listener != nullptr) impl_->listener->degraded(degradation);
@@ -88,7 +88,7 @@ Energy World::energy() const noexcept {
     try {
         stepper::ready(impl_->ctx);
     } catch (const std::exception&) {
-        return {};  // after a step that failed
+        return {};  // after a failed step
     }
     return stepper::energy(impl_->ctx);
 }
@@ -145,8 +145,8 @@ void World::set_pose(BodyId id, const Pose& pose) {
     world::check_pose(world::Where("body", impl_->body_defs[b].name), pose.position,
                       pose.orientation);
     model::Bodies& s = impl_->ctx.model.bodies;
-    impl_->ctx.state.judge.state.begun = 0;  // no work did that
-    // What leant on it hangs in the air now.
+    impl_->ctx.state.judge.state.begun = 0;  // not the work of a force
+    // Bodies that leaned on it are unsupported now.
     if (s.dof(id.index) == 0 || s.asleep[b] != 0) stepper::disturb_all(impl_->ctx.model);
     stepper::disturb(impl_->ctx.model, id.index);
     for (int i = 0; i < 3; ++i) s.x[3 * b + at(i)] = pose.position[i];
@@ -172,13 +172,13 @@ void World::set_velocity(BodyId id, const Twist& twist) {
         world::refuse(where, "velocity: a fixed body has none; a kinematic one has");
     double* v = dof == 0 ? &s.v_fixed[6 * b] : &s.v[at(s.dof_begin[b])];
     const int count = dof == 0 ? 6 : dof;
-    // What a prescribed velocity carries wakes in the step (step/sleep.h).
+    // A prescribed velocity wakes its contacts in the step (step/sleep.h).
     if (dof > 0) {
         stepper::disturb(impl_->ctx.model, id.index);
-        impl_->ctx.state.judge.state.begun = 0;  // no work did that
+        impl_->ctx.state.judge.state.begun = 0;  // not the work of a force
     }
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
-    // Nothing else is known of where that leads to.
+    // The start of the next step uses it too, for lack of a better value.
     if (dof > 0) std::copy_n(v, dof, &s.v_start[at(s.dof_begin[b])]);
     if (impl_->listener != nullptr) impl_->listener->set_velocity(id, twist);
 }
@@ -264,7 +264,7 @@ SystemView World::inspect() const {
     for (int b = 0; b < body_count(); ++b)
         if (s.node_of_body[at(b)] >= 0)
             v.nodes[at(s.node_of_body[at(b)])].body = m.ctx.model.bodies.id(b);
-    // Copies of a cut interaction show as what they stand for.
+    // Duplicated rows of a cut interaction show as their original.
     for (int i = 0; i < m.ctx.model.interactions.count(); ++i)
         if (s.node_of_interaction[at(i)] >= 0)
             v.nodes[at(s.node_of_interaction[at(i)])].interaction =

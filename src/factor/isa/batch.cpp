@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Factorisation of batches (see factor/batches.h for the picture). An unsymmetric batch has two
-/// sides, each updated with the unscaled columns of the other, as in kernels.cpp.
+/// Factorisation of batches (picture: factor/batches.h). An unsymmetric batch has two sides. Each
+/// is updated with the unscaled columns of the other, as in kernels.cpp.
 #include "factor/isa/batch.h"
 
 #include "factor/isa/batch_parts.h"
@@ -26,13 +26,13 @@ struct Columns {
     long stride;            ///< 8 p.
     double* pivot;          ///< p vectors: 1/D.
     const signed char* sign;
-    const std::int32_t* index;  ///< Of an unsymmetric batch: place of each pivot in `wrong`.
-    signed char* wrong;         ///< Marks of wrong pivots, of an unsymmetric batch.
+    const std::int32_t* index;  ///< Index of each pivot in `wrong`, for an unsymmetric batch.
+    signed char* wrong;         ///< Marks of wrong pivots, for an unsymmetric batch.
 
     [[nodiscard]] static constexpr int other(int side) { return kSides - 1 - side; }
 };
 
-/// Mark wrong pivots, but not those of padding.
+/// Mark wrong pivots, except padding.
 HAWSER_INLINE void mark_wrong(const Columns<2>& m, int c, const V8& bad) {
     if (!any(bad)) return;
     for (int lane_ = 0; lane_ < factor::kLaneCount; ++lane_)
@@ -40,14 +40,14 @@ HAWSER_INLINE void mark_wrong(const Columns<2>& m, int c, const V8& bad) {
             m.wrong[i] = 1;
 }
 
-/// Pivots of some columns, in one register of lanes.
+/// Pivots of some columns in one register of lanes.
 template <int N, int kSides>
 struct Triangle {
     Part inverse[N], scaled[kSides][N][N];
 };
 
-/// Factor the triangle of columns [c, c + N) in register h of the lanes. @return as fix_pivot(),
-/// for each pivot.
+/// Factor the triangle of columns [c, c + N) in register h of the lanes.
+/// @return as fix_pivot(), for each pivot.
 template <int N, int kSides>
 HAWSER_INLINE void factor_triangle(const Columns<kSides>& m, int c, int h, Triangle<N, kSides>& t,
                                    V8 (&bad)[N]) {
@@ -79,7 +79,7 @@ HAWSER_INLINE void factor_triangle(const Columns<kSides>& m, int c, int h, Trian
     }
 }
 
-/// Rows [r, r + R) below that triangle.
+/// Solve rows [r, r + R) below that triangle.
 template <int R, int N, int kSides>
 HAWSER_INLINE void solve_below(const Columns<kSides>& m, int c, int r, int h,
                                const Triangle<N, kSides>& t) {
@@ -115,7 +115,7 @@ inline void factor_columns(const Columns<kSides> m, int c, int n, V8& bad) {
         });
 }
 
-/// next = shifted window − L21 W21ᵀ, with l and w at the first update row.
+/// Compute next = shifted window − L21 W21ᵀ. `l` and `w` point to the first update row.
 inline void update_window(const double* l, const double* w, long stride, const BatchStep& step,
                           const Shift& shift, const double* window, double* next) {
     for (int i = 0; i < step.q / kTile; ++i) {
@@ -140,7 +140,7 @@ inline void update_window(const double* l, const double* w, long stride, const B
     }
 }
 
-/// Add what earlier units left on this step's body.
+/// Add the updates of earlier units to the panel of this step's body.
 inline void add_window(double* panel, const BatchStep& step, const Shift& shift,
                        const double* window) {
     auto add = [&](int row, int column, const double* from, int right) {
@@ -159,14 +159,14 @@ inline void add_window(double* panel, const BatchStep& step, const Shift& shift,
     }
 }
 
-/// Where a slot is in a window, as a row and as a column: entry (r, c), r ≥ c, of lane 0 is at the
-/// sum of both.
+/// Offsets of a slot in a window, as a row and as a column. Entry (r, c), r ≥ c, of lane 0 is at
+/// the sum of both.
 struct SlotPlace {
     std::int32_t row, column;
 };
-constexpr int kPlaceSize = sizeof(SlotPlace) / sizeof(double);  ///< Entries.
+constexpr int kPlaceSize = sizeof(SlotPlace) / sizeof(double);  ///< Size in doubles.
 
-/// Write down the places of so many slots.
+/// Store the SlotPlace of each slot.
 inline void write_places(int slots, double* room) {
     for (int i = 0; i < slots; ++i) {
         const SlotPlace p{
@@ -181,9 +181,9 @@ HAWSER_INLINE SlotPlace place_of(const double* room, int slot) {
     return p;
 }
 
-/// Hand the last window to the parents' side, lane by lane. The rows of a parent follow another
-/// order than the slots: an entry whose slots are the other way round is one of the other side.
-/// @param room  For a SlotPlace a slot.
+/// Store the last window as update matrices of the parents, lane by lane. The rows of a parent
+/// follow another order than the slots. An entry with swapped slots belongs to the other side.
+/// @param room  Buffer with a SlotPlace for each slot.
 template <int kSides>
 inline void store_tails(const FactorView& view, const Batch& batch, double* const (&window)[kSides],
                         double* room) {
@@ -209,14 +209,14 @@ inline void store_tails(const FactorView& view, const Batch& batch, double* cons
     }
 }
 
-/// Sum of whole numbers.
+/// Return the sum of whole numbers in a vector.
 HAWSER_INLINE int count(const V8& v) { return static_cast<int>(sum(v)); }
 
 template <int kSides>
 inline int factor_steps(const FactorView& view, const Batch& batch, std::int32_t begin,
                         std::int32_t end, double* scratch) {
     const long tiles = batch.most_q / kTile, size = kTileSize * (tiles * (tiles + 1) / 2);
-    const long turned = (begin - batch.step_begin) % 2;  // windows change places at each step
+    const long turned = (begin - batch.step_begin) % 2;  // windows are swapped at each step
     double *window[kSides], *next[kSides];
     Columns<kSides> m{};
     for (int s = 0; s < kSides; ++s) {
@@ -230,7 +230,7 @@ inline int factor_steps(const FactorView& view, const Batch& batch, std::int32_t
     auto swap_windows = [&] {
         for (int s = 0; s < kSides; ++s) std::swap(window[s], next[s]);
     };
-    bool begun = false;  // this step's pivots are eliminated
+    bool begun = false;  // true if this step's pivots are eliminated
     for (std::int32_t k = begin; k < end; ++k) {
         const BatchStep& step = view.batch_steps[k];
         if (kManyRegisters && kSides == 1 && is_rigid(view, batch, k)) {

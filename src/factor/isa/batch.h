@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file batch.h
-/// Kernels of factor/batches.h, see factor/kernels.h for what each does.
+/// Kernels of factor/batches.h. factor/kernels.h documents each.
 
 #include "factor/kernels.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file batch_parts.h
-/// What factorisation and substitution of batches (factor/batches.h) have in common: every scalar
-/// is a vector of eight lanes, so no loop has a remainder and no pivot waits for another lane.
+/// Common parts of factorisation and substitution of batches (factor/batches.h). Every scalar is a
+/// vector of eight lanes, so no loop has a remainder and no pivot waits for another lane.
 
 #include "base/simd.h"
 #include "factor/isa/keep.h"
@@ -14,11 +14,12 @@ namespace hawser::HAWSER_ISA {
 using factor::kTile;
 
 // A block of 3 × 3 vectors of eight lanes fills nine registers on AVX-512, 18 of 16 on AVX2, and 36
-// of 16 on SSE2. Lanes do not depend on each other, so a block is computed one register of lanes
-// (Part) after the other: nine accumulators and six operands on each instruction set, with the same
-// operations in each lane.
+// of 16 on SSE2. Lanes are independent, so a block is computed one register of lanes (Part) at a
+// time. Each instruction set then needs nine accumulators and six operands, and each lane has the
+// same operations.
 
-/// acc(i, j) −= Σ_k a(i, k) b(j, k) in one register of lanes, rows `stride` entries apart.
+/// Compute acc(i, j) −= Σ_k a(i, k) b(j, k) in one register of lanes, with rows `stride` entries
+/// apart.
 template <int NI, int NJ>
 HAWSER_INLINE void tile(Part (&acc)[NI][NJ], const double* a, const double* b, long stride,
                         int depth) {
@@ -31,7 +32,7 @@ HAWSER_INLINE void tile(Part (&acc)[NI][NJ], const double* a, const double* b, l
     }
 }
 
-/// Call f with the tile sizes as constants.
+/// Call f with the tile size as a constant.
 template <class F>
 HAWSER_INLINE void with_size(int n, F&& f) {
     switch (n) {
@@ -47,17 +48,17 @@ HAWSER_INLINE void with_size(int n, F&& f) {
     }
 }
 
-/// Where the update slots of a step come from, in tiles: the tile that held them before.
+/// Origin of the update slots of a step: the tile that contained them before.
 struct Shift {
     int body, window, before;  ///< Tiles of a body; of the window; of the update slots before.
-    /// −1: new in this step.
+    /// Return the earlier tile, −1: new in this step.
     [[nodiscard]] HAWSER_INLINE int from(int tile) const {
         if (tile < window) return tile + body < window && before > 0 ? tile + body : -1;
         return tile < before ? tile : -1;
     }
 };
 
-/// The shift as it is before a step of the batch.
+/// Return the shift before a step of the batch.
 HAWSER_INLINE Shift shift_before(const factor::FactorView& view, const factor::Batch& batch,
                                  std::int32_t step) {
     const int before = step > batch.step_begin ? view.batch_steps[step - 1].q / kTile : 0;

@@ -17,8 +17,8 @@ using factor::BatchStep;
 using factor::FactorView;
 using factor::Front;
 
-/// Ask for the panel that comes some steps later: what is known long before need not be waited
-/// for. The substitutions read each entry once, and large factors come from memory.
+/// Prefetch a panel that is read some steps later. Substitutions read each entry once, and large
+/// factors come from memory.
 HAWSER_INLINE void ask_for_panel(const double* panel, const BatchStep& step) {
     const double* p = panel + step.panel;
     const long size = 8L * step.p * (step.p + step.q);
@@ -27,12 +27,12 @@ HAWSER_INLINE void ask_for_panel(const double* panel, const BatchStep& step) {
 }
 constexpr int kAhead = 2;  // steps
 
-// Steps of rigid_steps.h: what one pivot hands to the next stays in registers, and each lane's six
-// entries of x are next to each other. Six vectors of two registers fit on AVX2, of four on SSE2
-// do not.
+// Steps of rigid_steps.h. Values that pass from one pivot to the next stay in registers, and the
+// six entries of x of each lane are adjacent. Six vectors of two registers fit on AVX2. Six vectors
+// of four registers do not fit on SSE2.
 inline constexpr bool kRigidInRegisters = kPartLanes >= 4;
 
-/// Lane by lane x of the step's body, 0 where a lane has none.
+/// Load x of the step's body lane by lane, 0 for a lane without a body.
 HAWSER_INLINE void load_rigid(const double* x, const std::int32_t* index, V8 (&v)[kLanes]) {
     for (int l = 0; l < kLanes; ++l) v[l] = index[l] < 0 ? V8{} : load_first(x + index[l], kRigid);
     transpose(v);
@@ -43,7 +43,7 @@ HAWSER_INLINE void store_rigid(double* x, const std::int32_t* index, V8 (&v)[kLa
         if (index[l] >= 0) store_first<kRigid>(x + index[l], v[l]);
 }
 
-/// One step of forward_batch().
+/// Do one step of forward_batch().
 inline void forward_rigid(const FactorView& view, const BatchStep& step, const Shift& shift,
                           const double* x, const double* carried, double* next) {
     const double* panel = view.panel + step.panel;
@@ -67,7 +67,8 @@ inline void forward_rigid(const FactorView& view, const BatchStep& step, const S
     }
 }
 
-/// One step of backward_batch(). @param behind  Becomes x of this body in the first six.
+/// Do one step of backward_batch().
+/// @param behind  The first six entries become x of this body.
 inline void backward_rigid(const FactorView& view, const BatchStep& step, const double* panel,
                            double* behind, double* x) {
     V8 z[kLanes] = {};
@@ -79,8 +80,8 @@ inline void backward_rigid(const FactorView& view, const BatchStep& step, const 
         const double* row = panel + (kRigid + i) * kRigidStride;
         for (int k = 0; k < kRigid; ++k) z[k] -= load(row + 8 * k) * b;
     };
-    // Last the body that the step before has just come to, where nothing else hides the wait; else
-    // in the order of other steps.
+    // Process last the body that the previous step solved, if nothing else hides the wait.
+    // Otherwise use the order of other steps.
     if constexpr (kManyRegisters) {
         for (int i = kRigid; i < step.q; ++i) take_row(i);
         for (int i = 0; i < kRigid; ++i) take_row(i);
@@ -96,7 +97,7 @@ inline void backward_rigid(const FactorView& view, const BatchStep& step, const 
 
 }  // namespace
 
-/// y_p = L11⁻¹ (x_p + carried), carried −= L21 y_p.
+/// Compute y_p = L11⁻¹ (x_p + carried), carried −= L21 y_p.
 void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begin, std::int32_t end,
                    const double* x, double* scratch) noexcept {
     const long turned = (begin - batch.step_begin) % 2;
@@ -148,7 +149,8 @@ void forward_batch(const FactorView& view, const Batch& batch, std::int32_t begi
     }
 }
 
-/// x_p = U11⁻¹ (D⁻¹ y_p − U12 x_behind), with Uᵀ in the place of L; of a symmetric batch it is L.
+/// Compute x_p = U11⁻¹ (D⁻¹ y_p − U12 x_behind). The panels contain Uᵀ; it equals L for a symmetric
+/// batch.
 void backward_batch(const FactorView& view, const Batch& batch, double* x,
                     double* scratch) noexcept {
     const double* halves = view.is_unsymmetric(batch.front[0]) ? view.upper : view.panel;
@@ -192,7 +194,7 @@ void backward_batch(const FactorView& view, const Batch& batch, double* x,
             for (int j = 0; j < i; ++j) store(z + 8 * j, load(z + 8 * j) - load(row + 8 * j) * zi);
             scatter_lanes(x, view.slot_index + 8 * (step.slot + i), zi);
         }
-        // This body now leads the window.
+        // Move this body to the front of the window.
         for (int i = batch.window; i-- > batch.body;)
             store(behind + 8 * i, load(behind + 8 * (i - batch.body)));
         for (int i = 0; i < batch.body; ++i) store(behind + 8 * i, load(z + 8 * i));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Unions of sets of nodes, one register of words of 64 bits at a time. Bits are counted by adding
-/// up ever wider fields, without an instruction of its own for it, which SSE2 lacks.
+/// Unions of sets of nodes, one register of 64-bit words at a time. Bits are counted by adding ever
+/// wider fields, because SSE2 has no instruction for it.
 #include "factor/isa/bits.h"
 
 #include "factor/kernels.h"
@@ -19,14 +19,14 @@ typedef U64 Words __attribute__((vector_size(16), aligned(16), may_alias));
 #endif
 constexpr int kWordsInOne = sizeof(Words) / sizeof(U64);
 
-/// How many bits each byte of a vector has.
+/// Count the bits of each byte of a vector.
 [[gnu::always_inline]] inline void count_bytes(Words& x) {
     x -= (x >> 1) & 0x5555'5555'5555'5555ULL;
     x = (x & 0x3333'3333'3333'3333ULL) + ((x >> 2) & 0x3333'3333'3333'3333ULL);
     x = (x + (x >> 4)) & 0x0f0f'0f0f'0f0f'0f0fULL;
 }
 
-/// Sum of the bits that count_bytes() counted, of at most 32 words: no field overflows.
+/// Sum the counts of count_bytes() over at most 32 words, so that no field overflows.
 [[gnu::always_inline]] inline std::int32_t sum_bytes(Words bytes) {
     bytes = (bytes & 0x00ff'00ff'00ff'00ffULL) + ((bytes >> 8) & 0x00ff'00ff'00ff'00ffULL);
     U64 sum = 0;
@@ -34,7 +34,8 @@ constexpr int kWordsInOne = sizeof(Words) / sizeof(U64);
     return static_cast<std::int32_t>((sum * 0x0001'0001'0001'0001ULL) >> 48);
 }
 
-/// kWords: of a row; 0: `words`.
+/// Unite rows of bits.
+/// @tparam kWords  Words of a row; 0: `words`.
 template <int kWords>
 [[gnu::always_inline]] inline void unite(std::uint64_t* rows, long words, const std::int32_t* nodes,
                                          std::int32_t count, const std::uint64_t* with,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file bits.h
-/// Sets of nodes as rows of bits, see factor/minimum_degree.h.
+/// Sets of nodes as rows of bits (factor/minimum_degree.h).
 
 #include "factor/kernels.h"
 

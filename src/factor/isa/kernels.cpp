@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Dense kernels of the multifrontal LDLᵀ and LDU (see factor/symbolic.h for the picture and
-/// factor/unsymmetric.h for the second half).
+/// Dense kernels of the multifrontal LDLᵀ and LDU (picture: factor/symbolic.h; second half:
+/// factor/unsymmetric.h).
 ///
-/// Column strides are multiples of eight doubles (base/simd.h), and rows past p + q stay zero,
-/// so no loop has a remainder smaller than a register. Blocks of kBlock pivot columns are factored
-/// one column at a time. What is behind kDepth of them is then updated by a register-blocked
-/// product. Each entry takes its pivots in order, so its bits depend neither on kBlock nor on
-/// kDepth.
+/// Column strides are multiples of eight doubles (base/simd.h). Rows past p + q stay zero, so
+/// no loop has a remainder smaller than a register. Blocks of kBlock pivot columns are factored one
+/// column at a time. A register-blocked product then updates the columns behind kDepth pivots. Each
+/// entry receives its pivots in order, so its bits depend neither on kBlock nor on kDepth.
 ///
 /// An unsymmetric front has two *sides* of one shape: side 0 holds the lower half, side 1 the
 /// upper half transposed. With unscaled columns W₀ = L D and W₁ = (D U)ᵀ the Schur complement is
-/// C −= L (D U) = L W₁ᵀ, and transposed Cᵀ −= Uᵀ W₀ᵀ: each side is updated with the unscaled
+/// C −= L (D U) = L W₁ᵀ, and transposed Cᵀ −= Uᵀ W₀ᵀ. So each side is updated with the unscaled
 /// columns of the other. A symmetric front has one side, which is its own other.
 #include "factor/kernels.h"
 
@@ -30,9 +29,9 @@ using factor::FactorView;
 using factor::Front;
 using factor::Run;
 
-constexpr int kBlock = 8;  // pivot columns whose triangle is in registers
+constexpr int kBlock = 8;  // pivot columns with their triangle in registers
 using factor::kDepth;      // pivot columns factored before the rest is updated
-/// Registers of rows, and columns, that a product updates at once: as many as accumulators fit.
+/// Registers of rows, and columns, that a product updates at once: the most accumulators that fit.
 struct Tile {
     int parts, columns;
 };
@@ -43,12 +42,12 @@ constexpr Tile kAtOnce = {2, 4};
 #else
 constexpr Tile kAtOnce = {4, 2};
 #endif
-/// Rows are computed in steps of so many: a register of AVX-512 or AVX2, two of SSE2. Entries
-/// above the diagonal and behind the last row are the price of a step, so a short one is cheaper.
+/// Number of rows computed per step: one register of AVX-512 or AVX2, two of SSE2. Entries above
+/// the diagonal and behind the last row are wasted, so short steps are cheaper.
 constexpr int kRowStep = kPartLanes > 4 ? kPartLanes : 4;
 constexpr int kStepParts = kRowStep / kPartLanes;
 
-/// n rounded up to whole steps.
+/// Return n rounded up to whole steps.
 HAWSER_INLINE int whole_steps(int n) { return (n + kRowStep - 1) / kRowStep * kRowStep; }
 
 /// The pivot columns of a front.
@@ -57,20 +56,19 @@ struct Trapezoid {
     double* panel[kSides];  ///< Column stride ld.
     double* w[kSides];      ///< Unscaled columns of the current block, column stride ld.
     long ld;
-    long rows;      ///< p + q in whole steps.
+    long rows;      ///< p + q, rounded up to whole steps
     double* pivot;  ///< 1/D.
     const signed char* sign;
-    signed char* wrong;  ///< Marks of wrong pivots, of unsymmetric fronts.
+    signed char* wrong;  ///< Marks of wrong pivots, for unsymmetric fronts.
 
     [[nodiscard]] static constexpr int other(int side) { return kSides - 1 - side; }
 };
 
-/// Factor the N ≤ 8 columns from k0, a multiple of eight. w receives the unscaled columns, rows as
-/// in the panel.
+/// Factor the N ≤ 8 columns from k0, a multiple of eight. `w` receives the unscaled columns, with
+/// rows as in the panel.
 ///
-/// Rows k0 … k0 + 7 hold the triangle: N sequential pivots, in registers. The vectors of rows
-/// below it are then independent of each other: x_c = a_c − Σ_{b<c} U_bc x_b, with Uᵀ for L on
-/// side 1.
+/// Rows k0 … k0 + 7 hold the triangle: N sequential pivots in registers. The vectors of rows below
+/// it are then independent: x_c = a_c − Σ_{b<c} U_bc x_b, with Uᵀ for L on side 1.
 template <int N, int kSides>
 inline int factor_block(const Trapezoid<kSides> t, int k0) {
     const long ld = t.ld;
@@ -79,16 +77,16 @@ inline int factor_block(const Trapezoid<kSides> t, int k0) {
     double inverse[N], diagonal[N], scaled[kSides][N][N];
     for (int s = 0; s < kSides; ++s)
         for (int c = 0; c < N; ++c) top[s][c] = load(t.panel[s] + (k0 + c) * ld + k0);
-    // Pivots apart from their columns: each waits for a division and one product.
+    // Pivots are kept apart from their columns: each waits only for a division and one product.
     for (int c = 0; c < N; ++c) diagonal[c] = t.panel[0][(k0 + c) * ld + k0 + c];
 #pragma GCC unroll 8
     for (int c = 0; c < N; ++c) {
         double d = diagonal[c];
-        // The sign is known, see Symbolic::sign. !(…) also catches NaN.
+        // The sign is known, see Symbolic::sign. The form !(…) also detects NaN.
         if (!(d * t.sign[k0 + c] > 0) || d - d != 0) {
             ++wrong;
             if constexpr (kSides == 2) t.wrong[k0 + c] = 1;
-            // See unsymmetric.h: there the other sign may be right.
+            // In unsymmetric fronts the other sign may be correct, see unsymmetric.h.
             if (kSides == 1 || d == 0 || d - d != 0) d = t.sign[k0 + c];
         }
         inverse[c] = double{1} / d;
@@ -135,7 +133,7 @@ inline int factor_columns(const Trapezoid<kSides> t, int k0, int count) {
     return wrong;
 }
 
-/// kRegisters registers of rows of C −= L · Wᵀ, or of C = −L · Wᵀ where C holds nothing yet.
+/// Compute kRegisters registers of rows of C −= L · Wᵀ, or of C = −L · Wᵀ if kFirst.
 template <int kCols, int kRegisters, bool kFirst>
 HAWSER_INLINE void update_rows(double* c, long ldc, const double* l, const double* w, long ld,
                                int depth) {
@@ -153,8 +151,8 @@ HAWSER_INLINE void update_rows(double* c, long ldc, const double* l, const doubl
         for (int j = 0; j < kCols; ++j) store_part(c + j * ldc + kPartLanes * r, acc[r][j]);
 }
 
-/// C(:, 0..cols) −= L · Wᵀ for `cols` columns whose rows in l and w start at row0. The lower
-/// triangle is what counts; rows above it in the same step are computed and never read.
+/// Compute C(:, 0..cols) −= L · Wᵀ for `cols` columns with rows from row0 in l and w. Only the
+/// lower triangle is valid. Rows above it in the same step are computed and never read.
 template <int kCols, bool kFirst>
 inline void update_columns(double* c, long ldc, const double* l, const double* w, long ld,
                            int depth, int from, int rows) {
@@ -166,8 +164,8 @@ inline void update_columns(double* c, long ldc, const double* l, const double* w
         update_rows<kCols, kStepParts, kFirst>(c + i, ldc, l + i, w, ld, depth);
 }
 
-/// Update of the columns [begin, end) of one side of a matrix whose row r lies at l + r. The last
-/// columns go together, however many: a column alone waits for its own chain of sums.
+/// Update the columns [begin, end) of one side of a matrix with row r at l + r. The last columns
+/// are updated together, because a single column waits for its own chain of sums.
 template <bool kFirst>
 inline void update_block(double* c, long ldc, const double* l, const double* w, long ld, int depth,
                          int begin, int end, int rows) {
@@ -180,7 +178,7 @@ inline void update_block(double* c, long ldc, const double* l, const double* w, 
     if (end > j) with_count(end - j, columns);
 }
 
-/// to(0..rows, 0..columns) += from(0..rows, 0..columns).
+/// Compute to(0..rows, 0..columns) += from(0..rows, 0..columns).
 inline void add_block(double* to, long ld_to, const double* from, long ld_from, int rows,
                       int columns) {
     for (int i = 0; i < rows; i += 8)
@@ -190,10 +188,10 @@ inline void add_block(double* to, long ld_to, const double* from, long ld_from, 
         });
 }
 
-/// Add the columns of children's update matrices that are pivots of the front, or those that are
-/// not. A run of columns meets the runs of rows at and behind it in dense blocks; the triangle
-/// above the diagonal of the first comes along and is never read. Of a symmetric child both sides
-/// get the same.
+/// Add the columns of the children's update matrices that are pivots of the front, or the others. A
+/// run of columns meets the runs of rows at and behind it in dense blocks. The triangle above the
+/// diagonal of the first block is copied and never read. Both sides receive the same values of a
+/// symmetric child.
 template <bool kPivots, int kSide>
 inline void extend_add(const FactorView& view, const Front& front, double* panel, double* update) {
     const long ld = kPivots ? front.ld : front.ldu;
@@ -216,8 +214,8 @@ inline void extend_add(const FactorView& view, const Front& front, double* panel
     }
 }
 
-/// What the pivot columns [d0, d1) do to the columns and the update matrix behind them, on one
-/// side; w: of the other.
+/// Apply the pivot columns [d0, d1) to the columns and the update matrix behind them, on one side.
+/// @param w  Unscaled columns of the other side.
 inline void update_rest(const Front& front, double* panel, double* update, const double* w, int d0,
                         int d1) {
     const double* l = panel + static_cast<long>(d0) * front.ld;
@@ -232,8 +230,8 @@ inline void update_rest(const Front& front, double* panel, double* update, const
                             front.q, whole_steps(front.q));
 }
 
-/// Factor the pivot columns [d0, d1), at most kDepth: each block first takes what those before it
-/// do, so that it is written once.
+/// Factor the pivot columns [d0, d1), at most kDepth. Each block first receives the updates of the
+/// blocks before it, so that it is written once.
 template <int kSides>
 inline int factor_deep(const Trapezoid<kSides> t, int d0, int d1) {
     int wrong = 0;

@@ -2,20 +2,20 @@
 #pragma once
 /// @file rigid_steps.h
 /// Steps of a symmetric batch (factor/batches.h) that eliminate one rigid body without rows: six
-/// pivots. Links of chains and cables, whose joints are condensed, are little else.
+/// pivots. Most steps of chains and cables with condensed joints are of this form.
 ///
-/// The pivots form one chain of dependent operations: a division, a product and a sum each, six
-/// times, about as long as all products of the step take. Nothing else of their step can be done
-/// before them, but they need only the first two rows of tiles of the window. So these come first,
-/// and the next step's pivots are eliminated between the other tiles:
+/// The pivots form one chain of dependent operations: six times a division, a product and a sum.
+/// This takes about as long as all products of the step. No other operation of the step can precede
+/// them, but they need only the first two rows of tiles of the window. So these tiles come first,
+/// and the pivots of the next step are eliminated between the other tiles:
 ///
 /// ```
 ///   rows k │ window k: body │ pivots k + 1: 0     1     2     3     4     5 │ rows k + 1 │ …
 ///          │ tiles          │ window k:       ▪     ▪     ▪     ▪     ▪     │
 /// ```
-/// The triangle of the six stays in registers from the products that begin it to its last pivot,
-/// where there are enough of them: on AVX-512. Elsewhere batch.cpp takes such steps like all
-/// others.
+/// On AVX-512, which has enough registers, the triangle of the six pivots stays in registers from
+/// its first product to its last pivot. On other instruction sets batch.cpp treats such steps like
+/// all others.
 
 #include "factor/isa/batch_parts.h"
 
@@ -32,21 +32,21 @@ inline constexpr int kRigidTiles = kRigid / kTile;         ///< Rows of tiles of
 inline constexpr long kRigidStride = kLanes * kRigid;      ///< Doubles of a row of the panel.
 inline constexpr long kTileSize = kLanes * kTile * kTile;  ///< Doubles.
 
-/// Tile (i, j), i ≥ j, of a window.
+/// Return the offset of tile (i, j), i ≥ j, of a window.
 HAWSER_INLINE long tile_at(int i, int j) {
     return kTileSize * (static_cast<long>(i) * (i + 1) / 2 + j);
 }
 
-/// A step's panel and pivots.
+/// Panel and pivots of a step.
 struct RigidStep {
     double* panel;  ///< 6 + q rows of 6 vectors: A, overwritten with L.
-    double* w;      ///< 6 + q rows of 6 vectors: L D, of rows from the seventh on.
+    double* w;      ///< 6 + q rows of 6 vectors: L D, for rows from the seventh on.
     double* pivot;  ///< 6 vectors: 1/D.
     const signed char* sign;
     int tiles;  ///< q / 3.
 };
 
-/// The lower triangle of a body's block.
+/// Lower triangle of the block of a body.
 using RigidBlock = V8[kRigid][kRigid];
 
 HAWSER_INLINE RigidStep rigid_step(const factor::FactorView& view, std::int32_t k, double* w) {
@@ -55,13 +55,13 @@ HAWSER_INLINE RigidStep rigid_step(const factor::FactorView& view, std::int32_t 
             view.slot_sign + step.slot, step.q / kTile};
 }
 
-/// a += the block as the matrix has it.
+/// Add the block of the matrix to a.
 HAWSER_INLINE void add_block(const RigidStep& m, RigidBlock& a) {
     for (int i = 0; i < kRigid; ++i)
         for (int j = 0; j <= i; ++j) a[i][j] += load(m.panel + i * kRigidStride + kLanes * j);
 }
 
-/// a = what earlier steps left on the body.
+/// Load the updates of earlier steps of the body into a.
 HAWSER_INLINE void load_block(const double* window, RigidBlock& a) {
     for (int i = 0; i < kRigid; ++i)
         for (int j = 0; j <= i; ++j)
@@ -90,8 +90,8 @@ HAWSER_INLINE void eliminate(const RigidStep& m, int j, RigidBlock& a, V8& bad) 
         for (int i = k; i < kRigid; ++i) a[i][k] -= l[k] * a[i][j];
 }
 
-/// Three rows of the panel below the block. @param left  What earlier steps left there, two tiles;
-/// null: nothing.
+/// Solve three rows of the panel below the block.
+/// @param left  Two tiles with the updates of earlier steps; null: none.
 HAWSER_INLINE void solve_rows(const RigidStep& m, int tile, const double* left) {
     double* row = m.panel + (kRigid + kTile * tile) * kRigidStride;
     double* w = m.w + (kRigid + kTile * tile) * kRigidStride;
@@ -117,8 +117,8 @@ HAWSER_INLINE void solve_rows(const RigidStep& m, int tile, const double* left) 
     }
 }
 
-/// Tile (i, j) of the next window: that which moves there less the products. Of a tile on the
-/// diagonal the upper triangle is never read.
+/// Compute tile (i, j) of the next window: the shifted tile less the products. The upper triangle
+/// of a diagonal tile is never read.
 template <bool kLower>
 HAWSER_INLINE void rigid_tile(const RigidStep& m, const Shift& shift, int i, int j,
                               const double* window, V8 (&acc)[kTile][kTile]) {
@@ -139,7 +139,7 @@ HAWSER_INLINE void rigid_tile(const RigidStep& m, const Shift& shift, int i, int
     }
 }
 
-/// The tiles of the next window behind those of the body, one after another.
+/// Tiles of the next window behind those of the body, one after another.
 struct OtherTiles {
     const RigidStep& m;
     const Shift& shift;
@@ -161,7 +161,7 @@ struct OtherTiles {
     }
 };
 
-/// The body's tiles of the next window.
+/// Compute the body's tiles of the next window.
 HAWSER_INLINE void body_tiles(const RigidStep& m, const Shift& shift, const double* window,
                               RigidBlock& a) {
     V8 acc[kTile][kTile];
@@ -178,13 +178,13 @@ HAWSER_INLINE void body_tiles(const RigidStep& m, const Shift& shift, const doub
     put(1, 1);
 }
 
-/// Whether step k is one of these.
+/// Return true if step k eliminates one rigid body without rows.
 HAWSER_INLINE bool is_rigid(const factor::FactorView& view, const factor::Batch& batch,
                             std::int32_t k) {
     return batch.body == kRigid && view.batch_steps[k].p == kRigid;
 }
 
-/// Pivots of the first of several such steps; its window is in memory.
+/// Eliminate the pivots of the first of several such steps. Its window is in memory.
 inline void begin_rigid(const RigidStep& m, const Shift& shift, const double* window, V8& bad) {
     RigidBlock a;
     if (shift.before > 0)
@@ -197,8 +197,9 @@ inline void begin_rigid(const RigidStep& m, const Shift& shift, const double* wi
     for (int j = 0; j < kRigid; ++j) eliminate(m, j, a, bad);
 }
 
-/// One step whose pivots are eliminated: its rows, the window behind it, and the pivots of the
-/// step that follows, if it is one of these (null: its block goes to the window).
+/// Finish a step whose pivots are eliminated: its rows, the window behind it, and the pivots of the
+/// following step.
+/// @param following  The following step if it is rigid, or null: the block then goes to the window.
 inline void finish_rigid(const RigidStep& m, const RigidStep* following, const Shift& shift,
                          const double* window, double* next, V8& bad) {
     for (int t = 0; t < m.tiles; ++t) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file stream.h
-/// Stores past the caches, see factor/kernels.h.
+/// Stores that bypass the caches (factor/kernels.h).
 
 #include <cstdint>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Substitution with the fronts of a multifrontal LDLᵀ or LDU (see factor/symbolic.h for the
-/// picture).
+/// Substitution with the fronts of a multifrontal LDLᵀ or LDU (picture: factor/symbolic.h).
 ///
-/// Blocks of up to eight pivots, whose number is a constant of the loops. The block's own triangle
-/// is a chain of dependent operations and stays in one vector; the rows below it are vectors that
-/// do not depend on each other. Vectors start at multiples of eight rows of the panel, so the
-/// first update rows may share one with the last pivots.
+/// Blocks have up to eight pivots, and their number is a constant of the loops. The triangle of a
+/// block is a chain of dependent operations and stays in one vector. The rows below it are
+/// independent vectors. Vectors start at multiples of eight rows of the panel, so the first update
+/// rows may share one with the last pivots.
 #include "factor/isa/substitution.h"
 
 #include "base/lanes.h"
@@ -27,20 +26,20 @@ constexpr int kBlock = 8;
 constexpr long kAhead = 8192;
 constexpr std::int32_t kFrontsAhead = 6;
 
-/// Load a vector of a panel and prefetch the one `kBytes` further on; 0: none. Panels larger than a
-/// core's own cache need it: columns are short, and backward substitution goes down in addresses,
-/// so that the hardware's prefetcher does not follow. A core has a dozen requests under way at most
-/// and drops further prefetches, hence one a vector.
+/// Load a vector of a panel and prefetch the vector `kBytes` further on; 0: no prefetch. Panels
+/// larger than a core's cache need it. Columns are short and backward substitution descends in
+/// addresses, so the hardware prefetcher does not follow. A core has at most a dozen pending
+/// requests and drops further ones, hence one prefetch per vector.
 template <long kBytes>
 HAWSER_INLINE V8 load_ahead(const double* p) {
-    // As a number: it may lie outside the array.
+    // Computed as an integer, because the address may lie outside the array.
     if constexpr (kBytes != 0)
         __builtin_prefetch(
             reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(p) + kBytes));
     return load(p);
 }
 
-/// Asks for what a front needs besides its panel, and for the front `kFrontsAhead` further on.
+/// Prefetch the data of a front besides its panel, and the front `kFrontsAhead` further on.
 template <bool kUp>
 HAWSER_INLINE void ask_for_tables(const FactorView& view, const Front& front, const double* x) {
     constexpr int kLine = 64;
@@ -60,8 +59,8 @@ HAWSER_INLINE void ask_for_tables(const FactorView& view, const Front& front, co
     }
 }
 
-/// Pivots [k, k + N) of L y = y, then y −= L y for the rows behind them, handed over by vectors:
-/// put(row, vector).
+/// Solve pivots [k, k + N) of L y = y, then subtract L y from the rows behind them.
+/// @param put  Called with each result: put(row, vector).
 template <int N, long kBytes, class Put>
 HAWSER_INLINE void forward_block(const double* panel, long ld, int k, const double* y, Put&& put) {
     const double* column = panel + k * ld;
@@ -78,7 +77,7 @@ HAWSER_INLINE void forward_block(const double* panel, long ld, int k, const doub
     }
 }
 
-/// y = the front's part of x plus what its children carry. Whole vectors.
+/// Compute y = the front's part of x plus the carried updates of its children, in whole vectors.
 inline void gather_forward(const FactorView& view, const Front& front, const double* x, double* y) {
     for (int i = 0; i < front.ld; i += 8)
         store(y + i, i < front.p ? load_first(x + front.offset + i, front.p - i) : V8{});
@@ -92,16 +91,16 @@ inline void gather_forward(const FactorView& view, const Front& front, const dou
     }
 }
 
-/// Columns [k, k + N) of U z = y with Uᵀ in the panel, the rows behind them being solved, from
-/// vector `from` on. The products with those come first and are independent of each other; then the
-/// small triangle, in which each entry waits only for the one before it. z comes with y_k … and
-/// leaves with z_k ….
+/// Solve columns [k, k + N) of U z = y with Uᵀ in the panel, after the rows behind them are solved,
+/// from vector `from` on. The independent products with these rows come first. The small triangle
+/// follows, in which each entry waits only for the one before it. z enters with y_k … and returns
+/// z_k ….
 template <int N, long kBytes>
 HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from, const double* y,
                                   double* z) {
     V8 acc[N];
     const double* column = panel + k * ld;
-    constexpr int kGroup = 8 / kParts;  // columns whose sums fit in registers
+    constexpr int kGroup = 8 / kParts;  // columns with sums that fit in registers
 #pragma GCC unroll 8
     for (int first = 0; first < N; first += kGroup) {
         const int last = first + kGroup < N ? first + kGroup : N;
@@ -113,7 +112,7 @@ HAWSER_INLINE void backward_block(const double* panel, long ld, int k, int from,
         }
     }
     const V8 s = sums<N>(acc);
-    double solved[N];  // in registers: all indices are constants once unrolled
+    double solved[N];  // in registers: all indices are constants after unrolling
 #pragma GCC unroll 8
     for (int c = N - 1; c >= 0; --c) {
         double zc = z[c] - lane(s, c);
@@ -165,7 +164,8 @@ void backward(const FactorView& view, std::int32_t begin, std::int32_t end, doub
         double* xf = x + front.offset;
         double* y = scratch;
         const std::int32_t* rows = view.rows + front.rows - p;
-        // Zeros where the last pivots share a vector with update rows, and behind those.
+        // Zeros fill the vector shared by the last pivots and update rows, and all slots behind
+        // them.
         for (int i = p & ~7; i < ld; i += 8) store(y + i, gather_range(x, rows + i, p - i, n - i));
         int k = (p - 1) & ~7, from = p & ~7;
         with_count(p - k, [&]<int N>() {
@@ -187,7 +187,8 @@ void backward(const FactorView& view, std::int32_t begin, std::int32_t end, doub
 
 }  // namespace
 
-// Apart from what they do, so that its lambdas belong to this file alone: g++ inlines those.
+// Kept apart from the functions that they call: their lambdas then belong to this file alone, and
+// g++ inlines them.
 void forward_fronts(const FactorView& view, std::int32_t begin, std::int32_t end, double* x,
                     double* scratch) noexcept {
     view.distant ? forward<kAhead>(view, begin, end, x, scratch)

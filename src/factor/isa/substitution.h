@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file substitution.h
-/// Forward and backward substitution with fronts, see factor/kernels.h for what each does.
+/// Forward and backward substitution with fronts. factor/kernels.h documents each.
 
 #include "factor/kernels.h"
 

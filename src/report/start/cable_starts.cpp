@@ -13,7 +13,7 @@
 namespace hawser::report::start {
 namespace {
 
-/// Strain that is round-off of the coordinates of its nodes.
+/// Strain within rounding of the coordinates of its nodes.
 constexpr double kDigits = 1e-11;
 
 bool is_stretch(const World& world, InteractionId id) {

@@ -208,7 +208,7 @@ class Overlaps {
     }
 
     const World& world_;
-    const std::vector<std::string>& places_;     ///< Places in the scene file for each shape.
+    const std::vector<std::string>& places_;     ///< Positions in the scene file for each shape.
     std::vector<double> pull_;                   ///< Largest tension at each body [N].
     std::vector<std::vector<ShapeId>> of_body_;  ///< Shapes of each body, without segments.
     std::map<std::pair<Owner, Owner>, Pair> pairs_;

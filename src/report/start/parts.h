@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file parts.h
-/// The parts of a check of a start; each adds to the findings. See check.h.
+/// Parts of a check of a start. Each adds to the findings. See check.h.
 
 #include "record/scene_info.h"
 #include "report/start/findings.h"
@@ -25,37 +25,37 @@ void check_dry_lines(const record::SceneInfo& scene, const World& world, Finding
 /// Sea depth and seabeds that differ, wires without drag, hulls in short waves, memories that are
 /// cut too early (sea_scene.cpp).
 void check_sea_scene(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Line types and winches of the document whose numbers do not fit (document.cpp).
+/// Check line types and winches of the document for inconsistent numbers (document.cpp).
 void check_document(const record::SceneInfo& scene, Findings& out);
-/// Bare drums that keep one element of their cable (drums.cpp).
+/// Check for bare drums that keep one element of their cable (drums.cpp).
 void check_drums(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Points that an exercise needs and its goals do not give (points.cpp).
+/// Check for points that an exercise needs and its goals do not award (points.cpp).
 void check_points(const exercise::Exercise& exercise, Findings& out);
-/// Coefficients of vessels outside the range of published ships (vessels.cpp).
+/// Check coefficients of vessels against the range of published ships (vessels.cpp).
 void check_vessels(const World& world, Findings& out);
-/// Posts beside cables that they never take (posts.cpp).
+/// Check for bollards that never engage a nearby cable (posts.cpp).
 void check_posts(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Hulls that displace more or less than they carry: what joints hold to their bodies, and what
-/// lines pull. Bodies that float twice, by hydrostatic springs too (hulls.cpp).
+/// Check hulls that displace more or less than they carry: bodies attached by joints, and pulls of
+/// lines. Check for bodies that also float by hydrostatic springs (hulls.cpp).
 void check_hulls(const World& world, Findings& out);
-/// Lines that start beyond their breaking load (lines.cpp).
+/// Check for lines that start beyond their breaking load (lines.cpp).
 void check_tensions(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Shapes inside each other (overlaps.cpp).
+/// Check for shapes inside each other (overlaps.cpp).
 void check_overlaps(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Joints that start open or tearing (joints.cpp). Rows are those of the world.
 void check_gaps(const World& world, const JointRows& rows, Findings& out);
 /// Joints, motors and prescribed motions that repeat or contradict each other (repetitions.cpp).
 void check_repetitions(const World& world, JointRows& rows, Findings& out);
-/// Ranges that start outside, or have nothing in common (joints.cpp).
+/// Check for ranges that start outside or are disjoint (joints.cpp).
 void check_ranges(const World& world, Findings& out);
-/// Motors that friction holds (joints.cpp).
+/// Check for motors that friction holds (joints.cpp).
 void check_motor_friction(const World& world, Findings& out);
-/// Wires and joints that the step does not resolve (steps.cpp).
+/// Check for wires and joints that the step does not resolve (steps.cpp).
 void check_steps(const record::SceneInfo& scene, const World& world, Findings& out);
 
-/// Tension from the stretch at the start [N]; 0 where slack, or of another kind.
+/// Return the tension from the stretch at the start [N]; 0 if slack, or for other kinds.
 [[nodiscard]] double start_tension(const World& world, InteractionId id);
-/// Length of what a gap at this joint is compared with: its longest arm, at least 0.1 m.
+/// Return the length for comparison with a gap at this joint: its longest arm, at least 0.1 m.
 [[nodiscard]] double reach(const Joint& joint);
 
 }  // namespace hawser::report::start
