@@ -3,7 +3,7 @@
 /// @file model_undo.h
 /// Copy of model and state before the first edit of a system within a step.
 ///
-/// A failed step returns to the last good state (access/undo.h). That copy begins behind the edits.
+/// A failed step returns to the last good state (state/undo.h). That copy begins behind the edits.
 /// This one restores the earlier bodies, interactions and shapes with their indices, multipliers
 /// and memories. Only the data that determine the order of the analysed system are copied. It is
 /// rebuilt before its next use, like that of a restored world, to the same bits (Mend::all).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Cutting of wires in two (hawser/wire.h, step/wire_ends.h).
+/// Cutting of wires in two (hawser/wire.h, edit/wire_ends.h).
 #include <hawser/world.h>
 
 #include "context/push_event.h"

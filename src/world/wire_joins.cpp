@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Joining of wire ends, and attachment to bodies (hawser/wire.h, step/wire_ends.h).
+/// Joining of wire ends, and attachment to bodies (hawser/wire.h, edit/wire_ends.h).
 #include <hawser/world.h>
 
 #include "context/push_event.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Insertion and removal of nodes of wires (hawser/wire.h, step/nodes.h).
+/// Insertion and removal of nodes of wires (hawser/wire.h, edit/nodes.h).
 #include <hawser/world.h>
 
 #include "edit/node_pieces.h"
