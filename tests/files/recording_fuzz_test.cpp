@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Recordings and snapshot files whose contents were changed and whose checksums are right: refused
-/// or read, and what was read can be drawn, whatever it says.
+/// Recordings and snapshot files with changed contents and valid checksums are rejected or read.
+/// Files that were read can be drawn.
 #include "draw/plots.h"
 #include "draw/raster.h"
 #include "draw/svg.h"
@@ -40,7 +40,7 @@ std::vector<Chunk> chunks_of(std::span<const std::byte> file) {
     return out;
 }
 
-/// The file of some chunks, each with the checksum that it needs.
+/// Write a file of some chunks, each with a valid checksum.
 std::vector<std::byte> file_of(std::span<const std::byte> magic, const std::vector<Chunk>& chunks) {
     record::ByteWriter out;
     out.put_bytes(magic);
@@ -70,7 +70,7 @@ void forge(std::vector<Chunk>& chunks, Random& random) {
     if (random.chance(0.02)) chunks.erase(chunks.begin() + static_cast<std::ptrdiff_t>(any()));
 }
 
-/// What a reader promises of what it gives out.
+/// Check the guarantees of the reader.
 void expect_sound(const Recording& r) {
     std::int64_t step = r.start_step - 1;
     for (std::size_t i = 0; i < r.frame_count(); ++i) {
@@ -121,7 +121,7 @@ void forge_recordings(const std::filesystem::path& file, int inputs) {
             ++(r.damage.empty() ? whole : partly);
             expect_sound(r);
             ASSERT_FALSE(testing::Test::HasFatalFailure()) << "input " << i;
-            if (i % 20 == 0) draw(r);  // takes long
+            if (i % 20 == 0) draw(r);  // slow
         } catch (const record::RecordingError& e) {
             ++refused;
             ASSERT_EQ(std::string(e.what()).rfind("forged: ", 0), 0u) << e.what();
@@ -141,15 +141,15 @@ TEST(ForgedRecordings, AreRefusedOrSound) {
     forge_recordings(file, inputs_of(1000, 10'000, 500'000));
 }
 
-/// With lines that come and go.
+/// With lines that are added and removed.
 TEST(ForgedRecordings, OfJoinedWiresAreRefusedOrSound) {
     const auto file = fresh_folder() / "r.hwr";
     (void)JoinedDeck().record(file);
     forge_recordings(file, inputs_of(300, 3000, 100'000));
 }
 
-/// Forges a file of the world's state and restores it into that world, which stays as it was or
-/// takes it. @param first  Bytes that are changed in every other file.
+/// Forge a file of the world's state and restore it in that world. The world stays unchanged or
+/// accepts it. @param first  Number of leading bytes that are changed in every other file.
 void forge_snapshots(SmallScene& scene, bool with_structure, std::size_t first) {
     const auto folder = fresh_folder();
     record::save_snapshot(folder / "good.hws", scene.info, scene.world, with_structure);
@@ -177,14 +177,14 @@ void forge_snapshots(SmallScene& scene, bool with_structure, std::size_t first) 
     EXPECT_GT(refused, 0);
 }
 
-/// Around the state of a world: name, time and hash of the file.
+/// Header around the state of a world: name, time and hash of the file.
 TEST(ForgedRecordings, SnapshotFilesAreRefusedOrTaken) {
     SmallScene scene;
     ASSERT_EQ(scene.world.step(), Status::ok);
     forge_snapshots(scene, false, 64);
 }
 
-/// What the world is made of.
+/// Definitions of the world.
 TEST(ForgedRecordings, SnapshotFilesWithAStructureAreRefusedOrTaken) {
     SmallScene scene;
     World& w = scene.world;
