@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Snapshots of scenes with winches, cranes, seas and other systems whose contents were changed and
-/// whose checksum is right: each is refused and leaves the world as it was, or is taken, and the
-/// world steps on in bounded time.
+/// Snapshots of scenes with winches, cranes, seas and other systems, with changed contents and a
+/// valid checksum. Each is rejected and leaves the world unchanged, or is accepted and the world
+/// continues in bounded time.
 #include "files/forge_state.h"
 #include "files/watch.h"
 #include "scene/good_scenes.h"
@@ -20,7 +20,8 @@ struct Outcome {
     double longest = 0.0;
 };
 
-/// @param share  Of the inputs that change systems alone; the others change any part.
+/// Attack a scene. @param share  Fraction of the inputs that change only systems; the others change
+/// any part.
 void attack_systems(const std::string& name, int inputs, double share, std::uint64_t seed,
                     Outcome& out, std::string_view text = {}) {
     Random random(seed);
@@ -61,7 +62,7 @@ void attack_systems(const std::string& name, int inputs, double share, std::uint
         }
         try {
             world.restore(good);
-        } catch (const DefError&) {  // a step has added or removed nodes
+        } catch (const DefError&) {  // a step has inserted or removed nodes
             scene.emplace(after_some_steps(name, text));
             scene->world.restore(good);
         }
@@ -97,7 +98,7 @@ TEST(ForgedSystemsOfAScene, Gear) {
     attack_scene("gear", of_scene(40, 350, 7000), scene::test::kCranes);
 }
 
-/// Stoppers, pins, resolution, posts, two winches.
+/// Stoppers, pins, resolution, bollards, two winches.
 TEST(ForgedSystemsOfAScene, AnchorRun_full) { attack_scene("anchor_run", of_scene(20, 60, 1200)); }
 TEST(ForgedSystemsOfAScene, AnchorSea_full) { attack_scene("anchor_sea", of_scene(20, 60, 1200)); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Messages that are cut, too large or without sense, crowds of connections, and restores without
-/// end: each has an answer, and the instructor has a place.
+/// Truncated, oversized or invalid messages, many connections, and endless restores. Each gets a
+/// response, and the instructor can always connect.
 #include "live/client.h"
 #include "live/run.h"
 #include "support/random.h"
@@ -22,13 +22,13 @@ namespace {
 
 SessionDef crowd_def() { return {.scene_text = live_scene()}; }
 
-/// A client that has said hello and knows the scene.
+/// Send hello and receive the scene.
 void meet(LiveClient& client) {
     (void)client.wait_for("scene");
     (void)client.frame();
 }
 
-/// The client checks the text as a browser does: what is no UTF-8 would close the connection.
+/// The client checks the text like a browser: invalid UTF-8 would close the connection.
 TEST(LiveCrowd, a_refusal_is_cut_between_characters) {
     LiveRun run(crowd_def());
     for (int shift = 0; shift < 4; ++shift) {
@@ -87,7 +87,7 @@ TEST(LiveCrowd, an_announced_length_is_answered_at_once) {
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
         EXPECT_LT(took.count(), 1.0);  // handshake_seconds is 5
     }
-    // Part by part, the last of which is too much.
+    // Sent in fragments; the last one exceeds the limit.
     LiveClient parts(run.port(), run.roles[0].token);
     meet(parts);
     for (int k = 0; k < 3; ++k) {
@@ -109,8 +109,9 @@ TEST(LiveCrowd, a_crowd_of_connections_keeps_nobody_out) {
     EXPECT_EQ(instructor.answer(), "HTTP/1.1 101 Switching Protocols");
     meet(instructor);
     EXPECT_EQ(request(run.port(), "/", run.host()), "HTTP/1.1 200 OK");
-    EXPECT_TRUE(half_open.front()->ends(2.0));  // the oldest went
-    // As many connections a second as one thread makes, while the instructor comes and goes.
+    EXPECT_TRUE(half_open.front()->ends(2.0));  // the oldest was dropped
+    // One thread makes as many connections per second as it can, while the instructor connects and
+    // disconnects.
     std::atomic<bool> stop{false};
     std::atomic<int> made{0};
     std::thread crowd([&] {
@@ -150,7 +151,7 @@ TEST(LiveCrowd, values_that_no_input_has_are_refused) {
             const auto reason = answer["reason"].get<std::string>();
             EXPECT_NE(reason.find(input["name"].get<std::string>()), std::string::npos) << reason;
             const bool range = reason.find("is outside its range") != std::string::npos;
-            // Of a motor, whose other limit was set before.
+            // The limit of a motor whose other limit was set before.
             const bool empty = reason.find("would be above") != std::string::npos;
             EXPECT_TRUE(range || empty) << reason;
         }
@@ -158,7 +159,7 @@ TEST(LiveCrowd, values_that_no_input_has_are_refused) {
     EXPECT_TRUE(run.goes_on());
 }
 
-/// Restores take a bounded fraction of the time; one of this scene takes tens of milliseconds.
+/// Restores use a bounded fraction of the time; one of this scene takes tens of milliseconds.
 TEST(LiveCrowd, restores_of_a_large_scene_do_not_stop_the_run) {
     LiveRun run({.scene = "scenes/anchor_run.json"});
     LiveClient client(run.port(), run.roles[0].token);
