@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Memory that ends in steps whose systems put and take nodes of wires: the step fails as a whole,
-/// and the next one gives the same bits.
+/// Allocation fails in steps whose systems insert and remove nodes of wires. The step fails as a
+/// whole, and the next one gives the same bits.
 #include "machine/retry.h"
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 namespace hawser::test {
 namespace {
 
-/// A winch at a deck pays out over a roller to an end that is drawn away: nodes come out of its
-/// drum and run over the roller.
+/// Make a winch on a deck that pays out over a roller to a moving end: new nodes leave the drum and
+/// run over the roller.
 World winch_and_roller() {
     World w(WorldDef{.step = 0.05});
     const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Random sequences of all that is done to wires while a world runs: equal bits for any number of
-/// threads, in a world that repeats what a listener heard, and after a restored state.
+/// Random sequences of all operations on wires while a world runs. Bits are equal for any number of
+/// threads, in a world that repeats the changes reported to a listener, and after a restored state.
 #include <hawser/hawser.h>
 
 #include "record/changes.h"
@@ -21,17 +21,18 @@
 namespace hawser::test {
 namespace {
 
-/// Of a world; the wires of one get more nodes with each, and its steps longer.
+/// Operations per world; each adds nodes to its wires, which makes later steps slower.
 constexpr int kOperations = kSanitized ? 60 : 200;
 
-/// Number of worlds. HAWSER_OPERATIONS gives the number of operations of all worlds.
+/// Return the number of worlds. HAWSER_OPERATIONS gives the number of operations of all worlds.
 unsigned worlds_to_try() {
     if (const char* given = std::getenv("HAWSER_OPERATIONS"))
         return static_cast<unsigned>(std::atol(given) / kOperations);
     return static_cast<unsigned>(seed_count(2, 10, 100));
 }
 
-/// Two wires between a beam and two blocks, one of lumps alone, one of straight pieces with bends.
+/// Make two wires between a beam and two blocks, one of point masses, one of straight pieces with
+/// bends.
 World wires_world(int threads) {
     World w({.step = 0.01, .threads = threads, .on_diverged = OnDiverged::warn});
     const BodyId beam =
@@ -61,7 +62,7 @@ World wires_world(int threads) {
     return w;
 }
 
-/// Of lumps, and of half elements that end at other bodies, which no lump carries.
+/// Return the mass of nodes and of half elements that end at other bodies, whose mass no node has.
 double lump_mass(const World& w) {
     double sum = 0.0;
     for (const BodyId id : w.bodies())
@@ -99,7 +100,7 @@ T pick(std::mt19937& dice, std::span<const T> from) {
     return from[dice() % from.size()];
 }
 
-/// Any operation, also one that the world has to refuse.
+/// Draw any operation, including ones that the world must reject.
 Operation any(std::mt19937& dice, const World& w) {
     const WireId a = pick(dice, w.wires()), b = pick(dice, w.wires());
     const int end = static_cast<int>(dice() % 2), other = static_cast<int>(dice() % 2);
@@ -185,9 +186,9 @@ void sequence(unsigned seed, std::vector<int>& done) {
         ASSERT_EQ(repeated.state_hash(), worlds[0].state_hash()) << op.what << " " << k;
         for (int step = 0; step < 2; ++step) {
             const Status status = worlds[0].step();
-            // Nodes put beside nodes again and again leave lumps of milligrams beside blocks of
-            // 400 kg, whose elements are 1e15 times as stiff; and a world that only warns goes on
-            // from what has been judged wrong. Such may end as a status.
+            // Repeated insertion beside nodes leaves nodes of milligrams beside blocks of 400 kg,
+            // with elements 1e15 times as stiff. A world that only warns also continues after a
+            // failed monitor. Such a world may end with another status.
             ASSERT_TRUE(status == Status::ok || status == Status::diverged ||
                         lightest(worlds[0]) < 1e-4 || worlds[0].verdict().grade == Grade::wrong)
                 << to_string(status) << " after " << op.what << ", seed " << seed << ", lightest "
@@ -201,7 +202,7 @@ void sequence(unsigned seed, std::vector<int>& done) {
         for (std::size_t i = 1; i < worlds.size(); ++i)
             ASSERT_EQ(worlds[i].state_hash(), worlds[0].state_hash()) << op.what << " " << k;
         ASSERT_EQ(repeated.state_hash(), worlds[0].state_hash()) << op.what << " " << k;
-        if (k % 10 == 9) {  // one goes on and comes back, and twins are in the same state
+        if (k % 10 == 9) {  // one continues and is restored, and twins are in the same state
             const auto saved = worlds[1].save();
             (void)worlds[1].step();
             worlds[1].restore(saved);
@@ -220,7 +221,7 @@ TEST(WireCutRandom, SequencesAreRepeatedInAllBits) {
         if (seed % 50 == 0)
             std::printf("seed %u of %u\n", seed, first + worlds_to_try() - 1), std::fflush(stdout);
     }
-    // The quick tier has too few operations for three of each kind.
+    // The quick tier has too few operations to require some of each kind.
     const int least = by_tier(0, 2, 2);
     for (const char* what : {"cu", "sp", "ge", "at", "de", "in", "re"})
         EXPECT_GT(done[static_cast<std::size_t>(what[0] + what[1]) % done.size()], least) << what;
