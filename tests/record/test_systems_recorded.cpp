@@ -15,8 +15,8 @@ using record::Recording;
 
 namespace {
 
-/// Water around the box, and a force that pushes it by the scene's input and by one of its own,
-/// which rotates.
+/// Water around the box, and a system that pushes it by the scene's input and by an input that
+/// rotates with the body.
 struct Hand final : System {
     BodyId box;
     InputId push, thruster;

@@ -83,7 +83,7 @@ TEST(WorldRepair, SnapshotsHoldTheOrder) {
             if (i % 40 == 17) {
                 const auto bytes = a.save();
                 Yard other = falling(seed);
-                const int ahead = i % 80 == 17 ? 70 : 0;  // just after a new order, or long after
+                const int ahead = i % 80 == 17 ? 70 : 0;  // with an order of its own, or new
                 for (int k = 0; k < ahead; ++k) ASSERT_EQ(other.world.step(), Status::ok);
                 other.world.restore(bytes);
                 ASSERT_EQ(other.world.inspect().order, a.inspect().order);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checker and the published schema must give the same verdict. valijson is an independent
-// implementation of JSON Schema; documents are good scenes with one value at a time replaced,
-// removed or added, everywhere.
+// The checker and the published schema must agree. valijson is an independent implementation of
+// JSON Schema. Documents are valid scenes with one value replaced, removed or added, at every
+// position.
 #include "scene/schema.h"
 
 #include "support.h"
@@ -54,7 +54,7 @@ void pointers_of(const Json& value, const std::string& at, std::vector<std::stri
     }
 }
 
-/// Distance between changed values: 1 changes every value.
+/// Return the distance between changed values: 1 changes every value.
 std::size_t stride() {
     return static_cast<std::size_t>(::hawser::test::kSanitized
                                         ? ::hawser::test::by_tier(120, 40, 10)
@@ -114,7 +114,7 @@ TEST_P(Agreement, same_verdict_on_every_single_change) {
         }
     }
     RecordProperty("documents", count.documents);
-    // Neither verdict may be the rule: the comparison would then show nothing.
+    // Neither result may dominate: the comparison would then prove nothing.
     EXPECT_GT(count.refused, count.documents / 10);
     EXPECT_LT(count.refused, count.documents);
 }
