@@ -64,7 +64,7 @@ TEST(Allocation, NoneInAWarmStepOfTwoThreads) {
     expect_none(mixed(4, 30), 2);
 }
 
-/// Nor what a client reads after each step, once its own memory is large enough.
+/// Nor do calls of a client after each step, once its own memory is large enough.
 TEST(Allocation, NoneInWhatAClientReads) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     World w = mixed(3, 10).make();
@@ -105,7 +105,7 @@ TEST(Allocation, NoneInWhatAClientReads) {
     EXPECT_EQ(seen, 0);
 }
 
-/// A wire in two parts that the world chooses; drag brings it to rest.
+/// Make a wire in two groups chosen by the world; drag brings it to rest.
 Recipe parted_wire(int every) {
     Recipe r = wire(40);
     for (BodyDef& b : r.bodies) b.linear_damping = {50.0, 50.0, 50.0};
@@ -116,7 +116,7 @@ Recipe parted_wire(int every) {
     return r;
 }
 
-/// Rounds that find nothing to change do not allocate either, once there has been one.
+/// Regrouping without changes does not allocate either, after the first one.
 TEST(Allocation, NoneWhereGroupsAreLookedAtAndStay) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     World w = parted_wire(7).make();
@@ -138,8 +138,8 @@ TEST(Allocation, NoneWhereGroupsAreLookedAtAndStay) {
     EXPECT_EQ(seen, 0);
 }
 
-/// Whichever allocation of a regrouping fails: a status, the state of the step before, and the next
-/// call goes on.
+/// Any allocation of a regrouping may fail: the step returns a status, the state is the earlier
+/// one, and the next call succeeds.
 TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     const Recipe recipe = parted_wire(20);
@@ -163,7 +163,7 @@ TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
             const Guard guard(k);
             status = w.step();
         }
-        if (status == Status::ok) break;  // it makes fewer
+        if (status == Status::ok) break;  // it makes fewer allocations
         ++failed;
         ASSERT_EQ(status, Status::out_of_memory);
         ASSERT_EQ(w.step_count(), round);
@@ -179,11 +179,12 @@ TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
 }
 
 TEST(Allocation, NoneInAWarmStepThatIsTraced) {
-    expect_none(mixed(1, 10), 1, 500);  // wraps
+    expect_none(mixed(1, 10), 1, 500);  // ring buffer wraps
     expect_none(mixed(4, 30), 2, 500);
 }
 
-/// A wire that lies on a floor and over a bar: contacts come and go in the first steps only.
+/// Make a wire that lies on a floor and over a bar: contacts appear and end in the first steps
+/// only.
 World lying_wire(int threads) {
     WorldDef def;
     def.threads = threads;
@@ -248,8 +249,8 @@ TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
             options.threads = threads;
             scene::Scene s = scene::load_file(file, options);
             for (int i = 0; i < 3; ++i) ASSERT_EQ(s.world.step(), Status::ok) << file;
-            // A step in which more touches than ever before, or two bodies for the first time,
-            // grows and says so; every other one is warm.
+            // A step with more contacts than ever before, or with the first contact of two bodies,
+            // grows and reports it. All others are warm.
             int warm = 0;
             for (int i = 0; i < 20; ++i) {
                 const std::int64_t growths = s.world.stats().growths;
@@ -268,7 +269,7 @@ TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
     }
 }
 
-/// Nor in the warm path of the solver by itself.
+/// Nor does the warm path of the solver alone.
 TEST(Allocation, NoneInAWarmFactorisation) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     constexpr int kNodes = 500;
@@ -295,7 +296,7 @@ TEST(Allocation, NoneInAWarmFactorisation) {
     }
 }
 
-/// Not in a step that fails either.
+/// Nor does a failed step.
 TEST(Allocation, NoneInAFailedStep) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     World w = mixed(2).make();

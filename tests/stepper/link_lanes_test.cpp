@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Links that stand in a row go eight at a time, others one by one: the same motion.
+/// Consecutive links run in batches of eight, others one by one: the motion is equal.
 #include "support/random.h"
 #include "support/recipe.h"
 #include "support/tier.h"
@@ -11,7 +11,7 @@
 namespace hawser::test {
 namespace {
 
-/// The same bodies, the last one first: no link stands before the next one of its chain.
+/// Make the same bodies in reverse order: no link precedes the next one of its chain.
 Recipe backwards(const Recipe& r) {
     Recipe b = r;
     std::reverse(b.bodies.begin(), b.bodies.end());
@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, LinkLanes,
                          testing::Combine(testing::Values(Form::condensed, Form::saddle),
                                           testing::Bool()));
 
-/// Where some of the links touch the ground the solution starts at 0, and contacts push.
+/// If some links touch the ground, the solution starts at 0, and contacts push.
 TEST_P(LinkLanes, MoveAsOneByOne) {
     const auto [form, touching] = GetParam();
     for (const std::uint32_t seed : seeds(1, 2, 8, 60)) {
@@ -43,16 +43,15 @@ TEST_P(LinkLanes, MoveAsOneByOne) {
             if (!touching) break;
             auto body = [&](int k) { return w == &row ? BodyId{k} : twin(k); };
             ShapeDef ground{.kind = ShapeKind::plane, .body = body(0)};
-            // The first link is held by the ground and does not touch it.
+            // A joint connects the first link to the ground, so they do not collide.
             ground.position.z() = row.pose(BodyId{2}).position.z() - 0.15;
             w->add_shape(ground);
             for (int k = 1; k < n; ++k)
                 w->add_shape({.body = body(k), .radius = 0.2, .group = 2, .touches = 1});
         }
-        // One step of rounding grows with every joint that swings: 1e-9 in a dozen. What touches
-        // throws links about so fast that joints are closed by moving poses, with solutions that
-        // are not refined (step/closing.h): of ways of a centimetre some 1e-6 along what is
-        // free.
+        // Rounding of one step grows with every rotating joint: 1e-9 in a dozen. Contacts move
+        // links so fast that position projection closes the joints, with unrefined solutions
+        // (step/closing.h): about 1e-6 of moves of a centimetre along free directions.
         const double close = touching ? 1e-6 : 1e-9;
         int contacts = 0;
         for (int step = 0; step < 12; ++step) {
@@ -71,8 +70,8 @@ TEST_P(LinkLanes, MoveAsOneByOne) {
     }
 }
 
-/// Where the joints are as many as there is room for, nothing behind the last one may be read: the
-/// address sanitizer sees it. Bodies behind the chain let its last joints go in lanes, too.
+/// If the number of joints equals the capacity, nothing after the last one may be read: the address
+/// sanitizer detects it. Bodies after the chain allow batches for its last joints, too.
 TEST(LinkEnds, AreNotLeft) {
     for (const int links : {8, 16, 32, 64, 128}) {
         World world;
@@ -92,15 +91,15 @@ TEST(LinkEnds, AreNotLeft) {
                                             chain[static_cast<std::size_t>(k) + 1]},
                                    .point = {Vec3(0.5, 0, 0), Vec3(-0.5, 0, 0)}});
         for (int step = 0; step < 3; ++step) ASSERT_EQ(world.step(), Status::ok);
-        // All fall alike.
+        // All have the same fall.
         const Vec3 fall = world.velocity(chain.front()).linear;
         EXPECT_LT(fall.z(), -0.4);
         for (const BodyId b : chain) EXPECT_LE((world.velocity(b).linear - fall).norm(), 1e-12);
     }
 }
 
-/// Inertias that are not along their bodies' axes go as matrices, others as three moments: the
-/// choice of axes moves nothing. Without drag, which is along axes.
+/// Inertias off their bodies' axes are matrices, others three moments: the choice of axes changes
+/// no motion. Without drag, which acts along axes.
 TEST(LinkAxes, MoveNothing) {
     Random random(7);
     Recipe along = chains(5, 2, 21);
@@ -123,7 +122,7 @@ TEST(LinkAxes, MoveNothing) {
         ASSERT_EQ(one.step(), Status::ok);
         ASSERT_EQ(other.step(), Status::ok);
     }
-    // One step of rounding grows with every joint that swings.
+    // Rounding of one step grows with every rotating joint.
     for (int k = 1; k < one.body_count(); ++k) {
         const Twist v = one.velocity(BodyId{k}), u = other.velocity(BodyId{k});
         EXPECT_LE((one.pose(BodyId{k}).position - other.pose(BodyId{k}).position).norm(), 1e-9)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filter of joints in loops costs substitutions only where joints repeat each other.
+// The filter of joints in loops costs substitutions only if joints are redundant.
 #include "scene/catenary.h"
 
 #include <hawser/hawser.h>
@@ -20,7 +20,7 @@ void join(World& world, BodyId a, const Vec3& at_a, BodyId b, const Vec3& at_b) 
     world.add_interaction(ball);
 }
 
-/// Rigid links that hang from a float at the origin to an anchor.
+/// Add rigid links that hang from a float at the origin to an anchor.
 void moor(World& world, BodyId from, BodyId anchor, const Vec3& foot, int links) {
     const Vec3 top = Vec3::Zero();
     const auto nodes = scene::hang(top, foot, links * kLength, links, Vec3(0.0, 0.0, -1.0));
@@ -44,8 +44,8 @@ void moor(World& world, BodyId from, BodyId anchor, const Vec3& foot, int links)
     join(world, before, hold, anchor, foot);
 }
 
-/// Two chains from a heavy float down to the seabed: a loop through every joint, of which none
-/// repeats others.
+/// Add two chains from a heavy float to the seabed: a loop through every joint, none of them
+/// redundant.
 void moor_float(World& world, int links) {
     const BodyId seabed = world.add_body({.kind = BodyKind::fixed});
     BodyDef buoy{.mass = 2e7};
@@ -58,8 +58,8 @@ void moor_float(World& world, int links) {
         moor(world, held, seabed, Vec3(side * flat, 0.0, -depth), links);
 }
 
-// Of 20,000 joints a few draw next to nothing, and must not pass for repeated ones: each step would
-// then take one substitution more than the one behind each factorisation.
+// Of 20,000 joints a few draw values near 0, and must not count as redundant. Otherwise each step
+// takes one substitution in addition to the one after each factorisation.
 TEST(SelfStress, LongChainsAreNotFilteredForTheFewJointsThatDrawNothing) {
     World world({.refinements = 0});
     moor_float(world, 10'000);

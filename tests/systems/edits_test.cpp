@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What systems ask to be added and removed, and what they hold.
+/// Additions and removals requested by systems, and objects that they keep from removal.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// Does what it is given.
+/// Calls a given function.
 struct Doer final : System {
     std::string called = "doer";
     std::function<void(Prestep&, Loads&)> act;
@@ -128,7 +128,7 @@ TEST(SystemEdits, StayWhereTheStepIsCancelledAndAreAskedForOnce) {
     bool cancel = true;
     add_doer(cancelled.w, [&](Prestep& now, Loads& loads) {
         build(now, loads);
-        // A flag that the step sees after the edits.
+        // A flag that the step reads after the edits.
         if (now.count == 10 && std::exchange(cancel, false)) cancelled.w.cancel();
     });
     add_doer(straight.w, build);
@@ -155,7 +155,7 @@ TEST(SystemHolds, IsNotRemoved) {
         return false;
     };
     EXPECT_TRUE(refused([&] { y.w.remove_interaction(y.rod); }));
-    EXPECT_TRUE(refused([&] { y.w.remove_body(y.bob); }));  // the rod would go with it
+    EXPECT_TRUE(refused([&] { y.w.remove_body(y.bob); }));  // the rod would be removed with it
     EXPECT_TRUE(y.w.alive(y.rod));
     EXPECT_TRUE(y.w.alive(y.bob));
     (void)y.w.remove_system(doer);
@@ -188,7 +188,7 @@ TEST(Forces, OfUserInputsAndSystemsAddUp) {
     w.set_force(apart.bob, {1, 0, 0}, Vec3::Zero());
     w.set_input(one, 2.0);
     w.set_input(two, 4.0);
-    w.set_force(apart.bob, {16, 0, 0}, Vec3::Zero());  // replaces the user's own alone
+    w.set_force(apart.bob, {16, 0, 0}, Vec3::Zero());  // replaces only the user's own force
     together.w.set_force(together.bob, {30, 0, 0}, Vec3::Zero());
     const std::vector<std::byte> saved = w.save();
     double speed = 0.0;
@@ -202,10 +202,10 @@ TEST(Forces, OfUserInputsAndSystemsAddUp) {
         w.restore(saved);
     }
     for (int i = 0; i < 20; ++i) ASSERT_EQ(together.w.step(), Status::ok);
-    // Loads go to the right-hand side apart: another order of a few sums.
+    // Loads are added to the right-hand side separately: another order of a few sums.
     EXPECT_NEAR(speed, together.w.velocity(together.bob).linear.x(), 1e-12);
     EXPECT_NEAR(speed, 15.0 * (20 - 0.5) * 0.01, 1e-12);
-    // What an input set stays where it is removed.
+    // Values set by an input remain after its removal.
     w.remove_input(two);
     EXPECT_EQ(w.body_def(apart.bob).force.x(), 20.0);
 }

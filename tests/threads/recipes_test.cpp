@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Small worlds and one large island: the number of threads changes nothing.
+/// Small worlds and one large island: the number of threads has no effect.
 #include "support/small_recipes.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ TEST_P(EachRecipe, SameHashForAnyNumberOfThreads) {
     }
 }
 
-/// Large enough for several tasks and chunks a thread.
+/// Large enough for several tasks and chunks per thread.
 TEST(Threads, SameHashForALargeIsland) {
     Recipe recipe = mixed(11, 150);
     World one = recipe.make();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate code verifies contacts of capsules that a body holds: at a point, at a drum, and where
+// Separate code verifies contacts of capsules attached to a body: at a point, at a drum, and where
 // the wire leaves a guide.
 #include <hawser/hawser.h>
 
@@ -99,8 +99,8 @@ TEST(EndCapsulesVerified, SeparateCodeAgrees) {
     EXPECT_LE(verifier.result().rejected_steps, 2);
 }
 
-// The lowest point of a capsule is where a body holds it, and the body turns: what the lump keeps
-// of such a contact counts times the velocity that the body would have at the lump.
+// The lowest point of a capsule is at its attachment to a body that rotates. The node's part of
+// such a contact acts with the velocity that the body would have at the node.
 TEST(EndCapsulesVerified, SeparateCodeAgreesBeyondTheHeldPoint) {
     World w({.step = 1.0 / 60.0, .contact_margin = 0.1});
     const BodyId ground = w.add_body({.kind = BodyKind::fixed});
