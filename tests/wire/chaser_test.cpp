@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A ring that is put round a mooring chain, hauled along it to the anchor, brought back and taken
-/// off: stops, Euler's ratio, accounts, bits, refusals.
+/// A ring put around a mooring chain, hauled along it to the anchor, brought back and removed:
+/// stops, Euler's ratio, accounts, bits, rejected definitions.
 #include <hawser/catenary.h>
 #include <hawser/hawser.h>
 
@@ -81,7 +81,7 @@ struct Mooring {
             ASSERT_EQ(w.step(), Status::ok) << w.time() << " " << to_string(w.bad_load(), w);
         w.set_velocity(boat, {});
     }
-    /// Of the chain, with what the ring carries of it [kg].
+    /// Return the mass of the chain, including the part in the ring [kg].
     [[nodiscard]] double mass() {
         double sum = 0.0;
         for (const BodyId id : w.nodes(chain))
@@ -105,7 +105,7 @@ TEST(Chasers, RunAlongAChainToItsAnchorAndBack) {
     EXPECT_EQ(d.count(EventKind::join), 1);
     EXPECT_NEAR(d.get("at"), 17.5, 1.5);
     EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
-    // Out along the chain: it slides at Euler's ratio.
+    // Outwards along the chain: it slides at Euler's ratio.
     int slid = 0;
     double worst = 0.0;
     for (int i = 0; i < 200 && d.get("arrived") == 0.0; ++i) {
@@ -121,11 +121,12 @@ TEST(Chasers, RunAlongAChainToItsAnchorAndBack) {
     EXPECT_EQ(d.count(EventKind::range), 1);
     EXPECT_LT(d.get("left"), 2.0);
     EXPECT_GT(slid, 20);
-    // Rest lengths keep tensions where nodes come and go; what is kept is material, by its mass.
+    // Inserted and removed nodes keep tensions by changing rest lengths. The material, by its mass,
+    // is conserved.
     EXPECT_NEAR(d.get("at") + d.get("left"), length, 0.5);
     EXPECT_LT((d.w.pose(d.ring).position - d.w.pose(d.anchor).position).norm(), 2.0);
     EXPECT_NE(d.w.verdict().grade, Grade::wrong);
-    // And back.
+    // Inwards.
     d.haul(Vec3(-20.0 - d.w.pose(d.boat).position.x(), 0, 0), 150.0);
     EXPECT_LT(d.get("at"), 120.0);
     EXPECT_EQ(d.get("arrived"), 0.0);

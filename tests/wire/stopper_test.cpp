@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shark jaws and chain stoppers: take, hold, release, their loads against what pulls, bits,
-/// refusals.
+/// Shark jaws and chain stoppers: take, hold, release; their loads against the pulls; bits,
+/// rejected definitions.
 #include <hawser/hawser.h>
 
 #include "support/bits.h"
@@ -18,7 +18,7 @@ namespace {
 constexpr double kDeckEA = 2.33e8, kDeckDensity = 23.0;  // N, kg/m: wire of 76 mm
 constexpr double kDeckElement = 5.0;                     // m
 
-/// A wire without weight along x over a deck at z = 0, pulled at both ends.
+/// A weightless wire along x over a deck at z = 0, pulled at both ends.
 struct Deck {
     World w;
     BodyId ship{}, inboard{}, outboard{};
@@ -63,7 +63,7 @@ struct Deck {
             ASSERT_LT(w.stats().momentum_residual, 1e-8) << w.time();
         }
     }
-    /// Of lumps that are not the two weights [kg].
+    /// Return the mass of nodes other than the two weights [kg].
     [[nodiscard]] double mass() const {
         double sum = 0.0;
         for (const BodyId id : w.nodes(wire))
@@ -81,14 +81,14 @@ TEST(Stoppers, AJawTakesTheNearestPlaceHoldsBothWaysAndLetsGo) {
     d.run(0.1);
     EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::holding));
     EXPECT_EQ(d.get("jaw.held"), 1.0);
-    // The place next to the jaw, 38.2 m from the inboard end where the wire is not stretched.
+    // The position next to the jaw, 38.2 m of unstretched wire from the inboard end.
     EXPECT_NEAR(d.get("jaw.at"), 38.2, 0.1);
     ASSERT_EQ(d.count(EventKind::join), 1);
     const Event taken = d.w.event_extremes(EventKind::join).first;
     EXPECT_EQ(taken.interaction, d.w.find_interaction("jaw/hold"));
     EXPECT_NEAR(taken.value, 0.2, 1e-3) << "the wire lies 0.2 m beside the point";
     EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
-    // Outboard by 500 kN against 200 kN, then inboard: what is held is the difference.
+    // Outboard 500 kN against 200 kN, then inboard: the jaw holds the difference.
     for (const auto& [in, out] : {std::pair(2e5, 5e5), {6e5, 1e5}}) {
         d.pull(in, out);
         d.run(30.0);
@@ -114,7 +114,7 @@ TEST(Stoppers, OpenAboveTheirRatedLoad) {
     d.run(10.0);
     d.w.set_system_signal("jaw.close", 1.0);
     d.run(1.0);
-    for (int k = 1; k <= 39; ++k) {  // by and by: pulled at once the wire would swing beyond
+    for (int k = 1; k <= 39; ++k) {  // gradually: a sudden pull would make the wire overshoot
         d.pull(1e5, 1e5 + 1e4 * k);
         d.run(0.5);
     }
@@ -124,7 +124,7 @@ TEST(Stoppers, OpenAboveTheirRatedLoad) {
     ASSERT_EQ(d.count(EventKind::overload), 1);
     EXPECT_GT(d.w.event_extremes(EventKind::overload).first.value, 4e5);
     EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::tripped));
-    // Still closed, it takes nothing; opened and closed again it does.
+    // Still closed, it takes nothing; opened and closed again, it does.
     d.pull(1e5, 1e5);
     d.run(1.0);
     EXPECT_EQ(d.count(EventKind::join), 1);
@@ -146,7 +146,7 @@ TEST(Stoppers, SayWhereNothingIsWithinReach) {
     EXPECT_EQ(d.get("jaw.held"), 0.0);
 }
 
-/// Against paying out it holds; hauled in, the pawl falls behind each link.
+/// It holds against paying out; when hauled in, the pawl falls behind each link.
 TEST(Stoppers, AChainStopperLetsChainInAndNotOut) {
     Deck d({.pitch = 0.6});
     d.pull(1e5, 3e5);
@@ -163,7 +163,7 @@ TEST(Stoppers, AChainStopperLetsChainInAndNotOut) {
     EXPECT_GE(d.count(EventKind::join), 4) << "the pawl falls again and again";
     d.pull(1e5, 3e5);
     d.run(20.0);
-    // Back by less than two links, the pitch of the pawl, and what the wire gives.
+    // Back by less than two links, the pitch of the pawl, and the stretch of the wire.
     EXPECT_GT(d.w.pose(d.outboard).position.x() - held, in - 0.65);
     EXPECT_NEAR(d.get("jaw.load"), 2e5, 200.0);
     EXPECT_LE(d.w.nodes(d.wire).size(), 19U) << "nodes of earlier links have gone";
@@ -204,7 +204,7 @@ TEST(Stoppers, RefuseWhatCannotBe) {
     }
 }
 
-/// A node has one stopper: what comes second waits until the first has let go.
+/// A node has one stopper: the second one waits until the first has released it.
 TEST(Stoppers, DoNotHoldOneNodeTogether) {
     Deck d;
     d.pull(2e5, 2e5);
@@ -228,7 +228,7 @@ TEST(Stoppers, DoNotHoldOneNodeTogether) {
     d.w.set_system_signal("second.close", 1.0);
     d.run(0.1);
     EXPECT_EQ(d.get("second.state"), static_cast<double>(StopperState::holding));
-    // Farther along the wire both hold.
+    // Further along the wire both hold.
     second.name = "third";
     second.point = {5.0, 0, 1.0};
     d.w.add(second);
