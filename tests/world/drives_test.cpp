@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Motors, winches and driven lengths: the energy balance closes, forces beyond a motor's range
-/// are logged, the stiffness of a line follows its length.
+/// Motors, winches and driven lengths: the energy balance closes, forces beyond a motor's range are
+/// logged, the stiffness of a line depends on its length.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace hawser::test {
 namespace {
 
-/// What the balance of energy leaves unexplained between two states [J].
+/// Return the energy between two states that the balance leaves unexplained [J].
 double unexplained(const Energy& a, const Energy& b) {
     return b.mechanical() - a.mechanical() - (b.applied - a.applied) - (b.driven - a.driven) +
            (b.dissipated - a.dissipated);
@@ -24,7 +24,7 @@ InputId drive(World& w, InteractionId interaction, const char* param) {
     return w.add_input(def);
 }
 
-/// A mass hangs below a fairlead on a line from a drum, which a motor turns.
+/// A mass that hangs below a fairlead on a line from a drum, which a motor turns.
 struct Winch {
     Recipe recipe;
     BodyId drum, load;
@@ -46,8 +46,8 @@ Winch winch(double damping_time) {
     return w;
 }
 
-/// Vertical hauling is linear: without damping the scheme keeps energy exactly (A.2.3), so that
-/// the work of the motor must account for all of it.
+/// Vertical hauling is linear: without damping the scheme conserves energy exactly (A.2.3), so that
+/// the work of the motor must equal the change.
 TEST(Drives, AWinchThatHaulsAMassBalances) {
     const Winch parts = winch(0.0);
     World w = parts.recipe.make();
@@ -66,12 +66,12 @@ TEST(Drives, AWinchThatHaulsAMassBalances) {
     EXPECT_NEAR(end.driven - start.driven, Winch::kMass * 9.81 * lift, 1e3) << "of 25 kJ";
     EXPECT_EQ(end.applied, 0.0);
     EXPECT_EQ(end.dissipated, 0.0);
-    // What is left is the motor's compliance, 1e-12 rad/s/(N m), which takes λ²γ/h, and that the
-    // strain energy on the drum changes with the stiffness once a step: 3e-4 of the work measured.
+    // The rest is the loss in the motor's compliance, 1e-12 rad/s/(N m), of λ²γ/h, and the change
+    // of strain energy as the stiffness changes once per step. Measured: 3e-4 of the work.
     EXPECT_LT(std::abs(unexplained(start, end)), 1e-3 * (end.driven - start.driven));
 }
 
-/// A winch hauls in a line with damping: only the line's damping is left, and it takes energy.
+/// A winch hauls in a line with damping: only the loss of the line's damping is left.
 TEST(Drives, TheLinesDampingIsWhatIsLeft) {
     const Winch parts = winch(0.05);
     World w = parts.recipe.make();
@@ -84,8 +84,8 @@ TEST(Drives, TheLinesDampingIsWhatIsLeft) {
     for (int i = 0; i < 300; ++i) ASSERT_EQ(w.step(), Status::ok);
     const double left = unexplained(still, w.energy());
     EXPECT_LT(left, 0.0);
-    // A jerk to 0.8 m/s of 500 kg: 160 J are all that can oscillate and be damped, twice that with
-    // what the motor puts in during the jerk.
+    // A jerk of 500 kg to 0.8 m/s: at most 160 J can oscillate and be damped, twice that with the
+    // motor's work during the jerk.
     EXPECT_GT(left, -330.0);
 }
 
@@ -102,16 +102,16 @@ TEST(Drives, AHingeMotorThatLiftsABarBalances) {
     const Energy start = w.energy();
     for (int i = 0; i < 120; ++i) ASSERT_EQ(w.step(), Status::ok);
     const Energy end = w.energy();
-    const double angle = 0.5 * 120 / 60.0;  // of a turn that began at 0.25 rad
+    const double angle = 0.5 * 120 / 60.0;  // rotation from 0.25 rad on
     const double lift = 3.0 * 9.81 * 0.5 * (std::sin(0.25 + angle) - std::sin(0.25));
     EXPECT_NEAR(end.driven - start.driven, lift, 0.02 * lift)
         << "steady speed: all goes into height";
-    // The hinge lags by h²v²(1 + 2n)/4L (A.2.5), here 4e-5 m, and its damping takes energy.
+    // The hinge lags by h²v²(1 + 2n)/4L (A.2.5), here 4e-5 m, and its damping dissipates energy.
     EXPECT_LT(std::abs(unexplained(start, end)), 2e-3 * lift);
     (void)id;
 }
 
-/// A length that an input shortens step by step lifts the mass as a winch does.
+/// A length that an input shortens in each step lifts the mass like a winch.
 TEST(Drives, AShortenedLineBalancesAndKeepsItsStiffness) {
     Recipe r;
     const BodyId g = r.ground(), load = r.lump({0, 0, -20}, 500.0);
@@ -131,15 +131,15 @@ TEST(Drives, AShortenedLineBalancesAndKeepsItsStiffness) {
     const Energy end = w.energy();
     const double weight = 500.0 * 9.81;
     EXPECT_NEAR(-w.force(line)[0], weight, 1e-6);
-    // T L/EA with the length that is left: 5 m give 24.5 mm; the 20 m of the start gave 98.1 mm.
+    // T L/EA with the remaining length: 5 m give 24.5 mm; the 20 m of the start gave 98.1 mm.
     EXPECT_NEAR(w.violation(line)[0], weight * 5.0 / 1e6, 1e-9);
     EXPECT_LE(w.stats().stretch_error_max, 1e-9);
     const double left = unexplained(start, end), work = end.driven - start.driven;
-    // Lifted by 15 m less the stretch that is gone; the strain energy of the line goes with it.
+    // Lifted by 15 m less the change of stretch; the strain energy of the line decreases with it.
     const double stored = weight * (15.0 + 0.0981 - 0.0245) - 0.5 * weight * (0.0981 - 0.0245);
     EXPECT_NEAR(work + left, stored, 50.0);
-    // Lengths change in jumps, of which the row's damper τ EA/L knows nothing: it works against the
-    // whole shortening at w = 1 m/s. Integrated, τ w EA ln(20/5); the jerks add some per cent.
+    // Lengths change in jumps that are not in the rate of the row's damper τ EA/L: it works against
+    // the whole shortening at w = 1 m/s. Integrated, τ w EA ln(20/5); the jerks add some per cent.
     EXPECT_NEAR(left, -0.02 * 1e6 * std::log(4.0), 0.05 * 0.02 * 1e6 * std::log(4.0));
 }
 
@@ -159,7 +159,7 @@ TEST(Drives, AWinchLineIsAsStiffAsWhatIsPaidOut) {
     }
 }
 
-/// A carrier that rises steadily lifts the load that hangs on it.
+/// A carrier that rises at constant speed lifts the hanging load.
 TEST(Drives, ACarrierDoesTheWork) {
     Recipe r;
     const BodyId cart =
@@ -193,14 +193,16 @@ TEST(Drives, AppliedForceAndDragBalanceExactly) {
     (void)b;
 }
 
-/// A motor that holds less than the load weighs lets it down at (m g r − T) / (J + m r²).
+/// A motor weaker than the load lowers it at (m g r − T) / (J + m r²).
 TEST(Drives, AMotorAtTheEndOfItsRangeGivesWay) {
-    constexpr double kTorque = 1500.0;  // holding 500 kg takes 1962 N m
+    constexpr double kTorque = 1500.0;  // 500 kg need 1962 N m
     Winch parts = winch(0.05);
     parts.recipe.interactions[1].set("force_min", -kTorque).set("force_max", kTorque);
     World w = parts.recipe.make();
     const InputId speed = drive(w, parts.motor, "speed");
-    for (int i = 0; i < 120; ++i) ASSERT_EQ(w.step(), Status::ok);  // the line's ringing dies out
+    for (int i = 0; i < 120; ++i)
+        ASSERT_EQ(w.step(), Status::ok);  // the vibration of the line
+                                          // decays
     auto saturations = [&] {
         std::vector<Event> out;
         for (const Event& e : w.take_events())
@@ -217,14 +219,15 @@ TEST(Drives, AMotorAtTheEndOfItsRangeGivesWay) {
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_TRUE(saturations().empty()) << "it goes on, it does not begin";
     constexpr double m = Winch::kMass, r = Winch::kRadius;
-    // What is paid out stretches by T/EA, 0.4 %.
+    // The length paid out is stretched by T/EA, 0.4 %.
     const double strain = m * (9.81 - 4.2 * r) / Winch::kEA;
     const double exact = (m * 9.81 * r - kTorque) / (30.0 + m * r * r * (1.0 + strain));
     EXPECT_NEAR(w.velocity(parts.drum).linear.x() - before, exact, 1e-4 * exact);
     EXPECT_NEAR(std::abs(w.force(parts.motor)[0]), kTorque, 1e-9);
     const Energy end = w.energy();
     EXPECT_NEAR(unexplained(start, end) / (end.driven - start.driven), 0.0, 1e-3);
-    // A lighter load is held: the motor brings the drum to the speed asked for, with all it has.
+    // A lighter load is held: the motor accelerates the drum to the requested speed with its full
+    // torque.
     w.set_force(parts.load, {0, 0, 3000}, {0, 0, 0});
     w.set_input(speed, 0.5);
     for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok);
@@ -233,7 +236,7 @@ TEST(Drives, AMotorAtTheEndOfItsRangeGivesWay) {
     w.set_force(parts.load, {0, 0, 0}, {0, 0, 0});
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_GE(saturations().size(), 1U) << "it began anew";
-    // A restored world does not report again what had begun before, and goes on alike.
+    // A restored world does not report an earlier event again, and continues equally.
     World again = parts.recipe.make();
     (void)drive(again, parts.motor, "speed");
     again.restore(w.save());
