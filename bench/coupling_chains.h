@@ -6,12 +6,12 @@
 
 namespace hawser::bench::split {
 
-/// Two bodies with kinematic coupling: the stiffness from which they are unstable, found by
-/// bisection, beside that of the theory. Printed. @param cases  How many, at most six.
+/// Find the stiffness from which two bodies with kinematic coupling are unstable, by bisection, and
+/// compare it with theory. Prints. @param cases  Number of cases, at most six.
 nlohmann::ordered_json two_body_boundaries(int cases = 6);
 
-/// Twelve bodies in a chain, cut in the middle or beside a heavy one: largest spectral radius for
-/// stiffnesses k h²/m from 1 to 1e6, by coupling and predictor. Printed.
+/// Compute the largest spectral radius of twelve bodies in a chain, by coupling and predictor. The
+/// chain is cut in the middle or beside a heavy body; stiffnesses k h²/m are 1 to 1e6. Prints.
 nlohmann::ordered_json chain_predictors();
 
 }  // namespace hawser::bench::split

@@ -14,8 +14,9 @@
 namespace hawser::bench {
 
 inline constexpr int kDeadlinePhases = 3;
-inline constexpr int kUncountedSteps = 60;  ///< Of a run: nothing is warm.
-inline constexpr int kExactRow = 10;        ///< Exact steps in a row that count as exact again.
+inline constexpr int kUncountedSteps = 60;  ///< Steps at the start of a run before memory is warm.
+inline constexpr int kExactRow = 10;        ///< Number of exact steps in sequence that counts as a
+                                            ///< return to exact steps.
 inline constexpr const char* kPhaseNames[kDeadlinePhases] = {"before", "load", "after"};
 
 struct DeadlineOptions {
@@ -25,7 +26,7 @@ struct DeadlineOptions {
     int stacks = 135, steps = 300, threads = 1;
 };
 
-/// What a phase of a run took and left.
+/// Times and errors of a phase of a run.
 struct PhaseFigures {
     std::vector<double> cpu, wall, map;  ///< [ms], [ms], [1]
     int contacts = 0, degraded = 0;
@@ -39,17 +40,18 @@ struct PhaseFigures {
 
 struct DeadlineRun {
     std::array<PhaseFigures, kDeadlinePhases> phase;
-    std::vector<Degradation> left_out;  ///< By step.
+    std::vector<Degradation> left_out;  ///< Degradation of each step.
     report::Degradations log;
-    std::vector<Vec3> at_end_of_load;  ///< Where boxes were.
+    std::vector<Vec3> at_end_of_load;  ///< Positions of the boxes.
     std::uint64_t hash = 0;
     double step = 0.0;     ///< h [s]
-    int exact_after = -1;  ///< Steps until the first of kExactRow exact ones in a row.
-    /// Steps beyond the budget: in which something was analysed; of one iteration; of more.
+    int exact_after = -1;  ///< Steps until the first of kExactRow exact steps in sequence.
+    /// Steps beyond the budget: with an analysis; with one iteration; with more.
     int late_analysis = 0, late_one = 0, late_more = 0;
 };
 
-/// @param repeat  Degradations to impose; null: what the budget says, 0 being none [ms].
+/// Run. @param repeat  Degradations to impose; null: those of the budget. @param budget_ms  0: none
+/// [ms].
 [[nodiscard]] DeadlineRun run_deadline(const DeadlineOptions& options, double budget_ms,
                                        const DeadlineRun* repeat);
 

@@ -8,7 +8,7 @@
 namespace hawser::bench {
 namespace {
 
-/// With the matrix permuted beforehand and its upper triangle stored, Eigen copies nothing.
+/// With the matrix permuted before and its upper triangle stored, Eigen makes no copy.
 class EigenSolver final : public ScalarSolver {
   public:
     explicit EigenSolver(Order order) : ScalarSolver(order, Triangle::upper) {}

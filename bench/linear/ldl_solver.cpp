@@ -13,7 +13,7 @@ extern "C" {
 namespace hawser::bench {
 namespace {
 
-/// LDL (T. Davis), up-looking; the matrix is permuted beforehand, its upper triangle is read.
+/// LDL (T. Davis), up-looking; the matrix is permuted before, and its upper triangle is read.
 class LdlSolver final : public ScalarSolver {
   public:
     explicit LdlSolver(Order order) : ScalarSolver(order, Triangle::upper) {}
@@ -81,7 +81,7 @@ class LdlSolver final : public ScalarSolver {
   private:
     std::vector<int> start_, parent_, count_, pattern_, flag_, row_;
     std::vector<double> value_, d_, y_;
-    // Of its own analysis.
+    // Matrix of its own analysis.
     Permuted full_;
     std::vector<int> own_order_, own_place_, own_start_, own_parent_, own_count_, own_flag_,
         own_row_;

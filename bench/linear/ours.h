@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file ours.h
-/// Our factorisation as one of the solvers compared, and in steps whose times can be told apart.
+/// Hawser's factorisation as one of the compared solvers, and in separate steps for timing.
 
 #include "factor/numeric.h"
 #include "factor/repair.h"
@@ -14,29 +14,29 @@
 
 namespace hawser::bench {
 
-/// Writes the values of a few fronts just before it factors them, and goes on with the substitution
-/// while they are in cache, as a time step does.
+/// Writes the values of a few fronts just before it factors them, and continues with the
+/// substitution while they are in cache, like a time step.
 class Ours final : public Solver {
   public:
     explicit Ours(Order order) : analysis_(planner(order)) {}
 
     void analyse(const Input& input, base::Executor& executor) override;
-    /// Nodes keep their numbers; all that the analysis needs to know is in the pattern.
+    /// Nodes keep their numbers; the pattern has all data of the analysis.
     void update(const Input& input, const std::vector<int>& changed,
                 base::Executor& executor) override;
-    /// The two halves of analyse() and of update(): order and structure, then where each block is
-    /// written.
+    /// Compute order and structure: the first part of analyse() and update(). The second part finds
+    /// the address of each block.
     void plan(const Input& input, base::Executor& executor);
     void repair(const Input& input, base::Executor& executor);
     void find_places(base::Executor& executor);
 
-    /// The values are written as the fronts are factored.
+    /// Do nothing: values are written as the fronts are factored.
     void refresh(const Input& input, base::Executor& executor) override;
     void factor(base::Executor& executor) override;
     void factor_and_begin(std::vector<double>& x, base::Executor& executor) override;
     void finish(std::vector<double>& x, base::Executor& executor) override;
     void solve(std::vector<double>& x, base::Executor& executor) override;
-    /// All values by themselves. The factor is lost.
+    /// Write all values separately. The factor is lost.
     void write_values() noexcept;
     [[nodiscard]] double factor_nnz() const override {
         return static_cast<double>(symbolic_.factor_nnz);
@@ -59,9 +59,9 @@ class Ours final : public Solver {
     const factor::Symbolic& symbolic_ = analysis_.symbolic();
     factor::Numeric numeric_;
     std::vector<BlockWrite> ops_;
-    std::vector<Placer::Range> piece_ops_;  ///< Of each piece: begin, end.
+    std::vector<Placer::Range> piece_ops_;  ///< Begin and end for each piece.
     Input input_;
-    std::vector<std::int32_t> place_;  ///< Of each permuted scalar in the form.
+    std::vector<std::int32_t> place_;  ///< Index in the form of each permuted scalar.
     std::vector<double> x_;
     Placer placer_;
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Ours through hawser/factor.h: blocks are written into an array of values, which factor() copies
-/// to where it wants them.
+/// Hawser through hawser/factor.h: blocks are written to an array of values, which factor() copies.
 #include "index.h"
 #include "linear/solver.h"
 
@@ -58,7 +57,7 @@ class PublicSolver final : public Solver {
     static void check(Status status) {
         if (status != Status::ok) throw std::runtime_error(to_string(status));
     }
-    /// The form has the columns of a block next to each other. So its rows are taken for columns.
+    /// The form stores the columns of a block contiguously, so that its rows are used as columns.
     void find_pattern(const BlockForm& form) {
         pattern_.size = form.pattern.size;
         pattern_.sign = form.pattern.sign;

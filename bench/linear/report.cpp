@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Ours with the same number of threads, or null.
+/// Return the result of Hawser with an equal number of threads, or null.
 const Result* ours(const std::vector<Result>& results, int threads) {
     for (const Result& r : results)
         if (r.library == "hawser" && r.threads == threads) return &r;
@@ -72,8 +72,8 @@ json result_json(const Result& r) {
 void print_memory(const ProblemReport& report) {
     for (const Result& r : report.best) {
         if (r.library != "hawser" || r.threads != 1) continue;
-        // The panels are written when values come and when L is stored, and each of the two
-        // solutions reads L twice.
+        // The panels are written with the values and with L, and each of the two solutions reads L
+        // twice.
         const double l = 8.0 * r.factor_nnz;
         fmt::print(
             "  hawser: {:.0f} B/body; {:.1f} ns/body; L {:.2f} MB; factor writes L at "
@@ -159,7 +159,7 @@ void print_thread_gain(const std::vector<ProblemReport>& reports) {
                     one.total / many.total, gain);
                 gains[one.library].emplace_back(p.scalars, gain > 1.1);
             }
-    // The smallest matrix from which on every larger one gains 10 % or more.
+    // Find the smallest matrix from which on every larger one gains 10 % or more.
     for (auto& [library, list] : gains) {
         std::sort(list.begin(), list.end());
         auto from = list.end();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file factors.h
-/// What a partition is worth to the solver: factorisation and solution with its separators last.
+/// Benefit of a partition for the solver: factorisation and solution with its separators last.
 
 #include "partition/cases.h"
 
@@ -11,16 +11,17 @@
 
 namespace hawser::bench {
 
-/// Time of a factorisation and a solution by hawser/factor.h [s]; of many by turns the tenth of
-/// the samples that nothing disturbed.
+/// Time of a factorisation and a solution by hawser/factor.h [s]: the first decile of many samples
+/// in turns.
 struct FactorTimes {
     int threads = 1;
-    double ours = 0.0;   ///< Separators of our parts last.
-    double metis = 0.0;  ///< Those of METIS's.
+    double ours = 0.0;   ///< Separators of Hawser's parts last.
+    double metis = 0.0;  ///< Separators of METIS's parts last.
     double amd = 0.0;    ///< AMD's order, without parts.
 };
 
-/// For one thread and two, printed; empty without METIS. @param turns  Of twenty each.
+/// Measure and print times for one thread and two; empty without METIS. @param turns  Number of
+/// turns of twenty each.
 [[nodiscard]] std::vector<FactorTimes> compare_factors(const PartCase& c, int parts, int turns);
 [[nodiscard]] nlohmann::json factor_json(const std::vector<FactorTimes>& times);
 

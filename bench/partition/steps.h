@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file steps.h
-/// What a partition is worth in time: factorisations with its separators last, and whole steps
-/// with its cuts coupled by compliance, under our parts and those of METIS by turns.
+/// Benefit of a partition in time: factorisations with its separators last, and whole steps with
+/// its cuts coupled by compliance, for Hawser's parts and METIS's in turns.
 
 #include <nlohmann/json_fwd.hpp>
 

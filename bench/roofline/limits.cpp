@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kChains = 10;  // latency of 4 cycles, two units: 8 at least
 
-// The loops for one instruction set. Constants come from memory, so that nothing is known when
-// this is compiled.
+// The loops for one instruction set. Constants come from memory, so that the compiler does not know
+// them.
 #define HAWSER_LOOPS(isa, attribute, width)                                                   \
     namespace isa {                                                                           \
     typedef double V __attribute__((vector_size(width), aligned(8), may_alias));              \
@@ -69,7 +69,7 @@ Loops loops() {
     }
 }
 
-/// Most of something done per second of processor time, of several tries.
+/// Return the largest number per second of processor time, of several tries.
 template <class F>
 double best_rate(double amount, F&& once) {
     constexpr double kTry = 0.01;  // [s]

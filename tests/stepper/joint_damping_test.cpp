@@ -14,7 +14,7 @@ namespace {
 /// Links along x, 1 mm off the line to either side, and the force on them.
 struct Chain {
     int links = 40;
-    double length = 2.0, mass = 50.0;  ///< Of a link [m, kg].
+    double length = 2.0, mass = 50.0;  ///< Length and mass of a link [m, kg].
     double force = 5e5, off = 1e-3;    ///< [N, m]
 };
 

@@ -173,7 +173,7 @@ TEST(Slides, GoTheShortestWayWithoutFriction) {
     std::printf("angles to the edge: %.9f and %.9f rad\n", b[0], b[1]);
     EXPECT_NEAR(b[0], b[1], 1e-6);
     EXPECT_NEAR(d.get("along"), Stern::kFore / std::tan(b[0]), 0.05);
-    // Of all positions along the edge this one has the shortest path between the nodes.
+    // This position has the shortest path between the nodes of all along the edge.
     EXPECT_EQ(d.w.verdict().grade, Grade::good);
 }
 
