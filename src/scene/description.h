@@ -20,6 +20,7 @@
 #include "scene/frame.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -85,6 +86,15 @@ struct CableWater {
     Place place{};
 };
 
+/// An item of a section (sections.h): a system that is added to the world last.
+struct SectionItem {
+    std::string name{};    ///< Full name in copy 0.
+    std::string prefix{};  ///< Prefix of all names in its copy of the scene; "" in copy 0.
+    Place place{};
+    /// Add the system. Names that it refers to begin with `prefix`. @throws DefError.
+    std::function<void(World&, const std::string& prefix, const std::string& name)> add;
+};
+
 /// An input of a signal.
 struct Lever {
     SignalInput input;
@@ -116,6 +126,7 @@ class Description {
     std::vector<Crane> cranes;
     std::vector<DeckGear::Item<VesselDef>> vessels;
     std::vector<Lever> levers;
+    std::vector<SectionItem> sections;
     std::vector<CableWater> waters;  ///< Cables that are in water if the scene has a sea.
     std::optional<SeaDef> sea;       ///< The sea; its lines are in `waters`.
     Place sea_place;

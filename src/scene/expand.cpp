@@ -3,6 +3,7 @@
 #include "scene/counts.h"
 #include "scene/deck.h"
 #include "scene/description.h"
+#include "scene/sections.h"
 #include "scene/vessels.h"
 
 #include <fmt/format.h>
@@ -61,6 +62,7 @@ class Expander {
                 expand_segments(out_, item.scope);
                 expand_interactions(out_, item.scope);
                 expand_inputs(out_, item.scope);
+                expand_sections(out_, item.scope);
             });
         }
         // Outputs of the scene itself may name parts of its instances.
@@ -206,7 +208,7 @@ class Expander {
     Json filled_lists(const Json& definition, const Json& parameters, const InstanceScope& inner) {
         Json content = Json::object();
         const Format& f = format();
-        const std::pair<const char*, const Shape*> lists[] = {
+        std::vector<std::pair<const char*, const Shape*>> lists{
             {"bodies", f.bodies.get()},     {"instances", f.instances.get()},
             {"cables", f.cables.get()},     {"winches", f.winches.get()},
             {"guides", f.guides.get()},     {"posts", f.posts.get()},
@@ -215,6 +217,8 @@ class Expander {
             {"cranes", f.cranes.get()},     {"vessels", f.vessels.get()},
             {"routes", f.routes.get()},     {"interactions", f.interactions.get()},
             {"inputs", f.inputs.get()},     {"outputs", f.outputs.get()}};
+        for (std::size_t i = 0; i < sections().size(); ++i)
+            lists.emplace_back(sections()[i].key, f.sections[i].get());
         const bool filled = with_note(out_.mistakes, inner.note, [&] {
             for (const auto& [key, shape] : lists) {
                 if (definition.contains(key)) {

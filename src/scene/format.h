@@ -10,6 +10,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace hawser::scene {
 
@@ -51,6 +52,7 @@ struct Format {
     ShapePtr instances;
     ShapePtr inputs;
     ShapePtr outputs;
+    std::vector<ShapePtr> sections;  ///< Lists of sections(), in their order (sections.h).
 };
 
 [[nodiscard]] const Format& format();
