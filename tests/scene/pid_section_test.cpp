@@ -90,9 +90,9 @@ TEST(PidSection, WorksInTemplatesAndCopies) {
 
 TEST(PidSection, RefusesWithPlaceAndNearestName) {
     EXPECT_EQ(refused(with(kPid, "\"line\"", "\"lime\"")),
-              "/pids/0/measured: there is no interaction \"lime\"; nearest: \"line\"");
+              "/pids/0/measured: there is no interaction \"lime\"; did you mean \"line\"?");
     EXPECT_EQ(refused(with(kPid, "\"speed\"", "\"sped\"")),
-              "/pids/0/input: there is no input \"sped\"; nearest: \"speed\"");
+              "/pids/0/input: there is no input \"sped\"; did you mean \"speed\"?");
     EXPECT_EQ(refused(with(kPid, "\"low\": -2", "\"low\": 3")),
               "/pids/0/low: must be less than \"high\"");
     EXPECT_NE(refused(with(kPid, "\"gain\"", "\"gane\"")).find("gane"), std::string::npos);
