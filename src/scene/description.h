@@ -279,6 +279,9 @@ void keep_water(Description& out, const CableWater& water);
 void add_sea(World& world, const Description& from);
 /// Read the outputs of one scope. All interactions must have been read (outputs.cpp).
 void expand_outputs(Description& out, const Scope& scope);
+/// Read the sections of one scope. All interactions and inputs of the scope have been read
+/// (sections.cpp).
+void expand_sections(Description& out, const Scope& scope);
 /// Return the definition of an output for the world. The tension of all elements of a cable becomes
 /// that of its wire, whose number of elements can change. @param world  World with the wires of the
 /// scene.

@@ -3,7 +3,6 @@
 #include "scene/counts.h"
 #include "scene/deck.h"
 #include "scene/description.h"
-#include "scene/sections.h"
 #include "scene/vessels.h"
 
 #include <fmt/format.h>
@@ -217,8 +216,8 @@ class Expander {
             {"cranes", f.cranes.get()},     {"vessels", f.vessels.get()},
             {"routes", f.routes.get()},     {"interactions", f.interactions.get()},
             {"inputs", f.inputs.get()},     {"outputs", f.outputs.get()}};
-        for (std::size_t i = 0; i < sections().size(); ++i)
-            lists.emplace_back(sections()[i].key, f.sections[i].get());
+        for (std::size_t i = 0; i < section_formats().size(); ++i)
+            lists.emplace_back(section_formats()[i].key, f.sections[i].get());
         const bool filled = with_note(out_.mistakes, inner.note, [&] {
             for (const auto& [key, shape] : lists) {
                 if (definition.contains(key)) {

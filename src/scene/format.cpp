@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/format.h"
-#include "scene/sections.h"
 
 #include <string>
 
@@ -136,9 +135,9 @@ ShapePtr scene_template(const Format& format) {
         {"outputs", with_placeholders(format.outputs), false, "", "", "Outputs."},
         {"instances", with_placeholders(format.instances), false, "", "",
          "Templates used inside."}};
-    for (std::size_t i = 0; i < sections().size(); ++i)
-        fields.push_back({sections()[i].key, with_placeholders(format.sections[i]), false, "", "",
-                          sections()[i].doc});
+    for (std::size_t i = 0; i < section_formats().size(); ++i)
+        fields.push_back({section_formats()[i].key, with_placeholders(format.sections[i]), false,
+                          "", "", section_formats()[i].doc});
     return object("template", "a template", "A reusable group of bodies, such as a crane.",
                   std::move(fields));
 }
@@ -230,8 +229,9 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
                   false, "", "m", "Lower and upper corner of what is shown."}}),
          false, "", "", "Pictures."}};
     fields.insert(fields.end(), more.begin(), more.end());
-    for (std::size_t i = 0; i < sections().size(); ++i)
-        fields.push_back({sections()[i].key, f.sections[i], false, "", "", sections()[i].doc});
+    for (std::size_t i = 0; i < section_formats().size(); ++i)
+        fields.push_back(
+            {section_formats()[i].key, f.sections[i], false, "", "", section_formats()[i].doc});
     return object("scene", "a scene", "A scene file.", std::move(fields));
 }
 
@@ -255,7 +255,7 @@ Format make_format() {
     f.instances = list_of("a list of instances", instance());
     f.inputs = list_of("a list of inputs", input_shape());
     f.outputs = list_of("a list of outputs", output_shape());
-    for (const Section& section : sections())
+    for (const SectionFormat& section : section_formats())
         f.sections.push_back(list_of(std::string("a list of ") + section.entries, section.shape()));
     const auto common = common_fields(f.line_type, scene_template(f));
     f.scene = scene_file(f, common);
@@ -270,6 +270,15 @@ Format make_format() {
 }
 
 }  // namespace
+
+std::span<const SectionFormat> section_formats() {
+    static constexpr SectionFormat kFormats[] = {
+#define HAWSER_SECTION_FORMAT(key, item, entries, doc) {#key, entries, doc, item##_shape},
+        HAWSER_SCENE_SECTIONS(HAWSER_SECTION_FORMAT)
+#undef HAWSER_SECTION_FORMAT
+    };
+    return kFormats;
+}
 
 const Format& format() {
     static const Format instance = make_format();

@@ -6,9 +6,11 @@
 
 #include <hawser/settings.h>
 
+#include "scene/section_list.h"
 #include "scene/shape.h"
 
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,8 +54,20 @@ struct Format {
     ShapePtr instances;
     ShapePtr inputs;
     ShapePtr outputs;
-    std::vector<ShapePtr> sections;  ///< Lists of sections(), in their order (sections.h).
+    std::vector<ShapePtr> sections;  ///< Lists of section_formats(), in their order.
 };
+
+/// Format of a section: a list of systems (sections.h).
+struct SectionFormat {
+    const char* key;      ///< Key of the list.
+    const char* entries;  ///< Entries in words.
+    const char* doc;
+    ShapePtr (*shape)();  ///< Shape of an entry.
+};
+[[nodiscard]] std::span<const SectionFormat> section_formats();
+#define HAWSER_SECTION_SHAPE(key, item, entries, doc) [[nodiscard]] ShapePtr item##_shape();
+HAWSER_SCENE_SECTIONS(HAWSER_SECTION_SHAPE)
+#undef HAWSER_SECTION_SHAPE
 
 [[nodiscard]] const Format& format();
 /// Keys of the outermost object of a scene, a part and a state.

@@ -9,24 +9,29 @@
 namespace hawser::scene {
 namespace {
 
-constexpr Section kSections[] = {
-    {"pids", "controllers", "PID controllers from a force to an input.", pid_shape, read_pid},
+using ReadEntry = SectionItem (*)(const Description& out, const Scope& scope, const Json& json,
+                                  const Place& place);
+/// In the order of section_formats().
+constexpr ReadEntry kReaders[] = {
+#define HAWSER_SECTION_ENTRY(key, item, entries, doc) read_##item,
+    HAWSER_SCENE_SECTIONS(HAWSER_SECTION_ENTRY)
+#undef HAWSER_SECTION_ENTRY
 };
 
 }  // namespace
 
-std::span<const Section> sections() { return kSections; }
-
 void expand_sections(Description& out, const Scope& scope) {
-    for (const Section& section : kSections) {
-        const auto list = scope.content->find(section.key);
+    const auto formats = section_formats();
+    for (std::size_t k = 0; k < formats.size(); ++k) {
+        const char* key = formats[k].key;
+        const auto list = scope.content->find(key);
         if (list == scope.content->end()) continue;
         for (std::size_t i = 0; i < list->size(); ++i) {
             const Json& json = (*list)[i];
             if (json.is_null()) continue;  // Left out: mistakes.h.
-            const Place place = scope.place / section.key / i;
+            const Place place = scope.place / key / i;
             (void)attempt(out.mistakes, [&] {
-                SectionItem item = section.read(out, scope, json, place);
+                SectionItem item = kReaders[k](out, scope, json, place);
                 item.name = scope.prefix + json["name"].get<std::string>();
                 item.place = place;
                 const auto same = [&](const SectionItem& other) { return other.name == item.name; };

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file sections.h
-/// Registry of scene sections: lists of systems that need no code elsewhere in the reader.
+/// Sections: lists of systems that need no code elsewhere in the reader.
 ///
-/// A section is one entry of kSections (sections.cpp). From it follow the format, the schema, the
-/// reference page, templates, copies ("repeat") and the world:
+/// A section is one line of section_list.h. From it follow the format, the schema, the reference
+/// page, templates, copies ("repeat") and the world:
 /// ```
-///   scene file --shape()--> checked JSON --read()--> SectionItem --add(world)--> system
+///   scene file --item_shape()--> checked JSON --read_item()--> SectionItem --add(world)--> system
 /// ```
 /// Items refer to bodies, interactions and inputs by full name. A copy of the scene only has
 /// another prefix. Items are added last, so that all other parts of the scene exist.
 ///
-/// A new system with scene keys needs two files: its header, and a source with its section; and one
-/// line in kSections. pids.cpp is the worked example.
+/// A new system with scene keys needs two files, its header and a source with its section, and the
+/// line in section_list.h. pids.cpp is the worked example.
 
 #include <hawser/world.h>
 
 #include "scene/description.h"
 #include "scene/format.h"
+#include "scene/section_list.h"
 
 #include <span>
 #include <string>
@@ -26,22 +27,6 @@
 
 namespace hawser::scene {
 
-struct Section {
-    const char* key;      ///< Key of the list in a scene and in a template.
-    const char* entries;  ///< Entries in words, for messages: "controllers".
-    const char* doc;      ///< One sentence for the reference page.
-    /// Return the shape of an entry.
-    ShapePtr (*shape)();
-    /// Read an entry. Names that it refers to are resolved in its scope and checked.
-    /// @throws SceneError.
-    SectionItem (*read)(const Description& out, const Scope& scope, const Json& json,
-                        const Place& place);
-};
-
-[[nodiscard]] std::span<const Section> sections();
-
-/// Read all sections of one scope. All interactions and inputs of the scope have been read.
-void expand_sections(Description& out, const Scope& scope);
 /// Add the items to a world in which all other parts exist.
 void add_sections(World& world, const Description& from);
 
@@ -79,9 +64,12 @@ void read_numbers(Def& def, const Json& json, std::span<const SectionNumber<Def>
 [[nodiscard]] std::string input_name(const Description& out, const Scope& scope, const Json& json,
                                      const char* key, const Place& place);
 
-// --- Entries of kSections -------------------------------------------------------------------
-[[nodiscard]] ShapePtr pid_shape();
-[[nodiscard]] SectionItem read_pid(const Description& out, const Scope& scope, const Json& json,
-                                   const Place& place);
+// Readers of entries. Names that an entry refers to are resolved in its scope and checked.
+// @throws SceneError.
+#define HAWSER_SECTION_READER(key, item, entries, doc)                                \
+    [[nodiscard]] SectionItem read_##item(const Description& out, const Scope& scope, \
+                                          const Json& json, const Place& place);
+HAWSER_SCENE_SECTIONS(HAWSER_SECTION_READER)
+#undef HAWSER_SECTION_READER
 
 }  // namespace hawser::scene
