@@ -12,7 +12,7 @@
 
 namespace hawser::vessel {
 
-/// What an actuator did in a step.
+/// Limit that an actuator met in a step.
 struct Limit {
     bool met = false;
     double value = 0.0;
@@ -53,7 +53,7 @@ class Propulsor {
                                       double& along) const noexcept;
     [[nodiscard]] Wrench force(const PropulsorState& s, const Flow& flow) const noexcept;
     /// Return the power that it would take in a step without a bus [W].
-    /// @param rated  Of an ideal one at full order.
+    /// @param rated  Power of an ideal one at full order.
     [[nodiscard]] double demand(const PropulsorState& s, const Flow& flow,
                                 double rated) const noexcept;
     /// From one step to the next. `turn` and `power` are limits that begin.

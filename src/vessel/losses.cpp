@@ -16,7 +16,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kLeastDepth = -0.48, kMostDepth = 1.3;  ///< Of the formula, over the radius.
+constexpr double kLeastDepth = -0.48, kMostDepth = 1.3;  ///< Range of the formula, over the radius.
 
 }  // namespace
 

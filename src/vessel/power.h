@@ -35,7 +35,7 @@ class PowerBus {
     [[nodiscard]] double rated(std::size_t propulsor) const noexcept;
     /// Set the power that a propulsor would take at its shaft [W].
     void demand(std::size_t propulsor, double power) noexcept;
-    /// Compute all grants. Reports what was shed and what failed since the last step.
+    /// Compute all grants. Reports sheddings and failures that begin.
     void grant(Prestep& now, BodyId body) noexcept;
     /// Return the power that a propulsor may take at its shaft, 1e300 without a bus [W].
     [[nodiscard]] double granted(std::size_t propulsor) const noexcept;

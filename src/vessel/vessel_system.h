@@ -39,7 +39,7 @@ namespace hawser::vessel {
 class VesselSystem final : public System {
   public:
     /// The definition has been checked. @param mass, inertia  Of the body.
-    /// @param surface  Of the water over its propulsors.
+    /// @param surface  Surface of the water over its propulsors.
     VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface surface);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
