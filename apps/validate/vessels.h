@@ -20,5 +20,7 @@ void case_vessel_kvlcc2(Report& report);
 void case_vessel_mariner(Report& report);
 void case_vessel_s175(Report& report);
 void case_vessel_esso(Report& report);
+// vessels_propulsion.cpp
+void case_vessel_propulsion(Report& report);
 
 }  // namespace hawser::validate
