@@ -47,6 +47,8 @@ struct Format {
     ShapePtr chasers;
     ShapePtr cranes;
     ShapePtr vessels;
+    ShapePtr anchors;
+    ShapePtr stability;
     ShapePtr routes;
     ShapePtr instances;
     ShapePtr inputs;
@@ -83,6 +85,9 @@ struct Format {
 [[nodiscard]] ShapePtr crane_load_shape();
 /// What sails. See format_vessels.cpp.
 [[nodiscard]] ShapePtr vessel_shape();
+/// Anchors in the soil, and gauges of ships with towlines. See format_anchors.cpp.
+[[nodiscard]] ShapePtr anchor_shape();
+[[nodiscard]] ShapePtr stability_shape();
 /// The sea, and what a line type says of water. See format_sea.cpp.
 [[nodiscard]] ShapePtr sea_shape();
 /// An entry of "hulls" (format_hulls.cpp).

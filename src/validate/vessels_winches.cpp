@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Heave compensation and overload protection of winches.
+#include "validate/tools.h"
+#include "validate/vessels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace hawser::validate {
+namespace {
+
+constexpr double kAidStep = 1.0 / 60.0;
+
+WinchDef aided_winch(WireId wire) {
+    return {.name = "winch",
+            .wire = wire,
+            .core_radius = 0.6,
+            .width = 2.0,
+            .wire_diameter = 0.05,
+            .mass_per_length = 10.0,
+            .element = 0.0,
+            .stored = 600.0,
+            .inertia = 2e4,
+            .motor_inertia = 2e4};
+}
+
+/// Return the amplitude of a load of 20 t below a ship that heaves by 1.5 m.
+double load_heave(double frequency, WinchMode mode, double most_speed) {
+    constexpr double kHeave = 1.5, kHigh = 60.0;
+    World w{WorldDef{.step = kAidStep}};
+    const BodyId ship =
+        w.add_body({.name = "ship", .kind = BodyKind::kinematic, .position = {0, 0, kHigh}});
+    const BodyId load =
+        w.add_body({.name = "load", .kind = BodyKind::lump, .position = {0, 0, 0}, .mass = 20e3});
+    const WireId wire = w.add_wire({.name = "wire",
+                                    .from = ship,
+                                    .to = load,
+                                    .elements = 1,
+                                    .length = kHigh / (1.0 + 20e3 * kGravity / 2e8),
+                                    .EA = 2e8,
+                                    .mass_per_length = 10.0});
+    WinchDef def = aided_winch(wire);
+    def.mode = mode;
+    def.heave_speed = most_speed;
+    w.add(def);
+    double low = 1e300, high = -1e300;
+    for (int i = 0; i < 120 * 60; ++i) {
+        const double omega = 2.0 * kPi * frequency, ramp = std::min(w.time() / 20.0, 1.0);
+        w.set_velocity(
+            ship,
+            {Vec3(0, 0, ramp * kHeave * omega * std::cos(omega * (w.time() + 0.5 * kAidStep))),
+             Vec3::Zero()});
+        advance(w, 1);
+        if (w.time() < 60.0) continue;
+        low = std::min(low, w.pose(load).position.z());
+        high = std::max(high, w.pose(load).position.z());
+    }
+    return 0.5 * (high - low) / kHeave;
+}
+
+void report_heave(Report& report) {
+    for (const double frequency : {0.05, 0.1, 0.2})
+        report.compare(
+            fmt::format("heave compensation, {:g} Hz: residual heave of the load [1]", frequency),
+            {0.0}, {load_heave(frequency, WinchMode::heave, 4.0)}, frequency > 0.1 ? 0.1 : 0.02,
+            "of the ship's heave", 1.0);
+    const double held = load_heave(0.1, WinchMode::brake, 4.0);
+    report.compare("brake, 0.1 Hz: heave of the load [1]", {1.0}, {held}, 0.1,
+                   "it follows the ship");
+    // 1.5 m at 0.1 Hz needs 0.94 m/s.
+    const double slow = load_heave(0.1, WinchMode::heave, 0.3);
+    report.compare("heave compensation limited to 0.3 m/s: residual heave is larger", {1.0},
+                   {slow > 0.4 ? 1.0 : 0.0}, 0.0, "it lacks two thirds of the speed", 1.0);
+}
+
+/// A winch ashore holds a ship that surges and drifts off.
+struct Overloaded {
+    double worst = 0.0, out = 0.0, peak = 0.0;  ///< |T/limit − 1| while it pays out; [m], [N].
+    bool parted = false;
+};
+
+Overloaded overload(WinchMode mode, double limit, double surge, double drift) {
+    constexpr double kBreaks = 1.3e6, kFar = 300.0;
+    World w{WorldDef{.step = kAidStep}};
+    const BodyId shore = w.add_body({.name = "shore", .kind = BodyKind::fixed});
+    const BodyId ship =
+        w.add_body({.name = "ship", .kind = BodyKind::kinematic, .position = {kFar, 0, 0}});
+    const WireId wire = w.add_wire({.name = "wire",
+                                    .from = shore,
+                                    .to = ship,
+                                    .elements = 1,
+                                    .length = kFar,
+                                    .EA = 1e8,
+                                    .mass_per_length = 10.0,
+                                    .breaking_load = kBreaks});
+    WinchDef def = aided_winch(wire);
+    def.mode = mode;
+    def.overload_limit = limit;
+    def.brake_static = 5e6;
+    w.add(def);
+    Overloaded out;
+    for (int i = 0; i < 100 * 60; ++i) {
+        const double omega = 2.0 * kPi * 0.12, t = w.time() + 0.5 * kAidStep;
+        w.set_velocity(ship,
+                       {Vec3(drift + surge * omega * std::sin(omega * t), 0, 0), Vec3::Zero()});
+        advance(w, 1);
+        out.parted = out.parted || !w.intact(w.elements(wire).front());
+        const double pull = tension(w, w.elements(wire).front());
+        out.peak = std::max(out.peak, pull);
+        if (limit > 0.0 && w.system_signal("winch.overload") > 0.5 &&
+            w.system_signal("winch.wire_speed") > 0.02)
+            out.worst = std::max(out.worst, std::abs(w.system_signal("winch.pull") / limit - 1.0));
+    }
+    if (limit > 0.0) out.out = w.system_signal("winch.overload_out");
+    return out;
+}
+
+void report_overload(Report& report) {
+    const Overloaded bare = overload(WinchMode::brake, 0.0, 2.0, 0.5);
+    report.compare("no protection: the wire parts", {1.0}, {bare.parted ? 1.0 : 0.0}, 0.0,
+                   "it does", 1.0);
+    for (const WinchMode mode : {WinchMode::brake, WinchMode::speed})
+        for (const double surge : {0.0, 2.0, 4.0}) {
+            constexpr double kLimit = 1e6;
+            const Overloaded held = overload(mode, kLimit, surge, 0.5);
+            const std::string what =
+                fmt::format("protection, mode {}, surge {:g} m",
+                            winch_modes()[static_cast<std::size_t>(mode)], surge);
+            report.compare(what + ": tension while it pays out over the limit, less 1", {0.0},
+                           {held.worst}, 0.01, "of the limit", 1.0);
+            report.compare(what + ": largest tension over the limit", {1.0}, {held.peak / kLimit},
+                           0.01, "of the limit");
+            report.compare(what + ": the wire parts", {0.0}, {held.parted ? 1.0 : 0.0}, 0.0, "no",
+                           1.0);
+            report.compare(what + ": it pays out", {1.0}, {held.out > 10.0 ? 1.0 : 0.0}, 0.0,
+                           "what the ship moves", 1.0);
+        }
+}
+
+}  // namespace
+
+void case_vessel_winches(Report& report) {
+    report_heave(report);
+    report_overload(report);
+}
+
+}  // namespace hawser::validate
