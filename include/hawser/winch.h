@@ -189,7 +189,7 @@ struct WinchIds {
     InteractionId grip{}, bitter_end{};
 };
 
-/// Return the mass of the scalar body of a drum [kg m²]: `inertia`; 1 % of it with an
+/// Return the mass of the scalar body of a drum [kg m²]: `inertia`; 1e-4 of it with an
 /// overload_limit. The winch adds the rest to the drum, except while the protection acts.
 [[nodiscard]] double drum_mass(const WinchDef& def) noexcept;
 /// Return the radius of a gypsy, at which one turn pays out two pitches per pocket: pockets ×

@@ -17,7 +17,7 @@
 namespace hawser {
 
 double drum_mass(const WinchDef& def) noexcept {
-    constexpr double kLeft = 0.01;  // of the inertia
+    constexpr double kLeft = 1e-4;  // of the inertia
     return def.overload_limit > 0.0 ? kLeft * def.inertia : def.inertia;
 }
 
@@ -44,7 +44,7 @@ void check_aids(const WinchDef& def) {
 void WinchSystem::visit_aids(StateVisitor& v) {
     Aids& a = aids_;
     for (double* x : {&a.aops, &a.mops, &a.out, &a.rate, &a.peak, &a.shown, &a.lost, &a.error,
-                      &a.first, &a.height, &a.paid, &a.speed})
+                      &a.first, &a.height, &a.paid, &a.pull, &a.speed})
         v.visit(*x);
     for (std::int32_t* x : {&a.begun, &a.guards, &a.yields, &a.heaves}) v.visit(*x);
 }
@@ -129,10 +129,12 @@ void WinchSystem::follow_aids(Prestep& now) noexcept {
     a.out = a.first + paid;
     a.rate = radius_ * leaving_;
     a.peak = std::max(a.peak, pull_);
-    // The drive is ready from a little below the limit on, so that the drum starts without a peak.
+    // The drive is ready two steps before the limit, so that the drum starts without a peak.
     constexpr double kReady = 0.95;
+    const double soon = pull_ + 2.0 * std::max(pull_ - a.pull, 0.0);
+    a.pull = pull_;
     const double most = most_tension();
-    const bool near = pull_ >= kReady * most;
+    const bool near = soon >= kReady * most;
     a.guards = near || (a.guards != 0 && a.rate > kStands && most < kUnbounded) ? 1 : 0;
     const bool yields = a.guards != 0 && a.rate > kStands &&
                         (mode() != WinchMode::speed || speed_ < a.rate - kStands);
