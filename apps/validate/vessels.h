@@ -22,5 +22,11 @@ void case_vessel_s175(Report& report);
 void case_vessel_esso(Report& report);
 // vessels_propulsion.cpp
 void case_vessel_propulsion(Report& report);
+// vessels_anchors.cpp
+void case_vessel_anchors(Report& report);
+// vessels_stability.cpp
+void case_vessel_stability(Report& report);
+// vessels_winches.cpp
+void case_vessel_winches(Report& report);
 
 }  // namespace hawser::validate

@@ -4,6 +4,7 @@
 /// A scene as flat lists of definitions, before it becomes a world. Bodies and interactions
 /// refer to one another by their index here, which is also their index in the world.
 
+#include <hawser/anchor.h>
 #include <hawser/chaser.h>
 #include <hawser/crane.h>
 #include <hawser/edges.h>
@@ -13,6 +14,7 @@
 #include <hawser/post.h>
 #include <hawser/resolution.h>
 #include <hawser/sea.h>
+#include <hawser/stability.h>
 #include <hawser/stopper.h>
 #include <hawser/vessel.h>
 
@@ -78,6 +80,20 @@ struct Crane {
     int place = 0;
 };
 
+/// An anchor of the description. Its line is given by the name of a cable, or empty.
+struct AnchorItem {
+    AnchorDef def;
+    std::string cable;
+    Place place;
+};
+
+/// A stability gauge of the description. Its wire is given by the name of a cable.
+struct StabilityItem {
+    StabilityDef def;
+    std::string cable;
+    Place place;
+};
+
 /// A cable in water, as described.
 struct CableWater {
     std::string cable{};
@@ -125,6 +141,8 @@ class Description {
     std::vector<Resolution> resolutions;
     std::vector<Crane> cranes;
     std::vector<DeckGear::Item<VesselDef>> vessels;
+    std::vector<AnchorItem> anchors;
+    std::vector<StabilityItem> gauges;
     std::vector<Lever> levers;
     std::vector<SectionItem> sections;
     std::vector<CableWater> waters;  ///< Cables that are in water if the scene has a sea.

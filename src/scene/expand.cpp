@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scene/anchors.h"
 #include "scene/checks.h"
 #include "scene/counts.h"
 #include "scene/deck.h"
@@ -57,6 +58,7 @@ class Expander {
                 expand_posts(out_, item.scope);
                 expand_deck(out_, item.scope);
                 expand_vessels(out_, item.scope);
+                expand_anchors(out_, item.scope);
                 expand_routes(out_, item.scope);
                 expand_segments(out_, item.scope);
                 expand_interactions(out_, item.scope);
@@ -214,6 +216,7 @@ class Expander {
             {"stoppers", f.stoppers.get()}, {"pins", f.pins.get()},
             {"hooks", f.hooks.get()},       {"chasers", f.chasers.get()},
             {"cranes", f.cranes.get()},     {"vessels", f.vessels.get()},
+            {"anchors", f.anchors.get()},   {"stability", f.stability.get()},
             {"routes", f.routes.get()},     {"interactions", f.interactions.get()},
             {"inputs", f.inputs.get()},     {"outputs", f.outputs.get()}};
         for (std::size_t i = 0; i < section_formats().size(); ++i)

@@ -129,6 +129,8 @@ ShapePtr scene_template(const Format& format) {
          "Rings that run along cables."},
         {"cranes", with_placeholders(format.cranes), false, "", "", "Cranes."},
         {"vessels", with_placeholders(format.vessels), false, "", "", "What sails."},
+        {"anchors", with_placeholders(format.anchors), false, "", "", "Anchors in the soil."},
+        {"stability", with_placeholders(format.stability), false, "", "", "Stability gauges."},
         {"routes", with_placeholders(format.routes), false, "", "",
          "Lines over posts and sheaves."},
         {"inputs", with_placeholders(format.inputs), false, "", "", "Inputs."},
@@ -194,6 +196,8 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"chasers", f.chasers, false, "", "", "Rings that run along cables."},
         {"cranes", f.cranes, false, "", "", "Cranes."},
         {"vessels", f.vessels, false, "", "", "What sails."},
+        {"anchors", f.anchors, false, "", "", "Anchors in the soil."},
+        {"stability", f.stability, false, "", "", "Stability gauges."},
         {"routes", f.routes, false, "", "", "Lines over posts and sheaves."},
         {"instances", f.instances, false, "", "", "Uses of templates."},
         {"inputs", f.inputs, false, "", "", "Inputs."},
@@ -251,6 +255,8 @@ Format make_format() {
     f.chasers = list_of("a list of chasers", chaser_shape());
     f.cranes = list_of("a list of cranes", crane_shape());
     f.vessels = list_of("a list of vessels", vessel_shape());
+    f.anchors = list_of("a list of anchors", anchor_shape());
+    f.stability = list_of("a list of stability gauges", stability_shape());
     f.routes = list_of("a list of routes", route_shape());
     f.instances = list_of("a list of instances", instance());
     f.inputs = list_of("a list of inputs", input_shape());

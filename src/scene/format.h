@@ -50,6 +50,8 @@ struct Format {
     ShapePtr chasers;
     ShapePtr cranes;
     ShapePtr vessels;
+    ShapePtr anchors;
+    ShapePtr stability;
     ShapePtr routes;
     ShapePtr instances;
     ShapePtr inputs;
@@ -99,6 +101,9 @@ HAWSER_SCENE_SECTIONS(HAWSER_SECTION_SHAPE)
 [[nodiscard]] ShapePtr crane_load_shape();
 /// Return the shape of a vessel. See format_vessels.cpp.
 [[nodiscard]] ShapePtr vessel_shape();
+/// Return the shapes of anchors in the soil, and of stability gauges. See format_anchors.cpp.
+[[nodiscard]] ShapePtr anchor_shape();
+[[nodiscard]] ShapePtr stability_shape();
 /// Return the shape of the sea. See format_sea.cpp.
 [[nodiscard]] ShapePtr sea_shape();
 /// Return the shape of an entry of "hulls" (format_hulls.cpp).

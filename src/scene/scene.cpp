@@ -2,6 +2,7 @@
 
 #include <hawser/scene.h>
 
+#include "scene/anchors.h"
 #include "scene/deck.h"
 #include "scene/description.h"
 #include "scene/format.h"
@@ -57,6 +58,7 @@ class Builder {
             (void)take(description_.sea_place, [&] { add_sea(*world, description_); });
         }
         if (numbered_ && whole_) add_vessels(*world, description_);
+        if (numbered_ && whole_) add_anchors(*world, description_);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
             (void)take(description_.input_place(i),
                        [&] { world->add_input(description_.inputs[i]); });
