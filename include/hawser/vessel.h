@@ -33,7 +33,9 @@
 /// Outputs:
 /// `speed` through the water [m/s], `ground_speed` [m/s], `drift` β [rad], `turn_rate` r [rad/s],
 /// `rudder_angle`, `shaft_rps`, `surge_force`, `sway_force` [N], `yaw_moment` [N m]; NAME_thrust,
-/// NAME_rps, NAME_power, NAME_turned, NAME_set of propulsors; NAME_at of rudders.
+/// NAME_rps, NAME_power, NAME_turned, NAME_set, NAME_loss of propulsors; NAME_at of rudders.
+/// Failures: inputs NAME_failed of propulsors and rudders (vessel_propulsion.h), and those of the
+/// power bus (vessel_power.h).
 ///
 /// Limits: forces of calm water and mean wind. Wave forces come from a hull in the sea (sea.h) and
 /// are added. Coefficients hold for one loading and depth.
@@ -41,6 +43,7 @@
 #include <hawser/id.h>
 #include <hawser/math.h>
 #include <hawser/vessel_hull.h>
+#include <hawser/vessel_power.h>
 #include <hawser/vessel_propulsion.h>
 #include <hawser/water_hull.h>
 
@@ -87,6 +90,7 @@ struct VesselDef {
     Matrix6 restoring = Matrix6::Zero();
     HullResistance resistance{};
     CrossFlow cross_flow{};
+    CurrentLoad current{};
     HullPolynomial polynomial{};
     MmgStern mmg{};
     SonNomotoStern son_nomoto{};
@@ -94,6 +98,8 @@ struct VesselDef {
     WindLoad wind{};
     std::vector<PropulsorDef> propulsors{};
     std::vector<RudderDef> rudders{};
+    PowerDef power{};
+    bool thruster_losses = false;  ///< Thrusters lose in the race of others; need diameters.
 };
 
 /// Return a sentence for each non-dimensional value outside the range of published ships. Such

@@ -19,6 +19,24 @@
 /// direction. Tunnel thrusters push to starboard (order > 0) or port. Their thrust decreases
 /// linearly with the speed of the ship.
 ///
+/// *Cycloidal* propellers (ideal) push in any direction. The vector (s cos α, s sin α) follows its
+/// ordered value in a straight line at 2/`ramp`: `ramp` is the time from full ahead to full astern.
+///
+/// *Losses* multiply thrust and torque of a propulsor at the start of each step:
+/// - Ventilation (`ventilates`, K. J. Minsaas et al. 1987), with h the depth of the hub below the
+///   water surface, waves included, and R the radius: β = 1 − 0.675 (1 − 0.769 h/R)^1.258 for
+///   −0.48 ≤ h/R ≤ 1.3, 0 above the water, 1 below. The torque is multiplied by β^0.85.
+/// - Race of another thruster j (VesselDef::thruster_losses; J. Dang and H. Laheij 2004), x behind
+///   it, at φ [deg] from its axis: t = 1 − 0.75^((x/D_j)^(2/3)),
+///   t_φ = t + (1 − t) φ³/(130/t³ + φ³). The loss is (1 − t_φ) √(|T_j|/T_j,most), for the thrust
+///   only.
+/// - Hull (`hull_loss` k): the race of an azimuth that points inboard attaches to the hull:
+///   1 − k max(0, cos ψ), with ψ from the race to the centreline, for the thrust only.
+///
+/// *Failure* by the input NAME_failed. 1: stopped, without torque; 2: keeps its order, angle and
+/// pitch; 3: full ahead, keeping its angle. Rudders: 1: keeps its angle; 2: hard to starboard; 3:
+/// hard to port. The event `failure` reports the start.
+///
 /// *Rudder.* In the slipstream of a propulsor (momentum theory, as in the MMG method):
 /// ```
 ///     V² = η (u_a + κ (√(u_a² + 8 T/(π ρ D²)) − u_a))² + (1 − η) u_a²
@@ -35,7 +53,15 @@
 
 namespace hawser {
 
-enum class PropulsorKind : std::uint8_t { shaft, azimuth, tunnel };
+enum class PropulsorKind : std::uint8_t { shaft, azimuth, tunnel, cycloidal };
+
+/// Return the thrust over that of a deeply immersed propeller [1].
+/// @param ratio  Depth of the hub below the water surface over the radius.
+[[nodiscard]] double ventilated_thrust(double ratio) noexcept;
+/// Return the thrust in the race of another thruster over that without it, both at equal load [1].
+/// @param distance  Distance behind it over its diameter, ≥ 0. @param angle  Angle from the axis of
+/// the race [rad].
+[[nodiscard]] double race_thrust(double distance, double angle) noexcept;
 
 struct PropulsorDef {
     std::string name{};  ///< Prefix of its signals; unique in the vessel. Required.
@@ -61,6 +87,11 @@ struct PropulsorDef {
     double most_angle = 0.0;  ///< Largest angle from ahead, to both sides [rad]; 0: turns freely.
     // Tunnel.
     double lost_at = 0.0;  ///< Speed through the water without thrust [m/s]; 0: no loss.
+    // Losses.
+    double diameter =
+        0.0;  ///< Diameter of an ideal propulsor with losses [m]; propellers have their own.
+    bool ventilates = false;  ///< Loses thrust near the surface; needs a diameter.
+    double hull_loss = 0.0;   ///< k of an azimuth, 0.03 for Coanda's effect [1].
 };
 
 struct RudderDef {
