@@ -5,8 +5,8 @@
     scripts/compare_series.py RUN.csv REFERENCE.csv --column "work1 tension at first end" \\
                               [--from 2] [--to 600] [--every 1]
 
-Of each column whose name begins so: the root of the mean square of the difference over that of the
-reference, and the mean difference, at the times that both have, `--every` seconds [s].
+Prints, for each column whose name begins with COLUMN, the rms difference over the rms of the
+reference, and the mean difference. Both are taken at common times, every `--every` seconds [s].
 """
 
 import argparse

@@ -17,11 +17,11 @@ namespace {
 // larger; 0 would leave a closed loop singular.
 constexpr double kOdeErp = 0.8;
 constexpr double kCfm = 1e-14;
-// Default 20. Of 10, 20, 50, 100 and 200, this and 20 (at twice the substeps) hold at the least
+// Default 20. Among 10, 20, 50, 100 and 200, this and 20 (at twice the substeps) hold at the least
 // cost.
 constexpr int kQuickIterations = 50;
 // Contacts have the compliance of the scene, k = ERP / (h CFM): with CFM 1e-14 Dantzig's method
-// fails for four points of a face ("LCP internal error"). Of 0.2 and 0.8 this keeps a stack up
+// fails for four points of a face ("LCP internal error"). Compared with 0.8 this keeps a stack up
 // longer.
 constexpr double kContactErp = 0.2;
 constexpr int kPointsPerPair = 8;  // two boxes face to face have four to eight

@@ -11,13 +11,13 @@
 namespace hawser::bench::wires {
 namespace {
 
-constexpr double kRamp = 1.0;  ///< ramp of each force [s]
-constexpr double kLost = 0.2;  ///< displacement of the weight at which a run ends [m]
-constexpr double kFar = 0.01;  ///< displacement in a wait beyond which it slips [m]
+constexpr double kRamp = 1.0;  ///< Ramp of each force [s].
+constexpr double kLost = 0.2;  ///< Displacement of the weight at which a run ends [m].
+constexpr double kFar = 0.01;  ///< Displacement in a wait beyond which it slips [m].
 /// Displacement in half a wait below which nothing slips [m]: an excess force of 5e-6 gives this
 /// displacement.
 constexpr double kStill = 3e-4;
-constexpr double kApart = 0.05;  ///< gap at which a chain counts as torn [m]
+constexpr double kApart = 0.05;  ///< Gap at which a chain counts as torn [m].
 
 enum class End : std::uint8_t { stands, ran, failed };
 
