@@ -3,7 +3,8 @@
 /// Comparison of engines on the scenes of scenes.h. It runs one engine, searches the smallest
 /// number of substeps that holds, and runs several engines alternated in blocks of frames.
 ///
-/// *Holds* (meter.h) means, over the whole run: gap <= 1 mm, tension error <= 2 % rms, energy drift
+/// The term *holds* (meter.h) means, over the whole run: gap <= 1 mm, tension error <= 2 % rms,
+/// energy drift
 /// <= 1 %. If the scene has a path to follow, also path error <= 0.1 m.
 #pragma once
 
