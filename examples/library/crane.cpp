@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <vector>
 
-/// A controller of the application, which Hawser need not know.
+/// A controller of the application, independent of Hawser.
 struct Pid {
     double p, i, d;
     double sum = 0.0, before = 0.0;
@@ -40,7 +40,7 @@ CraneEnd lift() {
         .a = deck,
         .b = boom,
         .point = {0.0, 0.0, 10.0},
-        .axis = {0.0, -1.0, 0.0},  // by the right hand, so that up is positive
+        .axis = {0.0, -1.0, 0.0},  // by the right-hand rule, so that up is positive
         .limit = hawser::AxisLimit{.min = -0.2, .max = 1.3},
         .motor = hawser::AxisMotor{.speed = 0.0, .force_min = -8e6, .force_max = 8e6},
         .friction = hawser::AxisFriction{.bound = 2e4, .own_load = 0.002}});

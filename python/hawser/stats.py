@@ -111,7 +111,7 @@ class Extreme:
     scale: float
     shape: float
     count: int
-    covariance: np.ndarray  #: Of (location, scale) or (scale, shape), asymptotic.
+    covariance: np.ndarray  #: Asymptotic covariance of (location, scale) or (scale, shape).
 
     def quantile(self, probability: float) -> float:
         """Return x with F(x) = probability."""
@@ -311,7 +311,7 @@ def spectrum(values, step: float, segment: float | None = None) -> tuple[np.ndar
 
 
 def range_graph(values) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return minimum, mean and maximum over time of an array of shape (times, places)."""
+    """Return minimum, mean and maximum over time of an array of shape (times, positions)."""
     x = np.asarray(values, dtype=float)
     if x.ndim != 2 or x.shape[0] < 1:
         raise ValueError(f"an array of shape (times, places) is needed, this one has {x.shape}")

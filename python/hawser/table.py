@@ -34,7 +34,7 @@ class Table:
 
     @property
     def step(self) -> float:
-        """Time from row to row [s]."""
+        """Time between rows [s]."""
         return float((self.time[-1] - self.time[0]) / (self.time.size - 1))
 
     def __getitem__(self, name: str) -> Column:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""hawser.stats against published examples, closed forms and synthetic series."""
+"""Test hawser.stats against published examples, closed forms and synthetic series."""
 import math
 import pathlib
 import sys
@@ -35,7 +35,8 @@ class UpCrossings(unittest.TestCase):
         self.assertTrue(math.isnan(stats.up_crossing_period([0.0, 1.0, 2.0], 1.0, 5.0)))
 
     def test_narrow_band_process(self):
-        # Rayleigh process: mean up-crossing period 2π √(m0/m2), by the spectrum that makes it.
+        # Rayleigh process: mean up-crossing period 2π √(m0/m2), from the spectrum of its
+        # generation.
         rng = np.random.default_rng(3)
         omega = np.linspace(0.9, 1.1, 400)
         amplitude = np.exp(-0.5 * ((omega - 1.0) / 0.03)**2)
@@ -63,7 +64,7 @@ class Extremes(unittest.TestCase):
         self.assertLess(low, true)
         self.assertGreater(high, true)
         self.assertLess(high - low, 0.03 * true)
-        # Scale and origin: a fit of a x + b is the fit moved alike.
+        # Scale and origin: the fit of a x + b is the transformed fit of x.
         moved = stats.gumbel(1e6 * x - 5e7)
         self.assertAlmostEqual(moved.location / (1e6 * fit.location - 5e7), 1.0, places=9)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""hawser.table and `python3 -m hawser` on tables as `hawser run --csv` writes them."""
+"""Test hawser.table and `python3 -m hawser` with tables like those of `hawser run --csv`."""
 import contextlib
 import io
 import math
