@@ -128,8 +128,8 @@ struct AnchorDef {
     double full_depth = 0.0;        ///< Depth of the point at full drag, exponential law [m].
     double breakout = kDefault;     ///< V_b over UHC g [1]; default: 0.17 in sand, 0.75 in clay.
     double friction = 0.5;          ///< μ of a free anchor on the seabed [1].
-    double weight = kDefault;       ///< Submerged weight W [N]; default: that of the body less the
-                                    ///< weight of the water that the sea has it displace.
+    double weight = kDefault;     ///< Submerged weight W [N]; default: weight of the body less its
+                                  ///< displacement in the sea.
     double seabed = kDefault;     ///< z of the seabed [m]; default: depth of the sea, otherwise the
                                   ///< initial position of the point.
     double touch = 0.5;           ///< Largest height of a free anchor on the seabed [m].

@@ -15,7 +15,7 @@
 /// ```
 ///     HM = F (h sin α cos β + y sin β)       HL = HM/Δ cos φ       y = y₀ + x tan α
 /// ```
-/// h is the height of the pin above the thrust line, y₀ the distance of the pin from the
+/// The height of the pin above the thrust line is h, y₀ the distance of the pin from the
 /// centreline, x the distance of the stern from the pin. Δ is the weight of the ship plus F sin β.
 ///
 /// *Righting lever.* GZ comes from the hull's mesh in the sea, with the added weight F sin β at the

@@ -4,9 +4,9 @@
 /// Hull forces of ships that manoeuvre: resistance, cross-flow drag, polynomials, wind.
 ///
 /// *Marine frame.* All coefficients hold in the horizontal frame of the ship: origin O, x ahead
-/// in the horizontal projection of the bow, y to starboard, z down. u, v, r, p are the velocities
-/// of O through the water along and about these axes. X, Y, K, N are the forces and moments. Roll φ
-/// is positive with starboard down. The rudder angle δ is positive if it turns the ship to
+/// in the horizontal projection of the bow, y to starboard, z down. The velocities of O
+/// through the water along and about these axes are u, v, r, p. Forces and moments are X, Y, K, N.
+/// Roll φ is positive with starboard down. The rudder angle δ is positive if it turns the ship to
 /// starboard.
 /// ```
 ///           bow  ^ x, u
