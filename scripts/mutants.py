@@ -167,7 +167,7 @@ def changed_number(word: str, before: str, after: str) -> str | None:
     if not re.fullmatch(r"\d+\.\d*(?:[eE][-+]?\d+)?|\d+[eE][-+]?\d+", digits):
         return None
     x = float(digits)
-    # Skip numbers that stand for infinity, keep a divisor from zero or select a short cut.
+    # Skip numbers that represent infinity, keep a divisor from zero or select a short cut.
     if x >= 1e15 or 0 < x < 1e-15 or (x == 0 and re.search(r"(?:[=!]=|[<>]=?)\s*$", before)) or \
             (x < 1e-6 and re.search(r"\b(?:max|min)\(", before)):
         return None

@@ -44,7 +44,7 @@ HAWSER_BENCH_INLINE void run(const BlockWrite& op, const AssembleView& v) {
     } else if (!op.by_rows) {
         HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) load(sum[c], v.values + op.base + c * rows);
-    } else if constexpr (Rows == 1) {  // only one row of a number per entry
+    } else if constexpr (Rows == 1) {  // a single row: one number per column
         HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) sum[c] = V4{v.values[op.base + c], 0.0, 0.0, 0.0};
     } else if constexpr (Rows == 3) {  // by entries: a vector load after stores of entries is late
@@ -113,7 +113,7 @@ HAWSER_BENCH_INLINE void fetch_tables(const BlockWrite& op, const AssembleView& 
 
 /// Prefetch for diagonal blocks, which come first and read all data of the others.
 HAWSER_BENCH_INLINE void fetch_values(const BlockWrite& op, const AssembleView& v) {
-    constexpr int kMost = 16;  // larger ones take long
+    constexpr int kMost = 16;  // blocks with more contributions take long anyway
     const int count = op.count[0] + op.count[1] + op.count[2];
     if (!op.diagonal || count >= kMost) return;
     const int lines = op.row_size > 3 ? 3 : 2;

@@ -22,7 +22,7 @@ class BulletChain final : public Rig {
         world_.getSolverInfo().m_numIterations = kChainIterations;
         world_.getSolverInfo().m_erp = kChainErp;
         // By default friction has one direction, that of sliding. Without sliding it acts along the
-        // post as well as along the wire, so that it does not hold.
+        // bollard as well as along the wire, so that it does not hold.
         world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
         post_.setCollisionShape(&post_shape_);  // a btCapsuleShape points along y
         rubs(post_);

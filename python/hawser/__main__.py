@@ -10,7 +10,7 @@ from . import stats, table
 
 
 def line(column: table.Column, step: float, duration: float) -> str:
-    """Return one row of the printed table; '-' stands for what the series does not allow."""
+    """Return one row of the printed table; '-' marks values that the series does not allow."""
     x = column.values
     name = f"{column.name} [{column.unit}]" if column.unit else column.name
     if not np.all(np.isfinite(x)):

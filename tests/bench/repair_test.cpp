@@ -31,7 +31,7 @@ TEST(ContactEdits, LeaveTheOrderGood) {
                 EXPECT_TRUE(factor::analyse(p, analysis.elimination()) == analysis.symbolic());
             }
             EXPECT_LT(columns, 0.25);  // measured 0.15 to 0.19
-            // Measured 1.1 to 1.3; 1.4 to 1.6 without reserved positions at branch points.
+            // Measured 1.1 to 1.3; 1.4 to 1.6 without the positions at which branches meet.
             EXPECT_LT(static_cast<double>(analysis.symbolic().flops), 1.35 * flops);
         }
 }

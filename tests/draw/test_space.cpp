@@ -132,7 +132,7 @@ TEST(SpaceView, PaintsSolidsSoThatNearOnesCoverFarOnes) {
 }
 
 TEST(SpaceView, HidesWhatStandsBehindASolid) {
-    const Camera camera = Camera::at(0.0, 0.0);  // the viewer looks along −x
+    const Camera camera = Camera::at(0.0, 0.0);  // view along −x
     const std::vector<Solid> solids{box_at({0, 0, 0}, {1, 2, 3}, camera)};
     EXPECT_TRUE(draw::is_hidden({-5, 1.9, 2.9}, solids, camera));
     EXPECT_FALSE(draw::is_hidden({5, 0, 0}, solids, camera)) << "before it";

@@ -28,8 +28,8 @@ class Outputs : public testing::Test {
     void run(const std::vector<std::string>& arguments);
     /// Compare the log with the file `name`.txt.
     void check_log(const std::string& name);
-    /// Compare a file of the folder with the file `name`. Its ending tells its kind: .json, .svg,
-    /// or any other text.
+    /// Compare a file of the folder with the file `name`. Its ending determines its kind: .json,
+    /// .svg, or any other text.
     void check_file(const std::string& file, const std::string& name);
     /// Append the size of a picture and projections of its pixels to the log.
     void add_picture(const std::string& file);

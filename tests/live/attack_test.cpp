@@ -71,7 +71,7 @@ TEST(LiveAttack, who_has_no_right_to_it_moves_no_lever) {
     EXPECT_EQ(deck.answer_to(3)["type"], "error");
     deck.say({{"type", "pause"}, {"id", 4}});
     EXPECT_EQ(deck.answer_to(4)["reason"], "the role deck may not pause");
-    EXPECT_EQ(deck.closes(2.0), 1008);  // the third invalid message
+    EXPECT_EQ(deck.closes(2.0), 1008);  // the third rejected message
     EXPECT_EQ(run.logged("does not have the input \"lift\"", 2), 2);
     LiveClient watcher(run.port(), run.roles[1].token);
     greet(watcher);

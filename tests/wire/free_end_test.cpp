@@ -153,7 +153,7 @@ TEST(FreeEnds, CutsAnywhereLeaveNoShortElements) {
         // lengths change by the difference of strains.
         EXPECT_NEAR(w.length(wire), s, 1.1e-3 * kElement) << k;
         EXPECT_NEAR(w.length(wire) + w.length(piece), whole, 2e-4) << k;
-        // The post carries half of the element beside it, which becomes longer if a node is
+        // The bollard carries half of the element beside it, which becomes longer if a node is
         // removed.
         if (s > 1.3 * kElement) {
             EXPECT_NEAR(mass(), had, 1e-9 * had) << k;

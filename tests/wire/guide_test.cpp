@@ -210,8 +210,8 @@ TEST(Guides, EqualBitsForAnyThreadsAndAfterARestore) {
 }
 
 TEST(Guides, OnAMovingBodyMomentumStays) {
-    // A free frame with a wire between two of its points over a post of its own: no external forces
-    // act.
+    // A free frame with a wire between two of its points over a bollard of its own: no external
+    // forces act.
     World w(WorldDef{.step = 1.0 / 120.0, .gravity = Vec3::Zero()});
     BodyDef body{.name = "frame"};
     body.mass = 2e4;
@@ -242,7 +242,7 @@ TEST(Guides, OnAMovingBodyMomentumStays) {
             const BodyDef& b = w.body_def(id);
             if (b.kind != BodyKind::scalar) sum += b.mass * w.velocity(id).linear;
         }
-        // Mass of the elements at the post that is in no node moves with nodes and frame.
+        // Mass of the elements at the bollard that is in no node moves with nodes and frame.
         return sum;
     };
     ASSERT_EQ(w.step(), Status::ok);

@@ -122,7 +122,7 @@ TEST(RefusedEdits, LeaveHashEnergyAndMotionAlone) {
                 EXPECT_THROW(refused.call(tried), DefError);
                 EXPECT_EQ(tried.w.state_hash(), hash);
                 EXPECT_EQ(tried.w.energy().mechanical(), energy);
-                // Each analysis places ghost bodies anew.
+                // Each analysis sets the positions of ghost bodies again.
                 if (coupling == Coupling::exact) {
                     EXPECT_EQ(tried.w.save(), saved);
                 }
