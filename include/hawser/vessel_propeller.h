@@ -83,8 +83,8 @@ struct PropellerForce {
 /// quadrants: Fourier series of the B4-70 at the advance angle of V_a/|P/D|. Its thrust and torque
 /// are scaled to agree with the polynomials at J = 0. Between both ranges of J: a cubic blend.
 ///
-/// P/D| < 0.5: the thrust is linear in the pitch, and the torque is the one of pitch 0.5 times 0.2
-/// + 0.8 (2 |P/D|)². A negative pitch mirrors: V_a and the thrust change sign.
+/// Below |P/D| = 0.5 the thrust is linear in the pitch. The torque is the one of pitch 0.5, times
+/// 0.2 + 0.8 (2 |P/D|)². A negative pitch mirrors: V_a and the thrust change sign.
 [[nodiscard]] PropellerForce propeller_force(const PropellerDef& propeller, double pitch,
                                              double rps, double speed, double density) noexcept;
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMass = 23.0;
 
-/// Make an anchor on a winch that pays out, and a wire between two bollards.
+/// Make an anchor on a winch that pays out, and a wire between two fixed bodies.
 World set_up(int threads) {
     World w(WorldDef{.step = 1.0 / 60.0, .threads = threads});
     const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
