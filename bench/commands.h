@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// Subcommands of hawser-bench. Each takes its own arguments, argv[0] being its name, and returns
-/// the exit code of the program. To add one: declare it here, add a line to the table in main.cpp.
+/// Subcommands of hawser-bench. Each parses its own arguments, with its name in argv[0], and
+/// returns the exit code of the program. To add one: declare it here, add a line to the table in
+/// main.cpp.
 #pragma once
 
 namespace hawser::bench {
@@ -12,7 +13,7 @@ int step_command(int argc, char** argv);
 /// Time factorisation and solution of a scene's matrix against libraries.
 int factor_command(int argc, char** argv);
 
-/// Our factorisation beside what the processor can do.
+/// Compare the factorisation with the limits of the processor.
 int roofline_command(int argc, char** argv);
 
 /// Time whole steps of a million rigid links.
@@ -21,9 +22,9 @@ int links_command(int argc, char** argv);
 /// Compare the methods for contacts with friction.
 int friction_command(int argc, char** argv);
 
-/// Parts and orders beside those of METIS, Scotch and AMD.
+/// Compare parts and orders with those of METIS, Scotch and AMD.
 int partition_command(int argc, char** argv);
-/// Keep to a budget while the load of a scene doubles.
+/// Keep a budget while the load of a scene doubles.
 int deadline_command(int argc, char** argv);
 /// Compare splits with exact coupling.
 int coupling_command(int argc, char** argv);
@@ -31,25 +32,25 @@ int coupling_command(int argc, char** argv);
 /// Compare state hashes between numbers of threads, and after restoring.
 int hashes_command(int argc, char** argv);
 
-/// Run random mechanisms, and judge those that end ok.
+/// Run random mechanisms, and check the runs that end ok.
 int random_command(int argc, char** argv);
 
-/// Clients of `hawser view`, and what they cost the run.
+/// Measure clients of `hawser view` and their cost for the run.
 int view_command(int argc, char** argv);
 
-/// What it costs a client to read a world.
+/// Measure the time in which a client reads a world.
 int interface_command(int argc, char** argv);
 
-/// What waves, hulls and their memory cost.
+/// Measure the time of waves, hulls and their memory.
 int sea_command(int argc, char** argv);
 
-/// What it costs to add and remove while a world runs.
+/// Measure the time of adding and removing objects while a world runs.
 int edits_command(int argc, char** argv);
 
 /// Compare engines on the scenes of peers/scenes.h.
 int peers_command(int argc, char** argv);
 
-/// Compare engines on a wire round a post.
+/// Compare engines on a wire around a post.
 int wires_command(int argc, char** argv);
 
 }  // namespace hawser::bench

@@ -10,7 +10,7 @@
 namespace hawser::bench::split {
 namespace {
 
-/// The partitioner cuts wires of lumps; a chain of links is cut into stretches of equal length.
+/// Cut chains of links into sections of equal length. The partitioner cuts only wires of lumps.
 void cut_chains(scene::Scene& scene, int parts) {
     for (const scene::Cable& cable : scene.cables)
         for (std::size_t i = 0; i < cable.nodes.size(); ++i)
@@ -19,7 +19,7 @@ void cut_chains(scene::Scene& scene, int parts) {
                 "part " + std::to_string(i * static_cast<std::size_t>(parts) / cable.nodes.size()));
 }
 
-/// Whether anything moves faster than things do here, or is no number.
+/// @return true if a body is faster than any in these scenes, or a velocity is not finite.
 bool runaway(const World& world) {
     for (std::int32_t b = 0; b < world.body_count(); ++b)
         if (!(world.velocity(BodyId{b}).linear.norm() < 100.0)) return true;
@@ -44,8 +44,8 @@ scene::Scene load_split(const std::string& file, const Mode& mode, int parts, in
     using verify::to_string;
     scene::Options options;
     options.threads = threads;
-    // Groups are made for all modes by the same split, and stay. Solutions are refined until what
-    // is left of momentum is of the coupling.
+    // Make the groups of all modes by the same split. Refine solutions until the remaining error of
+    // momentum comes from the coupling alone.
     options.set = {"settings.coupling=kinematic",
                    fmt::format("settings.predictor={}", to_string(mode.predictor)),
                    "settings.parts=0", "settings.solution_tolerance=1e-12"};

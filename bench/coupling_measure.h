@@ -36,13 +36,13 @@ struct CouplingOptions {
     std::vector<int> threads{1, 2};
     int parts = 4, steps = 120, rounds = 24;
     bool stiffness = true;
-    double stiffness_seconds = 10.0;  ///< Room for the search of one mode [s].
+    double stiffness_seconds = 10.0;  ///< Time for the search of one mode [s].
     bool quick = false;
     std::string json;
 };
 
-/// A scene of which every split has the same cuts: those of the partitioner, or stretches of equal
-/// length where it finds none.
+/// Load a scene whose splits all have the same cuts: those of the partitioner, or sections of equal
+/// length if it finds none.
 [[nodiscard]] scene::Scene load_split(const std::string& file, const Mode& mode, int parts,
                                       int threads);
 
@@ -54,10 +54,10 @@ struct Quality {
     [[nodiscard]] bool lost() const noexcept { return lost_at >= 0.0; }
 };
 
-/// Every step beside an exact one from the same state.
+/// Compare every step with an exact one from the same state.
 [[nodiscard]] Quality measure_quality(World& world, int steps);
 
-/// Times of steps, which are taken by turns with those of other worlds.
+/// Times of steps, alternating with the steps of other worlds.
 struct Timed {
     World world;
     std::vector<double> wall{}, cpu{};  ///< [ms]

@@ -12,14 +12,14 @@
 namespace hawser::bench::split {
 namespace {
 
-/// null where a figure was not measured.
+/// Return the value, or null if it was not measured.
 Json known(double value, bool measured) { return measured ? Json(value) : Json(); }
 
 std::string printed(double value, bool measured, const char* format = "{:.2g}") {
     return measured ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
-/// Place of a number of threads among those timed; their count where it is not.
+/// Return the index of a number of threads among those timed; their count if it is absent.
 std::size_t place(const CouplingOptions& o, int threads) {
     return static_cast<std::size_t>(std::find(o.threads.begin(), o.threads.end(), threads) -
                                     o.threads.begin());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file coupling_report.h
-/// What hawser-bench coupling prints and keeps of its runs.
+/// Printed and stored results of hawser-bench coupling.
 
 #include "coupling_measure.h"
 #include "coupling_simulated.h"
@@ -17,22 +17,23 @@ namespace hawser::bench::split {
 
 using Json = nlohmann::ordered_json;
 
-/// What was measured of one way to couple.
+/// Measurements of one way to couple.
 struct ModeFigures {
     Mode mode;
     Quality quality;
-    Stiffness stiffness;       ///< Of exact coupling, which has no cuts, and where left out: zeros.
+    Stiffness stiffness;  ///< Zeros for exact coupling, which has no cuts, and if not measured.
     std::vector<Timed> timed;  ///< By number of threads.
     SimulatedStep simulated;
 };
 
-/// What a mode does not have is null: exact coupling no cuts to be off at, a run that was lost no
-/// spectral radius.
+/// Return one row of results. Figures that a mode does not have are null: errors at cuts for exact
+/// coupling, the spectral radius of a run that diverged.
 [[nodiscard]] Json row_of(const ModeFigures& f, const CouplingOptions& o);
 void print_row(const ModeFigures& f);
-/// What the simulation of the steps of one thread says, and how far from two threads it is.
+/// Print the simulated steps of one thread, and their difference from steps on two threads.
 void print_simulated(const std::vector<ModeFigures>& modes, const CouplingOptions& o);
-/// Exact, the first of all, beside the fastest split that stayed: the bar on two threads is 15 %.
+/// Compare the first mode, exact, with the fastest split that remained stable. The bar on two
+/// threads is 15 %.
 Json compare_exact(const std::vector<ModeFigures>& modes, const std::string& scene,
                    const CouplingOptions& o, Verdict& verdict);
 

@@ -21,7 +21,8 @@ std::array<double, kStageCount> serial_by_stage(const TraceView& trace) {
         open.pop_back();
         if (last.stage >= 0) seconds[static_cast<std::size_t>(last.stage)] += last.rest;
     };
-    // Sorted by begin, longer ones first: what is open encloses what comes next or has ended.
+    // Spans are sorted by begin, longer ones first. An open span encloses the next one or has
+    // ended.
     for (const TraceSpan& s : trace.spans) {
         if (s.kind == SpanKind::task) continue;
         while (!open.empty() && open.back().end <= s.begin) close();

@@ -14,8 +14,8 @@ inline constexpr double kGrowth = 1.02;  ///< Spectral radius from which a step 
 
 /// Largest factor, 1e-8 to 1e2, of the stiffness of the cuts at which the step is stable.
 struct Stiffness {
-    double stable = 0.0;                ///< Known to be stable [1].
-    double unstable = 0.0;              ///< Known not to be; 0: none is [1].
+    double stable = 0.0;                ///< Largest factor known to be stable [1].
+    double unstable = 0.0;              ///< Smallest factor known to be unstable; 0: none is [1].
     [[nodiscard]] bool found() const {  ///< Within a tenth of a decade.
         return unstable <= 0.0 || stable <= 0.0 || unstable <= stable * std::pow(10.0, 0.11);
     }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kCargoDeck = 1U << 30,
                         kCargoBox = 1U << 31;  ///< Groups that no scene uses.
-const Vec3 kPlace{5000.0, 0.0, 0.0};           ///< Far from all else [m].
+const Vec3 kPlace{5000.0, 0.0, 0.0};           ///< Far from other bodies [m].
 
 }  // namespace
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// A load that is put into a world and taken away again while it runs: cargo on a deck.
+/// A load that is added to a running world and removed again: cargo on a deck.
 ///
-/// Boxes are stacked in twos on a deck that moves to and fro, so hard that they slide. Until the
-/// load begins, and after it has ended, they hang weightless above it, one by one, where they cost
-/// next to nothing. Nothing is added to the world or removed from it on the way: they are moved
-/// with World::set_pose(), and their weight is a force.
+/// Boxes are stacked in pairs on a deck that oscillates so strongly that they slide. Before and
+/// after the load, they hang above it without weight and contact, at almost no cost. No object is
+/// added to the world or removed from it. The boxes are moved by World::set_pose(), and their
+/// weight is a force.
 #pragma once
 
 #include <hawser/hawser.h>
@@ -17,15 +17,15 @@ namespace hawser::bench {
 class DeckCargo {
   public:
     static constexpr int kHigh = 2;
-    static constexpr double kMass = 1000.0;       ///< Of a box of 1 m [kg].
-    static constexpr double kFriction = 0.3;      ///< Of all that touches.
-    static constexpr double kStiffness = 1e7;     ///< Of a contact point [N/m].
-    static constexpr double kAcceleration = 4.0;  ///< Of the deck, at most [m/s²].
-    static constexpr double kFrequency = 3.0;     ///< Of the deck [rad/s].
-    /// No box can be faster than the deck that takes it along [m/s].
+    static constexpr double kMass = 1000.0;       ///< Mass of a box of 1 m [kg].
+    static constexpr double kFriction = 0.3;      ///< Friction of all contacts.
+    static constexpr double kStiffness = 1e7;     ///< Stiffness of a contact point [N/m].
+    static constexpr double kAcceleration = 4.0;  ///< Largest acceleration of the deck [m/s²].
+    static constexpr double kFrequency = 3.0;     ///< Frequency of the deck [rad/s].
+    /// Upper limit of the speed of a box: that of the deck that moves it [m/s].
     static constexpr double kSpeed = kAcceleration / kFrequency;
 
-    /// Adds deck and boxes. @param stacks  Of kHigh boxes each.
+    /// Add the deck and boxes. @param stacks  Number of stacks of kHigh boxes.
     DeckCargo(World& world, int stacks);
     void set_down(World& world);
     void take_away(World& world);
@@ -35,7 +35,7 @@ class DeckCargo {
     [[nodiscard]] const std::vector<BodyId>& boxes() const noexcept { return boxes_; }
     /// Deepest penetration of a contact of the boxes in the last step [m].
     [[nodiscard]] double penetration(const World& world) const;
-    /// Of the fastest box [m/s].
+    /// Return the speed of the fastest box [m/s].
     [[nodiscard]] double speed(const World& world) const;
 
   private:

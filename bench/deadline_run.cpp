@@ -16,7 +16,7 @@
 namespace hawser::bench {
 namespace {
 
-/// One run of the scene. @param repeat  Degradations to impose; null: what the budget says.
+/// One run of the scene. @param repeat  Degradations to impose; null: as the budget requires.
 class DeadlineRunner {
   public:
     DeadlineRunner(const DeadlineOptions& options, double budget_ms, const DeadlineRun* repeat)
@@ -85,7 +85,7 @@ class DeadlineRunner {
         f.penetration = std::max(f.penetration, cargo_.penetration(w));
         f.speed = std::max(f.speed, cargo_.speed(w));
         const Energy now = w.energy();
-        // Where boxes are moved by hand, energy comes from nowhere.
+        // Energy is not conserved when boxes are moved by set_pose().
         if (i % o_.steps > 1) {
             f.drift += std::abs(report::energy_drift(before_, now));
             f.exchanged += std::abs(now.kinetic - before_.kinetic) +

@@ -14,7 +14,7 @@
 namespace hawser::bench {
 
 inline constexpr int kDeadlinePhases = 3;
-inline constexpr int kUncountedSteps = 60;  ///< Of a run: nothing is warm.
+inline constexpr int kUncountedSteps = 60;  ///< First steps of a run, before caches are warm.
 inline constexpr int kExactRow = 10;        ///< Exact steps in a row that count as exact again.
 inline constexpr const char* kPhaseNames[kDeadlinePhases] = {"before", "load", "after"};
 
@@ -25,7 +25,7 @@ struct DeadlineOptions {
     int stacks = 135, steps = 300, threads = 1;
 };
 
-/// What a phase of a run took and left.
+/// Times and errors of a phase of a run.
 struct PhaseFigures {
     std::vector<double> cpu, wall, map;  ///< [ms], [ms], [1]
     int contacts = 0, degraded = 0;
@@ -41,7 +41,7 @@ struct DeadlineRun {
     std::array<PhaseFigures, kDeadlinePhases> phase;
     std::vector<Degradation> left_out;  ///< By step.
     report::Degradations log;
-    std::vector<Vec3> at_end_of_load;  ///< Where boxes were.
+    std::vector<Vec3> at_end_of_load;  ///< Positions of the boxes.
     std::uint64_t hash = 0;
     double step = 0.0;     ///< h [s]
     int exact_after = -1;  ///< Steps until the first of kExactRow exact ones in a row.
@@ -49,7 +49,8 @@ struct DeadlineRun {
     int late_analysis = 0, late_one = 0, late_more = 0;
 };
 
-/// @param repeat  Degradations to impose; null: what the budget says, 0 being none [ms].
+/// Run the scene. @param repeat  Degradations to impose; null: as the budget [ms] requires, 0:
+/// none.
 [[nodiscard]] DeadlineRun run_deadline(const DeadlineOptions& options, double budget_ms,
                                        const DeadlineRun* repeat);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench edits: what it costs to add and remove while a world runs.
+// hawser-bench edits: the time of adding and removing objects while a world runs.
 #include <hawser/scene.h>
 #include "commands.h"
 #include "linear/timing.h"
@@ -32,14 +32,14 @@ growth (bench/scenes/frozen/anchor_contact.json).
 wires came or went are compared with the others (bench/scenes/frozen/anchor_adaptive.json, which has them in its
 first 10 s). The bar is the same; plans and growths are printed.)";
 
-/// One thing that comes and goes.
+/// An object that is added and removed.
 struct Coming {
     const char* name;
     std::function<void()> add, remove;
-    std::vector<double> seconds = {};  ///< Of steps with one of both.
+    std::vector<double> seconds = {};  ///< Times of steps with an addition or a removal.
 };
 
-/// What edits take part in: two hulls, and what was added last.
+/// Objects of the edits: two hulls, and the object added last.
 struct Edited {
     explicit Edited(World& w) : world(w) {
         for (const BodyId b : w.bodies())
@@ -79,7 +79,7 @@ struct Edited {
 struct EditFigures {
     double plain_ms = 0.0, edit_ms = 0.0;
     std::int64_t plans = 0, repairs = 0, growths = 0;
-    std::size_t bytes = 0;  ///< How many more the world holds at the end.
+    std::size_t bytes = 0;  ///< Memory that the world has gained by the end.
 };
 
 constexpr double kMostRatio = 1.3;
@@ -121,7 +121,7 @@ EditFigures measure_edits(World& world, std::vector<Coming>& kinds, int warm, in
             s.growths - before.growths, std::max(world.memory_bytes(), held) - held};
 }
 
-/// Steps of a scene whose wires edit themselves.
+/// Measure steps of a scene whose wires edit themselves.
 EditFigures measure_own(World& world, int steps) {
     std::vector<double> plain, with;
     for (int i = 0; i < steps; ++i) {
@@ -129,7 +129,8 @@ EditFigures measure_own(World& world, int steps) {
         const double seconds = timed_step(world, nullptr);
         const StepStats& now = world.stats();
         const bool edited = now.plans + now.repairs != before.plans + before.repairs;
-        if (i > 0) (edited ? with : plain).push_back(seconds);  // the first one makes all there is
+        // the first one allocates all arrays
+        if (i > 0) (edited ? with : plain).push_back(seconds);
     }
     if (with.empty()) throw std::runtime_error("no step of the scene had an edit");
     const StepStats& s = world.stats();

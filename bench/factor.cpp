@@ -118,19 +118,19 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
     return &app;
 }
 
-/// OpenBLAS 0.3.21 takes newer machines for a Prescott of 2004 and is then several times slower
-/// than it can be. It chooses when it is loaded, so start again with a better choice.
+/// Restart the program with a better kernel for OpenBLAS 0.3.21. It treats newer machines as a
+/// Prescott of 2004 and is then several times too slow. It chooses the kernel when it is loaded.
 void insist_on_fast_blas(char** argv) {
     const std::string isa = instruction_set(), core = blas_core();
     if (getenv("OPENBLAS_CORETYPE") != nullptr || core != "OpenBLAS Prescott" || isa == "sse2")
         return;
     setenv("OPENBLAS_CORETYPE", isa == "avx512" ? "SKYLAKEX" : "HASWELL", 1);
-    execv("/proc/self/exe", argv);  // goes on as it is where that fails
+    execv("/proc/self/exe", argv);  // if this fails, continue with the present kernel
 }
 
 int schedules(const std::vector<ProblemSource>& sources, const FactorOptions& o) {
     PoolCosts costs = measure_pool_costs();
-    costs.wake = 0.0;  // what is timed comes after a solution that is not
+    costs.wake = 0.0;  // the measured call follows one that is not measured
     nlohmann::json all = nlohmann::json::array();
     print_schedule_head(costs);
     std::vector<ScheduleReport> reports;

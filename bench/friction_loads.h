@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file friction_loads.h
-/// Two loads that tell methods for friction and joints apart.
+/// Two loads on which methods for friction and joints differ.
 
 #include <hawser/def.h>
 
@@ -14,12 +14,12 @@ struct Method {
     int sweeps;
 };
 
-/// A block of 1 t at rest on a slope of 80 % of the friction limit: how far it moves from the
-/// first second to the end [m]. Not a number: a step failed.
+/// Return the creep from the first second to the end [m] of a block of 1 t at rest. Its slope is 80
+/// % of the friction limit. NaN: a step failed.
 [[nodiscard]] double creep(const Method& method, double duration);
 
-/// A chain of 100 lumps of 1 kg hanging from the ceiling, 10 t at its lower end, at rest, started
-/// without knowing any force: force of the top link over the weight that hangs on it.
+/// A chain of 100 lumps of 1 kg hangs at rest from the ceiling with 10 t at its lower end. It
+/// starts without known forces. Values: force of the top link over the weight below it.
 struct Carried {
     double first = 0.0;   ///< In the first step.
     double second = 0.0;  ///< In the last step of one second.

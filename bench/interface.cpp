@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench interface: what it costs a client to read a world: state, outputs, contacts, events,
-// save and restore; and what a system costs that does nothing.
+// hawser-bench interface: the time in which a client reads a world: state, outputs, contacts,
+// events, save and restore; and the time of a system that does nothing.
 #include <hawser/scene.h>
 #include "commands.h"
 #include "verdict.h"
@@ -57,7 +57,7 @@ void add_outputs(World& world, const std::vector<scene::Cable>& cables, int want
         }
         for (const scene::Cable& cable : cables) {
             if (cable.stretch.empty()) continue;
-            // All elements are looked at for the largest: here those at the ends.
+            // The largest tension would visit all elements: use those at the ends.
             add({.kind = OutputKind::tension,
                  .line = {cable.stretch.front()},
                  .component = "first"});
@@ -75,14 +75,14 @@ void add_outputs(World& world, const std::vector<scene::Cable>& cables, int want
         return all;
     }();
     for (int n = 0, tried = 0; n < wanted; ++tried) {
-        // Strides apart, so that every kind has its share.
+        // Use a stride, so that all kinds occur.
         OutputDef def = kinds[static_cast<std::size_t>(tried) * 37 % kinds.size()];
         def.name = fmt::format("output {}", n);
         try {
             world.add_output(def);
             ++n;
         } catch (const DefError&) {
-            if (tried > 100 * wanted) throw;  // a scalar body has no place
+            if (tried > 100 * wanted) throw;  // a scalar body has no position
         }
     }
 }
@@ -101,7 +101,7 @@ ReadFigures measure(World& world, int rounds) {
     std::vector<std::byte> saved;
     std::uint64_t cursor = 0;
     const auto nothing = [] {};
-    // Marks what follows from the state as to be computed anew.
+    // Mark derived values as outdated.
     const auto touch = [&] { (void)world.events_since(cursor, events); };
     constexpr int kMany = 10'000;
     const double* seen = world.state().positions.data();
@@ -113,7 +113,7 @@ ReadFigures measure(World& world, int rounds) {
         sum += state.velocities[static_cast<std::size_t>(i) % state.velocities.size()];
     }
     f.state_ns = 1e9 * std::chrono::duration<double>(ReadClock::now() - start).count() / kMany;
-    // What a pose is set to shows where the view was taken before: it is the world's own array.
+    // A pose set now must be visible in an older view, which refers to the array of the world.
     const BodyId first{0};
     const StateView view = world.state();
     const std::vector<std::byte> before = world.save();
@@ -131,7 +131,7 @@ ReadFigures measure(World& world, int rounds) {
     f.events_us = 1e6 * median_of_calls(20 * rounds, nothing, touch);
     f.save_ms = 1e3 * median_of_calls(rounds, nothing, [&] { world.save(saved); });
     f.bytes = saved.size();
-    // As a client goes back: some steps later.
+    // Restore after some more steps, as clients do.
     f.restore_ms =
         1e3 * median_of_calls(rounds, [&] { (void)world.step(); }, [&] { world.restore(saved); });
     f.hash_ms =
@@ -139,8 +139,8 @@ ReadFigures measure(World& world, int rounds) {
     return f;
 }
 
-/// What a system that does nothing costs a step [s]: of two small worlds, one of which has a
-/// thousand of them, the least of many times of stage prestep.
+/// Return the time that an idle system adds to a step [s]: of two small worlds, one has 1000 of
+/// them. Use the minimum of many times of the stage prestep.
 double idle_system_seconds() {
     struct Idle final : System {
         std::string own;

@@ -29,24 +29,24 @@ double since(Clock::time_point from) {
 struct LinksOptions {
     int links = 1'076'748, chains = 108, floats = 9, steps = 60, threads = 1;
     std::vector<int> refinements{1, 0};
-    double length = 0.25;  ///< Of a link [m].
+    double length = 0.25;  ///< Length of a link [m].
     std::string json;
 };
 
-/// Where a chain is held: a point of a body.
+/// End of a chain: a point of a body.
 struct End {
     BodyId body;
     Vec3 local, world;
 };
 
-/// Floats in a row, neighbours joined by a chain each; all other chains go down to anchors in the
-/// seabed, spread round each float. One island.
+/// Floats in a line, adjacent ones joined by a chain. All other chains lead to anchors in the
+/// seabed, spread around each float. One island.
 class Moorings {
   public:
     Moorings(World& world, const LinksOptions& options) : world_(world), o_(options) {
         ground_ = world.add_body({.name = "seabed", .kind = BodyKind::fixed});
         count_ = o_.links / o_.chains;
-        const int first = o_.links % o_.chains;  // so many chains have one link more
+        const int first = o_.links % o_.chains;  // this many chains have one more link
         for (int f = 0; f < o_.floats; ++f) add_float(f);
         std::vector<int> of_float(static_cast<std::size_t>(o_.floats), 0);
         for (int c = 0; c < o_.chains; ++c) {
@@ -147,7 +147,7 @@ double median_of(std::vector<double> v) {
     return v[v.size() / 2];
 }
 
-/// One world from the start. Prints and returns what was measured.
+/// Run one world from the start. Prints and returns the results.
 nlohmann::json run_links(const LinksOptions& o, int refinements) {
     World world({.refinements = refinements, .threads = o.threads});
     Clock::time_point begin = Clock::now();

@@ -44,9 +44,9 @@ constexpr Command kCommands[] = {
      hawser::bench::wires_command},
 };
 
-/// Debian gives huge pages to all memory, other systems only to those who ask, as our largest
-/// arrays do. What is measured is to depend on neither: all memory, also that of libraries, asks.
-/// That is chosen when the program is loaded, so start again; goes on as it is where that fails.
+/// Restart the program with huge pages for all memory, also that of libraries. Debian uses them
+/// everywhere, other systems only on request, as our largest arrays do. Results must not depend on
+/// this. The setting takes effect when the program is loaded. If the restart fails, continue.
 void insist_on_huge_pages(char** argv) {
     constexpr const char* kTunables = "GLIBC_TUNABLES";
     if (std::getenv(kTunables) != nullptr) return;
@@ -63,8 +63,8 @@ int usage(std::FILE* out, int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // Where both go to one file, progress must not come in the middle of a line of results; and
-    // what is measured is there to be read while the rest runs.
+    // If both streams go to one file, progress must not split a line of results. Results must be
+    // readable while the rest runs.
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
     if (argc < 2) return usage(stderr, 2);
     if (std::strcmp(argv[1], "--help") == 0 || std::strcmp(argv[1], "-h") == 0)

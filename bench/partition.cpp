@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench partition: our parts beside those of METIS and Scotch, on the same graphs.
+// hawser-bench partition: our parts compared with those of METIS and Scotch, on the same graphs.
 #include "graph/partition.h"
 #include "commands.h"
 #include "factor/ordering.h"
@@ -36,7 +36,7 @@ struct PartitionFlags {
     std::string json, picture;
 };
 
-/// Rounds of partition and exact cost: each takes the flops of the one before, and the most even
+/// Rounds of partition and exact cost. Each uses the flops of the one before, and the most balanced
 /// one counts. (A running world has flops of its own order from its last analysis, which these
 /// separators do not change.)
 constexpr int kPartRounds = 5;
@@ -70,7 +70,7 @@ nlohmann::json print_part_row(const PartRow& r) {
             {"factor_ms", timed ? nlohmann::json(r.factor_ms) : nlohmann::json()}};
 }
 
-/// An order without parts: fill, flops, and the longest path as its makespan.
+/// Return the row of an order without parts: fill, flops, and the longest path as its makespan.
 PartRow order_row(const std::string& name, const PartCase& c,
                   const std::vector<std::int32_t>& order, double seconds, const FactorCounts& amd) {
     PartRow r;
@@ -121,11 +121,11 @@ double update_seconds(const PartCase& c, const OurParts& ours) {
                      101);
 }
 
-/// On two processors without other work two threads take less than this of one thread's time: 0.6
-/// on the paper's graphs.
+/// Largest ratio of the time of two threads to that of one on two idle processors: 0.6 on the
+/// graphs of the paper.
 constexpr double kFree = 0.8;
 
-/// The bars of the paper's graphs, of the best of ours.
+/// Check the bars of the paper's graphs for the best of our results.
 void judge_parts(Verdict& verdict, const std::string& name, const PartRow& best, const Race& r,
                  double update, const std::vector<FactorTimes>& factors) {
     if (r.metis > 0.0) {
@@ -158,7 +158,7 @@ void judge_parts(Verdict& verdict, const std::string& name, const PartRow& best,
     }
 }
 
-/// @param judged  The bars hold for this case.
+/// @param judged  The bars apply to this case.
 nlohmann::json compare_parts(const PartCase& c, const PartitionFlags& o, bool judged,
                              Verdict& verdict) {
     const int parts = o.parts;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench peers: searches each peer's smallest number of substeps that holds, then runs all
-// engines alternated in blocks of frames and prints what was measured.
+// hawser-bench peers: searches the smallest number of substeps of each peer that holds. It then
+// runs all engines alternately in blocks of frames and prints the results.
 #include "commands.h"
 #include "peers/make_reference.h"
 #include "peers/report.h"
@@ -78,8 +78,8 @@ Options parse(int argc, char** argv) {
     return o;
 }
 
-/// A scene with contacts, where few peers hold: every number of substeps tells something. One run
-/// after the other, each told at once.
+/// Run all numbers of substeps of a scene with contacts, on which few peers hold. Print each run at
+/// once.
 std::vector<PeerResult> climb(const Scene& scene, const Reference& reference, const Options& o) {
     std::vector<PeerResult> rows;
     for (const std::string& name : o.engines) {
@@ -98,7 +98,7 @@ std::vector<PeerResult> climb(const Scene& scene, const Reference& reference, co
                     rows.push_back(run_peer(engine, scene, substeps, reference, o.search, false));
                 }).wall;
             print_row(scene, rows.back());
-            // Four times as many take four times as long.
+            // Four times as many substeps take four times as long.
             if (engine.ours || o.substeps > 0 || 4.0 * wall > o.search.budget) break;
         }
     }
@@ -178,7 +178,7 @@ int peers_command(int argc, char** argv) {
             all.push_back(to_json(scene, r));
         }
         met = print_verdict(scene, results) && met;
-        if (!o.json_file.empty()) write_json(all, o.json_file);  // what is done is not lost
+        if (!o.json_file.empty()) write_json(all, o.json_file);  // store intermediate results
         if (!o.save_tension.empty() && !results.empty() && !scene.towed.empty())
             save_tension(results.front(), o.save_tension);
     }

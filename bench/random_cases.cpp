@@ -66,7 +66,7 @@ class Maker {
         doc_["settings"] = {{"step", result_.step}, {"duration", 1.0}};
         for (const char* key : {"bodies", "interactions", "cables"}) doc_[key] = CaseJson::array();
         make_bodies();
-        // Later choices look at joints there are: extra ones go with the two that began.
+        // Later choices depend on existing joints: extra ones go to the two initial ones.
         if (result_.loops) close_loops();
         if (result_.repeated) repeat_joints();
         if (result_.contradictory) contradict();
@@ -84,17 +84,17 @@ class Maker {
     std::vector<Placed> bodies_;
     std::vector<Jointed> joints_;
     bool grounded_ = false;  ///< Body 0 is fixed.
-    bool masses_ = false;    ///< What is extreme is a ratio of masses.
+    bool masses_ = false;    ///< A ratio of masses is extreme.
 
     void make_bodies() {
         grounded_ = dice_.chance(0.7);
         masses_ = result_.extreme && dice_.chance(0.5);
         const int count = dice_.number(masses_ ? 3 : 2, 10);
-        // Someone who takes large steps has large bodies: what swings on an arm of half their size
-        // turns by about 0.15 rad in a step, the links of chains that whip by more.
+        // With large steps bodies are large. A body that swings on an arm of half its size turns by
+        // about 0.15 rad in a step; the links of whipping chains turn more.
         const double least = 1000.0 * result_.step * result_.step;
         const double scale = std::max(dice_.spread(0.3, 3.0), least * dice_.from(1.0, 2.0));
-        // A tree that floats freely moves as one rigid body at first, which all joints allow.
+        // A freely floating tree initially moves as one rigid body, which all joints allow.
         const Vec3 spin = grounded_ ? Vec3(Vec3::Zero()) : dice_.vector(2.0);
         const Vec3 speed = grounded_ ? Vec3(Vec3::Zero()) : dice_.vector(2.0);
         const double lightest = masses_ ? dice_.spread(0.01, 10.0) : 0.0;
@@ -146,7 +146,7 @@ class Maker {
         const Placed &a = body(j.a), &b = body(j.b);
         CaseJson joint = start_joint(j.kind, a, b);
         if (j.kind == "distance") {
-            // From the far side of one to the joint's place on the other.
+            // From the far side of one body to the position of the joint on the other.
             joint["points"] = CaseJson::array({list(-a.local(j.at)), list(b.local(j.at))});
         } else {
             joint["at"] = list(j.at);
@@ -181,7 +181,7 @@ class Maker {
         }
     }
 
-    /// The same joint twice, or once more at another place of its axis.
+    /// Repeat some joints at the same point or at another point of their axis.
     void repeat_joints() {
         const int count = static_cast<int>(joints_.size());
         for (int n = dice_.number(1, 3); n > 0; --n) {
@@ -192,8 +192,8 @@ class Maker {
         }
     }
 
-    /// Beside a joint that holds a point, hold another one that is as far from it in one body as it
-    /// cannot be in the other; or two rods of different lengths between the same points.
+    /// Add a joint that contradicts another one: a second point at a different distance in each
+    /// body, or two rods of different lengths between the same points.
     void contradict() {
         const int count = static_cast<int>(joints_.size());
         Jointed first = joints_[static_cast<std::size_t>(dice_.number(0, count - 1))];
@@ -251,7 +251,7 @@ class Maker {
         }
     }
 
-    /// Springs so stiff that a soft one beside them differs by 1e6.
+    /// Add springs that are stiffer than a soft one by a factor of 1e6 or more.
     void stiffen() {
         const double soft = dice_.spread(10.0, 1e3);
         for (const double k : {soft, soft * dice_.spread(1.1e6, 1e8)}) {

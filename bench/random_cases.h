@@ -13,13 +13,13 @@ struct RandomCase {
     std::string text;            ///< The scene (docs/scenes.md).
     double step = 0.0;           ///< [s].
     bool loops = false;          ///< Some joint closes a loop.
-    bool repeated = false;       ///< Some joint says again what another one says.
-    bool contradictory = false;  ///< Two joints cannot hold at once, in no pose.
+    bool repeated = false;       ///< A joint repeats another one.
+    bool contradictory = false;  ///< Two joints cannot both hold in any pose.
     bool wires = false;          ///< Cables of lumps.
     bool extreme = false;        ///< Masses or stiffnesses with a ratio of 1e6 or more.
 };
 
-/// The same case for the same two numbers, whatever other cases there are.
+/// Return the case for two numbers, independent of other cases.
 [[nodiscard]] RandomCase make_random_case(std::uint64_t seed, std::uint64_t number);
 
 }  // namespace hawser::bench

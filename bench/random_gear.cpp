@@ -25,11 +25,11 @@
 namespace hawser::bench {
 namespace {
 
-constexpr double kInterval = 0.5;  ///< Of which outputs are averaged [s].
+constexpr double kInterval = 0.5;  ///< Interval over which outputs are averaged [s].
 constexpr std::size_t kTensionIntervals = 4;
-constexpr double kPowerExcess = 1e-4;  ///< Of the motor's power, relative.
+constexpr double kPowerExcess = 1e-4;  ///< Tolerance relative to the power of the motor.
 
-/// Forwards steps to a verifier and keeps its first objection, so that the run goes on.
+/// Forwards steps to a verifier and stores its first objection, so that the run continues.
 class Witness : public Observer {
   public:
     explicit Witness(const World& world) : verifier_(world) {}
@@ -51,9 +51,9 @@ enum class GearEnd : std::uint8_t { ok, suspect, failed, refused };
 struct GearRun {
     GearEnd end = GearEnd::ok;
     std::string reason;                      ///< Empty if the run ended ok.
-    std::string objection;                   ///< Of the full verifier.
+    std::string objection;                   ///< First objection of the full verifier.
     double power = 0.0;                      ///< Largest of the motor [W].
-    double parted = 1e300;                   ///< Time at which a wire parts [s].
+    double parted = 1e300;                   ///< Time at which a wire breaks [s].
     std::vector<std::vector<double>> means;  ///< By probe and interval.
 };
 
@@ -179,9 +179,9 @@ Difference compare(const GearCase& c, const GearRun& run, const GearRun& fine) {
         double scale = 0.0;
         for (const double x : b) scale = std::max(scale, std::abs(p.tension ? x : x - b[0]));
         const double allowed = p.absolute + p.relative * scale;
-        // Tensions swing as loads bounce: their means are those of several intervals.
+        // Tensions oscillate as loads bounce: average them over several intervals.
         const std::size_t many = p.tension ? kTensionIntervals : 1;
-        // A wire that is near its breaking load parts in one run and not in the other.
+        // Near its breaking load a wire breaks in one run and not in the other.
         const double last = std::min({c.duration, run.parted, fine.parted});
         const auto whole = static_cast<std::size_t>(last / kInterval + 1e-9);
         for (std::size_t k = 0; k + many <= std::min({a.size(), b.size(), whole}); k += many) {

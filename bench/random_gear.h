@@ -19,7 +19,7 @@ struct GearOptions {
     std::string json;
 };
 
-/// @return exit code: 0 if no run ended ok although wrong and enough ended ok.
+/// Run the cases. @return exit code: 0 if enough runs ended ok and none of these was wrong.
 int run_gear(const GearOptions& options);
 
 }  // namespace hawser::bench

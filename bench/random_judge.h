@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_judge.h
-/// Whether a motion can be: reckoned from poses, velocities and definitions alone, with no figure
-/// of the stepper. It knows bodies under gravity, joints, rods, springs and lines; nothing that
-/// drives, rubs or touches.
+/// Check of a motion from poses, velocities and definitions alone, without figures of the stepper.
+/// It supports bodies under gravity, joints, rods, springs and lines, but no drives, friction or
+/// contacts.
 
 #include <hawser/hawser.h>
 
@@ -13,29 +13,31 @@ namespace hawser::bench {
 
 /// Figures of a motion so far.
 struct Judged {
-    double exchanged = 0.0;  ///< ½ Σ of what kinetic, gravity and elastic energy changed by [J].
-    /// Largest rise of mechanical energy above what it was before, of three states running [J].
+    double exchanged = 0.0;  ///< ½ Σ of the changes of kinetic, gravity and elastic energy [J].
+    /// Largest rise of mechanical energy above its earlier value, over three successive states [J].
     double created = 0.0;
-    double created_share = 0.0;    ///< The same over `exchanged` and kinetic energy then.
-    double swing_share = 0.0;      ///< Of one state: what comes and goes within two steps, too.
-    double created_at = 0.0;       ///< [s].
-    double violation = 0.0;        ///< Largest of a joint [m]; turns count at half the body's size.
-    double violation_share = 0.0;  ///< Largest over what is allowed: 1 cm or 1 % of the size.
-    double violation_at = 0.0;     ///< [s].
-    InteractionId worst{};         ///< Where that is.
+    /// `created` relative to `exchanged` plus the kinetic energy then.
+    double created_share = 0.0;
+    double swing_share = 0.0;  ///< The same of one state: includes oscillations within two steps.
+    double created_at = 0.0;   ///< [s].
+    double violation = 0.0;    ///< Largest of a joint [m]; turns count at half the body's size.
+    /// Largest violation relative to the limit: 1 cm or 1 % of the size.
+    double violation_share = 0.0;
+    double violation_at = 0.0;  ///< [s].
+    InteractionId worst{};      ///< Joint with that violation.
     bool finite = true;
     [[nodiscard]] bool wrong() const noexcept {
         return !finite || created_share > 0.01 || violation_share > 1.0;
     }
 };
 
-/// Watches a world whose steps all came out well. The energy of a staggered scheme can be taken at
-/// poses, with the mean of the kinetic energies before and after, or half-way between two poses;
-/// either may swing within a period while nothing is created. A spring that is far too stiff for
-/// the step stores by its length at a pose, a tenth of a millimetre off, what it never exerts; by
-/// its force it does not. What counts is the smallest of the three rises, as far as it is there in
-/// three states running: where a body whips round within two steps, its energy swings by some per
-/// cent and is back afterwards, and each halving of the step takes three quarters of that.
+/// Observes a world whose steps all end ok. The energy of a staggered scheme can be evaluated in
+/// two ways: at poses, with the mean of the kinetic energies before and after, or half-way between
+/// two poses. Either may oscillate within a period without creation of energy. A spring that is far
+/// too stiff for the step stores energy by its length, 0.1 mm off, that it never exerts; its force
+/// does not show it. The result is the smallest of the three rises, if it lasts for three
+/// successive states. If a body whips round within two steps, its energy oscillates by some per
+/// cent and returns afterwards. Each halving of the step reduces this by three quarters.
 class RandomJudge {
   public:
     explicit RandomJudge(const World& world);
@@ -50,7 +52,7 @@ class RandomJudge {
         double length = 0.0, compliance = 0.0;
         bool one_sided = false;
     };
-    struct Swing {  ///< Of one way to take the energy.
+    struct Swing {  ///< Rises for one way to evaluate the energy.
         double now = 0.0, least = 0.0;
         bool begun = false;
         [[nodiscard]] double rise(double energy);
@@ -67,7 +69,7 @@ class RandomJudge {
     std::vector<BodyId> moving_;
     std::vector<Spring> springs_;
     std::vector<InteractionId> joints_;
-    std::vector<double> allowed_, size_;  ///< Of each joint [m].
+    std::vector<double> allowed_, size_;  ///< Limit and size of each joint [m].
     std::vector<Pose> before_;
     double kinetic_ = 0.0, gravity_ = 0.0, elastic_ = 0.0;  ///< Before.
     double floor_ = 0.0;  ///< Energy of all bodies one centimetre higher [J].

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench roofline: our factorisation and substitution beside what the processor can do.
+// hawser-bench roofline: factorisation and substitution compared with the limits of the processor.
 #include <hawser/factor.h>
 #include <hawser/world.h>
 
@@ -22,8 +22,8 @@
 namespace hawser::bench {
 namespace {
 
-/// The pattern of a form as users of the library give it, and values: numbers do not change the
-/// time, so any quasi-definite ones do.
+/// Pattern of a form as given by users of the library, and values. Any quasi-definite values do,
+/// since they do not change the time.
 struct Work {
     explicit Work(const ProblemSource& source) {
         const Problem problem(source.system());
@@ -56,10 +56,10 @@ struct Work {
 struct Row {
     std::string name;
     int scale = 1;
-    double megabytes = 0.0;            ///< Of L.
+    double megabytes = 0.0;            ///< Size of L.
     double factor = 0.0, solve = 0.0;  ///< Medians [s].
     double flops = 0.0, factor_bytes = 0.0, solve_bytes = 0.0;
-    Bandwidth limit{};  ///< Through as many bytes as L has.
+    Bandwidth limit{};  ///< For as many bytes as L has.
 };
 
 double median_time(int rounds, const auto& once) {
@@ -97,7 +97,7 @@ Row measure(const ProblemSource& source, int rounds) {
     return row;
 }
 
-/// What flops and bytes allow at most [flop/s].
+/// Return the limit by flops and bytes [flop/s].
 double roof(const Row& r, double peak) {
     return std::min(peak, r.flops / r.factor_bytes * r.limit.update);
 }

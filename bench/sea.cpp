@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench sea: what waves, hulls and their memory cost, by instruction set, and a step of
+// hawser-bench sea: the time of waves, hulls and their memory by instruction set, and of a step of
 // bench/scenes/frozen/anchor_sea.json.
 #include <hawser/scene.h>
 #include <hawser/sea.h>
@@ -42,7 +42,7 @@ double sea_cpu() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Median CPU time of a call, of rounds of `repeat` calls [s].
+/// Return the median CPU time of a call over rounds of `repeat` calls [s].
 template <class Call>
 double time_of(int repeat, Call&& call) {
     std::vector<double> rounds;
@@ -59,7 +59,7 @@ struct Set {
     const marine::WaveKernels* waves;
     const marine::MemoryKernels* memory;
     const marine::HullKernels* hulls;
-    double bar;  ///< Of waves [ns]; 0: none.
+    double bar;  ///< Bar of waves [ns]; 0: none.
 };
 
 std::vector<Set> sets() {
@@ -125,7 +125,7 @@ double memory_us(const marine::MemoryKernels& by) {
     return 1e6 * seconds;
 }
 
-/// A hull that the surface cuts in places.
+/// A hull that the surface cuts.
 struct CutHull {
     HullMesh mesh = box_hull({40, 9, 6}, 40, 9, 6);
     std::vector<marine::HullCorner> corners;
@@ -153,7 +153,7 @@ double clipping_ns() {
     return 1e9 * seconds / static_cast<double>(mesh.triangles.size());
 }
 
-/// [ns] a triangle of it as a step takes them: wet ones several at a time, those cut by themselves.
+/// Return the time per triangle [ns] as in a step: wet triangles several at a time, cut ones alone.
 double hull_ns(const marine::HullKernels& by) {
     const CutHull hull;
     const auto& triangles = hull.mesh.triangles;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file share_of.h
-/// Quantiles of what was measured.
+/// Quantiles of measurements.
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace hawser::bench {
 
-/// The value that a share of all others is not above, such as 0.5 for the median; 0 of nothing.
+/// Return the quantile for a fraction, such as 0.5 for the median; 0 if there are no values.
 inline double share_of(std::vector<double> values, double share) {
     if (values.empty()) return 0.0;
     const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench step: median time of a whole step, memory, and how both grow with the scene; with
-// --seaway the distribution of costs over the steps of a run whose hulls are forced.
+// hawser-bench step: median time of a whole step, memory, and their growth with the scene. With
+// --seaway: the distribution of costs over the steps of a run whose hulls are forced.
 #include <hawser/scene.h>
 
 #include "commands.h"
@@ -23,7 +23,7 @@ struct Figures {
     std::array<double, kStageCount> stage_ms{};
 
     [[nodiscard]] double us_per_body() const { return 1e3 * median_ms / bodies; }
-    /// Everything that the world holds, once a step: a lower bound of what is moved.
+    /// Memory of the world once a step: a lower bound of the traffic.
     [[nodiscard]] double gb_per_s() const { return 1e-6 * bytes_per_body * bodies / median_ms; }
 };
 
@@ -68,7 +68,7 @@ struct Subject {
     }
 };
 
-/// Options of --seaway, and what they are parsed into.
+/// Options of --seaway, as parsed.
 struct SeawayArguments {
     bool on = false;
     SeawayOptions options;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file verdict.h
-/// Bars of a benchmark: told, counted for the exit code, and kept for its JSON.
+/// Bars of a benchmark: printed, counted for the exit code, and stored for its JSON.
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -13,8 +13,8 @@ namespace hawser::bench {
 
 class Verdict {
   public:
-    /// @param bar  Name of the bar, the same in every run. @param of  What it is asked of: a case,
-    /// a scene; may be empty. @param what  The figures, for a reader.
+    /// @param bar  Name of the bar, the same in every run. @param of  Case or scene; may be empty.
+    ///        @param what  Figures, for a reader.
     void ask(std::string bar, std::string of, bool met, std::string what) {
         fmt::print("  {:<6}  {}{}{}\n", met ? "ok" : "MISSED", of, of.empty() ? "" : ": ", what);
         list_.push_back({{"bar", std::move(bar)},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench view: a scene at its own pace, first by `hawser run --realtime`, then by `hawser
-// view` with clients that read, one that never does and one that comes and goes. All are processes
-// and sockets as users have them; the figures of steps and frames are those that frames tell.
+// hawser-bench view: a scene in real time, first by `hawser run --realtime`, then by `hawser view`.
+// Some clients read, one never does, and one connects repeatedly. All are processes and sockets as
+// in use; figures of steps and frames come from the frames.
 #include "commands.h"
 #include "share_of.h"
 #include "verdict.h"
@@ -51,7 +51,7 @@ double wall() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The program `hawser` beside this one, with its words in a file.
+/// The program `hawser` in the same folder, with its output in a file.
 class Program {
   public:
     Program(std::vector<std::string> arguments, std::filesystem::path words)
@@ -91,7 +91,7 @@ class Program {
         std::ifstream in(words_);
         return {std::istreambuf_iterator<char>(in), {}};
     }
-    /// What stands behind `what` in its words, up to the end of the line.
+    /// Return the text behind `what` in its output, up to the end of the line.
     [[nodiscard]] std::string word_behind(const std::string& what) const {
         for (int k = 0; k < 600; ++k) {
             const std::string all = words();
@@ -103,7 +103,7 @@ class Program {
         }
         throw std::runtime_error("the program does not say \"" + what + "\":\n" + words());
     }
-    /// Of /proc/PID/status [kB].
+    /// Return the resident memory from /proc/PID/status [kB].
     [[nodiscard]] double resident() const {
         std::ifstream in("/proc/" + std::to_string(pid_) + "/status");
         for (std::string line; std::getline(in, line);)
@@ -116,7 +116,7 @@ class Program {
     pid_t pid_ = -1;
 };
 
-/// What one client has seen.
+/// Results of one client.
 struct Reader {
     double begun = 0.0, ended = 0.0;
     std::vector<double> ages, step_ms, frame_us, bytes;
@@ -144,7 +144,7 @@ void read_on(std::uint16_t port, const std::string& token, double until, Reader&
     }
 }
 
-/// Reads nothing; where it is dropped it comes back.
+/// Connect and read nothing; reconnect if dropped.
 void stay_deaf(std::uint16_t port, const std::string& token, double until, int& dropped) {
     while (wall() < until) {
         test::LiveClient client(port, token);
@@ -179,7 +179,7 @@ Seen serve(const ViewBench& options, const std::filesystem::path& folder) {
     const std::string token = address.substr(address.find("token=") + 6);
     Seen out;
     out.readers.resize(static_cast<std::size_t>(options.readers));
-    // One client alone first, so that what all of them share is there.
+    // Start one client first, so that shared data exist.
     Reader first;
     read_on(port, token, wall() + 2.0, first);
     out.memory_before = program.resident();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench wires: a wire round a post, in our ways and those of other engines.
+// hawser-bench wires: a wire around a post, by our methods and other engines.
 #include "commands.h"
 #include "wires/measure.h"
 
@@ -37,7 +37,7 @@ struct WiresOptions {
     WirePlan plan;
 };
 
-/// Methods whose names begin with one of those asked for.
+/// Return the methods whose names begin with a requested name.
 std::vector<WireMethod> chosen_methods(const WiresOptions& o) {
     std::vector<WireMethod> out;
     const std::vector<WireMethod> all = wires::methods();

@@ -103,7 +103,7 @@ int hashes_command(int argc, char** argv) {
                 rows.push_back(figures_of(c, method));
                 if (!c.equal()) ++different;
             } catch (const std::runtime_error& refused) {
-                // Not every scene goes with every method; a scene that was asked for has to.
+                // Not every method supports every scene. A scene given by name must be supported.
                 if (chosen || method == "newton") throw;
                 fmt::print("{:<18} {:<9} left out: {}\n",
                            std::filesystem::path(file).stem().string(), method, refused.what());

@@ -25,7 +25,7 @@ scene::Scene load_for_hashes(const std::string& file, const HashOptions& options
     return scene::load_file(file, o);
 }
 
-/// Whether a joint has friction, a range, or a motor whose force may be limited.
+/// @return true if a joint has friction, a range, or a motor whose force may be limited.
 bool has_bounds(const World& world) {
     for (int i = 0; i < world.interaction_count(); ++i) {
         const std::string kind = kind_info(world.interaction_def(InteractionId{i}).kind).name;
@@ -35,14 +35,14 @@ bool has_bounds(const World& world) {
     return false;
 }
 
-/// What a step that failed counts as: its state is that of the step before.
+/// Hash of a failed step: its state is that of the step before.
 constexpr std::uint64_t kFailed = 0;
-/// Of a state at a random step.
+/// Saved states at random steps.
 constexpr std::size_t kRestoredSteps = 60;
 
 struct Saved {
     std::vector<std::byte> state;
-    std::optional<Structure> made_of;  ///< Of other pieces than at the start.
+    std::optional<Structure> made_of;  ///< Set if the structure differs from that at the start.
 };
 
 /// A scene with its timeline.
@@ -80,7 +80,7 @@ class Run {
     std::size_t next_ = 0;
 };
 
-/// What a world is made of, to be compared.
+/// Objects of a world, for comparison.
 struct Pieces {
     std::vector<BodyId> bodies;
     std::vector<InteractionId> interactions;
@@ -90,7 +90,7 @@ struct Pieces {
     friend bool operator==(const Pieces&, const Pieces&) = default;
 };
 
-/// The first run: hashes of all steps, what there was to be seen, and states before some steps.
+/// Do the first run: store hashes of all steps, counts, and states before some steps.
 std::vector<std::uint64_t> run_first(Run& run, const HashOptions& options, HashComparison& out,
                                      std::map<int, Saved>& saved) {
     std::vector<std::uint64_t> hashes;
@@ -117,7 +117,7 @@ std::vector<std::uint64_t> run_first(Run& run, const HashOptions& options, HashC
     return hashes;
 }
 
-/// Step on and compare. `at`: steps taken so far. Saves after `middle` steps.
+/// Step and compare hashes. @param at  Number of steps so far. Saves after `middle` steps.
 std::int64_t first_difference(Run& run, std::span<const std::uint64_t> hashes, int at, int middle,
                               Saved* saved) {
     for (auto i = static_cast<std::size_t>(at); i < hashes.size(); ++i) {

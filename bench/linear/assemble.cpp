@@ -34,7 +34,8 @@ HAWSER_BENCH_INLINE void add_rows(const BlockWrite& op, const AssembleView& v, i
     }
 }
 
-/// Rows: of the block; 0: not known. V: as many lanes, or more.
+/// Add products of rows. Rows: number of rows of the block; 0: any. V: a vector with at least as
+/// many lanes.
 template <int Rows, int Columns, class V>
 HAWSER_BENCH_INLINE void run(const BlockWrite& op, const AssembleView& v) {
     V sum[Columns] = {};
@@ -47,7 +48,8 @@ HAWSER_BENCH_INLINE void run(const BlockWrite& op, const AssembleView& v) {
     } else if constexpr (Rows == 1) {  // its only row, a number each
         HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) sum[c] = V4{v.values[op.base + c], 0.0, 0.0, 0.0};
-    } else if constexpr (Rows == 3) {  // by entries: what was stored by entries is read late
+        // by entries: a vector load after stores of entries would wait
+    } else if constexpr (Rows == 3) {
         const double* from = v.values + op.base;
         HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c)
@@ -102,7 +104,7 @@ HAWSER_BENCH_INLINE void run_any(const BlockWrite& op, const AssembleView& v) {
     }
 }
 
-// Blocks lie in the sequence of the target, what they are made of in that of the system.
+// Blocks follow the order of the target, their operands that of the system.
 constexpr std::int64_t kFar = 12, kNear = 4;  // blocks ahead
 
 HAWSER_BENCH_INLINE void fetch_tables(const BlockWrite& op, const AssembleView& v) {
@@ -111,9 +113,9 @@ HAWSER_BENCH_INLINE void fetch_tables(const BlockWrite& op, const AssembleView& 
     if (op.base >= 0) fetch(v.values + op.base, 1);
 }
 
-/// Of diagonal blocks, which come first and read all that the others do.
+/// Prefetch for diagonal blocks, which come first and read all values that the others need.
 HAWSER_BENCH_INLINE void fetch_values(const BlockWrite& op, const AssembleView& v) {
-    constexpr int kMost = 16;  // what has more is not over soon
+    constexpr int kMost = 16;  // longer blocks leave time to load
     const int count = op.count[0] + op.count[1] + op.count[2];
     if (!op.diagonal || count >= kMost) return;
     const int lines = op.row_size > 3 ? 3 : 2;
@@ -159,7 +161,7 @@ HAWSER_BENCH_CLONES void run_ops(const BlockWrite* ops, std::int64_t count, cons
     }
 }
 
-/// @param asked  Rows to ask for ahead: all, or none.
+/// @param asked  Number of rows to prefetch: all, or none.
 HAWSER_BENCH_CLONES void invert_rows(const SweepTables::Row* rows, std::int64_t count,
                                      std::int64_t asked, const double* values, double* inverse) {
     constexpr std::int64_t kAhead = 16;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file edits.h
-/// What contact changes cost: the repair of the analysis (factor/repair.h) through long sequences,
-/// and the refactorisation of a part.
+/// Time of contact changes: repair of the analysis (factor/repair.h) through long sequences, and
+/// partial refactorisation.
 
 namespace hawser::bench {
 
@@ -11,8 +11,8 @@ namespace hawser::bench {
 /// processor time; between two repairs other data pass through the caches.
 void print_edits(int steps, int scale);
 
-/// Time and flops of partial refactorisations (factor/partial.h) of the same scene, and what it
-/// costs the whole factorisation to keep all update matrices for them.
+/// Print time and flops of partial refactorisations (factor/partial.h) of the same scene. Also
+/// print the extra time of a whole factorisation that keeps all update matrices.
 void print_parts(int scale);
 
 }  // namespace hawser::bench

@@ -8,7 +8,7 @@
 namespace hawser::bench {
 namespace {
 
-/// With the matrix permuted beforehand and its upper triangle stored, Eigen copies nothing.
+/// Eigen makes no copy if the matrix is permuted beforehand and its upper triangle stored.
 class EigenSolver final : public ScalarSolver {
   public:
     explicit EigenSolver(Order order) : ScalarSolver(order, Triangle::upper) {}

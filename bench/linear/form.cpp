@@ -12,7 +12,7 @@
 namespace hawser::bench {
 namespace {
 
-/// A pair of kept nodes, row ≥ column, with what adds to it: a block, or an eliminated node.
+/// A pair of kept nodes, row ≥ column, with one contribution: a block, or an eliminated node.
 struct Piece {
     std::int32_t row, col;
     std::int32_t base;  ///< −1: a contribution.
@@ -36,7 +36,7 @@ void sort_pieces(std::vector<Piece>& pieces, int nodes) {
     pass([](const Piece& p) { return p.col; });
 }
 
-/// What the eliminated node e adds to the block of its i-th and j-th neighbour.
+/// Add the contribution of the eliminated node e to the block of its i-th and j-th neighbour.
 void add_pair(const BlockSystem& s, const BlockForm& f, int e, int i, int j,
               std::vector<Piece>& pieces) {
     const std::int32_t a = s.pattern.adjacent[at(i)], b = s.pattern.adjacent[at(j)];

@@ -22,8 +22,8 @@ namespace hawser::bench {
 
 using V4 = double __attribute__((vector_size(32)));
 using V2 = double __attribute__((vector_size(16)));
-/// Two registers of AVX2. g++ lowers one vector of 64 bytes through memory where no register has
-/// that size.
+/// Two registers of AVX2. Without registers of 64 bytes g++ would pass such a vector through
+/// memory.
 struct V8 {
     V4 low, high;
 };
@@ -52,7 +52,7 @@ HAWSER_BENCH_INLINE V8 operator*(const V8& a, const V8& b) {
 }
 HAWSER_BENCH_INLINE V8 operator*(const V8& a, double b) { return {a.low * b, a.high * b}; }
 
-/// Ones in the first n of eight places.
+/// Ones in the first n of eight lanes.
 inline constexpr double kMask[9][8] = {{},
                                        {1},
                                        {1, 1},
@@ -75,11 +75,11 @@ HAWSER_BENCH_INLINE void load(V4& v, const double* from) {
     v = *reinterpret_cast<const Anywhere*>(from);
 }
 
-/// Blocks that are read as they lie are asked for ahead where there are more doubles of them than
-/// the first (4 MB), others from the second on (8 MB). Below, that costs more than it brings.
+/// Sizes, in doubles, from which blocks are prefetched: the first (4 MB) for blocks read in order,
+/// the second (8 MB) for others. Below, prefetching costs more than it saves.
 inline constexpr std::size_t kNearSize = 524'288, kNearScattered = 1'048'576;
 
-/// Ask for cache lines that will be read soon.
+/// Prefetch cache lines that will be read soon.
 HAWSER_BENCH_INLINE void fetch(const double* from, int lines) {
     for (int k = 0; k < lines; ++k) __builtin_prefetch(from + 8 * k);
 }

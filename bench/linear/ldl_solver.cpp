@@ -18,7 +18,8 @@ class LdlSolver final : public ScalarSolver {
   public:
     explicit LdlSolver(Order order) : ScalarSolver(order, Triangle::upper) {}
 
-    /// It has no order of its own; its examples call AMD. With an order it needs both triangles.
+    /// Permute by AMD, as its examples do: LDL has no order of its own. It needs both triangles
+    /// then.
     bool prepare_own(const Input& input) override {
         const Sparse& lower = input.matrix->lower;
         std::vector<std::int32_t> natural(static_cast<std::size_t>(lower.rows()));
@@ -81,7 +82,7 @@ class LdlSolver final : public ScalarSolver {
   private:
     std::vector<int> start_, parent_, count_, pattern_, flag_, row_;
     std::vector<double> value_, d_, y_;
-    // Of its own analysis.
+    // Data of its own analysis.
     Permuted full_;
     std::vector<int> own_order_, own_place_, own_start_, own_parent_, own_count_, own_flag_,
         own_row_;

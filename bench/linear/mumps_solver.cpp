@@ -13,8 +13,8 @@ extern "C" {
 namespace hawser::bench {
 namespace {
 
-/// MUMPS without MPI. SYM = 1 takes pivots as they come, of either sign as long as the root
-/// front is not handed to ScaLAPACK, which the version without MPI lacks.
+/// MUMPS without MPI. SYM = 1 accepts pivots of either sign. This needs the root front outside
+/// ScaLAPACK, which the version without MPI lacks.
 class MumpsSolver final : public ScalarSolver {
   public:
     explicit MumpsSolver(Order order) : ScalarSolver(order, Triangle::lower) {

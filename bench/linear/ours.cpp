@@ -60,7 +60,7 @@ void Ours::find_places(base::Executor& executor) {
     placer_.place(*form_, analysis_, numeric_.pieces(), ops_, piece_ops_, executor);
     const std::size_t n = at(symbolic_.scalars);
     x_.resize(n + 8, 0.0);
-    // What is written past the end of a node is written again by the next.
+    // Values written past the end of a node are overwritten by the next node.
     constexpr std::int32_t kWide = 8;
     place_.resize(n + kWide);
     std::int32_t* place = place_.data();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file ours.h
-/// Our factorisation as one of the solvers compared, and in steps whose times can be told apart.
+/// The factorisation of Hawser as one of the solvers compared, in stages that are timed separately.
 
 #include "factor/numeric.h"
 #include "factor/repair.h"
@@ -14,18 +14,17 @@
 
 namespace hawser::bench {
 
-/// Writes the values of a few fronts just before it factors them, and goes on with the substitution
-/// while they are in cache, as a time step does.
+/// Writes the values of a few fronts just before their factorisation. The substitution follows
+/// while they are in the cache, as in a time step.
 class Ours final : public Solver {
   public:
     explicit Ours(Order order) : analysis_(planner(order)) {}
 
     void analyse(const Input& input, base::Executor& executor) override;
-    /// Nodes keep their numbers; all that the analysis needs to know is in the pattern.
+    /// Update the analysis. Nodes keep their numbers; the pattern contains all changes.
     void update(const Input& input, const std::vector<int>& changed,
                 base::Executor& executor) override;
-    /// The two halves of analyse() and of update(): order and structure, then where each block is
-    /// written.
+    /// The two halves of analyse() and update(): order and structure, then the addresses of blocks.
     void plan(const Input& input, base::Executor& executor);
     void repair(const Input& input, base::Executor& executor);
     void find_places(base::Executor& executor);
@@ -59,9 +58,9 @@ class Ours final : public Solver {
     const factor::Symbolic& symbolic_ = analysis_.symbolic();
     factor::Numeric numeric_;
     std::vector<BlockWrite> ops_;
-    std::vector<Placer::Range> piece_ops_;  ///< Of each piece: begin, end.
+    std::vector<Placer::Range> piece_ops_;  ///< Begin and end for each piece.
     Input input_;
-    std::vector<std::int32_t> place_;  ///< Of each permuted scalar in the form.
+    std::vector<std::int32_t> place_;  ///< Index in the form of each permuted scalar.
     std::vector<double> x_;
     Placer placer_;
 };

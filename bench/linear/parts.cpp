@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a partial refactorisation saves, and what keeping update matrices for it costs.
+/// Time saved by a partial refactorisation, and the cost of the update matrices stored for it.
 #include "factor/analyse.h"
 #include "factor/numeric.h"
 #include "factor/partial.h"

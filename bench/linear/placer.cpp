@@ -10,7 +10,7 @@
 namespace hawser::bench {
 namespace {
 
-/// Rows of a front by node, where they are none of its pivots.
+/// Find the rows of a front by node, except its pivots.
 void find_rows(const BlockForm& form, const factor::Analysis& analysis, const factor::Front& front,
                std::int32_t* row_of) {
     std::int32_t row = front.p;
@@ -36,7 +36,7 @@ void Placer::place(const BlockForm& form, const factor::Analysis& analysis,
     ops.resize(form.ops.size());
     const std::size_t n = s.order.size();
     row_.resize(n * at(executor.threads()));
-    // Groups with about as many blocks each, of some microseconds.
+    // Groups with nearly equal numbers of blocks, of some microseconds.
     constexpr std::size_t kBlocks = 512;
     const std::size_t count = index_.size();
     const int parts = executor.threads() == 1
@@ -89,7 +89,7 @@ void Placer::place_groups(const BlockForm& form, const factor::Analysis& analysi
     }
 }
 
-/// Pieces in the sequence of their panels, and what the blocks need of every node.
+/// Collect pieces in the order of their panels, and the data of every node.
 void Placer::find_nodes(const factor::Symbolic& s, const std::vector<factor::Piece>& pieces) {
     by_place_.clear();
     for (const factor::Piece& p : pieces)
@@ -120,7 +120,7 @@ void Placer::find_nodes(const factor::Symbolic& s, const std::vector<factor::Pie
     }
 }
 
-/// Two counting sorts: by group, to find rows, and by piece, for where blocks end up.
+/// Sort twice by counting: by group, to find rows, and by piece, for the addresses of blocks.
 void Placer::sort(const BlockForm& form, base::Executor& executor) {
     const std::size_t count = form.ops.size();
     start_.assign(rank_.size(), 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file placer.h
-/// Where the blocks of a form are written in the panels of our factorisation.
+/// Addresses of the blocks of a form in the panels of the factorisation.
 
 #include "factor/numeric.h"
 #include "factor/repair.h"
@@ -13,9 +13,9 @@
 
 namespace hawser::bench {
 
-/// Gives every block of a form its place in the panels. Blocks of a piece lie together, as pieces
-/// end where fronts end; within a piece, which stays in cache while it is filled, alike ones follow
-/// each other. A used one needs no memory for a form of about the same size.
+/// Computes the address of every block of a form in the panels. Blocks of a piece are consecutive,
+/// since pieces end at ends of fronts. A piece remains in the cache while it is filled; within it,
+/// equal blocks are consecutive. A used placer allocates nothing for a form of similar size.
 class Placer {
   public:
     using Range = std::pair<std::size_t, std::size_t>;
@@ -27,10 +27,10 @@ class Placer {
                std::vector<Range>& of_piece, base::Executor& executor);
 
   private:
-    /// What the blocks need of a node.
+    /// Data of a node for its blocks.
     struct Place {
         std::int64_t column;    ///< Address of its first column.
-        std::int32_t ld, row;   ///< Of its front; in it.
+        std::int32_t ld, row;   ///< Leading dimension of its front; row in it.
         std::int32_t position;  ///< In the order of elimination.
         std::int32_t group;     ///< Its front; of a chain's node: its step, behind all fronts.
     };
@@ -46,7 +46,7 @@ class Placer {
     std::vector<std::int32_t> start_;   ///< By group: end of its blocks in index_.
     std::vector<std::int32_t> column_;  ///< By block: its column's node twice, 1 more if turned.
     std::vector<std::int32_t> index_;   ///< Blocks by group.
-    std::vector<std::int32_t> to_;      ///< By block: where it ends up.
+    std::vector<std::int32_t> to_;      ///< New index of each block.
     std::vector<std::int32_t> row_;     ///< By node, for each thread: its row in a front.
 };
 

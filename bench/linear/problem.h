@@ -37,12 +37,12 @@ struct ProblemSource {
     int scale = 1;
     std::optional<PaperOptions> paper{};  ///< Then contacts can change.
     std::string file{}, blocks{};         ///< Matrix Market, or a scene.
-    bool named_only = false;              ///< Not among those that nobody named.
+    bool named_only = false;              ///< Left out unless named.
 
     [[nodiscard]] BlockSystem system() const;
 };
 
-/// The benchmark's matrices for the given scales of paper and scene.
+/// Return the matrices of the benchmark for the given scales of paper and scene.
 [[nodiscard]] std::vector<ProblemSource> standard_problems(const std::vector<int>& scales,
                                                            const std::string& scene);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Ours through hawser/factor.h: blocks are written into an array of values, which factor() copies
-/// to where it wants them.
+/// The solver of Hawser through hawser/factor.h: blocks are written to an array of values, which
+/// factor() copies to the panels.
 #include "index.h"
 #include "linear/solver.h"
 
@@ -58,7 +58,7 @@ class PublicSolver final : public Solver {
     static void check(Status status) {
         if (status != Status::ok) throw std::runtime_error(to_string(status));
     }
-    /// The form has the columns of a block next to each other. So its rows are taken for columns.
+    /// In the form the columns of a block are consecutive. So treat its rows as columns.
     void find_pattern(const BlockForm& form) {
         pattern_.size = form.pattern.size;
         pattern_.sign = form.pattern.sign;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file reference.h
-/// The solution to compare with: a plain up-looking LDLᵀ of the saddle matrix in long double with
-/// rows eliminated after bodies, refined in long double until the correction stops shrinking.
-/// Shares no code with the solvers compared but the product of blocks with a vector.
+/// Reference solution: a plain up-looking LDLᵀ of the saddle matrix in long double. Rows are
+/// eliminated after bodies. The solution is refined in long double until the correction stops
+/// decreasing. It shares only the product of blocks with a vector with the solvers compared.
 
 #include "paper_matrix/block_system.h"
 

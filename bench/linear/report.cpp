@@ -72,8 +72,8 @@ json result_json(const Result& r) {
 void print_memory(const ProblemReport& report) {
     for (const Result& r : report.best) {
         if (r.library != "hawser" || r.threads != 1) continue;
-        // The panels are written when values come and when L is stored, and each of the two
-        // solutions reads L twice.
+        // The panels are written with the values and with L, and each of the two solutions reads L
+        // twice.
         const double l = 8.0 * r.factor_nnz;
         fmt::print(
             "  hawser: {:.0f} B/body; {:.1f} ns/body; L {:.2f} MB; factor writes L at "

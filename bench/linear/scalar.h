@@ -18,8 +18,8 @@ enum class Order : std::uint8_t { amd_scalars, amd_blocks, metis_blocks, library
 /// Elimination order of the kept nodes: order[k] = node. @throws if METIS is not in this build.
 [[nodiscard]] std::vector<std::int32_t> order_blocks(const BlockForm& form, Order order);
 
-/// Lower triangle of a form in its natural order. Constructing it is no part of any timing: it is
-/// what a user of a library has.
+/// Lower triangle of a form in its natural order. No timing includes its construction, since users
+/// of a library have it.
 class ScalarMatrix {
   public:
     ScalarMatrix(const BlockSystem& system, const BlockForm& form);
@@ -38,7 +38,7 @@ class ScalarMatrix {
 
 enum class Triangle : std::uint8_t { lower, upper, full };
 
-/// P K Pᵀ by columns, rows ascending, with the place that each value comes from.
+/// P K Pᵀ by columns, rows ascending, with the source index of each value.
 struct Permuted {
     std::vector<std::int32_t> order, start, row, source;
     std::vector<double> value;

@@ -13,7 +13,7 @@
 namespace hawser::bench {
 namespace {
 
-/// Runs on one thread what more threads would be given to do.
+/// Runs the tasks of several threads on one thread.
 class Pretend final : public base::Executor {
   public:
     Pretend(runtime::Pool& pool, int threads) : pool_(pool), threads_(threads) {}
@@ -47,7 +47,7 @@ class Work {
         base::SerialExecutor serial;
         vectors_.resize(problem_.system);
         solver_->analyse(problem_.input(condensed), serial);
-        // Room for the second thread; serial executors use the first.
+        // Prepare the second thread; serial executors use the first.
         Pretend two(one_, 2);
         solver_->analyse(problem_.input(condensed), two);
     }
@@ -62,7 +62,7 @@ class Work {
         Marks m = solve(executor);
         processor(pool, after);
         pool.pause();
-        // A switch of threads takes microseconds at least; the clocks themselves about one.
+        // A switch of threads takes microseconds at least; reading the clocks about one.
         for (int t = 0; t < pool.threads(); ++t)
             if (m.whole() - (after[t] - before[t]) > 0.01 * m.whole() + 3e-6) m.disturbed = true;
         return m;
@@ -106,8 +106,8 @@ class Work {
     runtime::Trace trace_{1, 1 << 16};
 };
 
-/// The same program run several times, each time being the median of its times: another program
-/// that takes the processor for a while lengthens one task in one of them.
+/// Return the median times of several runs of the same program. Another process that uses the
+/// processor for a while lengthens a task in only one of them.
 ProgramTimes typical(const std::vector<ProgramTimes>& runs) {
     ProgramTimes p = runs.front();
     std::vector<double> v;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file schedule.h
-/// Our solution on more threads than the machine has: task times of one thread, dealt out by the
-/// simulator of hawser/schedule.h, checked against what two threads take.
+/// Our solution on more threads than the machine has: task times of one thread, scheduled by the
+/// simulator of hawser/schedule.h, checked against the time of two threads.
 
 #include "linear/problem.h"
 
@@ -59,7 +59,7 @@ inline constexpr int kScheduleThreads[] = {1, 2, 4, 8, 16, 32, 64};
 
 void print_schedule_head(const PoolCosts& costs);
 void print_schedule(const ScheduleReport& report);
-/// What bounds it: every loop with the code before it.
+/// Print the limits of the speed: every loop with the code before it.
 void print_schedule_loops(const ScheduleReport& report);
 [[nodiscard]] nlohmann::json to_json(const ScheduleReport& report);
 

@@ -15,7 +15,7 @@
 namespace hawser::bench {
 namespace {
 
-/// Times of parts by name, in the sequence in which they were first met.
+/// Times of parts by name, in the order of first occurrence.
 class Laps {
   public:
     struct Part {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file shares.h
-/// What the parts of our solution and of our update take, and how much of a solution is code that
-/// every solver of the comparison runs.
+/// Times of the parts of our solution and update. Also the fraction of a solution that is code
+/// which every solver of the comparison runs.
 
 #include "linear/problem.h"
 
 namespace hawser::bench {
 
-/// Condense, factor, solve and refine a system `rounds` times, and, where it is the paper's scene,
-/// follow it through as many steps with 50 contacts changed each; print medians of every part. One
-/// thread, condensed form, wall time.
+/// Condense, factor, solve and refine a system `rounds` times. For the scene of the paper, follow
+/// as many steps with 50 contacts changed in each. Print medians of every part. One thread,
+/// condensed form, wall time.
 void print_shares(const ProblemSource& source, int rounds);
 
 }  // namespace hawser::bench

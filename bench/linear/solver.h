@@ -22,7 +22,7 @@
 
 namespace hawser::bench {
 
-/// What a solver is given: the blocks, the form, and the form's scalar matrix for libraries.
+/// Input of a solver: the blocks, the form, and the scalar matrix of the form for libraries.
 struct Input {
     const BlockSystem* system = nullptr;
     const BlockForm* form = nullptr;
@@ -37,38 +37,39 @@ class Solver {
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
-    /// Order and everything else that does not depend on values.
+    /// Compute the order and all other data that do not depend on values.
     virtual void analyse(const Input& input, base::Executor& executor) = 0;
-    /// The same after the given nodes of the system, contacts, got other neighbours.
+    /// Update the analysis after the given nodes of the system, contacts, have new neighbours.
     virtual void update(const Input& input, const std::vector<int>& changed,
                         base::Executor& executor) {
         (void)changed;
         analyse(input, executor);
     }
-    /// The library's own analysis of the scalar matrix, as its users call it: its default order,
-    /// nothing permuted beforehand, the result not used. @return whether it has one.
+    /// Run the library's own analysis of the scalar matrix, as its users call it. It uses the
+    /// default order and no permutation beforehand; the result is not used. @return true if the
+    /// library has one.
     virtual bool prepare_own(const Input& input) {
         (void)input;
         return false;
     }
     virtual void analyse_own() {}
-    /// Values from the blocks of the system, condensed where the form is.
+    /// Compute the values from the blocks of the system, condensed if the form is.
     virtual void refresh(const Input& input, base::Executor& executor) = 0;
     /// @throws std::runtime_error if it fails.
     virtual void factor(base::Executor& executor) = 0;
-    /// factor() where a right-hand side is known: a solver may begin with x, which finish() ends.
+    /// Factor with a known right-hand side: a solver may begin with x, which finish() completes.
     virtual void factor_and_begin(std::vector<double>& x, base::Executor& executor) {
         (void)x;
         factor(executor);
     }
     virtual void finish(std::vector<double>& x, base::Executor& executor) { solve(x, executor); }
-    /// Scalars of the kept nodes, natural order, in place.
+    /// Solve for the scalars of the kept nodes in natural order, in place.
     virtual void solve(std::vector<double>& x, base::Executor& executor) = 0;
-    /// Entries of L with its diagonal, as the library counts or stores them.
+    /// Return the entries of L with its diagonal, as the library counts or stores them.
     [[nodiscard]] virtual double factor_nnz() const = 0;
-    /// Of one factorisation, 0 = the library does not tell.
+    /// Return the flops of one factorisation; 0: unknown.
     [[nodiscard]] virtual double flops() const { return 0.0; }
-    /// Memory that the solver holds, 0 = not known.
+    /// Return the memory of the solver; 0: unknown.
     [[nodiscard]] virtual double bytes() const { return 0.0; }
 };
 
@@ -82,7 +83,8 @@ struct Variant {
     [[nodiscard]] std::string form() const { return condensed ? "condensed" : "saddle"; }
 };
 
-/// Every variant in this build; "hawser" comes first. @param through_public  With "hawser blocks".
+/// Return every variant in this build; "hawser" is first. @param through_public  With "hawser
+/// blocks".
 [[nodiscard]] std::vector<Variant> all_variants(bool through_public);
 
 std::unique_ptr<Solver> make_ours(Order order);
@@ -94,12 +96,13 @@ std::unique_ptr<Solver> make_ldl(Order order);
 std::unique_ptr<Solver> make_klu(Order order);
 std::unique_ptr<Solver> make_mumps(Order order);
 
-/// Threads of the BLAS and of OpenMP from here on, where they can be told.
+/// Set the threads of the BLAS and of OpenMP if possible.
 void set_library_threads(int threads);
-/// Name of the BLAS's kernels, e.g. "OpenBLAS SkylakeX"; "unknown" for another BLAS.
+/// Return the name of the kernels of the BLAS, e.g. "OpenBLAS SkylakeX"; "unknown" for another
+/// BLAS.
 [[nodiscard]] std::string blas_core();
 
-/// Permutes, gathers, and scatters for libraries that take a scalar matrix.
+/// Permutes, gathers and scatters for libraries with a scalar matrix.
 class ScalarSolver : public Solver {
   public:
     ScalarSolver(Order order, Triangle triangle) : order_(order), triangle_(triangle) {}
@@ -110,7 +113,7 @@ class ScalarSolver : public Solver {
   protected:
     virtual void analyse_pattern() = 0;
     virtual void solve_permuted(std::vector<double>& x) = 0;  ///< In place.
-    /// Where the permuted values are wanted.
+    /// Return the array for the permuted values.
     virtual double* values() { return matrix_.value.data(); }
 
     Order order_;

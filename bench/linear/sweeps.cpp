@@ -21,8 +21,8 @@ struct SweepView {
     const std::int32_t* row_to;
     const double *inverse, *b;
     double *x, *r, *s, *folded;
-    std::int32_t asked;  ///< Columns to ask for ahead: all, or none.
-    bool distant;        ///< The blocks are several times what a core's own cache holds.
+    std::int32_t asked;  ///< Number of columns to prefetch: all, or none.
+    bool distant;        ///< The blocks are several times larger than the cache of a core.
 };
 
 SweepView view_of(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
@@ -76,7 +76,7 @@ HAWSER_BENCH_INLINE void row_product(const SweepView& v, std::int64_t e, const d
 
 enum class Sweep : std::uint8_t { unfold, correct, residual };
 
-/// Blocks of rows lie one after the other, in stretches too short for the processor to look ahead.
+/// Blocks of rows are consecutive, in sections too short for the hardware prefetcher.
 HAWSER_BENCH_INLINE void fetch_row(const SweepView& v, std::int64_t e) {
     constexpr int kAhead = 320, kLines = 5;  // doubles, of a row node at most
     if (v.distant) fetch(v.values + v.rows[e].sigma + kAhead, kLines);
@@ -271,7 +271,7 @@ void all_scalars(const BlockForm& f, base::Executor& executor, F work) {
         kLeast);
 }
 
-/// Scalars of the bodies from the form's vector to the places of the system's.
+/// Copy scalars of the bodies from the vector of the form to that of the system.
 void spread(const BlockForm& f, const std::vector<double>& from, std::vector<double>& to,
             base::Executor& executor) {
     all_scalars(f, executor, [&](std::size_t k, std::size_t i) { to[k] = from[i]; });
@@ -291,7 +291,7 @@ void fold(const BlockSystem& s, const BlockForm& f, const std::vector<double>& i
         return;
     }
     const SweepView v = view_of(s, f, inverse, vectors);
-    // Scalars of bodies are scaled by what happens to be there and never read.
+    // Scalars of bodies are scaled by unused values and never read.
     in_pieces(s.scalars(), executor, [&](std::int64_t begin, std::int64_t end) {
         scale(v.inverse, v.b, v.s, begin, end);
     });

@@ -33,7 +33,7 @@ void unfold(const BlockSystem& system, const BlockForm& form, const std::vector<
 void fold_residual(const BlockSystem& system, const BlockForm& form, SweepVectors& vectors,
                    base::Executor& executor);
 
-/// x += the correction whose kept part is in folded.
+/// Add to x the correction whose kept part is in `folded`.
 void add_correction(const BlockSystem& system, const BlockForm& form,
                     const std::vector<double>& inverse, SweepVectors& vectors,
                     base::Executor& executor);

@@ -58,7 +58,7 @@ Result describe(Candidate& c) {
     return r;
 }
 
-/// Samples of one candidate, and what becomes of them.
+/// Samples of one candidate, and their evaluation.
 struct Samples {
     std::vector<double> analyse, own_analyse, refresh, factor, solve, refine, total;
     void add(const Phases& p) {
@@ -77,17 +77,15 @@ struct Samples {
     }
 };
 
-/// One turn. Solutions that are not counted come first: the first of all touches its memory for the
-/// first time, and a short one finds caches and the prediction of branches full of what another
-/// solver did. They also wake the threads, which stay awake for the turn, as they do in a time
-/// step.
-/// @param others  Another solver had the turn before.
+/// Take one turn. Uncounted solutions come first, for three reasons. The very first one touches its
+/// memory for the first time. A short one finds the caches and branch predictors filled by another
+/// solver. They also wake the threads, which then stay awake, as in a time step.
 void take_turn(Candidate& c, Samples& s, bool others) {
     constexpr double kShort = 0.02, kOthers = 0.03;  // [s]
     const bool first_of_all = s.total.empty();
     const Phases p = c.work();
     const bool is_short = p.total() < kShort;
-    // Threads of another library's BLAS wait awake for work, and then go to sleep.
+    // Threads of the BLAS of another library spin for a while before they sleep.
     for (double passed = p.total(); others && is_short && passed < kOthers;)
         passed += c.work().total();
     if (!first_of_all && !is_short) s.add(p);
@@ -112,7 +110,7 @@ Result try_variant(Problem& problem, const Variant& variant, int threads) {
         Samples s;
         s.analyse.push_back(c.analyse());
         for (int turn = 0; turn < 2; ++turn) take_turn(c, s, turn == 0);
-        // Short ones are disturbed more, and there is time for more of them.
+        // Take more samples of short ones, which are disturbed more.
         constexpr double kShort = 0.005;  // [s]
         const bool is_short = *std::min_element(s.total.begin(), s.total.end()) < kShort;
         for (int turn = 0; is_short && turn < 8; ++turn) take_turn(c, s, false);
@@ -213,7 +211,7 @@ void Candidate::wake() {
 void Candidate::sleep() {
     if (pool_) pool_->pause();
 }
-/// A spinning pool would take a core from a library that has threads of its own.
+/// Pause the pool: if it spins, it takes a core from a library with its own threads.
 void Candidate::rest() {
     if (pool_ && own_ != pool_.get()) pool_->pause();
 }
@@ -279,7 +277,7 @@ Phases Candidate::work() {
 
 std::vector<Result> compare(Problem& problem, const ProblemSource& source, int threads,
                             const TrialOptions& options, std::vector<Result>& all) {
-    // With more threads only solvers that can use them are worth another look.
+    // With more threads, only try solvers that can use them.
     using Tried = std::pair<Variant, Result>;
     std::map<std::string, Tried> best, next;
     std::vector<std::string> order;
@@ -299,7 +297,7 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
         if (second == next.end() || other.second.total < second->second.second.total)
             next[v.library] = other;
     }
-    // Where the two best are close and short, a sample does not decide.
+    // If the two best are close and short, one sample is not decisive.
     for (const auto& [name, other] : next) {
         constexpr double kClose = 1.5, kShort = 0.02;  // of the times; [s]
         Tried& first = best[name];

@@ -17,23 +17,24 @@ namespace hawser::bench {
 
 /// Times of one solution from blocks to refined result [s].
 struct Phases {
-    /// Values from the blocks, condensed where the form is, and its right-hand side.
+    /// Compute the values from the blocks, condensed if the form is, and its right-hand side.
     double refresh = 0.0;
-    double factor = 0.0;  ///< Ours: with the values of each part just before it is factored.
-    double solve = 0.0;   ///< With unfolding of eliminated rows.
+    /// Ours: includes the values of each part, computed just before its factorisation.
+    double factor = 0.0;
+    double solve = 0.0;   ///< Includes the eliminated rows.
     double refine = 0.0;  ///< Saddle residual, second solution, addition.
     [[nodiscard]] double total() const noexcept { return refresh + factor + solve + refine; }
 };
 
-/// What it takes to follow contacts that changed.
+/// Time of the update after contact changes.
 struct UpdateTime {
-    int changed = 0;     ///< Contacts.
-    double time = 0.0;   ///< Median [s].
-    double anew = -1.0;  ///< An analysis of the same systems from nothing, in turns with it; −1:
-                         ///< the solver knows no other way.
+    int changed = 0;    ///< Contacts.
+    double time = 0.0;  ///< Median [s].
+    /// A new analysis of the same systems, in turns with it; −1: the solver has no update.
+    double anew = -1.0;
 };
 
-/// What is reported of one solver on one problem with one number of threads.
+/// Results of one solver on one problem with one number of threads.
 struct Result {
     std::string library, form, order, failure;
     int threads = 1;
@@ -48,10 +49,11 @@ struct Result {
 
 struct TrialOptions {
     int rounds = 11;                       ///< Turns of each solver.
-    std::vector<std::string> libraries{};  ///< Parts of names; empty: all.
-    std::vector<int> edits{10, 50, 200};   ///< Contacts changed, where the problem has any.
-    bool quick_choice = false;             ///< Try AMD on blocks only, for ours our own order.
-    bool alternate = true;                 ///< Keep all solvers in memory and take turns.
+    std::vector<std::string> libraries{};  ///< Substrings of names; empty: all.
+    /// Numbers of contacts changed, if the problem has contacts.
+    std::vector<int> edits{10, 50, 200};
+    bool quick_choice = false;  ///< Try AMD on blocks only, for ours our own order.
+    bool alternate = true;      ///< Keep all solvers in memory and alternate.
     bool updates = true;
     bool through_public = false;  ///< See all_variants().
 };
@@ -80,7 +82,7 @@ class Candidate {
   private:
     [[nodiscard]] base::Executor& executor() noexcept { return pool_ ? *pool_ : serial(); }
     [[nodiscard]] static base::Executor& serial() noexcept;
-    /// One thread is timed by what it used, several by the clock on the wall.
+    /// @return true if processor time is used, for one thread; else wall time.
     [[nodiscard]] bool processor_time() const noexcept { return threads_ == 1; }
     void wake();
     void rest();
@@ -90,7 +92,7 @@ class Candidate {
     int threads_;
     std::unique_ptr<Solver> solver_;
     std::unique_ptr<runtime::Pool> pool_;
-    base::Executor* own_;  ///< What the solver's own phases run on.
+    base::Executor* own_;  ///< Executor of the phases of the solver.
     SweepVectors vectors_;
 };
 

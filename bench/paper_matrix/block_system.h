@@ -38,8 +38,8 @@ struct BlockSystem {
     [[nodiscard]] bool positive(int node) const noexcept {
         return pattern.sign[static_cast<std::size_t>(node)] > 0;
     }
-    /// Value (i, j) of the block with the rows of node a and the columns of node b, where k is
-    /// the index of b among the neighbours of a.
+    /// Return value (i, j) of the block with the rows of node a and the columns of node b; k is the
+    /// index of b among the neighbours of a.
     [[nodiscard]] double at(int a, int k, int i, int j) const noexcept;
 
     /// Connected components of the block graph.
@@ -58,13 +58,13 @@ class SystemBuilder {
     int add_body(int dof, std::span<const double> inertia) { return add_node(dof, 1, inertia); }
     /// Rows of an interaction with compliance sigma > 0 each; G follows by add_block().
     int add_rows(std::span<const double> sigma);
-    /// The block with the rows of `high` and the columns of `low` < high, by rows. A pair may
-    /// come once only.
+    /// Add the block with the rows of `high` and the columns of `low` < high, by rows. A pair may
+    /// occur only once.
     void add_block(int high, int low, std::span<const double> block);
     [[nodiscard]] int nodes() const noexcept { return static_cast<int>(size_.size()); }
 
-    /// @param rhs_seed  The right-hand side: what velocities of about 1 m/s and multipliers of
-    ///        about 1e3 N s would need.
+    /// @param rhs_seed  Seed of the right-hand side that results from velocities of about 1 m/s and
+    ///        multipliers of about 1e3 N s.
     [[nodiscard]] BlockSystem finish(std::string name, std::uint64_t rhs_seed);
 
   private:

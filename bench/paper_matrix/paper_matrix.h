@@ -61,9 +61,9 @@ class PaperScene {
         return bodies() + joint_end_[static_cast<std::size_t>(copy)] + i;
     }
 
-    /// Replace `count` contacts of every copy by others of the same kind nearby, as happens from
-    /// one step to the next. Step `step` is the same each time it is asked for in the same
-    /// sequence of steps. @return the contacts changed, ascending.
+    /// Replace `count` contacts of every copy by others of the same kind nearby, as between steps.
+    /// Step `step` is reproducible within the same sequence of steps. @return the contacts changed,
+    /// ascending.
     std::vector<int> change_contacts(int count, int step);
 
     /// Bodies are the first nodes; then come joints and contacts, copy by copy.
@@ -75,8 +75,8 @@ class PaperScene {
     struct Joint {
         Kind kind;
         std::array<int, 3> body{-1, -1, -1};  ///< Bend: previous, middle, next.
-        Vec point{};                          ///< Of a hinge, lock, link or end [m].
-        Vec axis{};                           ///< Of a hinge or motor; along a cable.
+        Vec point{};                          ///< Point of a hinge, lock, link or end [m].
+        Vec axis{};  ///< Axis of a hinge or motor, or direction of a cable.
     };
     struct CableEnds {
         int from, to;  ///< Bodies of the copy; to = −1: the ground.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who touches whom: bodies, cables, contacts and their changes. Values are in paper_values.cpp.
+// Topology: bodies, cables, contacts and their changes. Values are in paper_values.cpp.
 #include "paper_matrix/dice.h"
 
 #include "index.h"
@@ -25,7 +25,7 @@ std::array<double, 3> hull_place(int copy, int hull) {
     return p;
 }
 
-/// Where contacts of cables on a hull are: elements `first`, first + step, … of a cable.
+/// Contacts of cables on a hull, at elements `first`, first + step, … of a cable.
 struct DeckZone {
     int hull, cable;
     bool far_end;  ///< Counted from the last element backwards.

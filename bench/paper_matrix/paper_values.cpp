@@ -30,7 +30,7 @@ Mat3 cross(const Vec3& v) {
     return m;
 }
 
-/// Inertia about the origin of a body whose centre of mass is at c. Symmetric to the last bit.
+/// Return the inertia about the origin of a body with centre of mass c. Symmetric to the last bit.
 Eigen::Matrix<double, 6, 6> spatial(double mass, const Vec3& size, const Vec3& c) {
     Eigen::Matrix<double, 6, 6> m;
     const Vec3 s = size.cwiseAbs2();
@@ -178,7 +178,8 @@ void PaperScene::emit_contact(SystemBuilder& builder, const Contact& c, int inde
     const int node = builder.add_rows(s);
     builder.add_block(node, c.first, point_rows(c.first, directions, plain(point), 1.0));
     if (c.second < 0) return;
-    // A cable at another is 76 mm away whatever the drawing says; a hull is where it is.
+    // A cable that touches another is 76 mm away, independent of the drawing; a hull is at its
+    // position.
     const Vec3 far = wide(c.second) ? point : Vec3(vec(place_[at(c.second)]) + reach * n);
     builder.add_block(node, c.second, point_rows(c.second, directions, plain(far), -1.0));
 }

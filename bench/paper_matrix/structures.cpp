@@ -19,7 +19,7 @@ using Vec3 = Eigen::Vector3d;
 
 // Kinematic rows at 60 Hz: 4 ε Υ / h² with ε = 1e-12 m/N, Υ = 1/9. Strings: l / EA = 1e-6 m/N.
 constexpr double kRigid = 1.6e-9, kString = 1.6e-3;
-constexpr double kHalf = 0.5;  ///< Of a link [m].
+constexpr double kHalf = 0.5;  ///< Half length of a link [m].
 
 /// A rigid body of the given mass and semi-axes, turned so that its first axis is `u`.
 int add_rigid(SystemBuilder& builder, double mass, const Vec3& size, const Vec3& u) {
@@ -64,8 +64,9 @@ void add_ball(SystemBuilder& builder, const Side& a, const Side& b) {
     }
 }
 
-/// A chain that starts at `start` and ends at `stop`, if that is a body; its joints come with it,
-/// so that bodies are numbered along it. The direction of each link differs a little.
+/// Add a chain that starts at `start` and ends at `stop`, if that is a body. Its joints are added
+/// along with its bodies, so that the numbering follows the chain. The directions of links vary a
+/// little.
 /// @return the last link.
 int add_chain(SystemBuilder& builder, Dice& dice, const Side& start, int links) {
     Side last = start;

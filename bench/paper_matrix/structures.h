@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file structures.h
-/// Systems of one shape each, which show what an ordering and a schedule do with it.
+/// Systems of one shape each, which show the effect of an ordering and a schedule.
 
 #include "paper_matrix/block_system.h"
 

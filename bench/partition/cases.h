@@ -40,9 +40,9 @@ struct PartCase {
 [[nodiscard]] PartCase paper_case(bool rigid, int scale, int elements = 94, std::uint64_t seed = 1);
 /// Two- and three-body edges at random, three edges a body, all bodies in one island.
 [[nodiscard]] PartCase random_case(int bodies, std::uint64_t seed);
-/// `wires` wires of `length` lumps on one hull, which touches a fifth of them.
+/// Return `wires` wires of `length` lumps on one hull, which touches a fifth of them.
 [[nodiscard]] PartCase star_case(int wires, int length, std::uint64_t seed);
-/// The islands of a case, each a case.
+/// Return the islands of a case, each as a case.
 [[nodiscard]] std::vector<PartCase> islands_of(const PartCase& all);
 
 }  // namespace hawser::bench

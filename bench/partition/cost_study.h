@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file cost_study.h
-/// How well costs known before a factorisation predict what it takes.
+/// Accuracy with which costs known before a factorisation predict its time.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file factors.h
-/// What a partition is worth to the solver: factorisation and solution with its separators last.
+/// Benefit of a partition for the solver: factorisation and solution with its separators last.
 
 #include "partition/cases.h"
 
@@ -11,13 +11,13 @@
 
 namespace hawser::bench {
 
-/// Time of a factorisation and a solution by hawser/factor.h [s]; of many by turns the tenth of
-/// the samples that nothing disturbed.
+/// Time of a factorisation and a solution by hawser/factor.h [s]: the lowest tenth of many samples,
+/// taken alternately.
 struct FactorTimes {
     int threads = 1;
-    double ours = 0.0;   ///< Separators of our parts last.
+    double ours = 0.0;   ///< With separators of our parts last.
     double metis = 0.0;  ///< Those of METIS's.
-    double amd = 0.0;    ///< AMD's order, without parts.
+    double amd = 0.0;    ///< With the order of AMD, without parts.
 };
 
 /// For one thread and two, printed; empty without METIS. @param turns  Of twenty each.

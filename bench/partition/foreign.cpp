@@ -127,7 +127,7 @@ std::vector<std::int32_t> scotch_order([[maybe_unused]] ForeignGraph& g) {
 void cover_cuts(const factor::Pattern& pattern, std::vector<std::int32_t>& parts) {
     const std::vector<std::int32_t> old = parts;
     std::vector<std::int32_t> open(old.size(), 0);
-    // By edges still open a scalar, then by number; entries that no longer hold are passed over.
+    // Sort by uncovered edges per scalar, then by number; skip outdated entries.
     using Entry = std::tuple<double, std::int32_t, std::int32_t>;
     std::priority_queue<Entry> queue;
     const auto offer = [&](std::int32_t v) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file foreign.h
-/// METIS, Scotch and AMD of SuiteSparse on a body graph. A library that is not in this build
-/// gives an empty result.
+/// METIS, Scotch and AMD of SuiteSparse on a body graph. The result of a library that is not in
+/// this build is empty.
 
 #include "factor/pattern.h"
 
@@ -11,7 +11,7 @@
 
 namespace hawser::bench {
 
-/// A graph as a library wants it, prepared outside all timing.
+/// A graph in the format of a library, prepared outside all timing.
 struct ForeignGraph {
     explicit ForeignGraph(const factor::Pattern& pattern);
     std::vector<int> start, adjacent, weight;  ///< Weight: scalars of each node.
@@ -26,8 +26,8 @@ struct ForeignGraph {
 [[nodiscard]] std::vector<std::int32_t> metis_order(ForeignGraph& graph);
 [[nodiscard]] std::vector<std::int32_t> scotch_order(ForeignGraph& graph);
 
-/// Vertex separators from a partition without: of the nodes at cut edges the one that covers most
-/// of them a scalar is taken, until all are covered (greedy). `parts` gets graph::kSeparator.
+/// Derive vertex separators from a partition without them. Repeatedly take the node that covers
+/// most cut edges per scalar, until all are covered (greedy). `parts` gets graph::kSeparator.
 void cover_cuts(const factor::Pattern& pattern, std::vector<std::int32_t>& parts);
 
 /// Approximate minimum degree with nodes of kSeparator last (CAMD; without it AMD and a stable

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file measure.h
-/// What a partition or an order is worth: exact counts of the factor, and time.
+/// Quality of a partition or an order: exact counts of the factor, and time.
 
 #include "factor/pattern.h"
 #include "partition/cases.h"
@@ -23,7 +23,7 @@ struct FactorCounts {
                                         const std::vector<std::int32_t>& order);
 
 /// Flops beyond which no factorisation is timed: some seconds each and gigabytes. An order that
-/// takes the hub of a large star early leaves a dense matrix.
+/// eliminates the hub of a large star early leaves a dense matrix.
 constexpr std::int64_t kMostFlops = 100'000'000'000;
 
 /// Median processor time of f() [s]; at least `least` runs.
@@ -34,14 +34,14 @@ constexpr std::int64_t kMostFlops = 100'000'000'000;
 [[nodiscard]] double factor_seconds(const factor::Pattern& pattern,
                                     const std::vector<std::int32_t>& order, int least);
 
-/// factor_seconds() in ms, the number of runs by the size of the case; NaN where `counts` exceed
-/// kMostFlops.
+/// Return factor_seconds() in ms, the number of runs by the size of the case; NaN if `counts`
+/// exceed kMostFlops.
 [[nodiscard]] double factor_ms(const PartCase& c, const std::vector<std::int32_t>& order,
                                const FactorCounts& counts);
 
-/// What each node's pivots would cost inside a part: of nodes between parts, which are dear because
-/// they come last, the mean of their neighbours inside; else as counted. Costs for a next
-/// partition.
+/// Return the cost of the pivots of each node inside a part, for the next partition. Nodes between
+/// parts are expensive because they come last: use the mean of their neighbours inside. Others: as
+/// counted.
 [[nodiscard]] std::vector<std::int64_t> inside_costs(const factor::Pattern& pattern,
                                                      const std::vector<std::int32_t>& part,
                                                      const std::vector<std::int64_t>& counted);
@@ -49,7 +49,7 @@ constexpr std::int64_t kMostFlops = 100'000'000'000;
 struct PartRow {
     std::string method;
     double seconds = 0.0;             ///< To make the partition [s].
-    int separators = 0, scalars = 0;  ///< Bodies and their scalars between parts.
+    int separators = 0, scalars = 0;  ///< Bodies between parts and their scalars.
     int cut = 0;                      ///< Interactions with a body between parts.
     double imbalance = 1.0;           ///< Exact flops of the largest part over the mean.
     double largest = 0.0;             ///< Flops of the dearest body over the mean part.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file scenes.h
-/// Parts of scenes while they run, by World::partition(), and the body graph that METIS gets.
+/// Parts of running scenes by World::partition(), and the body graph for METIS.
 
 #include "factor/pattern.h"
 
@@ -14,15 +14,15 @@
 
 namespace hawser::bench {
 
-/// Bodies that move, and which of them share an interaction or touch.
+/// Moving bodies, with an edge for each pair that shares an interaction or touches.
 struct BodyGraph {
-    std::vector<std::int32_t> node;  ///< Of each body; −1: it does not move.
+    std::vector<std::int32_t> node;  ///< Node of each body; −1: fixed.
     factor::Pattern pattern;         ///< Sizes: degrees of freedom.
 };
 [[nodiscard]] BodyGraph body_graph(const World& world);
 
-/// Time of graph, weights and cuts of scenes after a second, each by turns with METIS k-way on the
-/// same body graph, which it gets ready-made. Printed; scenes that are not there are left out.
+/// Time graph, weights and cuts of scenes after a second. Each alternates with METIS k-way on the
+/// same body graph, which is prepared. Prints the times; missing scenes are omitted.
 nlohmann::json time_scenes(int parts, int turns);
 
 }  // namespace hawser::bench

@@ -27,7 +27,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Groups by METIS from the body graph: interactions and what touches, weighted by freedoms.
+/// Group by METIS from the body graph, with interactions and contacts weighted by freedoms.
 void group_by_metis(World& world, int parts) {
     const BodyGraph graph = body_graph(world);
     ForeignGraph g(graph.pattern);
@@ -39,7 +39,7 @@ void group_by_metis(World& world, int parts) {
 
 struct SteppedWorld {
     const char* name;
-    World world, traced;                ///< Of two threads, of one.
+    World world, traced;                ///< World with two threads; world with one.
     std::vector<double> wall{}, cpu{};  ///< [ms]
     bool lost = false;
     void run(int steps) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file steps.h
-/// What a partition is worth in time: factorisations with its separators last, and whole steps
-/// with its cuts coupled by compliance, under our parts and those of METIS by turns.
+/// Time saved by a partition: factorisations with its separators last, and whole steps with its
+/// cuts coupled by compliance. Our parts and those of METIS alternate.
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What both Bullet runners share. Include before nothing else of Bullet: the library variant in
-/// use is the double-precision one (libBulletDynamics-float64), whose headers must be read with
-/// BT_USE_DOUBLE_PRECISION or every structure has the wrong layout.
+/// Common parts of both Bullet runners. Include it before any other header of Bullet. The library
+/// is the double-precision one (libBulletDynamics-float64). Its headers must be read with
+/// BT_USE_DOUBLE_PRECISION, or every structure has the wrong layout.
 #pragma once
 
 #ifndef BT_USE_DOUBLE_PRECISION
@@ -22,14 +22,14 @@ inline btQuaternion to_bullet(const Quat& q) { return {q.x(), q.y(), q.z(), q.w(
 inline Vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 inline Quat from_bullet(const btQuaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-/// The parts that every Bullet world needs and that idle here.
+/// Parts that every Bullet world needs but that are idle here.
 struct BulletParts {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;
 };
 
-/// A Bullet world that looks for contacts only where the scene has any.
+/// A Bullet world that searches for contacts only if the scene has any.
 template <class World>
 class CollidesIfAsked : public World {
   public:
@@ -43,7 +43,7 @@ class CollidesIfAsked : public World {
 /// Shape of a body, or null.
 std::unique_ptr<btCollisionShape> bullet_shape(const BodyShape& shape);
 
-/// What a scene with contacts adds to a Bullet world: the floor, surfaces, collision groups.
+/// Adds floor, surfaces and collision groups to a Bullet world for a scene with contacts.
 class BulletTouching {
   public:
     /// @pre scene.touching
@@ -55,7 +55,7 @@ class BulletTouching {
     /// Friction of an object.
     void surface(btCollisionObject& object) const;
 
-    /// Collision group of bodies, and what they touch.
+    /// Return the collision group of bodies, and the mask of groups that they touch.
     [[nodiscard]] int group() const;
     [[nodiscard]] int mask() const;
 

@@ -25,9 +25,9 @@ constexpr double kFeatherstoneErp = 0.2;
 
 /// A world of multibodies that is one island.
 ///
-/// Bullet finds islands through colliders, and hands over no closures when there are none, so
-/// closures and contacts are given to the solver here. The prediction of poses that serves soft
-/// bodies only is left out. Both make the engine faster than its default world.
+/// Bullet finds islands through colliders, and passes on no closures if there are none. So closures
+/// and contacts are given to the solver here. The prediction of poses, which only soft bodies need,
+/// is omitted. Both make the engine faster than its default world.
 class TreeWorld final : public CollidesIfAsked<btMultiBodyDynamicsWorld> {
   public:
     using CollidesIfAsked::CollidesIfAsked;
@@ -50,7 +50,7 @@ class TreeWorld final : public CollidesIfAsked<btMultiBodyDynamicsWorld> {
     }
 };
 
-/// Where a body of the scene lives: a tree and its link, -1 for the base.
+/// Tree and link of a body of the scene; −1 for the base.
 struct Place {
     btMultiBody* tree = nullptr;
     int link = -1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes and contacts in Bullet, alike for both of its solvers.
+// Shapes and contacts in Bullet, the same for both of its solvers.
 #if HAWSER_HAVE_BULLET
 #include "bullet_common.h"
 
@@ -26,7 +26,7 @@ std::unique_ptr<btCollisionShape> bullet_shape(const BodyShape& shape) {
 
 BulletTouching::BulletTouching(const Scene& scene, btCollisionWorld& world, BulletParts& parts)
     : world_(world), parts_(parts), how_(*scene.touching), plane_(btVector3(0, 0, 1), how_.floor) {
-    // By default a capsule that lies on a plane gets one point a step; this asks for both ends.
+    // By default a capsule on a plane gets one point a step; this requests both ends.
     parts.configuration.setPlaneConvexMultipointIterations(3, 3);
     floor_.setCollisionShape(&plane_);
     surface(floor_);

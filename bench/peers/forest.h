@@ -21,10 +21,10 @@ struct TreeNode {
 
 inline constexpr int kFree = -2;  ///< Parent of a body that floats freely.
 
-/// Trees in an order in which every parent precedes its children; one entry per tree.
+/// Return trees in an order in which every parent precedes its children; one entry per tree.
 ///
-/// Joints in `layout.closures` are left out; what remains must be a forest. A tree that touches
-/// the world is rooted there, any other at its heaviest body. Throws if a loop remains.
+/// Joints in `layout.closures` are omitted; the rest must be a forest. A tree that touches the
+/// world has its root there, any other at its heaviest body. Throws if a loop remains.
 [[nodiscard]] std::vector<std::vector<TreeNode>> spanning_forest(const Scene& scene,
                                                                  const TreeLayout& layout);
 

@@ -111,8 +111,8 @@ std::optional<double> Meter::reference_tension(std::size_t ship, double t) const
 }
 
 void Meter::measure_tension(double t) {
-    // A mean force belongs to the middle of its frame; if it takes the velocity from half a
-    // substep before the frame to half a substep before its end, to half a substep earlier.
+    // Assign a mean force to the middle of its frame. Staggered velocities lie half a substep
+    // earlier, so that the middle does too.
     const double middle = t - 0.5 * frame_time_ - (staggered_ ? 0.5 * substep_time_ : 0.0);
     if (!scene_.towed.empty()) times_.push_back(middle);
     for (std::size_t k = 0; k < scene_.towed.size(); ++k) {
@@ -145,8 +145,8 @@ void Meter::measure_tension(double t) {
     m_.tension_ripple = std::sqrt(std::max(0.0, sum_t2_ / count_ - mean * mean)) / ref;
 }
 
-/// Amplitude of the first sine mode of the cable from its displacement and velocity, as
-/// sqrt(q^2 + (q'/omega)^2): constant while nothing damps the mode.
+/// Compute the amplitude of the first sine mode of the cable from its displacement and velocity:
+/// sqrt(q^2 + (q'/omega)^2). It is constant if the mode is not damped.
 void Meter::measure_mode(const std::vector<BodyState>& s, double t) {
     if (scene_.cable_first < 0 || t < scene_.duration - 1.0) return;
     const int n = scene_.cable_links;
@@ -226,7 +226,7 @@ std::string Meter::why_not(int frames) const {
     if (m_.sideways && !(*m_.sideways <= kMovedLimit))
         return number("moved %.2g m sideways", *m_.sideways);
     if (count_ > 0) {
-        // Divided by the samples of the whole run: what is left could at best be exact.
+        // Divide by the samples of the whole run: the remaining ones could at best be exact.
         const double all = (frames - kSettle / kFrame) * static_cast<double>(scene_.towed.size());
         const double rms = std::sqrt(sum_e2_ / std::max(all, static_cast<double>(count_)));
         if (!(rms <= kTensionLimit))

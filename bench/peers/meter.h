@@ -20,7 +20,7 @@ inline constexpr double kBlockLimit = 0.1;     ///< Largest error of the block's
 inline constexpr double kMovedLimit = 1e-3;    ///< Drop and sideways motion of Scene::top [m].
 inline constexpr double kSettle = 1.0;         ///< Tension counts after this time [s].
 
-/// What was measured so far. An empty optional: nothing to compare with.
+/// Measurements so far. An empty optional: no reference.
 struct Measures {
     double gap = 0.0;                      ///< Largest distance between joint ends [m].
     std::optional<double> tension_error;   ///< rms of (T - T_ref) / T_ref, T the mean of a frame.
@@ -28,9 +28,9 @@ struct Measures {
     std::optional<double> tension_mean;    ///< (mean T - mean T_ref) / mean T_ref.
     std::optional<double> tension_ripple;  ///< rms of T about its mean / mean T_ref.
     std::optional<double> tension_worst;   ///< Largest |T - T_ref| / T_ref.
-    /// Of largest size, signed, relative; 0 in a scene with contacts: nobody tells what those take.
+    /// Largest relative drift with its sign; 0 in a scene with contacts, whose losses are unknown.
     double energy_drift = 0.0;
-    double energy_end = 0.0;               ///< At the end of the run, signed, relative.
+    double energy_end = 0.0;               ///< Relative drift at the end of the run with its sign.
     std::optional<double> block_error;     ///< Largest distance to the reference path [m].
     std::optional<double> mode_amplitude;  ///< Sine mode over the last second / its start.
     std::optional<double> drop;            ///< Largest vertical motion of Scene::top [m].
@@ -49,8 +49,8 @@ class Meter {
     /// @param staggered  velocities belong half a substep before the poses (Runner::staggered).
     Meter(const Scene& scene, const Reference& reference, bool staggered);
 
-    /// One substep of length `h` from `before` (where `loads` were evaluated) to `after`.
-    /// `tow`: force of the line on each towed ship if the engine knows it, else null.
+    /// Process one substep of length `h` from `before`, at which `loads` were evaluated, to
+    /// `after`. `tow`: force of the line on each towed ship if the engine returns it, else null.
     void substep(const std::vector<BodyState>& before, const std::vector<Load>& loads,
                  const std::vector<BodyState>& after, double h, const std::vector<Vec3>* tow);
 
@@ -59,8 +59,8 @@ class Meter {
 
     [[nodiscard]] const Measures& measures() const { return m_; }
 
-    /// Empty if nothing has broken a limit; `frames` is the length of the whole run, so that an
-    /// rms that can no longer come back is seen early.
+    /// Return the first broken limit; empty: none. `frames` is the length of the whole run: an rms
+    /// that can no longer fall below its limit is detected early.
     [[nodiscard]] std::string why_not(int frames) const;
 
     /// Mechanical energy without the work of outer forces [J].
@@ -85,7 +85,7 @@ class Meter {
     Measures m_;
     std::vector<char> loaded_;  ///< Bodies on which anything but gravity can act.
     double energy_start_ = 0.0, work_ = 0.0, last_work_ = 0.0;
-    std::vector<Vec3> impulse_;  ///< Of the tow line in this frame [N s].
+    std::vector<Vec3> impulse_;  ///< Impulse of the tow line in this frame [N s].
     std::vector<std::vector<double>> substep_tension_;
     std::vector<double> times_;
     std::vector<std::vector<double>> tensions_;

@@ -125,8 +125,8 @@ Scene mooring() {
     s.name = "mooring";
     s.code = "S3";
     s.duration = 20.0;
-    // Potential energy that the lines give up while the hulls settle, from a converged run: what
-    // S1 is measured by, too. The largest kinetic energy is 2.8e4 J.
+    // Potential energy released by the lines while the hulls settle, from a converged run. S1 uses
+    // the same measure. The largest kinetic energy is 2.8e4 J.
     s.energy_scale = 2.1e5;
     return s;
 }

@@ -11,16 +11,16 @@
 namespace hawser::bench {
 namespace {
 
-// ERP is the share of a joint error that one step removes. On heavy_hook at 8 substeps the gap
-// of dWorldStep falls from 1.2e-7 m at 0.1 over 1.5e-8 m at 0.8 to 1.2e-8 m at 1; QuickStep does
-// best at 0.5 to 0.8. CFM is the softness: up to 1e-12 does not show, 1e-10 makes the gap ten
-// times larger; 0 would leave a closed loop singular.
+// ERP is the fraction of a joint error removed in one step. On heavy_hook at 8 substeps the gap of
+// dWorldStep falls from 1.2e-7 m at 0.1 over 1.5e-8 m at 0.8 to 1.2e-8 m at 1. QuickStep is best at
+// 0.5 to 0.8. CFM is the softness: up to 1e-12 it has no effect, 1e-10 makes the gap ten times
+// larger; 0 would leave a closed loop singular.
 constexpr double kOdeErp = 0.8;
 constexpr double kCfm = 1e-14;
-// Default 20. Of 10, 20, 50, 100, 200 this and 20 (at twice the substeps) cost least to hold.
+// Default 20. Among 10, 20, 50, 100, 200, this and 20 (with twice the substeps) cost least to hold.
 constexpr int kQuickIterations = 50;
-// Contacts are as soft as the scene says, k = ERP / (h CFM): with CFM 1e-14 Dantzig's method gives
-// up on four points of a face ("LCP internal error"). Of 0.2 and 0.8 this keeps a stack up longer.
+// Contacts have the softness of the scene, k = ERP / (h CFM). With CFM 1e-14 Dantzig's method fails
+// on four points of a face ("LCP internal error"). Compared with 0.8, 0.2 keeps a stack up longer.
 constexpr double kContactErp = 0.2;
 constexpr int kPointsPerPair = 8;  // two boxes face to face have four to eight
 
@@ -142,8 +142,8 @@ class OdeRunner final : public Runner {
     void add_body(const Body& b) {
         dBodyID id = dBodyCreate(world_);
         dMass m;
-        // Principal moments given directly: dMassSetBox and dMassSetCylinder take full lengths
-        // and densities or axes of their own.
+        // Set principal moments directly: dMassSetBox and dMassSetCylinder expect full lengths and
+        // densities or their own axes.
         dMassSetParameters(&m, b.mass, 0, 0, 0, b.inertia.x(), b.inertia.y(), b.inertia.z(), 0, 0,
                            0);
         dBodySetMass(id, &m);

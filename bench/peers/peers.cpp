@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kWarmUp = 60;  ///< Frames left out of the statistics of time.
 
-/// Sorted times after the warm-up; all of them where the run ended before twice that.
+/// Return the sorted times after the warm-up; all of them if the run ended before twice that.
 std::vector<double> settled_times(const std::vector<double>& ms) {
     std::vector<double> t(ms.begin() + (ms.size() >= 2 * kWarmUp ? kWarmUp : 0), ms.end());
     std::sort(t.begin(), t.end());
@@ -24,10 +24,10 @@ double percentile(const std::vector<double>& sorted, double p) {
     return sorted[static_cast<std::size_t>(std::lround(i))];
 }
 
-/// Layout number `choice` of the scene, counted from 1; 0 takes the one that was fastest for the
-/// engine: Bullet pays for the length of the trees between closures (the first layout), Simbody
-/// for the number of closures (the last of those with the fewest). Nobody asks for it where neither
-/// is built in.
+/// Return layout number `choice` of the scene, counted from 1; 0 selects the fastest one for the
+/// engine. The time of Bullet grows with the length of the trees between closures (use the first
+/// layout), that of Simbody with the number of closures (use the last of those with the fewest).
+/// Unused if neither is in the build.
 [[maybe_unused]] const TreeLayout& layout(const Scene& scene, std::size_t choice,
                                           bool few_closures) {
     const std::vector<TreeLayout>& all = scene.layouts;
@@ -179,7 +179,7 @@ PeerResult smallest_that_holds(const Engine& engine, const Scene& scene, const R
         if (n > options.max_substeps && n > 1) break;
         last = run_peer(engine, scene, n, reference, options, true);
         if (tell) tell(last);
-        // A run that took too long with n substeps takes longer with more.
+        // A run that is too slow with n substeps is slower with more.
         if (last.holds || last.why_not == "too slow to finish" || engine.ours) break;
     }
     return last;

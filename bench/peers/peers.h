@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// Comparison of engines on the scenes of scenes.h: one run, the search for the smallest number
-/// of substeps that holds, and runs of several engines alternated in blocks of frames.
+/// Comparison of engines on the scenes of scenes.h. It does one run, searches for the smallest
+/// number of substeps that holds, and alternates runs of several engines in blocks of frames.
 ///
-/// *Holds* (meter.h): gap <= 1 mm, tension error <= 2 % rms, energy drift <= 1 % and, where the
-/// scene has a path to follow, path error <= 0.1 m, over the whole run.
+/// *Holds* (meter.h): gap <= 1 mm, tension error <= 2 % rms, energy drift <= 1 %. For a scene with
+/// a given path also path error <= 0.1 m. All limits apply to the whole run.
 #pragma once
 
 #include "meter.h"
@@ -27,8 +27,8 @@ struct Engine {
 /// All engines this program was built with.
 [[nodiscard]] std::vector<Engine> engines();
 
-/// Engine by name; `name@2` takes the second tree layout of the scene for a reduced-coordinate
-/// engine. Throws std::invalid_argument with the known names.
+/// Return the engine with this name; `name@2` selects the second tree layout of the scene for a
+/// reduced-coordinate engine. Throws std::invalid_argument with the known names.
 [[nodiscard]] Engine engine_by_name(const std::string& name);
 
 /// Outcome of one engine on one scene.
@@ -37,7 +37,7 @@ struct PeerResult {
     int substeps = 0;  ///< Per frame of 1/60 s.
     bool holds = false;
     std::string why_not;        ///< First broken limit; empty if it holds.
-    std::string unchecked;      ///< What *holds* could not look at, for want of a reference.
+    std::string unchecked;      ///< Quantities that *holds* could not check without a reference.
     double simulated = 0.0;     ///< Time that was simulated [s].
     double ms_per_frame = 0.0;  ///< Median wall time of frames, the first 60 left out [ms].
     double ms_p99 = 0.0;        ///< 99th percentile wall time of frames, first 60 left out [ms].
@@ -58,7 +58,7 @@ class Trial {
     /// Simulates and measures one frame. False once it is over or no longer finite.
     bool frame();
 
-    /// What the measures say so far; `why` set to the first broken limit if any.
+    /// @return true if all measures so far hold; else `why` is the first broken limit.
     [[nodiscard]] bool holds(std::string* why = nullptr) const;
 
     [[nodiscard]] bool over() const { return frames_ >= total_ || !meter_.measures().finite; }
@@ -80,7 +80,7 @@ class Trial {
 
 /// Limits of a search.
 struct SearchOptions {
-    double duration = 0.0;  ///< Simulated time [s]; 0 takes the scene's.
+    double duration = 0.0;  ///< Simulated time [s]; 0: that of the scene.
     int max_substeps = 64;  ///< Largest number tried.
     double budget = 60.0;   ///< Wall time of one run, measuring included [s].
 };
@@ -90,8 +90,8 @@ struct SearchOptions {
                                   const Reference& reference, const SearchOptions& options,
                                   bool early_out);
 
-/// Smallest number of substeps of 1-8, 10, 12, 16, 20, 24, 32, ... that holds, or the last
-/// attempt with the reason why it does not.
+/// Return the smallest number of substeps among 1-8, 10, 12, 16, 20, 24, 32, ... that holds. If
+/// none does, return the last attempt with the reason.
 [[nodiscard]] PeerResult smallest_that_holds(const Engine& engine, const Scene& scene,
                                              const Reference& reference,
                                              const SearchOptions& options,

@@ -11,7 +11,7 @@ namespace {
 
 struct Slot {
     std::size_t i = 0;
-    double weight = 0.0;  ///< Share of sample i + 1.
+    double weight = 0.0;  ///< Weight of sample i + 1.
 };
 
 // Frame times are sums of 1/60 and samples are rounded in the file: they may differ by this.

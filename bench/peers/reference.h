@@ -10,10 +10,10 @@
 
 namespace hawser::bench {
 
-/// A sampled reference; empty where a scene has none or an exact answer (Scene::tension).
+/// A sampled reference; empty if a scene has none or an exact solution (Scene::tension).
 ///
-/// File: CSV with a header; column `t` [s], then `x,y,z` of the block [m] or one column per ship
-/// of Scene::towed whose name begins with `tension` [N], both instantaneous at `t`.
+/// File: CSV with a header; column `t` [s], then `x,y,z` of the block [m] or one column per ship of
+/// Scene::towed whose name begins with `tension` [N], both instantaneous at `t`.
 struct Reference {
     std::vector<double> t;                     ///< Increasing [s].
     std::vector<Vec3> block;                   ///< Empty or one per time [m].
@@ -29,8 +29,8 @@ struct Reference {
     [[nodiscard]] double tension_at(std::size_t ship, double time) const;
 };
 
-/// Reads `folder`/<scene name>.csv; an absent file gives an empty reference, a malformed one
-/// throws std::runtime_error.
+/// Read `folder`/<scene name>.csv; a missing file gives an empty reference, a malformed one throws
+/// std::runtime_error.
 [[nodiscard]] Reference load_reference(const std::string& folder, const Scene& scene);
 
 }  // namespace hawser::bench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// How `hawser-bench peers` tells results: tables, what ours was asked to reach, JSON.
+/// Output of `hawser-bench peers`: tables, the targets of our engine, JSON.
 #pragma once
 
 #include "peers.h"
@@ -15,12 +15,12 @@ namespace hawser::bench {
 /// One limit that ours is to keep on a scene.
 struct Demand {
     std::string what;    ///< With its unit.
-    double value = 0.0;  ///< Measured; not a number: nothing to compare with.
+    double value = 0.0;  ///< Measured value; NaN: no reference.
     double limit = 0.0;
     bool met = false;
 };
 
-/// The limits of Scene::wanted beside what was measured. Contacts have two: a range.
+/// Return the limits of Scene::wanted with the measured values. Contacts have two: a range.
 [[nodiscard]] std::vector<Demand> demands(const Scene& scene, const PeerResult& result);
 
 /// Heading of a scene's table, and one row of it. Columns depend on the scene: with joints alone,
@@ -28,8 +28,8 @@ struct Demand {
 void print_header(const Scene& scene);
 void print_row(const Scene& scene, const PeerResult& result);
 
-/// The fastest peer that holds beside ours, and what ours was asked for.
-/// @return false if ours missed something.
+/// Print the fastest peer that holds beside our engine, and the targets of ours.
+/// @return false if ours missed a target.
 bool print_verdict(const Scene& scene, const std::vector<PeerResult>& results);
 
 [[nodiscard]] nlohmann::json to_json(const Scene& scene, const PeerResult& result);

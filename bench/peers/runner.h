@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What every compared simulator, ours included, shows to the comparison.
+/// Interface of every simulator in the comparison, including ours.
 ///
-/// The comparison owns the clock, the loads and all measuring: a runner only builds a scene,
-/// advances it by one substep and tells where the bodies are. Gap, tension, energy and path are
-/// computed from those states by one code (meter.h), so that no engine judges itself.
+/// The comparison controls the clock, the loads and all measurements. A runner only builds a scene,
+/// advances it by one substep and returns the poses of bodies. Gap, tension, energy and path are
+/// computed from these states by one code (meter.h), independent of the engine.
 #pragma once
 
 #include "scenes.h"
@@ -18,10 +18,11 @@
 
 namespace hawser::bench {
 
-/// Time that a call took.
+/// Time of a call.
 struct Spent {
     double wall = 0.0;  ///< [s]
-    double cpu = 0.0;   ///< Of the calling thread [s]: what wall time would be with nobody else.
+    /// Processor time of the calling thread [s]: the wall time on an idle machine.
+    double cpu = 0.0;
 };
 
 /// A simulator with one scene loaded.
@@ -40,24 +41,23 @@ class Runner {
 
     /// Advance by kFrame / substeps().
     ///
-    /// `loads` has one entry per body, evaluated at the present state (external_loads). A
-    /// simulator with load models of its own ignores it. Handing loads over may happen before
-    /// the returned time starts.
+    /// `loads` has one entry per body, evaluated at the present state (external_loads). A simulator
+    /// with its own load models ignores it. Loads may be passed before the returned time starts.
     /// @returns time of the simulator.
     virtual Spent substep(const std::vector<Load>& loads) = 0;
 
     /// Poses and velocities of all bodies, in scene order.
     virtual void read(std::vector<BodyState>& out) const = 0;
 
-    /// True if velocities belong half a substep before the poses: the energy is then taken at
-    /// the mean of the last two poses.
+    /// @return true if velocities belong half a substep before the poses. The energy is then
+    ///        computed at the mean of the last two poses.
     [[nodiscard]] virtual bool staggered() const { return false; }
 
     /// Force of the tow line on every ship of Scene::towed, mean over the last substep [N].
     /// Without it the force follows from the momentum balance of the ship.
     virtual bool tow_force(std::vector<Vec3>& /*out*/) const { return false; }
 
-    /// Contact points of the last substep; -1 where the simulator has none or does not tell.
+    /// Return the contact points of the last substep; -1 if the simulator does not return them.
     [[nodiscard]] virtual int contacts() const { return -1; }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What scenes of the comparison are made of.
+/// Building blocks of the scenes of the comparison.
 #pragma once
 
 #include "scenes.h"

@@ -27,7 +27,7 @@ struct BodyState {
     Vec3 w = Vec3::Zero();      ///< Angular velocity, in the world frame [rad/s].
 };
 
-/// What of a body touches others, about its mass centre and along its axes; none: nothing.
+/// Contact shape of a body, about its mass centre and along its axes; none: no contact.
 struct BodyShape {
     enum class Kind { none, capsule, box };
     Kind kind = Kind::none;
@@ -48,13 +48,14 @@ struct Body {
 
 /// Contacts of a scene: a floor, and how everything that touches does so.
 struct Touching {
-    double floor = 0.0;      ///< Height of a fixed horizontal plane, solid below [m].
-    bool bodies = false;     ///< Bodies touch each other, too; else the floor alone.
-    double friction = 0.5;   ///< Coulomb coefficient everywhere.
-    double stiffness = 0.0;  ///< Of one contact point, for engines that give contacts one [N/m].
+    double floor = 0.0;     ///< Height of a fixed horizontal plane, solid below [m].
+    bool bodies = false;    ///< Bodies touch each other, too; else only the floor.
+    double friction = 0.5;  ///< Coulomb coefficient everywhere.
+    /// Stiffness of one contact point, for engines with soft contacts [N/m].
+    double stiffness = 0.0;
 };
 
-/// What ours is to reach on a scene, beside *holds*; 0: not asked.
+/// Targets of our engine on a scene, in addition to *holds*; 0: none.
 struct Wanted {
     double gap = 0.0;          ///< Largest joint position error [m].
     double tension = 0.0;      ///< Relative rms tension error.
@@ -116,7 +117,7 @@ struct Scene {
     double sine = 0.0;                 ///< Amplitude of the sine start [m].
     double sine_omega = 0.0;           ///< Angular frequency of that mode [rad/s].
     std::optional<Touching> touching;  ///< Contacts; without: none.
-    int top = -1;                      ///< Body of which drop and sideways motion count, or -1.
+    int top = -1;                      ///< Body whose drop and sideways motion are measured, or -1.
     Wanted wanted;
 };
 

@@ -12,8 +12,8 @@
 namespace hawser::bench {
 namespace {
 
-// A closure is projected only once it has opened by this much: a projection costs as much as
-// the rest of a step. A tenth of what is allowed (1 mm).
+// Gap of a closure from which it is projected: a projection costs as much as the rest of a step. A
+// tenth of the limit (1 mm).
 constexpr double kProjectAt = 1e-4;  // [m], and [m/s] for velocities
 
 SimTK::Vec3 to_simbody(const Vec3& v) { return {v.x(), v.y(), v.z()}; }

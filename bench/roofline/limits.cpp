@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kChains = 10;  // latency of 4 cycles, two units: 8 at least
 
-// The loops for one instruction set. Constants come from memory, so that nothing is known when
-// this is compiled.
+// Loops for one instruction set. Constants are read from memory, so that the compiler cannot use
+// them.
 #define HAWSER_LOOPS(isa, attribute, width)                                                   \
     namespace isa {                                                                           \
     typedef double V __attribute__((vector_size(width), aligned(8), may_alias));              \

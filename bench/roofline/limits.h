@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file limits.h
-/// What this processor can do at most, measured on one thread with the vectors that the kernels
-/// use (base/isa.h).
+/// Maximum speed of this processor, measured on one thread with the vectors of the kernels
+/// (base/isa.h).
 
 #include <cstddef>
 
@@ -11,7 +11,7 @@ namespace hawser::bench {
 /// Multiply-adds on ten independent registers, counted as two each [flop/s].
 [[nodiscard]] double peak_flops();
 
-/// Through arrays of so many bytes in all, again and again [byte/s].
+/// Bandwidth for repeated access to arrays of a given total size [byte/s].
 struct Bandwidth {
     double read = 0.0;    ///< Sum of an array.
     double update = 0.0;  ///< x ← a x + b: each byte is read and written, and counted twice.

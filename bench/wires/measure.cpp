@@ -11,10 +11,11 @@
 namespace hawser::bench::wires {
 namespace {
 
-constexpr double kRamp = 1.0;  ///< Of either force [s].
+constexpr double kRamp = 1.0;  ///< Duration of the ramp of either force [s].
 constexpr double kLost = 0.2;  ///< Way of the weight at which a run ends [m].
 constexpr double kFar = 0.01;  ///< Way in a wait beyond which it slips [m].
-/// Way in half a wait below which nothing slips [m]: 5e-6 too much force makes as much of it.
+/// Displacement in half a wait below which there is no slip [m]: 5e-6 too much force causes as
+/// much.
 constexpr double kStill = 3e-4;
 constexpr double kApart = 0.05;  ///< Gap at which a chain counts as torn [m].
 
@@ -26,7 +27,7 @@ class Pulling {
     Pulling(const WireMethod& method, double turns, int substeps, double exponent)
         : rig_(method.make(turns, substeps)), substeps_(substeps), exponent_(exponent) {}
 
-    /// Up to `time` [s]. Stops where the weight has run or the engine failed.
+    /// Run up to `time` [s]. Stops if the weight has run away or the engine failed.
     End run_to(double time) {
         while (t_ < time - 0.5 * kFrame && end_ == End::stands) frame();
         return end_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `hawser-bench wires` compares.
+// Methods that `hawser-bench wires` compares.
 #include "measure.h"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // MuJoCo 2.2.2: a spatial tendon over a cylinder, and a chain of capsules with ball joints.
 //
-// Settings as its documentation recommends them where slip matters (MuJoCo 2.2 documentation,
-// "Modeling", sections "Solver parameters" and "Preventing slip"): Newton's solver, elliptic cones,
-// impratio above 1, contacts as stiff as a step allows (solref of two steps, solimp up to 0.9999),
-// and the noslip solver where that is asked for.
+// Settings follow its documentation for low slip (MuJoCo 2.2 documentation, "Modeling", sections
+// "Solver parameters" and "Preventing slip"). They are Newton's solver, elliptic cones, impratio
+// above 1, the noslip solver on request, and contacts as stiff as a step allows. (solref is two
+// steps, solimp up to 0.9999.)
 #if HAWSER_HAVE_MUJOCO
 #include "rig.h"
 
@@ -18,7 +18,7 @@
 namespace hawser::bench::wires {
 namespace {
 
-/// What went wrong last. MuJoCo's own handler ends the program.
+/// A warning was raised. The handler of MuJoCo would end the program.
 bool mujoco_warned = false;
 
 /// A model from its XML.
@@ -68,7 +68,7 @@ class MujocoRig : public Rig {
         f[6 * pulled_ + 2] = pull * out_[1];
     }
     bool substep() override {
-        // A warning of bad values comes with a reset to the start: nothing to go on from.
+        // With a warning of bad values MuJoCo resets to the start: the run cannot continue.
         mujoco_warned = false;
         mj_step(m_.model, m_.data);
         return !mujoco_warned;
@@ -171,7 +171,7 @@ class MujocoChain final : public MujocoRig {
 }  // namespace
 
 std::unique_ptr<Rig> make_mujoco_tendon(double turns, int substeps) {
-    // A tendon takes the shorter way round a cylinder.
+    // A tendon uses the shorter way around a cylinder.
     if (turns > 0.5) return nullptr;
     return std::make_unique<MujocoTendon>(substeps);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our own three ways to lay a wire round a post: a route without mass, a guide of a wire of lumps,
-// and a wire of lumps whose capsules touch a cylinder.
+// Our three models of a wire around a post: a route without mass, a guide of a wire of lumps, and a
+// wire of lumps whose capsules touch a cylinder.
 #include "rig.h"
 
 #include <hawser/guide.h>
@@ -11,7 +11,7 @@
 namespace hawser::bench::wires {
 namespace {
 
-/// Post, weight and pull. The weight hangs below (−x, 0) and the wire goes round over the top.
+/// Post, weight and pull. The weight hangs below (−x, 0) and the wire passes over the top.
 class OwnRig : public Rig {
   public:
     void load(double weight, double pull) override {
@@ -66,7 +66,7 @@ class RouteRig final : public OwnRig {
                                   .friction = kRub,
                                   .turns = static_cast<int>(std::floor(turns))});
         } else {
-            // Eyes round the post; one alone where both legs are on one line stands at its side.
+            // Eyes around the post; a single one, if both legs are on one line, is at its side.
             for (int i = 0; i < places; ++i) {
                 const double at = places == 1 ? 0.0 : angle * i / (places - 1);
                 def.places.push_back({.body = post_,
@@ -79,7 +79,7 @@ class RouteRig final : public OwnRig {
     }
 };
 
-/// Three elements, of which the second passes the post with half a metre on either side.
+/// Three elements; the second one passes the post with half a metre on either side.
 class GuideRig final : public OwnRig {
   public:
     explicit GuideRig(double turns) {
@@ -95,7 +95,8 @@ class GuideRig final : public OwnRig {
         def.mass_per_length = kDensity;
         def.path = {{-kRadius, 0, -kSide}, last + kSide * out};
         const WireId wire = w_.add_wire(def);
-        // No node is to run through: what moves here moves by less than what is at its sides.
+        // Prevent nodes from running through: displacements here are less than the parts at the
+        // sides.
         w_.add(GuideDef{.name = "guide",
                         .wire = wire,
                         .body = post_,

@@ -12,7 +12,7 @@
 namespace hawser::bench::wires {
 namespace {
 
-/// Debian's build tells of every step of its search for the path, on standard output.
+/// Suppresses the output of Debian's build for every step of its search for the path.
 class Hush {
   public:
     Hush() : before_(std::cout.rdbuf(nullptr)) {}
@@ -132,7 +132,7 @@ class SimbodyCable final : public Rig {
 }  // namespace
 
 std::unique_ptr<Rig> make_simbody_cable(double turns, int substeps) {
-    // A path takes the geodesic that is near to the straight line: half a turn at most.
+    // A path is the geodesic near the straight line: half a turn at most.
     if (turns > 0.5) return nullptr;
     return std::make_unique<SimbodyCable>(substeps);
 }
