@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_gear.h
-/// Runs random scenes with winches, guides and hulls (random_gear_cases.h), and checks each run
-/// that ends ok by the full verifier and by the same scene at a quarter of the step.
+/// Random scenes with winches, guides and hulls (random_gear_cases.h). Each run that ends ok is
+/// checked by the full verifier, and compared with the same scene at a quarter of the step.
 
 #include "random_gear_cases.h"
 

@@ -47,10 +47,11 @@ struct HashComparison {
     [[nodiscard]] bool equal() const noexcept;
 };
 
-/// Every number of threads from the start; then, from the state that the run with each number of
-/// threads saved half way, a world with the next number of threads, the last one's with the first;
-/// then from states of the first run at random steps, some of them just before an edit, by numbers
-/// of threads in turn, each to the end or for kRestoredSteps.
+/// Compare three groups of runs. First, each number of threads from the start. Second, each run
+/// saves its state half-way, and a world with the next number of threads continues from it, the
+/// first number after the last. Third, worlds continue from states of the first run at random
+/// steps, some just before an edit. Their numbers of threads alternate, and each runs to the end or
+/// for kRestoredSteps.
 /// @throws scene::SceneError; DefError.
 [[nodiscard]] HashComparison compare_hashes(const std::string& file, const HashOptions& options);
 

@@ -5,7 +5,7 @@
 /// have 8 more numbers at the end than it has scalars.
 ///
 /// In condensed form each eliminated row e has λ = Σ⁻¹ (G v − b) and residual r = b − G v + Σ λ,
-/// from one product G v; the right-hand side of the next solution is, for a body,
+/// from one product G v. The right-hand side of the next solution of a body is
 /// b − A v − Gᵀ λ + Gᵀ Σ⁻¹ r = b − A v + Gᵀ s with s = Σ⁻¹ r − λ. So a sweep over the rows and one
 /// over the bodies do all.
 

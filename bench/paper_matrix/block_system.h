@@ -4,9 +4,9 @@
 /// A quasi-definite linear system K x = b in blocks: the common input of all solvers compared.
 ///
 /// K = [A Gᵀ; G −Σ]: positive nodes (bodies) with their diagonal blocks and couplings A,
-/// negative nodes (rows of interactions) with G and the diagonal Σ. A block is stored once, for
-/// the pair (higher, lower) of node numbers, by rows: entry (i, j) of the block that has the rows
-/// of the higher node is at address + i · size(lower) + j. So a row of G is contiguous.
+/// negative nodes (rows of interactions) with G and the diagonal Σ. A block is stored once, by
+/// rows, for the pair (higher, lower) of node numbers. Its rows are those of the higher node. Entry
+/// (i, j) is at address + i · size(lower) + j. So a row of G is contiguous.
 
 #include "factor/pattern.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 /// @file paper_matrix.h
 /// The system of one step of a scene of the size of the paper (Lacoursière, Nordfeldth, Linde,
-/// "A partitioning method for parallelization of large systems in realtime"): two ships and a
-/// rig, 20 bodies attached to each, ten cables of 93-94 elements, 1000 contacts.
+/// "A partitioning method for parallelization of large systems in realtime"). It has two ships and
+/// a rig, 20 bodies attached to each, ten cables of 93-94 elements, and 1000 contacts.
 ///
 /// | a copy has | count | rows |
 /// |---|---|---|

@@ -9,9 +9,9 @@
 
 namespace hawser::bench {
 
-/// Over islands of scenes, of the paper's matrix at many sizes, of nets, stars and random graphs:
-/// the paper's c, its form in flops, exact flops, and the vertex weights that METIS balances,
-/// against the measured time of a factorisation on one thread.
+/// Compare costs with the measured time of a factorisation on one thread. The costs are the paper's
+/// c, its form in flops, exact flops, and the vertex weights that METIS balances. The cases are
+/// islands of scenes, of the paper's matrix at many sizes, of nets, stars and random graphs.
 /// @param picture  SVG to write, empty: none.
 nlohmann::json cost_study(const std::string& picture);
 

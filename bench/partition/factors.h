@@ -20,7 +20,8 @@ struct FactorTimes {
     double amd = 0.0;    ///< With the order of AMD, without parts.
 };
 
-/// For one thread and two, printed; empty without METIS. @param turns  Of twenty each.
+/// Compare and print the times on one thread and two; empty without METIS. @param turns  Number of
+/// turns, each of twenty calls.
 [[nodiscard]] std::vector<FactorTimes> compare_factors(const PartCase& c, int parts, int turns);
 [[nodiscard]] nlohmann::json factor_json(const std::vector<FactorTimes>& times);
 

@@ -18,7 +18,7 @@ struct ForeignGraph {
     [[nodiscard]] int nodes() const noexcept { return static_cast<int>(weight.size()); }
 };
 
-/// Part of each node. @param weight  Of each node; as ForeignGraph::weight or other ones.
+/// Return the part of each node. @param weight  Weight of each node, such as ForeignGraph::weight.
 [[nodiscard]] std::vector<std::int32_t> metis_parts(ForeignGraph& graph, std::vector<int>& weight,
                                                     int parts);
 [[nodiscard]] std::vector<std::int32_t> scotch_parts(ForeignGraph& graph, int parts);

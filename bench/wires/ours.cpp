@@ -27,7 +27,7 @@ class OwnRig : public Rig {
         : w_(WorldDef{.step = kFrame, .gravity = Vec3::Zero()}),
           post_(w_.add_body({.name = "post", .kind = BodyKind::fixed})) {}
 
-    /// @param extra  Of the wire's mass at each of the two [kg].
+    /// @param extra  Mass of the wire at each of the two [kg].
     void ends(const Vec3& weight, const Vec3& pulled, const Vec3& out, double extra) {
         out_ = out;
         start_ = weight.z();
