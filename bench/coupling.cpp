@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // hawser-bench coupling: the splits of the paper beside exact coupling, on the same cuts
-// (docs/methods.md, 10).
+// (docs/theory/splits.md).
 #include "commands.h"
 #include "coupling_chains.h"
 #include "coupling_measure.h"

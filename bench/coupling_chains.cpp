@@ -49,7 +49,7 @@ World chain(const std::vector<double>& mass, double k, double n, std::size_t bor
     return world;
 }
 
-/// A (1 + Υ(2 − R)): at most 2 where stable (docs/methods.md, 2 and 10).
+/// A (1 + Υ(2 − R)): at most 2 where stable (docs/theory/splits.md).
 double criterion(double m1, double m2, double k, double n) {
     const double z = k * kStep * kStep * (1.0 / m1 + 1.0 / m2) * (n + 0.25);
     const double late = -1.0 / std::expm1(-z) - 1.0 / z;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small systems whose stability under a split is known (docs/methods.md, 10).
+// Small systems whose stability under a split is known (docs/theory/splits.md).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

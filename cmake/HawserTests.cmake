@@ -93,7 +93,9 @@ function(hawser_add_test_executable target folder)
         list(PREPEND libraries hawser_live)
     endif()
     hawser_use(${target} ${libraries})
-    if(folder STREQUAL scene)  # tests write files of these formats
+    if(folder STREQUAL scene)  # the schema is checked by valijson; tests write files of these formats
+        find_path(VALIJSON_INCLUDE_DIR valijson/validator.hpp REQUIRED)
+        target_include_directories(${target} SYSTEM PRIVATE ${VALIJSON_INCLUDE_DIR})
         foreach(format IN ITEMS NETCDF HDF5)
             if(HAWSER_${format})
                 target_link_libraries(${target} PRIVATE PkgConfig::${format})

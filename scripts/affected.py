@@ -39,7 +39,7 @@ HOURS = 6
 EVERYTHING = "everything"
 # Rooms in the order of the libraries, each built upon those before. A public header is implemented
 # by the rooms of the first group that include it; the headers in hawser/hawser.h by the library.
-SYSTEMS = {"wire", "crane", "marine"}
+SYSTEMS = {"wire", "crane", "marine", "vessel"}
 CLIENTS = [{"scene"}, {"session", "record", "verify", "exercise"},
            {"report", "draw", "export", "debrief"}, {"live"}, {"validate"}]
 # Files whose change affects every test.
@@ -118,8 +118,14 @@ def with_support(sources: dict[str, str]) -> dict[str, str]:
 
 
 @functools.cache
+def room_paths() -> dict[str, str]:
+    """Room -> its folder."""
+    own = {path.name: f"src/{path.name}" for path in (ROOT / "src").iterdir() if path.is_dir()}
+    return own | {room: f"apps/{room}" for room in check_layers.APP_ROOMS}
+
+
 def rooms() -> set[str]:
-    return {path.name for path in (ROOT / "src").iterdir() if path.is_dir()}
+    return set(room_paths())
 
 
 @functools.cache
@@ -140,7 +146,7 @@ def implementers(header: str) -> frozenset[str]:
     """Return the rooms that implement a public header."""
     library = [rooms() - SYSTEMS.union(*CLIENTS), SYSTEMS]
     for group in library if header in umbrella() else [*library, *CLIENTS]:
-        found = {room for room in group if header in included(texts(f"src/{room}"))[1]}
+        found = {room for room in group if header in included(texts(room_paths()[room]))[1]}
         if found:
             return frozenset(found)
     return frozenset({"world"})
@@ -174,7 +180,7 @@ def uses() -> dict[str, set[str]]:
     graph: dict[str, set[str]] = {}
     for room in rooms():
         graph[room] = {name.split("/")[0] for name in table.get(room, set())} & rooms()
-        for header in included(texts(f"src/{room}"))[1]:
+        for header in included(texts(room_paths()[room]))[1]:
             graph[room] |= used_by_including(header)
     graph["apps"] = rooms()
     graph["bench"] = rooms()
@@ -206,7 +212,7 @@ def folders_of(files: list[str] | None) -> set[str]:
         parts = path.split("/")
         if BUILD.match(path) or (parts[0] == "src" and parts[1] in BASE_ROOMS):
             return {EVERYTHING}
-        if parts[0] == "src" and len(parts) > 2:
+        if check_layers.is_room(path):
             found.add(parts[1])
         elif path.startswith("include/hawser/"):
             found |= implementers(path.removeprefix("include/hawser/"))

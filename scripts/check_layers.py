@@ -3,11 +3,11 @@
 """Check the includes of rooms, and a few rules for every file.
 
 The table of layers is in docs/architecture.md, section "Layers". Each row names folders and the
-rooms of src/ that they may include in addition to themselves. A header in place of a room is the
+rooms (folders of src/, apps/live, apps/validate) that they may include in addition to themselves. A header in place of a room is the
 only header of that room that they may include. Further rules follow.
   - The folder include/hawser includes the standard library, Eigen and itself only.
   - Rooms of the library include no foreign library except Eigen (and AMD in factor).
-  - In src/, own headers are spelled "room/file.h".
+  - In rooms, own headers are spelled "room/file.h".
   - Every C++, Python, shell and CMake file names its licence in the first lines.
   - No C++ file is longer than 600 lines (aim: 400, unless it is one algorithm).
   - Modules of a room (a header with its source) do not include each other in circles. Rooms with
@@ -29,6 +29,8 @@ LICENCE = "SPDX-License-Identifier: Apache-2.0"
 # Rooms above the library: they may use foreign libraries and only the public headers.
 USERS = {"scene", "record", "verify", "session", "report", "draw", "validate", "live", "export",
          "exercise", "debrief"}
+# Rooms in apps/: a program each, or a part of one with tests of its own.
+APP_ROOMS = {"live", "validate"}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
 # Number of modules in circles within their room.
 CIRCLES: dict[str, int] = {}
@@ -60,7 +62,13 @@ def read_table() -> dict[str, set[str]]:
 
 def layer_of(path: str) -> str:
     parts = path.split("/")
-    return parts[1] if parts[0] in ("src", "include") else parts[0]
+    return parts[1] if parts[0] in ("src", "include") or is_room(path) else parts[0]
+
+
+def is_room(path: str) -> bool:
+    """Return true for a file of a room."""
+    parts = path.split("/")
+    return len(parts) > 2 and (parts[0] == "src" or (parts[0] == "apps" and parts[1] in APP_ROOMS))
 
 
 def check_include(path: str, kind: str, name: str, allowed: set[str], rooms: set[str]) -> str:
@@ -79,7 +87,7 @@ def check_include(path: str, kind: str, name: str, allowed: set[str], rooms: set
             doors = [a for a in allowed if a.startswith(f"{top}/")]
             return f"{layer} may include {doors[0]} only" if doors else \
                 f"{layer} may not include {top}"
-        if path.startswith("src/"):
+        if is_room(path):
             return 'write "room/file.h"'
         return ""
     if top == "hawser":
@@ -97,7 +105,7 @@ def check_cxx(path: str, text: str, table: dict[str, set[str]]) -> list[str]:
     if lines > MAX_LINES:
         found.append(f"{path}: {lines} lines, at most {MAX_LINES}")
     layer = layer_of(path)
-    if path.startswith("src/") and layer not in table:
+    if is_room(path) and layer not in table:
         return found + [f"{path}: room {layer} is missing in the table of docs/architecture.md"]
     rooms = {r for r in table if r not in ("apps", "python", "fmu", "tests", "bench", "all")}
     for match in INCLUDE.finditer(text):
@@ -140,8 +148,8 @@ def check_circles(sources: dict[str, str]) -> tuple[list[str], int]:
     """Return the rooms with more modules in circles than allowed, and the number of circles."""
     rooms: dict[str, dict[str, str]] = {}
     for path, text in sources.items():
-        if path.startswith("src/"):
-            rooms.setdefault(layer_of(path), {})[path[len("src/"):]] = text
+        if is_room(path):
+            rooms.setdefault(layer_of(path), {})[path.split("/", 1)[1]] = text
     found, count = [], 0
     for room, texts in sorted(rooms.items()):
         parts = structure.circles(structure.module_edges(texts))
@@ -149,7 +157,7 @@ def check_circles(sources: dict[str, str]) -> tuple[list[str], int]:
         modules = sum(len(part) for part in parts)
         if modules > CIRCLES.get(room, 0):
             names = "; ".join(", ".join(part) for part in parts)
-            found.append(f"src/{room}: {modules} modules include each other in circles, at most "
+            found.append(f"room {room}: {modules} modules include each other in circles, at most "
                          f"{CIRCLES.get(room, 0)}: {names}")
     return found, count
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Check the words of comments, documentation and commit subjects against docs/style.md.
 
-Measures for each room (a folder of src/, or one of include, apps, bench, tests, scripts, docs):
+Measures for each room (a folder of src/, apps/live, apps/validate, or one of include, apps, bench,
+tests, scripts, docs):
   what      occurrences of "what" per 10,000 words of comments or text
   of        sentences that begin with "Of", per 1,000 sentences
   long      sentences of more than 25 words, in per cent
@@ -156,7 +157,7 @@ def begins_with_verb(comment: str) -> bool:
 
 def room_of(path: str) -> str | None:
     """Room of a file, or None if it is not checked."""
-    if path.startswith("src/"):
+    if path.startswith(("src/", "apps/live/", "apps/validate/")):
         return "/".join(path.split("/")[:2]) if path.count("/") > 1 else "src"
     top = path.split("/")[0]
     if top in {"include", "apps", "bench", "tests", "scripts", "docs", "examples"}:

@@ -54,8 +54,8 @@ ROOT = affected.ROOT
 HOME = ROOT / "build/mutants"
 TREE, BUILD, BASELINE = HOME / "tree", HOME / "build", HOME / "baseline.json"
 KINDS = ["sign", "constant", "index", "condition", "call"]
-LEFT_OUT = ("src/live/fallback/", "src/runtime/pool_costs.cpp")  # the latter measures durations
-FREE_NUMBERS = "src/validate/"  # numbers there are mostly parameters of cases and tolerances
+LEFT_OUT = ("apps/live/fallback/", "src/runtime/pool_costs.cpp")  # the latter measures durations
+FREE_NUMBERS = "apps/validate/"  # numbers there are mostly parameters of cases and tolerances
 WIDE = 60  # compilations; headers that more of them read are used last
 MAX_EQUIVALENT = 4
 NEVER = math.inf
@@ -246,7 +246,8 @@ def compilations(sources: dict[str, str]) -> dict[str, int]:
     for path, text in sources.items():
         for kind, name in affected.INCLUDE.findall(text):
             if kind == '"':
-                users["src/" + name].add(path)
+                folder = affected.room_paths().get(name.split("/")[0], "src")
+                users["/".join([folder, *name.split("/")[1:]])].add(path)
     for header in (path for path in sources if path.endswith(".h")):
         reached, front = set(), {header}
         while front:
@@ -263,7 +264,7 @@ class Plan:
         self.seed, self.slots, self.sites, self.taken = seed, [], {}, set()
         self.ranked: dict[tuple[str, str], list[Site]] = collections.defaultdict(list)
         sources = {path: text for room in sorted(affected.rooms())
-                   for path, text in affected.texts(f"src/{room}").items()
+                   for path, text in affected.texts(affected.room_paths()[room]).items()
                    if not path.startswith(LEFT_OUT)}
         read = compilations(sources)
         lines: collections.Counter[str] = collections.Counter()

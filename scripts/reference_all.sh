@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Write src/validate/reference.h from the reference programs (two minutes; needs numpy).
+# Write apps/validate/reference.h from the reference programs (two minutes; needs numpy).
 set -eu
 cd "$(dirname "$0")"
 {
@@ -20,4 +20,4 @@ HEAD
     python3 reference_bricard.py
     python3 reference_spook.py
     echo '}  // namespace hawser::validate'
-} > ../src/validate/reference.h
+} > ../apps/validate/reference.h

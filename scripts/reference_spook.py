@@ -4,8 +4,8 @@
 
 The pendulum of 1 m, 1 kg is released from the horizontal. Prints its energy loss after 10 s
 (scale 9.81 J) and its largest length error, for steps h and damping times n h. The rod is a
-spring with a damper that no step resolves: its row is satisfied at the end of the step
-(docs/methods.md, 2). Geometric stiffness off. Standard library only.
+spring with a damper that no step resolves. Its row is satisfied at the end of the step
+(docs/theory/joints.md). Geometric stiffness off. Standard library only.
 """
 
 import math

@@ -62,7 +62,10 @@ void add_view(CLI::App& app, Command& chosen) {
         ->check(positive());
     command->add_flag("--rt", options->rt,
                       "Ask for real-time scheduling and processors of its own");
-    command->add_flag("--paused", options->paused, "Do not step before a client says so");
+    CLI::Option* go = command->add_flag(
+        "--go", options->go, "Begin at once; otherwise the instructor starts in the page");
+    command->add_flag("--paused", options->paused, "Wait for a client with a recording, too")
+        ->excludes(go);
     command->add_flag("--open", options->open, "Open the instructor's page in a browser");
     command->callback([&chosen, options] { chosen = [options] { return view(*options); }; });
 }

@@ -108,7 +108,7 @@ int view_scene(const ViewOptions& options) {
             options.scene.file +
             ": a scene has no score: --report and --summary are for exercises");
     Session session = open_session(options);
-    serve(options, session, {.recording = options.record, .paused = options.paused},
+    serve(options, session, {.recording = options.record, .paused = !options.go},
           {live::instructor(), live::watcher()}, [] {});
     return kOk;
 }
@@ -150,7 +150,7 @@ int view_exercise(const ViewOptions& options) {
     exercise::Run run(loaded.exercise, session);
     serve(options, session,
           {.recording = options.record,
-           .paused = options.paused,
+           .paused = !options.go,
            .exercise = &loaded.exercise,
            .run = &run},
           std::move(roles), [&] { close_exercise(options, recording, loaded.exercise, run); });

@@ -9,7 +9,7 @@
 /// elements. The half element at an end belongs to the holding body and is in no equilibrium
 /// equation (WireDef adds it to no body). A smooth wire pulls at an end with the tension of the
 /// last element and the weight of half an element (pull_from, weight_from). Derivation:
-/// docs/wires.md.
+/// docs/theory/catenary.md.
 
 #include <hawser/math.h>
 

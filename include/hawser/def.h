@@ -126,13 +126,13 @@ enum class Nonsmooth : std::uint8_t {
     convex,  ///< Associated cone: sliding causes dilation along the normal.
 };
 
-/// Coupling of an interaction between two parts (docs/methods.md, 10). Splits except `exact` are
+/// Coupling of an interaction between two parts (docs/theory/splits.md). Splits except `exact` are
 /// those of the paper, for comparison.
 enum class Coupling : std::uint8_t {
     exact,      ///< Solved in the global system: one multiplier for all its bodies.
     kinematic,  ///< Each side solves it with a prescribed velocity of the other side.
     compliant,  ///< Kinematic, with the compliance that stability requires.
-    deadline,  ///< Exact; compliant in steps in which a deadline requires it (docs/methods.md, 11).
+    deadline,   ///< Exact; compliant if a deadline requires it (docs/theory/deadlines.md).
 };
 
 /// Predicted velocity of the other side of a cut.
@@ -158,7 +158,7 @@ struct WorldDef {
                                        ///< (off) to 100.
     /// Scale k_b of the numerical damping of relative rotation in joints [1], 0 (off) to 100. It
     /// acts on bodies that oscillate faster than the step resolves: links of a chain
-    /// (docs/methods.md, 4).
+    /// (docs/theory/stiffness.md).
     double rotation_damping = 0.1;
     bool staggered_start = true;  ///< True: v₀ is the velocity at t = −h/2, which makes the scheme
                                   ///< second order.
@@ -197,7 +197,7 @@ struct WorldDef {
     /// motion from rest within a step, ½ to 1 g h²: 3 mm at 60 Hz.
     double contact_margin = 0.02;
     /// Time below sleep_speed after which an island sleeps [s]; 0: never. Sleeping islands are left
-    /// out of steps until they are disturbed (docs/methods.md, 9).
+    /// out of steps until they are disturbed (docs/theory/sleep.md).
     double sleep_after = 0.0;
     /// Speed below which a body is at rest [m/s], 0 to 1: √(2T/m), T its kinetic energy.
     double sleep_speed = 1e-4;

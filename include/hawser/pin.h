@@ -24,7 +24,7 @@
 /// Parts: body NAME, interactions NAME/slide and NAME/slide/motor, motor input NAME/speed, shape
 /// and bollard NAME/post. Input "NAME.up": set position, 1 up to 0 down. Output "NAME.height":
 /// position, 1 up to 0 down. The bollard's outputs are "NAME/post.held" and so on. Details:
-/// docs/wires.md, "Deck gear".
+/// docs/deck_gear.md.
 
 #include <hawser/id.h>
 #include <hawser/math.h>

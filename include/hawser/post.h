@@ -56,7 +56,7 @@
 /// 5. The cap of a capsule counts as its side.
 /// 6. The elastic deformation of the contact's friction is dropped on engagement.
 ///
-/// Details: docs/wires.md, "Posts".
+/// Details: docs/theory/posts.md.
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>

@@ -55,7 +55,7 @@
 /// Zienkiewicz, R. L. Taylor, "The Finite Element Method", vol. 1, ch. 17. Hybrid resolution of
 /// wires: M. Servin, C. Lacoursière, F. Nordfelth, K. Bodin, IEEE TVCG 17 (2011).
 ///
-/// Limits: docs/wires.md, "Resolution".
+/// Limits: docs/theory/resolution.md.
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>

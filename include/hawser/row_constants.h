@@ -9,8 +9,8 @@
 /// ```
 ///     G v₊ + Σ λ = −(4/h) Υ g + Υ (1 − 4τ(1 − θ)/h) G v,     Υ = 1/(1 + 4τθ/h),  Σ = 4εΥ/h²
 /// ```
-/// With θ = 1 this is SPOOK (Lacoursière, "Ghosts and machines", Umeå, 2007); docs/methods.md, 2. A
-/// velocity row, G v₊ + γ f = speed, has Σ = γ/h. The minimum of Σ of a rigid row, and the
+/// With θ = 1 this is SPOOK (Lacoursière, "Ghosts and machines", Umeå, 2007); docs/theory/step.md.
+/// A velocity row, G v₊ + γ f = speed, has Σ = γ/h. The minimum of Σ of a rigid row, and the
 /// stability term of a cut row, are added in src/assembly/system.cpp. The verifier computes its own
 /// values (src/verify).
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file sea_accuracy.h
-/// Measured error of the kinematics of waves (docs/sea.md, "Accuracy of kinematics").
+/// Measured error of the kinematics of waves (docs/theory/waves.md).
 
 #include <hawser/id.h>
 

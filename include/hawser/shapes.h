@@ -111,8 +111,8 @@ struct ContactView {
     bool sliding = false;  ///< True if friction is at its bound.
     bool asleep = false;   ///< True between sleeping bodies; the force is then that of their last
                            ///< step.
-    // Contact law of the step's impulses, for verification (docs/methods.md, 8). Zeros, except the
-    // moment, if asleep.
+    // Contact law of the step's impulses, for verification (docs/theory/newton.md). Zeros, except
+    // the moment, if asleep.
     double friction = 0.0;    ///< Friction coefficient μ [1].
     double softness[2] = {};  ///< Σ of the normal row and of the tangential rows [1/kg].
     Vec3 target{0, 0, 0};     ///< b: velocity that closes gap and tangential spring, world frame

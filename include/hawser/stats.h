@@ -106,10 +106,9 @@ struct Event {
     EventKind kind = EventKind::warning;
     InteractionId interaction{};  ///< Invalid for the whole world.
     double value = 0.0;           ///< See EventKind.
-    /// Input of input_clamped. For a signal, which has no id, the index is −2 less its index in
-    /// World::system_signals().
-    InputId input{};
-    BodyId body{};  ///< Body of the event, if any.
+    InputId input{};              ///< Clamped input of the world; invalid for other events.
+    BodyId body{};                ///< Body of the event; invalid if none.
+    std::int32_t signal = -1;     ///< Clamped signal: index in World::system_signals(); −1: none.
 };
 
 /// Count and extremes of all events of a kind.
@@ -192,7 +191,7 @@ struct Energy {
 };
 
 /// Work that a step left out to keep a limit of its cost; none by default. It suffices to repeat
-/// the step bit for bit without a clock (docs/methods.md, 11).
+/// the step bit for bit without a clock (docs/theory/deadlines.md).
 struct Degradation {
     /// Newton iterations after which solves for contacts ended, summed over the step; 0: they were
     /// solved.
@@ -254,7 +253,7 @@ struct StepStats {
     std::int32_t substitutions = 0;
     /// Change of a right-hand side that a further constraint iteration would cause [m/s or rad/s].
     double completion_change = 0.0;
-    /// End-of-step constraint iterations in this step (docs/methods.md, 2).
+    /// End-of-step constraint iterations in this step (docs/theory/joints.md).
     std::int32_t completion_rounds = 0;
     /// Steps since the start with diverging constraint iterations, so that joints were linearised
     /// once.
@@ -287,7 +286,7 @@ struct StepStats {
     /// Interfaces of Degradation::cuts with a cut in force. If other connections join the groups,
     /// the solution stays exact.
     std::uint64_t compliant = 0;
-    std::int32_t cuts = 0;    ///< Interactions cut in this step (docs/methods.md, 10).
+    std::int32_t cuts = 0;    ///< Interactions cut in this step (docs/theory/splits.md).
     double cut_defect = 0.0;  ///< Largest ‖Σ of the impulses on the bodies of a cut‖ [N s].
     /// Largest |G v₊ + Σλ − c| over rows of cuts, v₊ of all their bodies and λ the mean of the
     /// sides [m/s or rad/s].

@@ -42,7 +42,7 @@
 ///
 /// Limits: elements at drums, guides and bollards are not engaged. The shape of chain links has no
 /// effect: a chain stopper also engages wire. An inserted node is removed after release, once this
-/// is possible (World::remove_node()). Details: docs/wires.md, "Deck gear".
+/// is possible (World::remove_node()). Details: docs/deck_gear.md.
 
 #include <hawser/id.h>
 #include <hawser/math.h>

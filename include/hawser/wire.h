@@ -18,8 +18,8 @@
 ///
 /// *Nodes*. Nodes are inserted and removed between steps, also at elements outside wires. The
 /// elements need their own mass (consistent_mass, StretchDef::mass) and a compliance that follows
-/// from their length. Derivation: docs/methods.md, 12. Functions throw DefError if the edit is not
-/// possible, and std::bad_alloc.
+/// from their length. Derivation: docs/theory/wire_nodes.md. Functions throw DefError if the edit
+/// is not possible, and std::bad_alloc.
 ///
 /// World::insert_node() inserts a node on an element at a fraction 0 to 1 of its length from its
 /// first body, and returns the node. The element then ends at the node; a new element continues

@@ -269,7 +269,7 @@ class World {
     [[nodiscard]] RowsView rows(InteractionId id) const;  ///< At the present poses, see inspect.h.
     [[nodiscard]] bool intact(InteractionId id) const;    ///< False after an element has broken.
     /// Return true if the last step solved its rows at the end of the step, not linearised
-    /// (methods.md, 2).
+    /// (docs/theory/joints.md).
     [[nodiscard]] bool completed(InteractionId id) const;
     /// Return the force of each row in the geometric stiffness of the last step [N or N m]. It is
     /// force() before that step, or a larger one of a joint in a repeated solution
@@ -333,7 +333,7 @@ class World {
     void detach(InteractionId element, int end);
     void release(InteractionId hook);  ///< @throws DefError if it is not a pelican hook.
 
-    // --- Cuts (docs/methods.md, 10) ---------------------------------------------------------
+    // --- Cuts (docs/theory/splits.md) -------------------------------------------------------
     /// Set the group of a body from the next step on (BodyDef::group).
     void set_group(BodyId id, const std::string& group);
     /// Set the groups of all bodies by hand, from partition() for cuts of the present state: "part

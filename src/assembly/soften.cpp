@@ -5,9 +5,9 @@
 ///     A (1 + Υ (2 − R)) ≤ 2,   A = Σ over sides W/(W + Σ),   W = G M⁻¹ Gᵀ of the bodies of the
 ///     side
 /// ```
-/// (docs/methods.md, 10). Rows at the same body act together: W is multiplied by the number of rows
-/// that are stiff compared with the body. A body held by others has a larger effective mass, which
-/// is on the safe side.
+/// (docs/theory/splits.md). Rows at the same body act together: W is multiplied by the number of
+/// rows that are stiff compared with the body. A body held by others has a larger effective mass,
+/// which is on the safe side.
 #include "assembly/mobility.h"
 #include "assembly/system.h"
 #include "base/index.h"

@@ -10,7 +10,7 @@
 ///   [ G  −Σ ] [ −λ ] = [ c ]      a = M v + h f + gyro + (h²/4) K_g v − h C v − h (1 − θ) D v
 /// ```
 /// M mass matrix, D drag, θ by model/damping.h, K_g geometric stiffness, C relative-rotation
-/// damping (docs/methods.md, 4). The values Σ and c follow from compliance, damping time and
+/// damping (docs/theory/stiffness.md). The values Σ and c follow from compliance, damping time and
 /// violation (SPOOK).
 
 #include <hawser/interactions.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/iterate.h"
 
-#include "access/sweeps.h"
-#include "access/view.h"
 #include "base/index.h"
+#include "context/sweeps.h"
+#include "context/view.h"
 #include "nonsmooth/cone.h"
 
 #include <algorithm>

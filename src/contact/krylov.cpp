@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/krylov.h"
 
-#include "access/timer.h"
-#include "access/view.h"
 #include "base/index.h"
+#include "context/timer.h"
+#include "context/view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/newton_laws.h"
 
-#include "access/sweeps.h"
 #include "base/index.h"
 #include "contact/convex_phase.h"
 #include "contact/iterate.h"
+#include "context/sweeps.h"
 #include "solve/bounds.h"
 
 #include <cstdint>

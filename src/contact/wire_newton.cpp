@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/wire_newton.h"
 
-#include "access/view.h"
 #include "base/index.h"
 #include "contact/convex_phase.h"
 #include "contact/newton_laws.h"
 #include "contact/wire_solve.h"
 #include "context/newton_data.h"
+#include "context/view.h"
 
 #include <algorithm>
 #include <cmath>

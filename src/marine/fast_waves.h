@@ -2,7 +2,7 @@
 #pragma once
 /// @file fast_waves.h
 /// Tables and error bounds of the sums in single precision (fast_wave_sums.h); derivation in
-/// docs/sea.md, "Accuracy of kinematics".
+/// docs/theory/waves.md.
 ///
 /// Errors are relative to significant amplitudes: twice the standard deviation of elevation,
 /// velocity, acceleration and pressure at still water. Each of three parts has its share of

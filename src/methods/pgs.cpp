@@ -2,10 +2,10 @@
 /// Method pgs: projected Gauss-Seidel for every row, as in most engines. There is no matrix. A
 /// sweep relaxes the rows of all interactions in their order, then the contacts: first the normal,
 /// then both tangents on the disk. It starts from the impulses of the last step.
-#include "access/guarded.h"
-#include "access/view.h"
 #include "contact/iterate.h"
 #include "context/context.h"
+#include "context/guarded.h"
+#include "context/view.h"
 #include "methods/gauss_seidel.h"
 #include "solve/bounds.h"
 #include "solve/contact_rows.h"

@@ -9,9 +9,9 @@
 ///
 /// Limits: sticking rows are not solved exactly. The response of joints and normals to friction
 /// takes effect one step later. Long chains are therefore viscous and stiff stacks creep.
-#include "access/view.h"
 #include "contact/iterate.h"
 #include "context/context.h"
+#include "context/view.h"
 #include "methods/gauss_seidel.h"
 #include "nonsmooth/relax.h"
 #include "solve/active_set.h"

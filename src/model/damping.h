@@ -13,7 +13,7 @@
 /// The spring parallel to a damper counts in z, because the trapezoidal rule would not bring a fast
 /// spring to rest. Source of exponential fitting: Liniger, Willoughby, "Efficient integration
 /// methods for stiff systems of ordinary differential equations", 1970. θ ≥ ½ keeps any number of
-/// such dampers on one body stable; docs/methods.md, 2.
+/// such dampers on one body stable; docs/theory/step.md.
 
 #include <cmath>
 

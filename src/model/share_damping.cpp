@@ -17,8 +17,8 @@ struct Shares {
 };
 
 /// Row of a recoiling wire: the force is that at the end of the step, −g₊/ε. The wire behind the
-/// recoil front then moves at T/√(EA ρ) for any length of elements (docs/wires.md). In terms of the
-/// step τ = h and θ = ¾, for any damper of the line.
+/// recoil front then moves at T/√(EA ρ) for any length of elements (docs/theory/parting.md). In
+/// terms of the step τ = h and θ = ¾, for any damper of the line.
 constexpr Shares kRecoil{0.25, 0.0};
 
 /// Compute Υ and recall. The axial vibration of a wire's nodes is rarely resolved and would never

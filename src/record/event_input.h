@@ -13,16 +13,14 @@
 
 namespace hawser::record {
 
-/// Return the name of an event's input. For an input of a system, as "winch.mode", Event::input is
-/// −2 minus its index in World::system_signals(). Return "" if the event has no input or the input
-/// was removed.
+/// Return the name of an event's input or signal ("winch.mode"); "" if it has none or the input was
+/// removed.
 [[nodiscard]] inline std::string input_label(const World& world, const Event& event) {
     if (event.input.valid())
         return world.alive(event.input) ? world.input_def(event.input).name : std::string();
     const auto signals = world.system_signals();
-    const int place = -2 - event.input.index;
-    if (place < 0 || static_cast<std::size_t>(place) >= signals.size()) return {};
-    const SystemSignal& signal = signals[static_cast<std::size_t>(place)];
+    if (event.signal < 0 || static_cast<std::size_t>(event.signal) >= signals.size()) return {};
+    const SystemSignal& signal = signals[static_cast<std::size_t>(event.signal)];
     return signal.system + "." + signal.name;
 }
 

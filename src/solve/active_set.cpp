@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/active_set.h"
 
-#include "access/view.h"
+#include "context/view.h"
 #include "solve/bounds.h"
 #include "solve/solve.h"
 

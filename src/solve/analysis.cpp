@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/analysis.h"
 
-#include "access/asleep.h"
-#include "access/copies.h"
-#include "access/undo.h"
 #include "base/index.h"
+#include "context/asleep.h"
+#include "context/copies.h"
 #include "solve/bounds.h"
 #include "solve/factor.h"
 #include "solve/joints.h"
 #include "solve/runs.h"
 #include "solve/wire_bounds.h"
 #include "solve/wires.h"
+#include "state/undo.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/assemble.h"
 
-#include "access/sweeps.h"
-#include "access/view.h"
+#include "context/sweeps.h"
+#include "context/view.h"
 #include "solve/bounds.h"
 #include "solve/capstans.h"
 #include "solve/evaluate.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/bounds.h"
 
-#include "access/rows.h"
-#include "access/view.h"
+#include "assembly/rows.h"
 #include "base/index.h"
 #include "context/newton_data.h"
+#include "context/view.h"
 #include "solve/capstans.h"
 #include "solve/runs.h"
 

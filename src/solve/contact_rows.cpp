@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/contact_rows.h"
 
-#include "access/sweeps.h"
+#include "context/sweeps.h"
 
 namespace hawser::stepper {
 

@@ -3,10 +3,10 @@
 /// force range.
 #include "solve/drives.h"
 
-#include "access/push_event.h"
-#include "access/rows.h"
-#include "access/view.h"
+#include "assembly/rows.h"
 #include "base/index.h"
+#include "context/push_event.h"
+#include "context/view.h"
 
 #include <cmath>
 #include <span>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/evaluate.h"
 
-#include "access/rows.h"
-#include "access/view.h"
+#include "assembly/rows.h"
+#include "context/view.h"
 
 namespace hawser::stepper {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/factor.h"
 
-#include "access/view.h"
 #include "base/index.h"
+#include "context/view.h"
 #include "solve/capstans.h"
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/joints.h"
 
-#include "access/copies.h"
-#include "access/sweeps.h"
-#include "access/view.h"
 #include "base/index.h"
 #include "context/completion_data.h"
+#include "context/copies.h"
+#include "context/sweeps.h"
+#include "context/view.h"
 
 #include <algorithm>
 #include <cmath>

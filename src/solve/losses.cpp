@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/losses.h"
 
-#include "access/copies.h"
-#include "access/sweeps.h"
-#include "access/view.h"
+#include "context/copies.h"
+#include "context/sweeps.h"
+#include "context/view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/self_stress.h"
 
-#include "access/rows.h"
-#include "access/timer.h"
-#include "access/view.h"
+#include "assembly/rows.h"
 #include "base/index.h"
+#include "context/timer.h"
+#include "context/view.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/solve.h"
 
-#include "access/copies.h"
-#include "access/sweeps.h"
-#include "access/timer.h"
-#include "access/view.h"
 #include "base/index.h"
+#include "context/copies.h"
+#include "context/sweeps.h"
+#include "context/timer.h"
+#include "context/view.h"
 #include "solve/capstans.h"
 #include "solve/contact_rows.h"
 #include "solve/factor.h"

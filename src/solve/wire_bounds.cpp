@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/wire_bounds.h"
 
-#include "access/view.h"
 #include "base/index.h"
 #include "context/newton_data.h"
+#include "context/view.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/wire_energy.h"
 
-#include "access/view.h"
 #include "base/index.h"
+#include "context/view.h"
 #include "context/wires_data.h"
 
 #include <algorithm>

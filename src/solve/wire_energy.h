@@ -9,7 +9,7 @@
 /// created energy, whatever else acts on the bodies.
 ///
 /// **Wires that may touch** (a node has a shape) leave out the part along the rows. For an element
-/// that moves along its direction only, SPOOK's law (docs/methods.md, 2) gives
+/// that moves along its direction only, SPOOK's law (docs/theory/step.md) gives
 /// ```
 ///   gain = −h k τ w₊ (w + w₊)/2        w, w₊ its rate before and after the step
 /// ```

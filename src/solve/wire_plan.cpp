@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/wire_plan.h"
 
-#include "access/copies.h"
-#include "access/sweeps.h"
-#include "access/view.h"
 #include "assembly/geo.h"
 #include "base/index.h"
+#include "context/copies.h"
+#include "context/sweeps.h"
+#include "context/view.h"
 #include "context/wires_data.h"
 #include "solve/wires.h"
 

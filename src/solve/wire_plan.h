@@ -11,7 +11,7 @@
 ///
 /// *Bound.* At the last levels the element pulls with k (d₊ − l₀ d/|d|), the gradient of k/2 |d₊ −
 /// l₀ d/|d||². This function equals V at d and is nowhere below V. It is quadratic and convex, and
-/// its force is that at the end of the step. So the wire cannot gain energy (docs/methods.md, 12).
+/// its force is that at the end of the step. So the wire cannot gain energy (docs/theory/wires.md).
 /// A slack element that may become taut pulls with k (d₊ − d). The row itself is inactive.
 
 #include "context/context.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve/wires.h"
 
-#include "access/copies.h"
-#include "access/wire_alerts.h"
 #include "base/index.h"
+#include "context/copies.h"
+#include "context/wire_alerts.h"
 #include "context/wires_data.h"
 
 #include <algorithm>

@@ -2,13 +2,13 @@
 /// Run stage analyse of a step with splits.
 #include "split/split.h"
 
-#include "access/guarded.h"
-#include "access/timer.h"
-#include "access/undo.h"
+#include "context/guarded.h"
+#include "context/timer.h"
 #include "context/undo_data.h"
 #include "solve/analysis.h"
 #include "split/clique.h"
 #include "split/cuts.h"
+#include "state/undo.h"
 
 namespace hawser::stepper {
 

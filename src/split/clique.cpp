@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "split/clique.h"
 
-#include "access/view.h"
 #include "base/index.h"
 #include "context/cuts_data.h"
+#include "context/view.h"
 #include "solve/active_set.h"
 #include "solve/analysis.h"
 #include "solve/assemble.h"

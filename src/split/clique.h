@@ -7,7 +7,7 @@
 /// side. This is our interpretation of the paper's "clique system".
 ///
 /// On chains of nodes with damped rows it is the only predictor that is stable for any stiffness of
-/// the cut. On chains of rigid links it is not stable (docs/methods.md, 10).
+/// the cut. On chains of rigid links it is not stable (docs/theory/splits.md).
 ///
 /// Contacts and friction in joints act in it with their impulses of the last step.
 

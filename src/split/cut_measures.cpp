@@ -2,9 +2,9 @@
 /// Measure the errors that cuts leave in a step, and set the one multiplier that readers get.
 #include "split/split.h"
 
-#include "access/view.h"
 #include "base/index.h"
 #include "context/cuts_data.h"
+#include "context/view.h"
 #include "solve/losses.h"
 
 #include <hawser/row_constants.h>

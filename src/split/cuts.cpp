@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "split/cuts.h"
 
-#include "access/copies.h"
 #include "base/index.h"
 #include "context/context.h"
+#include "context/copies.h"
 #include "context/cuts_data.h"
 #include "split/clique.h"
 #include "split/split.h"

@@ -13,7 +13,7 @@
 /// ```
 /// The matrix therefore falls into independent parts without special code in the analysis, the
 /// factorisation, the friction solver or the schedule. After the solve a cut has as many
-/// multipliers as sides; readers get their mean. For the theory see docs/methods.md, 10.
+/// multipliers as sides; readers get their mean. For the theory see docs/theory/splits.md.
 ///
 /// Ghost bodies and copies follow all other bodies and interactions: the model of the user is the
 /// front of the arrays.

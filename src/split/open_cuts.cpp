@@ -4,8 +4,8 @@
 /// become one part is closed. This repeats until no cut closes.
 #include "split/cuts.h"
 
-#include "access/copies.h"
 #include "base/index.h"
+#include "context/copies.h"
 #include "context/cuts_data.h"
 #include "split/split.h"
 

@@ -14,18 +14,18 @@
 /// present cuts. Rows are evaluated at the present poses.
 #include "split/split.h"
 
-#include "access/asleep.h"
-#include "access/copies.h"
-#include "access/guarded.h"
-#include "access/timer.h"
-#include "access/undo.h"
-#include "access/view.h"
 #include "base/index.h"
+#include "context/asleep.h"
 #include "context/context.h"
+#include "context/copies.h"
 #include "context/cuts_data.h"
+#include "context/guarded.h"
 #include "context/regroup_data.h"
+#include "context/timer.h"
 #include "context/undo_data.h"
+#include "context/view.h"
 #include "split/cuts.h"
+#include "state/undo.h"
 
 #include <algorithm>
 #include <utility>

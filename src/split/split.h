@@ -3,7 +3,7 @@
 /// @file split.h
 /// Declare splits for all other rooms, which include no other header of this room. Interactions
 /// between groups of bodies may be *cut*, so that the groups become independent islands
-/// (docs/partition.md; docs/methods.md, 10). A step calls these functions:
+/// (docs/partition.md; docs/theory/splits.md). A step calls these functions:
 /// ```
 ///     preparation   may_split, split_model      ghost bodies and copies (cuts.h)
 ///     graph         regroup                     automatic groups follow the state

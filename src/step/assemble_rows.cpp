@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/assemble_rows.h"
 
-#include "access/timer.h"
+#include "context/timer.h"
 #include "solve/assemble.h"
 #include "solve/wires.h"
 #include "split/split.h"

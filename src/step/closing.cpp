@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/closing.h"
 
-#include "access/copies.h"
-#include "access/view.h"
 #include "base/index.h"
 #include "context/context.h"
-#include "context/judge_data.h"
+#include "context/copies.h"
+#include "context/monitor_data.h"
+#include "context/view.h"
+#include "monitor/measures.h"
 #include "solve/evaluate.h"
 #include "solve/factor.h"
-#include "step/judge_look.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/contact.h"
 
-#include "access/guarded.h"
-#include "access/sweeps.h"
-#include "access/timer.h"
-#include "access/undo.h"
 #include "base/index.h"
 #include "contact/newton.h"
+#include "context/guarded.h"
+#include "context/sweeps.h"
+#include "context/timer.h"
 #include "context/undo_data.h"
 #include "methods/gauss_seidel.h"
 #include "methods/nonsmooth.h"
 #include "solve/contact_rows.h"
 #include "solve/factor.h"
 #include "split/split.h"
+#include "state/undo.h"
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,7 @@
 ///   4-7  by a force that stores no more energy than the elements do: then there is no gain.
 ///
 /// The last measure is a convex quadratic bound of the energy of the elements, as in
-/// majorise-minimise methods (docs/methods.md, 12). Source: Lange, "MM optimization algorithms",
+/// majorise-minimise methods (docs/theory/wires.md). Source: Lange, "MM optimization algorithms",
 /// SIAM 2016. Wires whose vibration the step resolves are not checked.
 
 #include "context/context.h"

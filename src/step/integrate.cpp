@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/integrate.h"
 
-#include "access/copies.h"
-#include "access/push_event.h"
-#include "access/sweeps.h"
-#include "access/view.h"
-#include "access/wire_alerts.h"
+#include "context/copies.h"
+#include "context/push_event.h"
+#include "context/sweeps.h"
+#include "context/view.h"
+#include "context/wire_alerts.h"
+#include "edit/edits.h"
 #include "solve/bounds.h"
 #include "solve/drives.h"
 #include "solve/joints.h"
@@ -15,7 +16,6 @@
 #include "split/split.h"
 #include "step/closing.h"
 #include "step/contact.h"
-#include "step/edits.h"
 
 namespace hawser::stepper {
 namespace {

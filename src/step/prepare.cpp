@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/prepare.h"
 
-#include "access/asleep.h"
-#include "access/undo.h"
+#include "context/asleep.h"
+#include "monitor/prepare_monitor.h"
 #include "solve/analysis.h"
 #include "solve/wires.h"
 #include "split/split.h"
+#include "state/undo.h"
 #include "step/analysed_poses.h"
 #include "step/contact.h"
-#include "step/judge_prepare.h"
 
 namespace hawser::stepper {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/ready.h"
 
-#include "access/asleep.h"
-#include "access/undo.h"
+#include "context/asleep.h"
 #include "context/undo_data.h"
 #include "split/split.h"
+#include "state/undo.h"
 #include "step/analysed_poses.h"
 #include "step/prepare.h"
 

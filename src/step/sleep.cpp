@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/sleep.h"
 
-#include "access/asleep.h"
-#include "access/guarded.h"
-#include "access/kinetic.h"
-#include "access/timer.h"
-#include "access/undo.h"
+#include "assembly/kinetic.h"
 #include "base/index.h"
+#include "context/asleep.h"
+#include "context/guarded.h"
 #include "context/sleep_data.h"
+#include "context/timer.h"
 #include "context/undo_data.h"
 #include "split/split.h"
+#include "state/undo.h"
 #include "step/ready.h"
 
 #include <algorithm>

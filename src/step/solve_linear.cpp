@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/solve_linear.h"
 
-#include "access/timer.h"
+#include "context/timer.h"
 #include "methods/nonsmooth.h"
 #include "solve/active_set.h"
 #include "solve/solve.h"

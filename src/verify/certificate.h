@@ -2,7 +2,7 @@
 #pragma once
 /// @file certificate.h
 /// Check the laws of a step from the public data of a World, without the solver's code
-/// (docs/methods.md, 8).
+/// (docs/theory/newton.md).
 ///
 /// Contacts: the Jacobian of every point comes from poses, position and shapes. With v₊ and the
 /// impulses it gives the natural map; resistance to rolling and spinning has its own natural map.

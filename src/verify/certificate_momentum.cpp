@@ -21,7 +21,7 @@ Vec3 spun(const Mat3& inertia, const Vec3& w, double h) {
     return l + 0.5 * h * w.cross(l) + 0.25 * h * h * w.dot(l) * w;
 }
 
-// Return the angular velocity after h without torque (docs/methods.md, 3), by Newton's method.
+// Return the angular velocity after h without torque (docs/theory/rotation.md), by Newton's method.
 // Fixed-point iterations do not converge for slender bodies.
 Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
     const Vec3 target = spun(inertia, w, -h);
@@ -37,7 +37,7 @@ Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
     return u;
 }
 
-// Fraction of the velocity after the step in the drag (docs/methods.md, 2). With it a body with
+// Fraction of the velocity after the step in the drag (docs/theory/step.md). With it a body with
 // drag alone slows down by exp(-z).
 double late_share(double z) {
     if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;
@@ -143,7 +143,7 @@ Vec3 Verifier::spin_impulse(std::size_t body, const Mat3& inertia, const Twist& 
     const double limit = 0.5 * step_ / (1.0 + 0.25 * step_ * step_ * w.squaredNorm());
     const Vec3 gyro = -limit * (last.cross(inertia * w) + w.cross(inertia * last));
     last = delta;
-    if (turning_[body]) {  // the whole equation, docs/methods.md 3
+    if (turning_[body]) {  // the whole equation, docs/theory/rotation.md
         const Vec3 u = turn.conjugate() * now.angular, before = inertia * w, after = inertia * u;
         return turn * (after - before + 0.5 * step_ * (u.cross(after) + w.cross(before)));
     }

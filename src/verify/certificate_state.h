@@ -15,9 +15,9 @@
 ///
 /// Lost energy is a second account: kinetic and gravity energy minus the work of all forces. These
 /// include springs, drag and the geometric stiffness of lines, by which long steps damp
-/// under-resolved motion (docs/methods.md, 4). Rigid joints do no work. Neither their rows nor a
-/// compliance or damping of them therefore explains a loss. Steps with impacts are omitted, and so
-/// are all steps after the first edit between steps.
+/// under-resolved motion (docs/theory/stiffness.md). Rigid joints do no work. Neither their rows
+/// nor a compliance or damping of them therefore explains a loss. Steps with impacts are omitted,
+/// and so are all steps after the first edit between steps.
 
 #include <hawser/hawser.h>
 

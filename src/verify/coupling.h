@@ -2,7 +2,7 @@
 #pragma once
 /// @file coupling.h
 /// Measure the loss of accuracy by a split: compare each step with an exact one from the same state
-/// (docs/methods.md, 10).
+/// (docs/theory/splits.md).
 
 #include <hawser/hawser.h>
 #include <hawser/observer.h>

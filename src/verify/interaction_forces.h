@@ -34,7 +34,8 @@ struct Wrenches {
                                     std::span<const Pose> pose, std::span<const double> force);
 
 /// Return the impulses [N s, N m s] of the geometric stiffness and the damping of joints
-/// (docs/methods.md, 4). They belong to the step from velocities `before` to the present ones.
+/// (docs/theory/stiffness.md). They belong to the step from velocities `before` to the present
+/// ones.
 /// @param earlier  Velocities before the step before that one. @param last  Forces of the rows in
 /// it. @param alert World::wire_alert() before the present step.
 [[nodiscard]] Wrenches stiffness_wrenches(const World& world, InteractionId id,

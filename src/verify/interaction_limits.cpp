@@ -65,7 +65,7 @@ double resolved(const Attached& on, double s) {
 }
 
 // Add the transverse stiffness of a line under tension. It acts on the changes of velocity. It also
-// acts on the differences from the extrapolation of the last two steps (docs/methods.md, 4).
+// acts on the differences from the extrapolation of the last two steps (docs/theory/wires.md).
 // `held`: fraction of the stiffness in the step.
 void add_across(const World& world, const Attached& on, std::span<const Twist> before,
                 std::span<const Twist> earlier, double tension, bool calm, double held,
@@ -221,7 +221,8 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
     const bool completed = world.completed(id);
     const double held = completed ? completed_share(on, world, pull.norm()) : 1.0;
     if (held == 0.0) return out;
-    // Excess of the oscillation about a joint over the resolved frequency: docs/methods.md, 4.
+    // Excess of the oscillation about a joint over the resolved frequency:
+    // docs/theory/stiffness.md.
     double swings = 0.0, fast = 0.0;
     const bool damped =
         is_joint(kind) && on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid;

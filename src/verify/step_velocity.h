@@ -3,10 +3,10 @@
 /// @file step_velocity.h
 /// Velocity that a step solved for, without the later closing of joints.
 ///
-/// Joints that a step cannot close by iteration are closed by moving poses alone (docs/methods.md,
-/// 2), which rotates angular velocities. A body turns about its angular velocity. In the body's own
-/// frame it is therefore equal before and after the step. From that frame it is transformed to the
-/// orientation of the step's equations.
+/// Joints that a step cannot close by iteration are closed by moving poses alone
+/// (docs/theory/joints.md), which rotates angular velocities. A body turns about its angular
+/// velocity. In the body's own frame it is therefore equal before and after the step. From that
+/// frame it is transformed to the orientation of the step's equations.
 /// ```
 ///     ω = q₀ q₁⁻¹ ω₁        q₀, q₁ orientations before and after the step, ω₁ as it is now
 /// ```

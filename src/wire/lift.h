@@ -6,7 +6,7 @@
 /// ```
 ///     b ──── f ──── n ── part ──( )── part ──        n the lump next to the guide
 /// ```
-/// The node before a free end b can give its mass only to b (step/node_drum.cpp). So it does not
+/// The node before a free end b can give its mass only to b (edit/node_drum.cpp). So it does not
 /// run through, and less than an element of wire remains there. It runs off with everything
 /// attached to it.
 

@@ -3,13 +3,13 @@
 #include <hawser/inspect.h>
 #include <hawser/partition.h>
 
-#include "access/asleep.h"
-#include "access/undo.h"
-#include "access/wire_alerts.h"
+#include "context/asleep.h"
 #include "context/context.h"
 #include "context/cuts_data.h"
 #include "context/undo_data.h"
+#include "context/wire_alerts.h"
 #include "split/split.h"
+#include "state/undo.h"
 #include "step/prepare.h"
 #include "step/ready.h"
 #include "world/checks.h"

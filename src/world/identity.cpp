@@ -3,8 +3,8 @@
 
 #include <hawser/settings.h>
 
-#include "access/copies.h"
 #include "base/hash.h"
+#include "context/copies.h"
 #include "split/split.h"
 
 #include <algorithm>

@@ -7,10 +7,10 @@
 #include <hawser/edits.h>
 #include <hawser/world.h>
 
-#include "access/copies.h"
-#include "step/edits.h"
-#include "step/model_undo.h"
-#include "step/nodes.h"
+#include "context/copies.h"
+#include "edit/edits.h"
+#include "edit/nodes.h"
+#include "state/model_undo.h"
 #include "step/sleep.h"
 #include "step/step.h"
 #include "world/gear.h"

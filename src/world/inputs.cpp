@@ -2,7 +2,7 @@
 /// Inputs of a world.
 #include <hawser/world.h>
 
-#include "access/asleep.h"
+#include "context/asleep.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"

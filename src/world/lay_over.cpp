@@ -3,9 +3,9 @@
 #include <hawser/world.h>
 
 #include "context/context.h"
-#include "step/node_pieces.h"
-#include "step/nodes.h"
-#include "step/wire_ends.h"
+#include "edit/node_pieces.h"
+#include "edit/nodes.h"
+#include "edit/wire_ends.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/wire_capsule.h"
@@ -38,7 +38,7 @@ void check_parts(const world::Where& where, const InteractionDef& old, const Int
 
 /// Return the mass of its half element that a node passes to the guide [kg]. This is all of it, or
 /// all but a hundredth if a drum or guide also loads the next element, because a body needs some
-/// mass (step/node_drum.cpp). 0: not possible.
+/// mass (edit/node_drum.cpp). 0: not possible.
 double given_to_guide(const World& world, const world::Wire& wire, InteractionId element,
                       std::size_t end, double half) {
     const double has = world.body_def(world.interaction_def(element).body[end]).mass;

@@ -2,11 +2,11 @@
 /// Motion of a place that a wire runs over, along the axis of its wheel (hawser/guide.h, post.h).
 #include <hawser/world.h>
 
-#include "access/asleep.h"
 #include "base/number.h"
+#include "context/asleep.h"
 #include "context/context.h"
-#include "step/edits.h"
-#include "step/wire_ends.h"
+#include "edit/edits.h"
+#include "edit/wire_ends.h"
 #include "world/checks.h"
 #include "world/impl.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Checks for inserting and removing a node of a wire (hawser/wire.h).
-#include "step/node_pieces.h"
-#include "step/nodes.h"
+#include "edit/node_pieces.h"
+#include "edit/nodes.h"
 #include "world/checks.h"
 #include "world/impl.h"
 

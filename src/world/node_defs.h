@@ -6,8 +6,8 @@
 #include <hawser/def.h>
 #include <hawser/interactions.h>
 
+#include "edit/nodes.h"
 #include "model/interactions.h"
-#include "step/nodes.h"
 
 #include <cstdint>
 

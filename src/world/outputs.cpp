@@ -3,7 +3,7 @@
 
 #include <hawser/world.h>
 
-#include "access/kinetic.h"
+#include "assembly/kinetic.h"
 #include "step/step.h"
 
 #include <algorithm>

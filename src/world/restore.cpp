@@ -2,7 +2,7 @@
 /// Restoration of a state, all or nothing.
 #include <hawser/world.h>
 
-#include "access/undo.h"
+#include "state/undo.h"
 #include "step/ready.h"
 #include "world/impl.h"
 

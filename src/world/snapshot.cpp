@@ -4,11 +4,11 @@
 /// stiffness and the active set start from them.
 #include <hawser/world.h>
 
-#include "access/asleep.h"
-#include "access/wire_alerts.h"
 #include "base/hash.h"
+#include "context/asleep.h"
 #include "context/context.h"
 #include "context/regroup_data.h"
+#include "context/wire_alerts.h"
 #include "split/split.h"
 #include "step/prepare.h"
 #include "step/ready.h"

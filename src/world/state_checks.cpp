@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Checks of a state read from bytes. A valid checksum does not make the content valid, and a later
 /// step uses indices from a file as addresses.
-#include "access/wire_alerts.h"
 #include "base/index.h"
+#include "context/wire_alerts.h"
 #include "solve/wires.h"
 #include "world/saved_state.h"
 

@@ -70,10 +70,9 @@ void World::set_system_signal(std::string_view name, double value) {
                        " to " + world::number(s.max) + " " + s.unit);
     *s.value = std::clamp(value, s.min, s.max);
     if (*s.value == value) return;
-    // A signal has no input id; ids below 0 stand for signals (record/event_input.h).
-    const auto place = static_cast<std::int32_t>(&s - impl_->systems.signals().data());
-    impl_->ctx.state.events.push(
-        {impl_->ctx.state.time, EventKind::input_clamped, {}, value, InputId{-2 - place}});
+    Event clamped{.time = impl_->ctx.state.time, .kind = EventKind::input_clamped, .value = value};
+    clamped.signal = static_cast<std::int32_t>(&s - impl_->systems.signals().data());
+    impl_->ctx.state.events.push(clamped);
     ++impl_->ctx.work.stats.event_count[static_cast<std::size_t>(EventKind::input_clamped)];
 }
 std::vector<LoadView> World::loads() const { return impl_->ctx.state.loads.view(); }

@@ -3,8 +3,8 @@
 
 #include <hawser/world.h>
 
-#include "access/guarded.h"
 #include "base/hash.h"
+#include "context/guarded.h"
 #include "world/checks.h"
 #include "world/nearest.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Undo of the edits of systems in a failed step (step/model_undo.h).
+/// Undo of the edits of systems in a failed step (state/model_undo.h).
 #include <hawser/changes.h>
 
 #include "step/step.h"

@@ -2,10 +2,10 @@
 /// Winding of the end of a wire onto a drum.
 #include <hawser/world.h>
 
-#include "access/asleep.h"
+#include "context/asleep.h"
 #include "context/context.h"
-#include "step/edits.h"
-#include "step/node_pieces.h"
+#include "edit/edits.h"
+#include "edit/node_pieces.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/parts.h"

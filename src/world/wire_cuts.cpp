@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Cutting of wires in two (hawser/wire.h, step/wire_ends.h).
+/// Cutting of wires in two (hawser/wire.h, edit/wire_ends.h).
 #include <hawser/world.h>
 
-#include "access/push_event.h"
-#include "access/wire_alerts.h"
+#include "context/push_event.h"
+#include "context/wire_alerts.h"
+#include "edit/node_pieces.h"
+#include "edit/nodes.h"
+#include "edit/wire_ends.h"
 #include "split/split.h"
-#include "step/node_pieces.h"
-#include "step/nodes.h"
-#include "step/wire_ends.h"
 #include "world/checks.h"
 #include "world/impl.h"
 

@@ -2,13 +2,13 @@
 /// Pelican hooks of wires (hawser/wire.h).
 #include <hawser/world.h>
 
-#include "access/asleep.h"
-#include "access/push_event.h"
-#include "access/wire_alerts.h"
+#include "context/asleep.h"
+#include "context/push_event.h"
+#include "context/wire_alerts.h"
+#include "edit/edits.h"
+#include "edit/node_pieces.h"
+#include "edit/wire_ends.h"
 #include "split/split.h"
-#include "step/edits.h"
-#include "step/node_pieces.h"
-#include "step/wire_ends.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/parts.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Joining of wire ends, and attachment to bodies (hawser/wire.h, step/wire_ends.h).
+/// Joining of wire ends, and attachment to bodies (hawser/wire.h, edit/wire_ends.h).
 #include <hawser/world.h>
 
-#include "access/push_event.h"
+#include "context/push_event.h"
+#include "edit/edits.h"
+#include "edit/node_pieces.h"
+#include "edit/wire_ends.h"
 #include "split/split.h"
-#include "step/edits.h"
-#include "step/node_pieces.h"
-#include "step/wire_ends.h"
 #include "world/checks.h"
 #include "world/impl.h"
 

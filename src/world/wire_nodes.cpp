@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Insertion and removal of nodes of wires (hawser/wire.h, step/nodes.h).
+/// Insertion and removal of nodes of wires (hawser/wire.h, edit/nodes.h).
 #include <hawser/world.h>
 
-#include "step/node_pieces.h"
-#include "step/nodes.h"
+#include "edit/node_pieces.h"
+#include "edit/nodes.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/node_defs.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Capsules of wires when elements are added, removed or replaced.
-#include "step/edits.h"
-#include "step/node_pieces.h"
+#include "edit/edits.h"
+#include "edit/node_pieces.h"
 #include "world/impl.h"
 #include "world/wire_capsule.h"
 

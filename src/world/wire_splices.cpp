@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Splicing of wires (hawser/wire.h, step/wire_ends.h).
+/// Splicing of wires (hawser/wire.h, edit/wire_ends.h).
 #include <hawser/world.h>
 
-#include "access/push_event.h"
-#include "step/edits.h"
-#include "step/node_pieces.h"
-#include "step/wire_ends.h"
+#include "context/push_event.h"
+#include "edit/edits.h"
+#include "edit/node_pieces.h"
+#include "edit/wire_ends.h"
 #include "world/checks.h"
 #include "world/impl.h"
 

@@ -2,10 +2,10 @@
 /// Wires as objects of a world (hawser/wire.h).
 #include <hawser/world.h>
 
-#include "access/asleep.h"
-#include "access/push_event.h"
-#include "access/wire_alerts.h"
+#include "context/asleep.h"
 #include "context/context.h"
+#include "context/push_event.h"
+#include "context/wire_alerts.h"
 #include "split/split.h"
 #include "step/ready.h"
 #include "world/checks.h"

@@ -2,12 +2,12 @@
 #include <hawser/inspect.h>
 #include <hawser/world.h>
 
-#include "access/asleep.h"
 #include "base/hash.h"
-#include "step/energy.h"
-#include "step/judge.h"
+#include "context/asleep.h"
+#include "monitor/energy.h"
+#include "monitor/monitor.h"
+#include "state/state_hash.h"
 #include "step/ready.h"
-#include "step/state_hash.h"
 #include "world/checks.h"
 #include "world/impl.h"
 #include "world/lookup.h"

@@ -140,7 +140,7 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
     Matrix k = Matrix::Zero(12, 12), c = Matrix::Zero(12, 12), line = k;
     double late_share = 0.25, ahead_share = 0.0, resolved = 1.0;
     Vec3 f1;
-    double u = 0.0;  // docs/methods.md, 4
+    double u = 0.0;  // docs/theory/stiffness.md
     if (s.geometry == generic::Geometry::line) {
         const double tension = -lambda[0] / h;
         if (tension <= 0.0) return;
@@ -202,7 +202,7 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
     scatter(s, (1.0 - u) * h * c, out.before, out.couple_fixed);
 }
 
-/// θ of a damper, docs/methods.md, 2.
+/// θ of a damper, docs/theory/step.md.
 inline double late(double z) { return z < 1e-3 ? 0.5 + z / 12.0 : -1.0 / std::expm1(-z) - 1.0 / z; }
 
 /// G M⁻¹ Gᵀ of a row.

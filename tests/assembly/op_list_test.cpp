@@ -2,8 +2,8 @@
 /// The list of contributions against one that is made the plain way, in worlds where bodies,
 /// interactions, links of contacts and forms come and go at random.
 #include "assembly/op_list.h"
-#include "access/view.h"
 #include "context/context.h"
+#include "context/view.h"
 #include "support/random.h"
 #include "support/recipe.h"
 #include "support/tier.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The assembled blocks, right-hand sides and solution against the dense equations.
-#include "access/view.h"
 #include "assembly/dense.h"
 #include "assembly/geo.h"
 #include "context/context.h"
+#include "context/view.h"
 #include "solve/drives.h"
 #include "solve/losses.h"
 #include "solve/solve.h"

@@ -153,7 +153,7 @@ TEST(View, AnExerciseHasAnAddressForEachStationAndLeavesReportAndScore) {
     const fs::path folder = test_folder();
     const std::string report = (folder / "r.html").string(), score = (folder / "s.json").string(),
                       file = (folder / "run.hwr").string();
-    const Outcome outcome = run_program({"view", "exercises/tow_out.json", "--port", "0",
+    const Outcome outcome = run_program({"view", "exercises/tow_out.json", "--port", "0", "--go",
                                          "--report", report, "--summary", score, "--record", file},
                                         2.5);
     EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -32,7 +32,8 @@ int main() {
         }
     }
     std::printf("hawser %s: lowest point %.6f m after %.4f s\n", hawser::version(), lowest, when);
-    // The time is seen to one step. The rod lags by h^2 v^2 (1 + 2 tau/h) / (4 l), docs/methods.md:
-    // 4.26e-4 m with the default tau = 2 h and v^2 = 2 g l; terms of higher order are left 6 %.
+    // The time is seen to one step. The rod lags by h^2 v^2 (1 + 2 tau/h) / (4 l),
+    // docs/theory/step.md: 4.26e-4 m with the default tau = 2 h and v^2 = 2 g l; terms of higher
+    // order are left 6 %.
     return std::abs(when - 0.5920) < 1.0 / 240.0 && std::abs(lowest + 1.0) < 4.5e-4 ? 0 : 1;
 }

@@ -63,8 +63,8 @@ TEST(ReadmeDocument, ItsProgramStandsInTheExamplesAndRuns) {
 }
 
 TEST(LibraryDocument, TheFirstBodySwings) {
-    // The rod keeps it 1 m away, to what it lags by, docs/methods.md: 4.3e-4 m at 240 Hz and with
-    // the square of the step 16 times that at 60 Hz.
+    // The rod keeps it 1 m away, to what it lags by, docs/theory/step.md: 4.3e-4 m at 240 Hz and
+    // with the square of the step 16 times that at 60 Hz.
     EXPECT_NEAR(swing(), 1.0, 7e-3);
 }
 

@@ -142,7 +142,7 @@ TEST(FastWaves, KinematicsAreWithinTheirTolerance) {
         "%s: elevation %.2e, velocity %.2e, acceleration %.2e, pressure %.2e of significant\n",
         base::to_string(base::isa()), worst.elevation, worst.velocity, worst.acceleration,
         worst.pressure);
-    // The bound that docs/sea.md derives.
+    // The bound that docs/theory/waves.md derives.
     const double most = marine::kKinematicTolerance;
     EXPECT_LT(worst.elevation, most);
     EXPECT_LT(worst.velocity, most);

@@ -50,7 +50,7 @@ struct Line {
         }
     }
 
-    /// Σ (m + A) v, each half element with ρ V across it, written down from docs/sea.md.
+    /// Σ (m + A) v, each half element with ρ V across it, written down from docs/theory/drag.md.
     [[nodiscard]] Vec3 momentum(double* size = nullptr) const {
         const double per_length = kRho * 0.25 * std::numbers::pi * kDiameter * kDiameter;
         Vec3 sum = Vec3::Zero();
@@ -110,7 +110,7 @@ TEST(LineEdits, NodesThatGoFarFromOtherLineTypesKeepMomentumWithAddedMass) {
 }
 
 /// Nearer to the other line type momentum of the masses stays and that of the water does not
-/// (docs/sea.md, "Limits"). This is by how much, with water of four times and an eighth of the
+/// (docs/theory/sea_loads.md). This is by how much, with water of four times and an eighth of the
 /// mass.
 TEST(LineEdits, NodesThatGoNearOtherLineTypesLoseAThousandth) {
     for (const std::size_t node : {std::size_t{7}, std::size_t{9}, std::size_t{11}})

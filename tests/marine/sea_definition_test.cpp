@@ -12,7 +12,7 @@
 namespace hawser::test {
 namespace {
 
-/// As include/hawser/sea.h and docs/sea.md have it.
+/// As include/hawser/sea.h and docs/theory/waves.md have it.
 TEST(SeaDefinition, ExampleOfTheHeader) {
     World world;
     const BodyId from = world.add_body({.kind = BodyKind::fixed, .position = {0, 0, -5}});

@@ -207,7 +207,7 @@ TEST(Waves, BadDefinitionsAreRefusedByTheirField) {
 }
 
 TEST(Waves, TimeOfAComponentAtAPoint) {
-    // Printed, not judged: machines differ. Aims are in docs/sea.md.
+    // Printed, not judged: machines differ. Aims are in docs/sea_measured.md.
     const Sea sea(irregular(150.0, 400));
     const SeaMoment now = sea.at(10.0);
     double sum = 0.0;

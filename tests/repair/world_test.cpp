@@ -5,7 +5,7 @@
 
 #include "context/context.h"
 #include "split/split.h"
-#include "step/state_hash.h"
+#include "state/state_hash.h"
 #include "step/step.h"
 #include "support/random.h"
 #include "support/recipe.h"

@@ -40,7 +40,7 @@ TEST(CableShapes, hanging_has_the_tension_it_starts_with) {
     const Description d = flat(with_wire(
         R"("from": {"at": [0, 0, 0]}, "to": {"at": [80, 0, 0]}, "length": 100,
            "shape": "hanging")"));
-    // a = 33.82 m: docs/wires.md.
+    // a = 33.82 m: docs/theory/catenary.md.
     EXPECT_NEAR(tension(d, 10), 33.82 * kWeight, 0.01 * 33.82 * kWeight);
     // Half the weight but half an element.
     const auto p = nodes(d);

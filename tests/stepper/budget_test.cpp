@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "step/state_hash.h"
+#include "state/state_hash.h"
 #include "step/step.h"
 
 namespace hawser {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// By how much wires are coarser, against the rule of docs/methods.md, 11.
-#include "context/coarsening.h"
+// By how much wires are coarser, against the rule of docs/theory/deadlines.md.
+#include "budget/coarsening.h"
 
 #include <gtest/gtest.h>
 

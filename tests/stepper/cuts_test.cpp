@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Splits (docs/methods.md, 10): where they are stable, what they leave open, and that they are
+/// Splits (docs/theory/splits.md): where they are stable, what they leave open, and that they are
 /// steps like all others: repeatable, restorable, the same for any number of threads.
 #include <hawser/inspect.h>
 
@@ -47,8 +47,8 @@ bool grows(const Recipe& r) {
     return late >= 1e300 || late > 1.5 * early;
 }
 
-/// A(1 + Υ(2 − R)) of methods.md 10: at most 2 where stable. n: damping time of the spring in
-/// steps.
+/// A(1 + Υ(2 − R)) of docs/theory/splits.md: at most 2 where stable. n: damping time of the spring
+/// in steps.
 double criterion(double m1, double m2, double k, double n) {
     const double h = 1.0 / 60, w = 1.0 / m1 + 1.0 / m2, z = h * h * k * w * (n + 0.25);
     const double late = z < 1e-3 ? 0.5 + z / 12.0 : -1.0 / std::expm1(-z) - 1.0 / z;

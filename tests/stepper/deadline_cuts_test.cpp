@@ -2,8 +2,8 @@
 // Cuts that a deadline asks for: chosen by a clock that the test turns, repeated without one.
 #include <hawser/inspect.h>
 
-#include "context/deadline.h"
-#include "step/state_hash.h"
+#include "budget/deadline.h"
+#include "state/state_hash.h"
 #include "step/step.h"
 #include "support/small_recipes.h"
 

@@ -69,8 +69,8 @@ TEST(JointDamping, HoldsTautChainsTogether) {
     }
 }
 
-/// Short links under large forces: s (docs/methods.md, 4) is 130, 540 and 4300. With half of the
-/// damping explicit at any s they reached megajoules and came apart by metres.
+/// Short links under large forces: s (docs/theory/stiffness.md) is 130, 540 and 4300. With half of
+/// the damping explicit at any s they reached megajoules and came apart by metres.
 TEST(JointDamping, HoldsTautChainsOfShortLinksTogether) {
     for (const double force : {5e5, 2e6, 1.6e7}) {
         const Chain chain{400, 0.25, 25.0, force, 1e-4};
@@ -111,7 +111,7 @@ TEST(JointDamping, LeavesAMechanismAlone) {
     };
     const double coarse = (angle_after(0.1, 1. / 60) - angle_after(0.0, 1. / 60)).norm();
     const double fine = (angle_after(0.1, 1. / 120) - angle_after(0.0, 1. / 120)).norm();
-    // The step's own error is 2e-2 m here (docs/methods.md: 2.6e-2 for a pendulum of 1 m).
+    // The step's own error is 2e-2 m here (docs/theory/step.md: 2.6e-2 for a pendulum of 1 m).
     EXPECT_LT(coarse, 5e-3);
     EXPECT_LT(fine, coarse / 12.0) << "of fifth order, less what the chaos of the motion adds";
 }

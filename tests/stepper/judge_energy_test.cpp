@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The ledger that judges energy: what counts as exchanged.
-#include "step/judge_energy.h"
+#include "monitor/energy_account.h"
 
 #include <gtest/gtest.h>
 

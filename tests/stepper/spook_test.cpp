@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Properties of the scheme that follow from its equations (docs/methods.md, 2 and 3).
+/// Properties of the scheme that follow from its equations (docs/theory/step.md, rotation.md).
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>

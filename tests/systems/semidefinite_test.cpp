@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Which matrices a system may load: what has a direction without mass is taken, what has one of
 /// negative mass is not.
-#include "context/load_matrix.h"
+#include "assembly/load_matrix.h"
 
 #include "support/random.h"
 #include "support/tier.h"

@@ -44,7 +44,8 @@ TEST(AnchorSea, SeparateCodeAgrees) {
     }
     std::printf("loads of the sea differ by %.2g\n", verifier.result().sea);
     EXPECT_GT(verifier.result().sea, 0.0) << "some load was compared";
-    // Tolerance of kinematics in single precision (docs/sea.md), of which loads have a part.
+    // Tolerance of kinematics in single precision (docs/theory/waves.md), of which loads have a
+    // part.
     EXPECT_LT(verifier.result().sea, 1e-5);
 }
 
@@ -154,7 +155,7 @@ TEST(AnchorSea, MovesAndPullsAsItDid) {
             for (Series& s : all) s.values.push_back(s.now());
     }
     // The numbers are those of waves summed in double precision. Kinematics of single precision
-    // have a tolerance of 1e-5 (docs/sea.md); the scene is not chaotic within 20 s.
+    // have a tolerance of 1e-5 (docs/theory/waves.md); the scene is not chaotic within 20 s.
     constexpr double kKinematics = 1e-5;
     for (const Series& s : all) {
         std::printf("        {\"%s\", %.12g, %.12g}\n", s.what, s.mean_of(), s.deviation_of());

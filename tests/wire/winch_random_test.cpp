@@ -110,7 +110,7 @@ bool finite(const World& w) {
 }
 
 /// What a lump that was between two drums has beside its halves of elements, and takes with it
-/// (docs/wires.md, "Guides") [kg].
+/// (docs/theory/guides.md) [kg].
 double kept_mass(const World& w, BodyId node) {
     if (w.body_def(node).kind != BodyKind::lump) return 0.0;
     double own = 0.0;

@@ -30,7 +30,7 @@ TEST(Losses, ADampedSpringLosesWhatADashpotTakes) {
     World w = r.make();
     ASSERT_EQ(w.step(), Status::ok);  // velocities are at half steps from here on
     const Energy start = w.energy();
-    // The rate that it sees, docs/methods.md, 2.
+    // The rate that it sees, docs/theory/step.md.
     const double h = w.settings().step, z = h * k / 10.0 * (tau + 0.25 * h);
     const double late = 1.0 / (1.0 - std::exp(-z)) - 1.0 / z;
     double dashpot = 0.0, before = w.velocity(load).linear.z();

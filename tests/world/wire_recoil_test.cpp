@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that have parted (access/wire_alerts.h, docs/wires.md): numbers beside the closed form,
-/// which `hawser validate wire_parting` compares with.
+/// Wires that have parted (context/wire_alerts.h, docs/theory/parting.md): numbers beside the closed
+/// form, which `hawser validate wire_parting` compares with.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Samples for the monitors (step/judge.h), eight at a time: energies of consecutive rigid bodies,
-/// and violations.
+/// Samples for the monitors (monitor/monitor.h), eight at a time: energies of consecutive rigid
+/// bodies, and violations.
 #include "assembly/isa/rigid_lanes.h"
 #include "assembly/isa/rows.h"
 #include "assembly/isa/spin.h"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Cameras: free, follow, on board, bridge, top. Drag rotates, two fingers or the right button move,
+/// Cameras: free, follow, on board (deck), bridge (forward), aft (conning position), hook (down from the
+/// jib on the load), top. Drag rotates, two fingers or the right button move,
 /// wheel and pinch zoom. Angles in radians, azimuth from x towards y.
 import {Quaternion, Vector3} from 'three';
 
-export const kModes = ['free', 'follow', 'board', 'bridge', 'top'];
+export const kModes = ['free', 'follow', 'board', 'bridge', 'aft', 'hook', 'top'];
+const kAboard = ['board', 'bridge', 'aft'];
 const up = new Vector3(0, 0, 1);
 
 /// Return the heading of a body from its quaternion: the direction of its x axis, seen from above.
@@ -66,7 +68,7 @@ export class CameraRig {
 
     turn(dx, dy) {
         const k = 2.6 / Math.max(200, this.element.clientHeight);
-        if (this.mode === 'board' || this.mode === 'bridge') {
+        if (this.aboardShip) {
             this.look.azimuth += dx * k;
             this.look.elevation = Math.min(1.4, Math.max(-1.4, this.look.elevation + dy * k));
         } else {
@@ -90,7 +92,7 @@ export class CameraRig {
     }
 
     zoom(by) {
-        if (this.mode === 'board' || this.mode === 'bridge')
+        if (this.aboardShip)
             this.camera.fov = Math.min(80, Math.max(12, this.camera.fov * by));
         else this.distance = Math.min(6000, Math.max(2, this.distance * by));
         this.camera.updateProjectionMatrix();
@@ -102,21 +104,23 @@ export class CameraRig {
         if (this.mode !== 'follow' && mode === 'follow' && subject) this.azimuth = -2.5;
         this.mode = mode;
         this.subject = subject;
-        this.camera.fov = mode === 'bridge' || mode === 'board' ? 62 : 42;
-        const aft = mode === 'bridge' || subject?.aft;
-        this.look = {azimuth: aft ? Math.PI : 0, elevation: mode === 'bridge' ? -0.2 : -0.12};
+        this.camera.fov = kAboard.includes(mode) ? 62 : 42;
+        const aft = mode === 'aft' || mode === 'board' && subject?.aft;
+        this.look = {azimuth: aft ? Math.PI : 0, elevation: mode === 'aft' ? -0.2 : mode === 'bridge' ? -0.06 : -0.12};
         if (subject && (mode === 'follow' || mode === 'top')) {
             this.distance = (mode === 'top' ? 4.6 : 2.7) * Math.max(6, subject.size);
             if (mode === 'follow') this.elevation = 0.2;
             this.target.copy(subject.position);
         }
+        if (mode === 'hook') this.distance = 24;
         this.camera.updateProjectionMatrix();
     }
 
     /// Move the camera to the position of its mode. Call after bodies have moved.
     update() {
         const {camera, subject, mode, target} = this;
-        if (subject && (mode === 'board' || mode === 'bridge')) return this.aboard(subject);
+        if (subject && this.aboardShip) return this.aboard(subject);
+        if (mode === 'hook' && this.load) return this.overLoad(this.load());
         if (subject && mode === 'follow') target.copy(subject.position);
         const turn = subject && mode === 'follow' ? heading(subject.quaternion) : 0;
         if (mode === 'top') {
@@ -133,13 +137,28 @@ export class CameraRig {
     }
 
     aboard(subject) {
-        const {camera} = this, at = this.mode === 'bridge' && subject.bridge ? subject.bridge : subject.eye;
+        const {camera} = this, at = this.mode !== 'board' && subject.bridge ? subject.bridge : subject.eye;
         const q = subject.quaternion, {azimuth, elevation} = this.look;
         camera.position.copy(at).applyQuaternion(q).add(subject.position);
         const way = new Vector3(Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation));
         camera.up.copy(up).applyQuaternion(q);
         camera.lookAt(way.applyQuaternion(q).add(camera.position));
         this.planes(12);
+    }
+
+    /// True if the camera stands on the body that it follows.
+    get aboardShip() {
+        return kAboard.includes(this.mode);
+    }
+
+    /// Look down on a load from `distance` above it, north up.
+    overLoad(position) {
+        const {camera, target} = this;
+        target.copy(position);
+        camera.up.set(0, 1, 0);
+        camera.position.set(target.x, target.y - 0.25 * this.distance, target.z + this.distance);
+        camera.lookAt(target);
+        this.planes(this.distance);
     }
 
     planes(distance) {
@@ -153,7 +172,7 @@ export class CameraRig {
 
     /// Return the bearing of the camera, from x towards y, for the compass.
     bearing() {
-        if (this.mode === 'top') return Math.PI / 2;
+        if (this.mode === 'top' || this.mode === 'hook') return Math.PI / 2;
         const d = this.camera.getWorldDirection(new Vector3());
         return Math.atan2(d.y, d.x);
     }

@@ -2,8 +2,8 @@
 /// The exercise: score, goals, penalties, alarms and displays; for the instructor its faults and its
 /// end. Decisions and alarms are announced to screen readers.
 import {$, clock, el, memory} from './dom.js';
-import {quantity} from './lever_logic.js';
 import {readable} from './roles.js';
+import {shown} from './units.js';
 
 const points = v => `${v > 0 ? '+' : v < 0 ? '−' : ''}${+Math.abs(v).toFixed(1)}`;
 const title = one => one.text || readable(one.name);
@@ -32,8 +32,11 @@ export class ExercisePanel {
         this.exercise = e;
         document.body.classList.add('has-exercise');
         if (first) this.build();
+        this.app.alarms.take(e.alarms, this.app.frame?.time ?? 0, title);
+        this.app.instruments.body = undefined;
         this.paint();
         this.paintEnd();
+        this.app.briefing.paint();
     }
 
     setFaults(faults) {
@@ -144,12 +147,12 @@ export class ExercisePanel {
         const {scene} = this.app, e = this.exercise;
         for (const d of this.displays) {
             const k = scene.outputs.findIndex(o => o.name === d.name), value = k < 0 ? NaN : frame.outputs[k];
-            const words = Number.isFinite(value) ? quantity(value, scene.outputs[k].unit) : '–';
+            const words = Number.isFinite(value) ? shown(value, scene.outputs[k].unit, d.name) : '–';
             if (d.value.textContent !== words) d.value.textContent = words;
         }
         this.left.textContent = e.ended !== null ? 'ended' : e.duration === null ? '' : `${clock(Math.max(0, e.duration - frame.time))} left`;
         if (e.goals.some(g => g.by !== null && g.reached === null)) this.paint();
-        if (this.sound && this.sounding && now >= (this.beepDue ?? 0)) {
+        if (this.sound && this.app.alarms.book.sounding && now >= (this.beepDue ?? 0)) {
             this.beepDue = now + 1000;
             this.beep();
         }

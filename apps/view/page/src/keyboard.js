@@ -11,7 +11,7 @@ export function bindKeys(app) {
         ' ': e => { if (!e.target.closest?.('button, summary, input')) return app.play(), true; },
         '.': () => app.step(), '[': () => app.levers.next(-1), ']': () => app.levers.next(1), 0: () => app.levers.neutral(),
         c: () => app.command('camera'), b: () => app.nextSubject(), p: () => app.mayControl && app.drag.mode(!app.drag.on),
-        s: () => app.save(`at ${$('time').textContent}`), r: () => app.restoreLast(), g: () => app.panel('plots'), k: () => app.screenshot(),
+        s: () => app.save(`at ${$('time').textContent}`), r: () => app.restoreLast(), g: () => app.panel('plots'), i: () => app.dials(), a: () => app.alarms.all(), k: () => app.screenshot(),
         '?': () => app.panel('keys'),
         n: () => {
             app.stage.show.names = app.boxes.names.checked = !app.stage.show.names;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The controls: one slider for each input, by group, with value, range and unit. A control with a
-/// spring returns to neutral after its release by pointer, touch, keys or gamepad.
+/// The controls, by group: buttons for a choice, a switch for two values, otherwise a slider with
+/// range and unit. A control with a spring returns to neutral after its release by pointer, touch, keys
+/// or gamepad. A control shows the request; a line below it shows another value in force.
 import {el, memory} from './dom.js';
-import {groupLevers, leverRange, neutral, nudge, quantity, springHome, toDeflection, valueWords, fromDeflection, Throttle} from './lever_logic.js';
+import {groupLevers, leverRange, neutral, nudge, springHome, toDeflection, valueWords, fromDeflection, Throttle} from './lever_logic.js';
 import {readable} from './roles.js';
+import {shown} from './units.js';
 
 export class Levers {
     constructor(panel, send) {
@@ -42,13 +44,14 @@ export class Levers {
     make(def, group) {
         const range = leverRange(def), vague = / or /.test(def.unit ?? ''), unit = vague ? '' : def.unit === '1' ? '' : def.unit, at = this.levers.length, id = `lever-${at}`;
         const rest = def.spring ?? neutral(range), own = def.name.startsWith(`${group}/`) || def.name.startsWith(`${group}.`) ? def.name.slice(group.length + 1) : def.name;
-        const slider = el('input', {type: 'range', id, min: range[0], max: range[1], step: def.words?.length ? 1 : 'any', value: def.value ?? rest});
+        if (def.words?.length) return this.makeChoice(def, range, rest, own, at, id);
+        const slider = el('input', {type: 'range', id, min: range[0], max: range[1], step: 'any', value: def.value ?? rest});
         const output = el('output', {htmlFor: id});
-        const ends = el('div', {className: 'ends', 'aria-hidden': 'true'}, el('span', {textContent: valueWords(def, range[0], unit)}),
-            el('span', {className: 'home', textContent: def.spring === null || def.spring === undefined ? vague ? def.unit : '' : `springs to ${valueWords(def, def.spring, unit)}`}),
-            el('span', {textContent: valueWords(def, range[1], unit)}));
-        const element = el('div', {className: 'lever'}, el('div', {className: 'head'}, el('label', {for: id, textContent: readable(own), title: def.name}), output), slider, ends);
-        const lever = {def, unit, range, rest, slider, output, element, value: Number(slider.value), held: new Set(), sent: null, until: 0};
+        const ends = el('div', {className: 'ends', 'aria-hidden': 'true'}, el('span', {textContent: shown(range[0], unit, def.name)}),
+            el('span', {className: 'home', textContent: def.spring === null || def.spring === undefined ? vague ? def.unit : '' : `springs to ${shown(def.spring, unit, def.name)}`}),
+            el('span', {textContent: shown(range[1], unit, def.name)}));
+        const element = el('div', {className: 'lever'}, el('div', {className: 'head'}, el('label', {for: id, textContent: readable(own), title: def.name}), output), slider, ends, el('small', {className: 'force', hidden: true}));
+        const lever = {def, unit, range, rest, slider, output, element, force: element.lastElementChild, value: Number(slider.value), held: new Set(), sent: null, until: 0};
         this.levers.push(lever);
         slider.dataset.input = def.name;
         slider.addEventListener('input', () => this.move(at, Number(slider.value)));
@@ -66,6 +69,30 @@ export class Levers {
         return element;
     }
 
+    /// A radio group of buttons, or a switch if there are two values.
+    makeChoice(def, range, rest, own, at, id) {
+        const label = el('span', {id: `${id}-label`, textContent: readable(own), title: def.name});
+        const lever = {def, unit: '', range, rest, slider: null, value: def.value ?? rest, held: new Set(), sent: null, until: 0};
+        this.levers.push(lever);
+        const pick = value => {
+            this.activate(at);
+            this.move(at, value);
+        };
+        const two = def.words.length === 2;
+        lever.buttons = two ? [el('button', {role: 'switch', id, onclick: () => pick(lever.value > 0.5 ? 0 : 1)})]
+            : def.words.map((word, i) => el('button', {role: 'radio', textContent: readable(word), onclick: () => pick(i)}));
+        for (const b of lever.buttons) {
+            b.dataset.input = def.name;
+            b.addEventListener('focus', () => this.activate(at));
+            b.addEventListener('keydown', e => this.key(e, at));
+        }
+        lever.force = el('small', {className: 'force', hidden: true});
+        lever.element = el('div', {className: 'lever choice'}, el('div', {className: 'head'}, label),
+            el('div', {className: 'choices', role: two ? 'group' : 'radiogroup', 'aria-labelledby': label.id}, ...lever.buttons), lever.force);
+        this.paint(lever);
+        return lever.element;
+    }
+
     key(e, at) {
         const lever = this.levers[at], steps = {ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 5, PageDown: -5}[e.key];
         let to = null;
@@ -78,6 +105,7 @@ export class Levers {
         e.stopPropagation();
         if (steps) this.hold(at, e.key);
         this.move(at, to);
+        if (lever.buttons?.length > 1) lever.buttons[Math.round(lever.value)]?.focus();
     }
 
     hold(at, by) {
@@ -128,7 +156,7 @@ export class Levers {
         if (!lever || value === lever.value) return;
         lever.value = value;
         lever.until = performance.now() + 700;
-        lever.slider.value = value;
+        lever.asked = true;
         this.paint(lever);
         this.throttle.set(lever.def.name, value);
     }
@@ -140,25 +168,57 @@ export class Levers {
             if (springs && !lever.held.size && lever.until && lever.value !== lever.rest) {
                 const about = lever.range.map(v => v - lever.rest);
                 this.move(at, lever.rest + springHome(about, lever.value - lever.rest, dt));
-            } else if (frame && !lever.held.size && now > lever.until) {
-                const value = frame.inputs[lever.def.index];
-                if (Number.isFinite(value) && Math.abs(value - lever.value) > 1e-6 * (lever.range[1] - lever.range[0])) {
+            } else if (frame && now > lever.until) {
+                const value = frame.inputs[lever.def.index], span = lever.range[1] - lever.range[0];
+                const differs = Number.isFinite(value) && Math.abs(value - lever.value) > 1e-6 * span;
+                // In an exercise a fault may change the value in force; it never moves the control.
+                const keeps = this.keepsRequests && lever.asked;
+                if (differs && !keeps && !lever.held.size) {
                     lever.value = value;
-                    lever.slider.value = value;
                     this.paint(lever);
                 }
+                this.paintForce(lever, differs && keeps && Math.abs(value - lever.value) > 0.01 * span ? value : null);
             }
         }
         this.throttle.flush(now);
     }
 
+    /// Show a value in force that differs from the request; null: none.
+    paintForce(lever, value) {
+        const words = value === null ? '' : `in force: ${lever.def.words?.length ? readable(valueWords(lever.def, value)) : shown(value, lever.unit, lever.def.name)}`;
+        if (lever.force.textContent === words) return;
+        lever.force.textContent = words;
+        lever.force.hidden = !words;
+    }
+
+    /// Forget requests, after a restore: controls follow the values in force.
+    forget() {
+        for (const lever of this.levers) lever.asked = false;
+    }
+
     paint(lever) {
+        if (lever.buttons) return this.paintChoice(lever);
         const {slider, range, value, def} = lever, of = v => 100 * (v - range[0]) / (range[1] - range[0]);
-        const words = valueWords(lever.def, value, lever.unit);
+        const words = shown(value, lever.unit, def.name);
+        slider.value = value;
         lever.output.textContent = words;
         slider.setAttribute('aria-valuetext', words);
         const a = Math.min(of(lever.rest), of(value)), b = Math.max(of(lever.rest), of(value)), grey = 'rgb(255 255 255 / 22%)';
         slider.style.setProperty('--fill', `linear-gradient(to right, ${grey} ${a}%, #7cc0e8 ${a}%, #7cc0e8 ${b}%, ${grey} ${b}%)`);
+    }
+
+    paintChoice(lever) {
+        const at = Math.round(lever.value);
+        if (lever.buttons.length === 1) {
+            const [b] = lever.buttons, words = readable(lever.def.words[at] ?? '');
+            b.setAttribute('aria-checked', String(at === 1));
+            b.textContent = words;
+            return;
+        }
+        lever.buttons.forEach((b, i) => {
+            b.setAttribute('aria-checked', String(i === at));
+            b.tabIndex = i === at ? 0 : -1;
+        });
     }
 
     deflection(at) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The page of `hawser view`: connects the WebSocket, picture, controls, plots and panels.
+import {AlarmList} from './alarms.js';
+import {Briefing} from './briefing.js';
 import {Connection} from './connection.js';
 import {gradient} from './colour.js';
 import {$, clock, el, memory, toast} from './dom.js';
 import {Drag} from './drag.js';
 import {defaultMapping, Gamepads} from './gamepad.js';
 import {ExercisePanel} from './exercise.js';
+import {Instruments} from './instruments.js';
 import {bindKeys} from './keyboard.js';
 import {quantity} from './lever_logic.js';
 import {Levers} from './levers.js';
@@ -18,7 +21,7 @@ import {Timeline} from './timeline.js';
 import {kModes} from './camera.js';
 
 const kPause = 'M3 2h4v12H3zM9 2h4v12H9z', kPlay = 'M4 2v12l10-6z';
-const kCameraNames = {free: 'Free', follow: 'Follow', board: 'On board', bridge: 'Bridge', top: 'Top'};
+const kCameraNames = {free: 'Free', follow: 'Follow', board: 'Deck', bridge: 'Bridge', aft: 'Aft', hook: 'Hook', top: 'Chart'};
 const kRanges = [0.25, 0.5, 1];
 
 class App {
@@ -30,6 +33,9 @@ class App {
         this.plots = new Plots($('plots'));
         this.plots.mount();
         this.exercise = new ExercisePanel($('exercise'), this);
+        this.alarms = new AlarmList($('alarm-list'));
+        this.briefing = new Briefing($('briefing'), this);
+        this.instruments = new Instruments($('instruments'), this);
         this.timeline = new Timeline(time => this.link.ask({type: 'seek', time}));
         this.drag = new Drag(this);
         this.state = {paused: false, rate: 1, restore_points: [], failure: null, range: null};
@@ -59,7 +65,11 @@ class App {
         on('scene', s => this.setScene(s));
         on('state', s => this.setState(s));
         on('frame', () => { this.fresh = true; });
-        on('event', e => this.timeline.tell(e));
+        on('event', e => {
+            this.timeline.tell(e);
+            this.alarms.event(e);
+            if (e.kind === 'command' && /restored/.test(e.words ?? '')) this.restored();
+        });
         on('timeline', t => this.timeline.setEvents(t.events));
         on('exercise', e => this.exercise.setExercise(e));
         on('faults', f => this.exercise.setFaults(f.faults));
@@ -86,6 +96,8 @@ class App {
         $('title').title = scene.description ?? '';
         this.stage.setScene(scene);
         this.levers.setScene(scene, scene.mode === 'live', this.stage.bodies.bodies.filter(b => b.role === 'ship').map(b => b.name.split('/')[0]));
+        this.levers.keepsRequests = this.exercise.on;
+        this.instruments.setScene(scene);
         this.plots.setScene(scene);
         if (first) this.inspector.clear();
         const names = this.levers.levers.map(l => l.def.name);
@@ -114,6 +126,7 @@ class App {
         this.timeline.setRange(s.range);
         this.paintRestore();
         this.paintFailure(s.failure);
+        this.briefing.paint();
     }
 
     paintFailure(f) {
@@ -135,6 +148,11 @@ class App {
         const a = await this.link.ask(message);
         if (a.type !== 'error' && done) toast(done);
         return a;
+    }
+    /// After a restore: requests and alarms of before no longer hold.
+    restored() {
+        this.levers.forget();
+        this.alarms.reset();
     }
     play() { if (this.mayRun) this.link.send({type: this.state.paused ? 'resume' : 'pause'}); }
     step() { if (this.mayRun) this.link.send({type: 'step', count: 1}); }
@@ -184,6 +202,16 @@ class App {
         toast('Picture saved');
     }
 
+    useSi(si) {
+        this.instruments.useSi(si);
+        for (const lever of this.levers.levers) this.levers.paint(lever);
+    }
+
+    dials() {
+        this.instruments.toggle();
+        $('dials').setAttribute('aria-pressed', String(this.instruments.open));
+    }
+
     panel(id) {
         const box = $(id), open = box.hidden;
         for (const b of document.querySelectorAll('[data-panel]')) {
@@ -209,6 +237,7 @@ class App {
         $('step').addEventListener('click', () => this.step());
         $('rate').addEventListener('input', () => this.rate(10 ** Number($('rate').value)));
         $('rate').addEventListener('dblclick', () => this.rate(1));
+        $('dials').addEventListener('click', () => this.dials());
         $('shot').addEventListener('click', () => this.screenshot());
         $('pull').addEventListener('click', () => this.drag.mode(!this.drag.on));
         $('lost-retry').addEventListener('click', () => this.link.retry());
@@ -273,7 +302,10 @@ class App {
             this.stage.take(this.frame);
             this.plots.take(this.frame, this.stage.bodies);
             this.timeline.update(this.frame.time);
+            this.levers.keepsRequests = this.exercise.on;
             this.exercise.update(this.frame, now);
+            this.instruments.update(this.frame, now);
+            this.alarms.paint();
             $('time').textContent = clock(this.frame.time);
         }
         this.levers.update(now, dt, this.frame);
@@ -298,7 +330,7 @@ class App {
         const {stage} = this;
         $('needle').setAttribute('transform', `rotate(${(stage.rig.bearing() * 180 / Math.PI - 90).toFixed(1)})`);
         const per = stage.rig.perPixel(), want = 110 * per, unit = 10 ** Math.floor(Math.log10(want));
-        const length = [5, 2, 1].map(k => k * unit).find(v => v <= want) ?? unit, aboard = ['board', 'bridge'].includes(stage.rig.mode);
+        const length = [5, 2, 1].map(k => k * unit).find(v => v <= want) ?? unit, aboard = stage.rig.aboardShip;
         $('scale').hidden = aboard;
         if (!aboard) {
             $('scale').firstElementChild.style.width = `${(length / per).toFixed(0)}px`;

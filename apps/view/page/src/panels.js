@@ -100,6 +100,9 @@ export function layersPanel(panel, app) {
     });
     panel.append(el('h2', {textContent: 'Wires'}), how,
         el('p', {className: 'note', textContent: 'Lengths of force arrows go with the cube root of the force: ten times the length is a thousand times the force.'}));
+    const si = el('input', {type: 'checkbox', checked: memory.get('si', false), id: 'si'});
+    si.addEventListener('change', () => app.useSi(si.checked));
+    panel.append(el('h2', {textContent: 'Units'}), el('label', {className: 'check'}, si, el('span', {textContent: 'SI units (N, m/s, rad)'})));
     paintForces(app);
 }
 
@@ -133,8 +136,8 @@ export function restorePanel(panel, app) {
 }
 
 const kKeys = [['space', 'pause, go on'], ['.', 'one step'], ['[ and ]', 'lever before, next'], ['↑ ↓', 'move the lever'], ['0', 'lever to neutral'],
-    ['1 to 5', 'camera'], ['C', 'next camera'], ['B', 'next body for the camera'], ['P', 'pull bodies'], ['S', 'save a restore point'], ['R', 'restore the last one'],
-    ['N', 'names'], ['G', 'plots'], ['K', 'picture'], ['← →', 'recording: event before, next'], ['?', 'this panel'], ['Esc', 'close, let go']];
+    ['1 to 7', 'camera'], ['C', 'next camera'], ['B', 'next body for the camera'], ['P', 'pull bodies'], ['S', 'save a restore point'], ['R', 'restore the last one'],
+    ['N', 'names'], ['G', 'plots'], ['I', 'instruments'], ['A', 'acknowledge all alarms'], ['K', 'picture'], ['← →', 'recording: event before, next'], ['?', 'this panel'], ['Esc', 'close, let go']];
 
 /// Keys, and the mapping of a gamepad.
 export function keysPanel(panel, app) {

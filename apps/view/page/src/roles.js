@@ -50,5 +50,12 @@ export function workingDeck(shapes, half) {
     return best && Math.abs(best.z) < 1.2 * half[2] ? best : null;
 }
 
-/// Format a name: "ahts1/work_drum" → "ahts1 › work drum".
-export const readable = name => name.replaceAll('/', ' › ').replaceAll('_', ' ');
+const kCapitals = new Set(['ahts', 'dp', 'psv', 'osv', 'ahc', 'aops', 'mops', 'rov']);
+
+/// Format a name in words of the trade: "ahts1/work_drum" → "AHTS 1 work drum". Numbers stand apart,
+/// abbreviations in capitals; parts of the program ("feed") are left out.
+export function readable(name) {
+    const words = name.replaceAll(/[/._]/g, ' ').replaceAll(/([a-z])(\d)/gi, '$1 $2').split(' ').filter(w => w && w !== 'feed');
+    const text = words.map(w => kCapitals.has(w.toLowerCase()) ? w.toUpperCase() : w).join(' ');
+    return text.charAt(0).toUpperCase() + text.slice(1);
+}

@@ -153,7 +153,20 @@ export class Stage {
         return this.subject;
     }
 
+    /// Hooks in the scene, the nearest to the followed body first.
+    hooks() {
+        const at = this.subjectBody?.position ?? this.rig.target;
+        return this.bodies.bodies.filter(b => b.role === 'hook' && b.slot >= 0).sort((a, b) => a.position.distanceTo(at) - b.position.distanceTo(at));
+    }
+
     setMode(mode) {
+        if (mode === 'hook') {
+            const [hook] = this.hooks();
+            if (!hook) return false;
+            this.rig.load = () => hook.position;
+            this.rig.setMode(mode, this.subject ?? null);
+            return true;
+        }
         if (mode !== 'free' && !this.subjectBody) this.follow(this.mainBody() ?? this.subjects()[0] ?? null);
         if (!this.subjectBody && mode !== 'free' && mode !== 'top') return false;
         this.rig.setMode(mode, this.subject);
@@ -262,7 +275,7 @@ export class Stage {
 
     /// True if the camera is on the body that it follows.
     get aboard() {
-        return this.rig.mode === 'board' || this.rig.mode === 'bridge';
+        return this.rig.aboardShip;
     }
 
     ray(x, y) {

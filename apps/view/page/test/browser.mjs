@@ -37,9 +37,11 @@ async function check(name, f) {
     }
 }
 
-/// The program on a port of its own: {instructor, watcher, end}.
+/// The program on a port of its own: {instructor, watcher, end}. Option `--wait`: it waits for Start.
 function serve(scene, ...options) {
-    const child = spawn(hawser, ['view', scene, '--port', '0', ...options], {cwd: root, stdio: ['ignore', 'pipe', 'pipe']});
+    const wait = options[0] === '--wait' || scene.endsWith('.hwr') ? [] : ['--go'];
+    if (options[0] === '--wait') options.shift();
+    const child = spawn(hawser, ['view', scene, '--port', '0', ...wait, ...options], {cwd: root, stdio: ['ignore', 'pipe', 'pipe']});
     const addresses = {};
     children.add(child);
     child.once('exit', () => children.delete(child));

@@ -8,10 +8,28 @@ export async function exercisePart(kit) {
     const {check, until, out} = kit;
     console.log('--- an exercise: apps/view/page/test/harbour_exercise.json');
     const report = join(out, 'report.html'), score = join(out, 'score.json');
-    const server = await kit.serve('apps/view/page/test/harbour_exercise.json', '--report', report, '--summary', score);
+    const server = await kit.serve('apps/view/page/test/harbour_exercise.json', '--wait', '--report', report, '--summary', score);
     const size = {viewport: {width: 960, height: 540}, query: '?quality=low'}, small = {query: '?quality=low'};
     const instructor = await kit.open(kit.browser, server.instructor, size), station = await kit.open(kit.browser, server.winch, small), watcher = await kit.open(kit.browser, server.watcher, small);
     const fault = name => instructor.locator(`[data-fault="${name}"]`);
+    await check('the briefing waits for the instructor, who starts the run', async () => {
+        for (const page of [instructor, station, watcher]) await page.locator('#briefing').waitFor();
+        assert.match(await station.locator('#briefing').innerText(), /Your station: Winch[\s\S]*Tow taut: 10 points[\s\S]*The instructor starts/);
+        assert.equal(await station.locator('#start').count(), 0);
+        assert.equal(await station.evaluate(() => hawser.frame.time), 0);
+        await instructor.screenshot({path: join(kit.pictures, 'view_briefing.png')});
+        await instructor.keyboard.press('Enter');   // Start has the focus
+        await until(station, () => document.getElementById('briefing').hidden && hawser.frame.time > 0);
+    });
+    await check('instruments show ship and winch in sailors’ units, and SI on request', async () => {
+        await until(instructor, () => /°/.test(document.querySelector('#instruments .ship')?.innerText ?? ''));
+        const text = await instructor.locator('#instruments').innerText();
+        assert.match(text, /Heading\s+\d{3}°/);
+        await instructor.evaluate(() => hawser.useSi(true));
+        await until(instructor, () => /m\/s/.test(document.querySelector('#instruments').innerText));
+        await instructor.evaluate(() => hawser.useSi(false));
+        return text.replaceAll('\n', ' ').slice(0, 90);
+    });
     await check('a station has its own lever alone, and no faults', async () => {
         assert.deepEqual(await station.evaluate(() => hawser.levers.levers.map(l => l.def.name)), ['winch_speed']);
         assert.equal(await station.locator('#faults').isVisible(), false);
@@ -31,6 +49,8 @@ export async function exercisePart(kit) {
         await station.keyboard.down('PageDown');
         await station.waitForTimeout(700);
         assert.equal(await station.evaluate(() => hawser.frame.inputs[0]), 0);
+        assert.ok(await station.evaluate(() => hawser.levers.levers[0].value) < 0, 'the lever stays where the trainee put it');
+        await until(station, () => /in force/.test(document.querySelector('.lever .force').textContent));
         await fault('stuck').click();
         await until(station, () => hawser.frame.inputs[0] < 0);
         assert.doesNotMatch(await station.locator('#events').innerText(), /fault|stuck/i);
@@ -42,8 +62,15 @@ export async function exercisePart(kit) {
         await until(station, () => document.querySelectorAll('#penalties li').length === 1);
         await station.keyboard.up('PageDown');
         const shown = await station.locator('#displays dd').innerText();
-        assert.match(shown, /kN/);
+        assert.match(shown, / t/);
         return `${await station.locator('#score').innerText()}, ${shown}`;
+    });
+    await check('an alarm stays until it is acknowledged', async () => {
+        await until(station, () => !document.getElementById('alarm-list').hidden);
+        await until(station, () => document.querySelectorAll('#alarm-list li').length === 1);
+        await station.locator('#alarm-list button').first().click();
+        await until(station, () => !hawser.alarms.book.sounding);
+        assert.equal(await watcher.evaluate(() => hawser.alarms.book.sounding), true);
     });
     await check('a frozen display stands still', async () => {
         await fault('frozen').click();

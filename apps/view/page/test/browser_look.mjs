@@ -33,7 +33,7 @@ async function pictures(kit, address) {
         assert.ok(size <= kMost, `${size} bytes`);
         return `${size} bytes`;
     });
-    for (const mode of ['follow', 'bridge', 'board', 'top'])
+    for (const mode of ['follow', 'bridge', 'aft', 'board', 'hook', 'top'])
         await take(mode, m => hawser.camera(m), mode);
     await take('free', () => {
         hawser.camera('free');

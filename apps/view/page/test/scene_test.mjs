@@ -27,7 +27,7 @@ test('bodies look like what they are', () => {
     assert.equal(roleOf({name: 'n', kind: 'lump', half: null}), 'ball');
     assert.equal(roleOf({name: 'drum', kind: 'scalar', half: null}), 'none');
     assert.deepEqual([[1, 1, 2.5], [1.9, 0.1, 0.1], [1.75, 3, 1.75]].map(longAxis), ['z', 'x', 'y']);
-    assert.equal(readable('ahts1/work_drum'), 'ahts1 › work drum');
+    assert.equal(readable('ahts1/work_drum'), 'AHTS 1 work drum');
 });
 
 test('the working deck is the top of the largest flat box', () => {

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assembly/rows.h"
+
+namespace hawser::stepper {
+
+double row_speed(const assembly::View& v, std::int32_t id) noexcept {
+    double room[model::kArmRoom];
+    const double* jac = packed_rows(v, id, room);
+    return along_row(v, id, jac, v.v_new, v.dof_begin);
+}
+
+}  // namespace hawser::stepper

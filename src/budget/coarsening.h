@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file coarsening.h
+/// Coarsening of wires so that steps meet their budget (docs/theory/deadlines.md). It is the first
+/// measure of degradation.
+///
+/// The demand x of a step is its requirement over its limit; it exceeds 1 if the step was cut. The
+/// estimate of x is its mean plus twice its deviation, as for rates (deadline.h). If the estimate
+/// exceeds 1, wires become coarser by one level. Nodes are removed one at a time. Another level
+/// follows only if the mean exceeds 1 and no longer decreases; for peaks, iterations are cut. If
+/// the mean stays below kRoom, wires become finer by one level. Steps with an analysis are not
+/// counted, because the removal of nodes causes them.
+///
+/// While wires could become coarser but have not, and for kAct steps after a change, steps are
+/// solved completely.
+///
+/// Limits: the estimates are not part of the state. The level is recorded (Degradation::wires).
+
+#include "budget/deadline.h"
+
+namespace hawser::stepper {
+
+class Coarsening {
+  public:
+    static constexpr int kMost = 4;  ///< Levels.
+    static constexpr int kAct = 60;  ///< Steps in which a decreasing mean is awaited.
+    /// Maximum ratio of the mean after kAct steps that counts as a decrease.
+    static constexpr double kFalls = 0.97;
+    static constexpr int kStay = 240;  ///< Minimum steps at a level before the next lower one.
+    /// Limit of the mean for a finer level, which needs up to 1.5 times the time.
+    static constexpr double kRoom = 0.6;
+
+    bool possible = false;  ///< True if a system would remove more nodes at a higher level.
+    [[nodiscard]] int level() const noexcept { return level_; }
+    /// True if no other measure may be used yet.
+    [[nodiscard]] bool comes_first() const noexcept {
+        return possible && (level_ == 0 || (level_ == 1 && rises_ && since_ < kAct));
+    }
+    /// Process a step without analysis. @param demand  x.
+    void learn(double demand) noexcept {
+        rate_.learn(demand);
+        mean_ = rate_.samples() == 1 ? demand : mean_ + 0.125 * (demand - mean_);
+        if (rate_.samples() < Rate::kSettled) return;
+        bool stands = level_ == 0;
+        if (++since_ % kAct == 0) {
+            stands = stands || mean_ > kFalls * before_;
+            before_ = mean_;
+        }
+        const double demanded = level_ == 0 ? rate_.high() : mean_;
+        if (stands && possible && level_ < kMost && demanded > 1.0)
+            go_to(level_ + 1);
+        else if (level_ > 0 && since_ >= kStay && mean_ < kRoom)
+            go_to(level_ - 1);
+    }
+
+  private:
+    void go_to(int level) noexcept {
+        rises_ = level > level_;
+        level_ = level;
+        since_ = 0;
+        before_ = mean_;
+    }
+    Rate rate_;
+    double mean_ = 0.0, before_ = 0.0;
+    int level_ = 0;
+    bool rises_ = true;  ///< True if the level was reached from the level below.
+    int since_ = 0;      ///< Steps at this level.
+};
+
+}  // namespace hawser::stepper

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file cut_levels.h
+/// Choice of the interfaces between groups that a step couples compliantly
+/// (docs/theory/deadlines.md). It applies if friction with one iteration does not meet the
+/// deadline.
+///
+/// Level l couples the first l interfaces in this way. They are ordered by the cost of a cut, with
+/// the weights of the partitioner (docs/partition.md). Interfaces with the least net force and
+/// relative velocity come first.
+///
+/// The saving of a level is predicted. Its matrix is analysed once, in the first step with known
+/// forces, for its flops and nnz(L). Its time follows from them (deadline.h). A level is used only
+/// if it is predicted to be cheaper than the present one. Wires have nearly no fill in their exact
+/// factorisation. A split saves nothing there, and none is made.
+///
+/// Limits: a change of level needs an analysis of the system in that step. Therefore a level stays
+/// for at least kStay steps. A lower one follows only if it fits with a margin of 10 %.
+
+#include "budget/deadline.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hawser::stepper {
+
+class CutLevels {
+  public:
+    static constexpr int kStay = 20;  ///< Steps.
+    /// Maximum time of a new level relative to the present one.
+    static constexpr double kSaving = 0.95;
+    static constexpr double kRoom = 0.9;  ///< Maximum fraction of the limit for a lower level.
+
+    struct Level {
+        std::uint64_t interfaces = 0;
+        /// matrix_work() from a separate analysis; after the level has been active, from the
+        /// analysis of the world.
+        double matrix = 0.0;
+    };
+
+    /// Set the levels, level 0 first. @param levels  Empty: none are known.
+    void set(std::vector<Level> levels);
+    [[nodiscard]] bool known() const noexcept { return !levels_.empty(); }
+    [[nodiscard]] const std::vector<Level>& levels() const noexcept { return levels_; }
+    /// Choose the interfaces for the next step. @param load  Load of a step at the present level.
+    /// @param asked  Interfaces of the step before.
+    [[nodiscard]] std::uint64_t choose(const Deadline& deadline, const Load& load, double seconds,
+                                       std::uint64_t asked) noexcept;
+
+  private:
+    [[nodiscard]] std::size_t wanted(const std::vector<double>& time, double seconds) noexcept;
+
+    std::vector<Level> levels_;
+    std::vector<double> time_;  ///< Scratch.
+    std::size_t now_ = 0;
+    bool fresh_ = true;  ///< True if no step has used the present level yet.
+    int since_ = 0;  ///< Consecutive steps at this level in which a lower one would have sufficed.
+};
+
+}  // namespace hawser::stepper

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file node_chain.h
+/// The piece of a wire near a node in numbers, with and without the node.
+///
+/// All values are half a step before the poses, at the time of the velocities: y = x − (h/2) v.
+/// There the scheme has its energy (hawser::Energy), and momenta are constant in between.
+
+#include "edit/node_place.h"
+
+#include <hawser/math.h>
+
+#include <array>
+#include <cstddef>
+
+namespace hawser::stepper {
+
+struct StepContext;
+
+/// Bodies along the wire, and the elements between neighbours.
+struct NodeChain {
+    static constexpr std::size_t kMost = 2 * kNodeReach + 3;
+    struct Lump {
+        std::int32_t body = -1;
+        bool point = false;  ///< True for a lump.
+        bool moves = false;  ///< True if it is free, and all its interactions are included here.
+        /// Mass [kg]; for another body: material that it takes over from the node.
+        double mass = 0.0;
+        Vec3 y{0, 0, 0};  ///< Position [m].
+        Vec3 v{0, 0, 0};  ///< Velocity [m/s].
+    };
+    struct Piece {
+        std::int32_t id = -1;
+        bool one_sided = false;
+        double mass = 0.0;  ///< Mass of its material [kg].
+        double pair = 0.0;  ///< μ [kg], assembly::View::pair_mass.
+        double EA = 0.0;    ///< Axial stiffness [N].
+        double rest = 0.0;  ///< Rest length [m].
+        double pull = 0.0;  ///< Force of its law at the poses [N].
+        double rate = 0.0;  ///< Rate of its length [m/s].
+    };
+    std::array<Lump, kMost> lump{};
+    std::array<Piece, kMost - 1> piece{};
+    std::size_t count = 0;   ///< Number of lumps; there is one piece less.
+    std::size_t middle = 0;  ///< Index of the node; after its removal, of the next lump.
+    double half = 0.0;       ///< h/2 [s]
+
+    [[nodiscard]] Vec3 apart(std::size_t k) const { return lump[k + 1].y - lump[k].y; }
+    [[nodiscard]] Vec3 apart_at_pose(std::size_t k) const {
+        return apart(k) + half * (lump[k + 1].v - lump[k].v);
+    }
+};
+
+[[nodiscard]] NodeChain chain_about(const StepContext& ctx, const NodePlace& place) noexcept;
+
+/// Return the same material without the node: the piece before it extends to the next lump.
+[[nodiscard]] NodeChain without_node(const NodeChain& chain) noexcept;
+
+/// Return kinetic and elastic energy [J].
+[[nodiscard]] double energy_of(const NodeChain& chain) noexcept;
+/// Return the elastic energy [J].
+[[nodiscard]] double stretch_energy_of(const NodeChain& chain) noexcept;
+
+struct NodeMomentum {
+    Vec3 linear{0, 0, 0};   ///< Momentum [N s].
+    Vec3 angular{0, 0, 0};  ///< Angular momentum [N m s].
+};
+/// Compute the momenta. @param about  Reference point of angular momentum [m].
+[[nodiscard]] NodeMomentum momentum_of(const NodeChain& chain, const Vec3& about) noexcept;
+
+/// Set the rest lengths with which the pieces near free lumps keep their forces at the poses.
+void fit_lengths(NodeChain& chain) noexcept;
+
+}  // namespace hawser::stepper

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file nodes.h
+/// Insertion and removal of nodes of a wire between two steps, without a jump of tension.
+///
+/// ```
+///     a ──────── e ──────── b        a ── e ── n ── f ── b
+///          rest length L                 L₁          L₂
+/// ```
+/// Insertion. The node n is inserted at the fraction σ of the element, with the velocity of the
+/// element there. With a consistent mass matrix (assembly/geo.h) the motion and mass do not change:
+/// momentum, angular momentum and kinetic energy are preserved to rounding. The node takes over
+/// weight from its neighbours, which bends the wire there. It is placed in equilibrium, δ = m_n g⊥
+/// l₁ l₂/((l₁ + l₂) T) below the chord. The tensions of the two sides differ by the weight along
+/// the chord, m_n g∥. Rest lengths are set to give these tensions at these distances; without
+/// weight L₁ = σL.
+///
+/// Removal. e then spans the chord a–b: node_release.cpp.
+///
+/// At a drum. The element that a drum pays out (WinchStretch) has the material M [kg], which its
+/// winch stores. No lump contains it. The winch loads both ends with half (winch.h). A node
+/// separates a piece f from the far end, at the fraction σ of M from the fairlead. Node n and the
+/// lump beyond have half of f. Material enters at the fairlead with the speed rω. The position of n
+/// therefore moves with the velocity (1 − σ)(v_a + rω (b − a)/l) + σ v_b, l the rest length. The
+/// strain rates of both parts equal that of the whole. Removal: node_drum.cpp.
+///
+/// Material. The mass of an element is that of its material, and is divided by σ. Rest lengths
+/// follow forces and do not measure material.
+///
+/// Source: M. Servin, C. Lacoursière, F. Nordfelth, K. Bodin, "Hybrid, multiresolution wires with
+/// massless frictional contacts", IEEE TVCG 17 (2011). The balances are our own.
+///
+/// Limits: forces other than weight (drag, contacts) are not part of the balance. The energy of
+/// bending changes with the lengths at its node; the change counts as driven (hawser::Energy).
+
+#include "context/ledger.h"
+#include "edit/node_place.h"
+
+#include <hawser/math.h>
+
+#include <cstdint>
+
+namespace hawser::stepper {
+
+struct StepContext;
+
+/// Properties of a lump to insert on an element.
+struct NodeDef {
+    double mass = 0.0;          ///< Mass [kg].
+    Vec3 position{0, 0, 0};     ///< Position [m].
+    Vec3 velocity{0, 0, 0};     ///< Velocity [m/s].
+    Vec3 damping{0, 0, 0};      ///< Drag that it takes over from both ends [N s/m].
+    double of_end[2] = {0, 0};  ///< Fraction of the loads on the end lumps that it takes over.
+};
+
+/// Energies before an edit [J].
+struct NodeLedger {
+    Edited local, edited;
+};
+
+/// Complete the surroundings of an element (`first`) or, if that is −1, of a lump (`node`). @return
+/// false if the lump has other interactions, or is not between two elements of which the second
+/// begins at the end of the first.
+[[nodiscard]] bool find_place(const StepContext& ctx, NodePlace& place) noexcept;
+
+/// Compute the properties of a node on an element. @param share  σ of e. @param mass  Mass of the
+/// element [kg].
+[[nodiscard]] NodeDef node_on(const StepContext& ctx, std::int32_t element, double share,
+                              double mass) noexcept;
+
+/// Store the energies near a node before an edit.
+[[nodiscard]] NodeLedger begin_node_edit(const StepContext& ctx, const NodePlace& place) noexcept;
+
+/// Finish the insertion of n, the other element and the bend at n. `old` ends at n, and all have
+/// their masses, lengths and forces. @param old  The earlier element, e or f. @param mass  Its
+/// earlier mass [kg].
+void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, double share,
+                 double mass) noexcept;
+
+/// Extend e to b, and set the motion near n to that of the wire without it. The caller removes f, n
+/// and the bend at n. @param bend  Maximum angle between e and f [rad]. @return false if the angle
+/// is larger or energy would grow; the state is then unchanged.
+[[nodiscard]] bool release_node(StepContext& ctx, const NodePlace& place, double bend) noexcept;
+/// Fraction of half an element that a lump between two elements loaded by drums or guides keeps.
+inline constexpr double kKeptMass = 1e-2;
+/// True if a lump that gives away half an element has mass beyond it, apart from rounding. @param
+/// has, half  [kg].
+[[nodiscard]] constexpr bool has_more_than(double has, double half) noexcept {
+    return has > (1.0 + 1e-3) * half;
+}
+/// Apply release_node() if the remaining element lies on a drum.
+[[nodiscard]] bool release_drum_node(StepContext& ctx, const NodePlace& place,
+                                     double bend) noexcept;
+
+/// Book the change of the edit as edited (Energy::edited). @param place  Surroundings after the
+/// edit.
+void end_node_edit(StepContext& ctx, const NodePlace& place, const NodeLedger& was) noexcept;
+
+}  // namespace hawser::stepper

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "monitor/bearing.h"
+
+#include "base/index.h"
+#include "context/view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hawser::stepper {
+
+Finding strain_finding(Model& model, const State& state, JudgeState& memory) noexcept {
+    constexpr double kLonger = 1.25;  // Includes the motion of half a step, and damping.
+    const assembly::View v = row_view(model);
+    Finding out{.value = 0.0,
+                .doubtful = 0.0,
+                .wrong = 0.0,
+                .time = state.time,
+                .interaction = {},
+                .body = {}};
+    double longest = 0.0;
+    for (std::size_t i = 0; i < model.system.breakable.size(); ++i) {
+        const std::int32_t id = model.system.breakable[i], row = v.row_begin[id];
+        const double length = v.rest_length[id];
+        if (v.parted[id] != 0 || !(length > 0.0)) continue;
+        const double soft = v.epsilon[row] / length;  // strain per newton
+        const double bears = soft * model.system.breaking_load[i];
+        const double stretched = v.g[row] / length, pulled = -soft * v.lambda[row] / v.h;
+        longest = std::max(longest, stretched / (kLonger * bears));
+        const double most = std::max(stretched, pulled);
+        const double share = most / std::max(limit::kMostStrain, limit::kMostBreaking * bears);
+        if (share <= out.wrong) continue;
+        out.wrong = share;
+        out.value = -most;
+        out.interaction = model.interactions.id(id);
+    }
+    const double lasting = std::min({longest, memory.overlong[0], memory.overlong[1]});
+    memory.overlong = {longest, memory.overlong[0]};
+    out.doubtful = std::max(lasting, out.wrong);
+    return out;
+}
+
+Finding wound_finding(const Model& model, const State& state, JudgeState& memory) noexcept {
+    // Fraction of the element length up to which its law continues.
+    constexpr double kSlack = 0.01;
+    Finding out{.value = 0.0,
+                .doubtful = 0.0,
+                .wrong = 0.0,
+                .time = state.time,
+                .interaction = {},
+                .body = {}};
+    const model::Interactions& in = model.interactions;
+    for (const std::int32_t id : in.winches) {
+        const InteractionDef& d = in.def[at(id)];
+        if (in.parted[at(id)] != 0) continue;
+        const double length = in.wound_length(id, model.bodies);
+        const double share = -length / (kSlack * d.params[0]);
+        if (share <= out.wrong) continue;
+        out.wrong = share;
+        out.value = length;
+        out.interaction = in.id(id);
+    }
+    const double now = out.wrong;
+    out.doubtful = out.wrong = std::min({now, memory.wound[0], memory.wound[1]});
+    memory.wound = {now, memory.wound[0]};
+    return out;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file bearing.h
+/// Checks of the material limits of lines in every step (judge.h). They run before an element
+/// breaks in the step, because broken elements are no longer checked.
+
+#include "context/context.h"
+#include "context/monitor_data.h"
+
+namespace hawser::stepper {
+
+/// Check the strain of elements with a breaking load, from the tension in this step and the length
+/// at its start. Failed: beyond kMostStrain and beyond kMostBreaking times the strain at the
+/// breaking load. Suspect: for three steps 25 % longer than at the breaking load without breaking.
+/// Finding::value is minus the strain.
+[[nodiscard]] Finding strain_finding(Model& model, const State& state, JudgeState& memory) noexcept;
+
+/// Check for wound elements of negative length for three steps: a slide wound in more than there
+/// is. The element of a drum does not reach this state (kLeastOfDrumElement). Finding::value is the
+/// length [m].
+[[nodiscard]] Finding wound_finding(const Model& model, const State& state,
+                                    JudgeState& memory) noexcept;
+
+}  // namespace hawser::stepper

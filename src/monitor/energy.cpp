@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "monitor/energy.h"
+
+#include <hawser/world.h>
+
+#include "assembly/kinetic.h"
+#include "assembly/rows.h"
+#include "base/hash.h"
+#include "base/index.h"
+#include "context/copies.h"
+#include "context/view.h"
+#include "solve/evaluate.h"
+#include "solve/wire_plan.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace hawser::stepper {
+namespace {
+
+/// Move carriers with a prescribed velocity back by half a step; their poses are saved to scratch.
+void carriers_back(Model& model, Before& before) noexcept {
+    model::Bodies& b = model.bodies;
+    const double t = -0.5 * model.def.step;
+    double* kept = before.carriers.data();
+    for (std::int32_t body : b.driven) {
+        const auto i = at(body);
+        const double* v = &b.v_fixed[6 * i];
+        kept = std::copy_n(&b.x[3 * i], 3, kept);
+        kept = std::copy_n(&b.q[4 * i], 4, kept);
+        kept = std::copy_n(&b.r[9 * i], 9, kept);
+        b.drift(body, v, v + 3, t);
+    }
+}
+
+void carriers_forth(Model& model, Before& before) noexcept {
+    model::Bodies& b = model.bodies;
+    const double* kept = before.carriers.data();
+    for (std::int32_t body : b.driven) {
+        const auto i = at(body);
+        std::copy_n(kept, 3, &b.x[3 * i]);
+        std::copy_n(kept + 3, 4, &b.q[4 * i]);
+        std::copy_n(kept + 7, 9, &b.r[9 * i]);
+        kept += 16;
+    }
+}
+
+}  // namespace
+
+Energy energy(StepContext& ctx) noexcept {
+    Energy e;
+    const model::Bodies& b = ctx.model.bodies;
+    const double half = 0.5 * ctx.model.def.step;
+    e.kinetic = kinetic_energy(b, b.v.data());
+    for (std::int32_t body : b.moving) {
+        const auto i = at(body);
+        if (!b.weight[i] || b.dof(body) == 1) continue;
+        const double* v = &b.v[at(b.dof_begin[i])];
+        for (int k = 0; k < 3; ++k)
+            e.gravity -= b.mass[i] * ctx.model.def.gravity[k] * (b.x[3 * i + at(k)] - half * v[k]);
+    }
+    const assembly::View v = row_view(ctx.model);
+    const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
+                          ctx.model.system.bounded);
+    // The bodies of the rows move back by −(h/2) G v below.
+    carriers_back(ctx.model, ctx.work.before);
+    evaluate_rows(ctx.model, ctx.pool);
+    carriers_forth(ctx.model, ctx.work.before);
+    for (std::int32_t id = 0; id < interaction_count(ctx.model); ++id) {
+        // The energy of a line follows from its length, not from its state in the last step.
+        const bool line = (v.flags[id] & model::kOneSided) != 0;
+        if (v.flags[id] & model::kFriction) continue;  // counted as driven
+        e.kinetic -= pair_energy(v, id, b.v.data());
+        if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
+        if (ctx.model.wires.wire_of[at(id)] >= 0 && !ctx.model.system.rests(id) &&
+            (v.flags[id] & model::kCarried) == 0) {
+            if (model::holds_energy(v.epsilon[v.row_begin[id]], v.rest_length[id]))
+                e.elastic += held_by_element(v, id);
+            continue;
+        }
+        double room[model::kArmRoom];
+        const double* jac = packed_rows(v, id, room);
+        const bool rests = ctx.model.system.rests(id);  // not evaluated in this case
+        const model::RowState s =
+            rests ? ctx.model.interactions.row_state(id, b) : model::RowState{};
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const std::int32_t row = v.row_begin[id] + r;
+            double speed = rests ? s.rate[r] + s.carried[r] : 0.0;
+            if (!rests) speed = along_row(v, id, jac, v.v, v.dof_begin, speed);
+            if ((v.row_flags[row] & model::kRowVelocity) ||
+                !model::holds_energy(v.epsilon[row], v.rest_length[id]))
+                continue;
+            const double now = rests ? s.g[r] : v.g[row];
+            const double g = model::half_step_gap(v.row_flags[row], now, half, speed);
+            if (!line || g > 0.0) e.elastic += 0.5 * g * g / v.epsilon[row];
+        }
+    }
+    e.added = ctx.state.loads.added;
+    e.system = ctx.state.loads.work;
+    e.water = ctx.state.loads.water;
+    e.applied = ctx.state.ledger.work;
+    e.driven = ctx.state.ledger.drive;
+    e.edited = ctx.state.ledger.edited.sum();
+    e.dissipated = ctx.state.ledger.drag;
+    e.friction = ctx.state.ledger.friction;
+    e.contact = ctx.state.ledger.contact;
+    e.damped = ctx.state.ledger.damped;
+    return e;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Energy balance of the monitors: sums, their extrema, exchanged energy.
+#include "monitor/energy_account.h"
+
+#include "context/monitor_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+/// Return the unexplained energy of each balance [J].
+ByAccount<double> unexplained(const JudgePart& p, const Works& w, double given) noexcept {
+    const double left = p.kinetic + p.potential + p.elastic - w[kForces] - w[kDrives] + w[kDrag] +
+                        w[kFriction] + w[kContacts] + w[kRows] - w[kGiven] - w[kStrained];
+    const double moving = p.kinetic + p.potential + p.elastic;
+    const double between = left - w[kDrag] - w[kRows] + w[kStrained];
+    return {left, left + given, between - p.elastic + p.by_length, between - moving + p.at_pose,
+            between - p.elastic + p.by_force};
+}
+
+Swing follow(Tide& tide, double now, double forgotten) noexcept {
+    tide.least = std::min(now, tide.least + forgotten * (now - tide.least));
+    tide.most = std::max(now, tide.most + forgotten * (now - tide.most));
+    return {now - tide.least, tide.most - now};
+}
+
+void set(JudgeState& state, std::size_t i, double now) noexcept {
+    state.mean[i] = now;
+    state.now_tide[i] = state.mean_tide[i] = {now, now};
+}
+
+/// Time for which rows may store absorbed energy, in an overlap or in an element that tightens [s].
+constexpr double kHeldFor = 1.0;
+
+/// Count the energy that rows returned beyond their recent losses, which they may store for a
+/// while.
+void count_given(double taken, double time, JudgeState& state) noexcept {
+    state.held = (state.held + std::max(0.0, taken)) * std::exp(-time / kHeldFor);
+    const double back = std::min(state.held, std::max(0.0, -taken));
+    state.held -= back;
+    state.given += std::max(0.0, -taken) - back;
+}
+
+void keep(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
+    state.kinetic = p.kinetic;
+    state.potential = p.potential;
+    state.elastic = p.elastic;
+    state.by_length = p.by_length;
+    state.by_force = p.by_force;
+    state.work = w;
+}
+
+}  // namespace
+
+void begin_energy(const JudgePart& p, const Works& w, JudgeState& state) noexcept {
+    const ByAccount<double> now = unexplained(p, w, state.given);
+    for (std::size_t i = 0; i < now.size(); ++i) set(state, i, now[i]);
+    state.exchanged = state.counted = state.age = 0.0;
+    state.begun = 1;
+    keep(p, w, state);
+}
+
+Unexplained follow_energy(const JudgePart& p, const Works& w, double time,
+                          JudgeState& state) noexcept {
+    if (state.begun == 0) begin_energy(p, w, state);
+    count_given(w[kRows] - state.work[kRows], time, state);
+    double moved = std::fabs(p.kinetic - state.kinetic) + std::fabs(p.potential - state.potential);
+    for (std::size_t i = 0; i < kRows; ++i) moved += std::fabs(w[i] - state.work[i]);
+    // An unresolved spring stores energy by its length that its force never exerts; rows absorb and
+    // return it. The exchange at its source is counted.
+    const double by_rows = std::fabs(p.elastic - state.elastic);
+    const double sprung = std::min({by_rows, std::fabs(p.by_length - state.by_length),
+                                    std::fabs(p.by_force - state.by_force)});
+    const double taken = std::fabs(w[kRows] - state.work[kRows]);
+    // The sums do not decay before kMemory has passed.
+    state.age += time;
+    const double forgotten =
+        state.age <= limit::kMemory ? 0.0 : std::min(1.0, time / limit::kMemory);
+    state.exchanged += 0.5 * (moved + sprung) - forgotten * state.exchanged;
+    state.counted += 0.5 * (moved + by_rows + taken) - forgotten * state.counted;
+    const ByAccount<double> now = unexplained(p, w, state.given);
+    // Works begin half a step before the start: half of them belongs to earlier motion.
+    const bool first = state.begun++ == 1;
+    ByAccount<double> early{};
+    for (std::size_t i = 0; i < w.size(); ++i)
+        for (std::size_t k = 0; k < early.size(); ++k)
+            if (k < kBetween || (i != kDrag && i != kRows && i != kStrained))
+                early[k] += 0.5 * std::fabs(w[i] - state.work[i]);
+    Unexplained out;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        // Rows that close gaps of the initial state add energy that the scene causes.
+        if (i == kWithGiven && state.open_start > 1.0) set(state, i, now[i]);
+        if (first) set(state, i, std::min(now[i], state.mean[i] + early[i]));
+        // After they have closed, mechanical energy must be balanced again.
+        constexpr std::int64_t kClosing = 3;  // steps
+        if (i >= kBetween && state.open_start > 1.0 && state.begun <= kClosing + 1) continue;
+        state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
+        out.now[i] = follow(state.now_tide[i], now[i], forgotten);
+        out.mean[i] = follow(state.mean_tide[i], state.mean[i], forgotten);
+        const Tide& level = state.mean_tide[i];
+        out.lasting[i] = {std::max(0.0, now[i] - level.least), std::max(0.0, level.most - now[i])};
+    }
+    // The first sample has no earlier value.
+    out.posed = first ? out.now[kBetween].rise : state.posed;
+    state.posed = out.now[kAtPoses].rise;
+    keep(p, w, state);
+    return out;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file energy_account.h
+/// Energy balance of the monitors: sums, their rises and falls, and the exchanged energy (judge.h).
+
+#include "context/monitor_data.h"
+
+namespace hawser::stepper {
+
+/// Rise of a sum above its minimum, and fall below its maximum [J].
+struct Swing {
+    double rise = 0.0, fall = 0.0;
+};
+
+/// Unexplained energy: momentary and mean.
+struct Unexplained {
+    ByAccount<Swing> now{}, mean{};
+    /// Momentary value relative to the extrema of the mean: a short extremum counts by its fraction
+    /// of kMean.
+    ByAccount<Swing> lasting{};
+    double posed = 0.0;  ///< Earlier value of JudgeState::posed [J].
+};
+
+/// Begin the sums with the energy at the start.
+void begin_energy(const JudgePart& p, const Works& works, JudgeState& state) noexcept;
+
+/// Update `state` to this sample. @param time  Time since the last sample [s].
+[[nodiscard]] Unexplained follow_energy(const JudgePart& p, const Works& works, double time,
+                                        JudgeState& state) noexcept;
+
+}  // namespace hawser::stepper

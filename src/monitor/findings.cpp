@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Findings of each monitor.
+#include "monitor/findings.h"
+
+#include "base/index.h"
+#include "context/context.h"
+#include "context/copies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace hawser::stepper {
+namespace {
+
+/// Return the interaction of a row.
+std::int32_t owner_of(const Model& model, std::int32_t row) noexcept {
+    const auto& begin = model.interactions.row_begin;
+    const auto end = begin.begin() + interaction_count(model);
+    return static_cast<std::int32_t>(std::upper_bound(begin.begin(), end, row) - begin.begin()) - 1;
+}
+
+/// Return the error of a step in its equations and laws.
+double certificate(const Model& model, const StepStats& stats) noexcept {
+    // Other methods, and steps with a reduced budget, have no certificate.
+    if (model.def.nonsmooth != Nonsmooth::newton || stats.degradation.of_solve()) return 0.0;
+    return std::max(stats.natural_map, stats.momentum_residual);
+}
+
+Finding finding(double value, Limit by, double time) noexcept {
+    return {.value = value,
+            .doubtful = value / by.doubtful,
+            .wrong = value / by.wrong,
+            .time = time,
+            .interaction = {},
+            .body = {}};
+}
+
+/// Report the violation of a row and its interaction. @param row  −1: none.
+void name_row(const Model& model, std::int32_t row, Finding& out) noexcept {
+    if (row < 0) return;
+    out.value = std::fabs(model.interactions.g[at(row)]);
+    out.interaction = model.interactions.id(owner_of(model, row));
+}
+
+/// Return the minimum of the stored samples and the present one, and store the latter.
+template <std::size_t N>
+double lasting(double now, std::array<double, N>& before) noexcept {
+    const double least = std::min(now, *std::min_element(before.begin(), before.end()));
+    std::copy_backward(before.begin(), before.end() - 1, before.end());
+    before[0] = now;
+    return least;
+}
+
+/// Return the minimum rise of this interval and the two complete ones before: over 0.2 to 0.3 s.
+double held_rise(double now, double time, JudgeState& memory) noexcept {
+    constexpr double kSpan = 0.1;
+    std::array<double, 3>& least = memory.held_rise;
+    memory.held_time += time;
+    if (memory.held_time >= kSpan) {
+        least = {now, least[0], least[1]};
+        memory.held_time = 0.0;
+    }
+    least[0] = std::min(least[0], now);
+    return *std::min_element(least.begin(), least.end());
+}
+
+}  // namespace
+
+Works works(const State& state) noexcept {
+    return {state.ledger.work + state.loads.work,
+            state.ledger.drive,
+            state.ledger.drag,
+            state.ledger.friction,
+            state.ledger.contact,
+            state.ledger.damped,
+            state.ledger.edited.given,
+            state.ledger.edited.strained};
+}
+
+Finding energy_finding(const Model& model, const State& state, const JudgePart& p,
+                       JudgeState& memory, double time) noexcept {
+    const Unexplained u = follow_energy(p, works(state), time, memory);
+    const double nothing = std::max(limit::kNothing * (p.kinetic + p.elastic), state.judge.nothing);
+    const auto share = [nothing](double energy, double of) {
+        return energy <= nothing ? 0.0 : energy / of;
+    };
+    const double exchanged = p.kinetic + memory.exchanged, counted = p.kinetic + memory.counted;
+    const ByAccount<Swing>&now = u.now, &mean = u.mean;
+    // Each balance has other momentary changes: at the midpoint between two poses, and at the
+    // earlier pose. The latter is half a step away if the last sample is one step old.
+    const bool close = time < 1.5 * model.def.step;
+    const double posed = close ? u.posed : std::max(now[kAtPoses].rise, u.posed);
+    const double created = std::min({now[kBetween].rise, now[kByForce].rise, posed});
+    const double stays = std::min({created, memory.risen[0], memory.risen[1]});
+    memory.risen = {created, memory.risen[0]};
+    const double lasting =
+        std::min({mean[kBetween].rise, mean[kByForce].rise, mean[kAtPoses].rise});
+    // The energy of lines by their lengths belongs to the state, independent of their forces. It
+    // has to last, above a level that lasted. An impact on a stop stores energy there that returns
+    // within a few steps.
+    const double by_length =
+        held_rise(std::min(u.lasting[kBetween].rise, u.lasting[kAtPoses].rise), time, memory);
+    const double hidden = std::max(now[kUnexplained].rise, now[kWithGiven].rise);
+    // Use a level that lasted: the energy of an element by its length disappears after some steps.
+    const double lost = std::min(now[kUnexplained].fall, u.lasting[kUnexplained].fall);
+    Finding out;
+    const double by_created = share(stays, exchanged) / limit::kCreated.doubtful,
+                 by_held = share(by_length, exchanged) / limit::kHeld.doubtful,
+                 by_hidden = share(hidden, counted) / limit::kHidden.doubtful,
+                 gained = std::max({by_created, by_held, by_hidden});
+    const double fell = share(lost, counted) / limit::kLost.doubtful;
+    // Report the balance that is nearest to its limit.
+    out.value = gained < fell         ? -lost
+                : by_hidden == gained ? hidden
+                : by_held == gained   ? by_length
+                                      : created;
+    out.doubtful = std::max(gained, fell);
+    out.wrong = std::max({share(lasting, exchanged) / limit::kCreated.wrong,
+                          share(by_length, exchanged) / limit::kHeld.wrong,
+                          share(std::max(mean[kUnexplained].rise, mean[kWithGiven].rise), counted) /
+                              limit::kHidden.wrong,
+                          share(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
+    // A split is approximate by choice; its errors of momentum and forces are reported separately.
+    if (has_cuts(model)) out.wrong = 0.0;
+    if (!std::isfinite(now[kUnexplained].rise)) out.doubtful = out.wrong = HUGE_VAL;
+    out.time = state.time;
+    return out;
+}
+
+Finding open_finding(const Model& model, const State& state, const JudgePart& p, JudgeState& memory,
+                     double time) noexcept {
+    memory.open_start *= std::exp(-time / (limit::kSettled * model.def.step));
+    Finding out = finding(p.open * limit::kOpen.doubtful, limit::kOpen, state.time);
+    // A joint that the scene opened may close without a failure; that it was open is reported.
+    const double open = std::max(0.0, p.open - memory.open_start);
+    out.wrong = open * limit::kOpen.doubtful / limit::kOpen.wrong;
+    name_row(model, p.open_row, out);
+    return out;
+}
+
+Finding range_finding(const Model& model, const State& state, const JudgePart& p,
+                      JudgeState& memory) noexcept {
+    Finding out =
+        finding(lasting(p.beyond, memory.beyond) * limit::kOpen.doubtful, limit::kOpen, state.time);
+    name_row(model, p.beyond_row, out);
+    return out;
+}
+
+Finding depth_finding(const Model& model, const State& state, const JudgePart& p,
+                      JudgeState& memory) noexcept {
+    Finding out = finding(lasting(p.deep, memory.deep), limit::kDeep, state.time);
+    if (p.deep_contact < 0) return out;
+    const collide::Contact& c = state.contacts.contacts[at(p.deep_contact)];
+    const std::vector<collide::Shape>& shapes = model.collider.shapes();
+    const collide::Shape &one = shapes[at(c.shape[0])], &other = shapes[at(c.shape[1])];
+    out.value = -c.gap;
+    out.body = model.bodies.id((one.thickness <= other.thickness ? one : other).body[0]);
+    return out;
+}
+
+Finding solved_finding(const StepContext& ctx, JudgeState& state, double time) noexcept {
+    const double residual = certificate(ctx.model, ctx.work.stats);
+    state.unsolved = residual > limit::kCertificate.doubtful ? state.unsolved + time : 0.0;
+    const bool counts = state.unsolved >= limit::kSustained;
+    return finding(counts ? residual : 0.0, limit::kCertificate, ctx.state.time);
+}
+
+Finding stretch_finding(const Model& model, const State& state, const JudgePart& p,
+                        JudgeState& memory) noexcept {
+    Finding out = finding(lasting(p.stretch, memory.stretched), limit::kCable, state.time);
+    out.interaction = model.interactions.id(p.stretch_id);
+    return out;
+}
+
+Finding turn_finding(const Model& model, const State& state, const JudgePart& p) noexcept {
+    Finding out =
+        finding(model.def.step * std::sqrt(std::max(p.turn, p.twist)), limit::kTurn, state.time);
+    if (p.turn >= p.twist)
+        out.body = model.bodies.id(p.turn_body);
+    else
+        out.interaction = model.interactions.id(p.twist_id);
+    return out;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file findings.h
+/// Findings of each monitor in a state (judge.h): value relative to its limits, and location.
+/// Values come from a sample of the state (judge_look.h). Data that last between samples are in
+/// `memory`.
+
+#include "context/context.h"
+#include "context/monitor_data.h"
+#include "monitor/energy_account.h"
+
+namespace hawser::stepper {
+
+/// Return the works since the start, in the order of WorkBy.
+[[nodiscard]] Works works(const State& state) noexcept;
+
+/// Check for created and lost energy. @param time  Time since the last sample [s].
+[[nodiscard]] Finding energy_finding(const Model& model, const State& state, const JudgePart& p,
+                                     JudgeState& memory, double time) noexcept;
+/// Check for open joints.
+[[nodiscard]] Finding open_finding(const Model& model, const State& state, const JudgePart& p,
+                                   JudgeState& memory, double time) noexcept;
+/// Check for violated ranges. A body that strikes the end of a range exceeds it by its motion in a
+/// step. The excess decreases to 4/9 per step: after six consecutive samples 5 % is left.
+[[nodiscard]] Finding range_finding(const Model& model, const State& state, const JudgePart& p,
+                                    JudgeState& memory) noexcept;
+/// Check for bodies that penetrate each other in six consecutive samples. Reports the thinner one.
+[[nodiscard]] Finding depth_finding(const Model& model, const State& state, const JudgePart& p,
+                                    JudgeState& memory) noexcept;
+/// Check for unsolved equations.
+[[nodiscard]] Finding solved_finding(const StepContext& ctx, JudgeState& state,
+                                     double time) noexcept;
+/// Check the cable law. A line that tightens deviates from it briefly; a line that vibrates does so
+/// in every sample.
+[[nodiscard]] Finding stretch_finding(const Model& model, const State& state, const JudgePart& p,
+                                      JudgeState& memory) noexcept;
+/// Check for bodies or elements with a large rotation in a step.
+[[nodiscard]] Finding turn_finding(const Model& model, const State& state,
+                                   const JudgePart& p) noexcept;
+
+}  // namespace hawser::stepper

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Samples for the monitors.
+#include "monitor/measures.h"
+
+#include "assembly/kernels.h"
+#include "assembly/kinetic.h"
+#include "assembly/rows.h"
+#include "base/index.h"
+#include "context/monitor_data.h"
+#include "context/sweeps.h"
+#include "context/view.h"
+#include "solve/wire_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+using assembly::View;
+
+void look_at_body(const Model& model, std::int32_t body, const double* after, double half,
+                  assembly::BodyEnergies& e) noexcept {
+    const model::Bodies& b = model.bodies;
+    const auto i = at(body);
+    const int dof = b.dof(body);
+    const double* v = &b.v[at(b.dof_begin[i])];
+    e.before += kinetic_energy_of(b, body, b.v.data());
+    e.after += kinetic_energy_of(b, body, after);
+    if (dof == 1) return;
+    if (b.weight[i])
+        for (int k = 0; k < 3; ++k) {
+            const double weight = b.mass[i] * model.def.gravity[k];
+            e.half_way -= weight * (b.x[3 * i + at(k)] - half * v[k]);
+            e.pose -= weight * b.x[3 * i + at(k)];
+        }
+    if (dof < 6) return;
+    const double turn = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
+    if (!(turn <= e.turn)) {
+        e.turn = turn;
+        e.turn_body = body;
+    }
+}
+
+/// Sample moving bodies [begin, end).
+void look_at_bodies(const Model& model, const View& v, std::int32_t begin, std::int32_t end,
+                    const double* after, double half, JudgePart& p) noexcept {
+    const std::vector<std::int32_t>& moving = model.bodies.moving;
+    assembly::BodyEnergies e;
+    for (std::int32_t i = begin; i < end;) {
+        if (v.dof[moving[at(i)]] == 6) {
+            const std::int32_t done =
+                assembly::kernels().rigid_energies(v, moving.data() + i, end - i, after, half, &e);
+            i += done;
+            if (done > 0) continue;
+        }
+        look_at_body(model, moving[at(i++)], after, half, e);
+    }
+    p.kinetic += e.before;
+    p.potential += e.half_way;
+    p.at_pose += 0.5 * (e.before + e.after) + e.pose;
+    p.turn = e.turn;
+    p.turn_body = e.turn_body;
+}
+
+void look_at_rows(const State& state, const View& v, std::int32_t begin, std::int32_t end,
+                  JudgePart& p) noexcept {
+    const std::int32_t row =
+        assembly::kernels().widest_row(v.g, state.judge.allowed.data(), begin, end, &p.open);
+    if (row >= 0) p.open_row = row;
+}
+
+/// Sample ranges: a row has a violation outside of its range only.
+void look_at_ranges(const State& state, const View& v, JudgePart& p) noexcept {
+    for (std::size_t i = 0; i < state.judge.ranges.size(); ++i) {
+        const std::int32_t row = state.judge.ranges[i];
+        const double beyond = std::fabs(v.g[row]) * state.judge.range_allowed[i];
+        if (beyond <= p.beyond) continue;
+        p.beyond = beyond;
+        p.beyond_row = row;
+    }
+}
+
+/// Sample the depth of contacts of the step, relative to the thickness of the thinner shape.
+void look_at_contacts(const Model& model, const State& state, JudgePart& p) noexcept {
+    const std::vector<collide::Shape>& shapes = model.collider.shapes();
+    for (std::size_t i = 0; i < state.contacts.awake; ++i) {
+        const collide::Contact& c = state.contacts.contacts[i];
+        const double deep =
+            -c.gap / std::min(shapes[at(c.shape[0])].thickness, shapes[at(c.shape[1])].thickness);
+        if (deep <= p.deep) continue;
+        p.deep = deep;
+        p.deep_contact = static_cast<std::int32_t>(i);
+    }
+}
+
+/// Return ½ f² ε from the force of the last step.
+double held_by_force(const View& v, std::int32_t row) noexcept {
+    return 0.5 * v.force_of_row[row] * v.force_of_row[row] * v.epsilon[row];
+}
+
+/// Sample ½ g²/ε half a step before the poses, as in energy().
+void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_points, double half,
+                     JudgePart& p) noexcept {
+    // For a wire use its true length, as the guard does.
+    if (half > 0.0 && model.wires.wire_of[at(id)] >= 0 && !model.system.rests(id) &&
+        !v.parted[id] && (v.flags[id] & model::kCarried) == 0) {
+        const std::int32_t row = v.row_begin[id];
+        if (model::holds_energy(v.epsilon[row], v.rest_length[id])) {
+            const double held = held_by_element(v, id);
+            p.elastic += held;
+            p.by_length += held;
+            p.by_force += held_by_force(v, row);
+            if (v.g[row] > 0.0 || !(v.flags[id] & model::kOneSided))
+                p.at_pose += 0.5 * v.g[row] * v.g[row] / v.epsilon[row];
+        }
+        return;
+    }
+    const bool line = (v.flags[id] & model::kOneSided) != 0;
+    if (line ? v.parted[id] != 0 : v.active[id] == 0.0) return;
+    const bool rests = model.system.rests(id);
+    const bool state = rests || (v.flags[id] & model::kCarried) != 0;
+    const model::RowState s =
+        state ? model.interactions.row_state(id, model.bodies) : model::RowState{};
+    double room[model::kArmRoom];
+    const double* jac = rests ? nullptr : packed_rows(v, id, room);
+    for (int r = 0; r < v.rows[id]; ++r) {
+        const std::int32_t row = v.row_begin[id] + r;
+        double speed = state ? s.carried[r] + (rests ? s.rate[r] : 0.0) : 0.0;
+        if (!rests) speed = along_row(v, id, jac, v.v, v.dof_begin, speed);
+        if ((v.row_flags[row] & model::kRowVelocity) ||
+            !model::holds_energy(v.epsilon[row], v.rest_length[id]))
+            continue;
+        const double now = rests ? s.g[r] : v.g[row],
+                     g = model::half_step_gap(v.row_flags[row], now, half, speed);
+        if (half > 0.0) p.by_force += held_by_force(v, row);
+        if (!line || now > 0.0) p.at_pose += 0.5 * now * now / v.epsilon[row];
+        const double held = !line || g > 0.0 ? 0.5 * g * g / v.epsilon[row] : 0.0;
+        p.elastic += held;
+        p.by_length += between_points && !state && half > 0.0 ? held_by_element(v, id) : held;
+    }
+}
+
+/// Subtract the kinetic energy by which the end lumps exceed an element that moves as a straight
+/// piece.
+void look_at_piece(const View& v, std::int32_t id, const double* after, JudgePart& p) noexcept {
+    const double before = pair_energy(v, id, v.v);
+    p.kinetic -= before;
+    p.at_pose -= 0.5 * (before + pair_energy(v, id, after));
+}
+
+/// Sample the cable law and the rotation of an element.
+void look_at_line(const Model& model, const View& v, std::int32_t id, JudgePart& p) noexcept {
+    if (v.parted[id] || model.system.rests(id)) return;
+    const std::int32_t row = v.row_begin[id];
+    const double length = v.rest_length[id];
+    const std::int32_t* body = v.body + kMaxInteractionBodies * id;
+    // An end on a body with arms moves with it; the rotation of the body is checked instead.
+    if (v.dof[body[0]] == 3 && v.dof[body[1]] == 3) {
+        double apart = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            const double d = v.v[v.dof_begin[body[1]] + k] - v.v[v.dof_begin[body[0]] + k];
+            apart += d * d;
+        }
+        const double twist = apart / (length * length);
+        if (!(twist <= p.twist)) {
+            p.twist = twist;
+            p.twist_id = id;
+        }
+    }
+    if (v.active[id] == 0.0 || v.lambda[row] >= 0.0) return;
+    // The element was slack at the start of the step: it tightens within it, and its force belongs
+    // to the end of the step.
+    if ((v.flags[id] & model::kOneSided) && v.g[row] < 0.0) return;
+    // The force of its damper at this speed, and the motion of half a step, are part of the law.
+    double room[model::kArmRoom];
+    const double* jac = packed_rows(v, id, room);
+    const double speed = along_row(v, id, jac, v.v, v.dof_begin);
+    const double late = 0.25 * v.h * (1.0 / v.upsilon[row] - 1.0) + 0.5 * v.h;
+    const double off = std::fabs(v.g[row] + v.epsilon[row] * v.lambda[row] / v.h);
+    const double stretch = std::max(0.0, off - late * std::fabs(speed)) / length;
+    if (!(stretch <= p.stretch)) {
+        p.stretch = stretch;
+        p.stretch_id = id;
+    }
+}
+
+void take_worse(double value, std::int32_t which, double& most, std::int32_t& who) noexcept {
+    if (value <= most) return;
+    most = value;
+    who = which;
+}
+
+}  // namespace
+
+// Chunks are merged in order, so that the result does not depend on threads.
+JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcept {
+    const View v = row_view(model);
+    JudgeData& data = state.judge;
+    const double half = when == At::pose ? 0.0 : 0.5 * model.def.step;
+    const double* after = when == At::half_step ? v.v_new : v.v;
+    const auto count_of = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
+    const std::int32_t bodies = count_of(model.bodies.moving), rows = count_of(data.allowed),
+                       elastic = count_of(data.elastic), lines = count_of(data.lines);
+    const std::int32_t most = std::max({bodies, rows, elastic, lines});
+    over(pool, most, [&](std::int32_t a, std::int32_t b) {
+        JudgePart p;
+        look_at_bodies(model, v, a, std::min(b, bodies), after, half, p);
+        look_at_rows(state, v, a, std::min(b, rows), p);
+        for (std::int32_t i = a; i < std::min(b, elastic); ++i)
+            look_at_elastic(model, v, data.elastic[at(i)], data.line[at(i)] != 0, half, p);
+        for (std::int32_t i = a; v.pair_mass != nullptr && i < std::min(b, elastic); ++i)
+            look_at_piece(v, data.elastic[at(i)], after, p);
+        for (std::int32_t i = a; i < std::min(b, lines); ++i)
+            look_at_line(model, v, data.lines[at(i)], p);
+        data.part[at(a / StepContext::kChunk)] = p;
+    });
+    JudgePart sum;
+    look_at_ranges(state, v, sum);
+    if (when == At::half_step) look_at_contacts(model, state, sum);  // no contacts at the start
+    for (int i = 0; i < StepContext::chunks(most); ++i) {
+        const JudgePart& p = data.part[at(i)];
+        sum.kinetic += p.kinetic;
+        sum.potential += p.potential;
+        sum.elastic += p.elastic;
+        sum.at_pose += p.at_pose;
+        sum.by_length += p.by_length;
+        sum.by_force += p.by_force;
+        take_worse(p.open, p.open_row, sum.open, sum.open_row);
+        take_worse(p.stretch, p.stretch_id, sum.stretch, sum.stretch_id);
+        take_worse(p.turn, p.turn_body, sum.turn, sum.turn_body);
+        take_worse(p.twist, p.twist_id, sum.twist, sum.twist_id);
+    }
+    // Energy of the added mass. Its change since the last step counts as work of this step.
+    const double added = state.loads.added;
+    sum.kinetic += added;
+    sum.at_pose += when == At::pose ? added : 0.5 * (added + state.loads.added_after());
+    if (when == At::pose) sum.by_force = sum.elastic;  // no step has been taken yet
+    // Projected poses have moved further than by the velocity: at the midpoint, by half of the
+    // projection.
+    if (when == At::half_step) {
+        sum.potential -= 0.5 * data.state.closed;
+        sum.by_length -= data.state.closed_elastic;
+    }
+    return sum;
+}
+
+namespace {
+
+/// Call f(row, true if a line, violation, its rate) for the active rows of springs.
+template <class F>
+void each_spring(const Model& model, const State& state, const View& v, F&& f) noexcept {
+    for (const std::int32_t id : state.judge.elastic) {
+        const bool line = (v.flags[id] & model::kOneSided) != 0;
+        if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
+        const model::RowState now = model.interactions.row_state(id, model.bodies);
+        for (int r = 0; r < v.rows[id]; ++r) {
+            const std::int32_t row = v.row_begin[id] + r;
+            if ((v.row_flags[row] & model::kRowVelocity) ||
+                !model::holds_energy(v.epsilon[row], v.rest_length[id]))
+                continue;
+            f(row, line, now.g[r], now.rate[r] + now.carried[r]);
+        }
+    }
+}
+
+}  // namespace
+
+void read_spring_gaps(Model& model, const State& state, double* gaps) noexcept {
+    each_spring(model, state, row_view(model),
+                [&](std::int32_t row, bool, double g, double) { gaps[row] = g; });
+}
+
+double held_by_closing(Model& model, const State& state, const double* before) noexcept {
+    const View v = row_view(model);
+    double sum = 0.0;
+    each_spring(model, state, v, [&](std::int32_t row, bool line, double now, double rate) {
+        const auto held = [&](double g) { return !line || g > 0.0 ? g * g : 0.0; };
+        const double g = now - 0.5 * v.h * rate;
+        sum += 0.5 * (held(g) - held(g - 0.5 * (now - before[row]))) / v.epsilon[row];
+    });
+    return sum;
+}
+
+}  // namespace hawser::stepper

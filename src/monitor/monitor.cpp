@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "monitor/monitor.h"
+
+#include "assembly/rows.h"
+#include "base/index.h"
+#include "context/context.h"
+#include "context/copies.h"
+#include "context/monitor_data.h"
+#include "context/undo_data.h"
+#include "context/view.h"
+#include "monitor/bearing.h"
+#include "monitor/energy_account.h"
+#include "monitor/findings.h"
+#include "monitor/measures.h"
+#include "solve/drives.h"
+#include "solve/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::stepper {
+namespace {
+
+constexpr std::size_t place(Judge judge) noexcept { return static_cast<std::size_t>(judge); }
+
+using Findings = std::array<Finding, kJudgeCount>;
+
+/// Keep the worse of two findings, with the larger ratios of both, because momentary and mean
+/// values differ.
+void take(const Finding& f, Finding& worst) noexcept {
+    const double wrong = std::max(f.wrong, worst.wrong);
+    const double doubtful = std::max(f.doubtful, worst.doubtful);
+    if (!(f.doubtful <= worst.doubtful)) worst = f;
+    worst.wrong = wrong;
+    worst.doubtful = doubtful;
+}
+
+/// Run all monitors on a state and advance `state` to it.
+Findings judged(StepContext& ctx, JudgeState& state) noexcept {
+    const JudgePart p = look(ctx.model, ctx.state, ctx.pool, At::half_step);
+    const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
+    if (state.begun == 0) state.open_start = p.open;  // the poses were set by the user
+    Findings out{};
+    out[place(Judge::energy)] = energy_finding(ctx.model, ctx.state, p, state, time);
+    out[place(Judge::violation)] = open_finding(ctx.model, ctx.state, p, state, time);
+    take(range_finding(ctx.model, ctx.state, p, state), out[place(Judge::violation)]);
+    take(depth_finding(ctx.model, ctx.state, p, state), out[place(Judge::violation)]);
+    out[place(Judge::cable)] = stretch_finding(ctx.model, ctx.state, p, state);
+    out[place(Judge::certificate)] = solved_finding(ctx, state, time);
+    out[place(Judge::speed)] = turn_finding(ctx.model, ctx.state, p);
+    state.step = ctx.state.step;
+    return out;
+}
+
+bool is_good(const Findings& findings) noexcept {
+    return std::all_of(findings.begin(), findings.end(),
+                       [](const Finding& f) { return f.doubtful <= 1.0; });
+}
+
+/// Add findings to a result.
+/// @return the grade of these findings.
+Grade add(const Findings& now, Verdict& verdict) noexcept {
+    Grade grade = Grade::good;
+    for (int k = 0; k < kJudgeCount; ++k) {
+        const Finding& f = now[at(k)];
+        Finding& worst = verdict.worst[at(k)];
+        take(f, worst);
+        const bool speed = static_cast<Judge>(k) == Judge::speed;
+        const Grade own = !(f.wrong <= 1.0)                ? Grade::wrong
+                          : !(f.doubtful <= 1.0) && !speed ? Grade::doubtful
+                                                           : Grade::good;
+        grade = std::max(grade, own);
+    }
+    if (grade > verdict.grade) verdict.grade = grade;
+    double most = -1.0;
+    for (int k = 0; k < kJudgeCount; ++k) {
+        const Finding& f = verdict.worst[at(k)];
+        const double share = verdict.grade == Grade::wrong ? f.wrong : f.doubtful;
+        if (share <= most ||
+            (verdict.grade == Grade::doubtful && static_cast<Judge>(k) == Judge::speed))
+            continue;
+        most = share;
+        verdict.judge = static_cast<Judge>(k);
+    }
+    return grade;
+}
+
+/// Run the checks of every step, before lines break in it.
+Findings borne(StepContext& ctx, JudgeState& state) noexcept {
+    Findings out{};
+    out[place(Judge::cable)] = strain_finding(ctx.model, ctx.state, state);
+    out[place(Judge::violation)] = wound_finding(ctx.model, ctx.state, state);
+    return out;
+}
+
+/// Report an event for each monitor that has become suspect.
+/// @param looks  True if all monitors were run; otherwise only those of borne().
+void tell(State& state, StepStats& stats, const Findings& now, bool looks,
+          JudgeState& memory) noexcept {
+    constexpr EventKind kKinds[kJudgeCount] = {EventKind::energy_created, EventKind::joint_open,
+                                               EventKind::cable_law, EventKind::uncertified,
+                                               EventKind::fast};
+    for (std::size_t k = 0; k < kJudgeCount; ++k) {
+        const Finding& f = now[k];
+        const bool doubtful = !(f.doubtful <= 1.0);
+        if (!looks && !doubtful) continue;
+        if (doubtful && memory.told[k] == 0) {
+            Event event;
+            event.time = state.time;
+            event.kind = kKinds[k];
+            event.interaction = f.interaction;
+            event.value = f.value;
+            event.body = f.body;
+            state.events.push(event);
+            ++stats.event_count[static_cast<std::size_t>(kKinds[k])];
+        }
+        memory.told[k] = doubtful ? 1 : 0;
+    }
+}
+
+/// Report a step whose iterations of rigid joints failed (completion.h), once until kMemory has
+/// passed without a failure. The remaining time is stored in ticks.
+void report_incomplete(StepContext& ctx) noexcept {
+    constexpr std::uint8_t kTicks = 200;
+    std::uint8_t& left = ctx.state.judge.state.told[kJudgeCount];
+    const auto tick =
+        std::max<std::int64_t>(1, std::llround(limit::kMemory / kTicks / ctx.model.def.step));
+    if (!ctx.model.completion.banned) {
+        if (left > 0 && ctx.state.step % tick == 0) --left;
+        return;
+    }
+    if (left == 0) {
+        Event event;
+        event.time = ctx.state.time;
+        event.kind = EventKind::incomplete;
+        event.value = static_cast<double>(ctx.work.stats.completion_failures);
+        ctx.state.events.push(event);
+        ++ctx.work.stats.event_count[static_cast<std::size_t>(event.kind)];
+    }
+    left = kTicks;
+}
+
+/// Return the rise of the ledger from the start to the first sample under constant forces, less
+/// half of the work of the first step. That half is the work before the start in follow_energy().
+///
+/// With v₋ and v₊ half a step before and after the start, forces F that do work, and forces N of
+/// gravity and springs. Their energy counts at the midpoint between poses:
+/// ```
+///     W(−h/2 … 0) = (h/8) F·(3v₋ + v₊) = W(−h/2 … h/2)/2 − (h/8) F·(v₊ − v₋)
+///     (x₀ + x₁)/2 = x(h/2) + (h/8)(v₊ − v₋)
+/// ```
+/// So (h/8)(F − N)·(v₊ − v₋) remains. From rest, where v₋ = −v₊, the first step's work is zero. For
+/// N = 0 the remainder then equals the kinetic energy at its end.
+double early_gain(StepContext& ctx) noexcept {
+    const model::Bodies& b = ctx.model.bodies;
+    const assembly::View v = view(ctx);
+    double gain = drive_gain(ctx.model) + ctx.state.loads.gain(b, v.h, v.v, v.v_new) -
+                  spring_gain(ctx.model, ctx.state.judge.elastic);
+    // Half a step before the start, springs are longer or shorter by (h/2)|ġ| and store that energy
+    // too.
+    gain += spring_way(ctx.model, ctx.state.judge.elastic);
+    for (const std::int32_t body : b.moving) {
+        const bool falls = b.weight[at(body)] && b.dof(body) >= 3;
+        for (int i = 0; i < b.dof(body); ++i) {
+            const std::int32_t k = v.dof_begin[body] + i;
+            const double weight =
+                falls && i < 3 ? b.mass[at(body)] * ctx.model.def.gravity[i] : 0.0;
+            gain += v.h * (b.force[at(6 * body + i)] - weight) * (v.v_new[k] - v.v[k]);
+        }
+    }
+    return std::max(0.0, 0.125 * gain);
+}
+
+}  // namespace
+
+void begin_judge(StepContext& ctx) noexcept {
+    JudgeState& state = ctx.state.judge.state;
+    if (state.begun != 0) return;
+    const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
+                          ctx.model.system.bounded);
+    evaluate_rows(ctx.model, ctx.pool);
+    const JudgePart p = look(ctx.model, ctx.state, ctx.pool, At::pose);
+    state = {};
+    state.step = ctx.state.step;
+    state.open_start = p.open > 1.0 ? p.open : 0.0;
+    begin_energy(p, works(ctx.state), state);
+}
+
+Status judge(StepContext& ctx) noexcept {
+    JudgeData& d = ctx.state.judge;
+    // Joints are checked in each step at no cost, because they may open and close between samples.
+    const bool open = ctx.work.stats.violation_max > limit::kOpen.doubtful;
+    // The balance of the start is completed at the first sample, with this rise.
+    if (ctx.state.step == 0 && ctx.model.def.staggered_start) {
+        const double early = early_gain(ctx);
+        for (double& start : d.state.mean) start += early;
+    }
+    JudgeState next = d.state;
+    Findings now = borne(ctx, next);
+    const bool looks =
+        ctx.state.step != 0 && (ctx.state.step <= 1 || ctx.state.step % d.every == 0 || open);
+    if (!looks && is_good(now)) {
+        d.state = next;
+        report_incomplete(ctx);
+        return Status::ok;
+    }
+    if (looks) {
+        const Findings seen = judged(ctx, next);
+        for (std::size_t k = 0; k < now.size(); ++k) take(seen[k], now[k]);
+    }
+    const Grade grade = add(now, d.verdict);
+    const bool split = has_cuts(ctx.model);
+    if (grade == Grade::wrong && ctx.model.def.on_diverged == OnDiverged::stop && !split)
+        return Status::diverged;
+    d.state = next;
+    tell(ctx.state, ctx.work.stats, now, looks, d.state);
+    report_incomplete(ctx);
+    return Status::ok;
+}
+
+Verdict verdict(StepContext& ctx) noexcept {
+    Verdict out = ctx.state.judge.verdict;
+    if (ctx.state.changed != Changed::nothing || ctx.state.mend != Mend::nothing ||
+        ctx.state.step == 0)
+        return out;
+    const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
+                          ctx.model.system.bounded);
+    evaluate_rows(ctx.model, ctx.pool);
+    JudgeState next = ctx.state.judge.state;
+    (void)add(judged(ctx, next), out);
+    return out;
+}
+
+}  // namespace hawser::stepper

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file prepare_monitor.h
+/// Model data for the monitors: allowed gap of each row, rows that store energy, and the sampling
+/// interval.
+
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// Prepare arrays for the present interactions. @throws std::bad_alloc.
+void prepare_judge(const Model& model, State& state);
+
+}  // namespace hawser::stepper

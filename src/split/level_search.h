@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file level_search.h
+/// Compute the cost of each level of cuts (cut_levels.h). The system of a level is analysed next to
+/// that of the world.
+
+#include "budget/cut_levels.h"
+#include "context/context.h"
+
+namespace hawser::stepper {
+
+/// Return the levels of the present state. Their matrices are analysed next to the world, which
+/// does not change. Call within a step, which is undone if this throws. @throws std::bad_alloc,
+/// LimitError.
+[[nodiscard]] std::vector<CutLevels::Level> find_cut_levels(StepContext& ctx);
+
+}  // namespace hawser::stepper

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "state/undo.h"
+
+#include "context/undo_data.h"
+#include "context/wire_alerts.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hawser::stepper {
+namespace {
+
+/// Copy an array without an allocation: its capacity was reserved before.
+template <class A>
+void put(const A& from, A& to) noexcept {
+    to.assign(from.begin(), from.end());
+}
+
+Undo::Scalars read(const State& state, const StepStats& stats) noexcept {
+    return {state.step,        state.time,        state.ledger,         state.loads.work,
+            state.loads.water, state.loads.added, state.refine_unasked, state.started,
+            stats.event_count, state.judge.state};
+}
+
+void write(const Undo::Scalars& from, StepContext& c) noexcept {
+    c.state.step = c.work.stats.step = from.step;
+    c.state.time = c.work.stats.time = from.time;
+    c.state.ledger = from.ledger;
+    c.state.loads.work = from.system_work;
+    c.state.loads.water = from.water;
+    c.state.loads.added = from.added;
+    c.state.refine_unasked = from.refine_unasked;
+    c.state.started = from.started;
+    c.work.stats.event_count = from.event_count;
+    c.state.judge.state = from.judge;
+}
+
+void keep_system(StepContext& ctx) {
+    Undo& u = ctx.work.undo;
+    reserve_undo(ctx.model, ctx.work.undo);
+    ctx.model.system.keep(u.system);
+    u.analysed_x = ctx.state.analysed_x;
+    u.analysed_r = ctx.state.analysed_r;
+    u.asleep = ctx.model.bodies.asleep;
+    u.quiet = ctx.model.bodies.quiet;
+    u.links = ctx.model.system.contacts.links;
+    u.cuts = ctx.model.cuts.list;
+    u.group = ctx.model.cuts.group;
+    u.coupling = ctx.model.cuts.coupling;
+    u.parts = ctx.model.regroup.parts;
+    if (ctx.state.changed != Changed::nothing) u.wires = ctx.model.wires;
+    keep_links(ctx.model, ctx.work.undo);
+    keep_motion(ctx);
+    u.mend = ctx.state.mend;
+    u.changed = ctx.state.changed;
+    u.asleep_count = ctx.work.stats.asleep;
+    u.asked = ctx.model.cuts.asked;
+    u.interfaces = ctx.model.cuts.interfaces;
+    u.grouped = ctx.model.cuts.grouped;
+    u.made = ctx.model.regroup.made;
+    u.seen = ctx.model.regroup.seen;
+    u.stale = ctx.model.regroup.stale;
+    u.grouped_interactions = ctx.model.regroup.interactions;
+}
+
+void go_back_system(StepContext& ctx) noexcept {
+    Undo& u = ctx.work.undo;
+    ctx.model.system.go_back(u.system);
+    ctx.state.analysed_x.swap(u.analysed_x);
+    ctx.state.analysed_r.swap(u.analysed_r);
+    ctx.model.cuts.list.swap(u.cuts);
+    ctx.model.cuts.group.swap(u.group);
+    ctx.model.cuts.coupling.swap(u.coupling);
+    std::swap(ctx.model.regroup.parts, u.parts);
+    ctx.model.system.contacts.links.swap(u.links);
+    ctx.model.system.contacts.forget_missing();
+    ctx.work.stats.asleep = u.asleep_count;
+    ctx.model.cuts.asked = u.asked;
+    ctx.model.cuts.interfaces = u.interfaces;
+    ctx.model.cuts.grouped = u.grouped;
+    ctx.model.regroup.made = u.made;
+    ctx.model.regroup.seen = u.seen;
+    ctx.model.regroup.stale = u.stale;
+    ctx.model.regroup.interactions = u.grouped_interactions;
+    if (u.changed != Changed::nothing) std::swap(ctx.model.wires, u.wires);
+    ctx.state.changed = u.changed;
+    ctx.state.mend = u.mend == Mend::nothing ? Mend::rebuild : u.mend;
+}
+
+void go_back_all(StepContext& ctx) noexcept {
+    Undo& u = ctx.work.undo;
+    ctx.model.collider.kept().swap(u.kept);
+    ctx.model.collider.kept_awake() = u.kept_awake;
+    ctx.model.system.contacts.memory.swap(u.memory);
+    ctx.model.system.contacts.resistances.memory.swap(u.resistances);
+    std::swap(ctx.state.contacts, u.contacts);
+    ctx.state.contact_impulse.swap(u.contact_impulse);
+    ctx.state.contact_sliding.swap(u.contact_sliding);
+    ctx.work.stats.contacts = u.contact_count;
+}
+
+}  // namespace
+
+void reserve_undo(const Model& model, Undo& undo) {
+    Undo& u = undo;
+    u.v.reserve(model.bodies.v.size());
+    u.spin_change.reserve(model.bodies.spin_change.size());
+    u.lambda.reserve(model.interactions.lambda.size());
+    u.active.reserve(model.interactions.active.size());
+    u.repeats.reserve(model.interactions.repeats.size());
+    u.coarse.reserve(model.interactions.coarse.size());
+    u.credit.reserve(model.wires.credit.size());
+    u.alert.reserve(model.wires.alert.size());
+    u.recoil.reserve(model.wires.recoil.size());
+}
+
+void keep_motion(StepContext& ctx) noexcept {
+    Undo& u = ctx.work.undo;
+    if (u.moved) return;
+    put(ctx.model.bodies.v, u.v);
+    put(ctx.model.bodies.spin_change, u.spin_change);
+    put(ctx.model.interactions.lambda, u.lambda);
+    put(ctx.model.interactions.active, u.active);
+    put(ctx.model.interactions.repeats, u.repeats);
+    put(ctx.model.interactions.coarse, u.coarse);
+    put(ctx.model.wires.credit, u.credit);
+    put(ctx.model.wires.alert, u.alert);
+    put(ctx.model.wires.recoil, u.recoil);
+    u.scalars = read(ctx.state, ctx.work.stats);
+    u.moved = true;
+}
+
+void keep_links(const Model& model, Undo& undo) {
+    Undo& u = undo;
+    if (u.linked) return;
+    u.link_used = model.system.contacts.link_used;
+    u.linked = true;
+}
+
+void keep_state(StepContext& ctx, Undo::Depth depth) {
+    Undo& u = ctx.work.undo;
+    if (u.depth < 0) {
+        keep_system(ctx);
+        u.depth = 0;
+    }
+    if (static_cast<int>(depth) <= u.depth) return;
+    u.bodies = ctx.model.bodies;
+    u.interactions = ctx.model.interactions;
+    u.all_cuts = ctx.model.cuts;
+    if (depth == Undo::Depth::all) {
+        u.kept = ctx.model.collider.kept();
+        u.memory = ctx.model.system.contacts.memory;
+        u.resistances = ctx.model.system.contacts.resistances.memory;
+        u.contacts = ctx.state.contacts;
+        u.contact_impulse = ctx.state.contact_impulse;
+        u.contact_sliding = ctx.state.contact_sliding;
+        u.kept_awake = ctx.model.collider.kept_awake();
+        u.contact_count = ctx.work.stats.contacts;
+    }
+    u.depth = static_cast<int>(depth);
+}
+
+void restore_kept(StepContext& ctx) noexcept {
+    Undo& u = ctx.work.undo;
+    if (u.depth >= static_cast<int>(Undo::Depth::model)) {
+        std::swap(ctx.model.bodies, u.bodies);
+        std::swap(ctx.model.interactions, u.interactions);
+        std::swap(ctx.model.cuts, u.all_cuts);
+    }
+    if (u.depth >= 0) {
+        go_back_system(ctx);
+        ctx.model.bodies.asleep.swap(u.asleep);
+        ctx.model.bodies.quiet.swap(u.quiet);
+    }
+    if (u.depth >= static_cast<int>(Undo::Depth::all)) go_back_all(ctx);
+    if (u.linked) ctx.model.system.contacts.link_used.swap(u.link_used);
+    if (u.moved) {
+        put(u.v, ctx.model.bodies.v);
+        put(u.spin_change, ctx.model.bodies.spin_change);
+        put(u.lambda, ctx.model.interactions.lambda);
+        put(u.active, ctx.model.interactions.active);
+        put(u.repeats, ctx.model.interactions.repeats);
+        put(u.coarse, ctx.model.interactions.coarse);
+        put(u.credit, ctx.model.wires.credit);
+        put(u.alert, ctx.model.wires.alert);
+        put(u.recoil, ctx.model.wires.recoil);
+        follow_alerts(ctx.model);
+        write(u.scalars, ctx);
+    }
+    drop_kept(ctx.work.undo);
+}
+
+void drop_kept(Undo& undo) noexcept {
+    Undo& u = undo;
+    u.moved = u.linked = false;
+    // Copies of the whole model are rare and large, so their memory is freed.
+    if (u.depth >= static_cast<int>(Undo::Depth::model)) {
+        u.bodies = {};
+        u.interactions = {};
+        u.all_cuts = {};
+    }
+    u.depth = -1;
+}
+
+}  // namespace hawser::stepper
