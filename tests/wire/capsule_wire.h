@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file capsule_wire.h
-/// The wire of tests of capsules up to what holds a wire: 76 mm, 23 kg/m.
+/// The wire used in tests of capsules at ends of wires: 76 mm, 23 kg/m.
 
 #include <hawser/hawser.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes of wires at rest against closed forms, and in places where there is nothing to bend.
+// Shapes of wires at rest against closed forms, and in cases without bending.
 #include <gtest/gtest.h>
 #include <hawser/catenary.h>
 #include <hawser/def.h>
@@ -46,7 +46,7 @@ TEST(Catenary, lies_on_the_seabed) {
     EXPECT_NEAR((free.pull_to - Vec3(0, 0, free.weight_to)).norm(), 1001.7e3, 200.0);
     EXPECT_NEAR(free.pull_from.norm(), 835.6e3, 200.0);
     EXPECT_DOUBLE_EQ(free.laid_from, 0.0);
-    // Friction takes μ w from each metre that lies.
+    // Friction reduces the tension by μ w per metre that lies on the bottom.
     def.seabed->friction = 0.7;
     const Catenary held = catenary(def);
     ASSERT_EQ(held.status, CatenaryStatus::balanced);
@@ -90,9 +90,9 @@ TEST(Catenary, folds_between_ends_on_one_vertical) {
     }
     EXPECT_NEAR(lowest, -20.0, 0.01);
     EXPECT_NEAR(c.pull_from.z() + c.pull_to.z() - c.weight_from - c.weight_to, -30.0 * 98.1, 1e-6);
-    // An odd number of elements has one at the bottom that pulls at nothing.
+    // With an odd number of elements the lowest one has no tension.
     EXPECT_EQ(catenary(wire({0.2, 0, 0}, 31.0, 31)).status, CatenaryStatus::slack);
-    // And a loop from a point to itself.
+    // A loop from a point to itself.
     EXPECT_NE(catenary(wire({0, 0, 0}, 31.0, 30)).status, CatenaryStatus::unbalanced);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A ring that is put round a mooring chain, hauled along it to the anchor, brought back and taken
-/// off: stops, Euler's ratio, accounts, bits, refusals.
+/// A ring that is put around a mooring chain, hauled along it to the anchor, brought back and
+/// removed: stops, Euler's ratio, balances, bits, errors.
 #include <hawser/catenary.h>
 #include <hawser/hawser.h>
 
@@ -20,8 +20,8 @@ namespace {
 constexpr double kChain = 126.0, kChainEA = 5.8e8, kDeep = 60.0, kPitchOfChain = 5.0;
 constexpr double kRub = 0.3;
 
-/// Chain from a fairlead down to an anchor on the bottom, a ring beside it, and a boat above that
-/// hauls the ring by a wire.
+/// Chain from a fairlead to an anchor on the bottom, a ring beside it, and a boat above that hauls
+/// the ring by a wire.
 struct Mooring {
     World w;
     BodyId anchor{}, ring{}, boat{};
@@ -81,7 +81,7 @@ struct Mooring {
             ASSERT_EQ(w.step(), Status::ok) << w.time() << " " << to_string(w.bad_load(), w);
         w.set_velocity(boat, {});
     }
-    /// Of the chain, with what the ring carries of it [kg].
+    /// Return the mass of the chain, including the part carried by the ring [kg].
     [[nodiscard]] double mass() {
         double sum = 0.0;
         for (const BodyId id : w.nodes(chain))
@@ -121,7 +121,8 @@ TEST(Chasers, RunAlongAChainToItsAnchorAndBack) {
     EXPECT_EQ(d.count(EventKind::range), 1);
     EXPECT_LT(d.get("left"), 2.0);
     EXPECT_GT(slid, 20);
-    // Rest lengths keep tensions where nodes come and go; what is kept is material, by its mass.
+    // Rest lengths preserve tensions when nodes are added or removed; the mass of the material is
+    // constant.
     EXPECT_NEAR(d.get("at") + d.get("left"), length, 0.5);
     EXPECT_LT((d.w.pose(d.ring).position - d.w.pose(d.anchor).position).norm(), 2.0);
     EXPECT_NE(d.w.verdict().grade, Grade::wrong);

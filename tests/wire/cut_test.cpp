@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that are cut, joined, held and let go while a world runs.
+/// Wires that are cut, joined, held and released while a world runs.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ double mass_of(const World& w) {
     return sum;
 }
 
-/// What the lumps of wires have of momentum and energy at the half step before their poses.
+/// Momentum and energy of the lumps of wires at the half step before their poses.
 struct WireAccount {
     Vec3 linear{0, 0, 0}, angular{0, 0, 0};
     double mass = 0.0;
@@ -82,7 +82,7 @@ void run(World& w, int steps) {
     for (int i = 0; i < steps; ++i) ASSERT_EQ(w.step(), Status::ok) << "step " << i;
 }
 
-/// A span between two fixed points that has come to rest.
+/// A span between two fixed points, at rest.
 struct Span {
     World w{{.step = 0.01}};
     BodyId left = fixed_at(w, "left", {0, 0, 10}), right = fixed_at(w, "right", {19, 0, 10});
@@ -109,7 +109,7 @@ TEST(WireCut, KeepsMassesMomentaAndEnergy) {
         EXPECT_EQ(f.w.find_wire("tow/2"), second);
         const double first = f.w.length(f.wire);
         EXPECT_NEAR(first + f.w.length(second), length, 1e-6 * length);
-        // Where nodes fit, just there; else at the nearest one.
+        // Exactly there if nodes can be inserted, else at the nearest node.
         EXPECT_NEAR(first, consistent ? 6.7 : 6.0, 1e-4);
         EXPECT_EQ(f.w.nodes(f.wire).size(), f.w.elements(f.wire).size() + 1);
         EXPECT_EQ(f.w.nodes(second).size(), f.w.elements(second).size() + 1);
@@ -171,7 +171,7 @@ TEST(WireCut, PiecesAreJoinedAnyWayRound) {
             EXPECT_EQ(d.body[0], nodes[k]) << ends << " " << k;
             EXPECT_EQ(d.body[1], nodes[k + 1]) << ends << " " << k;
         }
-        // Nodes go where two elements meet end to end, bends and capsules with them.
+        // Nodes are removed where two elements meet end to end, with their bends and capsules.
         ASSERT_TRUE(w.remove_node(nodes[5], 3.2) || w.remove_node(nodes[7], 3.2));
     }
 }
@@ -192,8 +192,8 @@ TEST(WireCut, GearHoldsWeighsBreaksAndReleases) {
             .name = "link", .gear = gear, .mass = 12.0, .length = 0.3, .breaking_load = 5e3};
         const Joint joint = w.join(upper, 1, lower, 0, how);
         run(w, 1500);
-        // What hangs below: half the link, and the lower wire, the half element at its first end
-        // included.
+        // The weight below: half of the link, and the lower wire with the half element at its first
+        // end.
         const double below = (6.0 + 20.0 * kDensity) * 9.81;
         EXPECT_NEAR(-w.force(joint.held[0])[0], below, 1e-4 * below);
         EXPECT_NEAR(w.tension(upper, 0.5), (12.0 + 39.0 * kDensity) * 9.81, 0.2);
@@ -210,7 +210,7 @@ TEST(WireCut, GearHoldsWeighsBreaksAndReleases) {
         EXPECT_FALSE(w.intact(joint.held[0]));
         EXPECT_EQ(w.event_extremes(EventKind::line_break).count,
                   gear == Gear::pelican_hook ? 0 : 1);
-        // It sinks with up to 2.5 m/s, at which drag holds its weight.
+        // It sinks at up to 2.5 m/s, at which drag balances its weight.
         EXPECT_LT(w.pose(w.nodes(lower).front()).position.z(), 16.0);
         EXPECT_EQ(w.verdict().grade, Grade::good);
     }
@@ -220,10 +220,10 @@ TEST(WireCut, TriplateSharesALoadByItsHoles) {
     World w({.step = 0.01});
     const BodyId left = fixed_at(w, "left", {0, 0, 10}), right = fixed_at(w, "right", {19, 0, 10});
     WireDef span = line("tow", left, right, true);
-    span.drag = 200.0;  // it comes to rest without a jerk
+    span.drag = 200.0;  // for coming to rest without a jerk
     const WireId wire = w.add_wire(span);
     const WireId second = w.cut(wire, 10.0);
-    // Links as long as it is from the ends to the holes, so that nothing jerks.
+    // Links are as long as the distance from the ends to the holes, so that there is no jerk.
     const JoinDef how{
         .name = "plate", .gear = Gear::triplate, .mass = 400.0, .length = 0.01, .reach = 0.5};
     const double mass = mass_of(w);
@@ -236,7 +236,7 @@ TEST(WireCut, TriplateSharesALoadByItsHoles) {
     def.drag = 200.0;
     (void)w.add_wire(def);
     run(w, 6000);
-    // At rest, the vertical parts of the links carry plate and pennant.
+    // At rest, the vertical components of the links carry plate and pennant.
     Vec3 sum{0, 0, 0};
     for (const InteractionId id : joint.held) {
         const InteractionDef& d = w.interaction_def(id);
@@ -278,7 +278,7 @@ TEST(WireCut, EndsAreAttachedWhereTheyAreAndLetGo) {
     EXPECT_FALSE(w.find_interaction("eye").valid());
     run(w, 100);
     EXPECT_LT(w.pose(load).position.z(), 17.0);
-    // Off the body that held it from the start it gets the half element that it had there.
+    // Detached from its first body, the wire gets the half element that the body had.
     w.detach(wire, 0);
     EXPECT_NEAR(account(w).mass, 10.0 * kDensity, 1e-6);
     EXPECT_EQ(w.event_extremes(EventKind::detach).count, 2);
@@ -286,10 +286,10 @@ TEST(WireCut, EndsAreAttachedWhereTheyAreAndLetGo) {
     EXPECT_EQ(w.verdict().grade, Grade::good);
 }
 
-/// A piece of one short element between a lump and a body, which gear holds to the same body: off
-/// the body the new end has half of the element, as the lump has. With a share by lengths, the
-/// link's among them, it had a fifteenth of that, less than a straight piece can move with, and the
-/// step ended as wrong_pivot.
+/// A piece of one short element between a lump and a body, joined to the same body by gear. Off the
+/// body the new end has half of the element, like the lump. Distribution by lengths, including that
+/// of the link, gave 1/15 of that. A straight piece cannot move with it: the step ended as
+/// wrong_pivot.
 TEST(WireCut, AnEndBesideGearHasHalfOfItsElement) {
     World w({.step = 0.01});
     const BodyId left = fixed_at(w, "left", {0, 0, 0}), right = fixed_at(w, "right", {20, 0, 0});

@@ -88,7 +88,7 @@ TEST(DrumFeed, CarriesTheWeightOfLoadAndWire) {
         for (const double speed : {0.0, 1.0, 0.0, -1.0, 0.0}) {
             d.run(12.0, speed);
             if (speed != 0.0) continue;
-            d.run(20.0, 0.0);  // until the load has come to rest
+            d.run(20.0, 0.0);  // until the load is at rest
             const double paid = kRadius * d.w.pose(d.drum).position.x();
             const double length = 10.0 + paid;
             const double torque = -d.w.force(d.parts.motor)[0];
@@ -124,7 +124,7 @@ TEST(DrumFeed, StopsAtTheFairlead) {
         const double creep = kTorque / (60.0 * 1000.0 * kInertia);
         EXPECT_GE(d.rest(), kLeastOfDrumElement * length - 30.0 * kRadius * creep - 0.02);
         EXPECT_LE(std::abs(d.w.velocity(d.drum).linear.x()), 1.01 * creep);
-        // No energy from nothing: the work of the motor is bounded by torque times angle.
+        // Energy is not created: the work of the motor is at most torque times angle.
         EXPECT_LE(d.w.energy().driven, kTorque * std::abs(d.w.pose(d.drum).position.x()));
         d.run(8.0, 1.0);
         EXPECT_NEAR(d.w.pose(d.load).position.z(), -7.5, 0.3) << "pays out at once";
@@ -133,8 +133,8 @@ TEST(DrumFeed, StopsAtTheFairlead) {
     }
 }
 
-/// Random speeds: no status but ok, the judges find nothing, material stays, and the motor's work
-/// is the change of energy and the losses.
+/// Random speeds: the status is always ok, the verdict good, material constant. The work of the
+/// motor equals the change of energy plus the losses.
 TEST(DrumFeed, KeepsAccountsAtRandomSpeeds) {
     for (const std::uint32_t seed : seeds(7, 4, 60, 600)) {
         std::mt19937 random(seed);

@@ -19,8 +19,7 @@ constexpr DrumGeometry kDrum{.core_radius = 0.6,
                              .layer_pitch = 0.076,
                              .flange_radius = 1.4};
 
-/// Lengths that no drum holds end in a layer that is counted, at once: a state from bytes may have
-/// any.
+/// Lengths beyond any drum end in a valid layer, at once: a state from bytes may have any length.
 TEST(DrumGeometry, AnyLengthEndsInALayer) {
     const double none = std::nan(""), inf = HUGE_VAL;
     for (const double length :

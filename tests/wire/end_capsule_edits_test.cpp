@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Capsules of wires up to what holds them, as elements come, go and change hands at drums, guides
+/// Capsules at the ends of wires while elements are added, removed or transferred at drums, guides
 /// and ends; bits.
 #include <hawser/hawser.h>
 
@@ -15,7 +15,7 @@
 namespace hawser::test {
 namespace {
 
-/// Segments of a wire are those of its elements that have a lump, each once, where they hold.
+/// Check the segments of a wire: one for each element with a lump, at its ends.
 void expect_capsules(const World& w, WireId wire, const std::string& what) {
     std::size_t wanted = 0;
     for (const InteractionId id : w.elements(wire)) {
@@ -124,7 +124,7 @@ TEST(EndCapsuleEdits, FollowElementsAtDrumsAndGuides) {
         }
         EXPECT_TRUE(changed) << "elements came or went";
     }
-    // What lies across the element at the drum bears on it.
+    // A wire across the element at the drum presses on it.
     double force = 0.0;
     for (const ContactView& c : d.w.contacts())
         for (const ShapeId s : c.shape)
@@ -155,7 +155,7 @@ TEST(EndCapsuleEdits, FollowWhatIsCutJoinedHeldAndLetGo) {
     (void)d.w.join(d.across, 1, piece, 0, {.reach = 5.0});
     expect_capsules(d.w, d.across, "spliced");
     d.run(10);
-    // Ends that meet head to head: one is turned round.
+    // Join two ends of the same kind: one wire is reversed.
     const WireId other = d.w.cut(d.across, 5.0);
     (void)d.w.detach(other, 1);
     (void)d.w.join(d.across, 1, other, 1, {.reach = 50.0});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Capsules of wires up to what holds them: nothing passes through an element next to a fairlead;
-/// momentum and energy; posts; what they leave alone; refusals.
+/// Capsules of wires up to their ends: no body passes through an element next to a fairlead. Also
+/// momentum and energy, posts, unaffected wires, errors.
 #include <hawser/hawser.h>
 
 #include "support/random.h"
@@ -27,8 +27,8 @@ constexpr double kTick = 1.0 / 60.0;
 /// Ends of a straight piece before and after a step [m].
 using Swept = std::array<std::array<Vec3, 2>, 2>;
 
-/// Whether two pieces went through each other: they lie in a plane, by bisection, at a moment at
-/// which they cross.
+/// @return true if two pieces passed through each other. By bisection, find a time at which they
+///        lie in a plane, and check whether they cross.
 bool went_through(const Swept& a, const Swept& b) {
     const auto at = [](const Swept& s, double t) {
         return std::array<Vec3, 2>{s[0][0] + t * (s[1][0] - s[0][0]),
@@ -54,8 +54,8 @@ bool went_through(const Swept& a, const Swept& b) {
     return false;
 }
 
-/// A wire of two elements from a fairlead off the middle of a free hull to a buoy, and another one
-/// between two weights, thrown at the element next to the fairlead. Nothing has weight.
+/// A wire of two elements from a fairlead off the centre of a free hull to a buoy. Another one
+/// between two weights is thrown at the element next to the fairlead. No gravity.
 struct Thrown {
     World w{WorldDef{.step = kTick, .gravity = Vec3::Zero(), .contact_margin = 0.1}};
     BodyId hull{}, buoy{};
@@ -106,7 +106,7 @@ struct Thrown {
         for (const InteractionId id : w.elements(wire)) out.push_back(w.ends(id));
         return out;
     }
-    /// What moves and what is stretched, by the forces that it exerts [J].
+    /// Return the kinetic energy plus the elastic energy, computed from forces [J].
     [[nodiscard]] double energy() const {
         double sum = w.energy().kinetic;
         for (const WireId wire : {still, thrown})
@@ -126,7 +126,7 @@ TEST(EndCapsules, LetNothingThroughBesideAFairlead) {
     for (int k = 0; k < throws; ++k) {
         Thrown d(random);
         bool hit = false;
-        // Half a second, so that weights at the ends have not come round.
+        // Half a second: weights at the ends have not yet turned around.
         double first = 0.0;
         for (int i = 0; i < 30; ++i) {
             const auto before = std::pair(d.pieces(d.still), d.pieces(d.thrown));
@@ -150,11 +150,12 @@ TEST(EndCapsules, LetNothingThroughBesideAFairlead) {
                 throws, through, made);
     EXPECT_EQ(touched, throws);
     EXPECT_EQ(through, 0);
-    // As of judges, of single steps (docs/limits.md).
+    // The same limit as that of the energy check for single steps (docs/limits.md).
     EXPECT_LT(made, 0.01);
 }
 
-/// What a ball gives to an element that a hull holds, both get: all of it, at its lever.
+/// An element attached to a hull passes the momentum of a ball on to lump and hull, in full and at
+/// its lever arm.
 TEST(EndCapsules, ShareMomentumBetweenLumpAndBody) {
     for (const double along : {0.1, 1.5, 4.9}) {
         World w({.step = kTick, .gravity = Vec3::Zero()});
@@ -172,9 +173,9 @@ TEST(EndCapsules, ShareMomentumBetweenLumpAndBody) {
         def.from_point = fairlead;
         def.to = far;
         def.elements = 2;
-        def.length = 12.0;  // slack: nothing but the contact acts
+        def.length = 12.0;  // slack: only the contact acts
         def.path = {{5, 0, 0}};
-        def.consistent_mass = false;  // all of it is the lumps'
+        def.consistent_mass = false;  // lumps have all of the mass
         def.radius = 0.05;
         (void)w.add_wire(def);
         const BodyId ball = w.add_body({.name = "ball",
@@ -204,20 +205,20 @@ TEST(EndCapsules, ShareMomentumBetweenLumpAndBody) {
         for (const ContactView& c : w.contacts()) force += c.force.norm();
         EXPECT_GT(force, 1.0) << along;
         const auto after = sums(at);
-        // What spins: by the change of the angular velocities of hull and ball about their centres,
-        // at the attitudes with which the step began; the hull was at rest.
+        // Angular momentum: from the changes of angular velocity of hull and ball about their
+        // centres, at the attitudes at the start of the step; the hull was at rest.
         const Mat3 turn = Quat(0.9, 0.1, -0.3, 0.2).normalized().toRotationMatrix();
         const Vec3 spin = turn * inertia * turn.transpose() * w.velocity(hull).angular +
                           4.0 * (w.velocity(ball).angular - spun);
         const Vec3 lost = after.second + spin - before.second;
         EXPECT_LT((after.first - before.first).norm(), 1e-9 * 600.0) << along;
-        // The hull turns by a part in a thousand within the step, of what it gets.
+        // Within the step the hull turns by a thousandth of its change.
         EXPECT_LT(lost.norm(), 2e-3 * spin.norm()) << along;
         EXPECT_GT(w.velocity(hull).angular.norm(), 1e-6) << along;
     }
 }
 
-/// A post that the wire's last element comes to lie on: the element before the anchor.
+/// A post on which the last element of the wire, before the anchor, comes to lie.
 TEST(EndCapsules, LayTheElementBeforeAnAnchorOverAPost) {
     World w({.step = kTick});
     const BodyId ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
@@ -263,8 +264,8 @@ TEST(EndCapsules, LayTheElementBeforeAnAnchorOverAPost) {
     EXPECT_EQ(w.system_signal("post.held"), 1.0);
     run(300, -0.5);
     std::printf("anchor over a post: %.4f m into it at most\n", deepest);
-    // What a contact of 1e8 N/m gives way under a wire that falls on it, and the sagitta of what a
-    // contact node's straight parts cut off.
+    // Compression of a contact of 1e8 N/m under a wire that falls on it, and the sagitta of the
+    // straight parts of a contact node.
     EXPECT_LT(deepest, 0.02);
     EXPECT_LT(w.pose(anchor).position.z(), 0.0) << "it hangs";
     EXPECT_GT(w.pose(anchor).position.x(), 0.0) << "on its side of the post";

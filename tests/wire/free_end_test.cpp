@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Free ends that come to a guide run off it; cuts leave no element at an end that is too short.
+/// Free ends that reach a guide run off it; cuts do not leave an element at an end that is too
+/// short.
 #include <hawser/guide.h>
 #include <hawser/hawser.h>
 
@@ -78,7 +79,7 @@ TEST(FreeEnds, RunOffARollerAndFallWithWhatTheyHoldUp) {
     EXPECT_EQ(told, 1);
     EXPECT_GT(left, 60) << "12 m have to run over it first";
     EXPECT_EQ(r.w.verdict().grade, Grade::good);
-    // Nothing is on the roller any more, and no material is lost.
+    // The roller is empty, and no material is lost.
     for (const InteractionId id : r.w.elements(piece))
         EXPECT_EQ(r.w.interaction_def(id).kind, InteractionKind::Stretch);
     EXPECT_EQ(r.w.system_signal("roller.speed"), 0.0);
@@ -118,7 +119,7 @@ TEST(FreeEnds, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
         }
     }
     ASSERT_GT(after, 10);
-    // A state belongs to a world of the same parts: from where the end had just run off.
+    // A state fits only a world with the same parts: save it just after the end has run off.
     two.w.restore(saved);
     for (int i = 0; i < after; ++i) ASSERT_EQ(two.w.step(), Status::ok);
     EXPECT_EQ(one.w.state_hash(), two.w.state_hash());
@@ -148,17 +149,17 @@ TEST(FreeEnds, CutsAnywhereLeaveNoShortElements) {
         };
         const double had = mass(), whole = w.length(wire), s = anywhere(random) * (whole - 0.02);
         const WireId piece = w.cut(wire, s);
-        // Within a thousandth of an element a cut is at its node. A node that goes keeps tensions:
-        // lengths move by what differs in their strains.
+        // Within a thousandth of an element a cut moves to its node. A removed node preserves
+        // tensions: lengths change with the difference of strains.
         EXPECT_NEAR(w.length(wire), s, 1.1e-3 * kElement) << k;
         EXPECT_NEAR(w.length(wire) + w.length(piece), whole, 2e-4) << k;
-        // The post has half of the element beside it, which a node that goes makes longer.
+        // The post has half of the adjacent element, which grows if its node is removed.
         if (s > 1.3 * kElement) {
             EXPECT_NEAR(mass(), had, 1e-9 * had) << k;
         }
         for (const WireId id : {wire, piece}) {
             const auto elements = w.elements(id);
-            // Beside a body that stays a node goes only where energy does not grow.
+            // Next to a fixed body a node is removed only if energy does not grow.
             if (elements.size() < 3) continue;
             for (const InteractionId e : elements)
                 EXPECT_GE(w.interaction_def(e).get("length"), 0.2 * kElement) << k << " s " << s;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires of lumps over guides: Euler's ratio, nodes that run through, stops, bits, refusals.
+/// Wires of lumps over guides: Euler's ratio, nodes that run through, stops, bits, errors.
 #include <hawser/guide.h>
 #include <hawser/hawser.h>
 
@@ -77,7 +77,7 @@ struct OverRoller {
             ASSERT_EQ(w.step(), Status::ok) << i << ": " << to_string(w.bad_load(), w);
         }
     }
-    /// All wire there is, by its mass [m].
+    /// Return the total length of wire, from its mass [m].
     [[nodiscard]] double material() const {
         double sum = get("winch.wire_left") + get("winch.at_drum") + get("roller.wire_before") +
                      get("roller.wire_behind");
@@ -101,7 +101,7 @@ TEST(Guides, NodesRunThroughAtEulersRatio) {
         d.run(60.0, 1.0);
         EXPECT_GE(d.nodes_behind(), before + 10);
         EXPECT_NEAR(d.material(), whole, 1e-10 * whole);
-        // Half of the weight of an element is not where its tension is: 0.1 %.
+        // Half of the weight of an element acts beside the point of its tension: 0.1 %.
         EXPECT_NEAR(d.get("roller.behind") / d.get("roller.before") / d.euler(), 1.0, 2e-3);
         d.run(70.0, -1.0);
         EXPECT_LE(d.nodes_behind(), before + 3);
@@ -115,10 +115,10 @@ TEST(Guides, TensionIsTheWeightOfWhatHangs) {
     OverRoller d({.radius = 1.0});  // without friction
     d.run(40.0, 0.5);
     d.run(20.0, 0.0);
-    // From the place where the wire leaves the roller to the weight.
+    // From the point at which the wire leaves the roller to the weight.
     const double hangs = -d.w.pose(d.anchor).position.z();
     const double weight = 9.81 * (kWeight + kDensity * hangs);
-    EXPECT_NEAR(d.get("roller.behind") / weight, 1.0, 2e-3);  // strain, and what still swings
+    EXPECT_NEAR(d.get("roller.behind") / weight, 1.0, 2e-3);  // strain, and a remaining oscillation
     EXPECT_NEAR(d.get("roller.before") / d.get("roller.behind"), 1.0, 1e-3);
 }
 
@@ -147,8 +147,8 @@ TEST(Guides, WhatCannotRunThroughStops) {
     EXPECT_NE(d.w.verdict().grade, Grade::wrong);
 }
 
-// Without friction the row that stops the slide had a bound of 0 before it was to hold: it has to
-// begin again at each stop.
+// Without friction the row that stops the slide had a bound of 0 before the stop: it must start
+// again at each stop.
 TEST(Guides, StopAgainAfterTheWireWasPaidOut) {
     OverRoller d({.radius = 1.0});
     const double whole = d.material();
@@ -165,8 +165,8 @@ TEST(Guides, StopAgainAfterTheWireWasPaidOut) {
     EXPECT_NEAR(d.material(), whole, 1e-10 * whole);
 }
 
-// A wire that parts behind a guide leaves the part before it as long as it was: the slide has
-// nothing that balances it any more.
+// If a wire breaks behind a guide, the part before the guide keeps its length: the slide is
+// unbalanced.
 TEST(Guides, HoldAWireThatPartsAtThem) {
     OverRoller d({.radius = 1.0});
     const InteractionId behind = d.roller.behind;
@@ -209,8 +209,8 @@ TEST(Guides, EqualBitsForAnyThreadsAndAfterARestore) {
 }
 
 TEST(Guides, OnAMovingBodyMomentumStays) {
-    // A frame that is free, with a wire between two of its own points over a post of it: whatever
-    // the wire does, nothing pushes from outside.
+    // A free frame with a wire between two of its own points over a post on it: no external force
+    // acts.
     World w(WorldDef{.step = 1.0 / 120.0, .gravity = Vec3::Zero()});
     BodyDef body{.name = "frame"};
     body.mass = 2e4;
@@ -227,7 +227,7 @@ TEST(Guides, OnAMovingBodyMomentumStays) {
     def.mass_per_length = 10.0;
     def.consistent_mass = true;
     const WireId wire = w.add_wire(def);
-    // Past an element's middle, so that the wire runs through as it is drawn straight.
+    // Past the middle of an element: the wire runs through while it is pulled straight.
     w.add(GuideDef{.name = "post",
                    .wire = wire,
                    .body = frame,
@@ -241,18 +241,18 @@ TEST(Guides, OnAMovingBodyMomentumStays) {
             const BodyDef& b = w.body_def(id);
             if (b.kind != BodyKind::scalar) sum += b.mass * w.velocity(id).linear;
         }
-        // What no lump has of the elements at the post moves with the lumps and the frame.
+        // The mass of elements at the post that no lump has moves with the lumps and the frame.
         return sum;
     };
     ASSERT_EQ(w.step(), Status::ok);
     const Vec3 start = momentum();
     for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok) << i;
-    // Of the halves that lumps have as a load the speeds are within 1 m/s of each other: 20 kg.
+    // Speeds of the halves that lumps have as a load differ by less than 1 m/s: 20 kg.
     EXPECT_LT((momentum() - start).norm(), 40.0);
     EXPECT_EQ(w.verdict().grade, Grade::good);
 }
 
-/// What plan_guide() says of an element from (−1, 0, 0) to `last` and a wheel; "": it lies on it.
+/// Return the error of plan_guide() for an element from (−1, 0, 0) to `last` and a wheel; "": none.
 std::string plan_refused(const Vec3& last, const Vec3& wheel, double radius) {
     const std::array<Vec3, 3> at{Vec3(-1, 0, 0), last, wheel};
     InteractionDef element;
@@ -272,8 +272,8 @@ std::string plan_refused(const Vec3& last, const Vec3& wheel, double radius) {
     return {};
 }
 
-/// What a guide has of a wire lies between lumps that have no mass to share: such a cut was
-/// refused, as that of an element which is not whole.
+/// The part of a wire at a guide lies between lumps without mass to divide. Such a cut was rejected
+/// as that of an incomplete element.
 TEST(Guides, ACutAtOneGoesIntoTheElementBeyond) {
     for (const std::size_t part : {0U, 1U}) {
         OverRoller d;
@@ -297,8 +297,8 @@ TEST(Guides, ACutAtOneGoesIntoTheElementBeyond) {
     }
 }
 
-/// The sign is advised only where the other one lies on it: round a corner. Where both ends are on
-/// one side of the wheel the wire would turn back by more than π whichever way it goes.
+/// The other sign is recommended only if the wire then lies on the wheel: around a corner. With
+/// both ends on one side of the wheel, the wire would turn back by more than π with either sign.
 TEST(Guides, AdviseTheOtherSignOnlyWhereItHelps) {
     const Vec3 down(0, 0, -1);
     int lies = 0;

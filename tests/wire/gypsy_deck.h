@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// A windlass with chain of 76 mm at the fairlead of a deck, and an end that is told how to move.
+/// A windlass with chain of 76 mm at the fairlead of a deck, and an end with a prescribed motion.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ struct ChainDeck {
         def.wire = wire;
         ids = w.add(def);
     }
-    /// The end goes away from the deck at a speed [m/s].
+    /// Move the end away from the deck at a speed [m/s].
     void step(double speed) {
         Twist t;
         t.linear.z() = -speed;

@@ -22,7 +22,7 @@ TEST(Gypsy, PaysOutWholeLinksATurnAtOneRadius) {
     // Chain and wheel are one, to the compliance of the grip.
     EXPECT_NEAR(d.jumped(), 0.0, 1e-9);
     EXPECT_NEAR(d.w.length(d.wire), 40.0 + gypsy_radius(def) * d.chain(), 1e-9);
-    // What has left the locker is what has run out, but for the last step.
+    // The chain out of the locker equals the chain paid out, except in the last step.
     EXPECT_NEAR(300.0 - d.get("wire_left"),
                 gypsy_radius(def) *
                     (d.chain() - d.w.velocity(d.ids.chain).linear.x() * d.w.settings().step),
@@ -52,8 +52,8 @@ TEST(Gypsy, HoldsBelowItsLoad) {
     EXPECT_LT(std::abs(d.jumped()), 1e-8);
 }
 
-/// A weight that pulls with more than the jump load until a pocket is past would go on; the end
-/// that is hauled off slowly lets it fall into the next one each time.
+/// A weight above the jump load would continue past the next pocket. The slowly hauled end lets the
+/// chain fall into the next pocket each time.
 TEST(Gypsy, JumpsByWholePocketsWithTheWheelStanding) {
     ChainDeck d(windlass());
     std::int64_t last = 0;
@@ -84,13 +84,13 @@ TEST(Gypsy, TheFallIntoTheLockerHoldsBack) {
         most = std::max(most, d.get("pull"));
         d.step(0.01);
     }
-    // `pull` is at the fairlead, half an element's weight above what the wheel feels: both count
-    // alike there.
+    // `pull` is at the fairlead, half the weight of an element above the tension at the wheel: both
+    // agree there.
     EXPECT_NEAR(most, 1.2e6 + tail, 0.005 * 1.2e6);
 }
 
-/// Free and with nothing outboard but its own weight, chain that is let go gathers speed until what
-/// the heap takes, ρ v², is the rest of the weight (Cayley): v² = g (L − fall).
+/// Chain released with only its own weight outboard gains speed until the force on the heap, ρ v²,
+/// equals the rest of the weight (Cayley): v² = g (L − fall).
 TEST(Gypsy, ChainFromTheHeapTakesMomentum) {
     WinchDef def = windlass();
     def.mode = WinchMode::speed;
@@ -100,7 +100,7 @@ TEST(Gypsy, ChainFromTheHeapTakesMomentum) {
     d.run(10.0, 4.0);
     const double rho = def.mass_per_length;
     EXPECT_NEAR(d.get("tail"), rho * (kGravity * 5.0 + 16.0), 1e-3 * rho * 16.0);
-    // The motor holds what the outboard part weighs more than that.
+    // The motor balances the excess weight of the outboard part.
     const double torque = d.w.force(d.ids.motor)[0];
     EXPECT_NEAR(-torque / gypsy_radius(def), d.get("pull") - d.get("tail"), 0.01 * d.get("pull"));
 }
@@ -113,7 +113,7 @@ TEST(Gypsy, BitterEndPartsAtItsLoadOnce) {
         def.weak_link = link;
         ChainDeck d(def);
         d.run(19.0, 0.1);
-        // Slowly: the wheel behind the chain comes to the end with v sqrt(k J/r^2).
+        // Slowly: the wheel behind the chain reaches the end with v sqrt(k J/r^2).
         d.run(20.0, 0.01);
         EXPECT_EQ(d.count(EventKind::drum_empty), 1) << link;
         EXPECT_EQ(d.count(EventKind::weak_link), link == 3e5 ? 1 : 0) << link;
@@ -122,7 +122,7 @@ TEST(Gypsy, BitterEndPartsAtItsLoadOnce) {
         if (link == 3e5) {
             EXPECT_NEAR(d.w.event_extremes(EventKind::weak_link).first.value, 3e5, 0.02 * 3e5);
         } else if (link == 1e7) {
-            EXPECT_GT(d.get("wire_left"), -0.01);  // what 1.4 MN stretch behind the wheel
+            EXPECT_GT(d.get("wire_left"), -0.01);  // the stretch behind the wheel at 1.4 MN
         }
     }
 }
@@ -167,8 +167,8 @@ TEST(Gypsy, GoesOnBitForBitFromWithinAJump) {
     EXPECT_EQ(twin.state_hash(), d.w.state_hash());
 }
 
-/// A weight on light chain falls by a pocket against the friction of the links: s = a t²/2,
-/// a = (W − F)/(M + m), m the chain on the wheel. The grip takes F s, which counts as driven.
+/// A weight on light chain falls by a pocket against the friction of the links: s = a t²/2, a = (W
+/// − F)/(M + m), m the chain on the wheel. The work F s of the grip counts as driven.
 TEST(Gypsy, FallsByAPocketAgainstItsFriction) {
     constexpr double kMass = 1e4, kWeight = kMass * kGravity, kFriction = 0.3 * kWeight;
     World w(WorldDef{.step = 1.0 / 960.0, .gravity = Vec3(0, 0, -kGravity)});
@@ -202,14 +202,14 @@ TEST(Gypsy, FallsByAPocketAgainstItsFriction) {
     }
     const double reached = way();
     const double a = (kWeight - kFriction) / (kMass + gypsy_chain_inertia(def) / (r * r));
-    // It begins in the first step, in which the chain gives up the stretch of W − F, 3 mm.
+    // It begins in the first step, in which the chain loses the stretch of W − F, 3 mm.
     EXPECT_NEAR(w.time(), std::sqrt(2.0 * reached / a), 0.02 * w.time());
     EXPECT_NEAR(before, -kFriction * reached, 0.03 * kFriction * reached);
     EXPECT_EQ(w.event_extremes(EventKind::chain_jump).count, 1);
     EXPECT_LT(std::abs(w.pose(ids.drum).position.x()), 1e-5);
     while (way() < 0.9999 * kPocket && w.time() < 2.0) ASSERT_EQ(w.step(), Status::ok);
-    // It falls into the next pocket. The weight goes on falling, so that the chain comes under more
-    // than it jumps at, and passes that one, too.
+    // It falls into the next pocket. The weight continues to fall: the chain tension exceeds the
+    // jump load and passes that pocket, too.
     EXPECT_NEAR(way(), kPocket, 1e-6);
     ASSERT_EQ(w.step(), Status::ok);
     EXPECT_EQ(w.event_extremes(EventKind::chain_jump).count, 2);
@@ -218,7 +218,7 @@ TEST(Gypsy, FallsByAPocketAgainstItsFriction) {
     EXPECT_EQ(w.event_extremes(EventKind::energy_created).count, 0);
 }
 
-/// Where the fall into the locker is heavier, chain jumps inwards by the same rule.
+/// If the fall into the locker is heavier, chain jumps inwards by the same rule.
 TEST(Gypsy, JumpsInwardsWhereTheFallIsHeavier) {
     WinchDef def = windlass();
     def.gypsy.jump_load = 5e4;
@@ -232,7 +232,7 @@ TEST(Gypsy, JumpsInwardsWhereTheFallIsHeavier) {
     EXPECT_LT(std::abs(d.drum()), 1e-5);
 }
 
-/// What comes in goes somewhere: no energy is made by jumps.
+/// Jumps do not create energy.
 TEST(Gypsy, JumpsMakeNoEnergy) {
     ChainDeck d(windlass());
     d.run(120.0, 0.02);

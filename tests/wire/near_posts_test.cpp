@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Posts and guides within two elements of each other: wires come to lie on all of them, run over
-/// them at Euler's ratio, and lift off; none is passed through.
+/// Posts and guides within two elements of each other. Wires lie on all of them, slide at Euler's
+/// ratio, lift off, and never pass through one.
 #include <hawser/catenary.h>
 #include <hawser/hawser.h>
 
@@ -99,7 +99,7 @@ struct PostRow {
         for (const BodyId id : {left, right}) w.set_velocity(id, {});
         return worst;
     }
-    /// Of lumps, and of what their elements have beside [kg].
+    /// Return the mass of lumps plus the additional mass of their elements [kg].
     [[nodiscard]] double mass() {
         double sum = 0.0;
         for (const BodyId id : w.nodes(wire))
@@ -130,7 +130,7 @@ TEST(NearPosts, TakeOneWireEachAndLetItGo) {
         for (std::size_t k = 0; k < posts.size(); ++k) {
             angle += d.get(k, "angle");
             EXPECT_GT(d.get(k, "slide"), 2.0) << distance;
-            // As at guides: half of the weight of an element is not where its tension is.
+            // As at guides: half of the weight of an element acts beside the point of its tension.
             EXPECT_NEAR(d.get(k, "behind") / d.get(k, "before") /
                             std::exp(kRowFriction * d.get(k, "angle")),
                         1.0, 5e-3)
@@ -141,14 +141,14 @@ TEST(NearPosts, TakeOneWireEachAndLetItGo) {
             1.0, 2e-2)
             << "and of what hangs between them";
         EXPECT_NEAR(d.mass(), mass, 1e-9 * mass) << distance;
-        // Where one element touches several posts the lump that comes between hangs under it, by
-        // m g l/4T: 0.05 m of 40 kg over 3 m at 6 kN. Contacts lift it again.
+        // If one element touches several posts, an inserted lump hangs below it by m g l/4T: 0.05 m
+        // for 40 kg over 3 m at 6 kN. Contacts lift it again.
         EXPECT_LT(sunk, posts.size() > 2 ? 0.06 : 5e-3) << distance;
         d.move({-6, 0, 4}, 12.0);
         d.move({0, 0, 0}, 10.0);
         EXPECT_EQ(d.all("held"), 0.0) << distance;
         EXPECT_NEAR(d.mass(), mass, 1e-9 * mass) << distance;
-        // Lumps that came between posts stay.
+        // Lumps inserted between posts remain.
         EXPECT_LE(d.w.elements(d.wire).size(), had + 2 * posts.size()) << distance;
         for (const InteractionId id : d.w.elements(d.wire))
             EXPECT_EQ(d.w.interaction_def(id).kind, InteractionKind::Stretch);
@@ -171,10 +171,10 @@ TEST(NearPosts, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
         [](const PostRow& d) { EXPECT_NE(d.w.verdict().grade, Grade::wrong); });
 }
 
-/// Guides have a lump between them: without one the wire would be pulled over from another element.
+/// Guides have a lump between them: without it, wire would be transferred from another element.
 TEST(NearGuides, ShareNoElement) {
     PostRow d({});
-    // The middle of an element, and beside it.
+    // The middle of an element, and a point beside it.
     const InteractionId element = d.w.elements(d.wire)[5];
     const std::array<Vec3, 2> ends = d.w.ends(element);
     const auto at = [&](double share) { return Vec3(ends[0] + share * (ends[1] - ends[0])); };
@@ -193,7 +193,7 @@ TEST(NearGuides, ShareNoElement) {
     EXPECT_EQ(add("two", 1.4), "");
 }
 
-/// Two eyes an element and a bit apart, the wire pulled through both.
+/// Two eyes slightly more than an element apart, with the wire pulled through both.
 TEST(NearGuides, NodesRunThroughBoth) {
     PostRow d({});
     std::array<InteractionId, 2> at{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Guide pins that go down and up: what they touch, hold and lift; refusals.
+/// Guide pins that move down and up: contacts, holding, lifting; errors.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST(Pins, LoweredTouchNothingAndRaisedHoldAWireOnItsSide) {
     EXPECT_NE(d.w.verdict().grade, Grade::wrong);
 }
 
-/// More than its motor gives, as a wire that climbs along it may pull: its stops hold it.
+/// A pull above the force of its motor, as from a wire that climbs along it: its stops hold it.
 TEST(Pins, StayBetweenTheirStops) {
     PinDeck d(true, 1.0, 1.2);
     const BodyId pin = d.w.find_body("pin");
@@ -90,7 +90,7 @@ TEST(Pins, StayBetweenTheirStops) {
     }
 }
 
-/// Right above it: lifted, not taken.
+/// Directly above it: lifted, not captured.
 TEST(Pins, LiftAWireThatLiesAcrossTheirTop) {
     PinDeck d(false, 0.0, 1.2);
     d.move({0, 0, 0}, 5.0);

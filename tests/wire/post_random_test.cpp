@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Random wires between a drum and a load that swings, past pins on a fixed and on a moving body,
-/// cut on the way: nothing that ends ok is wrong, material and bits stay.
+/// Random wires between a drum and a swinging load, past pins on a fixed and on a moving body, with
+/// cuts. A run that ends ok is correct; material and bits are preserved.
 #include <hawser/hawser.h>
 #include <hawser/winch.h>
 
@@ -23,11 +23,11 @@ namespace {
 
 constexpr double kDensity = 23.0, kEA = 2.33e8, kHalf = 0.038;  // kg/m, N, m
 constexpr int kSteps = 1000;
-/// A lump between two guides keeps a hundredth of the half of an element, and posts divide none
-/// shorter than their turn of wire: some centimetres [kg].
+/// Minimum mass of a lump [kg]. Between two guides it keeps a hundredth of half an element. Posts
+/// divide no element shorter than their turn of wire: some centimetres.
 constexpr double kLightest = 1e-3;
 
-/// What is drawn once for a seed: worlds of the same seed are the same.
+/// Values drawn once for a seed: worlds of the same seed are equal.
 struct Wiring {
     int elements, end, pins;
     double length, slack, friction[3], bend, aside;
@@ -138,7 +138,7 @@ struct Yard {
                 PostDef{.name = name, .shape = pin, .friction = x.friction[k], .slides = x.slides});
         }
     }
-    /// Of all lumps [kg].
+    /// Return the minimum over all lumps [kg].
     [[nodiscard]] double lightest() const {
         double least = HUGE_VAL;
         for (const BodyId id : w.bodies())
@@ -151,7 +151,7 @@ struct Yard {
                 return false;
         return true;
     }
-    /// Some interaction that has a body twice; else empty.
+    /// Return an interaction that has a body twice; else empty.
     [[nodiscard]] std::string twice() const {
         for (const InteractionId id : w.interactions()) {
             const InteractionDef& d = w.interaction_def(id);
@@ -161,14 +161,14 @@ struct Yard {
         }
         return {};
     }
-    /// Of a signal over all pins.
+    /// Return the sum of a signal over all pins.
     [[nodiscard]] double sum_of(const char* signal, int pins) const {
         double sum = 0.0;
         for (int k = 0; k < pins; ++k)
             sum += w.system_signal("pin" + std::to_string(k) + "." + signal);
         return sum;
     }
-    /// Cuts the wire at a share of its length; a place that is on the drum is refused.
+    /// Cut the wire at a fraction of its length; a point on the drum is rejected.
     void cut_at_share(double share) {
         try {
             (void)w.cut(wire, share * w.length(wire));
@@ -176,7 +176,7 @@ struct Yard {
             EXPECT_NE(std::string(refused.what()), "");
         }
     }
-    /// One step with what is ordered before it.
+    /// Take one step after its commands.
     Status step(const Wiring& x, int number) {
         for (const Wiring::Order& o : x.orders) {
             if (o.step != number) continue;
@@ -191,11 +191,11 @@ struct Yard {
 
 struct Tally {
     int worlds = 0, ended = 0, doubtful = 0, cuts = 0, restores = 0;
-    int alone = 0;  ///< Ended early, and do not where wires keep their places.
+    int alone = 0;  ///< Runs that ended early, but not with wires fixed along pins.
     double taken = 0.0, slid = 0.0;
 };
 
-/// Whether a seed ends early where wires keep their places along pins.
+/// @return true if a seed also ends early with wires fixed along pins.
 bool ends_without_sliding(std::uint32_t seed) {
     const Wiring x(seed, false);
     Yard d(x, 2);
@@ -272,14 +272,14 @@ void run_all(bool near) {
     std::printf("%d wires: %.0f times on a pin, %d cut, %d restored; %d ended early, %d doubtful\n",
                 tally.worlds, tally.taken, tally.cuts, tally.restores, tally.ended, tally.doubtful);
     EXPECT_GT(tally.taken, 0.0);
-    // A wire without a result is no wrong one, but is not to be the rule: 2 of 500 are.
+    // A failed run is not an incorrect one, but must be rare: 2 of 500 fail.
     EXPECT_LE(50 * tally.ended, tally.worlds);
 }
 
-/// What a slack element at a drum or on a pin is short of its length is no stretch (33, 443), and
-/// a short one that turns far within a step holds by its length what it can never give back (106).
-/// Where nodes went there, and where the wire lifted off, megajoules of that counted as driven, and
-/// steps were refused as having made energy.
+/// The missing length of a slack element at a drum or on a pin is not stretch (33, 443). A short
+/// element that turns far within a step stores energy by its length that it cannot return (106).
+/// Removed nodes and lift-off there counted megajoules of it as driven, and steps were rejected as
+/// creating energy.
 TEST(PostRandom, ElementsAtDrumsAndPinsHoldWhatTheyCanGiveBack) {
     for (const std::uint32_t seed : {33U, 106U, 443U}) {
         const Wiring x(seed, false);
@@ -294,8 +294,8 @@ TEST(PostRandom, WiresWithDrumsPinsAndCutsKeepTheirBits) { run_all(false); }
 
 TEST(PostRandom, WiresOverPinsCloseTogetherKeepTheirBits) { run_all(true); }
 
-/// A post takes the wire that pressed on it in the last step. Here the step after a restore is the
-/// one in which it does: the snapshot must tell of the contact.
+/// A post captures the wire that pressed on it in the last step. Here the step after a restore does
+/// so: the snapshot must contain the contact.
 TEST(PostRandom, AStepAfterARestoreTakesWhatPressed) {
     Tally tally;
     constexpr std::uint32_t kSeed = 214;
@@ -303,7 +303,7 @@ TEST(PostRandom, AStepAfterARestoreTakesWhatPressed) {
     EXPECT_EQ(tally.restores, 1);
 }
 
-/// The lump between two elements that posts take one after the other had the half of the second
+/// The lump between two elements that posts captured one after the other had half of the second one
 /// and 1e-15 kg of rounding, which it kept.
 TEST(PostRandom, ALumpBetweenTwoPostsKeepsMassOfItsOwn) {
     Tally tally;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that come to lie on posts and lift off them: no tunnelling at 50 m/s, Euler's ratio,
-/// accounts, bits, refusals.
+/// Wires that come to lie on posts and lift off: no tunnelling at 50 m/s, Euler's ratio, balances,
+/// bits, errors.
 #include <hawser/catenary.h>
 #include <hawser/hawser.h>
 
@@ -70,7 +70,7 @@ struct AbovePost {
         for (const BodyId id : {left, right}) w.set_velocity(id, {});
     }
     void rest(double seconds) { move(Vec3::Zero(), seconds); }
-    /// Of lumps, and of what their elements have beside [kg].
+    /// Return the mass of lumps plus the additional mass of their elements [kg].
     [[nodiscard]] double mass() {
         double sum = 0.0;
         for (const BodyId id : w.nodes(wire))
@@ -86,7 +86,7 @@ struct AbovePost {
 };
 
 TEST(Posts, TakeAWireThatComesToLieAndLetItGo) {
-    // An element over the post, and a lump; about its axis, and against it.
+    // An element over the post, and a lump; both directions of its axis.
     for (const auto& [elements, way] : {std::pair(13, 1.0), {14, 1.0}, {13, -1.0}, {14, -1.0}}) {
         AbovePost d(elements, 0.2, 1, way);
         const double mass = d.mass();
@@ -116,7 +116,7 @@ TEST(Posts, TakeAWireThatComesToLieAndLetItGo) {
     }
 }
 
-/// What is taken again has the places of what was let go, and nothing of it.
+/// A second capture reuses the slots of the released wire, and none of its data.
 TEST(Posts, TakeAWireAgain) {
     AbovePost d(14);
     for (int k = 0; k < 3; ++k) {
@@ -128,7 +128,7 @@ TEST(Posts, TakeAWireAgain) {
     }
 }
 
-/// Pulled along, the wire slides where its tensions reach Euler's ratio.
+/// If pulled along, the wire slides when its tensions reach Euler's ratio.
 TEST(Posts, RubAtEulersRatio) {
     AbovePost d(13, 0.25);
     d.move({0, 0, -4}, 8.0);
@@ -136,13 +136,13 @@ TEST(Posts, RubAtEulersRatio) {
     d.move({3, 0, 0}, 12.0);
     const double ratio = d.get("post.behind") / d.get("post.before");
     EXPECT_GT(d.get("post.slide"), 1.0);
-    // As at guides: half of the weight of an element is not where its tension is.
+    // As at guides: half of the weight of an element acts beside the point of its tension.
     EXPECT_NEAR(ratio / std::exp(0.25 * d.get("post.angle")), 1.0, 5e-3);
     EXPECT_EQ(d.w.verdict().grade, Grade::good);
 }
 
-/// A wire that just touches, its ends going up and down by a millimetre in 5 s: it comes to lie and
-/// lifts off once a period at most.
+/// A wire that just touches, with its ends moving up and down by 1 mm in 5 s: it makes contact and
+/// lifts off at most once a period.
 TEST(Posts, DoNotChatter) {
     AbovePost d;
     const double sag = d.w.pose(d.w.nodes(d.wire)[6]).position.z();
@@ -172,8 +172,8 @@ TEST(Posts, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
         [](const AbovePost& d) { EXPECT_EQ(d.get("post.let_go"), 1.0); });
 }
 
-/// Whether the axis of a pin passed through a piece of wire within a step: the piece's side of the
-/// axis changes while the two cross within both.
+/// @return true if the axis of a pin passed through a piece of wire within a step. The piece then
+///        changes its side of the axis while the two cross within both.
 bool passed(const Vec3& axis_at, double half, const std::array<Vec3, 2>& was,
             const std::array<Vec3, 2>& now) {
     constexpr int kParts = 64;
@@ -195,7 +195,7 @@ bool passed(const Vec3& axis_at, double half, const std::array<Vec3, 2>& was,
     return false;
 }
 
-/// Flies at a pin; passed() is asked of each element that is there before and after a step.
+/// A wire thrown at a pin; passed() checks each element that exists before and after a step.
 struct Thrown {
     World w{WorldDef{.step = 1.0 / 60.0, .gravity = Vec3::Zero()}};
     WireId wire{};
@@ -211,7 +211,7 @@ struct Thrown {
                                          .margin = 1.0});
         constexpr int kElements = 8;
         constexpr double kElement = 5.0, kPull = 10.0;
-        // Aimed at the pin: its place on the wire is `offset` from the middle when they meet.
+        // Aimed at the pin, which meets the wire at `offset` from the middle.
         const Vec3 start = -0.12 * velocity;
         const double apart = kElement * (1.0 + kPull / kPostEA);
         const auto at = [&](int k) {
@@ -234,7 +234,7 @@ struct Thrown {
         wire = w.add_wire(def);
         w.add(PostDef{.name = "pin", .shape = pin, .friction = 0.15});
     }
-    /// @return steps in which an element went through.
+    /// @return number of steps in which the pin passed through an element.
     int run(double seconds) {
         int through = 0;
         const auto steps = static_cast<int>(std::lround(60.0 * seconds));
@@ -243,7 +243,7 @@ struct Thrown {
             now.clear();
             for (const InteractionId id : w.elements(wire)) {
                 const InteractionDef& d = w.interaction_def(id);
-                // The element at the body that holds the wire has no capsule (WireDef::radius).
+                // The element at the attached body has no capsule (WireDef::radius).
                 if (d.kind == InteractionKind::Stretch && d.body[0] != first)
                     now.emplace_back(
                         id, std::array{w.pose(d.body[0]).position, w.pose(d.body[1]).position});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires whose resolution follows tension, curvature and contact: limits, hysteresis, accounts,
-/// threads, restored states, refusals. What tensions do at edits is in
-/// `hawser validate wire_resolution`.
+/// Wires whose resolution follows tension, curvature and contact: limits, hysteresis, balances,
+/// threads, restored states, errors. `hawser validate wire_resolution` tests tensions at edits.
 #include <hawser/catenary.h>
 #include <hawser/hawser.h>
 
@@ -68,7 +67,7 @@ struct Hung {
             out.push_back(w.interaction_def(id).get("mass") / kPerMetre);
         return out;
     }
-    /// Of lumps, and of the half elements that ends hold [kg].
+    /// Return the mass of lumps and of the half elements at ends [kg].
     [[nodiscard]] double mass() const {
         double sum = 0.5 * kPerMetre * (lengths().front() + lengths().back());
         for (const BodyId id : w.nodes(wire))
@@ -109,7 +108,7 @@ TEST(WireResolution, MakesShortElementsOne) {
     EXPECT_EQ(h.get("removed"), 161.0 - h.get("nodes"));
 }
 
-/// The bounds of sag, angle and waves, each alone, on a wire of known curvature w/H and tension.
+/// The limits of sag, angle and waves, one at a time, on a wire of known curvature w/H and tension.
 TEST(WireResolution, KeepsToEachBound) {
     constexpr double kPull = 41e3, kCurvature = kPerMetre * 9.81 / kPull;
     const double sag = std::sqrt(8.0 * 0.05 / kCurvature), angle = 0.06 / kCurvature,
@@ -154,7 +153,7 @@ TEST(WireResolution, DoesNotChatter) {
         }
 }
 
-/// The end swings, so that bounds by waves and sag come and go.
+/// The end oscillates, so that limits by waves and sag alternate.
 ResolutionDef lively() {
     return {.min_length = 1.5,
             .max_length = 12.0,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wires in still water, with bending stiffness and floating sections: forces on each node are added
-// up here from where the nodes are, by the formulas of sea.h and by differences of an energy.
+// Wires in still water, with bending stiffness and floating sections. Forces on each node are
+// summed here from the positions of nodes, by the formulas of sea.h and by differences of an
+// energy.
 #include "support/random.h"
 #include "support/tier.h"
 
@@ -142,7 +143,7 @@ TEST(Rest, SectionsThatFloatOverASeabed) {
     EXPECT_GT(top, lowest_before + 1.0) << "the floating section makes a crest";
 }
 
-/// A pipe between level ends as far apart as it is long has the sag of a pinned beam, 5 w l^4/384
+/// A pipe between level ends, as far apart as its length, has the sag of a pinned beam, 5 w l^4/384
 /// EI.
 TEST(Rest, APinnedBeamSagsByFiveOver384) {
     CatenaryDef def;

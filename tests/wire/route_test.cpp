@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines over posts and sheaves: Euler's ratio whatever the number of places, bits, refusals.
+/// Lines over posts and sheaves: Euler's ratio for any number of turning points, bits, errors.
 #include "support/post.h"
 #include "support/tier.h"
 
@@ -49,7 +49,7 @@ TEST_P(Posts, HoldBelowItWithoutCreeping) {
 }
 
 TEST(Routes, TensionsPointTheWayTheyHaveTo) {
-    // Hauled either way, what rubs holds back.
+    // Friction opposes hauling in both directions.
     for (const double v : {0.5, -0.5}) {
         World w;
         const BodyId top = w.add_body({.kind = BodyKind::fixed});
@@ -91,7 +91,8 @@ TEST(Routes, AWheelIsAWheelWhereverItTurns) {
         ASSERT_EQ(w.step(), Status::ok);
         const Vec3 x = w.pose(bob).position;
         widest = std::max(widest, std::abs(x.x() - 0.5));
-        // Straight length and arc: l + R φ = l₀ while nothing slides. φ where the line leaves.
+        // Straight length and arc: l + R φ = l₀ without sliding; φ at the point where the line
+        // leaves.
         const double d = std::hypot(x.x(), x.z());
         const double straight = std::sqrt(d * d - 0.25);
         const double at = std::atan2(-x.z(), x.x()) - std::atan2(straight, 0.5);
@@ -103,7 +104,8 @@ TEST(Routes, AWheelIsAWheelWhereverItTurns) {
     EXPECT_GT(widest, 1.5);
 }
 
-/// A block of 2 t under a wheel, both of radius R, on two falls of length L; hung up beside.
+/// A block of 2 t under a wheel, both of radius R, on two falls of length L; suspended with an
+/// offset.
 struct TwoFalls {
     static constexpr double kRadius = 0.4, kFalls = 10.0, kInertia = 300.0;
     World w;
@@ -131,8 +133,8 @@ struct TwoFalls {
 };
 
 TEST(Routes, TwoFallsOverWheelsHoldABlockInItsPlane) {
-    // Each fall at R from the axis leans by R θ/L, so that both turn the block back by W R² θ/L:
-    // also the one between two wheels, whose axes are not parallel then.
+    // Each fall, at R from the axis, inclines by R θ/L, so that both turn the block back by W R²
+    // θ/L. This includes the fall between two wheels, whose axes are then not parallel.
     constexpr double kYaw = 0.05;
     TwoFalls t(kYaw);
     const double rate = 2000.0 * 9.81 * TwoFalls::kRadius * TwoFalls::kRadius /
@@ -145,7 +147,7 @@ TEST(Routes, TwoFallsOverWheelsHoldABlockInItsPlane) {
         if (now <= 0.0) first = (i - now / (now - before)) / 240.0;
         before = now;
     }
-    // A quarter of a period. The block rises by R² θ²/L as it turns, and leans: parts in 1e3.
+    // A quarter of a period. The block rises by R² θ²/L as it turns, and inclines: parts in 1e3.
     EXPECT_NEAR(first, 0.25 * period, 0.01 * period);
 }
 
@@ -252,12 +254,12 @@ TEST(Routes, EndsStopAtTheirEye) {
         EXPECT_EQ(w.event_extremes(EventKind::energy_created).count, 0) << seed;
         EXPECT_LE(w.pose(a).position.norm(), 0.03 * left + 0.02) << seed;
         EXPECT_NEAR(-w.force(r.parts.back())[0], 9.81 * heavy, 0.02 * 9.81 * heavy) << seed;
-        // 1e-3 m/s: what is left of the swing after 40 s.
+        // 1e-3 m/s: the remaining oscillation after 40 s.
         EXPECT_LE(std::abs(w.velocity(b).linear.z()), 1e-3) << seed;
     }
 }
 
-/// e^{μδ} of 10⁵ to 10⁹: a bollard that may hold a load does not lift it.
+/// e^{μδ} from 10⁵ to 10⁹: a bollard that can hold a load does not lift it.
 TEST(Routes, MuchFrictionLiftsNothing) {
     for (const std::uint32_t seed : test::seeds(5, 6, 60, 600)) {
         std::mt19937 random(seed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that slide along what they lie on: they stay to the bit while friction holds, lie at
-/// Coulomb's angle beyond, go the shortest way without friction, come off at an end; energy, bits.
+/// Wires that slide along surfaces. They stay, bit for bit, while friction holds, and lie at
+/// Coulomb's angle beyond. Without friction they take the shortest way, and they come off at an
+/// end. Energy, bits.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -72,7 +73,7 @@ struct Stern {
         run(50.0);
         ASSERT_EQ(get("held"), 1.0);
     }
-    /// Angles to the edge of what comes to it and of what leaves it.
+    /// Return the angles of the incoming and outgoing part to the edge.
     [[nodiscard]] std::array<double, 2> angles() const {
         std::array<double, 2> out{};
         std::size_t k = 0;
@@ -89,8 +90,8 @@ struct Stern {
         const auto b = angles();
         return std::log(std::tan(0.5 * b[1])) - std::log(std::tan(0.5 * b[0]));
     }
-    /// Force of the wire on the edge over what presses: across the axis, and across the wire in the
-    /// surface.
+    /// Return the force of the wire on the edge relative to the normal force: across the axis, and
+    /// across the wire in the surface.
     [[nodiscard]] double rub() const {
         Vec3 sum = Vec3::Zero(), along = Vec3::Zero();
         double sign = -1.0, pull = 0.0;
@@ -115,7 +116,8 @@ TEST(Slides, StayToTheBitBelowTheBound) {
     Stern d(0.3);
     d.lower();
     const double bound = 0.3 * d.get("angle"), at = d.get("along"), slid = d.get("slid");
-    // Pulled to and fro for 100 s; at rest it would slide, in motion it comes to some 90 % of that.
+    // Pulled back and forth for 100 s. It would slide from rest; in motion it reaches about 90 % of
+    // that.
     const double least = std::acos(std::tanh(1.05 * bound));
     double most = 0.0;
     for (int i = 0; i < 6000; ++i) {
@@ -132,7 +134,8 @@ TEST(Slides, StayToTheBitBelowTheBound) {
 }
 
 TEST(Slides, LieAtCoulombsAngle) {
-    // Round half a radian, where a node's force is not that of an arc, and round an eighth.
+    // Around half a radian, where the force of a node differs from that of an arc, and around an
+    // eighth.
     for (const auto& [down, side] : {std::pair(6e4, 4e4), {6e4, -4e4}, {1.3e4, -2e4}})
         for (const double friction : {0.1, 0.3}) {
             Stern d(friction);
@@ -148,16 +151,16 @@ TEST(Slides, LieAtCoulombsAngle) {
                 "phi, %.6f of mu by forces\n",
                 friction, arc, d.get("along"), b[0], b[1], std::abs(d.leaning()) / bound,
                 d.rub() / friction);
-            // It came to rest where φ was that of the last swing, some 1e-5 of it ago.
+            // It stopped when φ was that of the last oscillation, within 1e-5.
             EXPECT_NEAR(std::abs(d.leaning()) / bound, 1.0, 1e-4);
-            // The wire behind the edge has the direction of the load's pull; the post and the
-            // body's own place are some centimetres of 60 m.
+            // The wire behind the edge has the direction of the pull. The post and the offset of
+            // the body are some centimetres of 60 m.
             const double aft = std::acos(side / force.norm());
             EXPECT_NEAR(b[1], aft, 1e-3);
             const double fore = std::log(std::tan(0.5 * aft)) + (side > 0.0 ? bound : -bound);
             EXPECT_NEAR(b[0], 2.0 * std::atan(std::exp(fore)), 1e-3);
-            // A node of an arc φ presses with T 2 sin(φ/2) and not Tφ, and is held across its
-            // mean direction, by the law of each small piece: of the second order in both.
+            // A node of an arc φ presses with T 2 sin(φ/2) instead of Tφ. It is held across its
+            // mean direction by the law of each small piece. Both differences are of second order.
             EXPECT_NEAR(d.rub() / friction, 1.0, arc * arc / 12.0);
         }
 }
@@ -171,7 +174,7 @@ TEST(Slides, GoTheShortestWayWithoutFriction) {
     std::printf("angles to the edge: %.9f and %.9f rad\n", b[0], b[1]);
     EXPECT_NEAR(b[0], b[1], 1e-6);
     EXPECT_NEAR(d.get("along"), Stern::kFore / std::tan(b[0]), 0.05);
-    // Of all places along the edge the way from lump to lump is least here.
+    // Among all positions along the edge, this gives the shortest way from lump to lump.
     EXPECT_EQ(d.w.verdict().grade, Grade::good);
 }
 
@@ -200,9 +203,9 @@ TEST(Slides, ComeOffAtTheEnd) {
     EXPECT_EQ(d.w.verdict().grade, Grade::good);
 }
 
-/// A body that swings from quarter to quarter: what sliding takes counts as friction, and the
-/// account stays closed. What the row of friction along the wire holds while it sticks, F²ε/2 with
-/// 1e-12 m/N, is part of it and comes back as the pull falls.
+/// A body oscillates from quarter to quarter. Energy lost in sliding counts as friction, and the
+/// balance closes. The sticking row of friction along the wire stores F²ε/2 with 1e-12 m/N. This is
+/// part of friction and is returned as the pull decreases.
 TEST(Slides, TakeEnergyAndMakeNone) {
     for (const double friction : {0.0, 0.15, 0.3}) {
         Stern d(friction);

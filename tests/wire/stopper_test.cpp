@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shark jaws and chain stoppers: take, hold, release, their loads against what pulls, bits,
-/// refusals.
+/// Shark jaws and chain stoppers: capture, hold, release, loads against the pull, bits, errors.
 #include <hawser/hawser.h>
 
 #include "support/bits.h"
@@ -63,7 +62,7 @@ struct Deck {
             ASSERT_LT(w.stats().momentum_residual, 1e-8) << w.time();
         }
     }
-    /// Of lumps that are not the two weights [kg].
+    /// Return the mass of lumps other than the two weights [kg].
     [[nodiscard]] double mass() const {
         double sum = 0.0;
         for (const BodyId id : w.nodes(wire))
@@ -81,14 +80,14 @@ TEST(Stoppers, AJawTakesTheNearestPlaceHoldsBothWaysAndLetsGo) {
     d.run(0.1);
     EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::holding));
     EXPECT_EQ(d.get("jaw.held"), 1.0);
-    // The place next to the jaw, 38.2 m from the inboard end where the wire is not stretched.
+    // The point next to the jaw, 38.2 m from the inboard end where the wire is unstretched.
     EXPECT_NEAR(d.get("jaw.at"), 38.2, 0.1);
     ASSERT_EQ(d.count(EventKind::join), 1);
     const Event taken = d.w.event_extremes(EventKind::join).first;
     EXPECT_EQ(taken.interaction, d.w.find_interaction("jaw/hold"));
     EXPECT_NEAR(taken.value, 0.2, 1e-3) << "the wire lies 0.2 m beside the point";
     EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
-    // Outboard by 500 kN against 200 kN, then inboard: what is held is the difference.
+    // 500 kN outboard against 200 kN, then inboard: the jaw holds the difference.
     for (const auto& [in, out] : {std::pair(2e5, 5e5), {6e5, 1e5}}) {
         d.pull(in, out);
         d.run(30.0);
@@ -114,7 +113,7 @@ TEST(Stoppers, OpenAboveTheirRatedLoad) {
     d.run(10.0);
     d.w.set_system_signal("jaw.close", 1.0);
     d.run(1.0);
-    for (int k = 1; k <= 39; ++k) {  // by and by: pulled at once the wire would swing beyond
+    for (int k = 1; k <= 39; ++k) {  // gradually: a sudden pull would overshoot
         d.pull(1e5, 1e5 + 1e4 * k);
         d.run(0.5);
     }
@@ -124,7 +123,7 @@ TEST(Stoppers, OpenAboveTheirRatedLoad) {
     ASSERT_EQ(d.count(EventKind::overload), 1);
     EXPECT_GT(d.w.event_extremes(EventKind::overload).first.value, 4e5);
     EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::tripped));
-    // Still closed, it takes nothing; opened and closed again it does.
+    // While closed it captures no wire; opened and closed again it does.
     d.pull(1e5, 1e5);
     d.run(1.0);
     EXPECT_EQ(d.count(EventKind::join), 1);
@@ -146,7 +145,7 @@ TEST(Stoppers, SayWhereNothingIsWithinReach) {
     EXPECT_EQ(d.get("jaw.held"), 0.0);
 }
 
-/// Against paying out it holds; hauled in, the pawl falls behind each link.
+/// It holds against paying out; while hauling in, the pawl falls behind each link.
 TEST(Stoppers, AChainStopperLetsChainInAndNotOut) {
     Deck d({.pitch = 0.6});
     d.pull(1e5, 3e5);
@@ -163,7 +162,7 @@ TEST(Stoppers, AChainStopperLetsChainInAndNotOut) {
     EXPECT_GE(d.count(EventKind::join), 4) << "the pawl falls again and again";
     d.pull(1e5, 3e5);
     d.run(20.0);
-    // Back by less than two links, the pitch of the pawl, and what the wire gives.
+    // Back by less than two links, the pitch of the pawl, and the stretch of the wire.
     EXPECT_GT(d.w.pose(d.outboard).position.x() - held, in - 0.65);
     EXPECT_NEAR(d.get("jaw.load"), 2e5, 200.0);
     EXPECT_LE(d.w.nodes(d.wire).size(), 19U) << "nodes of earlier links have gone";
@@ -204,7 +203,7 @@ TEST(Stoppers, RefuseWhatCannotBe) {
     }
 }
 
-/// A node has one stopper: what comes second waits until the first has let go.
+/// A node has one stopper: a second one waits until the first has released it.
 TEST(Stoppers, DoNotHoldOneNodeTogether) {
     Deck d;
     d.pull(2e5, 2e5);
@@ -228,7 +227,7 @@ TEST(Stoppers, DoNotHoldOneNodeTogether) {
     d.w.set_system_signal("second.close", 1.0);
     d.run(0.1);
     EXPECT_EQ(d.get("second.state"), static_cast<double>(StopperState::holding));
-    // Farther along the wire both hold.
+    // Further along the wire both hold.
     second.name = "third";
     second.point = {5.0, 0, 1.0};
     d.w.add(second);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// A winch at the fairlead of a deck, with an end of its wire that moves as it is told.
+/// A winch at the fairlead of a deck; the end of its wire has a prescribed motion.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ struct Deck {
         wire = w.add_wire({.name = "wire",
                            .from = deck,
                            .to = end,
-                           .elements = 2,  // of which one node can move
+                           .elements = 2,  // one of their nodes can move
                            .EA = 3e8,
                            .mass_per_length = 25.0,
                            .axial_damping = 5.0});

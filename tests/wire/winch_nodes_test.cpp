@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Nodes that come and go at a drum: accounts, threads, both ends, contacts, refusals. What the
-/// tension at the fairlead does is in `hawser validate payout`.
+/// Nodes added and removed at a drum: balances, threads, both ends, contacts, errors. `hawser
+/// validate payout` tests the tension at the fairlead.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -84,7 +84,8 @@ TEST(WinchNodes, ComeWithMassBendsAndContacts) {
         }
         EXPECT_EQ(h.w.shapes().size(), 10U) << "between all lumps";
         EXPECT_NEAR(h.material(), whole, 1e-11) << "an account";
-        // The lump next to the drum has none of the element there, all others the whole of one.
+        // The lump next to the drum has no part of the element there; all others have the mass of
+        // one element.
         for (std::size_t i = 2; i + 2 < nodes.size(); ++i)
             EXPECT_NEAR(h.w.body_def(nodes[i]).mass, 2.5 * kMass, 1e-9);
         EXPECT_NEAR(h.w.body_def(end == 0 ? nodes[1] : nodes[nodes.size() - 2]).mass, 1.25 * kMass,
@@ -95,7 +96,7 @@ TEST(WinchNodes, ComeWithMassBendsAndContacts) {
     }
 }
 
-/// Elements that come are longer and heavier than those that are there.
+/// New elements are longer and heavier than the existing ones.
 TEST(WinchNodes, ComeWhereOthersAreShorter) {
     for (const double element : {2.6, 4.0, 7.5}) {
         Hoist h(4, 0, element);
@@ -111,7 +112,7 @@ TEST(WinchNodes, AreTheSameOnAnyThreadsAndAfterRestore) {
     for (const int threads : {1, 2, 4, 8}) {
         Hoist h(4, 0, kDefault, true, threads);
         h.run(3.0, 1.0);
-        // From between two nodes, and from the step before the next one comes.
+        // From a state between two nodes, and from the step before the next one is added.
         while (h.get("at_drum") + 1.0 / 60.0 < 1.5 * 2.5) h.run(1.0 / 60.0, 1.0);
         const auto saved = h.w.save();
         World twin = h.w.twin();
@@ -136,8 +137,8 @@ TEST(WinchNodes, AWireOfOneElementRunsOut) {
     EXPECT_LE(h.w.elements(h.wire).size(), 2U);
 }
 
-/// In mode render the motor went on pulling, so that metres less than none were left at the drum,
-/// and a drum that ran free went on by itself.
+/// In mode render the motor continued to pull, so that the length at the drum became negative. A
+/// free drum continued to turn by itself.
 TEST(WinchNodes, AFreeEndIsHauledInUpToTheFairleadInAnyMode) {
     for (const WinchMode mode :
          {WinchMode::speed, WinchMode::tension, WinchMode::render, WinchMode::free}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Winches at random commands while their wires are cut, joined, let go and given nodes: no
-/// material is lost, the bits do not depend on threads, and structure and state go on in another
-/// world. HAWSER_OPERATIONS says how many operations there are (make test-long: 100,000).
+/// Winches with random commands while their wires are cut, joined and released and get nodes. No
+/// material is lost, and bits do not depend on threads. Structure and state continue in another
+/// world. HAWSER_OPERATIONS is the number of operations (make test-long: 100,000).
 #include <hawser/hawser.h>
 
 #include "support/sanitizer.h"
@@ -75,7 +75,7 @@ InteractionId line_of(const World& w, int winch) {
     return {};
 }
 
-/// All of it but for what hangs on elements that have parted [kg].
+/// Return the mass of all wire except that on broken elements [kg].
 double material(const World& w) {
     double sum = 0.0;
     for (const BodyId id : w.bodies())
@@ -109,7 +109,7 @@ bool finite(const World& w) {
     return true;
 }
 
-/// What a lump that was between two drums has beside its halves of elements, and takes with it
+/// Return the additional mass of a lump that was between two drums, which it keeps
 /// (docs/theory/guides.md) [kg].
 double kept_mass(const World& w, BodyId node) {
     if (w.body_def(node).kind != BodyKind::lump) return 0.0;
@@ -127,7 +127,7 @@ double kept_mass(const World& w, BodyId node) {
 struct Operation {
     std::string what;
     std::function<void(World&)> work;
-    double adds = 0.0;  ///< Mass of gear, less what goes [kg].
+    double adds = 0.0;  ///< Mass of gear added, less that removed [kg].
 };
 
 /// Also such as the world has to refuse.
@@ -191,10 +191,10 @@ std::string outcome(World& w, const Operation& op) {
 struct Tally {
     std::map<std::string, int> done;
     long operations = 0, failed = 0, restores = 0;
-    double worst = 0.0;  ///< Of material, relative.
+    double worst = 0.0;  ///< Largest relative error of material.
 };
 
-/// A world until something ends it, or so many operations.
+/// Run a world until it ends, or for a number of operations.
 void sequence(std::uint32_t seed, long most, Tally& tally) {
     std::mt19937 dice(seed);
     std::vector<World> worlds;
@@ -210,15 +210,16 @@ void sequence(std::uint32_t seed, long most, Tally& tally) {
         ++tally.operations;
         if (said == "done") {
             ++tally.done[op.what];
-            if (owed > 0.0) owed += op.adds;  // else it is not known any more
+            if (owed > 0.0) owed += op.adds;  // else unknown from here on
             ASSERT_NEAR(material(w), had + op.adds, 1e-11 * had) << op.what << " " << seed;
         } else {
             ASSERT_EQ(w.state_hash(), hash) << op.what << ": " << said;
         }
         for (int step = 0; step < 3; ++step) {
             const Status status = w.step();
-            // Cut and divided again and again a wire has lumps of milligrams beside loads of 4 t,
-            // whose elements of micrometres are 1e13 times as stiff as they weigh: a status.
+            // After repeated cuts a wire has lumps of milligrams beside loads of 4 t. Elements of
+            // micrometres are then 1e13 times stiffer than their weight: an error status is
+            // allowed.
             ASSERT_TRUE(status == Status::ok || status == Status::diverged || lightest(w) < 1e-4)
                 << to_string(status) << " " << to_string(w.bad_load(), w) << " after " << op.what
                 << " " << seed;
@@ -262,8 +263,8 @@ TEST(WinchRandom, OperationsKeepMaterialAndBits) {
         EXPECT_GT(tally.done[what], 1) << what;
 }
 
-/// Drums that had hauled in more than their element had: in 332 its node was taken away by others,
-/// and its mass was lost; in 766 its end was let go with mass from nowhere.
+/// Drums that had hauled in more than their element. In 332 other edits removed its node, and its
+/// mass was lost; in 766 its end was released with additional mass.
 TEST(WinchRandom, DrumsThatHaveHauledInAllOfAnElementKeepItsAccount) {
     for (const std::uint32_t seed : {332U, 766U}) {
         Tally tally;

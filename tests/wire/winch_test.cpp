@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Winches in all modes, at the fairlead of a deck, with an end that moves as it is told.
+/// Winches in all modes, at the fairlead of a deck, with an end of prescribed motion.
 #include "wire/winch_deck.h"
 
 #include <utility>
@@ -54,7 +54,7 @@ TEST(Winch, BrakeSlipsAtItsTorqueAndHeatIsItsWork) {
         peak = std::max(peak, std::abs(d.w.force(d.ids.brake)[0]));
         work += std::abs(d.w.force(d.ids.brake)[0]) * (d.w.pose(d.ids.drum).position.x() - angle);
     }
-    d.step(0.5);  // which counts what the last one did
+    d.step(0.5);  // which counts events of the last step
     EXPECT_NEAR(peak, 1.2e6, 1.0);
     EXPECT_NEAR(d.tension() * d.get("radius"), 1.0e6, 5e3);
     EXPECT_NEAR(d.get("heat"), work, 1e-3 * work);
@@ -75,7 +75,7 @@ TEST(Winch, BandHoldsLessAsWireRunsIn) {
     const auto moves = [&](double torque) {
         d.w.set_force(d.ids.drum, {torque, 0, 0}, Vec3::Zero());
         const double before = d.w.pose(d.ids.drum).position.x();
-        d.run(0.5, -1.0);  // slack: nothing else pulls
+        d.run(0.5, -1.0);  // slack: no other force
         return std::abs(d.w.pose(d.ids.drum).position.x() - before) > 1e-4;
     };
     const double back = 1e6 * std::exp(-1.2);
@@ -108,7 +108,7 @@ TEST(Winch, RendersAboveItsBandAndTakesInBelow) {
     def.tension = 4e5;
     def.deadband = 1e5;
     Deck d(def);
-    // Hauled in from slack it comes to rest with a tension within the band.
+    // Hauled in from slack, it stops with a tension within the band.
     d.run(30.0, 0.0);
     EXPECT_EQ(d.state(), WinchState::standing);
     EXPECT_GE(d.tension(), 3e5 - 1.0);
@@ -123,7 +123,7 @@ TEST(Winch, RendersAboveItsBandAndTakesInBelow) {
         return sum;
     };
     EXPECT_EQ(d.count(EventKind::render), 0);
-    // Drawn out it gives way with the upper tension, slackened it takes in with the lower one.
+    // When pulled out it renders at the upper tension; when slackened it hauls in at the lower one.
     EXPECT_NEAR(mean(0.3), 5e5, 5e3);
     EXPECT_EQ(d.state(), WinchState::paying);
     EXPECT_GE(d.count(EventKind::render), 1);
@@ -169,7 +169,7 @@ TEST(Winch, ClutchTakesAlongAMotorThatStood) {
     Deck d(def);
     d.set("clutch", 0.0);
     d.step(0.0);
-    d.w.set_velocity(d.ids.drum, {.linear = {1.0, 0, 0}});  // slack runs out, nothing pulls
+    d.w.set_velocity(d.ids.drum, {.linear = {1.0, 0, 0}});  // slack is paid out, no pull
     d.step(0.0);
     EXPECT_NEAR(d.w.velocity(d.ids.drum).linear.x(), 1.0, 1e-4);
     const double bare = d.get("inertia"), omega = d.w.velocity(d.ids.drum).linear.x();
@@ -216,7 +216,7 @@ TEST(Winch, RefusesWhatIsNoWinch) {
     def = big_winch();
     def.name = "";
     EXPECT_NE(refusal(def).find("name"), std::string::npos);
-    // A method that takes no loads of systems: the wire stays what it was.
+    // A method without loads of systems: the wire is unchanged.
     World sweeping(WorldDef{.nonsmooth = Nonsmooth::pgs});
     const BodyId deck = sweeping.add_body({.name = "deck", .kind = BodyKind::fixed});
     def = big_winch();
@@ -287,9 +287,9 @@ TEST(WinchPower, IsTheLimitOfTorqueTimesSpeed) {
         EXPECT_LE(most, kPower * (1.0 + 1e-5)) << step;
         EXPECT_GE(lowest, -61.0) << "the load is not lost, step " << step;
         const double hangs = kLoad - 4.0 * w.pose(load).position.z();
-        // 2 %: the load still swings on its wire, and the wire's weight falls as it comes in.
+        // 2 %: the load still oscillates on its wire, and the weight of the wire decreases.
         EXPECT_NEAR(w.velocity(load).linear.z(), kPower / (hangs * kG), 0.02) << step;
-        // Braking is bounded by the torque alone: the winch holds the load while it pays out fast.
+        // Only the torque limits braking: the winch holds the load while it pays out fast.
         w.set_system_signal("winch.speed", 2.0);
         run(6.0);
         const double radius = w.system_signal("winch.radius");
@@ -297,8 +297,8 @@ TEST(WinchPower, IsTheLimitOfTorqueTimesSpeed) {
     }
 }
 
-/// A winch that renders about the load's weight hauls with at most its power, although both of its
-/// tensions ask for more: the load rises with v = P/T.
+/// A winch that renders at about the weight of the load hauls with at most its power, although both
+/// tensions require more: the load rises with v = P/T.
 TEST(WinchPower, HoldsWhileAWinchRenders) {
     constexpr double kPower = 4e3, kLoad = 3400.0, kG = 9.81;
     for (const double step : {1.0 / 240.0, 1.0 / 60.0, 1.0 / 30.0}) {

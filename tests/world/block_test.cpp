@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One block on a floor: more points than forces can be told apart, and friction at its limit.
+/// One block on a floor: contact forces are not unique, and friction is at its limit.
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>
@@ -59,7 +59,7 @@ TEST(Block, FourPointsOfAFaceShareItsWeightEqually) {
     }
 }
 
-/// Pushed by μ m g times `share`, at the height of its centre. @return way in 2 s [m].
+/// Push with μ m g times `share`, at the height of its centre. @return way in 2 s [m].
 double pushed_way(double share, double& speed) {
     BodyId block;
     World w = block_on_floor(block);
@@ -78,11 +78,11 @@ double pushed_way(double share, double& speed) {
 TEST(Block, ExactlyAtTheLimitOfFrictionItNeitherFailsNorRunsAway) {
     double speed = 0.0;
     const double h = 1.0 / 60.0, limit = kBlockFriction * 9.81;
-    // Below the limit the bristles give way: F/(4 k_t), k_t = 0.7 × 5e7 N/m.
+    // Below the limit the tangential springs deflect: F/(4 k_t), k_t = 0.7 × 5e7 N/m.
     const double give = limit * kBlockMass / (4.0 * 0.7 * 5e7);
     EXPECT_LT(pushed_way(0.9, speed), 4.0 * give);
     EXPECT_NEAR(speed, 0.0, 1e-9);
-    // At the limit nothing is left to slow it down but what a step's bristles hold.
+    // At the limit only the tangential springs of one step can slow it down.
     for (const double share : {1.0 - 1e-12, 1.0, 1.0 + 1e-12}) {
         EXPECT_LT(pushed_way(share, speed), 1e-3) << share;
         EXPECT_LT(std::abs(speed), limit * h) << share;  // one step without friction
@@ -92,8 +92,8 @@ TEST(Block, ExactlyAtTheLimitOfFrictionItNeitherFailsNorRunsAway) {
     EXPECT_NEAR(speed, 0.1 * limit * 2.0, 0.1 * limit * h);
 }
 
-/// One of eight blocks is pushed: the step's second factorisation is of its contacts alone, and
-/// finds what it finds for a single block.
+/// One of eight blocks is pushed. The second factorisation of the step covers its contacts alone
+/// and has the same result as for a single block.
 TEST(Block, IterationsFactorWhatChangedOnly) {
     const Vec3 push(2.0 * kBlockFriction * kBlockMass * 9.81, 0.0, 0.0);
     BodyId single;
@@ -114,7 +114,7 @@ TEST(Block, IterationsFactorWhatChangedOnly) {
     EXPECT_LE(w.stats().natural_map, w.settings().contact_tolerance);
     const Twist expected = alone.velocity(single), pushed = w.velocity(blocks[3]);
     EXPECT_GT(expected.linear.x(), 0.01);
-    // The same equations with other numbers beside them: the tolerance of the iterations.
+    // Differences come from the tolerance of the iterations.
     EXPECT_LT((pushed.linear - expected.linear).norm(), 1e-6 * expected.linear.norm());
     EXPECT_LT((pushed.angular - expected.angular).norm(), 1e-6 * expected.linear.norm());
     for (std::size_t i = 0; i < blocks.size(); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// World::coordinate(), speed() and motor_force(): of poses made by hand, whose angles and ways are
-/// known, and of steps, against differences of coordinates.
+/// World::coordinate(), speed() and motor_force(). Poses with known angles and ways, and
+/// differences of coordinates in steps, are the references.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(Coordinates, AnglesAreThoseOfTheFrames) {
             // Rounding of a handful of rotations.
             EXPECT_NEAR(pair.world.coordinate(pair.id), angle, 1e-14) << kind_info(kind).name;
         }
-    // Beyond half a turn it goes on from the other side.
+    // Beyond half a turn it continues from the other side.
     EXPECT_NEAR(JointPair(Hinge, 3.3, 0.0).world.coordinate({0}), 3.3 - 2.0 * std::numbers::pi,
                 1e-14);
 }
@@ -95,8 +95,8 @@ TEST(Coordinates, OfAClutchItIsThatOfTheSecondBodyAgainstTheFirst) {
     EXPECT_EQ(world.speed(id), 0.4);
 }
 
-/// The speed is the derivative of the coordinate along the motion that the velocities say: by
-/// central differences of poses that are moved by hand, whose error is of order e².
+/// The speed is the derivative of the coordinate along the motion given by the velocities.
+/// Reference: central differences of poses, with an error of order e².
 TEST(Coordinates, SpeedsAreTheirDerivatives) {
     using enum InteractionKind;
     for (const InteractionKind kind : {Hinge, HingeMotor, HingeRange, HingeFriction, Prismatic,
@@ -124,8 +124,8 @@ TEST(Coordinates, SpeedsAreTheirDerivatives) {
     }
 }
 
-/// A motor of a hinge holds a speed against a torque: force, speed and coordinate agree with what
-/// is known of it.
+/// The motor of a hinge holds a speed against a torque: force, speed and coordinate have known
+/// values.
 TEST(Coordinates, AMotorTurnsAtItsSpeed) {
     World world({.step = 1.0 / 100.0, .gravity = {0, 0, 0}});
     const BodyId ground = world.add_body({.kind = BodyKind::fixed});
@@ -138,7 +138,7 @@ TEST(Coordinates, AMotorTurnsAtItsSpeed) {
     EXPECT_NEAR(world.speed(motor), 0.5, 1e-9);
     // From rest, the staggered start loses half a step of motion.
     EXPECT_NEAR(world.coordinate(motor), 0.5, 0.5 / 100.0 + 1e-9);
-    EXPECT_NEAR(world.motor_force(motor), 3.0, 1e-8);  // it holds against −3 N m
+    EXPECT_NEAR(world.motor_force(motor), 3.0, 1e-8);  // it balances −3 N m
 }
 
 std::string coordinate_refusal(const auto& call) {

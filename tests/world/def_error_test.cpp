@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Each bad definition is refused with a DefError that names the field, and leaves nothing.
+/// Each bad definition is rejected with a DefError that names the field, and changes nothing.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 const double kNan = std::nan("");
 
-/// Run f and return the message of its DefError; "" when it throws nothing.
+/// Run f and return the message of its DefError; "" if none is thrown.
 std::string refused(const std::function<void()>& f) {
     try {
         f();
@@ -119,7 +119,7 @@ TEST(DefError, TooManyBodiesAndInteractions) {
 class BadInteractions : public testing::Test {
   protected:
     BadInteractions() : w(r.make()) {}
-    /// The message must contain `word`, and nothing may be added.
+    /// Check that the message contains `word`, and that no object is added.
     void expect_refused(const InteractionDef& d, const std::string& word) {
         const std::string message = refused([&] { w.add_interaction(d); });
         EXPECT_NE(message.find(word), std::string::npos) << "wanted '" << word << "': " << message;
@@ -186,8 +186,7 @@ TEST_F(BadInteractions, Values) {
     expect_refused(d.set("force_min", -1.0).set("force_max", 1.0).set("speed", 1e9), "speed");
 }
 
-/// Every parameter of every kind: below its minimum, above its maximum, not a number where it
-/// has no default.
+/// Every parameter of every kind: below its minimum, above its maximum, NaN without a default.
 TEST_F(BadInteractions, EveryParameterIsChecked) {
     for (const KindInfo& info : interaction_kinds()) {
         std::vector<BodyId> ids;

@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// Of the order of 10^low to 10^high.
+/// Return a random number between 10^low and 10^high, log-uniform.
 double magnitude(Random& r, double low, double high) {
     return std::pow(10.0, r.uniform(low, high));
 }
@@ -162,7 +162,7 @@ void try_round(int round, Count& count) {
     }
 }
 
-/// Where the trial step of a start fails, its residual was no number, and was told as it was.
+/// If the trial step of a start failed, its residual was not a number and was reported as such.
 TEST(DegenerateFuzz, AStartThatFailsTellsNumbers) {
     Count count;
     try_round(2974, count);
@@ -177,8 +177,8 @@ TEST(DegenerateFuzz, EndsWithAStatusAndAFiniteState) {
     const auto [steps, failed, contacts] = count;
     std::printf("    %d steps, %d failed, %d contacts\n", steps, failed, contacts);
     EXPECT_GT(contacts, 5 * steps);
-    // Four of 2,000 do here. What may fail is a matrix of masses from a milligram to 1,000 t whose
-    // pivots drown in rounding, which goes another way with each instruction set.
+    // Here 4 of 2,000 fail. A matrix of masses from 1 mg to 1,000 t may fail, since rounding
+    // dominates its pivots and differs with the instruction set.
     EXPECT_LE(failed, steps / 500);
 }
 

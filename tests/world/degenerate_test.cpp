@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// What a method made of a case.
+/// Result of a method on a case.
 struct Fate {
     int failed = 0, uncertified = 0;
     double worst_map = 0.0, fastest = 0.0;
@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// The rotation's equation is solved by a few iterations, which far above h|ω| = 1 do not end.
 TEST(Degenerate, SpinFarAboveTheStepGainsNoEnergy) {
-    for (double spin = 1.0; spin <= 1e5; spin *= 10.0) {  // no faster one is taken
+    for (double spin = 1.0; spin <= 1e5; spin *= 10.0) {  // higher speeds are rejected
         WorldDef def{.on_diverged = OnDiverged::warn};
         def.gravity.setZero();
         Yard y(def);
@@ -71,7 +71,7 @@ TEST(Degenerate, SpinFarAboveTheStepGainsNoEnergy) {
             ASSERT_EQ(y.world.step(), Status::ok);
             most = std::max(most, y.world.energy().mechanical());
         }
-        // Its solutions gain and lose energy: by 1.26 where h|ω| is 17.
+        // Its solutions gain and lose energy: by 1.26 at h|ω| = 17.
         EXPECT_LE(most, 1.5 * before) << spin << " rad/s";
     }
 }

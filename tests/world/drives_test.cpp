@@ -10,7 +10,7 @@
 namespace hawser::test {
 namespace {
 
-/// What the balance of energy leaves unexplained between two states [J].
+/// Return the unexplained part of the energy balance between two states [J].
 double unexplained(const Energy& a, const Energy& b) {
     return b.mechanical() - a.mechanical() - (b.applied - a.applied) - (b.driven - a.driven) +
            (b.dissipated - a.dissipated);
@@ -66,12 +66,13 @@ TEST(Drives, AWinchThatHaulsAMassBalances) {
     EXPECT_NEAR(end.driven - start.driven, Winch::kMass * 9.81 * lift, 1e3) << "of 25 kJ";
     EXPECT_EQ(end.applied, 0.0);
     EXPECT_EQ(end.dissipated, 0.0);
-    // What is left is the motor's compliance, 1e-12 rad/s/(N m), which takes λ²γ/h, and that the
+    // Two parts remain. The compliance of the motor, 1e-12 rad/s/(N m), dissipates λ²γ/h. The
     // strain energy on the drum changes with the stiffness once a step: 3e-4 of the work measured.
     EXPECT_LT(std::abs(unexplained(start, end)), 1e-3 * (end.driven - start.driven));
 }
 
-/// A winch hauls in a line with damping: only the line's damping is left, and it takes energy.
+/// A winch hauls in a line with damping: only the damping of the line remains, and it is
+/// dissipative.
 TEST(Drives, TheLinesDampingIsWhatIsLeft) {
     const Winch parts = winch(0.05);
     World w = parts.recipe.make();
@@ -84,8 +85,8 @@ TEST(Drives, TheLinesDampingIsWhatIsLeft) {
     for (int i = 0; i < 300; ++i) ASSERT_EQ(w.step(), Status::ok);
     const double left = unexplained(still, w.energy());
     EXPECT_LT(left, 0.0);
-    // A jerk to 0.8 m/s of 500 kg: 160 J are all that can oscillate and be damped, twice that with
-    // what the motor puts in during the jerk.
+    // A jerk of 500 kg to 0.8 m/s: at most 160 J can oscillate and be damped, twice that with the
+    // work of the motor during the jerk.
     EXPECT_GT(left, -330.0);
 }
 
@@ -106,7 +107,7 @@ TEST(Drives, AHingeMotorThatLiftsABarBalances) {
     const double lift = 3.0 * 9.81 * 0.5 * (std::sin(0.25 + angle) - std::sin(0.25));
     EXPECT_NEAR(end.driven - start.driven, lift, 0.02 * lift)
         << "steady speed: all goes into height";
-    // The hinge lags by h²v²(1 + 2n)/4L (A.2.5), here 4e-5 m, and its damping takes energy.
+    // The hinge lags by h²v²(1 + 2n)/4L (A.2.5), here 4e-5 m, and its damping dissipates energy.
     EXPECT_LT(std::abs(unexplained(start, end)), 2e-3 * lift);
     (void)id;
 }
@@ -131,15 +132,17 @@ TEST(Drives, AShortenedLineBalancesAndKeepsItsStiffness) {
     const Energy end = w.energy();
     const double weight = 500.0 * 9.81;
     EXPECT_NEAR(-w.force(line)[0], weight, 1e-6);
-    // T L/EA with the length that is left: 5 m give 24.5 mm; the 20 m of the start gave 98.1 mm.
+    // T L/EA with the remaining length: 5 m give 24.5 mm; the initial 20 m gave 98.1 mm.
     EXPECT_NEAR(w.violation(line)[0], weight * 5.0 / 1e6, 1e-9);
     EXPECT_LE(w.stats().stretch_error_max, 1e-9);
     const double left = unexplained(start, end), work = end.driven - start.driven;
-    // Lifted by 15 m less the stretch that is gone; the strain energy of the line goes with it.
+    // Lifted by 15 m less the decrease of stretch, which also reduces the strain energy of the
+    // line.
     const double stored = weight * (15.0 + 0.0981 - 0.0245) - 0.5 * weight * (0.0981 - 0.0245);
     EXPECT_NEAR(work + left, stored, 50.0);
-    // Lengths change in jumps, of which the row's damper τ EA/L knows nothing: it works against the
-    // whole shortening at w = 1 m/s. Integrated, τ w EA ln(20/5); the jerks add some per cent.
+    // Lengths change in steps, which the damper of the row, τ EA/L, does not see. It works against
+    // the whole shortening at w = 1 m/s. The integral is τ w EA ln(20/5); the jerks add some per
+    // cent.
     EXPECT_NEAR(left, -0.02 * 1e6 * std::log(4.0), 0.05 * 0.02 * 1e6 * std::log(4.0));
 }
 
@@ -193,7 +196,7 @@ TEST(Drives, AppliedForceAndDragBalanceExactly) {
     (void)b;
 }
 
-/// A motor that holds less than the load weighs lets it down at (m g r − T) / (J + m r²).
+/// A motor with less torque than the load requires lowers it at (m g r − T) / (J + m r²).
 TEST(Drives, AMotorAtTheEndOfItsRangeGivesWay) {
     constexpr double kTorque = 1500.0;  // holding 500 kg takes 1962 N m
     Winch parts = winch(0.05);
@@ -217,14 +220,14 @@ TEST(Drives, AMotorAtTheEndOfItsRangeGivesWay) {
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_TRUE(saturations().empty()) << "it goes on, it does not begin";
     constexpr double m = Winch::kMass, r = Winch::kRadius;
-    // What is paid out stretches by T/EA, 0.4 %.
+    // The paid-out line stretches by T/EA, 0.4 %.
     const double strain = m * (9.81 - 4.2 * r) / Winch::kEA;
     const double exact = (m * 9.81 * r - kTorque) / (30.0 + m * r * r * (1.0 + strain));
     EXPECT_NEAR(w.velocity(parts.drum).linear.x() - before, exact, 1e-4 * exact);
     EXPECT_NEAR(std::abs(w.force(parts.motor)[0]), kTorque, 1e-9);
     const Energy end = w.energy();
     EXPECT_NEAR(unexplained(start, end) / (end.driven - start.driven), 0.0, 1e-3);
-    // A lighter load is held: the motor brings the drum to the speed asked for, with all it has.
+    // A lighter load is held: the motor brings the drum to the requested speed at full torque.
     w.set_force(parts.load, {0, 0, 3000}, {0, 0, 0});
     w.set_input(speed, 0.5);
     for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok);
@@ -233,7 +236,7 @@ TEST(Drives, AMotorAtTheEndOfItsRangeGivesWay) {
     w.set_force(parts.load, {0, 0, 0}, {0, 0, 0});
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_GE(saturations().size(), 1U) << "it began anew";
-    // A restored world does not report again what had begun before, and goes on alike.
+    // A restored world does not repeat events that began before the save, and continues equally.
     World again = parts.recipe.make();
     (void)drive(again, parts.motor, "speed");
     again.restore(w.save());

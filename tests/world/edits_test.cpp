@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What comes and goes between steps: ids, what hangs on what, energy, sleep, the same bits.
+/// Additions and removals between steps: ids, attached objects, energy, sleep, equal bits.
 #include <hawser/hawser.h>
 
 #include "support/recipe.h"
@@ -55,7 +55,7 @@ TEST(Edits, AnIdOfWhatIsGoneNamesNothingElse) {
     }
     EXPECT_TRUE(w.alive(a));
     EXPECT_TRUE(w.alive(c));
-    // Another kind of body does not fit into its place.
+    // Another kind of body does not reuse its index.
     (void)w.remove_body(d);
     const BodyId drum = w.add_body({.kind = BodyKind::scalar, .mass = 1.0});
     EXPECT_EQ(drum.index, 3);
@@ -98,8 +98,8 @@ TEST(Edits, WhatHangsOnABodyGoesWithIt) {
     EXPECT_NEAR(w.velocity(c).linear.z() - before, -9.81 * h, 1e-12);
 }
 
-/// What was added and removed again leaves no trace beyond what the analysis chooses by the poses
-/// of its step: floors of rigid rows, a billionth of their mobility, in a chain that whips.
+/// An object added and removed again leaves no trace, except where the analysis depends on poses:
+/// the floors of rigid rows, 1e-9 of their mobility, in a whipping chain.
 TEST(Edits, WhatCameAndWentChangesNothing) {
     const Recipe chain = link_chain(6);
     World plain = chain.make(), edited = chain.make();
@@ -119,7 +119,7 @@ TEST(Edits, WhatCameAndWentChangesNothing) {
     EXPECT_EQ(edited.stats().equations, plain.stats().equations);
 }
 
-/// Energy that comes and goes is booked, so that the balance goes on closing.
+/// Energy of edits is accounted for, so that the balance closes.
 TEST(Edits, TheEnergyBalanceClosesOverEdits) {
     World w({.on_diverged = OnDiverged::warn});
     const BodyId g = w.add_body({.name = "ground", .kind = BodyKind::fixed});
@@ -152,7 +152,7 @@ TEST(Edits, TheEnergyBalanceClosesOverEdits) {
     InteractionDef d;
     d.kind = InteractionKind::Stretch;
     d.body = {node[3], h};
-    (void)w.add_interaction(d.set("EA", 2e4).set("length", 0.98));  // comes stretched
+    (void)w.add_interaction(d.set("EA", 2e4).set("length", 0.98));  // added with stretch
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_NEAR(sum(), start, 2e-2 * std::max(scale, w.energy().kinetic)) << "a stretched one";
     EXPECT_EQ(w.verdict().grade, Grade::good);
@@ -165,7 +165,7 @@ TEST(Edits, OnlyWhatAnEditTouchesWakes) {
     y.run(600);
     ASSERT_EQ(y.asleep(), "zzzzzzzzz");
     const std::uint64_t hash = y.w.state_hash();
-    // Far away, and joined to nothing.
+    // Far away, without interactions.
     const BodyId far = y.w.add_body(
         {.name = "far", .kind = BodyKind::lump, .position = {500, 0, 50}, .mass = 1.0});
     ASSERT_EQ(y.w.step(), Status::ok);
@@ -176,8 +176,8 @@ TEST(Edits, OnlyWhatAnEditTouchesWakes) {
     EXPECT_EQ(y.asleep().substr(0, 9), "zzzzzzzzz");
 }
 
-/// What a new shape wakes is what is near it now, not what was near before the last step: a twin
-/// knows nothing of that.
+/// A new shape wakes bodies that are near it now, independent of earlier steps: a twin has no such
+/// past.
 TEST(Edits, WhatIsNearDoesNotDependOnStepsBefore) {
     WorldDef def;
     def.sleep_after = 0.2;
@@ -196,7 +196,7 @@ TEST(Edits, WhatIsNearDoesNotDependOnStepsBefore) {
     const BodyId body = w.add_body(drifting);
     w.add_shape({.kind = ShapeKind::sphere, .body = body, .radius = radius});
     for (int i = 0; i < 5; ++i) ASSERT_EQ(w.step(), Status::ok);
-    // Where the boxes meet, some steps' ways before and behind.
+    // Positions at which the boxes meet, with some steps before and after.
     const double way = slow * def.step,
                  meets = w.pose(body).position.x() + way + 2.0 * radius + def.contact_margin;
     for (int k = -10; k <= 10; ++k) {
@@ -212,8 +212,8 @@ TEST(Edits, WhatIsNearDoesNotDependOnStepsBefore) {
     }
 }
 
-/// What comes and goes again and again takes the memory that it had, and the order of elimination
-/// is repaired, not made anew.
+/// Repeated additions and removals reuse memory, and the order of elimination is repaired, not
+/// computed anew.
 TEST(Edits, GrowNothingOnceWarm) {
     World w = wire(120).make();
     for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);

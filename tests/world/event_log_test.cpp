@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What lines do by the thousand pushes nothing else out of the log of events.
+/// Thousands of events of lines do not displace other events from the log.
 #include "context/events.h"
 
 #include "support/recipe.h"
@@ -25,7 +25,7 @@ TEST(EventLog, SlackAndTautPushNothingElseOut) {
     EXPECT_EQ(events.front().kind, EventKind::line_break);
     EXPECT_EQ(events[1].kind, EventKind::saturation);
     EXPECT_EQ(events.back().time, 3e5);
-    // In the order in which they happened, whatever their kind.
+    // In order of time, for all kinds.
     for (std::size_t i = 1; i < events.size(); ++i) EXPECT_LE(events[i - 1].time, events[i].time);
     EXPECT_TRUE(log.take().empty());
 }

@@ -40,7 +40,7 @@ TEST(Events, ALineBreaksAboveItsLoadAndStaysBroken) {
     EXPECT_EQ(w.stats().event_count[static_cast<std::size_t>(EventKind::line_break)], 1);
 }
 
-/// Thrown up on a rope: slack on the way, taut when it comes back. It never pushes.
+/// Thrown upwards on a rope: slack on the way, taut on return. The rope never pushes.
 TEST(Events, ARopeGoesSlackAndTaut) {
     Recipe r;
     const BodyId g = r.ground(), b = r.lump({0, 0, -1}, 10.0);
@@ -67,7 +67,7 @@ TEST(Events, ARopeGoesSlackAndTaut) {
     EXPECT_GT(events.at(EventKind::taut)[0].value, 0.0);
 }
 
-/// Turned into a ring: with tension_only = 0 the same element pushes and nothing is reported.
+/// With tension_only = 0 the same element pushes, and no event is reported.
 TEST(Events, AnElementThatMayPushReportsNothing) {
     Recipe r;
     const BodyId g = r.ground(), b = r.lump({0, 0, 1}, 10.0);
@@ -154,7 +154,7 @@ TEST(Inputs, RefuseWhatPhysicsCannotFollow) {
     EXPECT_EQ(w.input(in), 0.0);
 }
 
-/// A motor whose smallest force is above its largest one is none that add_interaction() accepts.
+/// A motor with a minimum force above its maximum is rejected by add_interaction().
 TEST(Inputs, RefuseAnEmptyRangeOfForces) {
     Recipe r;
     const BodyId a = r.add({.name = "a", .kind = BodyKind::fixed});
@@ -174,7 +174,7 @@ TEST(Inputs, RefuseAnEmptyRangeOfForces) {
     EXPECT_EQ(w.step(), Status::ok);
 }
 
-/// An input may never set what add_interaction() refuses.
+/// An input must not set a value that add_interaction() rejects.
 TEST(Inputs, KeepToTheRangeOfTheParameter) {
     World w = pendulum().make();
     InputDef def;
@@ -210,8 +210,8 @@ TEST(Kinematic, MovesAsPrescribedWhateverPulls) {
     EXPECT_NEAR(w.velocity(cart).linear.x(), 1.0, 0.0);
 }
 
-/// On a steadily rising carrier a mass hangs in equilibrium: the spring energy at the half step
-/// must not see the carrier's own motion.
+/// A mass hangs in equilibrium on a steadily rising carrier. The spring energy at the half step
+/// must not include the motion of the carrier.
 TEST(Kinematic, EnergyIsTakenAtTheHalfStepOfTheCarrierToo) {
     Recipe r;
     const BodyId cart =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Continuous detection as a world uses it: what would be far beyond a thin obstacle after one step
-/// stays on its own side of it (docs/collision.md).
+/// Continuous detection in a world: a body that would be far beyond a thin obstacle after one step
+/// remains on its side (docs/collision.md).
 #include "support/sanitizer.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,8 @@ namespace {
 constexpr int kFastSteps = 10;
 constexpr double kWireRadius = 0.0025, kElement = 0.5;
 
-/// Lumps of 0.1 kg from `from` on, every `apart`, joined by elements; the ends fixed or free.
+/// Add lumps of 0.1 kg from `from` on, with distance `apart`, joined by elements; ends fixed or
+/// free.
 std::vector<BodyId> add_fast_wire(World& w, int nodes, const Vec3& from, const Vec3& apart,
                                   const Vec3& velocity, double length, bool held) {
     std::vector<BodyId> wire;
@@ -45,8 +46,8 @@ std::vector<BodyId> add_fast_wire(World& w, int nodes, const Vec3& from, const V
     return wire;
 }
 
-/// Height of the middle element of `upper` over `lower` where they cross, seen from above; NaN:
-/// they do not.
+/// Return the height of the middle element of `upper` over `lower` at their crossing, from above;
+/// NaN: they do not cross.
 double height_at_crossing(const World& w, const std::vector<BodyId>& upper,
                           const std::vector<BodyId>& lower) {
     const std::size_t middle = upper.size() / 2;
@@ -79,8 +80,8 @@ void expect_held(double speed, double step, const Eigen::Vector2d& aside, double
         ASSERT_EQ(w.step(), Status::ok) << i;
         ASSERT_LE(w.stats().natural_map, def.contact_tolerance) << i;
         touching += w.stats().contacts > 0 ? 1 : 0;
-        // Two radii, less what the spring of 5e7 N/m gives: 50 kN at 300 m/s, a millimetre; and
-        // less what an element that turns takes from the height over the point of contact.
+        // Two radii, less two reductions. The spring of 5e7 N/m deflects: 50 kN at 300 m/s, 1 mm.
+        // An element that turns reduces the height over the point of contact.
         ASSERT_GT(height_at_crossing(w, falling, taut), 0.0) << i;
     }
     EXPECT_GE(touching, least);  // they meet, and part
@@ -97,10 +98,10 @@ TEST(FastContact, WiresHoldEachOtherAtTwentyFiveThicknessesAStepAndMore) {
                 }
 }
 
-/// At 60 Hz they would be 0.8 and 5 m apart after a step. What is struck off its middle turns by
-/// more than a radian in the next step and may then swing past.
+/// At 60 Hz they would be 0.8 and 5 m apart after a step. A body struck off its centre turns by
+/// more than 1 rad in the next step and may then pass.
 TEST(FastContact, WiresHoldEachOtherAtSixtyHertz) {
-    // 50 ms, three times what 50 m/s takes with steps that follow it.
+    // 50 ms: three times the duration at 50 m/s with resolved steps.
     constexpr int kSteps = 3;
     for (const double height : {0.02, 0.3}) {
         expect_held(50.0, 1.0 / 60.0, {0.0, 0.0}, height, kSteps);

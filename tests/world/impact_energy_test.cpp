@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A slender rod strikes a floor with one end: Newton's law of restitution with friction can create
-/// energy there (T. R. Kane, 1984), and the stage of impacts must not take such a bounce.
+/// A slender rod strikes a floor with one end. Newton's law of restitution with friction can create
+/// energy (T. R. Kane, 1984); the impact stage must reject such a bounce.
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>
@@ -14,7 +14,7 @@ namespace {
 constexpr double kHalfLength = 0.5, kRodRadius = 0.01, kInertia = kHalfLength * kHalfLength / 3.0;
 
 struct Strike {
-    double angle;  ///< Of the rod from the vertical [rad].
+    double angle;  ///< Angle of the rod from the vertical [rad].
     double along;  ///< Speed along the floor [m/s]; it falls at 1 m/s.
     double friction, restitution;
 };

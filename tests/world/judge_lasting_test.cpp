@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Ranges that do not hold and bodies that lie in each other end a run; what strikes the end of a
-/// range, or falls, does not.
+/// Ranges that do not hold and bodies that overlap end a run. A body that hits the end of a range,
+/// or falls, does not.
 #include <hawser/hawser.h>
 #include <hawser/limits.h>
 
@@ -60,7 +60,7 @@ TEST(JudgeLasting, AMotorThatPushesBeyondARangeEndsTheRun) {
 }
 
 TEST(JudgeLasting, WhatStrikesTheEndOfItsRangeIsGood) {
-    // In a step it goes 0.033 rad beyond, 14 mm at its edge: more than what is doubtful.
+    // In a step it moves 0.033 rad beyond, 14 mm at its edge: more than the limit for doubtful.
     Wheel m(2.0);
     m.range("stop", -0.3, 0.3);
     ASSERT_EQ(run(m.world, 240), Status::ok);

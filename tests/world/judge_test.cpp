@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a world vouches for: states that cannot be end a run, are named, and come out the same
-/// after restoring.
+/// Verdict of a world: impossible states end a run, are named, and are the same after a restore.
 #include "support/recipe.h"
 
 #include <hawser/limits.h>
@@ -35,7 +34,8 @@ struct Boxes {
     }
 };
 
-/// Steps until one is not ok, at most so many. @return the status of the last one.
+/// Step until one is not ok, or the number of steps is reached. @return the status of the last
+/// step.
 Status run(World& w, int steps) {
     Status status = Status::ok;
     for (int i = 0; i < steps && status == Status::ok; ++i) status = w.step();
@@ -101,9 +101,9 @@ TEST(Judge, AJointThatStartsOpenMayClose) {
     EXPECT_EQ(w.verdict().grade, Grade::good) << to_string(w.verdict().judge);
 }
 
-/// One that takes several steps to close is said to stand open, but not refused.
+/// A joint that takes several steps to close is reported as open but not rejected.
 TEST(Judge, AJointThatStartsOpenAndStaysSoIsDoubtful) {
-    World w = open_rod(Nonsmooth::pivoting);  // which closes no poses
+    World w = open_rod(Nonsmooth::pivoting);  // which does not correct poses
     ASSERT_EQ(run(w, 120), Status::ok);
     const Verdict v = w.verdict();
     EXPECT_EQ(v.grade, Grade::doubtful);
@@ -112,9 +112,9 @@ TEST(Judge, AJointThatStartsOpenAndStaysSoIsDoubtful) {
     EXPECT_LT(w.stats().violation_max, limit::kOpen.doubtful);
 }
 
-/// A body on a short rod that whips round its lowest point within two steps: energy swings by 3 %
-/// of what was exchanged there, for those two, and has lost half a per cent afterwards. Each
-/// halving of the step takes three quarters of the swing.
+/// A body on a short rod whips around its lowest point within two steps. For these two, energy
+/// oscillates by 3 % of the energy exchanged there; afterwards 0.5 % is lost. Each halving of the
+/// step reduces the oscillation by three quarters.
 TEST(Judge, EnergyThatSwingsForTwoStepsIsNotCreated) {
     Recipe r;
     r.world.step = 0.01024;
@@ -144,7 +144,7 @@ TEST(Judge, EnergyThatSwingsForTwoStepsIsNotCreated) {
     EXPECT_EQ(w.verdict().grade, Grade::good) << to_string(w.verdict().judge);
 }
 
-/// The judge's sums are part of the state: a restored world refuses the same step.
+/// The sums of the energy check are part of the state: a restored world rejects the same step.
 TEST(Judge, ARestoredWorldGivesTheSameVerdict) {
     Recipe r = Boxes().contradict().recipe;
     r.world.on_diverged = OnDiverged::stop;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Inputs whose force turns with the body, and what an input declares for clients.
+/// Inputs whose force turns with the body, and their data for clients.
 #include <hawser/hawser.h>
 
 #include "support/recipe.h"
@@ -47,8 +47,8 @@ TEST(LocalInputs, PushWhereTheBodyLooks) {
     EXPECT_NEAR(v.angular.z(), 0.5 * kShipStep * 1.5 / 3.0, 1e-15);
 }
 
-/// Against a world whose applied force is set before every step to what the pose says, beside a
-/// constant force that both have.
+/// Compare with a world whose applied force is set before every step according to the pose. Both
+/// have an additional constant force.
 TEST(LocalInputs, TurnWithTheBodyAndAddToWhatElseActs) {
     World ours = spinning_ship(0.3, 1.7), other = spinning_ship(0.3, 1.7);
     const InputId along = ours.add_input(thrust(0)), side = ours.add_input(thrust(1));

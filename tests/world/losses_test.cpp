@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Energy that rows take: the damping of springs, lines that come taut and part.
+/// Energy dissipated by rows: the damping of springs, lines that come taut and break.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -9,14 +9,14 @@
 namespace hawser::test {
 namespace {
 
-/// What the balance of energy leaves not_booked between two states [J].
+/// Return the unexplained part of the energy balance between two states [J].
 double not_booked(const Energy& a, const Energy& b) {
     return b.mechanical() - a.mechanical() - (b.applied - a.applied) - (b.driven - a.driven) +
            (b.dissipated - a.dissipated) + (b.damped - a.damped);
 }
 
-// Motions along a line are linear, so that nothing is left but round-off: some hundred steps of
-// sums of 1 kJ.
+// Motions along a line are linear, so that only round-off remains: some hundred steps with sums of
+// 1 kJ.
 constexpr double kNothing = 1e-9;
 
 TEST(Losses, ADampedSpringLosesWhatADashpotTakes) {
@@ -41,7 +41,7 @@ TEST(Losses, ADampedSpringLosesWhatADashpotTakes) {
         before = now;
         ASSERT_NEAR(not_booked(start, w.energy()), 0.0, kNothing);
     }
-    // It was let go 0.275 m below its rest: 152 J, of which nothing is left after 3.3 s.
+    // It was released 0.275 m below equilibrium: 152 J, all dissipated after 3.3 s.
     EXPECT_NEAR(w.energy().damped - start.damped, dashpot, kNothing);
     EXPECT_GT(dashpot, 100.0);
 }

@@ -7,8 +7,8 @@
 namespace hawser::test {
 namespace {
 
-/// A motor at one end of its range is told to turn back: it passes to the other end at once,
-/// although what it may give in a step is far less than what it is to change.
+/// A motor at one end of its range is reversed. It changes to the other end at once, although its
+/// maximum impulse in a step is far less than the change of momentum.
 TEST(MotorRange, IsCrossedFromOneEndToTheOther) {
     Recipe r;
     const BodyId drum = r.scalar(0.0, 30.0);
@@ -30,8 +30,8 @@ TEST(MotorRange, IsCrossedFromOneEndToTheOther) {
     }
 }
 
-/// A clutch takes one drum along by another with the torque that it holds, and then they turn as
-/// one: J₁ ω / (J₁ + J₂), whatever it slipped.
+/// A clutch accelerates a drum by another one with its torque limit. Then both turn together: J₁ ω
+/// / (J₁ + J₂), for any slip.
 TEST(MotorRange, AClutchSlipsUntilBothTurnAsOne) {
     Recipe r;
     const BodyId wheel = r.scalar(0.0, 30.0), chain = r.scalar(0.0, 20.0);
@@ -53,8 +53,8 @@ TEST(MotorRange, AClutchSlipsUntilBothTurnAsOne) {
     EXPECT_NEAR(w.velocity(chain).linear.x(), 1.2, 1e-9);
 }
 
-/// The range of a motor's force need not have 0 in it: a winch that holds between one tension and
-/// another. It gives the end that is against its motion, whichever way that is, and stands between.
+/// The range of the force of a motor need not contain 0: a winch holds between two tensions. It
+/// exerts the limit that opposes its motion, in either direction, and stands in between.
 TEST(MotorRange, MayLieOnOneSideOfZero) {
     Recipe r;
     const BodyId drum = r.scalar(0.0, 30.0);
@@ -82,7 +82,7 @@ TEST(MotorRange, MayLieOnOneSideOfZero) {
     expect_force(9.0, 0.0, -9.0);
 }
 
-/// One that may give no force is off, not at the end of what it may give.
+/// A motor with a maximum force of 0 is off, not saturated.
 TEST(MotorRange, OfNothingIsNotSaturated) {
     Recipe r;
     const BodyId drum = r.scalar(0.0, 30.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Outputs: values against poses made by hand and what else the world says, the same bits after a
-/// restore and on two threads, and what is refused.
+/// Outputs: values against known poses and other functions of World, equal bits after a restore and
+/// on two threads, and errors.
 #include <hawser/hawser.h>
 
 #include "support/recipe.h"
@@ -75,7 +75,7 @@ struct OutputCrane {
         return world.add_output(def);
     }
     double value(OutputDef def) { return world.output(add(std::move(def))); }
-    /// One or more of every kind; nothing that a clock measures.
+    /// Add outputs of every kind; no measured times.
     void add_all() {
         for (const OutputComponent& c : output_kind_info(OutputKind::pose).components)
             add({.kind = OutputKind::pose, .body = hull, .point = {1, 2, 3}, .component = c.name});
@@ -147,7 +147,7 @@ TEST(Outputs, VelocitiesAreOfThePointAndTheAxesAskedFor) {
         }
 }
 
-/// After steps, against what World's functions say of the same things.
+/// After steps, compare with the functions of World for the same values.
 TEST(Outputs, FollowTheSteps) {
     OutputCrane c;
     const OutputId yaw = c.add({.kind = OutputKind::pose, .body = c.hull, .component = "yaw"});
@@ -232,7 +232,7 @@ TEST(Outputs, AreTheSameBitsOnTwoThreadsAndAfterARestore) {
         EXPECT_EQ(
             std::memcmp(bits(one.world).data(), wanted.data(), wanted.size() * sizeof(double)), 0);
     }
-    // The same as in a world that was never there, which knows no step either.
+    // The same as in a new world, which has no step either.
     one.world.restore(saved);
     OutputCrane fresh;
     fresh.add_all();
@@ -259,7 +259,7 @@ TEST(Outputs, OfWhatHasBeenRemovedAreNoNumbers) {
     const OutputId hull = c.add({.kind = OutputKind::pose, .body = c.hull, .component = "x"});
     (void)c.world.remove_body(c.load);
     (void)c.world.remove_interaction(c.wire[1]);
-    // Another one at its place is not what was asked for.
+    // A new object with its index is not the requested one.
     (void)c.world.add_body({.kind = BodyKind::lump, .position = {5, 0, 0}, .mass = 1});
     ASSERT_EQ(c.world.step(), Status::ok);
     EXPECT_TRUE(std::isnan(c.world.output(x)));

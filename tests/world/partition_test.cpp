@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Parts of a world: what forces and velocities do to the choice of cuts.
+/// Parts of a world: effect of forces and velocities on the choice of cuts.
 #include "world/three_cables.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 
 enum class Role { accelerating, steady, slack };
 
-/// They differ in how they move and are pulled, and in nothing else. Accelerating: it turns about
-/// the hull. Steady: its end is pulled. Slack: nothing.
+/// They differ only in motion and pull. Accelerating: it turns about the hull. Steady: its end is
+/// pulled. Slack: no force.
 struct ThreeCables : regrouping::Cables {
     explicit ThreeCables(const std::array<Role, 3>& roles) : Cables(0) {
         recipe.world.coupling = Coupling::exact;
@@ -22,7 +22,7 @@ struct ThreeCables : regrouping::Cables {
             if (roles[c] == Role::accelerating) turn(*world, c);
             if (roles[c] == Role::steady) pull(*world, c);
         }
-        // What starting set swinging dies out: the rows' damping time is some steps.
+        // Oscillations from the start decay: the damping time of the rows is some steps.
         for (int k = 0; k < 120; ++k) EXPECT_EQ(world->step(), Status::ok);
     }
     [[nodiscard]] std::set<std::size_t> cut_cables(const PartitionView& view) const {
@@ -46,7 +46,7 @@ TEST(WorldPartition, TheAcceleratingCableStaysWhole) {
         EXPECT_LT(view.imbalance, 1.1);
         const std::set<std::size_t> cut = t.cut_cables(view);
         for (const std::size_t c : cut) EXPECT_NE(roles[c], Role::accelerating) << c;
-        // Tension is no reason: it is 5 kN where it is steady.
+        // Tension does not count: it is 5 kN in the steady cable.
         for (const CutInteraction& c : view.cuts) EXPECT_LT(c.net_force, 10.0);
         std::rotate(roles.begin(), roles.begin() + 1, roles.end());
     }

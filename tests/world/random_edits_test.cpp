@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Worlds that are edited at random while they run: the same bits for any number of threads and
-/// after a restore, and ids of what is gone are refused.
+/// Worlds that are edited at random while they run: equal bits for any number of threads and after
+/// a restore; ids of removed objects are rejected.
 #include <hawser/hawser.h>
 
 #include "support/editor.h"
@@ -51,7 +51,7 @@ struct Fleet {
     std::vector<World> worlds;
 };
 
-/// One world goes on, comes back, and is replaced by a twin that takes the same state.
+/// Let a world continue, return, and be replaced by a twin with the same state.
 void restore_one(Fleet& fleet, Editor& editor, std::size_t which) {
     World& w = fleet.worlds[which];
     const auto saved = w.save();

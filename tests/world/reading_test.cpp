@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a client reads at once: state(), contacts and snapshots in its own memory, events with
+/// Bulk reading by clients: state(), contacts and snapshots in the client's memory, events with
 /// cursors.
 #include <hawser/hawser.h>
 
@@ -73,7 +73,7 @@ TEST(Reading, SnapshotsInTheCallersMemoryAreTheSame) {
     EXPECT_TRUE(contacts.empty());
 }
 
-/// A lump on a short line is thrown up again and again: it goes slack and comes taut.
+/// A lump on a short line is thrown upwards repeatedly: the line goes slack and comes taut.
 struct Jumping {
     World world;
     BodyId lump;
@@ -84,7 +84,7 @@ struct Jumping {
         InputDef def{.name = "f", .body = lump, .component = 2, .min = -1, .max = 1};
         world.add_input(def);
     }
-    /// An event whose number we know: each asks for more than the range allows.
+    /// Cause an event with a known value: a request beyond the range.
     void ask(double value) { world.set_input({0}, value); }
 };
 
@@ -108,7 +108,7 @@ TEST(Reading, EachReaderOfEventsHasItsOwnPlace) {
     EXPECT_EQ(events.size(), 3U);
     EXPECT_EQ(early, late);
     EXPECT_EQ(j.world.event_cursor(), late);
-    // Taking them changes nothing for those with a cursor, nor the other way.
+    // Taking events does not affect cursors, nor the reverse.
     EXPECT_EQ(j.world.take_events().size(), 3U);
     late = 1;
     EXPECT_EQ(j.world.events_since(late, events), 0U);

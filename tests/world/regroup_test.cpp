@@ -8,7 +8,7 @@
 namespace hawser::test::regrouping {
 namespace {
 
-/// What a cut at these interactions weighs by the state, summed.
+/// Return the sum of the weights of a cut at these interactions in the present state.
 double weight_of_cuts(const World& w) {
     PartitionRequest request{.use = PartitionUse::cuts, .parts = 2, .exact_cost = false};
     request.group = w.groups();
@@ -56,7 +56,7 @@ TEST(Regroup, ACutMovesAlongACableThatStartsToTurn) {
     EXPECT_LT(weight_of_cuts(moves), weight_of_cuts(stays));
 }
 
-/// What the pull set swinging dies out in some seconds.
+/// Oscillations from the pull decay in some seconds.
 void leave_alone(Coupling coupling, Predictor predictor) {
     Cables t(3);
     t.recipe.world.coupling = coupling;
@@ -127,7 +127,7 @@ TEST(Regroup, CanBeBegunAndEndedInARunningWorld) {
     EXPECT_THROW(w.follow_groups(4097), DefError);
     EXPECT_THROW(w.follow_groups(2, -1), DefError);
     EXPECT_EQ(w.settings().parts, 0);
-    // Exact coupling asks for no groups.
+    // Exact coupling needs no groups.
     for (std::int32_t i = 0; i < w.interaction_count(); ++i)
         w.set_coupling(InteractionId{i}, Coupling::exact);
     w.follow_groups(2);
@@ -144,7 +144,7 @@ TEST(Regroup, WhatIsCoupledExactlyIsNotCut) {
     EXPECT_EQ(t.cut_cables(w), std::set<std::size_t>{2});
 }
 
-/// A world whose groups move several times: what acts on it, by step.
+/// Apply loads by step to a world whose groups change several times.
 void play(const Cables& t, World& w, int step) {
     if (step == kEvery + 3) t.turn(w, *t.cut_cables(w).begin());
     if (step == 3 * kEvery) t.pull(w, 1);
@@ -182,7 +182,7 @@ TEST(Regroup, GoesOnBitForBitFromASnapshotOfAnyStep) {
         hash.push_back(a.state_hash());
     }
     ASSERT_GT(a.stats().regroupings, 1);
-    // In a world that is new each time, and in one whose groups are those of another time.
+    // In a new world each time, and in one with groups of another time.
     World again = t.recipe.make();
     run(again, 2 * kEvery + 7);
     Random random(first_seed(5));
@@ -194,13 +194,13 @@ TEST(Regroup, GoesOnBitForBitFromASnapshotOfAnyStep) {
             w->restore(saved[static_cast<std::size_t>(i)]);
             ASSERT_EQ(w->save(), saved[static_cast<std::size_t>(i)]);
             for (int k = i; k < std::min(kSteps, i + kEvery + 12); ++k) {
-                if (k > i) play(t, *w, k);  // the snapshot was taken after it
+                if (k > i) play(t, *w, k);  // the snapshot was saved after it
                 ASSERT_EQ(w->step(), Status::ok);
                 ASSERT_EQ(w->state_hash(), hash[static_cast<std::size_t>(k)]) << "step " << k;
             }
         }
     }
-    // Damage is refused, whatever groups there are.
+    // Damaged bytes are rejected with any groups.
     const auto& good = saved[kSteps - 1];
     again.restore(saved[1]);
     const std::uint64_t before = again.state_hash();

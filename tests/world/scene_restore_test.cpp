@@ -32,14 +32,14 @@ TEST(SceneRestore, ContinuesBitForBitAtRandomSteps) {
     }
 }
 
-/// To ask for parts evaluates rows at the present poses: nothing of that may reach the steps.
+/// A request for parts evaluates rows at the present poses: this must not affect the steps.
 TEST(SceneRestore, PartitionsLeaveTheStateAlone) {
     for (const auto& file : test::scene_files()) {
         scene::Scene one = scene::load_file(file), other = scene::load_file(file);
         World &a = one.world, &b = other.world;
         a.prepare();
         b.prepare();
-        // Small ones long enough for joints to come to their limits and leave them.
+        // Small scenes run long enough for joints to reach their limits and leave them.
         const int steps = a.body_count() < 50 ? 200 : 12;
         for (int i = 0; i < (test::kSanitized ? steps / 4 : steps); ++i) {
             for (const PartitionUse use : {PartitionUse::cuts, PartitionUse::separators})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shapes and materials of a world: what it refuses, finds, saves.
+/// Shapes and materials of a world: errors, lookup, saving.
 #include "support/random.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,8 @@ BodyDef lump_at(const Vec3& x) {
     return d;
 }
 
-/// A wire of lumps falling past a plane on to which it is drawn, with a ball. 14 contacts at most.
+/// A wire of lumps that falls past a plane towards which it is pulled, with a ball. At most 14
+/// contacts.
 World falling_wire(int threads = 1) {
     WorldDef def;
     def.threads = threads;
@@ -174,7 +175,7 @@ TEST(Shapes, ContactsAreSeenFromOutside) {
     for (const ContactView& c : contacts) {
         EXPECT_EQ(c.shape[0].index, 0);
         EXPECT_EQ(c.normal, Vec3::UnitZ());
-        // Each sees the ground from the point at its side of the gap; the first is at 2 mm.
+        // For each, the contact point is on its side of the gap; the first is at 2 mm.
         EXPECT_GT(c.gap, 0.0);
         EXPECT_LT(c.gap, 0.02);
     }
@@ -200,7 +201,7 @@ TEST(Shapes, AWorldGoesOnBitForBitAfterRestore) {
         ASSERT_EQ(a.state_hash(), b.state_hash()) << i;
         ASSERT_EQ(a.contacts().size(), b.contacts().size());
     }
-    // Into the past, where there are other numbers of contacts.
+    // Restore an earlier state with other numbers of contacts.
     a.restore(saved);
     EXPECT_EQ(a.state_hash(), hash);
 }
@@ -221,7 +222,7 @@ TEST(Shapes, ASnapshotOfOtherShapesIsRefused) {
     pair.a = pair.b = MaterialId{0};
     c.add_material_pair(pair);
     EXPECT_NE(refusal([&] { c.restore(saved); }), "");
-    // A count of contacts that the bytes do not hold.
+    // A number of contacts beyond the length of the bytes.
     for (const std::size_t at : {24U, 30U}) {
         auto damaged = saved;
         damaged[at] ^= std::byte{0x55};

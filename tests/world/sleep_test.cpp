@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Islands at rest sleep, keep every bit while they do, and go on from there when they wake.
+/// Islands at rest sleep, keep all bits while they do, and continue from there when they wake.
 #include "support/sleep_yard.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Sleep, KeepsEveryBitAndLeavesNothingToSolve) {
     EXPECT_EQ(y.w.energy().friction, energy.friction);
     EXPECT_EQ(y.w.stats().matrix_nnz, 0);
     EXPECT_EQ(y.w.stats().islands, 0);
-    // What carries still shows what it carries: 3 boxes and a ball.
+    // Bodies asleep still show their contact forces: 3 boxes and a ball.
     const std::vector<ContactView> now = y.w.contacts();
     ASSERT_EQ(now.size(), contacts.size());
     double weight = 0.0;
@@ -75,8 +75,8 @@ TEST(Sleep, EndsWhereItBegan) {
     EXPECT_EQ(after[0], after[1]);
 }
 
-/// An island goes on as if it had not slept: as one that has not goes on from the step in which the
-/// other fell asleep, to the rounding of another order of elimination.
+/// An island continues as if it had not slept. Compare with one that did not sleep, from the step
+/// in which the other fell asleep, up to the rounding of another order of elimination.
 TEST(Sleep, IsNotNoticed) {
     SleepYard y(sleepy()), other{WorldDef{}};
     int steps = 0;
@@ -107,7 +107,7 @@ TEST(Sleep, WhatIsTouchedWakes) {
     SleepYard y(sleepy());
     y.run(kSettled);
     ASSERT_EQ(y.asleep(), kAll);
-    y.w.set_input(y.brake, 300.0);  // as it was
+    y.w.set_input(y.brake, 300.0);  // the previous value
     y.w.set_force(y.box[0], Vec3::Zero(), Vec3::Zero());
     y.run(1);
     EXPECT_EQ(y.asleep(), kAll);
@@ -195,7 +195,7 @@ TEST(Sleep, CarriersThatMoveKeepAwake) {
     run(240);
     EXPECT_TRUE(w.asleep(box));
     EXPECT_TRUE(w.asleep(bob));
-    // A pose that is set wakes whatever might hold to it.
+    // A pose that is set wakes all bodies that might depend on it.
     Pose p = w.pose(deck);
     p.position.z() += 0.01;
     w.set_pose(deck, p);
@@ -216,7 +216,7 @@ TEST(Sleep, WhatLosesItsSupportFalls) {
     EXPECT_NEAR(y.w.pose(y.box[2]).position.z(), 1.5, 1e-3);
 }
 
-/// The force of an input and that of the user are apart: together they may hold a body still.
+/// The force of an input and that of the user are separate: their sum may keep a body at rest.
 TEST(Sleep, ForcesThatHeldEachOtherWakeWhereOneEnds) {
     SleepYard y(sleepy());
     InputDef in;
@@ -236,7 +236,7 @@ TEST(Sleep, ForcesThatHeldEachOtherWakeWhereOneEnds) {
     EXPECT_GT(y.w.pose(y.ball).position.x(), x + 0.5);
 }
 
-/// A slide that is held by what another one carries, without a body in common.
+/// A slide held by the load of another one, without a common body.
 TEST(Sleep, LoadsOfFrictionBelongToIt) {
     World w(sleepy());
     BodyDef d;
@@ -271,7 +271,7 @@ TEST(Sleep, LoadsOfFrictionBelongToIt) {
     EXPECT_LT(w.pose(weight).position.z(), -4.0);
 }
 
-/// Which limits are met is for a step to find: an analysis in between takes no event away.
+/// Only a step finds limits that are reached: an analysis in between loses no event.
 TEST(Sleep, LosesNoEvent) {
     std::int64_t met[2] = {};
     int slept = 0;
@@ -354,7 +354,7 @@ TEST(Sleep, SnapshotsAndThreadsKeepTheBits) {
             ASSERT_EQ(z.w.state_hash(), hashes[static_cast<std::size_t>(i)]) << threads << " " << i;
         }
     }
-    // Settings of sleep are part of what must agree.
+    // Settings of sleep must agree.
     SleepYard awake{WorldDef{}};
     EXPECT_THROW(awake.w.restore(saved), DefError);
 }
@@ -363,7 +363,7 @@ class SleepMethods : public testing::TestWithParam<Nonsmooth> {};
 
 TEST_P(SleepMethods, FallAsleepAndWake) {
     WorldDef def = sleepy(GetParam());
-    // Sweeps end where they end.
+    // The number of sweeps does not depend on it.
     def.sleep_speed = 1e-2;
     SleepYard y(def);
     y.run(kSettled);

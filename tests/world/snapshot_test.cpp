@@ -83,8 +83,8 @@ TEST(Snapshot, RefusesDamageAndLeavesTheStateAlone) {
     EXPECT_EQ(w.state_hash(), hash);
 }
 
-/// The force that acts is part of the state; the last value of an input that drove it before
-/// set_force() replaced it must not come back.
+/// The applied force is part of the state. The last value of an input that set it must not return
+/// after set_force() has replaced it.
 TEST(Snapshot, KeepsAForceThatReplacedAnInput) {
     const Recipe recipe = pendulum();
     auto make = [&] {
@@ -108,8 +108,8 @@ TEST(Snapshot, KeepsAForceThatReplacedAnInput) {
     EXPECT_EQ(a.state_hash(), b.state_hash());
 }
 
-/// Rigid rows take a small compliance from the bodies' mobility when the system is analysed; a
-/// world analysed at another pose must still continue bit for bit.
+/// The analysis gives rigid rows a small compliance from the mobility of the bodies. A world
+/// analysed at another pose must still continue bit for bit.
 TEST(Snapshot, DoesNotDependOnThePoseAtWhichTheSystemWasAnalysed) {
     Recipe recipe;
     const BodyId g = recipe.ground();

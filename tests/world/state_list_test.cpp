@@ -75,7 +75,7 @@ TEST(Settings, ThoseThatGiveOtherStatesAreOfTheIdentityOfASnapshot) {
     for (const SettingInfo& s : setting_infos()) {
         WorldDef def;
         s.set(def, 0, other(s, s.get(def, 0)));
-        // Coupling is a matter of each interaction, of which there is none here.
+        // Coupling is a property of interactions, and there are none here.
         World w = falling(def);
         if (s.identity)
             EXPECT_THROW(w.restore(saved), DefError) << s.name;
@@ -94,7 +94,7 @@ TEST(Settings, HaveDefaultsWithinTheirRangesAndAreRefusedBeyond) {
         const double usual = s.get(WorldDef{}, 0);
         EXPECT_TRUE(usual >= s.min && usual <= s.max) << s.name;
         if (s.type == SettingType::boolean) continue;
-        // The next number beyond the range, or what a counter can hold.
+        // The next number beyond the range, or the maximum of a counter.
         WorldDef def;
         s.set(def, 0, s.type == SettingType::integer ? s.max + 1.0 : std::nextafter(s.max, 1e300));
         try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Structure and state together go on in another world of the same set-up in the same bits,
-/// whatever came and went before.
+/// Structure and state together continue in another world with the same set-up with the same bits,
+/// for any earlier edits.
 #include <hawser/hawser.h>
 
 #include "support/tier.h"
@@ -93,7 +93,7 @@ TEST(Structure, GoesOnInAnotherWorldInTheSameBits) {
         EXPECT_EQ(other.output(other.find_output("load.z")), w.output(w.find_output("load.z")));
         EXPECT_EQ(other.find_wire("span"), span);
         EXPECT_EQ(other.take_events().size() > 0, w.take_events().size() > 0);
-        // Back to what it was.
+        // Return to the original.
         World third = set_up(1);
         (void)run(third, 3);
         const Structure first = third.structure();
@@ -136,7 +136,7 @@ TEST(Structure, OfAnotherStateLeavesTheWorldAsItWas) {
     bad = made_of;
     bad.bodies.defs[2].mass *= 2.0;
     refuses(bad, state);
-    // And it goes on as if nothing had been tried.
+    // And it continues as if there had been no attempt.
     World again = set_up(1);
     (void)run(again, 20);
     EXPECT_EQ(run(other, 30), run(again, 30));

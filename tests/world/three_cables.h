@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// Three equal cables on a hull, for tests of what forces and velocities do to the choice of cuts.
+/// Three equal cables on a hull, for tests of the effect of forces and velocities on the choice of
+/// cuts.
 #include "support/recipe.h"
 
 #include <hawser/inspect.h>
@@ -20,8 +21,7 @@ inline constexpr int kNodes = 40;
 inline constexpr double kApart = 1.0;  // m
 inline constexpr int kEvery = 20;      // steps
 
-/// A hull from which three equal cables stick out in a plane, without gravity: what differs is how
-/// they move and are pulled.
+/// A hull with three equal cables in a plane, without gravity. They differ only in motion and pull.
 struct Cables {
     explicit Cables(int parts, int every = kEvery, int threads = 1) {
         recipe.world.gravity = Vec3::Zero();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Nodes that come and go along a wire: what they keep, and what it costs.
+/// Nodes added and removed along a wire: conserved quantities, and costs.
 #include <hawser/hawser.h>
 
 #include "support/sanitizer.h"
@@ -22,8 +22,8 @@ struct Account {
     Vec3 linear{0, 0, 0}, angular{0, 0, 0};
 };
 
-/// Of the lumps and elements of a wire, consistent masses included, at the half step before the
-/// poses, where the scheme has its energy.
+/// Return the account of the lumps and elements of a wire, including consistent masses, at the half
+/// step before the poses. The energy of the scheme belongs to that time.
 Account account_of(const World& w, WireId wire) {
     Account a;
     const double half = 0.5 * w.settings().step;
@@ -74,7 +74,7 @@ struct Free {
             InteractionDef d;
             d.kind = InteractionKind::Stretch;
             d.body = {lumps[static_cast<std::size_t>(i)], lumps[static_cast<std::size_t>(i) + 1]};
-            // As long as it is when it spins at its ease: T = ρω²(L²/4 − s²)/2.
+            // The length of a freely spinning wire: T = ρω²(L²/4 − s²)/2.
             const double s = l * (i + 0.5) - 0.5 * kLength;
             const double pull = kDensity * spin * spin * (0.25 * kLength * kLength - s * s) / 2.0;
             d.set("length", (place(i + 1) - place(i)).norm() / (1.0 + pull / kEA));
@@ -239,7 +239,7 @@ TEST(WireNodes, TakeBendsAndCapsulesWithThem) {
     for (const std::size_t k : {15U, 10U, 5U, 0U})
         came.push_back(h.w.insert_node(h.w.elements(h.wire)[k], 0.5));
     EXPECT_EQ(h.w.interactions().size(), interactions + 8);
-    EXPECT_EQ(h.w.shapes().size(), shapes + 4);  // all new elements lie between lumps
+    EXPECT_EQ(h.w.shapes().size(), shapes + 4);  // all new elements are between lumps
     for (int i = 0; i < 60; ++i) ASSERT_EQ(h.w.step(), Status::ok);
     for (const BodyId id : came) EXPECT_TRUE(h.w.remove_node(id, 3.2));
     EXPECT_EQ(h.w.interactions().size(), interactions);
@@ -270,7 +270,7 @@ TEST(WireNodes, LeaveTheTensionOfAWireAtRest) {
     }
 }
 
-/// Beside it nothing moves that could take over what it had.
+/// No neighbouring body could accept its mass.
 TEST(WireNodes, GoWhereTheyAreTheOnlyOne) {
     World w({.gravity = Vec3::Zero()});
     const BodyId first = w.add_body({.name = "first", .kind = BodyKind::fixed});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that have parted (context/wire_alerts.h, docs/theory/parting.md): numbers beside the closed
-/// form, which `hawser validate wire_parting` compares with.
+/// Wires that have parted (context/wire_alerts.h, docs/theory/parting.md): numbers beside the
+/// closed form, which `hawser validate wire_parting` compares with.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ struct Taut {
     }
 };
 
-/// Before it parts nothing moves, and then no damper has a say for the time of the recoil.
+/// Before the break all is at rest; dampers then have no effect during the recoil.
 TEST(WireRecoil, IsTheSameAtAnyDamping) {
     std::vector<double> reference;
     for (const double damping : {0.0, 0.1, 1.0, 10.0, kDefault}) {
@@ -68,9 +68,9 @@ TEST(WireRecoil, IsTheSameAtAnyDamping) {
     }
 }
 
-/// The wave is spread over some steps, so that the far end lets go of it by and by: the piece as a
-/// whole is slower than its end. What is missing is what a front of that width loses, less with
-/// shorter steps.
+/// The wave extends over some steps, so that the far end releases it gradually: the mean speed of
+/// the piece is less than that of its end. The difference is the loss of a front of that width,
+/// which decreases with shorter steps.
 TEST(WireRecoil, TheWholePieceIsSlowerThanItsEnd) {
     const double v = kTaut / std::sqrt(kStiff * kDense);
     double mean[2];
@@ -78,7 +78,7 @@ TEST(WireRecoil, TheWholePieceIsSlowerThanItsEnd) {
         Taut t(1, 201, 5.0, 0.1, fine == 0 ? 1.0 / 60 : 1.0 / 240);
         t.steps(2);
         t.w.part(t.w.elements(t.wire[0])[100]);
-        t.steps(fine == 0 ? 14 : 56);  // 0.23 s: the wave has come to the end after 0.16 s
+        t.steps(fine == 0 ? 14 : 56);  // 0.23 s: the wave reached the end after 0.16 s
         double sum = 0.0;
         for (int node = 1; node <= 100; ++node) sum -= t.speed(0, node);
         mean[fine] = sum / 100.0 / v;
@@ -86,7 +86,7 @@ TEST(WireRecoil, TheWholePieceIsSlowerThanItsEnd) {
     }
     EXPECT_NEAR(mean[0], 0.746, 2e-3);
     EXPECT_NEAR(mean[1], 0.875, 2e-3);
-    // Half of what is missing at a quarter of the step: the width grows with its square root.
+    // Half of the difference at a quarter of the step: the width grows with its square root.
     EXPECT_NEAR((1.0 - mean[1]) / (1.0 - mean[0]), 0.5, 0.02);
 }
 
@@ -102,12 +102,12 @@ TEST(WireRecoil, BeginsBeforeTheFirstStepToo) {
     }
     const double v = kTaut / std::sqrt(kStiff * kDense);
     EXPECT_NEAR(speed[1], -v, 1e-3 * v);
-    // The start goes back by half a step first.
+    // The start moves back by half a step first.
     EXPECT_NEAR(speed[0], -v, 2e-2 * v);
 }
 
-/// A wire that has not parted is stepped as if nothing were beside it, but for what a solution that
-/// is refined for all rounds.
+/// An intact wire moves as without the broken one, except that a refined solution is refined for
+/// all.
 TEST(WireRecoil, LeavesOtherWiresAlone) {
     Taut with(2, 40, 5.0, 0.3, 1.0 / 60), without(2, 40, 5.0, 0.3, 1.0 / 60);
     for (Taut* t : {&with, &without}) {
@@ -123,14 +123,14 @@ TEST(WireRecoil, LeavesOtherWiresAlone) {
     }
 }
 
-/// Damping is back once the recoil is over: what swings along the wire that is left dies away as in
-/// a wire that has been so short always.
+/// Damping acts again after the recoil: oscillations along the rest of the wire decay as in a wire
+/// that always had this length.
 TEST(WireRecoil, EndsAndDampersActAgain) {
     double left[2];
     for (const bool parted : {true, false}) {
         Taut t(1, 41, 20.0, 0.02, 1.0 / 960);
         t.steps(2);
-        // The last element parts: what is left holds on to nothing, and is held by hand.
+        // The last element breaks: the rest is attached to no body and is held by hand.
         const auto nodes = t.w.nodes(t.wire[0]);
         if (parted) t.w.part(t.w.elements(t.wire[0])[40]);
         t.steps(960);
@@ -153,7 +153,7 @@ TEST(WireRecoil, EndsAndDampersActAgain) {
     EXPECT_NEAR(left[0] / left[1], 1.0, 0.02);
 }
 
-/// Saved at any step of the recoil, and gone on with elsewhere.
+/// Save at any step of the recoil and continue in another world.
 TEST(WireRecoil, IsSavedAndRestored) {
     const auto world = [] { return Taut(2, 60, 4.0, 0.1, 1.0 / 240); };
     Taut t = world();
@@ -178,7 +178,7 @@ TEST(WireRecoil, IsSavedAndRestored) {
     EXPECT_EQ(copy.state_hash(), t.w.state_hash());
 }
 
-/// Edits beside it, and of the wire itself, do not end the recoil.
+/// Edits near it, and of the wire itself, do not end the recoil.
 TEST(WireRecoil, GoesOnThroughEdits) {
     Taut t(1, 201, 5.0, 0.1, 1.0 / 60);
     t.steps(4);

@@ -153,7 +153,7 @@ TEST(Wires, PartWhereTheyAreTold) {
     (void)w.take_events();
     const double before = w.tension(h.wire, 25.0);
     w.part(h.wire, 25.0);
-    w.part(h.wire, 25.0);  // nothing more
+    w.part(h.wire, 25.0);  // no further effect
     const auto events = w.take_events();
     ASSERT_EQ(events.size(), 1U);
     EXPECT_EQ(events[0].kind, EventKind::line_break);
@@ -211,7 +211,7 @@ TEST(Wires, TakeTheirPiecesWithThem) {
 TEST(Wires, AreAddedWholeOrNotAtAll) {
     Hanging h;
     World& w = h.w;
-    (void)w.add_body({.name = "second/2", .kind = BodyKind::fixed});  // takes the name of a node
+    (void)w.add_body({.name = "second/2", .kind = BodyKind::fixed});  // uses the name of a node
     const std::size_t bodies = w.bodies().size(), interactions = w.interactions().size();
     WireDef def{.name = "second", .from = h.top};
     def.elements = 3;
