@@ -24,7 +24,7 @@ TEST(Bodies, inertia_of_solids) {
 TEST(Bodies, euler_angles_turn_about_x_then_y_then_z) {
     const Description d = flat(
         patched(kSite, R"([{"op":"replace","path":"/bodies/1/euler_deg","value":[90,0,90]}])"));
-    // Roll 90° takes y to z, then yaw 90° leaves it; x goes to y.
+    // Roll by 90° turns y to z; yaw by 90° keeps that and turns x to y.
     const Quat& q = body(d, "ship").orientation;
     EXPECT_TRUE((q * Vec3::UnitY()).isApprox(Vec3::UnitZ(), 1e-12));
     EXPECT_TRUE((q * Vec3::UnitX()).isApprox(Vec3::UnitY(), 1e-12));

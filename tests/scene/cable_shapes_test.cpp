@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the nodes of cables start.
+// Initial positions of the nodes of cables.
 #include "support.h"
 
 #include <cmath>
@@ -69,10 +69,10 @@ TEST(CableShapes, catenary_lies_on_its_seabed) {
     EXPECT_EQ(nodes(d)[1].z(), -20.0);
     EXPECT_EQ(nodes(d)[5].z(), -20.0);
     EXPECT_GT(nodes(d)[18].z(), -10.0);
-    // Friction takes 0.6 of the weight of an element at each node.
+    // Friction reduces the tension by 0.6 of the weight of an element at each node.
     EXPECT_NEAR(tension(d, 0), 0.0, 1e-3);
     EXPECT_NEAR(tension(d, 11) - tension(d, 10), 0.6 * 4.5 * kWeight, 1.0);
-    // What touches lies its radius higher.
+    // With a contact radius it lies higher by that radius.
     const Description thick = flat(with_wire(keys + R"(, "contact": {"radius": 0.5})"));
     EXPECT_NEAR(nodes(thick)[5].z(), -19.5, 1e-12);
 }
@@ -85,7 +85,7 @@ TEST(CableShapes, laid_is_as_long_as_its_way) {
     EXPECT_LT(d.cables[0].length, 80.0);
     EXPECT_NEAR(nodes(d)[10].z(), -20.0, 1e-12);
     EXPECT_NEAR(nodes(d)[10].y(), 0.0, 1e-3);
-    // Longer: what is too long lies in an arc.
+    // With excess length the wire lies in an arc.
     const Description longer = flat(with_wire(
         R"("from": {"at": [0, 0, -20]}, "to": {"at": [60, 0, 0]}, "length": 100,
            "shape": "laid", "seabed": {"height": -20})"));
@@ -105,10 +105,10 @@ TEST(CableShapes, free_ends_start_where_they_rest) {
     const std::string from = R"("from": {"at": [0, 0, 0]}, "length": 50, "shape": "hanging", )";
     const Description d = flat(with_wire(from + R"("to": {"free": [0, 0, -50]})"));
     EXPECT_NEAR(nodes(d).back().z(), -50.0 - kWeight * 1250.0 / 1e8, 1e-9);
-    EXPECT_NEAR(tension(d, 19), 1.25 * kWeight, 1e-3);  // its last lump is half one
+    EXPECT_NEAR(tension(d, 19), 1.25 * kWeight, 1e-3);  // its last lump has half the mass
     expect_refused(with_wire(from + R"("to": {"free": [30, 0, -40]})"), "/cables/0/to/free",
                    "at rest its free end is at [0, 0, -50");
-    // Held by nothing but friction.
+    // Held by friction alone.
     const Description lies = flat(with_wire(
         R"("from": {"at": [0, 0, 0]}, "length": 75, "shape": "hanging",
            "to": {"free": [70, 0, -10]}, "seabed": {"height": -10, "friction": 1})"));
@@ -134,8 +134,8 @@ TEST(CableShapes, links_keep_their_length) {
         EXPECT_NEAR(d.body(d.cables[0].nodes[i]).half_size.x(), 2.25, 1e-6);
 }
 
-/// A wire in the sea started with its weight in air. Under water it lies where the same wire lies
-/// in air with its weight in water; above the water where it does without a sea.
+/// A wire in the sea used to start with its weight in air. Under water it has the shape of the same
+/// wire in air with its weight in water; above the water the shape without a sea.
 TEST(CableShapes, in_the_sea_lines_have_their_weight_in_water) {
     const auto scene = [](const std::string& type, const std::string& sea, const std::string& shape,
                           double z) {

@@ -110,7 +110,7 @@ TEST(Cables, winch_pays_out_the_first_element) {
     }
 }
 
-/// Version 1 keeps the one element, version 2 feeds elements, whose mass is their own.
+/// Version 1 keeps one element, version 2 feeds elements with their own mass.
 TEST(Cables, winch_feeds_elements_in_version_2) {
     const std::string cable = with_cable(
         R"({"name": "c", "line_type": "wire", "from": {"body": "a", "point": [5, 0, 0]},
@@ -165,7 +165,7 @@ TEST(Cables, links_meet_at_their_joints) {
         EXPECT_EQ(joint.kind, InteractionKind::Ball);
         const Vec3 gap = d.world_point(joint.body[0], joint.point[0]) -
                          d.world_point(joint.body[1], joint.point[1]);
-        // Round-off of coordinates of some 50 m.
+        // Round-off of coordinates of about 50 m.
         EXPECT_LT(gap.norm(), 1e-12) << joint.name;
     }
     EXPECT_EQ(d.cables[0].nodes.size(), 14U);

@@ -37,10 +37,10 @@ TEST(Catenary, hangs_at_rest_in_many_shapes) {
     for (const Vec3& b : ends) {
         for (const double slack : {1.00001, 1.01, 1.25, 2.0}) {
             for (const int n : {2, 3, 10, 101}) {
-                // Two or three long elements lean from the chord by up to acos(1/slack). Past
-                // the vertical one of them would have to push: there is no such shape.
+                // Two or three long elements incline from the chord by up to acos(1/slack). Beyond
+                // the vertical one of them would have to push: such a shape does not exist.
                 const double steep = std::asin(std::abs(b.z()) / b.norm());
-                // Neither when the fold at the bottom is narrower than one element.
+                // The same holds if the fold at the bottom is narrower than one element.
                 const bool narrow = std::hypot(b.x(), b.y()) < slack * b.norm() / n;
                 if (narrow || (n < 10 && steep + std::acos(1.0 / slack) > 1.4)) {
                     continue;

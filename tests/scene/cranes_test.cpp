@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cranes of a scene: what they become, in templates and copies, where they are refused, and the
-// bits of the scenes with cranes.
+// Cranes of a scene: their bodies and interactions, templates and copies, errors, and the bits of
+// the scenes with cranes.
 #include "support.h"
 
 #include "good_scenes.h"
@@ -27,7 +27,7 @@ TEST(SceneCranes, AreMadeInTemplatesAndCopies) {
         EXPECT_TRUE(w.find_interaction(crane + "/slew/motor").valid()) << crane;
     }
     for (int i = 0; i < 120; ++i) ASSERT_EQ(w.step(), Status::ok);
-    // The crane stands turned by 90 degrees, and is slewed by 10 more; it holds the box.
+    // The crane is mounted at 90 degrees, and slewed by 10 more; it holds the box.
     EXPECT_NEAR(w.output(w.find_output("turn")), 0.17453, 1e-4);
     EXPECT_LT(w.pose(w.find_body("knuckle/hook")).position.x(), -2.0);
     EXPECT_EQ(w.system_signal("knuckle.held"), 1.0);

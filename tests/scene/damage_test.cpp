@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random damage: a damaged scene is either refused with a SceneError or is by chance still a
-// scene; it never crashes and never throws anything else.
+// Random damage: a damaged scene is rejected with a SceneError or is by chance still valid. It
+// never crashes and never throws another exception.
 #include "good_scenes.h"
 #include "support.h"
 #include "support/tier.h"
@@ -12,7 +12,7 @@
 namespace hawser::scene::test {
 namespace {
 
-/// What became of a text.
+/// Result of reading a text.
 enum class Fate { refused, accepted };
 
 Fate fate_of(const std::string& text) {
@@ -84,7 +84,7 @@ RC_GTEST_PROP(Damage, swapped_values_never_crash, ()) {
     Json damaged = good;
     const auto from = *rc::gen::elementOf(pointers);
     const auto to = *rc::gen::elementOf(pointers);
-    // Sizes are left alone: a large number there is a large scene, not a mistake.
+    // Do not change sizes: a large number there is a large scene, not a mistake.
     RC_PRE(!to.ends_with("/copies") && !to.ends_with("/elements"));
     damaged[Json::json_pointer(to)] = flat[from];
     (void)fate_of(damaged.dump());

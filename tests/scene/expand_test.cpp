@@ -57,7 +57,7 @@ TEST(Copies, repeat_everything_and_join) {
     options.scale = 3;
     const Description d = flat(kSite, options);
     EXPECT_TRUE(body(d, "2:rig").position.isApprox(Vec3(0, 3000, 0), 1e-12));
-    EXPECT_EQ(body(d, "2:drum").position.x(), 0.5);  // a coordinate, not a place
+    EXPECT_EQ(body(d, "2:drum").position.x(), 0.5);  // a coordinate, not a position
     EXPECT_TRUE(body(d, "1:moor/0").position.isApprox(Vec3(-400, 1500, -100), 1e-12));
     EXPECT_TRUE(d.find_body("neighbour/1").valid());
     EXPECT_TRUE(d.find_body("1:neighbour/1").valid());
@@ -65,14 +65,14 @@ TEST(Copies, repeat_everything_and_join) {
     const InteractionDef& last = interaction(d, "1:neighbour/s4");
     EXPECT_EQ(last.body[1], d.find_body("2:rig"));
     EXPECT_TRUE(d.has_cable("1:port/hoist"));
-    // A world point of a copy moves with it: the fixed end of its links, held by the world.
+    // A world point of a copy moves with it: the fixed end of its links, held by "world".
     const InteractionDef& joint = interaction(d, "2:links/j4");
     EXPECT_EQ(joint.body[1], d.find_body("world"));
     EXPECT_TRUE(joint.point[1].isApprox(Vec3(0, 3135, 0), 1e-12));
     EXPECT_EQ(std::count_if(d.bodies.begin(), d.bodies.end(),
                             [](const BodyDef& b) { return b.name.ends_with("world"); }),
               1);
-    // As many copies as may be.
+    // The maximum number of copies.
     options.scale = 1000;
     EXPECT_EQ(flat(kSite, options).bodies.size(), d.bodies.size() + 997 * step);
     options.scale = 3;
@@ -129,7 +129,7 @@ TEST(Includes, bring_line_types_and_templates) {
     // A link out of the folder is followed and refused.
     std::filesystem::create_symlink("/etc/hostname", folder.path / "link.json");
     EXPECT_NE(scene_with("\"link.json\"").find("outside"), std::string::npos);
-    // A part may look upwards within the folder of the scene.
+    // A part may refer to a parent folder within the folder of the scene.
     folder.write("parts/up.json", R"({"version": 1, "include": ["../twice.json"]})");
     EXPECT_EQ(scene_with("\"parts/up.json\"").find("outside"), std::string::npos);
     // A mistake in a template of another file is reported there.

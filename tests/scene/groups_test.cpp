@@ -55,7 +55,7 @@ TEST(Groups, are_of_both_kinds_where_the_scene_says_so) {
     const std::string own = R"(, "group": "near")";
     const Scene hand = load_text(grouped(R"("coupling": "kinematic")", own, ""), "test.json");
     EXPECT_EQ(hand.world.settings().parts, 0);
-    // … and with "parts" these are shared out.
+    // … and with "parts" these are distributed.
     const Scene both =
         load_text(grouped(R"("coupling": "kinematic", "parts": 3, "regroup_every": 7)", own, ""),
                   "test.json");

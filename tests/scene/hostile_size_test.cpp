@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes that ask for more than is made, and files of useless numbers: refused by their counts,
-// before anything is built.
+// Scenes beyond the limits, and files of useless numbers: rejected by their counts, before any
+// object is made.
 #include <hawser/scene.h>
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace hawser::test {
 namespace {
 
-/// @return the refusal; it comes before anything is made. @param most  Time [s].
+/// @return the error message; it is thrown before any object is made. @param most  Time [s].
 std::string refusal_of(const std::string& text, double most = 1.0) {
     const auto start = std::chrono::steady_clock::now();
     std::string said = "taken";

@@ -65,7 +65,7 @@ inline fs::path write_sample_netcdf(const fs::path& path, bool four) {
     return path;
 }
 
-/// A file with so many zeros as frequencies; most of it is a hole.
+/// Write a file with `values` zeros as frequencies; most of it is a hole.
 inline fs::path write_large_netcdf(const fs::path& path, std::size_t values) {
     int id = 0, dim = 0, var = 0;
     nc_create(path.c_str(), NC_64BIT_OFFSET | NC_CLOBBER, &id);

@@ -15,7 +15,7 @@
 namespace hawser::test::hydro {
 namespace {
 
-/// Read in this process: sanitized builds of a test have no reader program beside them.
+/// Read in this process: sanitized builds of a test have no reader program in their folder.
 [[maybe_unused]] const ReaderLimits kHere{.in_process = true};
 
 #if HAWSER_HAVE_NETCDF
@@ -57,7 +57,7 @@ TEST(HydroFiles, Bemio) {
 
 #endif
 
-// What was left out of a build is said, with what to install.
+// If a reader is not in the build, the message names the package to install.
 #if !HAWSER_HAVE_NETCDF
 TEST(HydroFiles, WithoutNetcdfCapytaineIsRefused) {
     const Folder folder;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// netCDF and HDF5 files whose bytes were changed, and readers that misbehave: each is refused with
-// a reason, or read as coefficients without faults, and this process survives.
+// netCDF and HDF5 files with changed bytes, and readers that misbehave. Each is rejected with a
+// reason, or read as valid coefficients, and this process survives.
 #include "scene/hydro_binary.h"
 #include "scene/hydro_message.h"
 #include "support/random.h"
@@ -165,7 +165,7 @@ TEST(HydroReader, ReadersThatMisbehaveAreRefused) {
     has(refusal_with(folder, "echo nonsense >&3"), "is no reader of this version");
     const auto start = Clock::now();
     has(refusal_with(folder, "exec sleep 60", 0.3), "takes more than 0.3 s");
-    // The output is closed, the program goes on.
+    // The reader closes its output and continues to run.
     has(refusal_with(folder, "exec sleep 60 3>&-", 0.3), "takes more than 0.3 s");
     EXPECT_LT(seconds_since(start), 10.0);
     has(refusal_with(folder, "exec head -c 600000000 /dev/zero >&3"), "returned more than");
@@ -220,7 +220,7 @@ TEST(HydroMessage, GoesThroughUnchanged) {
     EXPECT_EQ(error->error, "a?b?[2J");
 }
 
-/// Counts, lengths and contents at random: no message, or one whose faults are found.
+/// Random counts, lengths and contents: no message, or one with detected faults.
 TEST(HydroMessage, ForgedOnesAreRefused) {
     const std::vector<char> good = scene::message_of(some_coefficients());
     Random random(first_seed(18));

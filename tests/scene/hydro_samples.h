@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What small files of coefficients, written by tests in each format, are to give.
+// Expected values of small files of coefficients, written by tests in each format.
 #include <hawser/hydro_files.h>
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using Complex = std::complex<double>;
 inline constexpr double kRho = 1025.0, kG = 9.81, kPi = std::numbers::pi;
 
-/// A folder that goes with the test.
+/// A folder that is removed with the test.
 class Folder {
   public:
     Folder() {
@@ -42,7 +42,7 @@ class Folder {
     fs::path path_;
 };
 
-// What all formats are to give: heave and sway-roll at four frequencies, 0 and 90 degrees.
+// Expected values for all formats: heave and sway-roll at four frequencies, 0 and 90 degrees.
 inline double added(int i, int j, double omega) {
     const double a[6] = {1e5, 2e5, 3e5, 4e6, 5e6, 6e6};
     if (i == j) return a[i] * (1.0 + 0.1 / omega);
@@ -90,8 +90,8 @@ inline std::string line(const char* format, auto... values) {
 
 inline const HydroUnits kUnits{.density = kRho, .gravity = kG};
 
-/// Expects an error that contains `why`. Reads in this process: sanitized builds of a test have no
-/// reader program beside them.
+/// Expect an error that contains `why`. Reads in this process: sanitized builds of a test have no
+/// reader program in their folder.
 inline void refuses(const std::string& file, const char* why) {
     try {
         (void)read_coefficients(file, kUnits, {.in_process = true});

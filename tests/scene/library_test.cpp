@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes that come with the project load, and their resolved text is complete.
+// The scenes of the project load, and their resolved text is complete.
 #include "good_scenes.h"
 #include "support.h"
 
@@ -75,7 +75,7 @@ TEST(Library, good_scenes_give_the_same_world_from_their_text) {
 
 TEST(Library, hash_follows_the_content_and_nothing_else) {
     const std::uint64_t hash = load_text(kPendulum, "a.json").hash;
-    // Spaces, the order of keys and the line for editors say nothing.
+    // Spaces, the order of keys and the line for editors have no effect.
     const Json parsed = Json::parse(kPendulum);
     EXPECT_EQ(load_text(parsed.dump(4), "b.json").hash, hash);
     EXPECT_EQ(

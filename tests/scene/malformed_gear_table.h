@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// Mistakes in what a ship's deck has for wires, see malformed_table.h.
+/// Mistakes in the deck gear for wires, see malformed_table.h.
 
 #include "good_scenes.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// Mistakes that a scene must be refused for: each is a good scene with one edit (JSON Patch),
+/// Mistakes for which a scene must be rejected. Each is a good scene with one edit (JSON Patch),
 /// the place that the message must name and words that it must contain.
 
 #include "good_scenes.h"

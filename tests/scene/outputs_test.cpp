@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs of a scene: what they name, in instances and copies, and that a world has them.
+// Outputs of a scene: their objects, in instances and copies, and in a world.
 #include "good_scenes.h"
 #include "support.h"
 
@@ -64,8 +64,8 @@ TEST(SceneOutputs, are_those_of_the_world) {
               -world.force(world.find_interaction("fall"))[0]);
 }
 
-/// A winch pays out 10 m of a wire of elements of 2 m and hauls in 16: nodes of its own come and
-/// go, then those of the start.
+/// A winch pays out 10 m of a wire of elements of 2 m and hauls in 16 m. It adds and removes its
+/// own nodes, then those of the start.
 const std::string kPayOut = R"({
   "version": 1, "name": "pay_out", "settings": {"step": 0.02},
   "line_types": {"wire": {"mass_per_length": 4.2, "EA": 4.5e7, "diameter": 0.032,
@@ -98,17 +98,17 @@ TEST(SceneOutputs, go_on_where_nodes_of_a_wire_come_and_go) {
         ASSERT_EQ(value("first"), tension(elements.front())) << i;
         ASSERT_EQ(value("last"), tension(elements.back())) << i;
         ASSERT_EQ(value("largest"), largest) << i;
-        // What is beyond the drum has become longer by what it has paid out. A node that comes or
-        // goes keeps tensions, of some kN over EA: lengths move by rounding of their strain.
+        // The wire beyond the drum is longer by the paid-out length. A node added or removed
+        // preserves tensions, of some kN over EA: lengths change by rounding of their strain.
         ASSERT_NEAR(value("paid"), w.length(fall) - start, 1e-6) << i;
         most = std::max(most, elements.size());
         least = std::min(least, elements.size());
     }
     EXPECT_GT(most, 9U);   // 22 m in elements of 2 m
     EXPECT_LT(least, 5U);  // 6 m
-    // Within what the motor needs to turn the drum round.
+    // Within the delay in which the motor reverses the drum.
     EXPECT_NEAR(value("paid"), -6.0, 0.5);
-    // A copy that goes back to what it began with tells the same.
+    // A copy restored to the initial state gives the same value.
     const double paid = value("paid");
     const std::vector<std::byte> saved = w.save();
     World other = w.twin();

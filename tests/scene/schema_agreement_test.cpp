@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checker and the published schema must give the same verdict. valijson is an independent
-// implementation of JSON Schema; documents are good scenes with one value at a time replaced,
-// removed or added, everywhere.
+// The checker and the published schema must agree. valijson is an independent implementation of
+// JSON Schema. Documents are good scenes with one value replaced, removed or added, at all places.
 #include "scene/schema.h"
 
 #include "support.h"
@@ -114,7 +113,7 @@ TEST_P(Agreement, same_verdict_on_every_single_change) {
         }
     }
     RecordProperty("documents", count.documents);
-    // Neither verdict may be the rule: the comparison would then show nothing.
+    // Both results must be frequent, or the comparison would not be significant.
     EXPECT_GT(count.refused, count.documents / 10);
     EXPECT_LT(count.refused, count.documents);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cables of several line types: what their lumps and elements have, where they rest, what winches
-// make of them, and what is refused where.
+// Cables of several line types: masses and stiffnesses, initial shapes, winches, and places of
+// errors.
 #include "support.h"
 
 #include <hawser/catenary.h>
@@ -74,7 +74,7 @@ TEST(Sections, HaveLumpsAndElementsOfTheirOwn) {
     EXPECT_EQ(bends, 14);
 }
 
-/// They start where catenary() says, and stay there.
+/// They start in the shape of catenary(), and stay there.
 TEST(Sections, RestFromTheStart) {
     Scene scene = load_text(kMooring, "mooring.json");
     World& w = scene.world;
@@ -131,12 +131,12 @@ TEST(Sections, AWinchStopsAtTheNextLineType) {
     EXPECT_EQ(w.interaction_def(elements[0]).get("EA"), 1e8);
     EXPECT_EQ(w.interaction_def(elements[1]).get("EA"), 3e8);
     EXPECT_NEAR(w.system_signal("hoist.wire_left"), 70.0, 1.0);
-    // What hangs: the load, the chain, and what is left of the wire.
+    // The hanging mass: the load, the chain, and the rest of the wire.
     EXPECT_NEAR(w.system_signal("hoist.pull"), (8000 + 60 * 19.98) * 9.81, 0.02 * 9e4);
 }
 
-/// Elements become longer within each line type; where two meet the node stays, and each keeps its
-/// material to rounding.
+/// Elements grow within each line type. The node between two types remains, and each keeps its
+/// material up to rounding.
 TEST(Sections, HaveAResolutionOfTheirOwn) {
     Scene scene =
         load_text(mooring_with("\"shape\": \"hanging\"",
@@ -174,7 +174,7 @@ TEST(Sections, HaveAResolutionOfTheirOwn) {
     EXPECT_LT(after[1].elements, before[1].elements);
     EXPECT_NEAR(w.system_signal("leg/resolution.material"), 216.88, 1e-9);
     EXPECT_TRUE(w.alive(first) && w.alive(second));
-    // By hand neither: no element could take the place of both.
+    // Manual removal is rejected too: one element could not replace both.
     try {
         (void)w.remove_node(first, 3.2);
         FAIL() << "two line types became one";

@@ -82,7 +82,8 @@ TEST(SceneShapes, posts_lie_in_edges_of_hulls) {
     EXPECT_TRUE(d.posts[0].def.slides);
     EXPECT_FALSE(d.posts[1].def.slides);
     EXPECT_EQ(d.posts[2].def.name, "sharp/2");
-    // Slopes of 45 degrees: the axis is a radius and its share of the corner under the ridge.
+    // Slopes of 45 degrees: the axis lies below the ridge by the radius and the additional distance
+    // of the corner.
     const ShapeDef& ridge = shape(d, "ridge");
     EXPECT_NEAR((ridge.position - Vec3(0, 0, 1.0 - 0.1 * std::sqrt(2.0))).norm(), 0.0, 1e-12);
     EXPECT_NEAR(ridge.half_length, 2.0, 1e-12);
@@ -153,7 +154,7 @@ TEST(SceneShapes, segments_between_lumps_of_ones_own) {
     const ShapeDef& stay = shape(d, "buoy/stay");
     EXPECT_EQ(stay.kind, ShapeKind::capsule);
     EXPECT_EQ(d.body(stay.body).name, "buoy");
-    EXPECT_EQ(d.body(stay.body_b).name, "weight");  // which comes after the buoy
+    EXPECT_EQ(d.body(stay.body_b).name, "weight");  // listed after the buoy
     EXPECT_EQ(stay.radius, 0.03);
     EXPECT_EQ(stay.group, shape(d, "tow/c1").group);
     const ShapeDef& copy = shape(d, "1:buoy/stay");
@@ -169,8 +170,8 @@ TEST(SceneShapes, segments_between_lumps_of_ones_own) {
 }
 
 TEST(SceneShapes, a_segment_of_ones_own_carries) {
-    // A ball dropped on a strut between two fixed ends, by way of a lump in their middle, stays on
-    // it: without the segments it would fall past the lump, which it misses.
+    // A ball dropped on a strut between two fixed ends, with a lump in the middle, stays on it.
+    // Without segments it would fall past the lump.
     Scene scene = load_text(R"({"version": 1, "name": "s", "settings": {"step": 0.005},
       "bodies": [
         {"name": "left", "kind": "fixed", "position": [-1, 0, 0],
@@ -186,7 +187,7 @@ TEST(SceneShapes, a_segment_of_ones_own_carries) {
         ASSERT_EQ(scene.world.step(), Status::ok);
     }
     const Vec3 ball = scene.world.pose(scene.world.find_body("ball")).position;
-    // On top of it, less what the contact gives (9.81 N on 1e8 N/m) and the rods give.
+    // On top, less the deflection of the contact (9.81 N on 1e8 N/m) and of the rods.
     EXPECT_NEAR(ball.z(), 0.3, 1e-4);
     ASSERT_EQ(scene.world.contacts().size(), 1U);
     EXPECT_NEAR(scene.world.contacts().front().force.norm(), 9.81, 1e-3);

@@ -55,7 +55,7 @@ inline std::string refusal(std::string_view text, const Options& options = {}) {
     return "";
 }
 
-/// A folder of files that goes away.
+/// A temporary folder of files, removed at the end.
 class TempFolder {
   public:
     TempFolder() {

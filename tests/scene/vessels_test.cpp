@@ -129,7 +129,7 @@ struct VesselTutorial {
             at = end + 3;
         }
     }
-    /// The number that stands in the place of "#".
+    /// Return the number at the position of "#".
     [[nodiscard]] double figure(std::string words) const {
         words.replace(words.find('#'), 1, "([0-9.]+)");
         std::smatch found;

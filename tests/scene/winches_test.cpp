@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Winches of a scene: what they become, in instances and copies, and what is refused where.
+// Winches of a scene: their bodies and interactions, in instances and copies, and places of errors.
 #include "support.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ std::string lift_with(const std::string& from, const std::string& to) {
     return text;
 }
 
-/// With a resolution, which divides what is longer than 4 m.
+/// With a resolution that divides elements longer than 4 m.
 std::string fine_with(const std::string& keys) {
     std::string text = lift_with("\"elements\": 3",
                                  "\"elements\": 3, \"consistent_mass\": true, \"resolution\": "
@@ -184,7 +184,7 @@ TEST(SceneWinches, AGypsyJumpsUnderItsAnchor) {
     EXPECT_GT(weight - tail, 6e4);
     for (int i = 0; i < 400; ++i) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_NEAR(w.system_signal("windlass.radius"), 5 * 0.304 / 3.14159265358979, 1e-12);
-    EXPECT_GE(w.system_signal("1:windlass.tail"), tail);  // and what the heap takes
+    EXPECT_GE(w.system_signal("1:windlass.tail"), tail);  // and the force on the heap
     EXPECT_GT(w.event_extremes(EventKind::chain_jump).count, 0);
     EXPECT_EQ(w.system_signal("windlass.jumped"), w.system_signal("1:windlass.jumped"));
     // Below its load it hangs still.
@@ -224,7 +224,7 @@ TEST(SceneWinches, GypsiesAndChainsAreRefusedByTheirPlace) {
     }
 }
 
-/// What the timeline can know before the run, and what a winch refuses.
+/// Values that the timeline can check before the run, and values that a winch rejects.
 TEST(SceneWinches, LimitsAndTimelinesAreRefusedByTheirPlace) {
     const auto with_timeline = [&](const std::string& entry) {
         return windlass_with("\"repeat\": {\"offset\": [0, 20, 0]}",
@@ -241,12 +241,12 @@ TEST(SceneWinches, LimitsAndTimelinesAreRefusedByTheirPlace) {
               "/timeline/0/set/windlas.mode", "did you mean \"windlass.mode\""},
           Row{with_timeline(R"({"at": 1, "set": {"windlass.mode": "break"}})"),
               "/timeline/0/set/windlass.mode", "did you mean \"brake\""},
-          // A drum that is too small, and a wire longer than it holds.
+          // A drum that is too small, and a wire longer than its capacity.
           Row{lift_with("\"core_radius\": 0.3", "\"core_radius\": 0.07"), "/winches/0",
               "give a larger drum"},
           Row{lift_with("\"stored\": 200", "\"stored\": 900, \"flange_radius\": 0.6"), "/winches/0",
               "the drum holds"},
-          // Limits that cross: a band that slips with more than it holds.
+          // Contradictory limits: a brake whose slip torque exceeds its static torque.
           Row{lift_with("\"stored\": 200",
                         "\"stored\": 200, \"brake_static\": 10, \"brake_dynamic\": 20"),
               "/winches/0", "brake_dynamic"},
@@ -263,7 +263,7 @@ TEST(SceneWinches, LimitsAndTimelinesAreRefusedByTheirPlace) {
     }
 }
 
-/// A mode that there is not would be clamped to an emergency release.
+/// An unknown mode would be clamped to an emergency release.
 TEST(SceneWinches, TimelinesKeepToTheRangesOfSignals) {
     const auto set = [](const char* what) {
         return refused_at(
@@ -277,7 +277,7 @@ TEST(SceneWinches, TimelinesKeepToTheRangesOfSignals) {
     EXPECT_EQ(set("\"hoist.mode\": 5, \"hoist.brake\": 1"), "");
 }
 
-/// 12 m hang and 200 m are on the drum: what is cut off is bounded by both.
+/// 12 m hang and 200 m are on the drum: both limit the position of cuts.
 TEST(SceneWinches, CutsAreBoundedByWhatIsStored) {
     const auto cuts = [](const char* operations) {
         return refused_at(lift_with("\"repeat\": {\"offset\": [0, 20, 0]}",
@@ -287,7 +287,7 @@ TEST(SceneWinches, CutsAreBoundedByWhatIsStored) {
     EXPECT_TRUE(cuts(R"({"at": 1, "cut": "fall", "s": 5000})")
                     .starts_with("/timeline/0/s: the wire \"fall\" is 212 m long then, with all"))
         << cuts(R"({"at": 1, "cut": "fall", "s": 5000})");
-    // What hangs below a cut at 100 m is at most 112 m; what is above it may be paid out still.
+    // Below a cut at 100 m at most 112 m hang; the part above may still be paid out.
     EXPECT_TRUE(cuts(R"({"at": 1, "cut": "fall", "s": 100}, {"at": 2, "cut": "fall/2", "s": 113})")
                     .starts_with("/timeline/1/s: the wire \"fall/2\" is 112 m long then"));
     EXPECT_EQ(cuts(R"({"at": 1, "cut": "fall", "s": 10}, {"at": 2, "cut": "fall", "s": 50})"), "");

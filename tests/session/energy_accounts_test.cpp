@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Scenes without a motor, whose mechanical energy may only fall: none drives anything, and none
-/// ends good with energy that came or went without reason. What is compared are sums of kinetic,
-/// gravity and elastic energy, not the accounts that explain them.
+/// Scenes without a motor, whose mechanical energy may only fall. None counts work as driven, and
+/// none ends good with an unexplained change of energy. Sums of kinetic, gravity and elastic energy
+/// are compared, not the accounts of losses.
 #include <hawser/session.h>
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace hawser::test {
 
 namespace {
 
-/// How a run ended, and what its mechanical energy did.
+/// Grade and energy change of a run.
 struct EnergyRun {
     Grade grade = Grade::good;
     double driven = 0.0;  ///< Largest of all steps, without its sign [J].
@@ -39,7 +39,7 @@ EnergyRun run_passive(const std::string& name, bool verify) {
         }
         const Energy e = w.energy();
         out.driven = std::max(out.driven, std::abs(e.driven));
-        // Of these scenes applied forces alone bring energy in.
+        // Only applied forces add energy in these scenes.
         sums.push_back(e.mechanical() - e.applied - e.system);
         if (sums.size() > 1)
             moved += 0.5 * (std::abs(e.kinetic - kinetic) + std::abs(e.gravity - gravity));
@@ -76,7 +76,7 @@ TEST(EnergyAccounts, WhatMakesEnergyIsNotGood) {
         EXPECT_FALSE(made && !run.refused && run.grade == Grade::good)
             << name << ": " << run.rise << " J of " << run.exchanged << " J";
     }
-    // The mechanisms take 25 to 557 J and 2 to 431 J if nobody says stop.
+    // The mechanisms dissipate 25 to 557 J and 2 to 431 J without on_diverged.
     for (const char* name : {"fourbar_compliant", "bennett_compliant"}) {
         const EnergyRun run = run_passive(name, false);
         EXPECT_TRUE(run.refused || run.rise < 0.02 * run.exchanged) << name;
@@ -84,8 +84,8 @@ TEST(EnergyAccounts, WhatMakesEnergyIsNotGood) {
 }
 
 TEST(EnergyAccounts, WhatLosesEnergyInJointsIsRefused) {
-    // A boom that turns freely on a platform keeps its energy: 0 of 3.5 kJ, against the 44 % that
-    // went when both hinges had 1e-12 m/N.
+    // A boom that turns freely on a platform keeps its energy. It loses 0 of 3.5 kJ, against 44 %
+    // with 1e-12 m/N in both hinges.
     for (const bool verify : {false, true}) {
         Session session(
             {.scene = "tests/data/energy/slew_two_hinges_c1e-12.json", .verify = verify});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A step that fails leaves nothing behind: the next step gives the same bits as in a world that
-/// never tried it, whatever systems had edited by then, and a replay of the recording agrees.
+/// A failed step has no effect. The next step gives the same bits as in a world without the
+/// attempt, after any edits by systems, and a replay of the recording agrees.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -69,7 +69,8 @@ struct Trial {
     ShapeId shape{};
 };
 
-/// Try a step that fails. @param by_session  With what the timeline sets before it, which stays.
+/// Attempt a step that fails. @param by_session  With changes of the timeline before it, which
+/// remain.
 /// @return its status.
 Status fail(Trial& run, Random& random, bool by_session) {
     run.saboteur->means = static_cast<Saboteur::Means>(random.integer(0, 5));
@@ -79,7 +80,7 @@ Status fail(Trial& run, Random& random, bool by_session) {
     return status;
 }
 
-/// A shape comes or goes between steps: what the system has to follow to then is less.
+/// Add or remove a shape between steps: the system needs only a small update.
 void change_shape(Trial& run) {
     World& w = run.world;
     if (w.alive(run.shape)) {
@@ -102,7 +103,7 @@ void expect_nothing_left(const std::string& file, int steps, std::uint32_t seed)
     Random random(seed);
     int failed = 0;
     for (int i = 0; i < steps; ++i) {
-        // Before what fails, and behind it.
+        // Before the failing change, and after it.
         const auto change = [&] {
             for (Trial* run : {&tried, &plain}) change_shape(*run);
         };
@@ -157,7 +158,7 @@ TEST(FailedStepOfAScene, AReplayAgrees) {
             run.session.record(file);
             Random random(7);
             for (int i = 0; i < 40; ++i) {
-                // What is set between steps and what fails, in any order.
+                // Changes between steps and failing changes, in any order.
                 const auto inputs = run.world.inputs();
                 if (!inputs.empty() && random.chance(0.3)) {
                     const InputId id =

@@ -71,8 +71,8 @@ std::string atwood(double left, double right, double EA, double duration) {
         duration, left, right, EA);
 }
 
-/// Atwood's machine with a wire of lumps over a wheel of 0.5 m: nodes run over it. Both sides lean
-/// outwards by 0.028 m a metre, so that the wire is drawn over the wheel.
+/// Atwood's machine with a wire of lumps over a wheel of 0.5 m, on which nodes run. Both sides lean
+/// outwards by 0.028 m per metre, so that the wire is pulled onto the wheel.
 std::string atwood_by_wire(double step, double element) {
     constexpr double kRadius = 0.5, kLean = 0.028;
     constexpr int kNodes = 5;  // a side, with the weight
@@ -102,7 +102,7 @@ std::string atwood_by_wire(double step, double element) {
         step, -x, end, x, end, element * (2 * kNodes - 1), 2 * kNodes - 1, nodes, kRadius);
 }
 
-/// A barge pulled to and fro round a bollard: the tension before it goes round a hysteresis loop.
+/// A barge pulled back and forth around a bollard: its tension follows a hysteresis loop.
 std::string bollard(double friction, int turns, double step) {
     std::string timeline;
     for (int i = 0; i < 3; ++i)
@@ -176,8 +176,8 @@ TEST(FalseAlarms, AtwoodsMachineAtATwentieth) {
     expect_good(atwood(20.0, 30.0, 1e7, 2.0));
 }
 
-/// Speed and tension are those of the closed form, g/5 t and 2 m₁ m₂ g/(m₁ + m₂), while nodes come
-/// out of the wheel: a node that came out slower than the wire jerked it, by a fifth of the
+/// Speed and tension follow the closed form, g/5 t and 2 m₁ m₂ g/(m₁ + m₂), while nodes leave the
+/// wheel. A node that left at less than the speed of the wire caused a jerk of a fifth of the
 /// tension.
 TEST(FalseAlarms, AtwoodsMachineByAWireOverAGuide) {
     constexpr double kTension = 2.0 * 1000.0 * 1500.0 * 9.81 / 2500.0;
@@ -193,14 +193,14 @@ TEST(FalseAlarms, AtwoodsMachineByAWireOverAGuide) {
             while (run.time() < 1.5 - 1e-9) {
                 ASSERT_EQ(run.step(), Status::ok);
                 moved = moved || w.nodes(line).size() != nodes;
-                // The start lets the leaning sides swing.
+                // The start makes the inclined sides oscillate.
                 if (run.time() < 0.5) continue;
                 for (const InteractionId id : w.elements(line))
                     most = std::max(most, std::abs(w.force(id)[0]) / kTension - 1.0);
             }
             EXPECT_TRUE(moved) << "no node has run over the wheel";
             EXPECT_LT(most, 0.02);
-            // Of a time within the last step; the wire of 9 kg at most takes 0.4 %.
+            // At a time within the last step; the wire of at most 9 kg changes it by 0.4 %.
             const double fall = -w.velocity(w.find_body("right")).linear.z();
             constexpr double kSpeedUp = 9.81 / 5.0;
             EXPECT_NEAR(fall, kSpeedUp * (1.5 - 0.5 * step), 0.5 * kSpeedUp * step + 0.01 * fall);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A guide without an upper roller: a wire that is pulled up leaves it, and comes back.
+/// A guide without an upper roller: a wire that is pulled up leaves it, and returns.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -91,9 +91,8 @@ TEST(OpenGuide, LetsGoOfAWireThatIsPulledUpAndTakesItAgain) {
             ASSERT_EQ(p.count(EventKind::lift_off), 1);
             const Event event = p.w.event_extremes(EventKind::lift_off).first;
             EXPECT_NEAR(event.value, kPull, 0.05 * kPull);
-            // It leaves as its line clears the roller: the end is at the height of the bollard
-            // then, which the pull, whose direction it follows late by its damping, passes in that
-            // ramp.
+            // It leaves when its line clears the roller. The end is then at the height of the
+            // bollard. The pull reaches that direction within the ramp, delayed by damping.
             EXPECT_GT(event.time, 27.0);
             EXPECT_LT(event.time, 33.0);
             EXPECT_GT(p.end().z(), 20.0);
@@ -105,7 +104,7 @@ TEST(OpenGuide, LetsGoOfAWireThatIsPulledUpAndTakesItAgain) {
             p.run(90.0);
             EXPECT_EQ(p.count(EventKind::lay_on), 1);
             EXPECT_EQ(p.count(EventKind::lift_off), 1);
-            // Nothing rubs: the same pull gives the same place.
+            // Without friction the same pull gives the same position.
             EXPECT_NEAR(p.w.system_signal("roller.angle"), angle, 5e-3);
             EXPECT_LT((p.end() - before).norm(), 0.05);
             EXPECT_EQ(p.w.verdict().grade, Grade::good)

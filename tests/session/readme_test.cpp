@@ -23,7 +23,7 @@ TEST(ReadmeDocument, ItsSceneTowsTheBarge) {
     while (session.time() < 240.0) ASSERT_EQ(session.step(), Status::ok);
     const World& world = session.world();
     EXPECT_EQ(world.verdict().grade, Grade::good);
-    // Steady: thrust F on drags a and b gives the speed F/(a + b), and the wire pulls with b v.
+    // Steady state: thrust F on drags a and b gives the speed F/(a + b), and the tension is b v.
     constexpr double kThrust = 3e5, kTug = 3e4, kBarge = 9e4, kSpeed = kThrust / (kTug + kBarge);
     const double speed = world.velocity(world.find_body("tug")).linear.x();
     // 2 %: e^{-240 s/38 s} of the approach is left, and the wire still sways.

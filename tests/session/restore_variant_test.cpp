@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A saved state goes on in scenes that differ in numbers alone.
+/// A saved state continues in scenes that differ only in numbers.
 #include <hawser/session.h>
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(RestoreVariant, OtherNumbersGoOnFromTheSameState) {
                 << session.differences()[0];
         }
         while (session.time() < 20.0) ASSERT_EQ(session.step(), Status::ok);
-        // Rests where its own weight stretches the spring: m g/k.
+        // It hangs at rest at the deflection of the spring, m g/k.
         EXPECT_NEAR(height_of(session), -1.0 - mass * 9.81 * 1e-4, 1e-5);
         EXPECT_EQ(session.world().verdict().grade, Grade::good);
     }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kRunScene = "scenes/anchor_run.json";
 
-/// Steps compared: lines are let go and shackled in the first, nodes are removed in all of them.
+/// Number of steps compared: the first ones release and shackle lines, all of them remove nodes.
 int compared_steps() { return test::by_tier(30, 60, 1000); }
 
 SessionDef run_on(int threads) {
@@ -52,7 +52,7 @@ TEST(AnchorRun, StartsCertifiedAsOneIsland) {
     for (int i = 0; i < 120; ++i) {
         ASSERT_EQ(session.step(), Status::ok) << "step " << i;
         const StepStats& stats = session.world().stats();
-        ASSERT_LE(stats.natural_map, 1e-6) << "step " << i;  // What the solver promises.
+        ASSERT_LE(stats.natural_map, 1e-6) << "step " << i;  // the promise of the solver
         ASSERT_EQ(stats.flips_left, 0) << "step " << i;
         ASSERT_EQ(stats.islands, 1) << "step " << i;
     }
@@ -90,7 +90,8 @@ TEST(AnchorRun, TakesTheAnchorChangesToChainAndRunsItOut_long) {
     const BodyId anchor = world.find_body("anchor1"), ship = world.find_body("ahts1/hull");
     const auto on_deck = [&] {
         const Vec3 at = world.local_point(ship, world.pose(anchor).position);
-        // Its middle half its height, 0.8 m, over the deck at 1.2 m, which gives by millimetres.
+        // Its centre is half its height, 0.8 m, above the deck at 1.2 m, which deflects by
+        // millimetres.
         return at.x() > -33.0 && at.x() < -29.0 && std::abs(at.y() - 1.0) < 0.5 &&
                std::abs(at.z() - 2.0) < 0.02;
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A crane that takes and lets go of its load in a session: recorded, repeated, saved.
+/// A crane that takes and releases its load in a session: recorded, repeated, saved.
 #include <hawser/hawser.h>
 #include <hawser/repeater.h>
 #include <hawser/session.h>
@@ -23,7 +23,7 @@ struct CraneFolder {
     [[nodiscard]] std::string file(const char* name) const { return (path / name).string(); }
 };
 
-/// Hooks on, lifts, and lets go again in the air. @param save  Before step `at`; 0: not.
+/// Hook on, lift, and release in the air. @param save  Before step `at`; 0: do not save.
 std::vector<std::uint64_t> lift(Session& session, int steps, const std::string& save = "",
                                 int at = 0) {
     std::vector<std::uint64_t> hashes;
@@ -55,7 +55,7 @@ TEST(SessionCranes, AreRecordedRepeatedAndSaved) {
         ASSERT_EQ(rest.size(), all.size() - static_cast<std::size_t>(at));
         EXPECT_TRUE(std::equal(rest.begin(), rest.end(), all.begin() + at)) << at;
     }
-    // A replay needs none of the crane's code: what it did is in the recording.
+    // A replay needs no code of the crane: the recording contains its changes.
     const record::Recording r = record::Recording::open(folder.file("lift.hwr"));
     EXPECT_EQ(r.damage, "");
     scene::Scene again = scene::load_text(r.scene_text, "lift.hwr");

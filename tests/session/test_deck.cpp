@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Deck gear that a timeline works: verified while it runs, and repeated from its recording without
-/// the systems that took and let go.
+/// Deck gear controlled by a timeline: verified while it runs, and repeated from its recording
+/// without the systems that captured and released.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -15,8 +15,8 @@
 namespace hawser::test {
 namespace {
 
-/// A wire that hangs over a deck from a mast to a load that is hauled sideways; a jaw under it, a
-/// chain stopper that finds nothing, and a pin that goes down and comes up again.
+/// A wire from a mast over a deck to a load that is hauled sideways. A jaw is below it, a chain
+/// stopper finds no wire, and a pin moves down and up again.
 const std::string kDeck = R"({
   "version": 1, "name": "deck", "settings": {"step": 0.016666666666666666},
   "line_types": {"wire": {"mass_per_length": 23, "EA": 2.33e8, "drag": 40, "diameter": 0.076}},

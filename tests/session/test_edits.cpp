@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A run in which things come and go, with everything that may watch it.
+/// A run with additions and removals of objects, with all kinds of observers.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -44,7 +44,7 @@ const std::string kYard = R"({
   "inputs": [{"name": "push", "body": "crate", "component": "force_x", "min": -50, "max": 50}]
 })";
 
-/// What comes and goes before a step.
+/// Make the edits before a step.
 void edit(World& w, int step) {
     const BodyId floor = w.find_body("floor");
     if (step == 30) {
@@ -103,7 +103,7 @@ TEST(SessionEdits, EveryObserverFollowsWhatComesAndGoes) {
     // At rest: contacts are 1e-3 m deep at most and creep.
     EXPECT_LT(session.world().velocity(session.world().find_body("crate")).linear.norm(), 1e-4);
     EXPECT_EQ(session.finish(), record::Ending::finished);
-    // A row has as many columns as the first one, whatever has gone.
+    // All rows have as many columns as the first one, in spite of removals.
     std::ifstream table(folder.path / "run.csv");
     std::string line;
     std::size_t columns = 0;
@@ -135,7 +135,7 @@ TEST(SessionEdits, TheVerifierStillFindsWhatIsWrong) {
     }
 }
 
-/// Puts a body on a rod, and takes it away again.
+/// Attaches a body to a rod, and removes it again.
 struct Builder final : System {
     [[nodiscard]] std::string_view name() const noexcept override { return "builder"; }
     void prestep(Prestep& now, Loads&) noexcept override {

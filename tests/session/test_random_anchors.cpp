@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random anchor handling: a tug whose winch, taken through its modes, has a wire of any make over a
-// guide at the stern to a barge, to an anchor on the bed or to a weight that hangs; nodes come and
-// go by random limits, the wire lies on the bed, is cut or not. Separate code verifies all steps.
+// Random anchor handling. The winch of a tug runs through its modes. Its wire of any type leads
+// over a guide at the stern to a barge, to an anchor on the bottom or to a hanging weight. Nodes
+// are added and removed by random limits; the wire lies on the bottom, is cut or not. Separate code
+// verifies all steps.
 #include <hawser/hawser.h>
 #include <hawser/scene.h>
 #include <hawser/session.h>
@@ -89,7 +90,7 @@ Json random_orders(Random& random, double length) {
         if (mode == "tension" || mode == "render") set["winch.tension"] = random.uniform(1e4, 6e5);
         out.push_back({{"at", t}, {"set", set}});
     }
-    // Of what it is long then, nothing is known but that it is longer than this.
+    // Only a lower limit of its length is known then.
     if (random.chance(0.25))
         out.push_back({{"at", random.uniform(5, 12)},
                        {"cut", "line"},
@@ -123,7 +124,7 @@ Json random_wire(Random& random, Far far, double wheel) {
     return out;
 }
 
-/// Where the wire goes at the start, from the winch to the far end.
+/// Return the initial path of the wire, from the winch to the far end.
 std::vector<XYZ> way_of(Far far, double wheel, const XYZ& end) {
     const double top = kAxis + wheel;
     std::vector<XYZ> out{{kStern + kInboard, 0, top}, {kStern, 0, top}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Random lifts: the cranes of the scenes with other falls, losses, loads and steps, driven at
-/// random, their hooks taking and letting go. Separate code verifies all steps; states saved within
-/// go on to the same end, and recordings repeat both.
+/// random, with hooks that take and release loads. Separate code verifies all steps. States saved
+/// on the way lead to the same end, and recordings repeat both.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -35,7 +35,7 @@ struct LiftFolder {
     [[nodiscard]] std::string file(const char* name) const { return (path / name).string(); }
 };
 
-/// Largest speeds of what a crane's signals drive.
+/// Return the maximum speeds of the motions that the signals of a crane drive.
 std::vector<std::pair<std::string, double>> motions(const Json& crane) {
     std::vector<std::pair<std::string, double>> out{{"crane.slew", crane["slew"]["speed"]},
                                                     {"crane.hoist", crane["hoist"]["speed"]}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random tows in a random sea: two hulls in waves and current, a wire over a stern roller whose
-// winch is taken through its modes, cut or not. Separate code verifies all steps, and recordings
-// repeat them: what grew up in calm water holds in a seaway.
+// Random tows in a random sea: two hulls in waves and current, and a wire over a stern roller. The
+// winch runs through its modes; the wire is cut or not. Separate code verifies all steps, and
+// recordings repeat them. Features developed in calm water must hold in a seaway.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -38,7 +38,7 @@ void write_box(const std::filesystem::path& file, double length, double beam) {
         out << "f " << face << '\n';
 }
 
-/// Where scenes and hulls of a test are.
+/// Folder with the scenes and hulls of a test.
 class TowFolder {
   public:
     TowFolder() {
@@ -58,7 +58,7 @@ class TowFolder {
                                   ("hawser_random_tows_" + std::to_string(::getpid()));
 };
 
-/// scenes/tow_payout.json afloat on its displacement in place of springs.
+/// Return scenes/tow_payout.json with ships that float by their displacement instead of springs.
 Json tow_afloat() {
     Json scene = Json::parse(std::ifstream("scenes/tow_payout.json"));
     scene.erase("$schema");
@@ -174,7 +174,7 @@ TEST(RandomTows, InASeaAreVerifiedAndRepeated) {
             cut += session.world().event_extremes(EventKind::cut).count > 0 ? 1 : 0;
             session.finish();
         }
-        // With one step less where the last one was refused: it has no frame.
+        // One step less if the last one was rejected: it has no frame.
         if (refused == 0) {
             const Repeated again =
                 expect_repeats(record::Recording::open(record), 1 + static_cast<int>(seed % 2));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Recordings say how wires lie where nodes come and go: what pictures show is what there was.
+/// Recordings contain the shapes of wires with added and removed nodes: pictures agree with the
+/// world.
 #include <hawser/hawser.h>
 #include <hawser/recording.h>
 #include <hawser/scene.h>
@@ -14,7 +15,8 @@
 namespace hawser {
 namespace {
 
-/// Where the pieces of a wire end in the world and in a frame, and their tensions, agree.
+/// Expect that the ends of the elements of a wire, and their tensions, agree in the world and in a
+/// frame.
 void expect_the_same(const World& w, const record::Recording& r, const record::Frame& f) {
     ASSERT_NE(f.wires, nullptr);
     ASSERT_EQ(f.wires->size(), w.wires().size());
@@ -28,7 +30,8 @@ void expect_the_same(const World& w, const record::Recording& r, const record::F
             for (int end = 0; end < 2; ++end) {
                 const Pose& pose = f.poses[static_cast<std::size_t>(wire.pieces[i].body[end])];
                 const Vec3 at = pose.position + pose.orientation * wire.pieces[i].point[end];
-                // Where a line touches a wheel is that of the last edit: it moves by centimetres.
+                // The point at which a line touches a wheel is that of the last edit: it moves by
+                // centimetres.
                 EXPECT_LT((at - ends[static_cast<std::size_t>(end)]).norm(), 0.2) << i;
             }
             const double pull = std::max(0.0, -w.force(elements[i])[0]);

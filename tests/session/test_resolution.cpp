@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires whose nodes come and go in a session: recordings repeat them without the systems that did
-/// it, a budget makes them coarser first, and inputs of a scene set signals.
+/// Wires with added and removed nodes in a session. Recordings repeat them without the systems that
+/// made the changes, a budget coarsens wires first, and inputs of a scene set signals.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -61,7 +61,7 @@ TEST(SessionResolution, IsRepeatedFromARecording) {
               session.world().nodes(session.world().find_wire("line")).size());
 }
 
-/// Flops of a step are what a budget of work counts; the wire makes up nearly all of them.
+/// A budget of work counts the flops of a step, nearly all of which belong to the wire.
 TEST(SessionResolution, BudgetMakesWiresCoarserFirst) {
     const auto flops = [](const World& w) {
         return w.stats().factor_work * static_cast<double>(w.stats().factor_flops);
@@ -94,7 +94,7 @@ TEST(SessionResolution, BudgetMakesWiresCoarserFirst) {
     ASSERT_FALSE(recording.cuts.empty());
     EXPECT_EQ(recording.cuts.front().step, first);
     EXPECT_EQ(recording.cuts.front().left_out, (Degradation{.wires = 1}));
-    // With its systems, a world makes the same of what was left out.
+    // With its systems, a world repeats the degradations.
     scene::Scene scene = scene::load_text(kTow, "tow");
     for (int k = 0; k < 900; ++k) {
         for (const record::RecordedCut& cut : recording.cuts)

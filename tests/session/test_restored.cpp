@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Runs that begin with a saved state: control file and timeline together, recordings of what other
-/// things there are by then, separate code beside them; and recordings of steps that failed.
+/// Runs that start from a saved state: control file and timeline together, recordings with the
+/// objects that exist by then, verification by separate code; and recordings of failed steps.
 #include <hawser/hawser.h>
 #include <hawser/recording.h>
 #include <hawser/session.h>
@@ -65,8 +65,8 @@ void save_at(const SessionDef& def, int step, const std::string& file) {
     session.save(file);
 }
 
-/// The control file's values of before the save were set again, over what the timeline had set
-/// since.
+/// The values of the control file before the save were set again and replaced later values of the
+/// timeline.
 TEST(SessionRestored, GoesOnWithControlFileAndTimeline) {
     const RestoredFolder folder;
     std::ofstream(folder.file("c.csv")) << "time,sea.waves,hoist.speed\n"
@@ -84,7 +84,7 @@ TEST(SessionRestored, GoesOnWithControlFileAndTimeline) {
     }
 }
 
-/// What a file says of the time before holds where the run did not have it: another file.
+/// Values of a file for earlier times apply if the original run did not have them: another file.
 TEST(SessionRestored, TakesWhatAnotherControlFileHasByThen) {
     const RestoredFolder folder;
     save_at(kUncontrolled, 100, folder.file("at.hws"));
@@ -97,7 +97,7 @@ TEST(SessionRestored, TakesWhatAnotherControlFileHasByThen) {
     EXPECT_EQ(again.world().system_signal("hoist.speed"), -0.5);
 }
 
-/// Such recordings belonged to no world, or were refused where nodes had gone.
+/// Such recordings matched no world, or were rejected if nodes had been removed.
 TEST(SessionRestored, IsRecordedAndRepeated) {
     const RestoredFolder folder;
     Session whole(kUncontrolled);
@@ -118,7 +118,7 @@ TEST(SessionRestored, IsRecordedAndRepeated) {
     }
 }
 
-/// The wire's end behind the cut passed for one that a body had held from the start.
+/// The end of the wire behind the cut was treated as one held by a body from the start.
 TEST(SessionRestored, IsVerified) {
     const RestoredFolder folder;
     for (const int at : {20, 60, 200}) {
@@ -128,7 +128,7 @@ TEST(SessionRestored, IsVerified) {
         rest.verify = true;
         Session again(rest);
         (void)finish_run(again);
-        // And back to where it began, within the run.
+        // And return to the start of the run.
         Session first(kUncontrolled);
         while (first.world().step_count() < at) ASSERT_EQ(first.step(), Status::ok);
         again.restore(first.world().structure(), first.world().save());
@@ -136,7 +136,7 @@ TEST(SessionRestored, IsVerified) {
     }
 }
 
-/// Sets an input in each step, and at the last one loads a body with what is no number.
+/// Sets an input in each step, and loads a body with NaN in the last one.
 class Pushing final : public System {
   public:
     Pushing(InputId input, BodyId body) : input_(input), body_(body) {}
@@ -155,7 +155,7 @@ class Pushing final : public System {
     BodyId body_;
 };
 
-/// What it set in the step that failed was repeated, though the world had taken it back.
+/// The input set in the failed step was repeated, although the world had undone it.
 TEST(SessionRestored, RecordsOfAStepThatFailedWhatStays) {
     const RestoredFolder folder;
     {
@@ -178,7 +178,7 @@ TEST(SessionRestored, RecordsOfAStepThatFailedWhatStays) {
     EXPECT_EQ(expect_repeats(recording, 1).scene.world.step_count(), 30);
 }
 
-/// A replay has no winch, which had the mass of what it had paid out.
+/// A replay has no winch, which had the mass of the paid-out wire.
 TEST(SessionRestored, RecordsWhatComesOffADrum) {
     const RestoredFolder folder;
     std::string text = kCutAtSea;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Sessions against worlds that are stepped by hand, and against what their recordings repeat.
+/// Sessions compared with worlds stepped by hand, and with the repetition of their recordings.
 #include <hawser/hawser.h>
 #include <hawser/repeater.h>
 #include <hawser/session.h>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A box on a rod, driven by an input, beside a box that falls freely.
+/// A box on a rod, driven by an input, and a box that falls freely.
 const std::string kScene = R"({
   "version": 1, "name": "swing", "settings": {"step": 0.01},
   "bodies": [
@@ -31,7 +31,7 @@ const std::string kScene = R"({
              {"name": "push_z", "body": "bob", "component": "force_z", "min": -50, "max": 50}]
 })";
 
-/// Of one test: gone with it.
+/// Temporary folder of one test.
 struct Folder {
     fs::path path = fs::temp_directory_path() / ("hawser_session_" + std::to_string(::getpid()));
     Folder() { fs::create_directories(path); }
@@ -68,7 +68,8 @@ std::uint64_t hash_of_world(int steps) {
     return scene.world.state_hash();
 }
 
-/// Repeat a recording. @return frames whose hash is that of the recording, before the first other.
+/// Repeat a recording. @return number of frames with the hash of the recording, before the first
+/// other one.
 std::size_t repeated(const record::Recording& recording, bool with_changes = true) {
     scene::Scene scene = scene::load_text(recording.scene_text, "recorded");
     scene.world.prepare();
@@ -131,7 +132,7 @@ TEST(Session, ControlFileIsAsSettingTheInputs) {
     }
 }
 
-/// Inputs of systems: a file is refused, what is set while it runs is clamped, and told.
+/// Inputs of systems: a file is rejected; values set while it runs are clamped and reported.
 TEST(Session, SignalsBeyondTheirRange) {
     std::string text = kScene;
     text.insert(text.rfind("]"), R"(, {"name": "waves", "signal": "sea.waves", "factor": 2,
@@ -253,10 +254,10 @@ TEST(Session, WorldOfTheCaller) {
     const BodyId ball = world.add_body({.name = "ball", .kind = BodyKind::lump, .mass = 2.0});
     Session session(std::move(world), {.record = folder / "run.hwr", .csv = folder / "run.csv"});
     session.world().set_force(ball, {0.0, 0.0, 2.0 * 9.81},
-                              Vec3::Zero());  // Its weight: it stays where it is.
+                              Vec3::Zero());  // Its weight: it stays in place.
     for (int k = 0; k < 10; ++k) ASSERT_EQ(session.step(), Status::ok);
     session.finish();
-    // Twice the weight's rounding over 0.1 s, with room.
+    // Twice the rounding of the weight over 0.1 s, with a margin.
     EXPECT_LT(session.world().pose(ball).position.norm(), 1e-15);
     const auto recording = record::Recording::open(folder / "run.hwr");
     EXPECT_EQ(recording.frame_count(), 11U);

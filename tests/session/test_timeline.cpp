@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a scene has done to it at times: in sessions, their recordings and saved states.
+/// Operations of a scene at given times: in sessions, their recordings and saved states.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -25,7 +25,7 @@ struct TimelineFolder {
     [[nodiscard]] std::string file(const char* name) const { return (path / name).string(); }
 };
 
-/// A tow that is cut, falls, and is taken up by a hook; a winch that hauls.
+/// A tow that is cut, falls, and is picked up by a hook; a winch that hauls.
 const std::string kTow = R"({
   "version": 1, "name": "tow", "settings": {"step": 0.02},
   "line_types": {"wire": {"mass_per_length": 5, "EA": 5e6, "drag": 40, "diameter": 0.04}},
@@ -93,7 +93,7 @@ TEST(SessionTimeline, DoesWhatItSaysAtItsTimes) {
     EXPECT_TRUE(w.find_interaction("eye").valid());
 }
 
-/// The verifier knows the world since before the operations of the first step.
+/// The verifier observes the world from before the operations of the first step.
 TEST(SessionTimeline, IsVerifiedFromItsFirstStepOn) {
     std::string text = kTow;
     const std::string list = "\"timeline\": [";
@@ -104,7 +104,8 @@ TEST(SessionTimeline, IsVerifiedFromItsFirstStepOn) {
     for (int k = 0; k < 50; ++k) ASSERT_EQ(session.step(), Status::ok) << session.objection();
 }
 
-/// Each is told of once, behind the step that came after it, and again in a run that goes back.
+/// Each operation is reported once, after the following step, and again in a run restored to an
+/// earlier state.
 TEST(SessionTimeline, SaysWhatItDid) {
     Session session({.scene_text = kTow});
     const auto told = [&](double until) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The tutorial of docs/winches.md, done with what stands there: its figures are those of its runs.
+/// The tutorial of docs/winches.md as written there: its figures are those of its runs.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -48,7 +48,7 @@ struct Tutorial {
         return out;
     }
 
-    /// The number that stands in the place of "#".
+    /// Return the number at the position of "#".
     [[nodiscard]] double figure(std::string words) const {
         words.replace(words.find('#'), 1, "([0-9.]+)");
         std::smatch found;
@@ -94,7 +94,7 @@ TEST(WinchTutorial, TheControlFileLiftsItByWhatThePageSays) {
     run_to(session, 20.0);
     const double lifted = height(session);
     EXPECT_NEAR(lifted - held, page.figure("lifts the load by # m in 15 s"), kRounded);
-    // The brake stops it: what is left is the wire's stretch, some centimetres.
+    // The brake stops it: the rest is the stretch of the wire, some centimetres.
     run_to(session, 25.0);
     EXPECT_NEAR(height(session), lifted, 0.1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A warm step allocates nothing.
+/// A warm step allocates no memory.
 #include "stepper/allocation_counter.h"
 #include "stepper/scenes.h"
 #include "support/recipe.h"
@@ -64,7 +64,7 @@ TEST(Allocation, NoneInAWarmStepOfTwoThreads) {
     expect_none(mixed(4, 30), 2);
 }
 
-/// Nor what a client reads after each step, once its own memory is large enough.
+/// Reads of a client after each step do not allocate either, once its own memory is large enough.
 TEST(Allocation, NoneInWhatAClientReads) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     World w = mixed(3, 10).make();
@@ -105,7 +105,7 @@ TEST(Allocation, NoneInWhatAClientReads) {
     EXPECT_EQ(seen, 0);
 }
 
-/// A wire in two parts that the world chooses; drag brings it to rest.
+/// A wire in two parts chosen by the world; drag brings it to rest.
 Recipe parted_wire(int every) {
     Recipe r = wire(40);
     for (BodyDef& b : r.bodies) b.linear_damping = {50.0, 50.0, 50.0};
@@ -116,11 +116,11 @@ Recipe parted_wire(int every) {
     return r;
 }
 
-/// Rounds that find nothing to change do not allocate either, once there has been one.
+/// Checks of groups without a change do not allocate either, after the first one.
 TEST(Allocation, NoneWhereGroupsAreLookedAtAndStay) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     World w = parted_wire(7).make();
-    for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok);  // it comes to rest
+    for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok);  // until it is at rest
     const std::int64_t before = w.stats().regroupings;
     long seen = 0;
     bool ok = true, looked = false;
@@ -138,8 +138,8 @@ TEST(Allocation, NoneWhereGroupsAreLookedAtAndStay) {
     EXPECT_EQ(seen, 0);
 }
 
-/// Whichever allocation of a regrouping fails: a status, the state of the step before, and the next
-/// call goes on.
+/// If any allocation in a change of groups fails, the result is a status and the state of the step
+/// before. The next call continues.
 TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     const Recipe recipe = parted_wire(20);
@@ -183,7 +183,7 @@ TEST(Allocation, NoneInAWarmStepThatIsTraced) {
     expect_none(mixed(4, 30), 2, 500);
 }
 
-/// A wire that lies on a floor and over a bar: contacts come and go in the first steps only.
+/// A wire on a floor and over a bar: contacts change only in the first steps.
 World lying_wire(int threads) {
     WorldDef def;
     def.threads = threads;
@@ -248,8 +248,8 @@ TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
             options.threads = threads;
             scene::Scene s = scene::load_file(file, options);
             for (int i = 0; i < 3; ++i) ASSERT_EQ(s.world.step(), Status::ok) << file;
-            // A step in which more touches than ever before, or two bodies for the first time,
-            // grows and says so; every other one is warm.
+            // A step with more contacts than ever before, or with a new pair of bodies, grows and
+            // reports it; all others are warm.
             int warm = 0;
             for (int i = 0; i < 20; ++i) {
                 const std::int64_t growths = s.world.stats().growths;

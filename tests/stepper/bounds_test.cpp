@@ -33,7 +33,8 @@ struct Slider {
     InteractionId slide, friction;
 };
 
-/// A block on a level slide along x with friction of a force and of a share of the slide's force.
+/// A block on a horizontal slide along x, with friction of a force and of a fraction of the force
+/// of the slide.
 Slider add_slider(World& w, double y, double speed, double force, double share) {
     Slider s;
     BodyDef ground;
@@ -89,7 +90,7 @@ TEST_P(Bounds, FrictionOfASlideStopsAndHolds) {
     EXPECT_NEAR(w.force(s.friction)[0], -slows * 100.0, 1e-3);
     for (int k = 0; k < 60; ++k) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_LT(w.velocity(s.block).linear.norm(), 1e-12);
-    // Pulled by less than the bound it stays, by more it goes.
+    // A pull below the limit does not move it, one above does.
     w.set_force(s.block, {290, 0, 0}, {0, 0, 0});
     const Vec3 at = w.pose(s.block).position;
     for (int k = 0; k < 600; ++k) ASSERT_EQ(w.step(), Status::ok);
@@ -129,7 +130,7 @@ TEST_P(Bounds, ABrakeFollowsItsInput) {
     EXPECT_NEAR(w.velocity(s.block).linear.x(), 5.0, 1e-6);
 }
 
-/// What a spring of friction holds is part of what friction took, so that the balance closes.
+/// The energy stored in the spring of friction counts as friction, so that the balance closes.
 TEST_P(Bounds, ASoftBrakeBalances) {
     World w;
     const Slider s = add_slider(w, 0, 2.0, 0.0, 0.0);
@@ -174,7 +175,7 @@ TEST_P(Bounds, SnapshotsAndThreadsKeepTheBits) {
     }
 }
 
-/// Engines with sweeps know the same bounds.
+/// Methods with sweeps use the same bounds.
 TEST_P(Bounds, OtherMethodsKnowThem) {
     for (const Nonsmooth method :
          {Nonsmooth::pivoting, Nonsmooth::split, Nonsmooth::convex, Nonsmooth::pgs}) {

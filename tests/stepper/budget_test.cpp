@@ -12,7 +12,7 @@
 namespace hawser {
 namespace {
 
-/// Every look at it costs a tick of CPU time.
+/// Every reading advances it by a tick of CPU time.
 struct TickingClock final : runtime::Stopwatch {
     double tick, now = 0.0;
     int looks = 0;
@@ -56,7 +56,7 @@ TEST(Budget, AssumesThatTheNextIterationCostsWhatTheLastDid) {
     EXPECT_EQ(b.cause(), DegradedBy::clock);
     EXPECT_EQ(b.foreseen(), 11.0);
     EXPECT_TRUE(b.hasty());
-    b.finished(11.0);  // 2 after the last look: kept for the next step
+    b.finished(11.0);  // 2 after the last reading: kept for the next step
     b.begin({.seconds = 10.0}, {});
     EXPECT_FALSE(b.another({4.5, 0.0}, 1));  // 9 + 2
     b.begin({.work = 100.0}, {});
@@ -86,16 +86,17 @@ TEST(Budget, CutsWithTheClockAndRepeatsWithoutIt) {
     auto repeated = pile({});
     TickingClock clock(1e-3), never(1e9);
     timed->stopwatch = &clock;
-    repeated->stopwatch = &never;  // Whatever it says, nothing depends on it.
+    repeated->stopwatch = &never;  // Nothing depends on its value.
     int cuts = 0;
     for (int i = 0; i < 40; ++i) {
         ASSERT_EQ(stepper::step(*timed), Status::ok);
         const StepStats& s = timed->work.stats;
-        // One look where the solve begins, one an iteration, and one at the end: from the second
-        // step on the end is known to take 1 ms, so that a second iteration would end at 3 + 1 ms.
+        // One reading at the start of the solve, one per iteration, and one at the end. From the
+        // second step on the end is known to take 1 ms, so that a second iteration would end at 3 +
+        // 1 ms.
         if (s.cut) {
             EXPECT_EQ(s.newton_iterations, i == 0 ? 2 : 1) << "step " << i;
-            // The first step ends with its rows solved for: there was nothing to begin with.
+            // The first step ends with a solution for its rows: it had no initial solution.
             EXPECT_EQ(s.degradation, (Degradation{s.newton_iterations, i > 0})) << "step " << i;
             EXPECT_GT(s.foreseen_seconds, 0.95 * def.budget);
         } else {
@@ -127,7 +128,7 @@ TEST(Budget, IterationsThatRunOutLeaveMomentumBalanced) {
         ASSERT_EQ(stepper::step(*ctx), Status::ok);
         const StepStats& s = ctx->work.stats;
         EXPECT_FALSE(s.cut);
-        // That of a solved step is 1e-13; this leaves room for badly conditioned laws.
+        // A solved step has 1e-13; this leaves a margin for badly conditioned laws.
         EXPECT_LE(s.momentum_residual, 1e-9) << "step " << i;
         open += s.natural_map > def.contact_tolerance ? 1 : 0;
     }

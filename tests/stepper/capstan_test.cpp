@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines round bollards by several turns: bounds that their own friction makes up nearly whole.
+/// Lines with several turns around bollards: bounds that nearly all result from their own friction.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,7 @@ namespace {
 
 using test::between;
 
-/// A weight of 50 kg and one that is heavier by `share` of e^{μδ}, on a line that lies round a
-/// bollard.
+/// A weight of 50 kg and one that is heavier by `share` of e^{μδ}, on a line around a bollard.
 struct Capstan {
     InteractionId light, heavy, friction;
     BodyId weight;
@@ -78,8 +77,8 @@ class Capstans : public testing::TestWithParam<bool> {
     }
 };
 
-/// Half a turn to three turns at μ = 0.3, all at once: ratios of 2.6 to 286. Without
-/// acceleration the last takes 2,000 iterations a step, and 100 are made.
+/// Half a turn to three turns at μ = 0.3, all at once: ratios of 2.6 to 286. Without acceleration
+/// the last one needs 2,000 iterations a step, and the limit is 100.
 TEST_P(Capstans, RunAtEulersRatio) {
     std::vector<std::pair<Capstan, double>> all;
     for (const double turns : {0.5, 1.0, 2.0, 3.0}) {
@@ -101,8 +100,8 @@ TEST_P(Capstans, RunAtEulersRatio) {
         }
     }
     if (GetParam()) {
-        // Four unknowns, what switches, and the contacts, all at once; mostly 3 to 11. Rounding
-        // decides what the worst step takes, 15 to 60.
+        // Four unknowns, changes of status, and contacts, all at once; mostly 3 to 11. The maximum
+        // of a step, 15 to 60, depends on rounding.
         EXPECT_LE(iterations, 60 * 10);
         EXPECT_LE(long_steps, 3);
     }
@@ -120,8 +119,8 @@ TEST_P(Capstans, HoldsBelowIt) {
     EXPECT_NEAR(w.pose(c.weight).position.z(), z, 1e-9) << "it hangs still for 10 s";
 }
 
-/// One iteration cannot switch a line that comes taut and solve with it: such a step says so,
-/// though its contacts, at rest, are solved.
+/// One iteration cannot switch a line to taut and solve with it. Such a step reports this, although
+/// its contacts, at rest, are solved.
 TEST(BoundsLeftOpen, AreCountedWhereIterationsEnd) {
     WorldDef def{.on_diverged = OnDiverged::warn};
     def.contact_iterations = 1;

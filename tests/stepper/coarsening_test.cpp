@@ -39,7 +39,7 @@ TEST(Coarsening, WaitsWhileItActs) {
     Coarsening c;
     c.possible = true;
     EXPECT_EQ(level_after(c, 16, 3.0), 1);
-    // 6 % in 60 steps: from 3 it comes to 1 in a thousand.
+    // 6 % in 60 steps: from 3 it reaches 1 within a thousand.
     EXPECT_EQ(level_after(c, 1000, 3.0, 0.999), 1);
 }
 

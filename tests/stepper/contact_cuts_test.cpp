@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Splits of a scene with contacts and friction: what is not cut holds as exactly as in any step,
-/// whatever the cuts do.
+/// Splits of a scene with contacts and friction: uncut rows hold as exactly as in any step, with
+/// any cuts.
 #include <hawser/scene.h>
 
 #include "support/sanitizer.h"
@@ -16,11 +16,11 @@
 namespace hawser::test {
 namespace {
 
-/// Kinematic cuts with `forces` reach 70 m/s in 16 steps, those with `hold` 1.3: nothing below is
-/// allowed to depend on that.
+/// Kinematic cuts with `forces` reach 70 m/s in 16 steps, those with `hold` 1.3: the checks below
+/// must not depend on that.
 constexpr int kContactCutSteps = kSanitized ? 8 : 16;
 
-/// @param every  Steps after which groups are looked at again; 0: they stay.
+/// @param every  Steps after which groups are chosen again; 0: never.
 World anchor_contact(const char* coupling, const char* predictor, int threads, int every) {
     scene::Options options;
     options.threads = threads;
@@ -111,8 +111,7 @@ TEST_P(SplitContacts, LeaveContactsAndUncutRowsExact) {
         ASSERT_GE(s.cuts, 20) << i;
         ASSERT_GE(s.contacts, 1000) << i;
         expect_finite(world);
-        // Rows in the system, copies of cuts among them: nothing but rounding of velocities up to
-        // 100 m/s.
+        // Rows in the system, including copies of cuts: only rounding of velocities up to 100 m/s.
         EXPECT_LE(s.constraint_residual, 1e-12) << i;
         EXPECT_LE(s.momentum_residual, 1e-12) << i;
         // Joints that are not cut stay as closed as in the exact run: 6.7 mm is a stop's.
@@ -121,18 +120,18 @@ TEST_P(SplitContacts, LeaveContactsAndUncutRowsExact) {
         ASSERT_GT(f.touching, 500) << i;
         EXPECT_GT(f.tangential, 0.0) << i;
         EXPECT_LE(s.natural_map, 1e-6) << i;
-        // The law is solved to 1e-6 of a contact's own scale, which is at most some times what the
-        // average contact carries.
+        // The law is solved to 1e-6 of the scale of a contact, which is at most some times the
+        // average normal force.
         EXPECT_LE(f.outside, 1e-5 * f.normal / f.touching) << i;
         EXPECT_LE(f.pull, 1e-5 * f.normal / f.touching) << i;
         defect = std::max(defect, s.momentum_defect);
         sliding += f.sliding;
         EXPECT_LE(exact.stats().momentum_defect, 1e-12) << i;
     }
-    // What cuts leave open is told, and by far more than rounding.
+    // The error at cuts is reported, and far exceeds rounding.
     EXPECT_GT(defect, 1e-9);
     EXPECT_TRUE(std::isfinite(defect));
-    // Soft cuts let wires come down: there is something at the edge of its cone.
+    // Soft cuts let wires sink, so that some contacts are at the limit of friction.
     if (std::string(GetParam().coupling) == "compliant") {
         EXPECT_GT(sliding, 0);
     }

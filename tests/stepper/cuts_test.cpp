@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Splits (docs/theory/splits.md): where they are stable, what they leave open, and that they are
-/// steps like all others: repeatable, restorable, the same for any number of threads.
+/// Splits (docs/theory/splits.md): their stability and their errors. They are like all other steps:
+/// repeatable, restorable, equal for any number of threads.
 #include <hawser/inspect.h>
 
 #include "support/small_recipes.h"
@@ -29,7 +29,7 @@ Recipe two_bodies(double m1, double m2, double k, double n) {
     return r;
 }
 
-/// Whether the relative motion grows.
+/// @return true if the relative motion grows.
 bool grows(const Recipe& r) {
     World w = r.make();
     auto largest = [&](int steps) {
@@ -47,8 +47,8 @@ bool grows(const Recipe& r) {
     return late >= 1e300 || late > 1.5 * early;
 }
 
-/// A(1 + Υ(2 − R)) of docs/theory/splits.md: at most 2 where stable. n: damping time of the spring
-/// in steps.
+/// Return A(1 + Υ(2 − R)) of docs/theory/splits.md: at most 2 if stable. n: damping time of the
+/// spring in steps.
 double criterion(double m1, double m2, double k, double n) {
     const double h = 1.0 / 60, w = 1.0 / m1 + 1.0 / m2, z = h * h * k * w * (n + 0.25);
     const double late = z < 1e-3 ? 0.5 + z / 12.0 : -1.0 / std::expm1(-z) - 1.0 / z;
@@ -69,7 +69,7 @@ TEST(Cuts, TwoBodiesAreStableUpToTheBoundaryOfTheTheory) {
             const double k = std::sqrt(low * high);
             (grows(two_bodies(m1, m2, k, n)) ? high : low) = k;
         }
-        // 1 %: what 2,000 steps can tell of growth that vanishes at the boundary.
+        // 1 %: accuracy with which 2,000 steps determine a growth that vanishes at the boundary.
         EXPECT_NEAR(std::sqrt(low * high) / theory_low, 1.0, 0.01)
             << "m " << m1 << " " << m2 << " n " << n;
     }
@@ -86,7 +86,7 @@ TEST(Cuts, CompliantIsStableHoweverStiffTheCut) {
 
 constexpr int kThird = 8, kLumps = 3 * kThird;
 
-/// A chain of lumps along x with bending, of which each third is a group, over the ground.
+/// A chain of lumps along x with bending, with a group for each third, above the ground.
 Recipe chain(Coupling coupling, Predictor predictor, double EA = 1e4) {
     Recipe r;
     r.world.coupling = coupling;
@@ -136,7 +136,7 @@ TEST_P(EachCut, ContinuesBitForBitAfterRestore) {
     World a = on_ground(r);
     for (int round = 0; round < 6; ++round) {
         for (int i = 0; i < 15; ++i) ASSERT_EQ(a.step(), Status::ok);
-        // Two stretches and four bends, less where balls of two groups touch.
+        // Two stretch rows and four bends, fewer if balls of two groups touch.
         ASSERT_GE(a.stats().cuts, round == 0 ? 6 : 3);
         World fresh = on_ground(r);
         fresh.restore(a.save());
@@ -161,7 +161,7 @@ TEST_P(EachCut, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.state_hash(), three.state_hash());
 }
 
-/// Momentum that the reports call out of nothing is what the bodies really gained.
+/// The momentum reported as created equals the change of momentum of the bodies.
 TEST_P(EachCut, MomentumDefectIsWhatBodiesGain) {
     Recipe r = chain(GetParam().coupling, GetParam().predictor, GetParam().EA);
     r.world.gravity = {0, 0, 0};

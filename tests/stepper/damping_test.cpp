@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Dampers and drag: which speeds they see (model/damping.h).
+/// Dampers and drag: the speeds that they use (model/damping.h).
 #include "model/damping.h"
 #include "support/recipe.h"
 
@@ -16,7 +16,7 @@ TEST(Damping, ShareGoesFromHalfToOne) {
     double last = 0.5;
     for (double z = 1e-6; z < 1e12; z *= 1.5) {
         const double share = model::late_share(z);
-        // Next to 1/2 the share rises by less than the rounding of 1/z near the change of formula.
+        // Near 1/2 the fraction rises by less than the rounding of 1/z near the change of formula.
         EXPECT_GE(share, last - 1e-13) << z;
         EXPECT_LE(share, 1.0);
         // A damper alone: w+ = (1 - (1 - share) z)/(1 + share z) w is exp(-z) w.
@@ -25,7 +25,7 @@ TEST(Damping, ShareGoesFromHalfToOne) {
     }
 }
 
-/// A body with nothing but drag slows down as it should, however large the drag.
+/// A body with drag alone slows down exactly, for any drag.
 TEST(Damping, DragAloneIsExact) {
     for (const double drag : {0.1, 10.0, 1e4}) {
         Recipe r;
@@ -44,7 +44,7 @@ TEST(Damping, DragAloneIsExact) {
             EXPECT_NEAR(w.velocity(b).linear.x(), std::exp(-drag * t / 2.0), 1e-14);
             EXPECT_NEAR(w.velocity(b).angular.x(), 5.0 * std::exp(-drag * t), 1e-13);
         }
-        // What is gone, drag has: of a joule and of 12.5.
+        // The lost energy is that of drag, of 1 J and of 12.5 J.
         const Energy e = w.energy();
         EXPECT_NEAR(e.mechanical() + e.dissipated, 13.5, 1e-12);
     }
@@ -70,13 +70,13 @@ TEST(Damping, DamperBetweenBodiesIsExact) {
         // The spring of 1e-6 N/m, 0.05 m long at most, in a second.
         EXPECT_NEAR(apart, 0.1 * std::exp(-rate * t), 1e-7);
     }
-    // Its damping takes what is missing; half a step before the start the spring was 0.8 mm
+    // Its damping dissipates the difference; half a step before the start the spring was 0.8 mm
     // shorter.
     const Energy e = w.energy();
     EXPECT_NEAR(e.mechanical() + e.damped, 0.5 * 3.0 * 0.01, 1e-12);
 }
 
-/// At rest nothing changes with the share: g = -e f.
+/// At rest the fraction has no effect: g = -e f.
 TEST(Damping, EnergyOfDampersIsAccountedFor) {
     for (const double tau : {0.0, 0.003, 0.02, 1.0, 50.0}) {
         Recipe r;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts that a deadline asks for: chosen by a clock that the test turns, repeated without one.
+// Cuts required by a deadline: chosen with a clock set by the test, repeated without one.
 #include <hawser/inspect.h>
 
 #include "budget/deadline.h"
@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kSide = 12;
 
-/// A net of lumps, held at its upper edge; its right half is a group of its own. The exact
-/// factorisation has a separator across its middle, which a cut does without.
+/// A net of lumps, held at its upper edge; its right half is a separate group. The exact
+/// factorisation has a separator across its middle, which a cut avoids.
 Recipe net(double budget) {
     Recipe r;
     r.world.coupling = Coupling::deadline;
@@ -59,7 +59,7 @@ struct MatrixClock final : runtime::Stopwatch {
     explicit MatrixClock(const stepper::StepContext& c) : ctx(c) {}
     void start() noexcept override { looks = 0; }
     double seconds() noexcept override {
-        // Nothing has passed where the solve begins.
+        // No time has passed at the start of the solve.
         return looks++ == 0
                    ? 0.0
                    : slow * stepper::matrix_work(static_cast<double>(ctx.work.stats.factor_flops),
@@ -74,7 +74,7 @@ TEST(DeadlineCuts, OpenWhileTheMachineIsSlowAndAreRepeatedWithoutAClock) {
     const auto& levels = probe->work.limits.cut_levels.levels();
     ASSERT_EQ(levels.size(), 2U);
     const double exact = levels[0].matrix;
-    ASSERT_LT(levels[1].matrix, 0.9 * exact);  // or the rest says nothing
+    ASSERT_LT(levels[1].matrix, 0.9 * exact);  // required for the checks below
 
     // As fast as at first, an exact step has a fifth to spare; 1.3 times slower it does not fit.
     auto ctx = net_context(1.2 * exact);
@@ -86,7 +86,7 @@ TEST(DeadlineCuts, OpenWhileTheMachineIsSlowAndAreRepeatedWithoutAClock) {
         clock.slow = i >= 60 && i < 120 ? 1.3 : 1.0;
         ASSERT_EQ(stepper::step(*ctx), Status::ok) << "step " << i;
         const Degradation d = ctx->work.stats.degradation;
-        EXPECT_EQ(d.iterations, 0);  // there are no contacts
+        EXPECT_EQ(d.iterations, 0);  // no contacts
         EXPECT_EQ(ctx->work.stats.cuts > 0, d.cuts != 0);
         if (d.any()) {
             EXPECT_EQ(ctx->work.stats.degraded_by, DegradedBy::prediction);
@@ -185,7 +185,8 @@ TEST(DeadlineCuts, AreNotTakenWhereTheySaveNothing) {
     EXPECT_EQ(levels.choose(d, cut, 1.2, 7), 0U);
 }
 
-/// A load that comes while cuts are open and goes again: what levels cost is what they cost now.
+/// A load appears while cuts are open and vanishes again: the costs of levels refer to the present
+/// load.
 TEST(DeadlineCuts, AreTakenBackWhenALoadThatCameWithThemGoes) {
     stepper::Deadline d;
     const stepper::Load load{1e-9, 1000.0};
@@ -193,7 +194,7 @@ TEST(DeadlineCuts, AreTakenBackWhenALoadThatCameWithThemGoes) {
     stepper::CutLevels levels;
     levels.set({{0, 1000.0}, {1, 700.0}});
     std::uint64_t asked = 0;
-    // Work of a step: 1000 or 700, and 1000 more while the load is there.
+    // Work of a step: 1000 or 700, and 1000 more with the load.
     const auto step = [&](double more) {
         asked = levels.choose(d, {1e-9, (asked != 0 ? 700.0 : 1000.0) + more}, 1.8, asked);
     };
@@ -214,7 +215,7 @@ TEST(DeadlineCuts, StayAsARestoredWorldHasThemUntilRatesAreKnown) {
     EXPECT_EQ(levels.choose(nothing, {1.0, 500.0}, 0.6, 3), 3U);
 }
 
-/// Says whether levels of cuts were known when the solver's time began.
+/// Reports whether levels of cuts were known when the time of the solver began.
 struct LevelsClock final : runtime::Stopwatch {
     const stepper::StepContext& ctx;
     bool known_at_start = false;
@@ -235,8 +236,8 @@ TEST(DeadlineCuts, TheAnalysisOfLevelsIsPartOfTheSolversTime) {
     EXPECT_TRUE(ctx->work.limits.laps.analysed) << "or rates would be learned from it";
 }
 
-/// One row across the middle is coupled exactly: it holds the halves together, so that no cut that
-/// is asked for comes into force.
+/// One row across the middle is coupled exactly. It connects the halves, so that no cut comes into
+/// force.
 TEST(DeadlineCuts, ThatAreHeldShutDegradeNothing) {
     World open = net(0.0).make(), shut = net(0.0).make();
     shut.set_coupling(open.cuts().front().interaction, Coupling::exact);
@@ -249,7 +250,7 @@ TEST(DeadlineCuts, ThatAreHeldShutDegradeNothing) {
     EXPECT_EQ(open.stats().degraded_by, DegradedBy::order);
     EXPECT_GT(open.stats().cut_defect, 0.0);
     EXPECT_GT(open.stats().cuts, 0);
-    EXPECT_EQ(shut.stats().degradation.cuts, 1U);  // what a replay needs
+    EXPECT_EQ(shut.stats().degradation.cuts, 1U);  // required for a replay
     EXPECT_EQ(shut.stats().compliant, 0U);
     EXPECT_EQ(shut.stats().degraded_by, DegradedBy::nothing);
     EXPECT_EQ(shut.stats().cut_defect, 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Deadlines, with clocks that the test turns: nothing here depends on how fast the machine is.
+// Deadlines with clocks set by the test: independent of the speed of the machine.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ TEST(Deadline, LearnsStagesAndScalesThemWithWork) {
 TEST(Deadline, ReckonsWithScatter) {
     Deadline d;
     for (int i = 0; i < 400; ++i) d.learn(kLoad, laps(1, 0.0, i % 2 == 0 ? 0.8 : 1.2));
-    // Mean 3.5 ms, mean deviation 0.7 ms: within 2 of these the slower half has room.
+    // Mean 3.5 ms, mean deviation 0.7 ms: the slower half is within 2 of these.
     EXPECT_GT(d.predict(kLoad, 1), 1.2 * 3.5e-3);
     EXPECT_LT(d.predict(kLoad, 1), 1.5 * 3.5e-3);
 }
@@ -75,7 +75,7 @@ TEST(Deadline, DoesNotLearnFromAnalyses) {
 
 TEST(Deadline, LearnsOfContactsAfterStepsWithoutAny) {
     Deadline d;
-    // All of 4 ms after the start goes into one factorisation, with no iteration.
+    // All of 4 ms after the start are used by one factorisation, with no iteration.
     for (int i = 0; i < 100; ++i) d.learn(kLoad, {1e-3, 1e-3, 1e-3, 5e-3, 0, false});
     EXPECT_TRUE(d.settled());
     EXPECT_NEAR(d.predict(kLoad, 1), 5e-3, 1e-9);
@@ -99,7 +99,7 @@ TEST(Deadline, TriesAgainWhatItHasGivenUp) {
     EXPECT_GE(d.predict_next(kLoad), 0.99 * 0.25 * 2e-3);  // and no lower
 }
 
-/// Says what a model of the machine says: contacts and iterations cost time.
+/// Returns times of a model of the machine: contacts and iterations take time.
 struct ModelClock final : runtime::Stopwatch {
     const stepper::StepContext& ctx;
     double per_contact, per_iteration;
@@ -135,7 +135,7 @@ std::unique_ptr<stepper::StepContext> floor_with_boxes(const WorldDef& def) {
     return ctx;
 }
 
-/// Set the parked half down, or take it away.
+/// Put the parked half down, or remove it.
 void put(stepper::StepContext& ctx, bool down) {
     for (std::size_t b = 1 + kBoxes / 2; b <= kBoxes; ++b) {
         ctx.model.bodies.x[3 * b + 2] = down ? 0.2499 : 5.0;
@@ -145,7 +145,7 @@ void put(stepper::StepContext& ctx, bool down) {
     }
 }
 
-/// The floor moves: it begins to slide under the boxes, and turns round.
+/// Move the floor: it begins to slide under the boxes, and reverses.
 void shake(stepper::StepContext& ctx) {
     ctx.model.bodies.v_fixed[0] = std::sin(0.4 * static_cast<double>(ctx.state.step));
     ctx.model.bodies.v_fixed[1] = std::cos(0.3 * static_cast<double>(ctx.state.step));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Edits that come and go allocate nothing once memory is as large as they need it.
+/// Repeated edits do not allocate once memory has reached its maximum.
 #include "stepper/allocation_counter.h"
 #include "stepper/scenes.h"
 #include "support/recipe.h"
@@ -18,8 +18,8 @@ struct Edit {
     std::function<void()> make;
 };
 
-/// What comes and goes beside two rigid bodies of a world. Names are short: memory of longer ones
-/// is the caller's.
+/// Objects added and removed beside two rigid bodies of a world. Names are short: memory of longer
+/// ones belongs to the caller.
 class Coming {
   public:
     explicit Coming(World& w) : w_(w) {
@@ -218,7 +218,8 @@ TEST(EditAllocation, NoneWhereNodesComeAndGo) {
                                         .radius = 0.0,
                                         .consistent_mass = true});
         for (int i = 0; i < 300; ++i) ASSERT_EQ(w.step(), Status::ok);  // until it hangs
-        // Places of what has gone are taken again after a while: as many rounds are warm.
+        // Slots of removed objects are reused after a while: as many rounds are needed until all
+        // are warm.
         constexpr int kWarm = 14, kRounds = 10, kNodes = 5;
         BodyId put[kNodes];
         int grown = 0, edits = 0;
@@ -255,9 +256,8 @@ TEST(EditAllocation, NoneWhereNodesComeAndGo) {
     }
 }
 
-/// Shapes that come and go leave the system as it is, whether their body may touch without them or
-/// not; what a step finds is what a restored world finds, which makes the last analysis again, to
-/// the bit.
+/// Added and removed shapes do not change the system, whether or not their body may touch without
+/// them. A restored world, which repeats the last analysis, gives the same steps to the bit.
 TEST(EditAllocation, ShapesAloneAnalyseNothing) {
     World w = small_yard(1);
     const BodyId bodies[2] = {w.find_body("hull"), w.find_body("bare")};
@@ -282,7 +282,7 @@ TEST(EditAllocation, ShapesAloneAnalyseNothing) {
             ASSERT_EQ(again.state_hash(), w.state_hash()) << i << ", " << step;
         }
     }
-    // Where two bodies touch that did not, links are repaired in.
+    // If two bodies touch for the first time, links are added by repair.
     EXPECT_LE(count(), before + 10);
 }
 

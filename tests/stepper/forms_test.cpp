@@ -50,16 +50,16 @@ TEST(Forms, EveryFormGivesTheSameVelocities) {
             other.world.restore(made_of, state);
             ASSERT_EQ(other.world.step(), Status::ok) << file;
             const Comparison c = compare(reference.world, other.world);
-            // 1e-12 of the fastest body, or of a gravity step where all is at rest: below that
-            // there is only the round-off of h g.
+            // 1e-12 of the fastest body, or of a step of gravity if all are at rest: below that
+            // only the round-off of h g remains.
             const double floor = 9.81 * reference.world.settings().step;
-            // The gap of a joint that holds at the end of a step comes from the poses of two
+            // The gap of a joint that holds at the end of a step follows from the poses of two
             // bodies: over a step, their rounding is a velocity.
             const double joints = reference.world.stats().completion_rounds > 0
                                       ? 2.0 * std::numeric_limits<double>::epsilon() * c.extent /
                                             reference.world.settings().step
                                       : 0.0;
-            // Forces of water on ships, 1e7 N, round to what moves lumps of 100 kg by ten times
+            // Water forces on ships, 1e7 N, have a rounding that moves lumps of 100 kg by ten times
             // that.
             const double plain = reference.world.find_system("sea") != nullptr ? 1e-11 : 1e-12;
             const double close = reference.world.stats().contacts > 0 ? kContacts : plain;

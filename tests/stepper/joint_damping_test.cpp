@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Relative-rotation damping of joints: it holds chains of stiff links together and leaves
-/// motions that the step resolves alone.
+/// Relative-rotation damping of joints: it keeps chains of stiff links together and does not affect
+/// motions that the step resolves.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 namespace hawser::test {
 namespace {
 
-/// Links along x, 1 mm off the line to either side, and what pulls at them.
+/// Links along x, alternating by 1 mm to either side of the line, with a pull.
 struct Chain {
     int links = 40;
-    double length = 2.0, mass = 50.0;  ///< Of a link [m, kg].
+    double length = 2.0, mass = 50.0;  ///< Length and mass of a link [m, kg].
     double force = 5e5, off = 1e-3;    ///< [N, m]
 };
 
@@ -62,7 +62,7 @@ TEST(JointDamping, HoldsTautChainsTogether) {
     for (const InteractionKind kind :
          {InteractionKind::Ball, InteractionKind::Hinge, InteractionKind::Universal}) {
         const std::string name = kind_info(kind).name;
-        // The bow of 5 cm holds about 150 J; what exceeds it many times over has been made up.
+        // The bow of 5 cm stores about 150 J; a multiple of it would be created energy.
         EXPECT_LT(late_energy(taut_chain(kind, 0.1).make()), 5e3) << name;
         // Without damping the energy is above the bound: 9 to 20 kJ, depending on rounding.
         EXPECT_GT(late_energy(taut_chain(kind, 0.0).make()), 6e3) << name << ": damping unneeded";
@@ -81,7 +81,8 @@ TEST(JointDamping, HoldsTautChainsOfShortLinksTogether) {
             if (i >= 540) late = std::max(late, w.energy().kinetic);
             gap = std::max(gap, w.stats().violation_max);
         }
-        // Of the bow of 5 cm over the length L: T (A π/L)² L/4; the jolt of the start adds to it.
+        // Energy of the bow of 5 cm over the length L: T (A π/L)² L/4; the jolt of the start adds
+        // to it.
         const double slope = 0.05 * EIGEN_PI / (chain.links * chain.length);
         const double bow = 0.25 * force * slope * slope * chain.links * chain.length;
         EXPECT_LT(late, 3.0 * bow) << force;
@@ -90,8 +91,8 @@ TEST(JointDamping, HoldsTautChainsOfShortLinksTogether) {
     }
 }
 
-/// Two hinged bars that swing under gravity: resolved at 60 Hz, so the default damping must not
-/// show beside the bars' motion. Undamped against default: the same to fifth order in the step.
+/// Two hinged bars that swing under gravity, resolved at 60 Hz: the default damping must not affect
+/// their motion. With and without it the results agree to fifth order in the step.
 TEST(JointDamping, LeavesAMechanismAlone) {
     auto angle_after = [](double damping, double h) {
         Recipe r;

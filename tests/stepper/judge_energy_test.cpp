@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The ledger that judges energy: what counts as exchanged.
+/// The account of the energy check: the energy counted as exchanged.
 #include "monitor/energy_account.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,8 @@
 namespace hawser::stepper {
 namespace {
 
-/// What a body of 50 J beside a spring shows at a look, the spring by three accounts.
+/// Return the energies of a body of 50 J beside a spring at a check, with the spring by three
+/// accounts.
 JudgePart shown(double by_rows, double by_length, double by_force) {
     JudgePart p;
     p.kinetic = 50.0;
@@ -18,7 +19,8 @@ JudgePart shown(double by_rows, double by_length, double by_force) {
     return p;
 }
 
-/// Exchanged after ten steps in which the spring holds by turns what is given first and nothing.
+/// Return the energy exchanged after ten steps in which the energy of the spring alternates between
+/// the given value and none.
 double exchanged(const JudgePart& most) {
     constexpr double kStep = 0.01;  // [s]
     JudgeState state;
@@ -33,8 +35,8 @@ TEST(JudgeEnergy, CountsWhatSpringsExchange) {
     EXPECT_NEAR(exchanged(shown(8.0, 8.0, 8.0)), 40.0, 1e-12);
 }
 
-/// A stiff spring that the step does not resolve shows by one account what it never exchanges:
-/// would that count, an error of a hundred joules would be small beside it.
+/// By one account, a stiff spring that the step does not resolve has energy that it never
+/// exchanges. If that counted, an error of a hundred joules would be small relative to it.
 TEST(JudgeEnergy, TakesTheAccountByWhichSpringsExchangeLeast) {
     EXPECT_EQ(exchanged(shown(1e6, 0.0, 1e6)), 0.0);
     EXPECT_EQ(exchanged(shown(1e6, 1e6, 0.0)), 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Links that stand in a row go eight at a time, others one by one: the same motion.
+/// Consecutive links are processed eight at a time, others one at a time: the motion is the same.
 #include "support/random.h"
 #include "support/recipe.h"
 #include "support/tier.h"
@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, LinkLanes,
                          testing::Combine(testing::Values(Form::condensed, Form::saddle),
                                           testing::Bool()));
 
-/// Where some of the links touch the ground the solution starts at 0, and contacts push.
+/// If some of the links touch the ground, the solution starts at 0, and contacts push.
 TEST_P(LinkLanes, MoveAsOneByOne) {
     const auto [form, touching] = GetParam();
     for (const std::uint32_t seed : seeds(1, 2, 8, 60)) {
@@ -43,16 +43,15 @@ TEST_P(LinkLanes, MoveAsOneByOne) {
             if (!touching) break;
             auto body = [&](int k) { return w == &row ? BodyId{k} : twin(k); };
             ShapeDef ground{.kind = ShapeKind::plane, .body = body(0)};
-            // The first link is held by the ground and does not touch it.
+            // The first link is attached to the ground and does not touch it.
             ground.position.z() = row.pose(BodyId{2}).position.z() - 0.15;
             w->add_shape(ground);
             for (int k = 1; k < n; ++k)
                 w->add_shape({.body = body(k), .radius = 0.2, .group = 2, .touches = 1});
         }
-        // One step of rounding grows with every joint that swings: 1e-9 in a dozen. What touches
-        // throws links about so fast that joints are closed by moving poses, with solutions that
-        // are not refined (step/closing.h): of ways of a centimetre some 1e-6 along what is
-        // free.
+        // The rounding of one step grows with every oscillating joint: 1e-9 in a dozen. Contacts
+        // move links so fast that joints are closed by moving poses, with solutions that are not
+        // refined (step/closing.h). For ways of a centimetre this gives 1e-6 along free directions.
         const double close = touching ? 1e-6 : 1e-9;
         int contacts = 0;
         for (int step = 0; step < 12; ++step) {
@@ -71,8 +70,8 @@ TEST_P(LinkLanes, MoveAsOneByOne) {
     }
 }
 
-/// Where the joints are as many as there is room for, nothing behind the last one may be read: the
-/// address sanitizer sees it. Bodies behind the chain let its last joints go in lanes, too.
+/// If the joints fill their arrays, no memory behind the last one may be read: the address
+/// sanitizer checks it. Bodies behind the chain let its last joints be processed in lanes, too.
 TEST(LinkEnds, AreNotLeft) {
     for (const int links : {8, 16, 32, 64, 128}) {
         World world;
@@ -92,15 +91,15 @@ TEST(LinkEnds, AreNotLeft) {
                                             chain[static_cast<std::size_t>(k) + 1]},
                                    .point = {Vec3(0.5, 0, 0), Vec3(-0.5, 0, 0)}});
         for (int step = 0; step < 3; ++step) ASSERT_EQ(world.step(), Status::ok);
-        // All fall alike.
+        // All fall equally.
         const Vec3 fall = world.velocity(chain.front()).linear;
         EXPECT_LT(fall.z(), -0.4);
         for (const BodyId b : chain) EXPECT_LE((world.velocity(b).linear - fall).norm(), 1e-12);
     }
 }
 
-/// Inertias that are not along their bodies' axes go as matrices, others as three moments: the
-/// choice of axes moves nothing. Without drag, which is along axes.
+/// Inertias not along the axes of their bodies are stored as matrices, others as three moments: the
+/// choice of axes has no effect. Without drag, which acts along axes.
 TEST(LinkAxes, MoveNothing) {
     Random random(7);
     Recipe along = chains(5, 2, 21);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A wire that parts at its breaking load, and recoils, allocates nothing.
+/// A wire that breaks at its breaking load, and recoils, allocates no memory.
 #include "stepper/allocation_counter.h"
 
 #include <hawser/hawser.h>

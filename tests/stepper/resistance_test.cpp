@@ -52,7 +52,7 @@ TEST(Resistance, BetweenTwoBodiesKeepsMomentum) {
     WorldDef def;
     def.gravity.setZero();
     def.contact_tolerance =
-        1e-11;  // of what would stop the spin: bounds hold to 1e-9 of themselves
+        1e-11;  // relative to the torque that would stop the spin: bounds hold to 1e-9
     World w(def);
     const MaterialId felt = w.add_material(resisting(0.05, 0.1));
     const BodyId a = add_ball(w, felt, {0, 0, 0}), b = add_ball(w, felt, {1.02, 0.1, 0}, 0.5, 3.0);
@@ -84,7 +84,7 @@ TEST(Resistance, BetweenTwoBodiesKeepsMomentum) {
     EXPECT_LT((momenta() - start).norm(), 1e-11);
 }
 
-/// What rests on a deck that rolls with the sea stays where it was on the deck.
+/// Bodies at rest on a deck that rolls with the sea keep their position on the deck.
 TEST(Resistance, HoldsOnAMovingDeckWithoutCreep) {
     constexpr double kAmplitude = 0.06, kPeriod = 5.0, kStep = 1.0 / 60.0;  // 0.06 < 0.05/0.5
     World w;
@@ -115,7 +115,7 @@ TEST(Resistance, HoldsOnAMovingDeckWithoutCreep) {
         turn = std::max(turn, now.orientation.angularDistance(settled.orientation));
     }
     EXPECT_LT(drift, 1e-9);  // Over 20 cycles, as a box that does not creep.
-    EXPECT_LT(turn, 1e-7);   // angularDistance() takes an arc cosine: √ε near zero.
+    EXPECT_LT(turn, 1e-7);   // angularDistance() computes an arc cosine: √ε near zero.
 }
 
 TEST(Resistance, HeapIsSolvedAndMakesNoEnergy) {
@@ -134,8 +134,8 @@ TEST(Resistance, HeapIsSolvedAndMakesNoEnergy) {
         ASSERT_EQ(w.step(), Status::ok);
         unsolved += w.stats().natural_map > 1e-6 ? 1 : 0;
         const double now = w.energy().mechanical();
-        // Contact springs, which it does not count, give back what they took: some
-        // (10 kg g)²/2k a ball, and more where it hits.
+        // The sum excludes contact springs, which return their energy: about (10 kg g)²/2k per
+        // ball, and more at an impact.
         EXPECT_LT(now, energy + 0.5) << i;
         energy = std::min(energy, now);
         for (const ContactView& c : w.contacts()) moment = std::max(moment, c.moment.norm());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filter of joints in loops costs substitutions only where joints repeat each other.
+// The filter of joints in loops costs substitutions only if joints are redundant.
 #include "scene/catenary.h"
 
 #include <hawser/hawser.h>
@@ -44,8 +44,8 @@ void moor(World& world, BodyId from, BodyId anchor, const Vec3& foot, int links)
     join(world, before, hold, anchor, foot);
 }
 
-/// Two chains from a heavy float down to the seabed: a loop through every joint, of which none
-/// repeats others.
+/// Two chains from a heavy float down to the seabed: a loop through every joint, none of them
+/// redundant.
 void moor_float(World& world, int links) {
     const BodyId seabed = world.add_body({.kind = BodyKind::fixed});
     BodyDef buoy{.mass = 2e7};
@@ -58,8 +58,8 @@ void moor_float(World& world, int links) {
         moor(world, held, seabed, Vec3(side * flat, 0.0, -depth), links);
 }
 
-// Of 20,000 joints a few draw next to nothing, and must not pass for repeated ones: each step would
-// then take one substitution more than the one behind each factorisation.
+// Of 20,000 joints a few have almost no force, and must not count as redundant. Otherwise each step
+// would take one more substitution than the one after each factorisation.
 TEST(SelfStress, LongChainsAreNotFilteredForTheFewJointsThatDrawNothing) {
     World world({.refinements = 0});
     moor_float(world, 10'000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines that go slack in the iterations that find contacts: the matrix follows both.
+/// Lines that go slack in the iterations of contacts: the matrix follows both.
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>
@@ -10,7 +10,8 @@
 namespace hawser {
 namespace {
 
-/// Two weightless wires from one point, tight or slack, whose last nodes or elements meet head-on.
+/// Two weightless wires from one point, tight or slack, whose last nodes or elements collide
+/// head-on.
 World meeting_wires(int elements, bool segments) {
     World w({.on_diverged = OnDiverged::warn});
     BodyDef ground;
@@ -45,7 +46,7 @@ World meeting_wires(int elements, bool segments) {
 }
 
 TEST(SlackContact, LinesThatSwitchDuringTheIterationsStayInTheMatrix) {
-    // Wires meet at a speed that their law does not hold at.
+    // Wires collide at a speed at which their law does not hold.
     for (const auto& [elements, segments] :
          {std::pair(1, false), std::pair(3, true), std::pair(10, false), std::pair(10, true)}) {
         World w = meeting_wires(elements, segments);
@@ -53,8 +54,9 @@ TEST(SlackContact, LinesThatSwitchDuringTheIterationsStayInTheMatrix) {
         for (int i = 0; i < 14; ++i) {
             ASSERT_EQ(w.step(), Status::ok);
             touched = touched || w.stats().contacts > 0;
-            // At rest the residual is measured against a millionth of what one weight does in a
-            // step: 1e-6 of that is no force at all. A matrix that misses a row gives 1e9 and more.
+            // At rest the residual is relative to a millionth of the impulse of one weight in a
+            // step: 1e-6 of that is no force at all. A matrix without one of the rows gives 1e9 and
+            // more.
             EXPECT_LT(w.stats().momentum_residual, 1e-5) << elements << ", step " << i;
             for (int b = 1; b < w.body_count(); ++b)
                 EXPECT_LT(w.velocity(BodyId{b}).linear.norm(), 6.0) << elements << ", step " << i;
@@ -63,7 +65,7 @@ TEST(SlackContact, LinesThatSwitchDuringTheIterationsStayInTheMatrix) {
     }
 }
 
-/// A weight on a slack line falls until that comes taut, bounces or swings.
+/// A weight on a slack line falls until the line is taut, then bounces or swings.
 World falling_weight(double stiffness, double aside, bool touching) {
     World w;
     BodyDef ground;
@@ -107,8 +109,8 @@ TEST(SlackLine, ComingTautMakesNoEnergy) {
                     taut += w.force(InteractionId{0})[0] < 0.0 ? 1 : 0;
                 }
                 EXPECT_GT(taut, 5);
-                // Of the 98 J of the fall: rounding. A line that starts with more damping than its
-                // own is stretched by what it should have stopped, 76 J to 9e5 J.
+                // Rounding of the 98 J of the fall. A line that starts with too much damping is
+                // stretched by the energy that it should have dissipated, 76 J to 9e5 J.
                 EXPECT_LE(most - before, 1e-9) << stiffness << ", " << aside << ", " << touching;
             }
 }

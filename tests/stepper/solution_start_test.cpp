@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the solution of a step starts, and when it is refined.
+/// Start of the solution of a step, and condition of its refinement.
 #include "stepper/scenes.h"
 
 #include <gtest/gtest.h>
@@ -29,8 +29,9 @@ Seen run(const char* file, const std::vector<std::string>& set) {
     return seen;
 }
 
-/// Chains of rigid links are condensed, which leaves 1e-7 of a solution that starts at rest
-/// (heavy_hook) and 2e-9 (mooring). From where velocities are heading it leaves a thousandth.
+/// Chains of rigid links are condensed. This leaves an error of 1e-7 of a solution that starts at
+/// rest (heavy_hook) and 2e-9 (mooring). A start from extrapolated velocities leaves a thousandth
+/// of it.
 TEST(SolutionStart, LeavesLittleToRefine) {
     EXPECT_LE(run("heavy_hook", {"settings.refinements=0"}).residual, 1e-9);
     EXPECT_LE(run("mooring", {"settings.refinements=0"}).residual, 1e-10);

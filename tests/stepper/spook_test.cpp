@@ -26,14 +26,14 @@ Recipe oscillator(double h, double mass, double compliance, double tau, double x
     return r;
 }
 
-/// 1. At rest g = −ε f whatever the step and the damping time.
+/// 1. At rest g = −ε f for any step and damping time.
 TEST(Spook, StaticDeflectionDoesNotDependOnStepOrDamping) {
     constexpr double kCompliance = 1e-3, kMass = 1.0, kWeight = 9.81;
     for (double h : {1.0 / 60, 1.0 / 240, 1.0 / 1000})
         for (double n : {0.5, 2.0, 5.0}) {
             Recipe r = oscillator(h, kMass, kCompliance, n * h, 0.0, 0.0);
             r.world.gravity = {kWeight, 0, 0};
-            // On its place of rest: the static solution must be a fixed point of the scheme.
+            // In equilibrium: the static solution must be a fixed point of the scheme.
             r.bodies[1].position.x() = 10.0 + kCompliance * kMass * kWeight;
             World w = r.make();
             for (int i = 0; i < 500; ++i) ASSERT_EQ(w.step(), Status::ok);
@@ -45,7 +45,7 @@ TEST(Spook, StaticDeflectionDoesNotDependOnStepOrDamping) {
         }
 }
 
-/// A row without compliance holds at the end of the first step already, to a share of its Σ.
+/// A row without compliance already holds at the end of the first step, to a fraction of its Σ.
 TEST(Spook, ARigidRowHoldsAtTheEndOfTheStep) {
     World w = oscillator(1.0 / 60, 1.0, 0.0, 2.0 / 60, 1.0, 0.0).make();
     for (int k = 0; k < 30; ++k) {
@@ -119,7 +119,7 @@ TEST(Spook, LinearOscillatorFollowsItsCharacteristicPolynomial) {
                 const double g = w.pose(BodyId{1}).position.x() - 10.0;
                 ASSERT_NEAR(a * g + b * g1 + c * g0, 0.0, 1e-12 * a)
                     << "n " << n << " Ω " << omega_h;
-                // Undamped, two equal first positions give at most 2/sin θ, tan(θ/2) = Ω/2.
+                // Without damping, two equal first positions give at most 2/sin θ, tan(θ/2) = Ω/2.
                 ASSERT_LE(std::abs(g), 0.02 * (1 + q) / omega_h);
                 g0 = g1;
                 g1 = g;
@@ -150,7 +150,7 @@ TEST(FreeBody, AngularMomentumIsConserved) {
         const Vec3 first = momentum();
         for (int k = 0; k < 2000; ++k) {
             ASSERT_EQ(w.step(), Status::ok);
-            // Rounding walks: 2000 steps of 2⁻⁵³ times a few, with room.
+            // Random walk of rounding: 2000 steps of 2⁻⁵³ times a few, with a margin.
             ASSERT_LE((momentum() - first).norm(), 1e-13 * 20 * first.norm())
                 << "speed " << speed << " step " << k;
         }

@@ -30,8 +30,8 @@ World pulled(double stiffness) {
     return w;
 }
 
-/// (hω/2)² of 3e-5, 0.035, 35 and 3.5e4. Where the step resolves the swing, the start is of second
-/// order; where not, the invariant of the scheme is the energy of the start.
+/// (hω/2)² of 3e-5, 0.035, 35 and 3.5e4. If the step resolves the oscillation, the start is of
+/// second order; if not, the invariant of the scheme is the initial energy.
 TEST(SpringStart, MakesNoEnergy) {
     const double given = 0.5 * kMass * kSpeed * kSpeed;
     for (const double stiffness : {1.0, 1e3, 1e6, 1e9}) {

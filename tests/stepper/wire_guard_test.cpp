@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires of lumps at steps that do not resolve their swing (solve/wires.h, assembly/geo.h).
+/// Wires of lumps at steps that do not resolve their oscillation (solve/wires.h, assembly/geo.h).
 #include "support/recipe.h"
 #include "support/tier.h"
 
@@ -12,7 +12,7 @@
 namespace hawser::test {
 namespace {
 
-/// A wire of lumps along x between two fixed ends, or with a free one that a force pulls.
+/// A wire of lumps along x between two fixed ends, or with a free one under a force.
 struct WireRecipe {
     int elements = 20;
     double step = 1.0 / 60, length = 1.0, ratio = 8.0, stiffness = 200.0, bend = 0.1;
@@ -20,7 +20,7 @@ struct WireRecipe {
     bool pulled = true, one_sided = true;
     unsigned seed = 1;
     static constexpr double kPull = 1e5;  ///< [N]
-    /// Of a lump: h √(T l/m)/l is the ratio.
+    /// Return the mass of a lump: h √(T l/m)/l is the ratio.
     [[nodiscard]] double mass() const { return kPull * step * step / (ratio * ratio * length); }
     [[nodiscard]] Recipe make() const {
         Recipe r;
@@ -61,7 +61,8 @@ struct WireRecipe {
     }
 };
 
-/// Of what was there and came from outside, in a wire that may lose any.
+/// Return the energy created, relative to the initial and external energy, in a wire that may
+/// dissipate.
 double created(World& w, int steps) {
     w.prepare();
     const double start = w.energy().mechanical();
@@ -75,7 +76,7 @@ double created(World& w, int steps) {
     return most / scale;
 }
 
-/// A lump between two elements under T, moved aside by 1 um: the recurrence of assembly/geo.h.
+/// A lump between two elements under T, moved sideways by 1 um: the recurrence of assembly/geo.h.
 TEST(WireGuard, SwingAcrossFollowsItsRecurrence) {
     for (const double ratio : {0.4, 2.0, 20.0}) {
         WireRecipe wire;
@@ -106,13 +107,13 @@ TEST(WireGuard, SwingAcrossFollowsItsRecurrence) {
             before = v;
             v = next;
             y += h * v;
-            // Second order in the swing's angle of 1e-6, times the stiffness along.
+            // Second order in the angle of oscillation of 1e-6, times the axial stiffness.
             EXPECT_NEAR(w.pose(BodyId{1}).position.y(), y, 1e-12) << ratio << " step " << k;
         }
     }
 }
 
-/// Slack, taut, thrown about, with any damping: what comes out is what went in.
+/// Slack, taut, in fast motion, with any damping: no energy is created.
 TEST(WireGuard, RandomWiresGainNoEnergy) {
     for (const std::uint32_t seed : seeds(1, 20, 100, 1000)) {
         Random random(seed + 1'000'000);
@@ -129,7 +130,8 @@ TEST(WireGuard, RandomWiresGainNoEnergy) {
         wire.pulled = random.uniform(0, 1) < 0.7;
         wire.one_sided = random.uniform(0, 1) < 0.8;
         World w = wire.make().make();
-        // A thousandth of what is exchanged may come of each step (wires.h); most give none.
+        // A thousandth of the energy exchanged is allowed per step (wires.h); most steps create
+        // none.
         EXPECT_LE(created(w, 100), 1e-2) << "seed " << seed << " ratio " << wire.ratio;
     }
 }
@@ -143,7 +145,7 @@ WireRecipe lively() {
     return wire;
 }
 
-/// Bits do not depend on threads, and go on the same from a snapshot while the guard remembers.
+/// Bits do not depend on threads, and are the same after a snapshot while the guard has memory.
 TEST(WireGuard, SameBitsForAnyThreadsAndAfterRestoring) {
     std::vector<std::uint64_t> hashes;
     std::vector<std::byte> snapshot;
@@ -170,7 +172,7 @@ TEST(WireGuard, SameBitsForAnyThreadsAndAfterRestoring) {
     EXPECT_EQ(again.state_hash(), hashes.front());
 }
 
-/// Boxes that slide into each other beside the wire, which take several iterations a step.
+/// Boxes that slide into each other beside the wire, which need several iterations a step.
 World wire_and_boxes(double budget_work) {
     Recipe r = lively().make();
     r.world.gravity = {0, 0, -9.81};
@@ -189,8 +191,8 @@ World wire_and_boxes(double budget_work) {
     return w;
 }
 
-/// A budget may end any of the solves of a step that is solved again for wires; what it allowed
-/// says all of them.
+/// A budget may end any of the solves of a step that is repeated for wires; the number allowed
+/// covers all of them.
 TEST(WireGuard, StepsThatABudgetCutsAreRepeatedWithoutIt) {
     int cut = 0, later = 0;
     for (const double share : {1.5, 2.5, 3.5, 5.0, 7.0, 10.0}) {
@@ -212,7 +214,7 @@ TEST(WireGuard, StepsThatABudgetCutsAreRepeatedWithoutIt) {
     EXPECT_GT(later, 0) << "none was cut in a repeat";
 }
 
-/// What the step resolves is not looked at, and costs one factorisation.
+/// Wires resolved by the step are not checked, and cost one factorisation.
 TEST(WireGuard, ResolvedWiresAreLeftAlone) {
     WireRecipe wire;
     wire.ratio = 0.3;

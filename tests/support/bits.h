@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file bits.h
-/// Runs that have to give the same bits: on any number of threads, and gone on with from a state
-/// that another world has taken.
+/// Runs that must give the same bits: on any number of threads, and continued from a state that
+/// another world has restored.
 
 #include <hawser/hawser.h>
 
@@ -16,17 +16,18 @@
 
 namespace hawser::test {
 
-/// Where to look whether a run gives the same bits.
+/// Steps at which the bits of a run are compared.
 struct SameBits {
     int steps = 0;
-    std::initializer_list<int> restored;  ///< Steps after which another world goes on.
+    std::initializer_list<int> restored;  ///< Steps after which another world continues.
     std::initializer_list<int> threads{2, 4};
 };
 
-/// @param make  Function that builds the scene anew for a number of threads; its member `w` is the
-/// World.
-/// @param before  What is done to a deck before step i, from 0 on.
-/// @return state hashes after each step. @param at_end  Sees a deck that has run all by itself.
+/// @param make  Function that builds the scene for a number of threads; its member `w` is the
+///        World.
+/// @param before  Change of a deck before step i, from 0 on.
+/// @return state hashes after each step. @param at_end  Called with a deck that has run without
+///        restores.
 template <class Make, class Before, class AtEnd>
 std::vector<std::uint64_t> hashes_of(const Make& make, int steps, const Before& before, int threads,
                                      int restored, const AtEnd& at_end) {
@@ -66,7 +67,7 @@ void expect_same_bits(const SameBits& look, const Make& make, const Before& befo
     for (const int at : look.restored) EXPECT_EQ(hashes(1, at), one) << at;
 }
 
-/// What a World says where it refuses a definition; "": it takes it.
+/// Return the message with which a World rejects a definition; "": it is accepted.
 template <class Def>
 std::string refusal_of(World& w, const Def& def) {
     try {

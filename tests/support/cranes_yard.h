@@ -41,7 +41,7 @@ struct CraneYard {
     }
     CraneYard(Def (*make)(BodyId), double mass) : CraneYard(make, mass, [](Def&) {}) {}
 
-    /// Of the hook that such a crane begins with.
+    /// Return the initial point of the hook of such a crane.
     static Vec3 point_of(Def (*make)(BodyId)) {
         World w;
         const Def def = make(w.add_body({.kind = BodyKind::fixed}));
@@ -61,7 +61,7 @@ struct CraneYard {
     }
     [[nodiscard]] double tension(const char* name) const { return -w.force(part(name))[0]; }
     [[nodiscard]] std::int64_t count(EventKind kind) const { return w.event_extremes(kind).count; }
-    /// Mean of what `read` gives over a time.
+    /// Return the mean of `read` over a duration.
     double mean(double seconds, const auto& read) {
         const long steps = std::lround(seconds / kYardStep);
         double sum = 0.0;

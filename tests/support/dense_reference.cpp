@@ -23,7 +23,7 @@ struct Square {
     std::vector<T> entry;
 };
 
-/// The largest entry of what is left to eliminate goes to (step, step).
+/// Move the largest entry of the remaining matrix to (step, step).
 void pivot(Square<Real>& a, std::vector<Real>& y, std::vector<Index>& column, Index step) {
     Index row = step, col = step;
     for (Index i = step; i < a.n; ++i)
@@ -106,7 +106,7 @@ Spectrum spectrum(const Eigen::MatrixXd& symmetric) {
         changed = false;
         for (Index p = 0; p < n; ++p)
             for (Index q = p + 1; q < n; ++q) {
-                // Nothing that a rotation would change in either eigenvalue or its vector.
+                // A rotation would not change an eigenvalue or its vector.
                 const double small = 1e-18 * (std::abs(a(p, p)) + std::abs(a(q, q)));
                 if (std::abs(a(p, q)) <= small) continue;
                 rotate(a, v, p, q);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file dense_reference.h
-/// Slow and plain dense linear algebra to judge others by. Compiled once: Eigen's own solvers of
+/// Slow and simple dense linear algebra as a reference. Compiled once: Eigen's own solvers of
 /// dynamic size take seconds to compile in each source that uses them.
 
 #include <hawser/math.h>
@@ -17,8 +17,9 @@ struct Spectrum {
     Eigen::MatrixXd vectors;  ///< Orthonormal, one a column.
 };
 
-/// Of a symmetric matrix, by Jacobi's rotations until nothing is left off the diagonal: as exact
-/// as the rounding of A (Golub and Van Loan, Matrix Computations, section 8.5).
+/// Compute the spectrum of a symmetric matrix by Jacobi's rotations until all entries off the
+/// diagonal vanish. It is as exact as the rounding of A (Golub and Van Loan, Matrix Computations,
+/// section 8.5).
 [[nodiscard]] Spectrum spectrum(const Eigen::MatrixXd& symmetric);
 
 }  // namespace hawser::test

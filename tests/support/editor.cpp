@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostBodies = 60, kMostInteractions = 80;
 constexpr int kMostSystems = 4;
-constexpr double kFar = 30.0;  ///< What has been thrown so far is joined to nothing [m].
+constexpr double kFar = 30.0;  ///< Beyond this distance thrown bodies are joined to nothing [m].
 
 }  // namespace
 
@@ -109,7 +109,7 @@ bool Editor::add_shape() {
     return true;
 }
 
-/// Of a rod's length, or a force on a body.
+/// Add an input of the length of a rod, or of a force on a body.
 bool Editor::add_input() {
     InputDef def{.name = "input " + std::to_string(names_++)};
     const auto all = first().interactions();
@@ -186,7 +186,7 @@ void Editor::edit() {
                           first().interactions().size() > kMostInteractions;
         auto kind = static_cast<Edit>(random_.integer(0, static_cast<int>(Edit::count) + 2));
         if (kind >= Edit::count || (full && kind < Edit::input)) kind = Edit::remove;
-        if (!act(kind)) continue;  // nothing to do
+        if (!act(kind)) continue;  // no effect
         ++edits_;
         ++done_[static_cast<std::size_t>(kind)];
         return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file editor.h
-/// Random edits of several worlds at once, the same of each: bodies, joints, wires, shapes, inputs
-/// and systems come and go.
+/// Random edits of several worlds at once, the same in each. They add and remove bodies, joints,
+/// wires, shapes, inputs and systems.
 
 #include <hawser/world.h>
 
@@ -17,7 +17,7 @@
 
 namespace hawser::test {
 
-/// What an edit may be.
+/// Kinds of edits.
 enum class Edit { body, joint, wire, shape, input, system, part, remove, set, count };
 
 class Editor {
@@ -36,7 +36,7 @@ class Editor {
     /// Ids of all that was removed, and how many of them a world does not refuse.
     [[nodiscard]] std::size_t gone_count() const noexcept;
     [[nodiscard]] std::size_t not_refused(World& world) const;
-    /// Another world takes the place of one.
+    /// Replace one of the worlds by another one.
     void replace(std::size_t index, World& world) noexcept { worlds_[index] = &world; }
 
   private:
@@ -50,7 +50,7 @@ class Editor {
     }
     /// The floor included.
     BodyId any_body() { return any(first().bodies()); }
-    // Each returns whether it did something.
+    // Each returns true if it made a change.
     bool act(Edit kind);
     bool add_box();
     bool add_body();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires and systems of an Editor, and what it takes away.
+/// Wires and systems of an Editor, and its removals.
 #include "support/editor.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace hawser::test {
 namespace {
 
-/// Pulls a body, as long as there is one, and sets an input, as long as there is one.
+/// Pulls a body and sets an input, while they exist.
 class Tug final : public System {
   public:
     Tug(std::string name, BodyId body, InputId input)
@@ -44,7 +44,8 @@ class Tug final : public System {
 
 }  // namespace
 
-/// From the sky, piece by piece: lumps, stretches between them, and segments that touch.
+/// Add a chain from above piece by piece: lumps, stretch rows between them, and segments that
+/// touch.
 bool Editor::add_chain() {
     const Vec3 top(random_.uniform(-4, 4), random_.uniform(-4, 4), 4.0);
     BodyId last = add(BodyDef{.kind = BodyKind::fixed, .position = top});
@@ -120,7 +121,7 @@ bool Editor::remove_system() {
     return true;
 }
 
-/// `call` gives what went of one world.
+/// `call` removes an object of one world and returns the removed parts.
 template <class Id, class F>
 bool Editor::remove(Id id, F&& call) {
     for (World* w : worlds_) {

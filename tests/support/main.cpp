@@ -115,7 +115,7 @@ int main(int argc, char** argv) {
     configure_rapidcheck();
     testing::InitGoogleTest(&argc, argv);
     testing::UnitTest::GetInstance()->listeners().Append(new Reporter(argv[0]));
-    // A death test starts this program again, in the folder that is there.
+    // A death test starts this program again, in the existing folder.
     const TemporaryFolder folder;
     return RUN_ALL_TESTS();
 }

@@ -11,8 +11,8 @@
 
 namespace hawser::test {
 
-/// The second weight is `share` of what the friction of so many places, by turns round the post,
-/// can hold with the first one.
+/// The second weight is `share` of the maximum that friction at these turning points, in turn
+/// around the post, can hold with the first one.
 struct Post {
     static constexpr double kRub = 0.3, kLight = 50.0;
     World w;

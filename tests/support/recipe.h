@@ -25,7 +25,7 @@ inline InteractionDef between(InteractionKind kind, const std::vector<BodyId>& i
 }
 
 struct Recipe {
-    /// Worlds drawn at random are torn and overlap: what that does is no concern of most tests.
+    /// Random worlds are torn and overlap: most tests do not check the consequences.
     WorldDef world{.on_diverged = OnDiverged::warn};
     std::vector<BodyDef> bodies;
     std::vector<InteractionDef> interactions;
@@ -139,8 +139,8 @@ inline Recipe wire(int elements, double length = 20.0) {
 /// Every kind of body and interaction in one island, drawn from a seed.
 Recipe mixed(std::uint64_t seed, int links = 6);
 
-/// Chains of random rigid links from the ground to one hull, each from end to end in a row. The
-/// joints of every other chain name their bodies the other way round.
+/// Return chains of random rigid links from the ground to one hull, each numbered from end to end.
+/// The joints of every other chain name their bodies in reverse order.
 Recipe chains(std::uint64_t seed, int count, int links);
 
 }  // namespace hawser::test

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file sanitizer.h
-/// Whether this is a build with a sanitizer. Code then runs 5 to 50 times slower, and a test that
-/// repeats the same code may repeat it less: a sanitizer needs to see each access once.
+/// True in a build with a sanitizer. Code then runs 5 to 50 times slower. A test that repeats the
+/// same code may repeat it less: a sanitizer needs each access only once.
 
 namespace hawser::test {
 

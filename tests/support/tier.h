@@ -25,17 +25,18 @@ Tier tier();
 /// Value for the running tier.
 int by_tier(int quick, int full, int long_runs);
 
-/// Seed given by HAWSER_SEED; nothing if there is none.
+/// Read the seed given by HAWSER_SEED. @return false if there is none.
 bool given_seed(std::uint32_t& seed);
 
 /// First seed of a random suite: HAWSER_SEED, or `fixed` in the quick tier, or a fresh one, which
 /// is printed with the name of the running test. Fresh seeds lie in [0, 2^31).
 std::uint32_t first_seed(std::uint32_t fixed);
 
-/// Number of seeds from first_seed() on: 1 if HAWSER_SEED is given, else by_tier().
+/// Return the number of seeds from first_seed() on: 1 if HAWSER_SEED is given, else by_tier().
 int seed_count(int quick, int full, int long_runs);
 
-/// Seeds of a suite that draws each case from a seed of its own: seed_count() from first_seed() on.
+/// Return the seeds of a suite that draws each case from its own seed: seed_count() from
+/// first_seed() on.
 std::vector<std::uint32_t> seeds(std::uint32_t fixed, int quick, int full, int long_runs);
 
 }  // namespace hawser::test

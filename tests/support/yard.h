@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file yard.h
-/// A world with shapes, made by short calls; and what has to hold of it whatever happens.
+/// A world with shapes, made by short calls; and its invariants.
 
 #include <hawser/world.h>
 
@@ -14,7 +14,7 @@ namespace hawser::test {
 
 struct Yard {
     World world;
-    MaterialId material{};  ///< Of shapes added from now on.
+    MaterialId material{};  ///< Material of shapes added from here on.
 
     explicit Yard(const WorldDef& def = {}) : world(def) {}
 
@@ -44,8 +44,8 @@ struct Yard {
 /// A shape of a kind that may move, of about this half size.
 [[nodiscard]] ShapeDef shape_of(ShapeKind kind, double half_size);
 
-/// What is not finite: the first of poses, velocities, energy, contacts and figures, named; "" if
-/// all are.
+/// Return the name of the first value that is not finite among poses, velocities, energy, contacts
+/// and figures; "" if all are finite.
 [[nodiscard]] std::string not_finite(const World& world);
 
 /// Greatest speed of a body [m/s].

@@ -16,15 +16,16 @@ namespace hawser::test {
 namespace {
 
 constexpr double kDensity = 23.0, kEA = 2.33e8;  // kg/m, N
-constexpr double kAnchor = 1e10;                 // kg: what holds an end
+constexpr double kAnchor = 1e10;                 // Mass of a body that holds an end [kg].
 
 struct Account {
     double kinetic = 0.0;
     Vec3 linear{0, 0, 0}, angular{0, 0, 0};
 };
 
-/// By the integral over straight pieces: (m/6)(2 a·b + …) of what is linear along them. At the half
-/// step before the poses, where the scheme has its energy.
+/// Compute the account by the integral over straight pieces, (m/6)(2 a·b + …) for linear functions
+/// along them. It refers to the half step before the poses, to which the energy of the scheme
+/// belongs.
 Account account_of(const World& w) {
     Account out;
     for (const InteractionId id : w.interactions()) {
@@ -44,7 +45,7 @@ Account account_of(const World& w) {
     return out;
 }
 
-/// A wire of equal elements along x, with ends that are free or held.
+/// A wire of equal elements along x, with free or fixed ends.
 struct Straight {
     World w;
     std::vector<BodyId> lumps;
@@ -57,8 +58,9 @@ struct Straight {
             const double s = l * i;
             b.position =
                 Vec3(s - 0.5 * length, 0.0, wave * std::sin(std::numbers::pi * s / length));
-            // An end on a body that is no lump would keep the mass of its element in the other one.
-            // Else the wire would pull them together, by 2 mm and half of its tension in 40 s.
+            // An end on a body other than a lump would keep the mass of its element in the other
+            // end. The wire would then pull them together, by 2 mm with half of its tension in 40
+            // s.
             if (fixed && end) b.force = Vec3(i == 0 ? -tension : tension, 0.0, 0.0);
             b.mass = fixed && end ? kAnchor : kDensity * l * (end ? 0.5 : 1.0);
             lumps.push_back(w.add_body(b));
@@ -90,8 +92,8 @@ TEST(ConsistentMass, FreeWireKeepsItsMomenta) {
     EXPECT_EQ(s.w.verdict().grade, Grade::good);
 }
 
-/// ω = (2c/l) sin(kl/2)/√(1 − ⅔ sin²(kl/2)) of linear elements with consistent masses, c = √(T/ρ);
-/// of lumps it is without the root, 3 % less at ten elements in the third mode.
+/// ω = (2c/l) sin(kl/2)/√(1 − ⅔ sin²(kl/2)) of linear elements with consistent masses, c = √(T/ρ).
+/// For lumps the root is absent: 3 % less for ten elements in the third mode.
 TEST(ConsistentMass, SwaysAtTheFrequencyOfLinearElements) {
     constexpr int kElements = 6;
     constexpr double kLength = 60.0, kPull = 2e4;
@@ -127,7 +129,7 @@ TEST(ConsistentMass, IsWhatTheVerifierComputes) {
     }
 }
 
-/// Lumps of a parted element go on by themselves: what they gain is driven.
+/// Lumps of a broken element move independently: their gain of energy is driven.
 TEST(ConsistentMass, PartingIsAccountedFor) {
     Straight s(8, 80.0, true, 1e6, 0.0);
     for (int i = 0; i < 5; ++i) ASSERT_EQ(s.w.step(), Status::ok);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate code and steps that a budget ends early: what elements of a wire are said to pull with
-// is what moved their lumps, also of those that went slack on the way.
+// Separate code and steps ended early by a budget. The reported tensions of elements of a wire are
+// those that moved their lumps, also for elements that went slack meanwhile.
 #include <hawser/scene.h>
 
 #include "verify/certificate.h"

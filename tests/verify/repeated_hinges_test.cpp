@@ -9,7 +9,7 @@
 namespace hawser {
 namespace {
 
-/// A platform that slews, with a boom on two hinges of one axis that falls from level.
+/// A platform that slews, with a boom on two hinges of one axis that falls from the horizontal.
 const char* const kSlew = R"({
   "version": 1, "name": "slew", "settings": {"step": 0.016666666666666666},
   "bodies": [

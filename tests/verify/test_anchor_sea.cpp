@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sizes of the frozen scene anchor_sea, and the first 20 s of the scene as shipped; that its hashes
-// depend neither on threads nor on restoring is asked by the tests of bench, as of all scenes.
+// Sizes of the frozen scene anchor_sea, and the first 20 s of the scene as shipped. The tests of
+// bench check, for all scenes, that hashes depend neither on threads nor on restoring.
 #include <hawser/scene.h>
 #include <hawser/sea_accuracy.h>
 
@@ -49,7 +49,7 @@ TEST(AnchorSea, SeparateCodeAgrees) {
     EXPECT_LT(verifier.result().sea, 1e-5);
 }
 
-/// Clusters of points are those of the state, whoever computes them and wherever a run goes on.
+/// Clusters of points are those of the state, for any threads and any restored run.
 TEST(AnchorSea, HasTheSameBitsOnAnyThreadsAndAfterRestoring) {
     const auto world_of = [](int threads) {
         scene::Options options;
@@ -98,11 +98,11 @@ TEST(AnchorSea, ReportsTheErrorOfItsKinematics) {
     EXPECT_LT(sea.error, sea.tolerance);
 }
 
-/// Mean and standard deviation of what is looked at from 5 s to 20 s.
+/// Mean and standard deviation of a quantity from 5 s to 20 s.
 struct Series {
     const char* what;
     std::function<double()> now;
-    double mean, deviation;  ///< As they were when this test was written.
+    double mean, deviation;  ///< Values when this test was written.
     std::vector<double> values{};
 
     [[nodiscard]] double mean_of() const {

@@ -12,13 +12,13 @@
 namespace hawser {
 namespace {
 
-/// As a step that reports a wrong force would look to whoever checks it.
+/// Change a reported force, as in a faulty step.
 void tamper(const World& world, InteractionId id, std::size_t row, double change) {
     const_cast<double&>(world.force(id)[row]) += change;
 }
 
-/// Values for what has no default, chosen so that every kind carries a force: ranges are exceeded,
-/// motors and friction are at a bound.
+/// Return values for parameters without a default, such that every kind has a force: ranges are
+/// exceeded, motors and friction are at a bound.
 double value_of(const std::string& param) {
     static const std::map<std::string, double> kValues{
         {"length", 0.9},         {"EA", 1e5},
@@ -44,7 +44,7 @@ BodyDef tilted(const char* name, const Vec3& place, double angle) {
     return def;
 }
 
-/// Rigid bodies, their points and frames apart by a little, under gravity; drums.
+/// Build rigid bodies with slightly displaced points and frames, under gravity; drums.
 InteractionId build(World& world, InteractionKind kind) {
     const KindInfo& info = kind_info(kind);
     const BodyId rigid[3] = {world.add_body(tilted("a", {0, 0, 0}, 0.4)),
@@ -78,7 +78,7 @@ InteractionId build(World& world, InteractionKind kind) {
     return world.add_interaction(def);
 }
 
-/// @return what the verifier says in the end. @param row  To be tampered with after the last step.
+/// @return the final message of the verifier. @param row  Row to be changed after the last step.
 std::string outcome(InteractionKind kind, int row, verify::Verification& result) {
     World world;
     const InteractionId id = build(world, kind);
@@ -86,7 +86,7 @@ std::string outcome(InteractionKind kind, int row, verify::Verification& result)
     for (int i = 0; i < 6; ++i) {
         verifier.before_step(world);
         EXPECT_EQ(world.step(), Status::ok);
-        // Of a newton or a newton metre: the impulses of gravity on the bodies are 0.5 N s.
+        // In N or N m: the impulses of gravity on the bodies are 0.5 N s.
         if (i == 5 && row >= 0) tamper(world, id, static_cast<std::size_t>(row), 1e-6);
         const std::string wrong = verifier.after_step(world);
         result = verifier.result();
@@ -113,7 +113,7 @@ TEST(CertificateRows, ChainsAndWiresOfScenes) {
     // mechanisms, limits, motors.
     for (const char* name : {"hanging_chain", "anchor_lines", "heavy_hook", "cable_spin",
                              "wire_cylinder", "bricard", "joint_limits", "motor_limits"}) {
-        // What rounds of completed joints leave is not looked for.
+        // The remaining error of completed joints is not checked.
         scene::Options tight;
         tight.set = {"settings.solution_tolerance=1e-13"};
         scene::Scene scene = scene::load_file(std::string("scenes/") + name + ".json", tight);
@@ -155,12 +155,12 @@ TEST(CertificateRows, StiffnessBesideTheRowsCounts) {
                      .on)
                 largest = std::max(largest, w.torque.norm() + w.force.norm());
     }
-    // A thousand times what the verifier allows, of the weight of one link.
+    // A thousand times the tolerance of the verifier, relative to the weight of one link.
     const double weight = scene.world.settings().step * 9.81 * scene.world.body_def(last).mass;
     EXPECT_GT(largest, 1e-6 * weight);
 }
 
-/// A scene after three steps, a fourth whose row has this force.
+/// Step a scene three times, and a fourth time with this force of a row.
 std::string with_force(const char* name, const char* interaction, double force) {
     scene::Scene scene = scene::load_file(std::string("scenes/") + name + ".json");
     const InteractionId id = scene.world.find_interaction(interaction);
@@ -181,9 +181,9 @@ TEST(CertificateRows, FindsForcesBeyondTheirBounds) {
     const auto beyond = [](const std::string& said) {
         return said.find("beyond its bound") != std::string::npos;
     };
-    // A line that pushes: the least that counts is a millionth of a lump's weight.
+    // A line that pushes: the threshold is a millionth of the weight of a lump.
     EXPECT_TRUE(beyond(with_force("joint_friction", "grips_light_end", 1e-3)));
-    // Motors of 150 N and 6 N m, by a little more than a millionth of the weight of 20 kg.
+    // Motors of 150 N and 6 N m, exceeded by slightly more than a millionth of the weight of 20 kg.
     EXPECT_TRUE(beyond(with_force("motor_limits", "starts_slide_motor", 150.0005)));
     EXPECT_FALSE(beyond(with_force("motor_limits", "starts_slide_motor", 150.0)));
     EXPECT_TRUE(beyond(with_force("motor_limits", "spins_hinge_motor", -6.1)));
@@ -193,7 +193,7 @@ TEST(CertificateRows, FindsForcesBeyondTheirBounds) {
     EXPECT_TRUE(beyond(with_force("joint_friction", "coasts_hinge_friction", 12.001)));
     EXPECT_TRUE(beyond(with_force("joint_friction", "slips_slide_friction", 274.0)));
     EXPECT_FALSE(beyond(with_force("joint_friction", "slips_slide_friction", 273.0)));
-    // A limit pushes only where it is reached.
+    // A limit pushes only if it is reached.
     EXPECT_TRUE(beyond(with_force("joint_limits", "door_hinge_range", -0.1)));
     EXPECT_TRUE(beyond(with_force("joint_limits", "block_slide_range", 0.1)));
 }

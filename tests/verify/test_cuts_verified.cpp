@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate code verifies the step in which a wire under tension is cut: its new ends are bodies
-// that go on with a velocity that no earlier step of theirs tells.
+// Separate code verifies the step in which a wire under tension is cut. Its new ends are bodies
+// with a velocity that does not follow from an earlier step.
 #include <hawser/scene.h>
 
 #include "verify/certificate.h"
@@ -25,7 +25,7 @@ TEST_P(CutVerified, SeparateCodeAgrees) {
         ASSERT_EQ(world.step(), Status::ok) << "step " << i;
         ASSERT_EQ(verifier.after_step(world), "") << "step " << i;
     }
-    // All but what guards wires against energy may hide, a body or two at the ends.
+    // All except the bodies near the ends, a body or two, that the guard of wires may exclude.
     EXPECT_GE(verifier.result().covered_bodies, verifier.result().moving_bodies - 2);
     EXPECT_EQ(verifier.result().steps, 240);
 }
@@ -46,7 +46,7 @@ WinchDef small_winch(WireId wire, double stored) {
             .torque_pay = 3e6};
 }
 
-/// A light wire along x under 100 kN, bent from side to side: no step of 1/60 s resolves its swing.
+/// A light wire along x under 100 kN, bent alternately: no step of 1/60 s resolves its oscillation.
 struct Lively {
     World w{WorldDef{.gravity = Vec3::Zero(), .on_diverged = OnDiverged::warn}};
     BodyId end{};
@@ -77,7 +77,7 @@ struct Lively {
 };
 
 TEST(CutsVerified, AWireWhoseSwingsAreDamped) {
-    // What the new ends take over of that is known to the step alone.
+    // Only the step knows the part that the new ends take over.
     Lively l;
     verify::Verifier verifier(l.w);
     for (int i = 0; i < 200; ++i) {
@@ -89,7 +89,7 @@ TEST(CutsVerified, AWireWhoseSwingsAreDamped) {
         verifier.before_step(l.w);
         ASSERT_EQ(l.w.step(), Status::ok) << "step " << i;
         ASSERT_EQ(verifier.after_step(l.w), "") << "step " << i;
-        // Not refused again, after which the verifier would know less.
+        // Not repeated again: the verifier would then have less data.
         if (i == 6) {
             EXPECT_EQ(l.w.stats().wire_repeats, 0);
         }
@@ -97,8 +97,8 @@ TEST(CutsVerified, AWireWhoseSwingsAreDamped) {
 }
 
 TEST(CutsVerified, AWeakLinkThatPartsAsAStepBegins) {
-    // A load swings on a wire whose last half metre lies on the drum; then more hangs on it than
-    // its end there holds. Nothing of the tension before acts across the element any more.
+    // A load swings on a wire whose last half metre lies on the drum. Then its weight exceeds the
+    // strength of its end there. The tension before has no effect across the element any more.
     World w(WorldDef{.step = 1.0 / 120.0});
     const BodyId deck = w.add_body({.kind = BodyKind::fixed});
     const BodyId load = w.add_body(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Gears against closed forms: ratio, energy, and what their carrier has to bear.
+/// Gears against closed forms: ratio, energy, and the reaction on the carrier.
 #include <hawser/hawser.h>
 
 #include "verify/certificate.h"
@@ -66,24 +66,24 @@ TEST(Gear, TurnsAsTheTeethSayUnderATorque) {
         // One turn of inertia I₁ + ratio² I₂; velocities are half a step behind.
         const double inertia = kFirst + ratio * ratio * kSecond;
         const double speed = torque / inertia * (kSteps - 0.5) * kStep;
-        // The row holds angles, and a body at ω turns by 2 atan(h ω/2) in a step: speeds are off by
-        // (h ω)²/12 of themselves.
+        // The row constrains angles, and a body at ω turns by 2 atan(h ω/2) in a step: speeds have
+        // a relative error of (h ω)²/12.
         const double off = speed * kStep * speed * kStep / 12.0;
         EXPECT_NEAR(t.spin(t.first), speed, 1.1 * off * speed);
         EXPECT_NEAR(t.spin(t.second), -ratio * speed, 1.1 * off * ratio * ratio * 3.0 * speed);
         EXPECT_GT(0.5 * speed * kSteps * kStep, 10.0);  // several turns
         EXPECT_NEAR(t.w.energy().kinetic, 0.5 * inertia * speed * speed,
                     2.2 * off * t.w.energy().kinetic);
-        // The teeth carry what turns the second wheel, counted about the first: −I₂ α₂ ratio. The
-        // share above grows by 2 (h ω)²/12 while the speed doubles.
+        // The teeth transmit the torque of the second wheel, counted about the first: −I₂ α₂ ratio.
+        // The fraction above grows by 2 (h ω)²/12 while the speed doubles.
         const double teeth = -ratio * ratio * kSecond * torque / inertia;
         EXPECT_NEAR(t.w.force(t.gear)[0], teeth, 3.3 * off / (ratio * ratio) * std::abs(teeth));
     }
 }
 
 TEST(Gear, PushesTheCarrierBack) {
-    // Nothing acts from outside: a motor between the carrier and the first wheel turns all three
-    // so that their angular momentum stays 0, the orbit of the wheels included.
+    // No external torque: a motor between the carrier and the first wheel turns all three such that
+    // their angular momentum, including the orbit of the wheels, stays 0.
     Train t(false, 20, 50);
     InteractionDef motor = t.w.interaction_def(t.hinge[0].joint);
     motor.kind = InteractionKind::HingeMotor;
@@ -140,7 +140,7 @@ TEST(Gear, RefusesTeethThatAreNone) {
 }
 
 TEST(Gear, SaysThatATeethWasJumped) {
-    // Turned by a third of a tooth by hand: the judge of joints names the gear.
+    // Turned manually by a third of a tooth: the check of joints names the gear.
     Train t(true, 8, 8);
     ASSERT_EQ(t.w.step(), Status::ok);
     Pose pose = t.w.pose(t.second);

@@ -14,8 +14,8 @@
 namespace hawser {
 namespace {
 
-/// Water on every third body that moves: added mass that couples, damping, and a spring to where
-/// the body is now; what it pushes with swings.
+/// Add water loads to every third moving body: coupled added mass, damping, and a spring to its
+/// present position, with an oscillating force.
 void add_water(World& w, double scale) {
     test::act(w, "water", [scale](test::Acting&, Prestep& now, Loads& loads) {
         for (int b = 0; b < now.world.body_count(); b += 3) {
@@ -41,7 +41,8 @@ TEST(LoadsVerified, ScenesWithWaterHoldByIndependentCode) {
             ASSERT_EQ(scene.world.step(), Status::ok) << name;
             ASSERT_EQ(verifier.after_step(scene.world), "") << name << ", step " << i;
         }
-        // They are no trifle beside what the residual is relative to: 1e-9 of gravity's impulse.
+        // They are significant relative to the scale of the residual: 1e-9 of the impulse of
+        // gravity.
         double pushed = 0.0, weight = 0.0;
         for (const LoadView& load : scene.world.loads()) {
             pushed += std::abs(load.force[0]);
@@ -56,7 +57,7 @@ TEST(LoadsVerified, ScenesWithWaterHoldByIndependentCode) {
 
 /// A body at rest that is pushed up by more than its weight, as a hull that starts too deep.
 TEST(LoadsVerified, AStartThatIsPushedUpMakesNoEnergy) {
-    // Velocities begin half a step before the start, where the body is higher by a h²/4: at 0.2 s
+    // Velocities start half a step before the start, where the body is higher by a h²/4: at 0.2 s
     // by 10 cm, for which the push has done the work.
     for (const bool by_system : {false, true})
         for (const double step : {0.2, 0.05, 1.0 / 60.0}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines over posts and sheaves as the verifier sees them: it finds tangents in another way.
+/// Lines over posts and sheaves in the verifier, which finds tangents by another method.
 #include "support/post.h"
 
 #include "verify/certificate.h"
@@ -66,7 +66,7 @@ TEST(RoutesVerified, ATackleWhoseBlockYawsAndSwings) {
 }
 
 TEST(RoutesVerified, AWeightHauledIntoItsSheave) {
-    // Near the wheel there is no tangent any more; what stands in for it is a law, too.
+    // Near the wheel there is no tangent; its substitute is part of the law, too.
     World w(WorldDef{.step = 1.0 / 240.0});
     const BodyId boom = w.add_body({.kind = BodyKind::fixed}),
                  mast = w.add_body({.kind = BodyKind::fixed});
@@ -92,8 +92,8 @@ TEST(RoutesVerified, AWeightHauledIntoItsSheave) {
 }
 
 TEST(RoutesVerified, ATackleOfWhichAFallParts) {
-    // Behind it nothing holds but what rubs: the next falls pull through until they are slack, and
-    // what parted never comes to pull.
+    // Behind it only friction holds: the next falls pull through until they are slack, and the
+    // broken part never exerts a pull.
     World w(WorldDef{.step = 0.2});
     const BodyId boom = w.add_body({.kind = BodyKind::kinematic,
                                     .position = {0, 0, 17},

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kVerifiedSteps = test::kSanitized ? 12 : 120;
 
-// A list: to find the names takes reading all scenes.
+// A fixed list: finding the names requires reading all scenes.
 const std::vector<std::string> kTouchingScenes = {"anchor_adaptive",
                                                   "anchor_contact",
                                                   "anchor_drag",
@@ -67,7 +67,7 @@ TEST(SceneVerified, IsEverySceneWithShapes) {
     EXPECT_EQ(names, kTouchingScenes);
 }
 
-/// Scenes of more than 1,000 bodies whose kinds of bodies and wires other scenes have, too.
+/// Scenes of more than 1,000 bodies whose kinds of bodies and wires also occur in others.
 const std::vector<std::string> kLargeScenes = {"anchor_adaptive", "anchor_run_fine",
                                                "anchor_seaway"};
 
@@ -96,14 +96,14 @@ TEST_P(VerifiedScene, SeparateCodeAgrees) {
         const bool solved = stats.natural_map <= scene.world.settings().contact_tolerance;
         open_steps += solved && stats.flips_left == 0 ? 0 : 1;
     }
-    // What the solver promises of every step. Friction of Painlevé's rod is beyond the paradox:
-    // where its sliding stops, the problem of a step may have no solution (`hawser validate
+    // Promises of the solver for every step. The friction of Painlevé's rod is beyond the paradox:
+    // when its sliding stops, the problem of a step may have no solution (`hawser validate
     // painleve` allows as many).
     EXPECT_LE(open_steps, GetParam() == "painleve" ? 2 : 0);
     EXPECT_EQ(verifier.result().steps, kVerifiedSteps);
-    // The figures of both come from sums of a few terms in another order.
+    // Both figures are sums of a few terms in different order.
     EXPECT_LE(verifier.result().difference, 1e-9);
-    // It may leave a body out for a step, where rounding decides on a row's direction; not many.
+    // It may omit a body in a step in which rounding decides the direction of a row, but not often.
     EXPECT_GE(10 * verifier.result().covered_bodies, 9 * verifier.result().moving_bodies);
     EXPECT_LE(verifier.result().rejected_steps, 2);
 }

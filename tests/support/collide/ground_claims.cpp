@@ -23,12 +23,13 @@ Real beyond_edges(const Face& f, Vec p) {
 
 namespace {
 
-/// Normals and places this close to the bounds between two rules may follow either.
+/// Normals and points this close to the boundary between two rules may follow either.
 constexpr Real kEither = 1e-4L;
 
 enum class Holds { yes, no, either };
 
-/// Whether m, out of the surface, is a normal at the part of the triangle that faces it.
+/// Return whether m, pointing out of the surface, is an allowed normal at the part of the triangle
+/// that faces it.
 Holds allowed(const Surface& s, const Face& f, Vec m) {
     int top = 0;
     for (int k = 1; k < 3; ++k)
@@ -73,7 +74,7 @@ Real at_least(const Body& a, const Face& f) {
     return most;
 }
 
-/// Whether the triangle's cell (of a heightfield) meets the box around the shape, by how much.
+/// Return the overlap of the cell of the triangle (of a heightfield) with the box around the shape.
 Real under_box(const Surface& s, const Body& a, const Face& f) {
     Real least = 1e30L;
     for (int k = 0; k < 2; ++k) {
@@ -156,7 +157,7 @@ Claims claims_on(const Surface& s, const Body& a, Vec middle, Real margin) {
             claim(s, a, f, answer, out);
         } else {
             out.truth = std::min(out.truth, bound);
-            // Wholly below the triangle: pushed up where it is under it.
+            // Completely below the triangle: pushed up if it is under it.
             const bool below = separation_along(a, f.body, f.normal) > 0;
             if (s.solid) claim_along(a, f, f.normal, below && under_box(s, a, f) > kEither, out);
         }

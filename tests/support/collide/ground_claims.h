@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file ground_claims.h
-/// What the triangles of a surface make of a convex shape, in long double.
+/// Contacts of a convex shape with the triangles of a surface, in long double.
 ///
-/// The reference is written from what triangle_contact.h, shapes.h and geometry.h promise:
-/// 1. Apart: the least gap is the distance to the nearest triangle, along the normal of the two
+/// The reference follows the specification in triangle_contact.h, shapes.h and geometry.h:
+/// 1. Apart: the smallest gap is the distance to the nearest triangle, along the normal of the two
 ///    nearest points.
-/// 2. Where shape and triangle overlap, or the triangle is not the nearest one, the normal of its
-///    signed distance holds if no vertex of the neighbours rises towards it. Else the normal of
-///    the triangle takes its place (on a heightfield: up; on a mesh: the side of the shape's
-///    centre, unless the other one is clearly nearer), and only what lies over the triangle along
-///    it touches: surely so if the shape's deepest point does. A triangle of a mesh that the shape
-///    does not overlap pushes nothing.
-/// 3. A heightfield is solid: what is below is pushed up along the normal of the triangle above,
-///    of the cells over the box around the shape.
-/// 4. What overlaps a surface and is claimed by none of its triangles goes along the normal of the
-///    nearest triangle that it cuts (heightfield: or that is above its middle).
-/// The deepest point of a manifold must be the deepest claim, or deeper, in a triangle of the
-/// second kind whose deepest point lies beside it: then it is on the boundary of the shape and on
-/// the triangle, along the triangle's normal. Rules meet within 1e-4: there either one will do.
+/// 2. If shape and triangle overlap, or the triangle is not the nearest one, the normal of its
+///    signed distance holds if no vertex of the neighbours rises towards it. Else the normal of the
+///    triangle replaces it: on a heightfield upwards, on a mesh on the side of the centre of the
+///    shape, unless the other side is clearly nearer. Then only the part of the shape over the
+///    triangle, along that normal, touches; certainly so if the deepest point lies there. A
+///    triangle of a mesh that does not overlap the shape has no contact.
+/// 3. A heightfield is solid. A shape below it is pushed up along the normal of the triangle above,
+///    among the cells over the box around the shape.
+/// 4. A shape that overlaps a surface without a claim of any triangle moves along the normal of the
+///    nearest triangle that it cuts (heightfield: or that is above its centre).
+///
+/// The deepest point of a manifold must be the deepest claim, with one exception. It may be deeper
+/// in a triangle of the second kind whose deepest point lies beside it. It is then on the boundary
+/// of the shape and on the triangle, along the normal of the triangle. Within 1e-4 of the boundary
+/// of two rules either one is allowed.
 
 #include "support/collide/ground_surface.h"
 
@@ -37,18 +39,19 @@ struct Claim {
 };
 
 struct Claims {
-    std::vector<Claim> nearest;  ///< Signed distances, as they are.
+    std::vector<Claim> nearest;  ///< Signed distances, unmodified.
     std::vector<Claim> list;
-    std::vector<const Face*> clipped;          ///< Whose normal takes the place of another.
+    std::vector<const Face*> clipped;          ///< Their normal replaces another one.
     bool inside = false;                       ///< Overlaps, or is below a solid.
     reference::Real truth = 1e30L;             ///< Least signed distance to a triangle.
-    Claim left{-1e30L, {}, nullptr, 0, true};  ///< Of what no triangle claims.
+    Claim left{-1e30L, {}, nullptr, 0, true};  ///< Claim of a shape that no triangle claims.
 };
 
-/// `middle`: of the shape; what has it below a solid's surface is inside.
+/// Compute the claims of a shape. `middle`: its centre; a shape with its centre below a solid
+/// surface is inside.
 Claims claims_on(const Surface& s, const reference::Body& a, reference::Vec middle,
                  reference::Real margin);
-/// How far p is beyond the edges of the triangle, seen along its normal.
+/// Return the distance of p beyond the edges of the triangle, as seen along its normal.
 reference::Real beyond_edges(const Face& f, reference::Vec p);
 
 }  // namespace hawser::test

@@ -69,7 +69,7 @@ void judge_inside(const Claims& claims, const Body& a, const ManifoldPoint& p, s
         if (std::fabs(c.gap - p.gap) > kBand || p.gap > sure + kBand) continue;
         if (length(n - c.n) < error) own = &c, error = length(n - c.n);
     }
-    // One beside its triangle may happen to be as deep as the claim of another.
+    // The point beside a triangle may be as deep as the claim of another one.
     for (const Face* f : claims.clipped) {
         if (error < kBand || p.gap > sure + kBand || !on_triangle(*f, on1)) continue;
         if (1 - std::fabs(dot(n, f->normal)) > 1e-13L || off_boundary(a, on0, n) > kBand) continue;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file ground_pairs.h
-/// Random convex shapes on surfaces of 18 triangles, judged by the reference in long double.
-/// What is right says ground_claims.h.
+/// Random convex shapes on surfaces of 18 triangles, checked against the reference in long double.
+/// The rules are in ground_claims.h.
 
 #include "support/collide/ground_surface.h"
 #include "support/collide/random_pairs.h"
@@ -10,12 +10,12 @@
 namespace hawser::test {
 
 struct GroundScore : Score {
-    int own = 0;  ///< Touching ones whose depth a claim gives (1.–3.).
-    /// Touching ones whose deepest point is what lies over a triangle, beside its deepest.
+    int own = 0;  ///< Touching pairs whose depth is given by a claim (1.–3.).
+    /// Touching pairs whose deepest point lies over a triangle, beside its deepest one.
     int beside = 0;
-    int left = 0;                  ///< Touching ones that no triangle claims (4.).
+    int left = 0;                  ///< Touching pairs that no triangle claims (4.).
     int normals = 0;               ///< Compared.
-    std::uint64_t wrong_pair = 0;  ///< Seed of a wrong verdict.
+    std::uint64_t wrong_pair = 0;  ///< Seed of a wrong result.
     void wrong(std::uint64_t seed) { ++wrong_verdicts, wrong_pair = seed; }
 };
 

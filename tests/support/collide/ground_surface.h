@@ -35,7 +35,7 @@ struct Surface {
 
 /// Placed anywhere within 5 m.
 Surface random_surface(Random& random, Ground kind);
-/// A place of the world in the frame; a direction of the frame in the world.
+/// Transform a point of the world to the frame, or a direction of the frame to the world.
 reference::Vec local(const collide::Placement& p, reference::Vec x);
 reference::Vec turned(const collide::Placement& p, const Vec3& v);
 

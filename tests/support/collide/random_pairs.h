@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_pairs.h
-/// Random shapes near each other, judged by the reference; shared by the quick and the long test.
+/// Random shapes near each other, checked against the reference; used by the quick and the long
+/// test.
 
 #include "collide/geometry.h"
 #include "collide/narrow/shape_data.h"
@@ -17,7 +18,7 @@
 namespace hawser::test {
 
 collide::Placement random_placement(Random& random, double reach);
-/// A shape with its data, and what the reference needs of it (shape's frame).
+/// A shape with its data, and the data of the reference (in the frame of the shape).
 struct RandomShape {
     collide::Geometry geometry;
     std::shared_ptr<collide::ShapeData> data;
@@ -38,7 +39,7 @@ struct Score {
 /// Finite, unit, sorted, closer than the margin, (on[1] − on[0]) · normal = gap.
 bool well_formed(const collide::Manifold& m, double margin);
 
-/// Where pairs come from.
+/// Distribution of the pairs.
 enum class Draw {
     random,
     aligned,  ///< Turned by multiples of 45°, sizes and places on a grid: parallel, touching,
@@ -48,7 +49,7 @@ enum class Draw {
 
 /// `count` pairs from `seed` on.
 Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed, Draw draw = Draw::random);
-/// Pairs of kinds for which this is asked: those in closed form, and cylinders.
+/// Return the pairs of kinds to test: those in closed form, and cylinders.
 std::vector<std::pair<ShapeKind, ShapeKind>> exact_pairs();
 /// Hulls and single triangles with all kinds that touch them.
 std::vector<std::pair<ShapeKind, ShapeKind>> vertex_pairs();

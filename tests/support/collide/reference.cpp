@@ -135,7 +135,7 @@ Vec nearest(const Body& a, const Body& b, Real& gap) {
             for (int i = 0; i < count; ++i)
                 if (mask >> i & 1) q[n++] = w[i];
             if (n > 4 || !inside_nearest(q, n, point)) continue;
-            // Four points hold the origin, or are too flat to say so.
+            // Four points contain the origin, or are too flat to decide.
             if (n == 4 && dot(point, point) > 1e-26L) continue;
             if (dot(point, point) < least) {
                 least = dot(point, point);

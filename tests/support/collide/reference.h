@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file reference.h
-/// Signed distance of two convex shapes in long double, slow and plain, to judge the collision
-/// code by. It shares nothing with it but the mathematics: for a unit normal n from A to B,
+/// Signed distance of two convex shapes in long double, slow and simple, as a reference for the
+/// collision code. They have only the mathematics in common. For a unit normal n from A to B,
 ///     s(n) = min over B of n·b − max over A of n·a
 /// is a lower bound of the signed distance, which is its maximum.
 ///
@@ -44,7 +44,7 @@ struct Body {
 };
 
 Body make_body(const collide::Geometry& shape, const collide::Placement& placed);
-/// Of points in the world; all edges and faces of their hull are tried.
+/// Make a body from points in the world; all edges and faces of their hull are tried.
 Body make_points(const std::vector<Vec>& points, const std::vector<Vec>& faces,
                  const std::vector<Vec>& edges);
 Vec support(const Body& body, Vec n);
@@ -53,7 +53,7 @@ Real separation_along(const Body& a, const Body& b, Vec n);  ///< Roundings incl
 struct Answer {
     Real gap;           ///< Signed distance.
     Vec n;              ///< From a to b.
-    Real normal_error;  ///< Bound of the error of n; large where n is not known well.
+    Real normal_error;  ///< Bound of the error of n; large if n is uncertain.
 };
 Answer signed_distance(const Body& a, const Body& b);
 

@@ -18,7 +18,7 @@ inline constexpr double kWhatever = 1e300;
 struct Degenerate {
     std::string name;
     std::function<void(Yard&)> build;
-    /// Greatest speed of a body's centre, ever [m/s]: what the case can explain.
+    /// Maximum speed of the centre of a body that the case can explain [m/s].
     double fastest = kWhatever;
     int steps = 60;
     std::function<void(World&, int)> before_step{};
@@ -27,8 +27,8 @@ struct Degenerate {
 using Cases = std::vector<Degenerate>;
 
 // Shapes.
-Cases coincident();  ///< Four bodies in one place, each two kinds.
-Cases faces();       ///< Faces on faces: zero gap, redundant points, no room.
+Cases coincident();  ///< Four bodies at one position, each two kinds.
+Cases faces();       ///< Faces on faces: zero gap, redundant points, no clearance.
 Cases ratios();      ///< Masses and moments of inertia.
 Cases sizes();       ///< 1e-6 m to 1e5 m.
 Cases features();    ///< Segments without length, slivers, flat hulls.

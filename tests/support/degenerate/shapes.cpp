@@ -34,7 +34,7 @@ Cases faces() {
              for (int i = 0; i < 4; ++i) y.box({0, 0, 0.5 + i}, 1.0, {0.5, 0.5, 0.5});
          },
          0.2},
-        {"redundant_shapes",  // ten faces of four points in one place
+        {"redundant_shapes",  // ten faces of four points at one position
          [](Yard& y) {
              lay_floor(y);
              const BodyId b = y.body({0, 0, 0.5}, 1.0, {0.5, 0.5, 0.5});
@@ -52,7 +52,7 @@ Cases faces() {
              y.box({0, 0, 0.4995}, 1.0, {0.5, 0.5, 0.5});
          },
          1.0},
-        {"crushed",  // a plane that comes down at 1 m/s, to 0.1 m below the floor
+        {"crushed",  // a plane that moves down at 1 m/s, to 0.1 m below the floor
          [](Yard& y) {
              lay_floor(y);
              BodyDef press;
@@ -91,8 +91,8 @@ Cases ratios() {
                            y.box({0, 0, 2.5}, 1.0, {0.5, 0.5, 0.5});
                        },
                        1.0});
-    // Moments of inertia in proportions of up to 1e12, which is what a body may have. Not all of
-    // their steps are solved (the smallest moment is 1e-18 kg m²), and what is left moves them.
+    // Moments of inertia with ratios of up to 1e12, the limit for a body. Not all of their steps
+    // are solved (the smallest moment is 1e-18 kg m²), and the error moves them.
     for (const double thin : {1e-3, 1e-6})
         for (const double mass : {1e-6, 1.0, 1e6})
             all.push_back({"needle_of_" + std::to_string(static_cast<int>(1e6 * thin)) + "um_" +
