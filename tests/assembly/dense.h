@@ -22,13 +22,14 @@ struct DenseStep {
     Matrix mass;       ///< M + h θ D.
     Matrix geometric;  ///< (h²/4) K_g, of lines (a + d) h² K_g (assembly/geo.h).
     Matrix late;       ///< (h²/4) K_g on the velocities before the step, of lines a h² K_g.
-    Matrix ahead;      ///< Of lines d h² K_g, on those expected after it.
+    Matrix ahead;      ///< Of lines d h² K_g, acting on the velocities expected after it.
     Matrix damping;    ///< (1 + u) h C.
     Matrix before;     ///< (1 − u) h C, on the velocities before the step.
     double fastest;    ///< Largest u.
     Matrix g;          ///< G, all rows of all interactions.
     Vector sigma, c;
-    Vector a;  ///< Without the rotation of rigid bodies, whose gyroscopic part is the stepper's.
+    /// Without the rotation of rigid bodies, whose gyroscopic part belongs to the stepper.
+    Vector a;
     Vector couple_fixed;  ///< Geometric stiffness times prescribed velocities.
     [[nodiscard]] Matrix tilde() const { return mass + geometric + damping; }
 };
@@ -50,7 +51,7 @@ inline Mat3 projected(const Mat3& k) {
     return sum;
 }
 
-/// What one interaction needs to be written down.
+/// Data of one interaction for its matrices.
 struct SlotState {
     int dof[kMaxInteractionBodies], at[kMaxInteractionBodies];
     Vec3 arm[kMaxInteractionBodies], lin[kMaxInteractionBodies], ang[kMaxInteractionBodies];
@@ -168,7 +169,7 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         const double p = swing > 0.25 && !rigid ? (swing - 0.25) / (swing + 0.25) : 0.0;
         late_share = 0.25 + 0.25 * p;
         ahead_share = -0.1 * p;
-        // Without lumps a resolved line needs none of it.
+        // Without lumps a resolved line needs no such term.
         const bool lumps = s.dof[0] == 3 || s.dof[1] == 3 || s.dof[0] == 1 || s.dof[1] == 1;
         if (!lumps && swing < 0.25) resolved = 16.0 * swing * swing;
         line *= resolved;
@@ -197,7 +198,7 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
     Vector none = Vector::Zero(out.couple_fixed.size());
     scatter(s, quarter * k + 4.0 * quarter * late_share * line, out.late, none);
     scatter(s, 4.0 * quarter * ahead_share * line, out.ahead, none);
-    // Joints damp between two rigid bodies only, so nothing couples to a prescribed velocity.
+    // Joints damp only between two rigid bodies, so that no term couples to a prescribed velocity.
     scatter(s, (1.0 + u) * h * c, out.damping, out.couple_fixed);
     scatter(s, (1.0 - u) * h * c, out.before, out.couple_fixed);
 }
@@ -314,7 +315,7 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
         for (int r = 0; r < info.rows; ++r) {
             const int row = in.row_begin[i] + r;
             double e = in.def[i].compliance[static_cast<std::size_t>(r)];
-            // The recipes give no compliance for it: EA over what the drum has paid out.
+            // The recipes give no compliance for it: EA divided by the line paid out by the drum.
             if (in.def[i].kind == InteractionKind::WinchStretch) {
                 const auto drum = static_cast<std::size_t>(in.def[i].body[2].index);
                 e = (in.def[i].get("length") +
@@ -324,8 +325,8 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
             const double given = in.def[i].damping_time[static_cast<std::size_t>(r)];
             const double tau = std::isnan(given) ? 2.0 * h : given;
             const bool velocity = info.row_units[r] == 'v';
-            // A damper; the scheme's own damping acts on the velocity after the step alone. Wires
-            // have that of half a step at least where their swing is not resolved.
+            // A damper; the damping of the scheme acts only on the velocity after the step. Wires
+            // with an unresolved oscillation have at least that of half a step.
             double theta = 1.0, seen = tau;
             if (!velocity && (in.row_flags[static_cast<std::size_t>(row)] & model::kRowDamper) &&
                 e > 0.0) {
@@ -338,7 +339,7 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
             const double ups = 1.0 / (1.0 + 4.0 * seen * theta / h);
             const double recall = 1.0 - 4.0 * seen * (1.0 - theta) / h;
             out.sigma[row] = velocity ? e / h : 4.0 * e * ups / (h * h);
-            // A rigid row has a share of its mobility where the system was analysed.
+            // The Σ of a rigid row is a fraction of its mobility at the analysis.
             if (!velocity && e == 0.0) out.sigma[row] = in.sigma[static_cast<std::size_t>(row)];
             if (idle) continue;
             double prescribed = 0.0;
@@ -352,9 +353,10 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
                                   : ups * recall * (out.g.row(row) * v + prescribed) -
                                         4.0 / h * ups * s.g[r] - prescribed;
             if (in.flags[i] & model::kOneSided) {
-                // x̄₋, where the line was half a step ago: slack is 0 in the mean (x̄₋ + x̄₊)/2.
+                // x̄₋, the position of the line half a step ago: slack is 0 in the mean (x̄₋ +
+                // x̄₊)/2.
                 const double before = s.g[r] - 0.5 * h * (out.g.row(row) * v + prescribed);
-                // Its damper sees the rate that leads from there.
+                // Its damper uses the rate that leads from there.
                 const double mean = 4.0 / h * ups * recall;  // factor of x̄ in c
                 out.c[row] += mean * 0.5 * std::min(before, 0.0);
             }

@@ -19,12 +19,13 @@ double difference(const World& a, const World& b) {
     return apart / most;
 }
 
-/// @param mass_ratio  Of what pulls through a joint to the lightest body there: rounding of the
-/// force moves that body by so much more.
+/// @param mass_ratio  Ratio of the mass that pulls through a joint to that of the lightest body
+///        there. Rounding of the force moves that body by this factor more.
 void expect_same(const Recipe& recipe, int steps, double mass_ratio = 100.0) {
-    constexpr double kRounding = 1e-14;  // of the force, after as many joints as there are here
+    // relative to the force, after the number of joints used here
+    constexpr double kRounding = 1e-14;
     WorldDef def = recipe.world;
-    def.solution_tolerance = 1e-13;  // what is compared is the form, not where refinement ends
+    def.solution_tolerance = 1e-13;  // compare the forms, not the end of refinement
     def.form = Form::automatic;
     World automatic = recipe.make(def);
     def.form = Form::saddle;
@@ -32,7 +33,7 @@ void expect_same(const Recipe& recipe, int steps, double mass_ratio = 100.0) {
     def.form = Form::condensed;
     World condensed = recipe.make(def);
     for (int i = 0; i < steps; ++i) {
-        // From the same state each time: what is compared is one step, not its echo.
+        // Start from the same state each time: compare one step, not its consequences.
         const auto state = automatic.save();
         saddle.restore(state);
         condensed.restore(state);

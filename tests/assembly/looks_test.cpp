@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the judges look at, eight at a time, against Eigen and one at a time.
+/// The sums of the checks, processed eight at a time, against Eigen and one at a time.
 #include "assembly/kernels.h"
 #include "base/index.h"
 #include "support/tier.h"
@@ -30,7 +30,7 @@ auto vector_at(T* p) {
     return Eigen::Map<V>(p);
 }
 
-/// Rigid bodies, three lumps among them, with what the kernel reads of each.
+/// Rigid bodies with three lumps among them, and the data that the kernel reads.
 struct Rig {
     static constexpr int kBodies = 40, kFirstLump = 17, kLumps = 3, kSlack = 8;
     std::vector<std::uint8_t> dof = std::vector<std::uint8_t>(kBodies + kSlack, 6);
@@ -140,7 +140,7 @@ TEST(RigidEnergies, AreThoseOfEachBody) {
     }
 }
 
-/// Neither what is no row of eight nor what is not rigid.
+/// Bodies outside a row of eight, or not rigid, are skipped.
 TEST(RigidEnergies, LeaveTheOthers) {
     const Rig rig(1);
     const auto done_from = [&](std::size_t first, std::int32_t count) {

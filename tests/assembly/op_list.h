@@ -201,7 +201,7 @@ inline bool same(const assembly::LaneOp& a, const assembly::LaneOp& b) {
            std::equal(a.id, a.id + 8, b.id) && std::equal(a.from, a.from + 8, b.from);
 }
 
-/// Expects that a system lists what the plain way gives, entry by entry.
+/// Expect that a system lists the same entries as the simple method.
 inline void expect_plain_ops(const assembly::System& s, const model::Bodies& bodies,
                              const assembly::View& view) {
     const PlainOps plain(s, bodies, view);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The list of contributions against one that is made the plain way, in worlds where bodies,
-/// interactions, links of contacts and forms come and go at random.
+/// The list of contributions against one made by a simple method. In these worlds bodies,
+/// interactions, links of contacts and forms are added and removed at random.
 #include "assembly/op_list.h"
 #include "context/context.h"
 #include "context/view.h"
@@ -38,7 +38,7 @@ class Changing {
         const assembly::View v = stepper::view(*ctx_);
         expect_plain_ops(ctx_->model.system, bodies(), v);
     }
-    /// What holds a body is found from it as by looking through all interactions.
+    /// The interactions of a body are found from it, as by a search over all interactions.
     void expect_holders() {
         using Holder = std::pair<std::int32_t, std::size_t>;
         constexpr auto kSlots = static_cast<std::size_t>(kMaxInteractionBodies);
@@ -83,7 +83,7 @@ class Changing {
     }
 
   private:
-    /// Wires of lumps side by side between two bodies, of three lengths, and some loose lumps.
+    /// Wires of lumps side by side between two bodies, with three lengths, and some single lumps.
     static Recipe wires(std::uint64_t seed) {
         Random random(seed);
         Recipe r;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Parts of block patterns at random: nothing joins two of them.
+/// Parts of random block patterns: no edge joins two of them.
 #include "assembly/pattern_parts.h"
 #include "factor/analyse.h"
 #include "factor/ordering.h"

@@ -15,7 +15,7 @@ namespace {
 
 using assembly::Strips;
 
-/// Strip of every index, −1 where none; fails on an index that is in two.
+/// Store the strip of every index, −1 if none; fails if an index is in two.
 template <class Ranges>
 void mark(const Ranges& ranges, int strip, std::vector<int>& of) {
     for (const auto& r : ranges)
@@ -25,7 +25,8 @@ void mark(const Ranges& ranges, int strip, std::vector<int>& of) {
         }
 }
 
-/// Everything is in exactly one strip, and what a strip calls its own no other one touches.
+/// Check that every index is in exactly one strip, and that no other strip touches own bodies of a
+/// strip.
 void check(const stepper::StepContext& ctx) {
     const model::Interactions& in = ctx.model.interactions;
     const Strips& strips = ctx.model.system.strips;
@@ -63,7 +64,7 @@ TEST(Strips, HoldEverythingOnce) {
         }
 }
 
-/// Bodies alone: as much work as there are.
+/// Bodies without interactions: the work is their number.
 TEST(Strips, AreLongerInLargeScenes) {
     auto strips_of = [](std::size_t bodies) {
         Strips strips;

@@ -84,9 +84,8 @@ void write_blocks(StepContext& ctx) {
         s.write_blocks(v, p, s.numeric.values());
 }
 
-/// A mixed scene, or chains long enough to go eight links at a time, some steps from its start, so
-/// that every term is alive; with even seeds under forces that make joints swing too fast for the
-/// step.
+/// A mixed scene, or chains long enough for eight links at a time, some steps after the start, so
+/// that all terms occur. With even seeds, forces make joints oscillate too fast for the step.
 struct Drawn {
     std::uint32_t seed;
     Form form;
@@ -144,7 +143,7 @@ TEST_P(Seeds, OfChainsGoEightAtATime) {
         EXPECT_TRUE(std::any_of(ops.begin(), ops.end(), [](const assembly::LaneOp& op) {
             return op.kind == assembly::Op::body_block;
         }));
-        // Every other chain has its joints the other way round.
+        // Every other chain has reversed joints.
         EXPECT_EQ(std::any_of(ops.begin(), ops.end(),
                               [](const assembly::LaneOp& op) { return op.turned != 0; }),
                   !saddle);
@@ -159,8 +158,8 @@ TEST_P(Seeds, BlocksEqualTheDenseMatrix) {
         const Matrix got = assembled(ctx->model.system, ctx->model.system.numeric.values());
         const Matrix want = expected(*ctx, d);
         ASSERT_EQ(got.rows(), want.rows());
-        // The diagonal of a block row bounds what is summed into it; 1e-11 of that is rounding of
-        // sums of up to a few hundred terms and of the projection's eigenvectors.
+        // The diagonal of a block row bounds the sums in it. 1e-11 of it is the rounding of sums of
+        // up to a few hundred terms and of the eigenvectors of the projection.
         for (Eigen::Index i = 0; i < got.rows(); ++i)
             for (Eigen::Index j = 0; j < got.cols(); ++j) {
                 const double scale = std::sqrt(std::abs(want(i, i) * want(j, j)));
@@ -234,7 +233,7 @@ TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
     });
 }
 
-/// Taken while the solution was measured, they are those of its rows.
+/// The losses computed along with the solution are those of its rows.
 TEST_P(Seeds, LossesAreThoseOfTheSolution) {
     for_each_scene([](const Drawn& scene) {
         const auto ctx = scene.with_rows();
@@ -287,8 +286,8 @@ TEST(ArmStiffness, IsTheProjectionOfTheSymmetrisedOne) {
     for (double z : zero) EXPECT_EQ(z, 0.0);
 }
 
-/// All interactions are internal: the impulses on the bodies add up to gravity and applied
-/// forces alone, whatever the forms and the geometric stiffness.
+/// All interactions are internal: impulses on the bodies sum to gravity and applied forces alone,
+/// for any forms and geometric stiffness.
 TEST(Momentum, LinearMomentumOfAnIsolatedSystemIsConserved) {
     for (const std::uint32_t seed : seeds(1, 4, 20, 200)) {
         Recipe r = link_chain(8);

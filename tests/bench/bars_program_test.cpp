@@ -27,7 +27,7 @@ class BarsProgram : public testing::Test {
         if (!std::filesystem::exists(program_)) GTEST_SKIP() << "hawser-bench is not in this build";
     }
 
-    /// @return its JSON. Exit code 0 or 1 by whether all bars are met.
+    /// @return its JSON. Checks that the exit code is 0 if all bars are met, else 1.
     [[nodiscard]] Figures run(const std::string& arguments) const {
         const auto stem = std::filesystem::temp_directory_path() /
                           ("hawser_bars_program_" + std::to_string(::getpid()));
@@ -50,7 +50,7 @@ class BarsProgram : public testing::Test {
         return out;
     }
 
-    /// Whether a bar is met, by what it is asked of.
+    /// Return the results of a bar, by case.
     [[nodiscard]] static std::map<std::string, bool> bar(const Figures& out,
                                                          const std::string& name) {
         std::map<std::string, bool> met;
@@ -86,7 +86,7 @@ TEST_F(BarsProgram, PartitionJudgesThePapersGraphs_full) {
             for (const char* who : {"ours_seconds", "metis_seconds", "amd_seconds"})
                 EXPECT_GT(t.at(who).get<double>(), 0.0) << who;
         }
-        // Two threads are judged only where there was a second processor for them.
+        // Two threads are assessed only if a second processor was available.
         for (const char* b : {"full_partition", "update", "factor_and_solve_1"})
             EXPECT_EQ(bar(out, b).count(c.at("name")), 1U) << b;
     }
@@ -119,7 +119,7 @@ TEST_F(BarsProgram, CouplingTellsWhatItMeasuredAndNothingElse_full) {
         EXPECT_EQ(m.at("jerk").at("difference").is_null(),
                   exact || m.at("jerk").at("run").is_null());
         EXPECT_EQ(m.at("spectral_radius").is_null(), lost);
-        EXPECT_TRUE(m.at("largest_stable_stiffness").at("stable").is_null());  // not asked for
+        EXPECT_TRUE(m.at("largest_stable_stiffness").at("stable").is_null());  // not requested
         if (exact) {
             EXPECT_FALSE(lost);
             EXPECT_GT(m.at("jerk").at("run").get<double>(), 0.0);
@@ -129,7 +129,7 @@ TEST_F(BarsProgram, CouplingTellsWhatItMeasuredAndNothingElse_full) {
     }
 }
 
-/// A budget of 0.1 ms: less than the load takes in full, on any machine.
+/// A budget of 0.1 ms: less than the full load needs on any machine.
 TEST_F(BarsProgram, DeadlineJudgesAShortRun_full) {
     const Figures out =
         run("deadline scenes/heavy_hook.json --control '' --stacks 10 --steps 100 --budget 0.1");

@@ -63,7 +63,7 @@ TEST_F(FactorProgram, EverySolverSolvesAMatrixFromAFile_full) {
     for (const std::string& file : {matrix, json, stem.string()}) std::filesystem::remove(file);
 }
 
-/// The parts add up to what is printed above them, and the marked ones to the line below.
+/// The parts add up to the value printed above them, and the marked ones to the line below.
 TEST_F(FactorProgram, SharesAddUp_full) {
     const std::string out = (std::filesystem::temp_directory_path() /
                              ("hawser_factor_shares_" + std::to_string(::getpid())))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `hawser-bench factor` does around the solvers, against dense algebra.
+// The code of `hawser-bench factor` around the solvers, against dense algebra.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -106,7 +106,7 @@ TEST(Sweeps, FoldSolveUnfoldSolvesTheSystem) {
             solve();
             add_correction(s, f, inverse, v, serial);
             const double refined = relative_error(s, v.x, exact.x);
-            // Condition: bodies of 2e7 kg beside 1e2 kg, compliance 1e-9 beside 1e1.
+            // Condition: bodies of 2e7 kg and 1e2 kg, compliances of 1e-9 and 1e1.
             EXPECT_LT(refined, 1e-8) << s.name << (condensed ? " condensed" : " saddle");
             EXPECT_LE(refined, 2.0 * first + 1e-15);
         }

@@ -22,14 +22,14 @@
 namespace hawser::bench {
 namespace {
 
-/// Of this process: tests run beside each other.
+/// Return a path for this process: tests run concurrently.
 std::filesystem::path own_path(const char* name) {
     return std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + name);
 }
 
 using nlohmann::json;
 
-/// Those of some engines that the program has, as --engines wants them.
+/// Return the wanted engines that are in the program, in the form of --engines.
 std::string engines_of(const std::string& program, const std::vector<std::string>& wanted) {
     const auto help = own_path("hawser_peers_help.txt");
     if (std::system((program + " peers --help > " + help.string()).c_str()) != 0) return {};
@@ -54,7 +54,7 @@ class PeersProgram : public testing::Test {
                                     " peers --engines hawser --scene all --budget 3600 "
                                     "--reference bench/peers/reference --json " +
                                     out.string() + " > /dev/null";
-        // 1: ours missed a demand, which each test looks at itself: time is not its business.
+        // 1: ours missed a target. Each test checks its own targets, but not times.
         ASSERT_LE(WEXITSTATUS(std::system(command.c_str())), 1);
         results_ = json::parse(std::ifstream(out));
     }
@@ -98,11 +98,12 @@ TEST_F(PeersProgram, OurStepKeepsWhatIsAskedOfContacts_full) {
             EXPECT_TRUE(d["met"].get<bool>()) << scene << ": " << d.dump();
             ++checked;
         }
-        EXPECT_TRUE(of(scene)["energy_drift"].is_null());  // unknown where friction takes energy
+        // unknown, since friction dissipates energy
+        EXPECT_TRUE(of(scene)["energy_drift"].is_null());
     }
     EXPECT_EQ(checked, 4 + 2 + 2);
-    // Shapes start in touch: the floor gives way by m g / (2 k) = 0.1 mm a point, twice that at
-    // first.
+    // Shapes initially just touch: the floor deflects by m g / (2 k) = 0.1 mm per point, twice that
+    // at first.
     EXPECT_LE(of("mooring_seabed")["sink_m"].get<double>(), 1e-3);
 }
 
@@ -117,7 +118,7 @@ TEST(PeersWithContacts, LieOnTheFloorAndTellTheirPoints_full) {
                                 " --substeps 4 --scene mooring_seabed,box_stack --duration 0.2 "
                                 "--json " +
                                 out.string() + " > /dev/null 2> /dev/null";
-    ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 0);  // nothing is asked of peers
+    ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 0);  // peers have no targets
     for (const json& r : json::parse(std::ifstream(out))) {
         EXPECT_EQ(r["substeps"], 4);
         EXPECT_FALSE(r.contains("demands"));
@@ -126,8 +127,8 @@ TEST(PeersWithContacts, LieOnTheFloorAndTellTheirPoints_full) {
             EXPECT_GE(r["contacts"]["median"].get<int>(), 600) << r["engine"];
             EXPECT_LT(r["sink_m"].get<double>(), 0.02) << r["engine"];
         } else {
-            // Ten faces of four points where they are found; 1000:1 carries them through each
-            // other.
+            // Ten faces of four points if they are found; a ratio of 1000:1 presses them through
+            // each other.
             EXPECT_GE(r["contacts"]["max"].get<int>(), 40) << r["engine"];
             EXPECT_GT(r["drop_m"].get<double>(), 0.0) << r["engine"];
         }
@@ -153,8 +154,8 @@ TEST(PeersReference, IsWrittenWithBothRuns_full) {
             EXPECT_EQ(a, b);
             continue;
         }
-        // The file's own first samples, made again. Other instruction sets round differently; at
-        // 1e-10 of the contacts' law tensions agree to many more digits than this.
+        // The first samples of the file, computed again. Other instruction sets round differently;
+        // with 1e-10 in the law of contacts tensions agree to many more digits.
         double x[5], y[5];
         for (const auto& [text, v] : {std::pair{&a, x}, std::pair{&b, y}})
             ASSERT_EQ(

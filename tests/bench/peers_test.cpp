@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of `hawser-bench peers` that judge engines: scenes, spanning forests, measures.
+// The parts of `hawser-bench peers` that assess engines: scenes, spanning forests, measures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,7 +70,7 @@ TEST(Forest, PlacesEveryBodyOnceParentsFirst) {
     EXPECT_THROW((void)spanning_forest(mooring(), {"none cut", {}}), std::invalid_argument);
 }
 
-/// One towed ship under thrust, nothing else.
+/// One towed ship under thrust, without other loads.
 Scene lone_ship() {
     Scene s;
     s.name = "lone";
@@ -113,7 +113,7 @@ TEST(Meter, TensionIsTheForceMissingInTheMomentumBalance) {
 }
 
 TEST(Meter, EnergyDriftIsWhatNoLoadExplains) {
-    // The line is no load of the scene: it takes 100 N over x = 0.1 t^2 = 0.9 m, scale 200 J.
+    // The line is not a load of the scene: it takes 100 N over x = 0.1 t^2 = 0.9 m, scale 200 J.
     EXPECT_NEAR(towed_at(0.2).energy_end, -100.0 * 0.9 / 200.0, 1e-9);
     EXPECT_NEAR(towed_at(0.3).energy_end, 0.0, 1e-9);
 }
@@ -213,14 +213,14 @@ TEST(Meter, MeasuresTheTopOfAStackAndHowDeepACapsuleSinks) {
     // It starts on the floor; but a capsule is as long as its arc, not its chord, so that the end
     // of the first link that rises dips by 2e-8 m.
     EXPECT_NEAR(meter.measures().sink.value(), 0.0, 1e-7);
-    links[3].x.z() -= 2e-3;  // the first link of the first line, level
+    links[3].x.z() -= 2e-3;  // the first link of the first line, horizontal
     meter.frame(links, links, 0.2);
     EXPECT_NEAR(meter.measures().sink.value(), 2e-3, 1e-9);
 }
 
 TEST(References, OfTheSeabedIsConverged) {
-    // Both columns are runs of ours, at h/16 and h/32 (make_reference.h). What separates them is a
-    // bound on what separates the finer from the limit, if errors at least halve with the step.
+    // Both columns are our runs, with h/16 and h/32 (make_reference.h). If errors at least halve
+    // with the step, their difference bounds the error of the finer one.
     const std::string path = std::string(kReferences) + "/mooring_seabed.csv";
     std::ifstream in(path);
     std::string line;
@@ -237,7 +237,7 @@ TEST(References, OfTheSeabedIsConverged) {
             sum += std::pow(coarse[k] / fine[k] - 1.0, 2);
     }
     EXPECT_GT(count, 2 * 1100);
-    // A twentieth of the 0.5 % that engines are judged by.
+    // A twentieth of the 0.5 % by which engines are assessed.
     EXPECT_LT(std::sqrt(sum / count), 0.05 * mooring_seabed().wanted.tension);
     EXPECT_TRUE(load_reference(kReferences, mooring_seabed()).covers(19.9));
 }

@@ -79,7 +79,7 @@ TEST(Controls, SignalsOfSystems) {
 
 TEST(Exercise, VerifiesItsSteps) {
     const auto folder = test_folder();
-    // The exercise fails, as nobody does anything; each step is right.
+    // The exercise fails without operators; all steps are correct.
     const Outcome good = run_program({"exercise", "exercises/crane_lift.json", "--verify"});
     EXPECT_EQ(good.code, 4) << good.err;
     EXPECT_NE(good.out.find("verified"), std::string::npos) << good.out;

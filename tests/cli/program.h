@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file program.h
-/// Runs the program hawser and returns what it wrote and how it ended.
+/// Runs the program hawser and returns its output and exit code.
 
 #include <gtest/gtest.h>
 

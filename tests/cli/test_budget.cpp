@@ -49,7 +49,7 @@ TEST(Budget, CutStepsAreRecordedAndReplayed) {
 
 TEST(Budget, OpensCutsWhereNothingElseFitsAndReplaysThem) {
     const auto folder = test_folder();
-    // No step fits; a cut is made only where its matrix is 5 % cheaper, as in these lines it is.
+    // No step fits. A cut is made only if its matrix is 5 % cheaper, as in these lines.
     const Outcome outcome = run_program(
         {"run", "bench/scenes/frozen/anchor_lines.json", "--duration", "0.6", "--budget", "0.001",
          "--coupling", "deadline", "--record", folder / "r.hwr", "--summary", folder / "s.json"});
@@ -64,7 +64,7 @@ TEST(Budget, OpensCutsWhereNothingElseFitsAndReplaysThem) {
     EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
 }
 
-/// Also where nothing is cut yet: mooring is one group.
+/// Also if there are no cuts yet: mooring is one group.
 TEST(Verify, NeedsExactCoupling) {
     for (const char* coupling : {"kinematic", "compliant", "deadline"}) {
         const Outcome outcome = run_program({"run", "scenes/mooring.json", "--duration", "0.1",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What `hawser check` says of scenes and their starts, and what `hawser run` makes of it.
+/// Findings of `hawser check` about scenes and their starts, and reaction of `hawser run`.
 #include "program.h"
 
 #include <nlohmann/json.hpp>
@@ -50,7 +50,7 @@ TEST(Check, ContradictoryJointsAreNamedAndRefused) {
     EXPECT_NE(run.err.find("--unchecked"), std::string::npos) << run.err;
     EXPECT_TRUE(run.out.empty());
     EXPECT_FALSE(std::filesystem::exists(folder / "s.json"));
-    // Whatever becomes of it: it is not refused.
+    // Whatever its result: it is not rejected.
     const Outcome unchecked = run_program({"run", file, "--unchecked"});
     EXPECT_EQ(unchecked.err.find("--unchecked"), std::string::npos) << unchecked.err;
     EXPECT_NE(unchecked.out.find("contradiction ("), std::string::npos) << unchecked.out;
@@ -120,7 +120,7 @@ TEST(Check, SaysWithWhatTensionCablesStart) {
     EXPECT_NE(one.out.find("cable \"lies\" starts slack; it lies on its seabed from 0 m to 60 m"),
               std::string::npos)
         << one.out;
-    // Of several scenes only where it is asked for.
+    // With several scenes only on request.
     const Outcome two = run_program({"check", file, "scenes/mooring.json"});
     EXPECT_EQ(two.out.find("starts with"), std::string::npos) << two.out;
     const Outcome asked = run_program({"check", "--cables", file, "scenes/mooring.json"});
@@ -145,7 +145,7 @@ TEST(Check, OptionsChangeWhatIsChecked) {
     EXPECT_NE(heavy.err.find("\"box3\" has a density of 1e+09"), std::string::npos) << heavy.err;
 }
 
-/// What a user asks comes first, what only the solver knows last.
+/// User quantities come first, solver quantities last.
 TEST(Check, ReportBeginsWithTensionsAndMotions) {
     const Outcome run = run_program({"run", "scenes/mooring.json", "--duration", "0.1"});
     ASSERT_EQ(run.code, 0) << run.err;

@@ -14,7 +14,7 @@ using nlohmann::json;
 constexpr const char* kPendulum = "scenes/pendulum.json";
 constexpr const char* kMooring = "scenes/mooring.json";
 
-// A box pulled along a line by an input, held by a wire that parts at 5 kN.
+// A box pulled along a line by an input, held by a wire that breaks at 5 kN.
 std::string tug_scene() {
     return R"({"version": 1, "name": "tug",
         "settings": {"step": 0.01, "duration": 2, "gravity": [0, 0, 0]},
@@ -160,12 +160,12 @@ TEST(Run, ControlMovesInputsAndReplays) {
                      "--record", folder / "r.hwr", "--summary", folder / "s.json"});
     ASSERT_EQ(run.code, 0) << run.err;
     const json s = json::parse(read_text(folder / "s.json"));
-    // Thrust ends in the line; its elements and their damping make it swing about that.
+    // The line balances the thrust; its elements and their damping make it oscillate about that.
     EXPECT_GT(s["tensions"]["line"]["max"].get<double>(), 1000.0);
     EXPECT_LT(s["tensions"]["line"]["max"].get<double>(), 5000.0);
     EXPECT_GT(s["energy"]["applied"].get<double>(), 0.0);
     EXPECT_EQ(run_program({"replay", "--quiet", folder / "r.hwr"}).code, 0);
-    // Beyond its range the input is clamped to 100 kN, and the line parts.
+    // Beyond its range the input is clamped to 100 kN, and the line breaks.
     const Outcome pulled =
         run_program({"run", folder / "tug.json", "--control", folder / "c.csv", "--quiet",
                      "--summary", folder / "s.json", "--record", folder / "r.hwr"});
@@ -201,7 +201,7 @@ TEST(Run, ControlTakesOperations) {
     EXPECT_EQ(s["event_counts"]["cut"].get<int>(), 1);
     EXPECT_TRUE(s["wires"].contains("line/2")) << s["wires"].dump();
     EXPECT_EQ(run_program({"replay", "--quiet", folder / "r.hwr"}).code, 0);
-    // Mistakes are told where they stand in that file.
+    // Mistakes are reported at their position in that file.
     write_text(part,
                R"([{"at": 0.2, "set": {"tug.thrust": 500}}, {"at": 0.5, "cut": "lien", "s": 4}])");
     const Outcome unknown = run_program(run);
@@ -275,8 +275,8 @@ TEST(Run, RealtimeKeepsPace) {
 
 TEST(Run, AFailedStepIsCode2) {
     const auto folder = test_folder();
-    // Condensing is told to add a stiffness of 1e24 times the mass: the mass is lost in rounding
-    // and the matrix becomes singular. The automatic form would keep the row.
+    // The condensed form adds a stiffness of 1e24 times the mass. The mass is lost in rounding and
+    // the matrix becomes singular. The automatic form would keep the row.
     write_text(folder / "bad.json", R"({"version": 1, "name": "bad",
         "settings": {"duration": 1, "form": "condensed", "on_diverged": "warn"},
         "bodies": [{"name": "a", "kind": "lump", "position": [0, 0, 0], "mass": 1e-9},
@@ -290,11 +290,11 @@ TEST(Run, AFailedStepIsCode2) {
     const json summary = json::parse(read_text(folder / "s.json"));
     EXPECT_EQ(summary["outcome"], "failed");
     EXPECT_EQ(summary["status"], "wrong_pivot");
-    // What came before the failed step is recorded and repeats.
+    // Steps before the failed one are recorded and repeat.
     EXPECT_EQ(run_program({"replay", "--quiet", folder / "r.hwr"}).code, 0);
 }
 
-// A recording whose thrust was changed afterwards, with right checksums.
+// A recording whose thrust was changed afterwards, with correct checksums.
 TEST(Replay, NoticesAChangedCommand) {
     const auto folder = test_folder();
     write_text(folder / "tug.json", tug_scene());
@@ -326,7 +326,7 @@ TEST(Replay, SaysWhereItDiffers) {
                   .code,
               0);
     const Outcome other = run_program({"replay", folder / "r.hwr"}, -1.0, {"HAWSER_ISA=sse2"});
-    if (other.code != 0) {  // Unless this processor has nothing better.
+    if (other.code != 0) {  // unless this processor has no better one
         EXPECT_EQ(other.code, 3);
         EXPECT_NE(other.err.find("HAWSER_ISA="), std::string::npos) << other.err;
     }
@@ -344,7 +344,7 @@ TEST(Inspect, PrintsSizesAndDrawsTheMatrix) {
     for (const char* line : {"205000 kg at a draught of 2 m", "KB               1 m",
                              "BM               4.16666667 m", "GM               3.16666667 m"})
         EXPECT_NE(hull.out.find(line), std::string::npos) << line << hull.out;
-    // With the tide of the start; the box lies 2 m deep in it.
+    // With the tide of the start; the box is 2 m below it.
     std::string tide = read_text("scenes/floating_box.json");
     tide.replace(tide.find("[0, 0, 0]"), 9, "[0, 0, 6]");
     tide.replace(tide.find("\"depth\": 150"), 12,
@@ -375,11 +375,12 @@ TEST(Settle, FindsTheRestOfAHangingWeight) {
     ASSERT_EQ(settle.code, 0) << settle.err << settle.out;
     const json state = json::parse(read_text(folder / "hang.settled.json"));
     const auto p = state["bodies"]["w"]["p"];
-    // 5 m, stretched by the weight of the 50 kg and of the four nodes of 1 kg between the ends,
-    // of which each element carries those below it: two on average. The share of the rope's
-    // mass at its ends belongs to the bodies there.
+    // 5 m, stretched by the weight of the 50 kg and of the four nodes of 1 kg between the ends.
+    // Each element carries the nodes below it: two on average. The mass of the rope at its ends
+    // belongs to the bodies there.
     const double rest = -5.0 * (1.0 + (50.0 + 2.0) * 9.81 / 1e5);
-    // At 1e-7 m/s and a stop time of 15 s the swing is within x = v / (ω² T) of its rest.
+    // At 1e-7 m/s and a stop time of 15 s the oscillation is within x = v / (ω² T) of its
+    // equilibrium.
     EXPECT_NEAR(p[0].get<double>(), 0.0, 1e-6);
     EXPECT_NEAR(p[2].get<double>(), rest, 1e-6);
     EXPECT_EQ(state["bodies"]["w"]["v"], json({0.0, 0.0, 0.0}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Runs that come to what cannot be end as failed, and say what, where and when.
+/// Runs that reach an impossible state end as failed, and report its kind, place and time.
 #include "cli/program.h"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files and streams that are not what a program hopes for: pipes, holes, the same file twice,
-/// closed and full outputs, times beyond all clocks, an end in the middle.
+/// Unusual files and streams: pipes, holes, the same file twice, closed and full outputs, times
+/// beyond all clocks, truncation.
 #include <hawser/recording.h>
 #include "cli/program.h"
 #include "record/bytes.h"
@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSwing = "scenes/pendulum.json";
 
-/// A line of the shell, with $H for the program; ended after a minute. @return the exit code, 124
-/// where it took longer, −1 where a signal ended it.
+/// Run a line of the shell, with $H for the program; it ends after a minute. @return the exit code;
+/// 124 after a timeout, −1 after a signal.
 int shell(const std::string& line) {
     const std::string whole =
         "H='" + program_file().string() + "'; export H; timeout 60 sh -c '" + line + "'";
@@ -54,7 +54,7 @@ std::string run_line(const fs::path& folder, const std::string& more = {}) {
            (folder / "r.hwr").string() + more;
 }
 
-/// The recording of run_line() is whole: nothing else was written into it.
+/// Expect that the recording of run_line() is complete and has no other output in it.
 void expect_whole(const fs::path& folder, const char* what) {
     const auto r = record::Recording::open(folder / "r.hwr");
     EXPECT_EQ(r.damage, "") << what;
@@ -83,7 +83,7 @@ TEST(Streams, ClosedOnesAreNobodyElsesAndALostReportIsCode1) {
     EXPECT_EQ(shell("$H --version >&-"), 1);
     EXPECT_EQ(shell("$H check scenes/pendulum.json >/dev/full 2>&1"), 1);
     EXPECT_EQ(shell("$H validate --list >&-"), 1);
-    // A message that cannot be printed ends nothing: the code still tells.
+    // A message that cannot be printed does not end the program: the exit code remains.
     EXPECT_EQ(shell("$H run no_such.json 2>&-"), 1);
     EXPECT_EQ(shell("$H run no_such.json 2>/dev/full"), 1);
     EXPECT_EQ(shell("$H sail >&- 2>&-"), 1);
@@ -156,7 +156,7 @@ TEST(Files, NoOutputIsAnInputOrAnotherOutput) {
             "--summary and --save-at are the same");
     refused(run + "--trace " + at("x.json") + " --trace " + at("x.json"), "the same file");
     EXPECT_FALSE(fs::exists(at("x")));
-    // Links to what is not there yet lead to one file, too.
+    // Links to a file that does not exist yet lead to one file, too.
     fs::create_symlink("new", folder / "a");
     fs::create_symlink(at("new"), folder / "b");
     fs::create_symlink("a", folder / "c");
@@ -179,7 +179,7 @@ TEST(Files, AreWrittenBesideAndRenamed) {
     write_text(at("a.hws"), "before");
     chmod(at("s.json").c_str(), 0640);
     fs::create_symlink("s.json", folder / "link.json");
-    // A run that is killed leaves what there was.
+    // A killed run leaves the earlier file.
     EXPECT_EQ(shell("$H run " + std::string(kSwing) +
                     " --duration 1e6 --realtime --quiet --summary " + at("link.json") +
                     " --save-at 1e5 " + at("a.hws") + " & sleep 0.5; kill -9 $!; wait $!"),
@@ -208,7 +208,8 @@ TEST(Files, AreWrittenWhereALinkToNothingLeads) {
     EXPECT_EQ(json::parse(read_text(folder / "new.json"))["outcome"], "finished");
 }
 
-// A limit of file sizes is told like a full disk; before, SIGXFSZ ended the run without a word.
+// A limit of file sizes is reported like a full disk; before, SIGXFSZ ended the run without a
+// message.
 TEST(Files, ThatMayNotGrowFurtherEndTheRunWithAMessage) {
     const fs::path folder = test_folder();
     const std::string err = (folder / "err").string();
@@ -240,7 +241,7 @@ TEST(Files, ThatPicturesAreDrawnFromAreNotDrawnOver) {
     refused("plot " + at("motions.svg") + " -o " + folder.string(), "would replace the recording");
     EXPECT_EQ(read_text(at("r.hwr")), whole);
     EXPECT_EQ(read_text(at("motions.svg")), whole);
-    // Pictures that are not asked for replace nothing.
+    // Pictures that are not requested replace no file.
     EXPECT_EQ(
         shell("$H plot " + at("motions.svg") + " --only scene >/dev/null -o " + folder.string()),
         0);
@@ -312,7 +313,8 @@ TEST(Replay, ComparesTheEndAndSaysWhatIsMissing) {
     EXPECT_EQ(other.code, 3);
     EXPECT_NE(other.out.find("difference at the end, step 24"), std::string::npos) << other.out;
 
-    // Farther than frames lie apart is no end of this recording, nor is one before its last frame.
+    // An end beyond the distance between frames is invalid for this recording, as is one before its
+    // last frame.
     for (const std::int64_t step : {std::int64_t{30}, std::int64_t{23}, std::int64_t{1} << 60}) {
         write_text(folder / "r.hwr", with_end(whole, 1, step));
         const Outcome far = run_program({"replay", folder / "r.hwr"});

@@ -75,7 +75,7 @@ TEST(Limits, AnUnknownInstructionSetIsAnError) {
               0);
 }
 
-/// The first step of so many balls takes many seconds; an interrupted run ends in it.
+/// The first step of so many balls takes many seconds; an interrupt ends the run within it.
 TEST(Limits, AnInterruptEndsTheStepUnderWay) {
     const auto folder = test_folder();
     const std::string scene = folder / "heap.json";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// `hawser settle` with systems: water, winches and cranes stay, what never rests is left out.
+/// `hawser settle` with systems: water, winches and cranes remain; motions that never rest are
+/// omitted.
 #include "program.h"
 
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 json read_json(const fs::path& file) { return json::parse(read_text(file)); }
 
-/// A scene of the library that begins with a state, in still water, at the level of its start.
+/// Write a scene of the library that starts from a state, in still water, at its initial level.
 void write_from_state(const fs::path& file, const std::string& scene, const std::string& state) {
     json out = read_json("scenes/" + scene + ".json");
     out["state"] = {{"file", state}};
@@ -30,7 +31,7 @@ void write_from_state(const fs::path& file, const std::string& scene, const std:
     write_text(file, out.dump());
 }
 
-/// What a body has moved by, and turned by, at most in a run from rest [m, deg].
+/// Return the maximum displacement and rotation of a body in a run from rest [m, deg].
 std::pair<double, double> drift(const fs::path& file, const char* seconds, const char* body) {
     const fs::path summary = file.parent_path() / "drift.json";
     const Outcome run =
@@ -52,25 +53,25 @@ TEST(Settle, ABoxFloatsInStillWater) {
     EXPECT_NEAR(box["q"][0].get<double>(), 1.0, 1e-9);
 }
 
-/// The buoy lies where mean current and wind hold it, and stays there once nothing drags.
+/// The buoy lies where mean current and wind balance the line, and stays there in a run.
 TEST(Settle, ABuoyLiesInCurrentAndWindAndStays) {
     const fs::path folder = test_folder();
     const Outcome settled =
         run_program({"settle", "scenes/buoy.json", "-o", folder / "buoy.settled.json", "--quiet"});
     ASSERT_EQ(settled.code, 0) << settled.err;
     const json buoy = read_json(folder / "buoy.settled.json")["bodies"]["buoy"];
-    // The anchor is at x = 45 m and 49.5 m below. Of 72 m of chain 22.5 m would lie on the bottom
-    // in water that stands, and the buoy float above their end; stretched out it is 52.3 m away.
-    // Current and wind go towards -x.
+    // The anchor is at x = 45 m, 49.5 m below. In still water 22.5 m of the 72 m of chain lie on
+    // the bottom, and the buoy floats above their end; stretched out it is 52.3 m away. Current and
+    // wind act towards -x.
     EXPECT_LT(buoy["p"][0].get<double>(), 22.5 - 1.0);
     EXPECT_GT(buoy["p"][0].get<double>(), 45.0 - 52.3);
     EXPECT_NEAR(buoy["p"][1].get<double>(), 0.0, 1e-3);
     write_from_state(folder / "rest.json", "buoy", "buoy.settled.json");
-    // At 1e-5 m/s, the tolerance, 10 s would take it 1e-4 m.
+    // At 1e-5 m/s, the tolerance, it would move by 1e-4 m in 10 s.
     EXPECT_LT(drift(folder / "rest.json", "10", "buoy").first, 1e-4);
 }
 
-/// Three hulls do not fall while there is no time to come to rest.
+/// Three hulls do not fall even without time to come to rest.
 TEST(Settle, AnchorSeaKeepsItsWater) {
     const auto heights = [&](const char* seconds) {
         const fs::path state = test_folder() / "sea.settled.json";
@@ -90,7 +91,7 @@ TEST(Settle, AnchorSeaKeepsItsWater) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(later[i], start[i], 0.3) << i;
 }
 
-/// A crane's hoist holds by its brake, and its load hangs still afterwards.
+/// The hoist of a crane holds by its brake, and its load is at rest afterwards.
 TEST(Settle, ACraneHoldsItsLoad) {
     const fs::path folder = test_folder();
     const Outcome settled = run_program(
@@ -103,7 +104,7 @@ TEST(Settle, ACraneHoldsItsLoad) {
     EXPECT_LT(tilted, 2e-4);
 }
 
-/// A state file knows the nodes of the scene alone: it is said which came, and what to do.
+/// A state file knows only the nodes of the scene: the message names the new ones and the remedy.
 TEST(Settle, ADrumThatPaysOutIsSaid) {
     const fs::path state = test_folder() / "modes.settled.json";
     const Outcome settled =

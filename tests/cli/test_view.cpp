@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A port of this machine that this process holds, or has held.
+/// A port of this machine that this process has, or had, open.
 class Port {
   public:
     Port() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
@@ -47,7 +47,7 @@ class Port {
     std::uint16_t number_ = 0;
 };
 
-/// First line that a server answers to GET / with, tried for some seconds; "": nobody answers.
+/// Return the first line of the answer to GET /, after attempts for some seconds; "": no answer.
 std::string first_line(std::uint16_t port) {
     for (int tried = 0; tried < 100; ++tried) {
         const int line = ::socket(AF_INET, SOCK_STREAM, 0);
@@ -72,7 +72,7 @@ std::string first_line(std::uint16_t port) {
     return {};
 }
 
-/// A WebSocket at /live that says nothing and never hangs up by itself.
+/// A WebSocket at /live that sends nothing and never closes by itself.
 class Silent {
   public:
     explicit Silent(std::uint16_t port) {

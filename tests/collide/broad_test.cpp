@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which shapes the broad phase holds against all others.
+/// Shapes that the broad phase tests against all others.
 #include "collide/broad.h"
 #include "model/interactions.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 using collide::Placed;
 
-/// A shape of the given size [m] along x; below 0: one that was removed, and is nowhere.
+/// A shape of the given size [m] along x; below 0: a removed one, outside the world.
 Placed placed(double x, double size) {
     Placed p{};
     for (int k = 0; k < 3; ++k) {
@@ -32,7 +32,7 @@ Placed placed(double x, double size) {
     return p;
 }
 
-/// Tells how many tasks it was given.
+/// Stores the number of tasks.
 class Counting final : public base::Executor {
   public:
     void run(int count, Task task, void* context) noexcept override {
@@ -44,12 +44,12 @@ class Counting final : public base::Executor {
 };
 
 struct Swept {
-    int tasks;  ///< Of the sweep alone.
+    int tasks;  ///< Tasks of the sweep alone.
     std::vector<collide::Pair> pairs;
 };
 
 Swept swept(const base::Array<Placed>& placed) {
-    constexpr int kHeldByOneTask = 256;  // against what is large: kLargeChunk of broad.cpp
+    constexpr int kHeldByOneTask = 256;  // against large shapes: kLargeChunk of broad.cpp
     std::vector<collide::Shape> shapes(placed.size());
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         shapes[i].body[0] = static_cast<std::int32_t>(i);
@@ -67,9 +67,9 @@ Swept swept(const base::Array<Placed>& placed) {
     return {pool.given - base::chunks(placed.size(), kHeldByOneTask), {out.begin(), out.end()}};
 }
 
-/// A wire that has lost most of its nodes, under a hull: the sweep has as much to do as where those
-/// had never been. Where places of what is gone counted as shapes of no size, every element that is
-/// left was large: held against all others, and none was in the sweep.
+/// A wire that has lost most of its nodes, under a hull. The sweep has the same work as if they had
+/// never existed. When slots of removed shapes counted as shapes of size 0, all remaining elements
+/// counted as large and were tested against all others.
 TEST(Broad, ShapesThatAreGoneMakeNoneLarge) {
     base::Array<Placed> all, left;
     std::vector<std::int32_t> number;  // in `all`, of those in `left`
@@ -83,7 +83,7 @@ TEST(Broad, ShapesThatAreGoneMakeNoneLarge) {
     for (int i = 0; i < 1800; ++i) add(1.6 * i, i % 3 == 0 ? 5.0 : -1.0);
     add(500.0, 80.0);
     const Swept with = swept(all), without = swept(left);
-    // 600 elements in tasks of 128; more where an element lies in two strips.
+    // 600 elements in tasks of 128; more if an element lies in two strips.
     EXPECT_GE(without.tasks, 5);
     EXPECT_EQ(with.tasks, without.tasks);
     std::vector<collide::Pair> expected;

@@ -53,8 +53,8 @@ TEST(Collider, AWireOnAPlaneTouchesOncePerLump) {
     for (const int n : seen) EXPECT_EQ(n, 1);
 }
 
-/// Positions and velocities that a diverging motion, or a forged snapshot, comes to: no place in
-/// any order by which boxes are sorted, and no way out of the strips they are cut into.
+/// Positions and velocities of a diverging motion, or of a forged snapshot. They have no place in
+/// the order of boxes or in the strips.
 TEST(Collider, BodiesBeyondAllNumbersAreSaidAndSorted) {
     for (const double far : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e200}) {
         Site site;
@@ -145,7 +145,7 @@ TEST(Collider, LeavesOutOneBodyJointsAndWhatCannotMove) {
     InteractionDef hinge{.kind = InteractionKind::Hinge, .body = {BodyId{a}, BodyId{b}}};
     InteractionDef line{.kind = InteractionKind::Distance, .body = {BodyId{b}, BodyId{c}}};
     for (const InteractionDef& def : {hinge, line}) site.interactions.add(def, site.bodies, site.h);
-    // Apart, so that normals exist.
+    // Separated, so that normals exist.
     site.move(carrier, {0.1, 0, 0});
     site.move(a, {0, 0.1, 0});
     site.move(b, {0, 0, 0.1});
@@ -259,7 +259,7 @@ TEST(Collider, APartedLineTouchesNothing) {
     site.prepare();
     ASSERT_TRUE(site.collide());
     EXPECT_EQ(site.set.contacts.size(), 5U);
-    // The two in the middle: the outer lumps of the outer segments stay, and the inner ones.
+    // The two in the middle: the outer lumps of the outer segments, and the inner ones, remain.
     site.interactions.parted[1] = site.interactions.parted[2] = 1;
     ASSERT_TRUE(site.collide());
     ASSERT_EQ(site.set.contacts.size(), 4U);
@@ -283,7 +283,7 @@ TEST(Collider, ContactsRememberWhoTheyWere) {
     ASSERT_TRUE(site.collide());
     for (std::size_t i = 0; i < site.set.contacts.size(); ++i)
         EXPECT_EQ(site.set.contacts[i].previous, static_cast<int>(i));
-    // A lump leaves; those behind it count on, and it comes back without a past.
+    // A lump leaves; the later ones keep their memory, and it returns without memory.
     site.collider.keep();
     site.move(3, {0, 0, 1});
     ASSERT_TRUE(site.collide());
@@ -311,7 +311,7 @@ TEST(Collider, MemoryOutlivesAChangeOfFeature) {
                    0,
                    {0.1 * static_cast<double>(2 - i) + 0.001, 0, 0}};
     }
-    last[0].feature = 1;  // claims by key what lies elsewhere
+    last[0].feature = 1;  // has the key of a contact at another place
     base::Array<std::uint8_t> taken;
     collide::match(contacts, now, last, last.size(), 0.01, taken);
     EXPECT_EQ(contacts[1].previous, 0);
@@ -381,7 +381,7 @@ TEST(Collider, ReducesWhatHasOneNormalToFour) {
     ASSERT_EQ(m.count, 4);
     const std::uint32_t corners[4] = {0, 2, 4, 6};
     for (int i = 0; i < 4; ++i) EXPECT_EQ(m.point[i].feature, corners[i]);
-    // A wall besides: what has another normal is not measured against the floor.
+    // A wall in addition: points with another normal are not compared with the floor.
     for (const int i : {3, 7}) {
         mixed.point[i].normal[2] = 0.0;
         mixed.point[i].normal[0] = 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Convex edges of boxes, hulls and meshes, against shapes whose edges are known.
+/// Convex edges of boxes, hulls and meshes, against shapes with known edges.
 #include <hawser/def.h>
 #include <hawser/edges.h>
 
@@ -19,8 +19,8 @@ constexpr double kRight = 0.5 * std::numbers::pi;
 
 ShapeDef box_of(const Vec3& half) { return {.kind = ShapeKind::box, .half_size = half}; }
 
-/// A step of 1 m on a floor, of triangles counterclockwise seen from above: the floor, a face, a
-/// top, in strips along y whose vertices divide the edges.
+/// Return a step of 1 m on a floor, of triangles counterclockwise as seen from above. The floor, a
+/// face and a top consist of strips along y whose vertices divide the edges.
 ShapeDef step_mesh(int strips) {
     ShapeDef out{.kind = ShapeKind::mesh};
     for (int i = 0; i <= strips; ++i)
@@ -99,7 +99,7 @@ TEST(Edges, OfAHullAreThoseBetweenItsFaces) {
     ASSERT_NE(ridge, all.end());
     EXPECT_NEAR((ridge->outward - Vec3::UnitZ()).norm(), 0.0, 1e-9);
     EXPECT_NEAR((ridge->to - ridge->from).norm(), 4.0, 1e-12);
-    // What touches both slopes and the floor: r = rise/(1 + 1/cos 30).
+    // The circle that touches both slopes and the floor: r = rise/(1 + 1/cos 30).
     EXPECT_NEAR(ridge->most_radius, rise / (1.0 + 1.0 / std::cos(std::numbers::pi / 6.0)), 1e-9);
 }
 

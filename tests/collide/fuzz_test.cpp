@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whatever lies wherever: stage collide gives contacts that a solver can use, or none.
+/// For any shapes and positions, stage collide returns contacts that a solver can use, or none.
 #include "collide/site.h"
 #include "support/random.h"
 #include "support/sanitizer.h"
@@ -41,7 +41,7 @@ ShapeDef any_shape(Random& random, bool moves) {
     return d;
 }
 
-/// Places repeat, so that bodies coincide, lines cross, faces lie in one plane.
+/// Return a position from a grid, so that bodies coincide, lines cross, faces lie in one plane.
 Vec3 any_place(Random& random) {
     return {0.5 * random.integer(-2, 2), 0.5 * random.integer(-2, 2), 0.5 * random.integer(-2, 2)};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact points at rest: how many, where, and whether they keep their names.
+// Contact points at rest: their number, positions and stable keys.
 #include "collide/collide_function.h"
 #include "support/collide/place.h"
 #include "support/collide/random_pairs.h"
@@ -57,12 +57,12 @@ void expect_gaps(const Manifold& m, double gap, double tolerance = 1e-12) {
     for (int i = 0; i < m.count; ++i) EXPECT_NEAR(m.point[i].gap, gap, tolerance) << i;
 }
 
-/// A shape resting on a slab, with the points that hold it.
+/// A shape at rest on a slab, with its supporting points.
 struct Resting {
     const char* name;
     Geometry shape;
     Quat attitude;
-    double height;  ///< Of its centre over the surface.
+    double height;  ///< Height of its centre over the surface.
     int points;
 };
 const std::vector<Resting>& resting() {

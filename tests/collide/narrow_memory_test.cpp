@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The narrow phase allocates nothing. malloc is replaced in this executable and counts while it
-/// is told to; operator new ends in it.
+/// The narrow phase does not allocate. malloc is replaced in this executable and counts on request;
+/// operator new uses it.
 #include "collide/collide_function.h"
 #include "support/collide/random_pairs.h"
 #include "support/tier.h"

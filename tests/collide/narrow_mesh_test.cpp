@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What bent meshes must not do to a shape: push it from afar, or leave it without contact.
+// Bent meshes must not push a shape from a distance, or leave it without contact.
 #include "collide/collide_function.h"
 #include "collide/narrow/shape_data.h"
 #include "support/collide/place.h"
@@ -84,7 +84,7 @@ TEST(NarrowMesh, ATriangleApartDoesNotPush) {
 
 TEST(NarrowMesh, WhatNoTriangleClaimsIsPushedOut) {
     // A capsule pierces the floor beside a wall of slope 30°. The shortest way out of the floor is
-    // over its edge, into the wall; its lowest point is beyond the edge, and not under the wall.
+    // over its edge, into the wall. Its lowest point is beyond the edge, and not under the wall.
     const Ground ground = floor_and_wall(M_PI / 6);
     Geometry pin;
     pin.kind = ShapeKind::capsule;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heightfields and meshes: no ghosts at interior edges, points that hold what lies there, depth.
+// Heightfields and meshes: no ghost contacts at interior edges, supporting points, depth.
 #include "collide/collide_function.h"
 #include "collide/narrow/shape_data.h"
 #include "support/collide/place.h"
@@ -145,7 +145,7 @@ TEST(NarrowSurface, SlidingOverFlatGroundMeetsNoEdge) {
 }
 
 TEST(NarrowSurface, PointsHoldTheShape) {
-    // The centre lies within the points: what rests there does not tip.
+    // The centre lies within the points: a shape at rest does not tip.
     for (const Surface& ground : surfaces(flat))
         for (const Mover& mover : movers()) {
             const Vec3 x(0.13, -0.21, mover.height - 1e-4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Stage collide gives the same bits whatever the threads, the order of the last step, the boxes.
+/// Stage collide gives the same bits for any threads, order of the last step, and boxes.
 #include "base/hash.h"
 #include "collide/site.h"
 #include "collide/touch.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What another project sees: a scene that is run, controlled, edited and recorded through the
-// public headers of an installed Hawser. A controller holds the tension of a tow wire, a crane
-// loses its load, a line comes, another one parts. Usage: session SCENE RECORDING
+// Use from another project: a scene that is run, controlled, edited and recorded through the public
+// headers of an installed Hawser. A controller holds the tension of a tow wire, a crane loses its
+// load, a line is added, another one breaks. Usage: session SCENE RECORDING
 #include <hawser/scene.h>
 #include <hawser/session.h>
 #include <hawser/systems/pid.h>
@@ -37,7 +37,7 @@ double hold_tension(hawser::World& world, Error& error) {
                        .measured = elements.front(),
                        .driven = world.find_input("ahts1/tow_speed"),
                        .target = error.target,
-                       .gain = -8e-6,  // pays out where it pulls too much
+                       .gain = -8e-6,  // pays out if the tension is too high
                        .reset = 2.0,
                        .low = -0.8,
                        .high = 0.8}));
@@ -62,7 +62,7 @@ void add_line(hawser::World& world) {
 int run(const char* file, const char* recording) {
     hawser::Session session({.scene = file});
     hawser::World& world = session.world();
-    if (session.step() != hawser::Status::ok) return 2;  // tensions are known from now on
+    if (session.step() != hawser::Status::ok) return 2;  // tensions are known from here on
     session.record(recording);
     Error error;
     error.from = 8.0;

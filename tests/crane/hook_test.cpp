@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hooks on bodies and at the ends of wires: tensions of slings in closed form, taking, waiting,
-/// letting go, latch, strength, bits, refusals.
+/// Hooks on bodies and at the ends of wires: tensions of slings in closed form, capture, waiting,
+/// release, latch, strength, bits, errors.
 #include <hawser/hawser.h>
 
 #include "support/bits.h"
@@ -30,7 +30,7 @@ BodyId add_box(World& w, const char* name, const Vec3& at) {
     return box;
 }
 
-/// Legs to eyes evenly round the top of a box.
+/// Legs to eyes spaced evenly around the top of a box.
 CraneLoad slung(BodyId body, int legs, double length, double radius) {
     CraneLoad load{.body = body, .sling_length = length, .sling_EA = 2e9, .reach = 0.05};
     for (int k = 0; k < legs; ++k)

@@ -15,7 +15,7 @@ constexpr double kTwenty = 20e3;
 double line_length(const KnuckleCraneDef& d) {
     const double r = d.hoist.sheave_radius, x = d.boom.length - d.hoist.drum.x();
     const double z = d.hoist.drum.z(), first = std::sqrt(x * x + z * z - r * r);
-    // The line comes down to the knuckle's sheave by this angle, and leaves along the jib.
+    // The line reaches the sheave of the knuckle at this angle, and leaves along the jib.
     const double comes = -(std::atan2(z, x) - std::asin(r / std::hypot(x, z)));
     const double knuckle = comes - d.jib_angle;
     const double tip = 0.5 * std::numbers::pi + d.boom_angle + d.jib_angle;
@@ -23,7 +23,7 @@ double line_length(const KnuckleCraneDef& d) {
 }
 
 TEST(KnuckleCrane, FallsStretchAsTheLineOfBothDoes) {
-    // Booms that give way change what lies on their sheaves.
+    // Compliant booms change the line on their sheaves.
     KnuckleYard y(knuckle_crane, kTwenty, [](KnuckleCraneDef& d) {
         d.boom_cylinder.stiffness = d.jib_cylinder.stiffness = 1e13;
     });
@@ -33,7 +33,7 @@ TEST(KnuckleCrane, FallsStretchAsTheLineOfBothDoes) {
     const double hang = y.mean(20.0, [&] { return y.signal("hang"); });
     const double stretch = kTwenty * kG / k;  // by the load: it starts stretched by its hook
     EXPECT_NEAR((hang - d.hook.hang) / stretch, 1.0, 0.01);
-    // Both falls carry the same, and what hangs.
+    // Both falls have equal tensions, and carry the load.
     for (const InteractionId fall : y.ids.falls) {
         const double t = y.mean(10.0, [&] { return -y.w.force(fall)[0]; });
         EXPECT_NEAR(t / (0.5 * (kTwenty + d.hook.mass) * kG), 1.0, 1e-3);
@@ -42,7 +42,8 @@ TEST(KnuckleCrane, FallsStretchAsTheLineOfBothDoes) {
 
 TEST(KnuckleCrane, LoadBouncesAtTheFrequencyOfItsFalls) {
     KnuckleYard y(knuckle_crane, kTwenty, [](KnuckleCraneDef& d) {
-        d.boom_cylinder.stiffness = d.jib_cylinder.stiffness = 1e13;  // the falls alone give way
+        // only the falls are compliant
+        d.boom_cylinder.stiffness = d.jib_cylinder.stiffness = 1e13;
         d.hoist.damping_time = 0.0;
     });
     const KnuckleCraneDef d = knuckle_crane(y.quay);
@@ -66,7 +67,7 @@ TEST(KnuckleCrane, LoadBouncesAtTheFrequencyOfItsFalls) {
     EXPECT_NEAR(periods / (last - first) / expected, 1.0, 0.01);
 }
 
-/// Force of a cylinder that holds a moment, by the triangle of its pins.
+/// Return the force of a cylinder that balances a moment, by the triangle of its pins.
 double push_of(const CraneCylinder& c, const Vec3& pin, double angle, double moment) {
     const Vec3 head(c.head.x() * std::cos(angle) - c.head.z() * std::sin(angle), 0,
                     c.head.x() * std::sin(angle) + c.head.z() * std::cos(angle));
@@ -113,7 +114,7 @@ TEST(KnuckleCrane, CylinderStallsAtItsForceAndGivesWayBeyond) {
     strong.order("luff", 0.1);
     strong.run(6.0);
     EXPECT_GT(strong.w.coordinate(strong.part("luff")), start + 0.1);
-    // It ends where the rod is out.
+    // It ends with the rod at its maximum.
     strong.run(30.0);
     const double rod = strong.w.pose(strong.w.find_body("crane/luff/stroke")).position.x();
     const double length = strong.w.interaction_def(strong.part("luff/cylinder")).get("length");

@@ -77,7 +77,7 @@ TEST(LatticeCrane, LuffingMovesTheBridle) {
     y.run(4.0);
     const double from = way();
     y.run(20.0);
-    EXPECT_NEAR(from - way(), 1.0, 0.02);  // the line gives way where the pull falls
+    EXPECT_NEAR(from - way(), 1.0, 0.02);  // the line contracts as the pull decreases
     EXPECT_LT(y.signal("radius"), radius - 1.0);
 }
 

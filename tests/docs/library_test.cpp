@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// README.md and docs/library.md: each of their blocks of C++ stands in a program of
-// examples/library, and the programs do what it says.
+// README.md and docs/library.md: each of their blocks of C++ is part of a program in
+// examples/library, and the programs have the documented results.
 #define main readme_program
 #include "../../examples/library/readme.cpp"
 #undef main
@@ -21,7 +21,7 @@
 
 namespace {
 
-/// The lines of a text without what they are indented by, nor those that are empty.
+/// Return the lines of a text without indentation and empty lines.
 std::string flattened(const std::string& text) {
     std::istringstream in(text);
     std::string line, out;
@@ -63,8 +63,8 @@ TEST(ReadmeDocument, ItsProgramStandsInTheExamplesAndRuns) {
 }
 
 TEST(LibraryDocument, TheFirstBodySwings) {
-    // The rod keeps it 1 m away, to what it lags by, docs/theory/step.md: 4.3e-4 m at 240 Hz and
-    // with the square of the step 16 times that at 60 Hz.
+    // The rod keeps it 1 m away, within its lag, docs/theory/step.md: 4.3e-4 m at 240 Hz, and 16
+    // times that at 60 Hz.
     EXPECT_NEAR(swing(), 1.0, 7e-3);
 }
 

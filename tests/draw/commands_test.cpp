@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What pictures over time say was commanded: not what systems do to their own parts.
+/// Commands in pictures over time: not the actions of systems on their own parts.
 #include "record/commands.h"
 #include "draw/commands_note.h"
 #include "draw/plots.h"
@@ -50,7 +50,7 @@ TEST(Commands, WhatATakeDoesAgainIsListedOnce) {
     EXPECT_EQ(commands[1].done, "cut fall at 5 m");
 }
 
-/// Levers are moved often; what is done to wires is marked all the same.
+/// Levers are moved often; operations on wires are marked nevertheless.
 TEST(Commands, WhatWasDoneIsMarkedBesideManyLevers) {
     record::Recording r = WinchScene::record(0.2);
     const std::vector<std::byte> lever = bytes_of("hoist.speed 0.1"),

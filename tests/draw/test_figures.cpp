@@ -44,7 +44,7 @@ TEST(BlockGraphs, RowsThatAreCutStandInBothParts) {
         for (const std::int32_t u : split.neighbours(v))
             EXPECT_EQ(split.part[static_cast<std::size_t>(u)],
                       split.part[static_cast<std::size_t>(v)]);
-    // The copy of s in the first part sees b alone.
+    // The copy of s in the first part is connected only to b.
     const auto near = split.neighbours(3);
     EXPECT_EQ(std::vector<std::int32_t>(near.begin(), near.end()), (std::vector<std::int32_t>{1}));
     const BlockGraph second = draw::part_graph(split, 1);

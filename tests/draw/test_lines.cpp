@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Links between wires and legs of hooks that come while a world runs, in pictures and exports.
+/// Links between wires and legs of hooks that are added while a world runs, in pictures and
+/// exports.
 #include "draw/plots.h"
 #include "draw/projection.h"
 #include "draw/wire_lines.h"
@@ -36,7 +37,7 @@ TEST(JoinedLines, AreThoseThatThereWereInEachFrame) {
         for (std::size_t k = kWires; k < shown.size(); ++k) {
             ASSERT_EQ(shown[k].segments.size(), 1U);
             const auto& [ends, pull] = deck.lines[f].at(std::string(shown[k].name));
-            // Places of bodies are in single precision.
+            // Positions of bodies are in single precision.
             EXPECT_LT((shown[k].segments[0].from - ends[0]).norm(), 1e-5) << f;
             EXPECT_LT((shown[k].segments[0].to - ends[1]).norm(), 1e-5) << f;
             EXPECT_NEAR(shown[k].segments[0].tension, pull, 1e-6 * pull) << f;
@@ -45,7 +46,7 @@ TEST(JoinedLines, AreThoseThatThereWereInEachFrame) {
         strops += deck.lines[f].count("strop");
         EXPECT_EQ(draw::is_gone(frame, 0), f > JoinedDeck::kStayGone) << f;
     }
-    // It comes with the step after the one in which it is asked for, and goes so.
+    // It appears with the step after the request, and disappears likewise.
     EXPECT_NEAR(static_cast<double>(legs), JoinedDeck::kLetGo - JoinedDeck::kTaken, 2.0);
     EXPECT_EQ(strops, std::size_t{JoinedDeck::kSteps - JoinedDeck::kJoined});
     EXPECT_FALSE(

@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// Lines of the colour in which ends that have parted are crossed.
+/// Return the number of lines in the colour of crosses at broken ends.
 std::size_t crosses(const draw::Drawing& drawing) {
     const std::string svg = draw::to_svg(drawing), color = "#be1e1e";
     std::size_t count = 0;
@@ -43,7 +43,7 @@ TEST(PartedCables, AreFoundByTheNamesOfTheirElements) {
     EXPECT_EQ(draw::parted_elements(recording, 2.0)[0].element, 0);
 }
 
-/// 1.5 s of a cable that parts at their end.
+/// Record 1.5 s of a cable that breaks at their end.
 record::Recording record_parting() {
     SmallScene scene;
     const auto file = fresh_folder() / "r.hwr";

@@ -24,7 +24,7 @@ bool has_text(const XmlDocument& document, const std::string& wanted) {
                        [&](const std::string& t) { return t.find(wanted) != std::string::npos; });
 }
 
-/// Every picture says what it shows, of which scene, with which parameters.
+/// Check that a picture states its quantity, its scene and its parameters.
 XmlDocument check_picture(const Drawing& drawing) {
     const std::string svg = draw::to_svg(drawing);
     XmlDocument document;
@@ -222,7 +222,7 @@ TEST(Raster, FillsAndStrokesCoverTheRightPixels) {
     EXPECT_NEAR(soft.rgb[3], 128, 1);
 }
 
-// Damaged recordings hold any number; pictures of them must end and stay inside.
+// Damaged recordings contain any number; pictures of them must end and stay inside.
 TEST(Raster, AbsurdCoordinatesAreHarmless) {
     Drawing drawing{.width = 20, .height = 20};
     for (const double far : {1e6, 1e30, 1e300, -1e300, HUGE_VAL, -HUGE_VAL, std::nan("")}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Views in space: what stands before what, what a solid hides, water, colours.
+/// Views in space: order, hidden parts, water, colours.
 #include "draw/plots.h"
 #include "draw/solids_view.h"
 #include "draw/svg.h"
@@ -118,8 +118,8 @@ TEST(SpaceView, PaintsSolidsSoThatNearOnesCoverFarOnes) {
         ASSERT_EQ(order.size(), solids.size());
         for (std::size_t i = 0; i < order.size(); ++i)
             for (std::size_t j = i + 1; j < order.size(); ++j) {
-                // A corner of what is painted later must not be hidden by what was painted earlier
-                // … unless it hides itself behind its own solid.
+                // A corner painted later must not be hidden by a solid painted earlier, unless its
+                // own solid hides it.
                 const Solid &early = solids[order[i]], &late = solids[order[j]];
                 for (const Vec3& p : late.surface.points) {
                     EXPECT_FALSE(draw::is_hidden(p, {early}, camera));
@@ -132,7 +132,7 @@ TEST(SpaceView, PaintsSolidsSoThatNearOnesCoverFarOnes) {
 }
 
 TEST(SpaceView, HidesWhatStandsBehindASolid) {
-    const Camera camera = Camera::at(0.0, 0.0);  // the viewer looks along −x
+    const Camera camera = Camera::at(0.0, 0.0);  // the viewer faces −x
     const std::vector<Solid> solids{box_at({0, 0, 0}, {1, 2, 3}, camera)};
     EXPECT_TRUE(draw::is_hidden({-5, 1.9, 2.9}, solids, camera));
     EXPECT_FALSE(draw::is_hidden({5, 0, 0}, solids, camera)) << "before it";
@@ -140,7 +140,7 @@ TEST(SpaceView, HidesWhatStandsBehindASolid) {
     EXPECT_TRUE(draw::is_hidden({0, 0, 0}, solids, camera)) << "in it";
     EXPECT_FALSE(draw::is_hidden({1, 0, 0}, solids, camera)) << "on the side that is seen";
     EXPECT_TRUE(draw::is_hidden({-1, 0, 0}, solids, camera)) << "on the side that is not";
-    // Of a box seen along an axis the four edges of its face; seen askew nine of its twelve.
+    // Of a box seen along an axis the four edges of its face; seen obliquely nine of its twelve.
     EXPECT_EQ(draw::visible_creases(solids[0], camera).size(), 4U);
     const Camera askew = Camera::at(-60.0, 22.0);
     EXPECT_EQ(draw::visible_creases(box_at({0, 0, 0}, {1, 2, 3}, askew), askew).size(), 9U);
@@ -159,7 +159,7 @@ TEST(SpaceView, CutsPolygonsAtTheWater) {
     EXPECT_EQ(draw::clipped(square, 5.0, false).size(), 4U);
 }
 
-/// A buoy in water whose level a tide raises, and a hand by 4 m after half a second.
+/// Record a buoy in water whose level is raised by a tide, and manually by 4 m after half a second.
 record::Recording record_tide(const std::filesystem::path& file) {
     SessionDef def;
     def.scene_text = R"({"version": 1, "name": "tide", "settings": {"step": 0.05},
@@ -175,7 +175,8 @@ record::Recording record_tide(const std::filesystem::path& file) {
     return record::Recording::open(file);
 }
 
-/// Height in the picture of the line of still water of a side view; nothing where none is drawn.
+/// Return the height in the picture of the line of still water of a side view; none if it is not
+/// drawn.
 std::optional<double> water_line(const record::Recording& r, std::size_t frame) {
     const auto drawing =
         draw::plot_views(r, record::collect_series(r), frame, {.shown = draw::Shown::side});
@@ -190,7 +191,7 @@ std::optional<double> water_line(const record::Recording& r, std::size_t frame) 
 TEST(SpaceView, WaterStandsWhereItStoodThen) {
     const record::Recording r = record_tide(fresh_folder() / "r.hwr");
     ASSERT_EQ(r.frame_count(), 41U);
-    // The tide of each time; 4 m more once the step from 0.5 s has been taken.
+    // The tide at each time; 4 m more after the step from 0.5 s.
     for (std::size_t f = 0; f < r.frame_count(); ++f) {
         const record::Frame frame = r.frame(f);
         const double level = 2.0 + 0.5 * frame.time + (frame.time > 0.501 ? 4.0 : 0.0);
@@ -232,7 +233,7 @@ TEST(SpaceView, FindsWaterAndSeabedOfAScene) {
 TEST(SpaceView, DrawsAFrameAndCrossesWhatHasParted) {
     SmallScene scene;
     const auto file = fresh_folder() / "r.hwr";
-    scene.record(file, 90);  // wire/s1 parts at its end
+    scene.record(file, 90);  // wire/s1 breaks at its end
     record::Recording r = record::Recording::open(file);
     r.scene_text = R"({"sea": {"depth": 80}})";
     const record::Series series = record::collect_series(r);
@@ -247,7 +248,7 @@ TEST(SpaceView, DrawsAFrameAndCrossesWhatHasParted) {
     EXPECT_EQ(red(89), 0U);
     EXPECT_GE(red(90), 2U);
     EXPECT_FALSE(draw::plot_space(r, series, 91, {}));
-    // A size and axes that are given are those of every frame.
+    // A given size and given axes apply to every frame.
     draw::ViewOptions fixed;
     fixed.width = 640;
     fixed.height = 400;

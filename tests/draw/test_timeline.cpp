@@ -103,7 +103,7 @@ TEST(Timeline, ThePictureHasALineForEachThread) {
     for (const char* text : {"thread 0", "thread 1", "simulated thread 0", "simulated thread 2",
                              "assembly", "linear algebra", "other", "idle"})
         EXPECT_EQ(count(text), 1) << text;
-    EXPECT_EQ(count("nonsmooth"), 0);  // only what occurs
+    EXPECT_EQ(count("nonsmooth"), 0);  // only existing ones
     EXPECT_GE(count("a & b"), 1);
 }
 

@@ -17,7 +17,7 @@ namespace hawser::test {
 struct WinchScene {
     static constexpr double kWire = 12.0;  ///< At the start [m].
     static constexpr double kCut = 10.0;   ///< Time [s].
-    static constexpr double kAt = 5.0;     ///< Where it is cut, from the drum [m].
+    static constexpr double kAt = 5.0;     ///< Position of the cut, from the drum [m].
 
     static std::string text() {
         return R"({

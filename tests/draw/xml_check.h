@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file xml_check.h
-/// A strict reader of the XML that the SVG writer may produce: elements, quoted attributes,
-/// text, the five named and the numeric entities. Enough to find a tag left open, an
-/// unescaped character or an attribute given twice.
+/// A strict reader of the XML that the SVG writer may produce: elements, quoted attributes, text,
+/// the five named and the numeric entities. It detects an open tag, an unescaped character or a
+/// repeated attribute.
 
 #include <cctype>
 #include <set>
@@ -15,7 +15,7 @@ namespace hawser::test {
 
 struct XmlDocument {
     std::vector<std::string> elements;  ///< Names in order.
-    std::vector<std::string> texts;     ///< Text content, entities decoded where ASCII.
+    std::vector<std::string> texts;     ///< Text content, ASCII entities decoded.
 };
 
 class XmlReader {

@@ -65,7 +65,7 @@ inline const char* const kSmallExercise = R"({
   "ends": [{"name": "down", "when": [{"output": "load_z", "below": 2}], "failed": true}]
 })";
 
-/// A folder with the scene, gone with it.
+/// A temporary folder with the scene.
 struct Yard {
     std::filesystem::path folder = std::filesystem::temp_directory_path() / "hawser_exercise" /
                                    (std::to_string(::getpid()) + "_" +

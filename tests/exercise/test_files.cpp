@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files of exercises: mistakes with their place, a schema that agrees, and any bytes at all.
+/// Files of exercises: mistakes with their place, an equivalent schema, and arbitrary bytes.
 #include "exercise/small_exercise.h"
 
 #include "debrief/debrief.h"
@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Where and why a document is refused.
+/// Return the place and reason with which a document is rejected.
 std::string refusal(const Yard& yard, const std::string& text) {
     try {
         (void)yard.load(text);
@@ -175,7 +175,7 @@ TEST(Debriefing, IsOneFileWithoutScriptsThatEscapesAllText) {
     EXPECT_EQ(html.find("<img"), std::string::npos);
     EXPECT_NE(html.find("&lt;script&gt;"), std::string::npos);
     EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
-    // Nothing is fetched: no address but names of XML.
+    // The page loads no external file: its only addresses are XML names.
     const std::regex address(R"((src|href|url)\s*[=(]\s*["']?(http|//))");
     EXPECT_FALSE(std::regex_search(html.substr(0, 20000), address));
     EXPECT_GE(std::count(html.begin(), html.end(), '<'), 200);

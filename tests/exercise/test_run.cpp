@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Exercises as they run: who may do what, what faults do, and that recordings repeat all of it.
+/// Running exercises: permissions, faults, and the repetition from recordings.
 #include "exercise/small_exercise.h"
 
 #include <cmath>
@@ -124,7 +124,7 @@ TEST(ExerciseRun, AFrozenDisplayHidesAnAlarmButNotAGoal) {
     EXPECT_THROW((void)run.shown("laod_z"), DefError);
 }
 
-/// What a run and its recording have to agree on.
+/// Run an exercise and return the data in which a run and its recording must agree.
 std::string perform(const Yard& yard, int threads, const std::string& record) {
     Running e(yard.load(kSmallExercise, threads), {.record = record});
     exercise::Run& run = *e.run;
@@ -176,7 +176,7 @@ TEST(ExerciseRun, GoesBackToAMark) {
     e.steps(30);
     const std::vector<std::byte> state = e.session->world().save();
     const int mark = run.mark();
-    e.steps(60);  // the tow parts at 1.5 s
+    e.steps(60);  // the tow breaks at 1.5 s
     const std::string first = exercise::to_json(run.result());
     EXPECT_EQ(run.result().penalties[0].times, 1);
     run.set_input("winch", "hoist.speed", 0.7);
@@ -193,8 +193,8 @@ TEST(ExerciseRun, GoesBackToAMark) {
     EXPECT_NE(first.find("\"points\": -3"), std::string::npos);
 }
 
-/// Faults, a parted tow and an end come before it goes back, twice without a step between, and at
-/// last without a step behind.
+/// Faults, a broken tow and an end occur before a restore. There are two restores without a step
+/// between, and at last one without a step after it.
 TEST(ExerciseRun, ARecordingThatGoesBackHasTheSameScore) {
     const Yard yard;
     const std::string file = yard.file("back.hwr");
@@ -215,7 +215,7 @@ TEST(ExerciseRun, ARecordingThatGoesBackHasTheSameScore) {
         e.steps(30);
         run.trigger("instructor", "frozen");
         const auto later = keep();
-        e.steps(60);  // the tow parts at 1.5 s
+        e.steps(60);  // the tow breaks at 1.5 s
         EXPECT_EQ(run.result().penalties[0].times, 1);
         back(later);
         run.set_input("winch", "hoist.speed", -0.5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Scores by hand: times held, order, limits of time, points.
+/// Manually computed scores: holding times, order, time limits, points.
 #include "exercise/scorer.h"
 
 #include <gtest/gtest.h>

@@ -60,7 +60,7 @@ TEST(Exercises, TowOut) {
 
 TEST(Exercises, CraneLift) {
     expect_passed(perform("crane_lift", 1e9));
-    // Nobody stops the hoist.
+    // The hoist is not stopped.
     const exercise::Result bad = perform("crane_lift", 8.0, 60.0);
     EXPECT_EQ(bad.outcome, exercise::Outcome::failed);
     EXPECT_LT(bad.points, 40.0);
@@ -68,7 +68,7 @@ TEST(Exercises, CraneLift) {
 
 TEST(Exercises, AnchorOverRoller) {
     expect_passed(perform("anchor_over_roller", 1e9));
-    // Nobody stops the winch: the anchor meets the seabed at 0.9 m/s.
+    // The winch is not stopped: the anchor reaches the seabed at 0.9 m/s.
     const exercise::Result bad = perform("anchor_over_roller", 10.0, 80.0);
     EXPECT_EQ(bad.outcome, exercise::Outcome::failed);
     EXPECT_EQ(bad.penalties[0].times, 1) << "hard landing";

@@ -55,7 +55,7 @@ struct Glb {
         return out;
     }
 
-    /// Of a node's channel. @return nothing where it has none.
+    /// Return the channel of a node; empty if there is none.
     [[nodiscard]] std::vector<float> channel(const std::string& node, const char* path) const {
         const json& animation = doc["animations"][0];
         for (const json& c : animation["channels"]) {
@@ -101,7 +101,7 @@ TEST(Gltf, HasThePosesOfTheRecording) {
 
 TEST(Gltf, GivesAWireAJointPerEndOfAnElementAndPartsIt) {
     const auto folder = fresh_folder();
-    const record::Recording r = record_small(folder, 90);  // wire/s1 parts at 1.5 s, the end
+    const record::Recording r = record_small(folder, 90);  // wire/s1 breaks at 1.5 s, the end
     exporting::write_gltf(r, exporting::choose_frames(r, 1, 0.0, 1e9), folder / "r.glb");
     const Glb glb(folder / "r.glb");
     std::vector<std::vector<float>> joints;
@@ -124,7 +124,7 @@ TEST(Gltf, GivesAWireAJointPerEndOfAnElementAndPartsIt) {
     EXPECT_EQ(skin["joints"].size(), 4U);
 }
 
-/// A run that goes back: what is written has times that ascend.
+/// After a restore within the run, written times still ascend.
 TEST(Gltf, TakesTheLastTakeAlone) {
     const auto folder = fresh_folder();
     {

@@ -14,7 +14,7 @@
 namespace hawser::test {
 namespace {
 
-/// The values as a user gives them.
+/// Return the values in the user's format.
 std::vector<double> values_of(BlockMatrix& m, const BlockPattern& p, const BlockFactor& f) {
     std::vector<double> values(static_cast<std::size_t>(f.value_count()));
     auto put = [&](std::size_t block, int a, int b) {
@@ -22,7 +22,7 @@ std::vector<double> values_of(BlockMatrix& m, const BlockPattern& p, const Block
         auto at = static_cast<std::size_t>(f.value_begin(static_cast<std::int32_t>(block)));
         for (Eigen::Index i = 0; i < k.rows(); ++i)
             for (Eigen::Index j = 0; j < k.cols(); ++j)
-                // What is not read may hold anything.
+                // Unread values may be anything.
                 values[at++] = a == b && j > i ? std::numeric_limits<double>::quiet_NaN() : k(i, j);
     };
     for (std::size_t v = 0; v < p.size.size(); ++v)
@@ -126,7 +126,7 @@ TEST(BlockFactor, FollowsAPattern) {
         f.analyse(p);
         EXPECT_TRUE(f.info().planned);
         for (int step = 0; step < 20; ++step) {
-            // An edge goes; the values of its block count no more.
+            // Remove an edge; the values of its block no longer count.
             const std::size_t e =
                 static_cast<std::size_t>(random.integer(0, static_cast<int>(p.edges.size()) - 1));
             m.block(p.edges[e].row, p.edges[e].column).setZero();
@@ -178,7 +178,7 @@ TEST(BlockFactor, RejectsMalformedPatterns) {
     EXPECT_EQ(x, (std::vector<double>{2.0, 3.0}));
 }
 
-/// An order that is given is kept up to a postorder of its tree, so its fill is too.
+/// A given order is kept up to a postorder of its tree, and so is its fill.
 TEST(BlockFactor, EliminatesInAGivenOrder) {
     for (const std::uint32_t seed : seeds(1, 8, 40, 400)) {
         SCOPED_TRACE(seed);
@@ -193,7 +193,7 @@ TEST(BlockFactor, EliminatesInAGivenOrder) {
         BlockFactor f;
         f.analyse(p, order);
         EXPECT_EQ(f.info().nodes, m.pattern.nodes());
-        // Eliminating in the order that it took changes nothing any more.
+        // Elimination in the order that it used changes nothing.
         const std::vector<std::int32_t> taken(f.order().begin(), f.order().end());
         const FactorInfo info = f.info();
         f.analyse(p, taken);
@@ -223,7 +223,7 @@ TEST(BlockFactor, EliminatesInAGivenOrder) {
     EXPECT_EQ(order, (std::vector<std::int32_t>{2, 1, 0}));
 }
 
-/// Nothing at all is a matrix too.
+/// The empty matrix.
 TEST(BlockFactor, SolvesNothing) {
     BlockFactor f;
     EXPECT_EQ(f.factor({}), Status::ok);
@@ -231,7 +231,8 @@ TEST(BlockFactor, SolvesNothing) {
     EXPECT_EQ(f.info().scalars, 0);
 }
 
-/// Much is planned at once, but for orders that were given: those serve until the flops have grown.
+/// Large changes are planned at once, except with given orders: they are kept until the flops have
+/// grown.
 TEST(BlockFactor, UpdatesKeepAnOrderThatWasGiven) {
     constexpr std::int32_t kNodes = 64;
     BlockPattern path;

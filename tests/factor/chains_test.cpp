@@ -106,7 +106,7 @@ TEST(Chains, AreNotMadeOfSmallThings) {
     EXPECT_EQ(factor::find_chains(factor::Pattern{{}, {}, {0}, {}}).count(), 0);
 }
 
-/// What batches.h assumes.
+/// Check the assumptions of batches.h.
 void check_chains(const BlockMatrix& m, const factor::Chains& chains) {
     const factor::Pattern& p = m.pattern;
     std::vector<int> chain_of(p.size.size(), -1), unit_of(p.size.size(), -1);
@@ -131,7 +131,7 @@ void check_chains(const BlockMatrix& m, const factor::Chains& chains) {
                 for (std::int32_t w : p.neighbours(v)) {
                     const int other = chain_of[static_cast<std::size_t>(w)];
                     if (other < 0) {
-                        // Rows all of whose bodies are outside stay outside, and only those.
+                        // Rows with all bodies outside stay outside, and no others.
                         ASSERT_EQ(p.sign[static_cast<std::size_t>(w)], 1);
                         continue;
                     }
@@ -194,7 +194,7 @@ TEST(Chains, EveryEntryOfTheMatrixHasItsOwnPlace) {
 }
 
 TEST(Chains, StraightAndPinnedStaysSolvable) {
-    // Both ends held and compliance 1e-9 of the mobility: the worst pivot is that small.
+    // Both ends held and compliance 1e-9 of the mobility: the smallest pivot has that size.
     const BlockMatrix m = ladder(3, 80, true);
     Random random(2);
     const Vector b = random_matrix(random, m.scalars(), 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Orders by degrees in scalars: what they leave in L, counted by sets of nodes.
+/// Orders by degrees in scalars: fill in L, counted by sets of nodes.
 #include "factor/approximate_degree.h"
 #include "factor/matrices.h"
 #include "factor/minimum_degree.h"
@@ -64,7 +64,7 @@ Pattern net(int side) {
     return factor::make_pattern(size, sign, from, to);
 }
 
-/// Bounds of degrees in place of true ones: a valid order, that costs about as much.
+/// Bounds of degrees instead of exact ones: a valid order with similar cost.
 TEST(Degrees, AreBoundsForLargeGraphs) {
     Random random(first_seed(7));
     factor::ApproximateDegree large;
@@ -86,7 +86,7 @@ TEST(Degrees, AreBoundsForLargeGraphs) {
             ASSERT_EQ(sorted[v], static_cast<std::int32_t>(v)) << trial;
         small.run(p, other);
         const double cost = fill_of(p, order).second, least = fill_of(p, other).second;
-        // A single graph: ties go other ways.
+        // A single graph: ties are resolved differently.
         EXPECT_LE(cost, 2.0 * least + 1000.0) << trial;
         approximate += cost;
         exact += least;
@@ -95,8 +95,8 @@ TEST(Degrees, AreBoundsForLargeGraphs) {
     EXPECT_LE(approximate, 1.1 * exact);
 }
 
-/// Knots before strings: two rows are left a knot, not three scalars. Counted in nodes, strings go
-/// first and leave the matrix of the knots.
+/// Knots before strings: a knot leaves two rows, not three scalars. Counted in nodes, strings are
+/// eliminated first and leave the matrix of the knots.
 TEST(Degrees, CountScalars) {
     for (const int side : {12, 30, 40}) {  // the last two have more than MinimumDegree::kMost nodes
         const Pattern p = net(side);

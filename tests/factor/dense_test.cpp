@@ -16,7 +16,7 @@ namespace {
 
 Vector random_vector(Random& random, int n) { return random_matrix(random, n, 1); }
 
-/// Chain of bodies (6) and joints (5 rows), nodes dealt in the order given by `label`.
+/// Return a chain of bodies (6) and joints (5 rows), with nodes in the order of `label`.
 BlockMatrix chain(Random& random, int links, double sigma, bool shuffled) {
     const int nodes = 2 * links;  // joint i holds body i to body i − 1
     std::vector<int> label(static_cast<std::size_t>(nodes));
@@ -92,7 +92,7 @@ TEST(DenseReference, MassRatioOneMillion) {
         EXPECT_EQ(s.wrong, 0);
         // Growth 1 + ‖G‖²/(λ_A Σ) ≈ 1e5 at the light bodies, but relative to ‖K‖ = 1e6.
         EXPECT_LE(backward_error(m, s.x, b), 1e-14);
-        // Forward: condition about 1e6/1e-3 at worst, seen through the reference.
+        // Forward error: condition about 1e6/1e-3 at worst, relative to the reference.
         EXPECT_LE((s.x - reference(m, b)).norm(), 1e-9 * s.x.norm()) << "heavy body " << heavy;
     }
 }
@@ -149,9 +149,9 @@ TEST(DenseReference, RigidRowsBehindAllTheirBodies) {
     }
 }
 
-/// The solver's own order puts a row behind one of its bodies only. Two joints behind the same
-/// body have more rows than it has freedoms, so ε = 0 needs the floor Σ = 1e-9 G M⁻¹Gᵀ that the
-/// assembly gives it; the digits this costs come back with one refinement.
+/// The order of the solver puts a row after only one of its bodies. Two joints after the same body
+/// have more rows than it has freedoms. So ε = 0 needs the floor Σ = 1e-9 G M⁻¹Gᵀ of the assembly;
+/// one refinement recovers the digits lost.
 TEST(DenseReference, RigidRowsInTheSolversOwnOrder) {
     Random random(5);
     for (int links : {1, 2, 7, 30}) {
@@ -237,7 +237,7 @@ TEST(Pivots, WrongSignsAreCounted) {
     ASSERT_EQ(solve(m, b).wrong, 0);
     for (int node : {0, 5, 14, 15}) {
         BlockMatrix broken = m;
-        broken.block(node, node) *= -1.0;  // indefinite where a sign was promised
+        broken.block(node, node) *= -1.0;  // indefinite in spite of the declared sign
         if (node % 2 == 0) broken.block(node, node) -= 1e3 * Matrix::Identity(6, 6);
         if (node % 2 == 1) broken.block(node, node) += 1e3 * Matrix::Identity(5, 5);
         EXPECT_GT(solve(broken, b).wrong, 0) << "node " << node;

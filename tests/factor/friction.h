@@ -26,17 +26,16 @@ inline void add_friction(BlockMatrix& m, Random& random, int a, int b, double mu
     m.block(b, b) += k.bottomRightCorner(nb, nb);
 }
 
-/// The column of a row that is a node of its own gets a force that the row does not have. Small
-/// beside what is definite, so that every pivot has its sign in any order.
+/// Add a force that the row does not have to the column of a row with its own node. It is small
+/// relative to the definite part, so that every pivot has its sign in any order.
 inline void add_kept_friction(BlockMatrix& m, Random& random, int body, int row) {
     const int nb = m.pattern.size[static_cast<std::size_t>(body)],
               nr = m.pattern.size[static_cast<std::size_t>(row)];
     m.block(body, row) += 0.05 * random_matrix(random, nb, nr);
 }
 
-/// Friction on `count` random pairs of neighbours, two bodies or a body and a row. @return the
-/// nodes of all blocks that are unsymmetric then, pair by pair; fewer where there are no such
-/// pairs.
+/// Add friction to `count` random pairs of neighbours, two bodies or a body and a row. @return the
+/// nodes of all blocks that are then unsymmetric, pair by pair; fewer if there are no such pairs.
 inline std::vector<std::pair<int, int>> add_frictions(BlockMatrix& m, Random& random, int count) {
     std::vector<std::pair<int, int>> pairs, chosen;
     auto body = [&](int v) { return m.pattern.sign[static_cast<std::size_t>(v)] > 0; };
@@ -73,7 +72,7 @@ inline bool in_set(const factor::Symbolic& s, const factor::Unsymmetric& set, in
     return set.is(s.node_front[static_cast<std::size_t>(column)]);
 }
 
-/// Both halves, as the public path asks for it.
+/// Write both halves, as the public functions require.
 inline void fill_both(const BlockMatrix& m, const factor::Symbolic& s,
                       const factor::Unsymmetric& set, factor::Numeric& numeric,
                       base::Executor& executor) {
@@ -83,7 +82,7 @@ inline void fill_both(const BlockMatrix& m, const factor::Symbolic& s,
     fill_upper(m, s, numeric.upper(), [&](int column) { return in_set(s, set, column); });
 }
 
-/// Entries below the diagonal of each panel of L, or of Uᵀ: what lies above counts for nothing.
+/// Return the entries below the diagonal of each panel of L, or of Uᵀ; those above are unused.
 inline std::vector<double> entries_below(const factor::Symbolic& s, const double* panel) {
     std::vector<double> entries;
     for (const factor::Front& f : s.fronts)
@@ -104,7 +103,8 @@ inline bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), sizeof(T) * a.size()) == 0;
 }
 
-/// A right-hand side with the slack that the solver asks for, and the solution's bits.
+/// Solve for a right-hand side with the padding that the solver requires, and return the bits of
+/// the solution.
 inline std::vector<double> solve_bits(const factor::Symbolic& s, factor::Numeric& numeric,
                                       base::Executor& executor, std::uint64_t seed) {
     Random random(seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The kernels of every instruction set that this processor has, called one beside the other.
+/// The kernels of every instruction set of this processor, compared with each other.
 #include "factor/friction.h"
 #include "factor/instruction_sets.h"
 #include "factor/matrices.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Partial refactorisation where fronts become unsymmetric and symmetric again, and where pivots
-/// come out wrong.
+/// Partial refactorisation with fronts that become unsymmetric and symmetric again, and with wrong
+/// pivots.
 #include "factor/friction.h"
 #include "factor/partial.h"
 #include "runtime/tasks.h"
@@ -19,7 +19,7 @@ using factor::DirtyParts;
 using factor::Symbolic;
 using factor::Unsymmetric;
 
-/// Contacts that come, go and change between factorisations of one structure.
+/// Contacts that are added, removed and changed between factorisations of one structure.
 class Sequence {
   public:
     Sequence(const BlockMatrix& m, base::Executor& executor) : base_(m), now_(m), at_(executor) {
@@ -33,7 +33,7 @@ class Sequence {
         EXPECT_EQ(part_.factor(s_, at_, &set_), 0);
     }
 
-    /// Other contacts: what was unsymmetric is stale, and what is.
+    /// Change contacts: those unsymmetric before or now are stale.
     void step(Random& random) {
         std::vector<std::int32_t> columns = columns_of(pairs_);
         now_ = base_;
@@ -97,13 +97,13 @@ TEST(Unsymmetric, PartialHasTheBitsOfAFullFactorisation) {
     EXPECT_GT(share, 0.01);
 }
 
-/// Two scalars whose second pivot is 1 − 2·2.
+/// Make two scalars whose second pivot is 1 − 2·2.
 void break_pivot(BlockMatrix& m, int node) {
     m.block(node, node)(0, 1) = 2.0 * m.block(node, node)(0, 0);
     m.block(node, node)(1, 0) = 2.0 * m.block(node, node)(1, 1);
 }
 
-/// The node of a wrong pivot is named, in fronts and in chains, and forgotten after the next
+/// The node of a wrong pivot is named, in fronts and in chains, and reset by the next
 /// factorisation.
 TEST(Unsymmetric, NamesTheNodesOfWrongPivots) {
     base::SerialExecutor serial;
@@ -132,7 +132,7 @@ TEST(Unsymmetric, NamesTheNodesOfWrongPivots) {
         const auto nodes = numeric.wrong_nodes();
         EXPECT_EQ(wrong > 0, !nodes.empty());
         EXPECT_LE(nodes.size(), static_cast<std::size_t>(std::max(wrong, 0)));
-        // Nodes eliminated before it are right. The node may repair its own pivot; then a later
+        // Nodes eliminated before it are correct. The node may repair its own pivot; then a later
         // one is wrong.
         if (!nodes.empty()) {
             EXPECT_GE(s.position[static_cast<std::size_t>(nodes.front())], s.position[v]);

@@ -17,7 +17,7 @@ namespace {
 using factor::Symbolic;
 using factor::Unsymmetric;
 
-/// Of both families, with friction on some pairs.
+/// A matrix of both families, with friction on some pairs.
 struct FrictionCase {
     BlockMatrix m;
     std::vector<std::pair<int, int>> pairs;
@@ -75,8 +75,8 @@ TEST(Unsymmetric, SolvesWhatADenseFactorisationSolves) {
     EXPECT_GT(compared, cases / 4);
 }
 
-/// Where the values are symmetric the second half repeats the first bit by bit, and the first is
-/// that of LDLᵀ. Partial refactorisation rests on it, where some lanes of a batch are symmetric.
+/// If the values are symmetric the second half equals the first bit by bit, and the first that of
+/// LDLᵀ. Partial refactorisation relies on this if some lanes of a batch are symmetric.
 TEST(Unsymmetric, OfSymmetricValuesHasTheBitsOfTheSymmetric) {
     base::SerialExecutor serial;
     for (const std::uint32_t seed : seeds(1, kSanitized ? 6 : 12, kSanitized ? 6 : 40, 400)) {
@@ -110,13 +110,13 @@ TEST(Unsymmetric, OfSymmetricValuesHasTheBitsOfTheSymmetric) {
     }
 }
 
-/// What factor_forward() is given: the symmetric part first, then both halves.
+/// Input of factor_forward(): the symmetric part first, then both halves.
 struct PieceWriter {
     const BlockMatrix& m;
     const Symbolic& s;
     const Unsymmetric& set;
     factor::Numeric& numeric;
-    std::vector<int> piece_of = {};  ///< Of each node.
+    std::vector<int> piece_of = {};  ///< Piece of each node.
     BlockMatrix half = {};           ///< The symmetric part.
 
     void start() {
@@ -148,8 +148,8 @@ struct PieceWriter {
     }
 };
 
-/// Piece by piece or in phases, with one thread or three: the same bits; the second half of what
-/// is symmetric is not touched.
+/// Piece by piece or in phases, with one thread or three: the bits are the same; the second half of
+/// symmetric parts is not touched.
 TEST(Unsymmetric, PieceByPieceHasTheSameBits) {
     runtime::Pool pool(3);
     pool.resume();
@@ -245,7 +245,7 @@ TEST(Unsymmetric, SetIsClosedAndCountsFlops) {
         for (int v = 0; v < c.m.pattern.nodes(); ++v) all.push_back(v);
         set.find(s, all);
         EXPECT_EQ(set.flops, 2 * s.flops);
-        set.find(s, columns);  // nothing may be left of the sets before
+        set.find(s, columns);  // no data of earlier sets may remain
         std::int64_t flops = s.flops;
         std::vector<bool> want(s.fronts.size(), false);
         for (const std::int32_t v : columns)

@@ -161,8 +161,8 @@ inline BlockMatrix wires(Random& random, int most_wires, int longest) {
     return m;
 }
 
-/// Write the blocks of the columns for which wanted(node) holds: of the lower half or, transposed,
-/// of the upper one.
+/// Write the blocks of the columns for which wanted(node) holds: those of the lower half or,
+/// transposed, of the upper one.
 template <class Wanted>
 inline void fill_columns(const BlockMatrix& m, const factor::Symbolic& s, double* values,
                          Wanted&& wanted, bool upper = false) {

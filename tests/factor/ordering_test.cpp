@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Short ways to an order give the order of the long ones, written down here.
+/// Fast algorithms for orders give the order of slow ones, which are written here.
 #include "factor/ordering.h"
 #include "factor/matrices.h"
 #include "factor/repair.h"
@@ -34,7 +34,7 @@ Pattern draw(Random& random) {
     return p;
 }
 
-/// Rows behind the first of their bodies, by sorting all places.
+/// Place rows after the first of their bodies, by sorting all positions.
 Order with_rows_placed(const Pattern& p, const Order& order) {
     std::vector<std::int64_t> position(order.size());
     for (std::size_t k = 0; k < order.size(); ++k)
@@ -135,13 +135,14 @@ Order order_of_the_library(const Pattern& p) {
     amd_defaults(control);
     control[AMD_DENSE] = 100.0;
     std::vector<std::int32_t> adjacent = p.adjacent;
-    adjacent.push_back(-1);  // not read, but a list of nothing has no address
+    adjacent.push_back(-1);  // not read, but an empty list has no address
     EXPECT_EQ(amd_order(p.nodes(), p.start.data(), adjacent.data(), order.data(), control, nullptr),
               AMD_OK);
     return with_rows_placed(p, order);
 }
 
-/// What chains leave, as a list of edges: those of the pattern, and all pairs of each boundary.
+/// Return the remainder after chains as a list of edges: those of the pattern, and all pairs of
+/// each boundary.
 Order long_plan(const Pattern& p, const factor::Chains& chains) {
     std::vector<std::int32_t> chain_of(p.size.size(), -1), rest_of(p.size.size(), -1), from, to;
     for (int c = 0; c < chains.count(); ++c)
@@ -184,7 +185,7 @@ Order long_plan(const Pattern& p, const factor::Chains& chains) {
 
 int trials() { return by_tier(kSanitized ? 40 : 100, kSanitized ? 40 : 400, 4000); }
 
-/// One orderer for all: nothing of one pattern is left for the next.
+/// One orderer for all: no data of one pattern affect the next.
 TEST(Ordering, IsThatOfTheLibrary) {
     Random random(first_seed(1));
     factor::Orderer orderer;
@@ -319,11 +320,11 @@ TEST(Ordering, ColumnsAndPostorderAreThoseOfTheDefinition) {
     }
 }
 
-/// A used analysis remembers nothing of the pattern before.
+/// A used analysis keeps no data of the earlier pattern.
 TEST(Ordering, PlansAgainAsIfForTheFirstTime) {
     Random random(first_seed(4));
     factor::Analysis used;
-    used.plan(Pattern{});  // of a world in which nothing moves
+    used.plan(Pattern{});  // as for a world without moving bodies
     EXPECT_TRUE(used.symbolic().order.empty());
     const int most = trials() / 2;
     for (int trial = 0; trial < most; ++trial) {

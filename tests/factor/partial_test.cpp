@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A partial refactorisation gives the bits of a full one, and does no more than it says.
+/// A partial refactorisation gives the bits of a full one, and does no more work than stated.
 #include "factor/partial.h"
 #include "factor/friction.h"
 #include "factor/matrices.h"
@@ -58,7 +58,7 @@ void expect_same_bits(const BlockMatrix& m, const Symbolic& s, factor::Numeric& 
         std::memcmp(x.data(), y.data(), sizeof(double) * static_cast<std::size_t>(m.scalars())), 0);
 }
 
-/// A sequence of changes, each factored in part and in full. @return share of the flops.
+/// Factor each change of a sequence in part and in full. @return fraction of the flops.
 double compare_sequence(BlockMatrix m, Random& random, base::Executor& executor, int steps) {
     Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
     factor::keep_updates(s);
@@ -148,7 +148,7 @@ TEST(Partial, DoesABatchWhole) {
     std::vector<std::pair<int, int>> edges;
     std::vector<int> first;
     for (int wire = 0; wire < 8; ++wire) {
-        // Each wire on a hub of its own: eight trees.
+        // Each wire has its own hub: eight trees.
         const int hub = static_cast<int>(size.size());
         first.push_back(hub + 1);
         for (int i = 0; i < 61; ++i) {
@@ -181,7 +181,7 @@ TEST(Partial, DoesABatchWhole) {
     }
 }
 
-/// A pivot that turns wrong is reported by the part that meets it.
+/// The part with a wrong pivot reports it.
 TEST(Partial, ReportsWrongPivots) {
     Random random(5);
     base::SerialExecutor serial;

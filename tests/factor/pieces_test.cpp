@@ -11,7 +11,7 @@
 namespace hawser::test {
 namespace {
 
-/// Copies ranges of panels filled beforehand, and counts what it was asked for.
+/// Copies ranges of prepared panels, and counts the requests.
 class Copy {
   public:
     Copy(const BlockMatrix& m, const factor::Symbolic& s)

@@ -19,7 +19,7 @@ using factor::Analysis;
 using factor::Pattern;
 using factor::Symbolic;
 
-/// Rows come after one of their bodies, which stability needs.
+/// Expect that rows follow one of their bodies, as stability requires.
 void expect_rows_behind_bodies(const Pattern& p, const Symbolic& s) {
     for (int v = 0; v < p.nodes(); ++v) {
         if (p.sign[static_cast<std::size_t>(v)] > 0) continue;
@@ -34,7 +34,7 @@ void expect_rows_behind_bodies(const Pattern& p, const Symbolic& s) {
     }
 }
 
-/// Bodies with the same neighbours as before keep their relative order.
+/// Expect that bodies with unchanged neighbours keep their relative order.
 void expect_order_kept(const Pattern& last, const Symbolic& before, const Pattern& next,
                        const Symbolic& s, const std::vector<std::int32_t>& old_of_new) {
     std::vector<bool> same(old_of_new.size());
@@ -57,7 +57,7 @@ void expect_order_kept(const Pattern& last, const Symbolic& before, const Patter
             const std::int32_t old_u = old_of_new[static_cast<std::size_t>(u)];
             if (!same[static_cast<std::size_t>(u)] || next.sign[static_cast<std::size_t>(u)] < 0)
                 continue;
-            // Only those that an ancestor relation tied: unrelated fronts may change places.
+            // Only those in an ancestor relation: unrelated fronts may change their order.
             const auto front = before.node_front[static_cast<std::size_t>(old_u)];
             bool above = false;
             for (std::int32_t f = before.node_front[static_cast<std::size_t>(old_v)]; f >= 0;
@@ -100,7 +100,7 @@ struct Totals {
     int chains = 0, dissolved = 0, kept = 0, unchanged_columns = 0, columns = 0;
 };
 
-/// @param team  Helps with the repairs, not with what they are compared to.
+/// @param team  Helps with the repairs, not with the comparison.
 void check_sequence(const Pattern& first, Random& random, int steps, base::Executor* team,
                     Totals& totals) {
     const bool numbers_stay = random.chance(0.3), keep = random.chance(0.3);
@@ -159,7 +159,7 @@ TEST(Repair, EqualsAnAnalysisOfTheNewPattern) {
         if (HasFailure()) return;
     }
     if (all.size() == 1) return;
-    // All cases happen: chains that hold and chains that do not, columns that stay as they are.
+    // All cases occur: chains kept and dissolved, columns unchanged.
     EXPECT_GT(totals.kept, totals.chains / 10);
     EXPECT_GT(totals.dissolved, 0);
     EXPECT_GT(totals.unchanged_columns, totals.columns / 2);
@@ -195,7 +195,7 @@ TEST(Repair, GoesOnAlikeFromItsState) {
     }
 }
 
-/// What is not refused is an order of elimination.
+/// An accepted state is an order of elimination.
 TEST(Repair, RefusesAStateThatDoesNotFit) {
     Random random(first_seed(3));
     const int trials = by_tier(kSanitized ? 60 : 120, kSanitized ? 60 : 400, 4000);
@@ -296,7 +296,7 @@ TEST(Repair, ReplansWhenFlopsGrow) {
     EXPECT_LT(replans, 150 * static_cast<int>(all.size()));
 }
 
-/// What a repair would do to so many nodes, a plan does in less time.
+/// A plan is faster than a repair of so many nodes.
 TEST(Repair, PlansAtOnceWhereMuchChanges) {
     int at_once = 0, repaired = 0;
     for (const std::uint32_t seed : seeds(5, 1, 4, 40)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What must hold for every symbolic factorisation, on random graphs.
+/// Invariants of every symbolic factorisation, on random graphs.
 #include "factor/matrices.h"
 #include "support/sanitizer.h"
 #include "support/tier.h"
@@ -183,8 +183,8 @@ void check_targets(const Case& c) {
     }
 }
 
-/// Each front is in exactly one task; a subtree needs nothing from other tasks but batches, and a
-/// node of the graph leads to all that take an update from it, which have larger numbers.
+/// Check that each front is in exactly one task, and that a subtree depends only on batches. A node
+/// of the graph leads to all that take an update from it, which have larger numbers.
 std::vector<int> check_tasks(const Symbolic& s) {
     std::vector<int> owner(s.fronts.size(), -1);  // node of the graph
     auto own = [&](std::int32_t f, std::size_t node) {
@@ -235,7 +235,7 @@ void check_updates(const Symbolic& s, const std::vector<int>& owner) {
     struct Life {
         std::int64_t from, to;  // addresses
         int task;
-        bool stays;               // until its parent, in the same task, has taken it
+        bool stays;               // until its parent, in the same task, has used it
         std::int32_t born, dies;  // fronts: while factoring `born` … while factoring `dies`
     };
     std::vector<Life> all;
@@ -253,9 +253,9 @@ void check_updates(const Symbolic& s, const std::vector<int>& owner) {
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             const Life &a = all[i], &b = all[j];
-            if (a.from >= b.to || b.from >= a.to) continue;  // different places
-            // Two tasks may run together, but not in one thread, and each thread has stacks of its
-            // own; an update that another task takes lives on.
+            if (a.from >= b.to || b.from >= a.to) continue;  // separate memory
+            // Two tasks may run together, but not in one thread, and each thread has its own
+            // stacks. An update for another task remains.
             RC_ASSERT(a.stays && b.stays);
             if (a.task != b.task) continue;
             RC_ASSERT(a.born > b.dies || b.born > a.dies);
@@ -275,7 +275,7 @@ void check_fill(const Case& c) {
     }
     for (std::size_t k = 0; k < n; ++k) {
         for (int r : below[k]) {
-            // target() finds the row by bisection: the address says whether it is really there.
+            // target() finds the row by bisection: the address shows whether it exists.
             const std::int32_t row = s.order[static_cast<std::size_t>(r)], column = s.order[k];
             const factor::BlockTarget t = s.target(row, column);
             const Front& front =
@@ -305,7 +305,7 @@ RC_GTEST_PROP(Symbolic, InvariantsOnRandomGraphs, ()) {
     check_updates(c.symbolic, check_tasks(c.symbolic));
 }
 
-/// Larger, so that there are many tasks, and several of the top.
+/// Larger, so that there are many tasks, including several at the top.
 TEST(Symbolic, InvariantsOnLargeForests) {
     for (const std::uint32_t seed : seeds(1, kSanitized ? 1 : 2, kSanitized ? 1 : 8, 80)) {
         SCOPED_TRACE(seed);
@@ -329,7 +329,8 @@ TEST(Symbolic, InvariantsOnLargeForests) {
         c.symbolic = factor::analyse(c.pattern, factor::order_nodes(c.pattern));
         EXPECT_GT(c.symbolic.tasks.size(), 5U);
         EXPECT_GT(c.symbolic.top_tasks.size(), 1U);
-        bool checked = false;  // rapidcheck asks a hundred times, but nothing is drawn here
+        // rapidcheck repeats a hundred times, but there are no random values here
+        bool checked = false;
         ASSERT_TRUE(rc::check("large forest", [&] {
             if (checked) return;
             checked = true;

@@ -82,7 +82,7 @@ TEST(TaskGraph, TakesNoNodesAndNoEdges) {
     expect_in_order(graph_of({1, 1, 1}, {}), false, pool, 1);
 }
 
-/// Two threads that take turns, the second one first.
+/// Two threads that alternate, the second one first.
 class Turns final : public base::Executor {
   public:
     void run(int count, Task task, void* context) noexcept override {
@@ -91,7 +91,7 @@ class Turns final : public base::Executor {
     [[nodiscard]] int threads() const noexcept override { return 2; }
 };
 
-/// Says that it has so many threads, of which the first does everything.
+/// Claims a number of threads, of which the first executes all tasks.
 class First final : public base::Executor {
   public:
     explicit First(int threads) : threads_(threads) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Values from 1e-320 to 1e308 for every input and signal of a scene: each is refused by name, or
-/// taken, and the world steps on in bounded time.
+/// Values from 1e-320 to 1e308 for every input and signal of a scene. Each is rejected by name or
+/// accepted, and the world continues in bounded time.
 #include "files/mutate.h"
 #include "files/watch.h"
 
@@ -30,7 +30,7 @@ double value_for(Random& random, double min, double max) {
 struct Sets {
     int taken = 0, refused = 0, steps = 0, failed = 0;
     double longest = 0.0;
-    std::string last;  ///< What was set in this round, for the report.
+    std::string last;  ///< Last value set in this round, for the report.
 };
 
 void set_one(World& world, Random& random, Sets& out) {

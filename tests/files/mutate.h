@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file mutate.h
-/// Bytes changed as a hostile writer would change them: in places that hold indices, numbers and
-/// counts, to values that a reader may stumble over.
+/// Malicious changes of bytes: in places with indices, numbers and counts, to values that a reader
+/// may not expect.
 
 #include "support/random.h"
 #include "support/sanitizer.h"
@@ -38,7 +38,7 @@ inline std::int32_t odd_index(Random& random, std::int32_t old) {
                                       {-1, -2, 0, 1, kMost, -kMost - 1, 1 << 20, 0x7FF80000});
         case 1:
             return random.integer(0, 64);
-        case 2:  // as unsigned: the old one may be the largest there is
+        case 2:  // as unsigned: the old one may be the maximum
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(old) +
                                              static_cast<std::uint32_t>(random.integer(-3, 3)));
         default:
@@ -73,7 +73,7 @@ void write_at(std::span<std::byte> to, std::size_t at, T value) {
     std::memcpy(to.data() + at, &value, sizeof value);
 }
 
-/// Change one thing in the bytes, which stay as many.
+/// Make one change of the bytes; their number is constant.
 inline void mutate(std::span<std::byte> bytes, Random& random) {
     if (bytes.size() < 16) return;
     const auto place = [&](std::size_t size, std::size_t align) {

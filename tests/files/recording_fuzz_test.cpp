@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Recordings and snapshot files whose contents were changed and whose checksums are right: refused
-/// or read, and what was read can be drawn, whatever it says.
+/// Recordings and snapshot files with changed contents and correct checksums. They are rejected or
+/// read, and any data read can be drawn.
 #include "draw/plots.h"
 #include "draw/raster.h"
 #include "draw/svg.h"
@@ -70,7 +70,7 @@ void forge(std::vector<Chunk>& chunks, Random& random) {
     if (random.chance(0.02)) chunks.erase(chunks.begin() + static_cast<std::ptrdiff_t>(any()));
 }
 
-/// What a reader promises of what it gives out.
+/// Check the promises of a reader about its data.
 void expect_sound(const Recording& r) {
     std::int64_t step = r.start_step - 1;
     for (std::size_t i = 0; i < r.frame_count(); ++i) {
@@ -121,7 +121,7 @@ void forge_recordings(const std::filesystem::path& file, int inputs) {
             ++(r.damage.empty() ? whole : partly);
             expect_sound(r);
             ASSERT_FALSE(testing::Test::HasFatalFailure()) << "input " << i;
-            if (i % 20 == 0) draw(r);  // takes long
+            if (i % 20 == 0) draw(r);  // slow
         } catch (const record::RecordingError& e) {
             ++refused;
             ASSERT_EQ(std::string(e.what()).rfind("forged: ", 0), 0u) << e.what();
@@ -141,15 +141,15 @@ TEST(ForgedRecordings, AreRefusedOrSound) {
     forge_recordings(file, inputs_of(1000, 10'000, 500'000));
 }
 
-/// With lines that come and go.
+/// With lines that are added and removed.
 TEST(ForgedRecordings, OfJoinedWiresAreRefusedOrSound) {
     const auto file = fresh_folder() / "r.hwr";
     (void)JoinedDeck().record(file);
     forge_recordings(file, inputs_of(300, 3000, 100'000));
 }
 
-/// Forges a file of the world's state and restores it into that world, which stays as it was or
-/// takes it. @param first  Bytes that are changed in every other file.
+/// Forge a file of the state of the world and restore it into that world, which accepts it or
+/// remains unchanged. @param first  Number of first bytes that are changed in every other file.
 void forge_snapshots(SmallScene& scene, bool with_structure, std::size_t first) {
     const auto folder = fresh_folder();
     record::save_snapshot(folder / "good.hws", scene.info, scene.world, with_structure);
@@ -184,7 +184,7 @@ TEST(ForgedRecordings, SnapshotFilesAreRefusedOrTaken) {
     forge_snapshots(scene, false, 64);
 }
 
-/// What the world is made of.
+/// The structure of the world.
 TEST(ForgedRecordings, SnapshotFilesWithAStructureAreRefusedOrTaken) {
     SmallScene scene;
     World& w = scene.world;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Snapshots whose contents were changed and whose checksum is right: each is refused, the world
-/// left as it was, or taken, and then steps go on without harm.
+/// Snapshots with changed contents and a correct checksum. Each is rejected and the world
+/// unchanged, or accepted, and steps continue without harm.
 #include "base/hash.h"
 #include "files/mutate.h"
 #include "support/sleep_yard.h"
@@ -18,14 +18,14 @@ namespace hawser::test {
 namespace {
 
 constexpr std::size_t kHead = 12 * 8;  ///< Bytes of the header: magic, two hashes, nine counts.
-constexpr std::size_t kCounts = 24;    ///< Where the counts begin; the last is that of bytes.
+constexpr std::size_t kCounts = 24;    ///< Offset of the counts; the last one is that of bytes.
 
 void sign(std::vector<std::byte>& bytes) {
     const std::span<std::byte> all(bytes);
     write_at(all, bytes.size() - 8, base::checksum(bytes.data(), bytes.size() - 8));
 }
 
-/// One more or less of what a header counts, and bytes put in or taken out somewhere.
+/// Add or subtract one in a count of the header, or insert or remove bytes.
 void resize(std::vector<std::byte>& bytes, Random& random) {
     const std::size_t count = kCounts + 8 * static_cast<std::size_t>(random.integer(0, 8));
     const auto n = read_at<std::uint64_t>(bytes, count);
@@ -46,7 +46,7 @@ void resize(std::vector<std::byte>& bytes, Random& random) {
 std::vector<std::byte> forged(const std::vector<std::byte>& good, Random& random) {
     std::vector<std::byte> bad = good;
     for (int i = random.integer(1, 3); i > 0; --i) {
-        // Of the state; at times of the counts before it.
+        // In the state; sometimes in the counts before it.
         const std::size_t from = random.chance(0.05) ? kCounts : kHead;
         mutate(std::span(bad).subspan(from, bad.size() - from - 8), random);
     }
@@ -55,7 +55,7 @@ std::vector<std::byte> forged(const std::vector<std::byte>& good, Random& random
     return bad;
 }
 
-/// What a run of forged snapshots did.
+/// Results of a run with forged snapshots.
 struct Tally {
     int taken = 0, refused = 0, failed = 0;  ///< `failed`: a step of a world that took one.
 };
@@ -78,7 +78,7 @@ void attack(World& world, const std::vector<std::vector<std::byte>>& good, int i
             continue;
         }
         ++tally.taken;
-        // What a world takes it gives, and takes again.
+        // A state accepted by a world is saved and accepted again.
         const std::vector<std::byte> own = world.save();
         ASSERT_NO_THROW(world.restore(own)) << "input " << i;
         for (int k = 0; k < 2; ++k) tally.failed += world.step() == Status::ok ? 0 : 1;
@@ -101,12 +101,13 @@ std::vector<std::vector<std::byte>> snapshots_of(World& world, std::initializer_
 void tell(const char* what, const Tally& tally) {
     std::printf("%s: %d forged snapshots, %d refused, %d taken, of their steps %d failed\n", what,
                 tally.taken + tally.refused, tally.refused, tally.taken, tally.failed);
-    // Both happen, else one of them was not tried.
+    // Both occur, or one of them has not been tested.
     EXPECT_GT(tally.taken, 0) << what;
     EXPECT_GT(tally.refused, 0) << what;
 }
 
-/// So many sixteenths of the inputs: a world with groups takes ten times as long for each.
+/// Return a number of sixteenths of the inputs: a world with groups takes ten times as long for
+/// each.
 int share(int sixteenths) { return inputs_of(1000, 10'000, 500'000) * sixteenths / 16; }
 
 TEST(ForgedSnapshots, OfContactsSleepAndFriction) {
@@ -120,7 +121,7 @@ TEST(ForgedSnapshots, OfContactsSleepAndFriction) {
     tell("contacts, sleep, friction", tally);
 }
 
-/// Each word of a snapshot in turn as an index far behind the end of whatever it may count.
+/// Each word of a snapshot in turn becomes an index far beyond any count.
 TEST(ForgedSnapshots, EveryWordAsAFarIndex) {
     Yard yard;
     yard.friction(0.5);
@@ -171,8 +172,8 @@ TEST(ForgedSnapshots, OfWiresLinksAndEveryJoint) {
     tell("wires, links, joints", tally);
 }
 
-/// A lump does not turn, and images of it where its line is cut take the rotation that it has: a
-/// state with another one was taken, and what the world then gave was refused.
+/// A lump does not rotate, and its ghost bodies at cut lines use its rotation. A state with another
+/// rotation was accepted, and the state then saved by the world was rejected.
 TEST(ForgedSnapshots, RotationsOfLumps) {
     const regrouping::Cables cables(2);
     World world = cables.recipe.make();
@@ -194,10 +195,10 @@ TEST(ForgedSnapshots, RotationsOfLumps) {
             ++refused;
             continue;
         }
-        ++taken;  // of an analysis, which gives a start for the next one
+        ++taken;  // the memory of an analysis, which is a start for the next one
         ASSERT_NO_THROW(world.restore(world.save())) << "byte " << at;
     }
-    // Orientations 1 0 0 0 one after the other look like rotations, and are refused as no rotation.
+    // Consecutive orientations 1 0 0 0 look like rotation matrices, and are rejected as such.
     EXPECT_GE(refused, 2 * world.body_count() - 2);
     std::printf("%d rotations refused, %d taken\n", refused, taken);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Snapshots of scenes with winches, cranes, seas and other systems whose contents were changed and
-/// whose checksum is right: each is refused and leaves the world as it was, or is taken, and the
-/// world steps on in bounded time.
+/// Snapshots with changed contents and a correct checksum, of scenes with winches, cranes, seas and
+/// other systems. Each is rejected and the world unchanged, or accepted, and the world continues in
+/// bounded time.
 #include "files/forge_state.h"
 #include "files/watch.h"
 #include "scene/good_scenes.h"
@@ -20,7 +20,7 @@ struct Outcome {
     double longest = 0.0;
 };
 
-/// @param share  Of the inputs that change systems alone; the others change any part.
+/// @param share  Fraction of the inputs that change systems alone; the others change any part.
 void attack_systems(const std::string& name, int inputs, double share, std::uint64_t seed,
                     Outcome& out, std::string_view text = {}) {
     Random random(seed);

@@ -17,7 +17,7 @@
 
 namespace hawser::test {
 
-inline constexpr double kLongest = 1.0;  ///< Of an input, with a few steps [s].
+inline constexpr double kLongest = 1.0;  ///< Longest time of an input, with a few steps [s].
 
 /// The input that is running, for the report of an endless loop.
 inline char running[200] = "";
@@ -40,7 +40,7 @@ class Watch {
         start_ = std::chrono::steady_clock::now();
         alarm(kEndless);
     }
-    /// Processor time would leave out what waits; wall time counts other programs: both are short.
+    /// Processor time would exclude waiting, wall time includes other programs: both are short.
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
@@ -49,7 +49,7 @@ class Watch {
     std::chrono::steady_clock::time_point start_;
 };
 
-/// A scene of `scenes`, or of a text if one is given, after 20 steps.
+/// Return a scene of `scenes`, or of a text if one is given, after 20 steps.
 inline scene::Scene after_some_steps(const std::string& name, std::string_view text = {}) {
     scene::Scene scene =
         text.empty() ? scene::load_file("scenes/" + name + ".json") : scene::load_text(text, name);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What must hold of every partition, on graphs that nobody would make on purpose: no nodes, no
-/// edges, nodes that do not move, edges of one node or of many, repeated ones, edges from a node to
-/// itself, many islands, more parts than nodes, sizes, weights and costs at their limits. Built
-/// with sanitizers it looks for reads out of bounds and sums that overflow as well.
+/// Invariants of every partition, on unusual graphs. There are no nodes, no edges, fixed nodes,
+/// edges of one node or of many, repeated ones, loops, many islands, or more parts than nodes.
+/// Sizes, weights and costs are at their limits. With sanitizers it also detects reads out of
+/// bounds and overflow of sums.
 #include "assembly/parts.h"
 #include "graph/follow.h"
 #include "graph/random_graph.h"
@@ -57,7 +57,7 @@ Hostile hostile_graph(Random& random) {
         g.node(kind == 0 ? 0 : kind == 1 ? 255 : random.chance(0.2) ? 0 : random.integer(1, 6));
     const auto pick = [&] { return random.integer(0, nodes - 1); };
     const int edges = nodes == 0 ? random.integer(0, 3) : random.integer(0, 4 * nodes);
-    // Islands: edges stay within blocks of so many nodes.
+    // Islands: edges stay within blocks of a given number of nodes.
     const int block = random.integer(1, std::max(1, nodes));
     for (int e = 0; e < edges; ++e) {
         std::vector<int> members;
@@ -110,7 +110,7 @@ TEST(PartitionFuzz, NoInteractionIsLost) {
     Partition p;
     for_hostile_graphs([&](Hostile& h, Random& random) {
         splitter.split(h.view(), h.options, p);
-        // Each one is inside a part or in the list of cuts, once; what must stay whole does.
+        // Each edge is inside a part or in the list of cuts, once; whole ones are not cut.
         expect_split(h.graph, p);
         for (std::int32_t& w : h.graph.node_weight) w = hostile_weight(random);
         splitter.follow(h.view(), h.options, p);

@@ -97,8 +97,8 @@ TEST(Partition, SeparatorsFollowEdits) {
     }
 }
 
-/// Wires of few nodes and more parts than there is something for: as many as can be are used, and
-/// evenly where each has some nodes.
+/// Wires of few nodes and more parts than useful: as many parts as possible are used, evenly if
+/// each has some nodes.
 TEST(Partition, ShortWiresFillAsManyPartsAsTheyCan) {
     graph::Partitioner partitioner;
     graph::Splitter splitter;
@@ -134,7 +134,7 @@ TEST(Partition, ShortWiresFillAsManyPartsAsTheyCan) {
             }
 }
 
-/// A cut is where the weights say, and only there do three otherwise equal wires differ.
+/// The weights determine the position of cuts in three otherwise equal wires.
 TEST(Partition, CutsSlideToTheLowestWeight) {
     Graph g;
     const int a = g.node(6), b = g.node(6);
@@ -151,7 +151,7 @@ TEST(Partition, CutsSlideToTheLowestWeight) {
     const int even = cut_at();
     ASSERT_GT(even, 40);
     ASSERT_LT(even, 60);
-    // Three cheap rows (two bends and a stretch) two places on.
+    // Three cheap rows (two bends and a stretch), two positions further.
     const int cheap = even + 2;
     for (int e = 0; e < g.view().edges(); ++e) {
         int low = 1000, high = -1;
@@ -165,7 +165,7 @@ TEST(Partition, CutsSlideToTheLowestWeight) {
     }
     splitter.follow(g.view(), {2}, p);
     EXPECT_EQ(cut_at(), cheap);
-    // Dearer now, but still the cheapest place by far: nothing moves.
+    // More expensive now, but still by far the cheapest position: no change.
     g.node_weight[at(wire[at(cheap)])] = 100;
     const auto kept = p.part;
     splitter.follow(g.view(), {2}, p);
@@ -181,7 +181,7 @@ TEST(Partition, AnyGraphSplits) {
         SCOPED_TRACE(seed);
         Random random(seed);
         Graph g = any_graph(random);
-        // A group is one part, so what may not be cut must not join two groups.
+        // A group is one part, so that edges that must not be cut must not join two groups.
         const bool groups = random.chance(0.3);
         for (std::size_t e = 0; groups && e < g.edge_weight.size(); ++e)
             g.edge_weight[e] = std::min(g.edge_weight[e], 100);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_graph.h
-/// Hypergraphs at random, and what must hold of every partition of one.
+/// Random hypergraphs, and the invariants of every partition.
 
 #include "graph/partition.h"
 #include "support/random.h"
@@ -36,7 +36,7 @@ struct Graph {
         edge_weight.push_back(weight);
         return static_cast<int>(edge_weight.size()) - 1;
     }
-    /// Lumps in a row with stretch and bend, from one node (or none: −1) to another.
+    /// Add lumps in a row with stretch and bend, from one node (or none: −1) to another.
     std::vector<int> wire(int from, int count, int to) {
         std::vector<int> all;
         if (from >= 0) all.push_back(from);
@@ -53,7 +53,7 @@ struct Graph {
     }
 };
 
-/// Anything: hubs, wires, clusters, what does not move, islands, repeated edges.
+/// Return a random graph: hubs, wires, clusters, fixed nodes, islands, repeated edges.
 inline Graph any_graph(Random& random) {
     Graph g;
     const int start = random.integer(1, 40);
@@ -91,7 +91,7 @@ inline void expect_sums(const Graph& g, const Partition& p, const std::vector<st
     EXPECT_EQ(between, p.separator_cost);
 }
 
-/// Every moving node in exactly one part or between them; no edge joins two parts.
+/// Expect every moving node in exactly one part or in the separator; no edge joins two parts.
 inline void expect_separated(const Graph& g, const Partition& p) {
     ASSERT_EQ(p.part.size(), g.size.size());
     std::vector<std::int32_t> between;
@@ -112,7 +112,8 @@ inline void expect_separated(const Graph& g, const Partition& p) {
     }
 }
 
-/// Every moving node in one part; exactly the edges between parts are cut; what must stay whole is.
+/// Expect every moving node in one part. Exactly the edges between parts are cut; whole ones are
+/// not.
 inline void expect_split(const Graph& g, const Partition& p) {
     std::vector<std::int32_t> cut;
     for (std::size_t v = 0; v < g.size.size(); ++v)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What strangers and bad clients do to a server: refused, logged once, and steps go on.
+/// Attacks on a server by strangers and faulty clients are rejected and logged once, and steps
+/// continue.
 #include "live/client.h"
 #include "live/run.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 SessionDef live_def() { return {.scene_text = live_scene()}; }
 
-/// A client that has said hello and knows the scene.
+/// Wait until a client has the scene after its hello.
 void greet(LiveClient& client) {
     (void)client.wait_for("scene");
     (void)client.frame();
@@ -106,7 +107,7 @@ TEST(LiveAttack, a_flood_ends_with_the_third_error) {
     LiveRun run(live_def());
     LiveClient client(run.port(), run.roles[0].token);
     greet(client);
-    // As many as a connection may send in a second, and half more: the rest is one too many.
+    // 1.5 times the number that a connection may send in a second: the excess is too much.
     for (int k = 0; k < 300; ++k)
         if (!client.say({{"type", "set"}, {"input", "push"}, {"value", k % 100}})) break;
     EXPECT_EQ(client.closes(5.0), 1008);
@@ -186,7 +187,7 @@ TEST(LiveAttack, places_for_clients_are_counted) {
         EXPECT_EQ(three.closes(2.0), 1013);
     }
     {
-        // One place is kept for roles with control, and one only.
+        // One connection is reserved for roles with control, and no more.
         LiveClient instructor(run.port(), run.roles[0].token);
         greet(instructor);
         LiveClient beside(run.port(), run.roles[0].token);
@@ -197,7 +198,7 @@ TEST(LiveAttack, places_for_clients_are_counted) {
     two->say("", 8);
     EXPECT_NE(two->closes(3.0), -1);
     two.reset();
-    // The server hears of the end a moment after it has said goodbye.
+    // The server detects the end slightly after its goodbye.
     for (int k = 0; k < 100 && run.hub.clients.load() > 1; ++k)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     LiveClient again(run.port(), run.roles[1].token);
@@ -214,11 +215,11 @@ TEST(LiveAttack, sockets_without_a_hello_take_no_place) {
         EXPECT_EQ(client.answer(), "HTTP/1.1 101 Switching Protocols");
         greet(client);
     }
-    // More than 32 at a time are not kept: the first ones went for the last.
+    // At most 32 are kept at a time: the first ones were dropped for the last.
     EXPECT_EQ(strangers.front()->closes(0.2), 0);
     EXPECT_GE(run.logged("too many sockets without a hello", 8), 8);
-    // Who is not dropped for others is at its time, without a goodbye of its own: 1 s, half a
-    // second for the words, and a look every quarter of a second.
+    // Others are dropped at their timeout without a goodbye of their own: 1 s, half a second for
+    // the message, and a check every quarter of a second.
     EXPECT_TRUE(strangers.back()->line().ends(3.0));
     EXPECT_TRUE(run.goes_on());
 }

@@ -14,12 +14,12 @@
 
 namespace hawser::test {
 
-/// What came through a WebSocket.
+/// Data received through a WebSocket.
 struct Got {
     enum Kind { nothing, text, frame, closed } kind = nothing;
-    nlohmann::json json;      ///< Of text.
-    std::vector<char> bytes;  ///< Of a frame.
-    int code = 0;             ///< Of closed; 0: the connection ended without a word.
+    nlohmann::json json;      ///< For text.
+    std::vector<char> bytes;  ///< For a frame.
+    int code = 0;             ///< For closed; 0: the connection ended without a message.
 };
 
 /// A connection to a port of this machine; every wait has an end.
@@ -30,15 +30,15 @@ class Line {
     Line(const Line&) = delete;
     Line& operator=(const Line&) = delete;
 
-    /// @return false: the other side took no more.
+    /// @return false if the other side has closed.
     bool send(std::string_view bytes);
-    /// What comes within a time [s], at most until the other side ends.
+    /// Return the data received within a time [s], at most until the other side closes.
     std::string read_all(double seconds);
-    /// Up to and with an end.
+    /// Return the data up to and including an end mark.
     std::string read_until(std::string_view end, double seconds);
-    /// So many bytes; nothing where they do not come in time.
+    /// Return a number of bytes; none if they do not arrive in time.
     std::optional<std::string> read(std::size_t count, double seconds);
-    /// Whether the other side ends within a time [s].
+    /// @return true if the other side closes within a time [s].
     bool ends(double seconds);
     [[nodiscard]] std::uint16_t port() const { return port_; }
     [[nodiscard]] int descriptor() const { return socket_; }
@@ -60,16 +60,17 @@ class Line {
 /// At the socket /live.
 class LiveClient {
   public:
-    /// @param token  Of hello; "": none is said. @param more  Headers, each with its line end.
+    /// @param token  Token of the hello; "": none is sent. @param more  Headers, each with its line
+    ///        end.
     LiveClient(std::uint16_t port, const std::string& token, const std::string& more = {},
                const std::string& host = {});
     [[nodiscard]] const std::string& answer() const { return answer_; }  ///< Its first line.
 
     bool say(const nlohmann::json& message) { return say(message.dump()); }
     bool say(const std::string& text, int opcode = 1);
-    /// The next one; nothing within the time [s].
+    /// Return the next message; none within the time [s].
     Got next(double seconds = 5.0);
-    /// The next text of a type; frames and others are passed by. @throws std::runtime_error
+    /// Return the next text of a type; frames and others are skipped. @throws std::runtime_error
     nlohmann::json wait_for(const std::string& type, double seconds = 5.0);
     /// The answer to the message with this id, `ok`, `error` or `picked`.
     nlohmann::json answer_to(int id, double seconds = 5.0);
@@ -87,7 +88,7 @@ class LiveClient {
     nlohmann::json scene_, state_;
 };
 
-/// A frame, taken apart as docs/live.md says.
+/// A frame, decoded as in docs/live.md.
 struct ReadFrame {
     std::uint16_t version = 0, flags = 0;
     std::uint32_t length = 0, epoch = 0, number = 0, bits = 0;
@@ -97,7 +98,7 @@ struct ReadFrame {
         stats;
     std::vector<std::uint32_t> counts;
 };
-/// @throws std::runtime_error where it is none.
+/// @throws std::runtime_error if it is not a frame.
 [[nodiscard]] ReadFrame read_frame(const std::vector<char>& bytes);
 
 }  // namespace hawser::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Messages that are cut, too large or without sense, crowds of connections, and restores without
-/// end: each has an answer, and the instructor has a place.
+/// Truncated, oversized and invalid messages, crowds of connections, and endless restores. Each
+/// gets an answer, and the instructor can connect.
 #include "live/client.h"
 #include "live/run.h"
 #include "support/random.h"
@@ -22,13 +22,13 @@ namespace {
 
 SessionDef crowd_def() { return {.scene_text = live_scene()}; }
 
-/// A client that has said hello and knows the scene.
+/// Wait until a client has the scene after its hello.
 void meet(LiveClient& client) {
     (void)client.wait_for("scene");
     (void)client.frame();
 }
 
-/// The client checks the text as a browser does: what is no UTF-8 would close the connection.
+/// The client checks the text like a browser: invalid UTF-8 would close the connection.
 TEST(LiveCrowd, a_refusal_is_cut_between_characters) {
     LiveRun run(crowd_def());
     for (int shift = 0; shift < 4; ++shift) {
@@ -74,7 +74,7 @@ TEST(LiveCrowd, every_message_has_an_answer) {
     EXPECT_TRUE(run.goes_on());
 }
 
-/// A header that announces a gigabyte, and nothing more.
+/// A header that announces a gigabyte, without data.
 TEST(LiveCrowd, an_announced_length_is_answered_at_once) {
     LiveRun run(crowd_def());
     for (const bool hello : {true, false}) {
@@ -87,7 +87,7 @@ TEST(LiveCrowd, an_announced_length_is_answered_at_once) {
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
         EXPECT_LT(took.count(), 1.0);  // handshake_seconds is 5
     }
-    // Part by part, the last of which is too much.
+    // In parts, the last of which is too much.
     LiveClient parts(run.port(), run.roles[0].token);
     meet(parts);
     for (int k = 0; k < 3; ++k) {
@@ -109,8 +109,9 @@ TEST(LiveCrowd, a_crowd_of_connections_keeps_nobody_out) {
     EXPECT_EQ(instructor.answer(), "HTTP/1.1 101 Switching Protocols");
     meet(instructor);
     EXPECT_EQ(request(run.port(), "/", run.host()), "HTTP/1.1 200 OK");
-    EXPECT_TRUE(half_open.front()->ends(2.0));  // the oldest went
-    // As many connections a second as one thread makes, while the instructor comes and goes.
+    EXPECT_TRUE(half_open.front()->ends(2.0));  // the oldest was dropped
+    // As many connections a second as one thread can make, while the instructor connects
+    // repeatedly.
     std::atomic<bool> stop{false};
     std::atomic<int> made{0};
     std::thread crowd([&] {
@@ -150,7 +151,7 @@ TEST(LiveCrowd, values_that_no_input_has_are_refused) {
             const auto reason = answer["reason"].get<std::string>();
             EXPECT_NE(reason.find(input["name"].get<std::string>()), std::string::npos) << reason;
             const bool range = reason.find("is outside its range") != std::string::npos;
-            // Of a motor, whose other limit was set before.
+            // For a motor whose other limit was set before.
             const bool empty = reason.find("would be above") != std::string::npos;
             EXPECT_TRUE(range || empty) << reason;
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// An exercise driven over the socket by an instructor, a station and a watcher: who may do what,
-/// what each of them hears, and that page, headless run and replay come to the same score.
+/// An exercise over the socket with an instructor, a station and a watcher: permissions and
+/// messages of each. Page, headless run and replay have the same score.
 #include "exercise/small_exercise.h"
 #include "live/client.h"
 #include "live/driver.h"
@@ -17,8 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-/// `hawser view EXERCISE` without its command line. Paused: steps are taken as the test says, so
-/// that a run without a page can be given the same at the same steps.
+/// `hawser view EXERCISE` without its command line. Paused: the test takes the steps, so that a run
+/// without a page can have the same steps.
 class ShownExercise {
   public:
     ShownExercise(const Yard& yard, const std::string& text, const std::string& record)
@@ -168,7 +168,7 @@ TEST(LiveExercise, each_role_does_and_hears_what_is_its_own) {
     instructor.hear([&] { return !active("frozen"); });
     instructor.steps(1, 61);
     EXPECT_GT(instructor.output("load_z"), before + 0.1F);
-    // The tow parts by itself at 1.5 s: a penalty for all to see, the fault for the instructor.
+    // The tow breaks by itself at 1.5 s: a penalty that all see, a fault that the instructor sees.
     instructor.steps(30, 91);
     instructor.hear([&] { return instructor.last["exercise"]["penalties"][0]["points"] == -3.0; });
     EXPECT_EQ(instructor.refused({{"type", "fault"}, {"name", "part"}, {"active", false}}),
@@ -204,7 +204,7 @@ TEST(LiveExercise, a_scene_has_no_faults) {
     EXPECT_EQ(reason, "this is a scene without an exercise: it has no faults and no end");
 }
 
-/// What is done at which step, by page and without one.
+/// An operation and its step, for runs with and without a page.
 struct Deed {
     std::int64_t step;
     json message;
@@ -229,7 +229,7 @@ std::vector<Deed> half_a_minute(int load) {
             {400, {{"type", "fault"}, {"name", "stuck"}, {"active", false}}, "instructor"}};
 }
 
-/// The same without a server: what the driver does with each message, written out.
+/// The same without a server: the reaction of the driver to each message, written explicitly.
 class Headless {
   public:
     explicit Headless(Running& own) : own_(own) { keep("start"); }
@@ -286,7 +286,7 @@ class Headless {
     std::map<std::string, Point> points_;
 };
 
-/// Show 3 of the issue: levers of two stations, a drag, a parted line, faults and a restore.
+/// Levers of two stations, a drag, a broken line, faults and a restore.
 TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
     constexpr std::int64_t kEnd = 1500;  // steps of 0.02 s: half a minute
     const Yard yard;

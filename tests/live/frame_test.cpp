@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Frames, read back as docs/live.md says, beside the world that they are of.
+/// Frames, decoded as in docs/live.md, compared with their world.
 #include "live/frame_writer.h"
 #include "live/recorded_scene.h"
 #include "live/scene_text.h"
@@ -24,7 +24,7 @@
 namespace hawser::test {
 namespace {
 
-/// Single precision of a difference of some kilometres, taken in double precision.
+/// Return a difference of some kilometres in single precision, computed in double precision.
 float relative(double value, double origin) { return static_cast<float>(value - origin); }
 
 struct Shown {
@@ -81,7 +81,7 @@ void expect_bodies(Shown& shown) {
     }
 }
 
-/// Points and tensions of wires of which all elements are there and none runs over a wheel.
+/// Expect the points and tensions of wires with all elements and without wheels.
 void expect_plain_wires(Shown& shown) {
     std::size_t point = 0, piece = 0;
     const World& world = shown.world();
@@ -178,7 +178,8 @@ TEST(LiveFrame, shows_chains_of_links_ropes_over_sheaves_and_scalar_bodies) {
         EXPECT_EQ(crane.frame.outputs[k], static_cast<float>(crane.world().outputs()[k]));
 }
 
-/// On a post the wire goes on: a piece joins the points where it leaves it, on the circle.
+/// On a post the wire is continuous: a piece on the circle joins the points at which it leaves the
+/// circle.
 TEST(LiveFrame, joins_the_two_sides_of_a_wire_on_a_wheel) {
     scene::Scene scene;
     World& world = scene.world;
@@ -238,7 +239,7 @@ TEST(LiveFrame, keeps_its_scene_while_nodes_come_and_go_and_takes_another_for_a_
     EXPECT_EQ(cut.wires.size(), after.wires.size() + 1);
 }
 
-/// On the page a recording is shown with what came to its wires while it was made.
+/// The page shows a recording with the objects added to its wires during the run.
 TEST(LiveFrame, shows_links_and_legs_of_a_recording_while_they_are_there) {
     JoinedDeck deck;
     const record::Recording recording = deck.record(fresh_folder() / "r.hwr");
@@ -264,7 +265,7 @@ TEST(LiveFrame, shows_links_and_legs_of_a_recording_while_they_are_there) {
     }
 }
 
-/// A parted element is told as −1, and nothing else of it changes.
+/// The tension of a broken element is −1, and all else is unchanged.
 TEST(LiveFrame, tells_what_has_parted) {
     scene::Scene scene = scene::load_file("scenes/anchor_lines.json");
     World& world = scene.world;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Messages of clients: what is taken, what is refused and why, and that nothing else happens.
+/// Messages of clients: accepted ones, rejected ones with reasons, and no side effects.
 #include "live/command.h"
 
 #include "live/roles.h"
@@ -115,7 +115,7 @@ TEST(LiveParser, names_what_is_wrong) {
               "inputs is to be a list of 1 to 64 pairs of a name and a value");
 }
 
-/// Whatever comes: an answer yes or no, and of yes only numbers within their ranges.
+/// Expect an answer for any text, and only numbers within their ranges if it is accepted.
 void expect_sane(const std::string& text) {
     Request out;
     std::string reason;

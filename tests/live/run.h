@@ -17,7 +17,8 @@
 
 namespace hawser::test {
 
-/// A tow that a winch hoists beside, with levers, a timeline and a wire that may part.
+/// Return a scene with a tow and a hoisting winch, with levers, a timeline and a wire that may
+/// break.
 [[nodiscard]] const std::string& live_scene();
 
 class LiveRun {
@@ -33,10 +34,10 @@ class LiveRun {
 
     [[nodiscard]] std::uint16_t port() const { return server->port(); }
     [[nodiscard]] std::string host() const { return "127.0.0.1:" + std::to_string(port()); }
-    /// Lines that have been logged with a part in them; waits for as many as are expected.
+    /// Return the number of logged lines that contain a text; waits for the expected number.
     [[nodiscard]] int logged(const std::string& part, int expected = 0);
     [[nodiscard]] std::int64_t steps() const { return steps_.load(); }
-    /// Whether steps are being taken.
+    /// @return true if steps continue.
     [[nodiscard]] bool goes_on(double seconds = 2.0);
     void stop();
 

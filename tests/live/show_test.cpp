@@ -47,7 +47,7 @@ int number_of(const nlohmann::json& list, const std::string& name) {
     return -1;
 }
 
-/// Levers, a drag, a parted line, a wire that the timeline cuts, and back to before all that.
+/// Levers, a drag, a broken line, a wire cut by the timeline, and a restore to before all that.
 TEST(LiveShow, half_a_minute_over_the_socket_is_repeated_exactly) {
     const LiveFolder folder;
     const std::string file = folder.file("show.hwr");
@@ -129,9 +129,9 @@ TEST(LiveShow, pauses_steps_and_answers_what_is_pointed_at) {
     EXPECT_EQ(client.answer_to(6)["reason"], "there is no wire \"tov\"; nearest: \"tow\"");
 }
 
-/// What the timeline asks for cannot be done: the run pauses and says so.
+/// An impossible operation of the timeline: the run pauses and reports it.
 TEST(LiveShow, a_step_that_fails_pauses_and_tells_where_and_what_to_do) {
-    // The ends that it joins have fallen apart by then.
+    // The ends that it joins have moved apart by then.
     Session failing({.scene_text = R"({"version": 1, "name": "f",
         "line_types": {"wire": {"mass_per_length": 5, "EA": 5e6, "drag": 40, "diameter": 0.04}},
         "cables": [{"name": "tow", "line_type": "wire", "from": {"at": [0, 0, 9]},

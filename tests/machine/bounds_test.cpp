@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Bounds on contacts and memory: met before they are exceeded, and said.
+/// Limits of contacts and memory: applied before they are exceeded, and reported.
 #include "support/recipe.h"
 #include "support/yard.h"
 
@@ -31,7 +31,7 @@ TEST(Bounds, OnContactsEndsTheStepAndSaysSo) {
     EXPECT_EQ(met.value, 120.0);
     EXPECT_EQ(met.limit, 100.0);
     EXPECT_NE(to_string(met).find("max_contacts = 100"), std::string::npos) << to_string(met);
-    // Farther apart they are fewer.
+    // At larger distances they are fewer.
     for (int b = 0; b < 8; ++b) many.set_pose(BodyId{b}, {{10.0 * b, 0, 50}, Quat::Identity()});
     EXPECT_EQ(many.step(), Status::ok);
     EXPECT_EQ(many.stats().bound_met.bound, Bound::none);
@@ -48,7 +48,7 @@ TEST(Bounds, OnPairsEndsTheStepWhileTheyAreCounted) {
 }
 
 TEST(Bounds, OnMemoryIsCheckedBeforeItIsAskedFor) {
-    // Far fewer bytes than the factorisation of this chain takes: some 5 kB a link.
+    // Far less memory than the factorisation of this chain needs: about 5 kB per link.
     Recipe recipe = link_chain(2000);
     recipe.world.max_memory = 2e6;
     World w = recipe.make();
@@ -65,7 +65,7 @@ TEST(Bounds, OnMemoryIsCheckedBeforeItIsAskedFor) {
     EXPECT_EQ(w.step(), Status::over_bound);
     EXPECT_EQ(w.stats().bound_met.bound, Bound::memory);
     EXPECT_EQ(w.state_hash(), before);
-    // What is said is about what it takes; the tables of addresses come on top.
+    // The reported value is about its memory; tables of addresses are additional.
     const double wanted = w.stats().bound_met.value;
     recipe.world.max_memory = 1.01 * wanted;
     World enough = recipe.make();

@@ -50,8 +50,8 @@ World heap(int threads) {
     return std::move(yard.world);
 }
 
-/// Attempts at a step, each given longer, until one ends well. @param arm  Has it cancelled after
-/// so many seconds. @return how many were cancelled.
+/// Attempt a step repeatedly, with longer time each, until one succeeds. @param arm  Cancels it
+/// after a number of seconds. @return number of cancelled ones.
 template <class Arm>
 int attempt_until_done(World& w, Arm&& arm) {
     const std::uint64_t before = w.state_hash();
@@ -68,7 +68,7 @@ int attempt_until_done(World& w, Arm&& arm) {
     return 0;
 }
 
-/// From another thread, at moments that hit all parts of a step.
+/// Cancels from another thread, at times in all parts of a step.
 class CancelLater {
   public:
     explicit CancelLater(World& w)
@@ -105,7 +105,7 @@ TEST(Cancel, AnywhereInAStepLeavesTheStateAndTheBits) {
         World w = heap(threads), twin = heap(1);
         CancelLater later(w);
         int cancelled = 0;
-        // How many a step takes is the scheduler's choice: go on until enough have been tried.
+        // The number per step depends on the scheduler: continue until enough have been tried.
         constexpr int kEnough = 20, kMostSteps = 400;
         const int least = kSanitized ? 10 : 40;
         for (int i = 0; (i < least || cancelled <= kEnough) && i < kMostSteps && !HasFailure();
@@ -142,7 +142,7 @@ TEST(Cancel, MayBeCalledByASignalHandler) {
     EXPECT_GT(cancelled, 10) << "or nothing has been tried";
 }
 
-/// A dense matrix of 2,400 scalars takes seconds; what is left of a step after cancel() does not.
+/// A dense matrix of 2,400 scalars takes seconds; the rest of a step after cancel() does not.
 TEST(Cancel, DoesNotWaitForTheEndOfALongStep) {
     Yard yard(WorldDef{.gravity = Vec3::Zero()});
     for (int i = 0; i < 400; ++i) yard.ball({0.001 * i, 0.0007 * (i % 17), 0.0}, 1.0, 0.5);

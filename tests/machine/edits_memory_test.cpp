@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Memory that ends while things come and go between steps: the world stays as it was, and the call
-/// made again gives the same bits.
+/// Memory runs out during edits between steps: the world is unchanged, and the repeated call gives
+/// the same bits.
 #include "machine/retry.h"
 #include "support/yard.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file failing.h
-/// A machine that fails when it is told to: operator new and pthread_create of this executable.
+/// Failures of the machine on request: operator new and pthread_create of this executable.
 
 #include <atomic>
 
@@ -18,7 +18,7 @@ class Memory {
     [[nodiscard]] static long seen() noexcept;
 };
 
-/// While it lives, so many threads can be started, further ones cannot.
+/// Limits the number of threads that can be started during its lifetime.
 class Threads {
   public:
     explicit Threads(int most) noexcept;

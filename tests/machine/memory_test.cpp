@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Memory that ends anywhere: every request of every call fails once. The state stays, and the call
-/// made again gives the bits of a world in which nothing failed.
+/// Memory runs out anywhere: every request of every call fails once. The state is unchanged, and
+/// the repeated call gives the bits of a world without failures.
 #include "machine/retry.h"
 #include "support/recipe.h"
 #include "support/sleep_yard.h"
@@ -170,7 +170,8 @@ TEST(MemoryEnds, WhereGroupsAreCutAndFollowTheState) {
                 retry.call(w, "set_groups", throwing([](World& to) { to.set_groups(2); }));
                 steps(retry, w, 2, false);
             },
-            // Predictors differ in what make_cuts() makes beside images and copies.
+            // Predictors differ in the arrays that make_cuts() makes in addition to ghost bodies
+            // and copies.
             predictor == Predictor::hold ? 2 : 9);
 }
 

@@ -25,10 +25,10 @@
 
 namespace hawser::test {
 
-/// One call; false: it failed for want of memory.
+/// One call; false: it failed for lack of memory.
 using Call = std::function<bool(World&)>;
 
-/// What may throw std::bad_alloc.
+/// Wrap a call that may throw std::bad_alloc.
 template <class F>
 Call throwing(F f) {
     return [f](World& w) {
@@ -48,15 +48,15 @@ inline bool step_once(World& w) {
     return true;
 }
 
-/// What happened in the calls of a run without failures.
+/// Results of the calls of a run without failures.
 struct Rights {
     std::vector<std::uint64_t> hash;  ///< After each call.
-    std::vector<long> requests;       ///< Of memory, in each.
+    std::vector<long> requests;       ///< Requests of memory in each call.
 };
 
 class Retry {
   public:
-    /// Of the exception that ends a run of which nothing more is asked.
+    /// Exception that ends a run without further checks.
     struct Enough {};
 
     /// No failures.
@@ -96,11 +96,11 @@ class Retry {
             const failing::Memory memory(n_);
             done = f(w);
         }
-        // Put off, where it was for what follows a step.
+        // Postponed, if it was for work after a step.
         if (done) return;
         ++failures_;
         ASSERT_EQ(w.state_hash(), before) << name << ", request " << n_ << " of memory";
-        // Every other time nothing looks at the world before the call is made again.
+        // Every other time, do not read the world before the call is repeated.
         if (saves && n_ % 2 == 0) {
             ASSERT_EQ(w.save(), saved) << name << ", request " << n_ << " of memory";
         }
@@ -111,7 +111,7 @@ class Retry {
         std::vector<std::byte> saved;
         if (fails && saves) saved = w.save();
         const std::uint64_t before = w.state_hash();
-        // A sanitizer sees the same code in a few of them.
+        // A sanitizer covers the same code with a few of them.
         const long stride = kSanitized ? 7 : 1;
         for (long n = fails ? 0 : -1;; n += stride) {
             bool done = false;
@@ -135,8 +135,8 @@ class Retry {
     long failures_ = 0;
 };
 
-/// The same bits after each call, whatever failed. @param every  So many requests from one world of
-/// its own to the next; 1: all.
+/// Expect the same bits after each call, for any failures. @param every  Number of requests from
+/// one separate world to the next; 1: all.
 inline void expect_same_bits(const char* name, const std::function<void(Retry&)>& calls,
                              long every = 1) {
     SCOPED_TRACE(name);
@@ -161,7 +161,7 @@ inline void expect_same_bits(const char* name, const std::function<void(Retry&)>
     constexpr long kFew = 11;  // no multiple of the requests of one call
     if (tier() != Tier::long_runs) every *= kFew;
     if (tier() == Tier::quick) every *= 5;
-    // A sanitizer sees the same code in a few of them.
+    // A sanitizer covers the same code with a few of them.
     if (kSanitized) every *= 7;
     long number = 0;
     for (std::size_t k = 0; k < seen.size(); ++k)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Memory that ends in steps whose systems put and take nodes of wires: the step fails as a whole,
+/// Memory runs out in steps whose systems add and remove nodes of wires: the step fails as a whole,
 /// and the next one gives the same bits.
 #include "machine/retry.h"
 
@@ -8,8 +8,8 @@
 namespace hawser::test {
 namespace {
 
-/// A winch at a deck pays out over a roller to an end that is drawn away: nodes come out of its
-/// drum and run over the roller.
+/// A winch on a deck pays out over a roller to an end that is pulled away: nodes leave its drum and
+/// run over the roller.
 World winch_and_roller() {
     World w(WorldDef{.step = 0.05});
     const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});

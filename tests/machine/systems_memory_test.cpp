@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Memory that ends where systems are added and where they act.
+/// Memory runs out when systems are added and when they act.
 #include "machine/retry.h"
 #include "systems/acting.h"
 
@@ -46,7 +46,7 @@ TEST(MemoryEnds, WhereSystemsActAndLoad) {
                            to.add_system(std::make_unique<Growing>(name));
                        }));
         for (int i = 0; i < 6; ++i) retry.call(w, "step", step_once, i > 0);
-        // Each of both told of 20, 40, … 120 events, whatever memory ended in between.
+        // Each of both reported 20, 40, … 120 events, for any failures between.
         EXPECT_EQ(w.event_extremes(EventKind::layer).count, 2 * 20 * 21);
         retry.call(w, "remove_system",
                    throwing([](World& to) { (void)to.remove_system(to.system(0)); }));

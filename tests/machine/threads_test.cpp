@@ -26,7 +26,7 @@ TEST(WorkerThreads, ThatCannotStartAreNamedAndNoneIsLeft) {
                 << text;
         }
     }
-    // Where enough can start, nothing is amiss afterwards.
+    // If enough can start, there is no fault afterwards.
     const failing::Threads enough(7);
     WorldDef def;
     def.threads = 8;

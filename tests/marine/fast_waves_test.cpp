@@ -106,7 +106,7 @@ void compare(const Sea& sea, const marine::WaterField& field,
     const auto note = [&](double& most, double error) { most = std::max(most, error / factor); };
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Motion want = dense(sea, field.now(), points[i]);
-        // Elevations of water() are exact where a wave can uncover what is at the point.
+        // Elevations of water() are exact if a wave can uncover the point.
         const double lowest = field.now().level - factor * field.fast().highest();
         if (!(points[i].top < lowest))
             note(to.elevation, std::abs(got[i].elevation - want.elevation) / size.elevation);
@@ -151,7 +151,7 @@ TEST(FastWaves, KinematicsAreWithinTheirTolerance) {
     EXPECT_GT(worst.velocity, 1e-10) << "single precision was compared";
 }
 
-/// Of few components the bits are those of Sea::water().
+/// For few components the bits are those of Sea::water().
 TEST(FastWaves, FewComponentsStayInDoublePrecision) {
     SeaDef def{.depth = 40.0};
     def.waves.push_back({.kind = WaveKind::jonswap,
@@ -185,7 +185,7 @@ TEST(FastWaves, DeepPointsTakeFewGroups) {
     EXPECT_EQ(fast.extent(0.0).groups, fast.groups());
     EXPECT_LT(fast.extent(100.0).groups, fast.groups() / 2);
     EXPECT_LE(fast.extent(149.9).groups, fast.extent(100.0).groups);
-    // Kinematics use phases of the groups that the elevation takes.
+    // Kinematics use the phases of the groups of the elevation.
     for (double depth = 0.0; depth < 160.0; depth += 0.37)
         EXPECT_GE(fast.extent(depth).stretching, fast.extent(depth).groups) << depth;
     // Longer waves alone are rounded less: their clusters are wider.

@@ -20,7 +20,7 @@ inline void go(World& w, int steps) {
     for (int i = 0; i < steps; ++i) ASSERT_EQ(w.step(), Status::ok) << to_string(w.bad_load(), w);
 }
 
-/// B = c ω² e^(−ω/s), of which K = (4c/π) s³ (1 − 3 s²t²)/(1 + s²t²)³.
+/// Return B = c ω² e^(−ω/s), for which K = (4c/π) s³ (1 − 3 s²t²)/(1 + s²t²)³.
 inline double bell(double omega, double c, double s) {
     return c * omega * omega * std::exp(-omega / s);
 }
@@ -28,7 +28,7 @@ inline double bell_memory(double t, double c, double s) {
     const double x = s * s * t * t;
     return 4.0 * c / kPi * s * s * s * (1.0 - 3.0 * x) / std::pow(1.0 + x, 3);
 }
-/// A(ω) − A(∞) = −(1/ω) ∫ K sin ωt dt, by Simpson's rule to where K is 1e-8 of itself.
+/// Return A(ω) − A(∞) = −(1/ω) ∫ K sin ωt dt, by Simpson's rule up to a K of 1e-8 of its maximum.
 inline double bell_added(double omega, double c, double s) {
     double sum = 0.0;
     const int n = 8'000;
@@ -54,7 +54,7 @@ inline WaveCoefficients coupled(double top = 12.0, int count = 240) {
         Matrix6 a = Matrix6::Zero(), b = a;
         for (const auto& p : pairs) {
             b(p.i, p.j) = b(p.j, p.i) = bell(omega, p.damping, s);
-            a(p.i, p.j) = a(p.j, p.i) = p.added;  // of A(∞); ours() adds the rest where needed
+            a(p.i, p.j) = a(p.j, p.i) = p.added;  // part of A(∞); ours() adds the rest
         }
         c.frequency.push_back(omega);
         c.added_mass.push_back(a);

@@ -32,7 +32,7 @@ TEST(HullCells, FillAMesh) {
                 0.05 * 4.0 / 3.0 * kFlowPi * 125.0);
 }
 
-/// Loads of the sea on a body that is held, over one period: harmonics of force and moment.
+/// Loads of the sea on a fixed body, over one period: harmonics of force and moment.
 struct Harmonics {
     std::complex<double> heave = 0.0, pitch = 0.0;
 };
@@ -60,8 +60,9 @@ Harmonics on_held_box(const WaterHull& of, double lambda, double amplitude) {
     return out;
 }
 
-/// Of a box of length L and draught T the mean of a cos(kx) over the wet volume is
-/// sin(kL/2)/(kL/2) (1 - e^-kT)/kT; of the slope over the length 3 (sin q - q cos q)/q^3, q = kL/2.
+/// For a box of length L and draught T the mean of a cos(kx) over the wet volume is
+/// sin(kL/2)/(kL/2) (1 - e^-kT)/kT. That of the slope over the length is 3 (sin q - q cos q)/q^3, q
+/// = kL/2.
 TEST(HullFlow, MeansOverTheWetVolume) {
     constexpr double kLong = 60.0, kDraught = 3.0, kWave = 0.01, kMass = 1e6, kInertia = 1e9;
     WaterHull with{.mesh = box_hull({30, 10, 3}, 40, 6, 6),
@@ -85,7 +86,7 @@ TEST(HullFlow, MeansOverTheWetVolume) {
     }
 }
 
-/// Drag of a current along x and y on a body that is held.
+/// Return the drag of a current along x and y on a fixed body.
 Vec3 drag_of(const HullMesh& mesh, const Pose& pose, double design, const Vec3& areas) {
     World w(WorldDef{.gravity = {0, 0, -kFlowG}});
     const BodyId body = w.add_body({.name = "box",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels of waves, hulls and memory for every instruction set there is, against plain sums.
+// Kernels of waves, hulls and memory for all instruction sets, against simple sums.
 #include <hawser/sea.h>
 
 #include "base/isa.h"
@@ -66,7 +66,8 @@ marine::WaveSums plain_sums(const Sea& sea, const SeaMoment& now, double x, doub
     return out;
 }
 
-/// A swell and a wind sea: groups hold components of very different lengths where they meet.
+/// Return a swell and a wind sea: groups contain components of very different lengths where they
+/// meet.
 SeaDef mixed(double depth) {
     SeaDef sea{.depth = depth};
     sea.waves.push_back({.height = 1.0, .period = 18.0});
@@ -84,15 +85,15 @@ TEST(SeaKernels, WavesAtAllDepths) {
         const auto table = marine::wave_table(sea.components(), depth);
         const int padded = static_cast<int>(table.size()) / marine::kWaveRows;
         const SeaMoment now = sea.at(30.0);
-        double speeds = 0.0, rates = 0.0, heights = 0.0;  // what amplitudes add up to
+        double speeds = 0.0, rates = 0.0, heights = 0.0;  // sums of amplitudes
         for (const WaveComponent& w : sea.components()) {
             const double tanh = std::tanh(w.wave_number * depth);
             heights += w.amplitude;
             speeds += w.amplitude * w.frequency / tanh;
             rates += w.amplitude * w.frequency * w.frequency / tanh;
         }
-        // sin and cos of angles up to 40 m · k are within 1e-12, E within 1e-12; what is left out
-        // is 1.2e-13. Pressure is p/ρ, g a at most.
+        // sin and cos of angles up to 40 m · k are within 1e-12, E within 1e-12; the truncation is
+        // 1.2e-13. Pressure is p/ρ, at most g a.
         const double most = 4e-12;
         for (const Kernels& by : kernels())
             for (int i = 0; i < 200; ++i) {

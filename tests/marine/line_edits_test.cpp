@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes that come and go on lines in the water: momentum of the line and of the water that goes
-// with it.
+// Nodes added and removed on lines in water: momentum of the line and of its added water.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -74,7 +73,7 @@ struct Line {
     }
 };
 
-/// Relative to what all lumps have.
+/// Return the lost momentum relative to that of all lumps.
 double lost(const Line& line, const Vec3& before) {
     double size = 0.0;
     const Vec3 after = line.momentum(&size);
@@ -92,7 +91,7 @@ TEST(LineEdits, NodesThatComeKeepMomentumWithAddedMass) {
     }
 }
 
-/// @param node  That goes. @return what of the momentum goes with it.
+/// @param node  Node to be removed. @return fraction of momentum lost with it.
 double lost_with(std::size_t node) {
     Line line;
     const Vec3 before = line.momentum();
@@ -102,8 +101,9 @@ double lost_with(std::size_t node) {
     return off;
 }
 
-/// Four elements on each side take over what a node had: there the water goes with the mass, but
-/// for what their directions, across which the water is carried, turn by at a bend of 2e-3 rad.
+/// Four elements on each side take over the momentum of a node, including that of the water. The
+/// rest comes from their directions, across which water is carried: they turn at a bend of 2e-3
+/// rad.
 TEST(LineEdits, NodesThatGoFarFromOtherLineTypesKeepMomentumWithAddedMass) {
     EXPECT_LT(lost_with(4), 3e-6);
     EXPECT_LT(lost_with(16), 3e-6);

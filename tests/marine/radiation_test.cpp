@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hulls radiate and scatter, by coefficients: memory against integrals, closed forms of
-// motions in frequency, passivity, drift, Kirchhoff's forces, strips, and what states go on from.
+// Radiation and diffraction of hulls by coefficients: memory against integrals, closed forms of
+// motions in frequency, passivity, drift, Kirchhoff's forces, strips, and restored states.
 #include <hawser/hawser.h>
 
 #include "marine/floater.h"
@@ -67,7 +67,7 @@ TEST(Radiation, HeaveIsThatOfItsFrequency) {
 }
 
 TEST(Radiation, NeitherMemoryMakesEnergy) {
-    // Let go far from rest, with steps many times too long for it: what moves decays.
+    // Released far from equilibrium, with steps far too long: the motion decays.
     for (const RadiationKind kind : {RadiationKind::convolution, RadiationKind::state_space})
         for (const double step : {1.0 / 60.0, 0.25}) {
             Floater f(coupled(), kind, {.step = step});
@@ -103,7 +103,7 @@ TEST(Radiation, DriftIsTheTablesAndSlowAtTheDifference) {
     double sum = 0.0, most = -1e300, least = 1e300;
     const int n = 60 * 45 * 4;
     for (int i = 0; i < n; ++i) {
-        f.w.set_pose(f.body, {});  // held, so that the wave meets it at one place
+        f.w.set_pose(f.body, {});  // fixed, so that the wave meets it at one position
         go(f.w, 1);
         const double x = sea_loads(f.w)[0].force[0];
         sum += x / n;

@@ -60,8 +60,8 @@ TEST(Rods, ASparFloatsAtItsDraught) {
 }
 
 TEST(Rods, ASparHeavesWithThePeriodOfTheScheme) {
-    // No added mass along: linear, whatever the segments, through the boundary of two of them at
-    // 25 m. ω² = ρ g A/m = g/draught.
+    // No added mass along: linear for any segments, through the boundary of two of them at 25 m. ω²
+    // = ρ g A/m = g/draught.
     const double rise = 1.5;
     Rod free(Spar::def(rise), Spar::rod(0.0));
     const double c = cosine_of_step(std::sqrt(kWeight / Spar::kDraught));
@@ -77,9 +77,9 @@ TEST(Rods, ASparHeavesWithThePeriodOfTheScheme) {
         now = next;
     }
     std::printf("heave is off the scheme's relation by %.2g m\n", worst);
-    // A step across a boundary of segments changes where the stiffness is, not how large it is.
+    // A step across a boundary of segments changes the position of the stiffness, not its size.
     EXPECT_LT(worst, 1e-9);
-    // Added mass along is of what is wet, which heave of 1 mm changes by 4e-5 of itself.
+    // Added mass along depends on the wet length, which a heave of 1 mm changes by 4e-5.
     Rod heavy(Spar::def(1e-3), Spar::rod(0.5));
     const double slow = cosine_of_step(std::sqrt(kWeight / Spar::kDraught / 1.5));
     before = 1e-3;
@@ -93,7 +93,7 @@ TEST(Rods, ASparHeavesWithThePeriodOfTheScheme) {
         before = now;
         now = next;
     }
-    // h² ω² of the amplitude is what a step bends: 7.6e-8 m, of which the added mass's 4e-5.
+    // A step curves the motion by h² ω² of the amplitude: 7.6e-8 m, 4e-5 of it by the added mass.
     std::printf("with added mass by %.2g m\n", worst);
     EXPECT_LT(worst, 1e-4 * 7.6e-8);
 }
@@ -108,7 +108,7 @@ TEST(Rods, SinkAtTheirTerminalSpeeds) {
     const LineWater water{.diameter = d, .cd_normal = 0.9, .cd_tangential = 0.05};
     Rod level(def, {.from = {-6, 0, 0}, .to = {6, 0, 0}, .water = water});
     go(level.w, 1'200);
-    // Within 1e-4 as asked; what is left of the approach is e^(−2 g' t/v) of it, far below.
+    // Within 1e-4 as required; the rest of the approach is e^(−2 g' t/v), far below.
     const double across = std::sqrt(2.0 * weight / (kSalt * 0.9 * d * length));
     EXPECT_NEAR(-level.twist().linear.z() / across, 1.0, 1e-4);
     Rod upright(def, {.from = {0, 0, -6}, .to = {0, 0, 6}, .water = water});
@@ -141,8 +141,8 @@ TEST(Rods, ASpinDecaysByTheQuadraticMoment) {
         const double first = rod.twist().angular.z();
         go(rod.w, 600);
         const double expected = first / (1.0 + k * first * 600 * kStep / inertia);
-        // Of second order in the step: k ω h/I is 9e-4 where it begins, its square 8e-7; drag of
-        // all motions together, which says how late it acts, is no more.
+        // Second order in the step: k ω h/I is 9e-4 at the start, its square 8e-7. The drag of all
+        // motions together, which shows its delay, is no larger.
         EXPECT_NEAR(rod.twist().angular.z() / expected, 1.0, 1e-6) << n;
         EXPECT_LT(rod.twist().linear.norm(), 1e-12);
     }
@@ -175,7 +175,7 @@ TEST(Rods, AddedMassIsInTheFirstAcceleration) {
         const Twist before = turns.twist();
         go(turns.w, 1);
         const double added = ca * own * length * length / 12.0 * (1.0 - 1.0 / (n * n));
-        // Turns of 1e-5 rad change nothing of it; along the rod C_at counts.
+        // Rotations of 1e-5 rad do not change it; along the rod C_at counts.
         EXPECT_NEAR((turns.twist().angular.z() - before.angular.z()) / kStep,
                     torque / (inertia + added), 1e-8 * torque / inertia)
             << n;
@@ -193,7 +193,7 @@ TEST(Rods, AWavePressesAFixedRodByTheIntegralOverItsDepth) {
     sea.waves.push_back({.height = 2.0 * amplitude, .period = period});
     World w(WorldDef{.step = period / 200.0});
     const BodyId pile = w.add_body({.name = "pile", .kind = BodyKind::fixed});
-    // What only is there to be moved.
+    // A body that only moves.
     w.add_body({.name = "lump", .kind = BodyKind::lump, .mass = 1.0, .gravity = false});
     sea.rods.push_back({.body = pile,
                         .from = {0, 0, -deep},

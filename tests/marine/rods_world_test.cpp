@@ -85,8 +85,8 @@ TEST(RodsWorld, AStormMakesNoEnergyOfNothing) {
     EXPECT_LT(fastest, 8.0);
 }
 
-// A pipe of a twentieth of its water's weight, without added mass along: what a step too long for
-// its buoyancy would throw out of the water.
+// A pipe of a twentieth of the weight of its water, without added mass along. A step too long for
+// its buoyancy would throw it out of the water.
 TEST(RodsWorld, ALightPipeStaysAtTheWater) {
     for (const double step : {1.0 / 60.0, 0.1}) {
         World w{WorldDef{.step = step}};
@@ -145,7 +145,7 @@ TEST(RodsWorld, SavedStateAndTwinGoOnWithTheSameBits) {
     }
 }
 
-/// The largest difference of loads that separate code, told of the sea of `told`, finds in `p`.
+/// Return the largest difference of loads in `p` that separate code finds with the sea of `told`.
 double difference(Platform& p, const World& told, int steps) {
     verify::SeaVerifier verifier(told);
     double worst = 0.0;
@@ -169,7 +169,7 @@ TEST(RodsWorld, SeparateCodeAgreesInWaves) {
     std::printf("separate code differs by %.2g\n", worst);
     EXPECT_GT(worst, 0.0) << "some load was compared";
     EXPECT_LT(worst, 1e-9);
-    // It would see a brace that is a thousandth thicker.
+    // It would detect a brace that is thicker by 1e-3.
     Platform again, thicker({}, 0.8008);
     EXPECT_GT(difference(again, thicker.w, 10), 1e-9);
 }

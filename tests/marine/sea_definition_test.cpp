@@ -39,7 +39,7 @@ TEST(SeaDefinition, ExampleOfTheHeader) {
     EXPECT_GE(sea_loads(world).size(), 19U);  // of its lumps
 }
 
-/// Signals beyond their range are told of; the level stays above the bottom at the lowest tide.
+/// Signals beyond their range are reported; the level stays above the bottom at the lowest tide.
 TEST(SeaDefinition, SignalsBeyondTheirRangeAreEvents) {
     World w;
     w.add_body({.kind = BodyKind::lump, .position = {0, 0, -1}, .mass = 1.0});

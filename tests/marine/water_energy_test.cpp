@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy::water: what the sea does to bodies, also where other systems load the same ones.
+// Energy::water: work of the sea on bodies, also if other systems load the same ones.
 #include "floater.h"
 #include "systems/acting.h"
 
@@ -11,7 +11,7 @@
 namespace hawser::test {
 namespace {
 
-/// A ball of 2 t that displaces 4 m³, let go below the surface of a current, in waves.
+/// Add a ball of 2 t that displaces 4 m³, released below the surface of a current, in waves.
 BodyId add_ball(World& w) {
     const BodyId ball = w.add_body({.name = "ball",
                                     .position = {0, 0, -6.0},
@@ -39,7 +39,7 @@ Acting& add_pull(World& w, BodyId ball, const char* name) {
     });
 }
 
-/// Of the energies of bodies, what neither water nor gravity explains.
+/// Return the change of energy of bodies that neither water nor gravity explains.
 double left_by_water(const Energy& from, const Energy& to) {
     return (to.kinetic + to.gravity - to.water) - (from.kinetic + from.gravity - from.water);
 }
@@ -62,15 +62,15 @@ TEST(WaterEnergy, IsAllThatABodyInTheSeaGainsAndLoses) {
     EXPECT_GT(most, 1e4);
     // 1,200 sums of some 1e5 J, each rounded to 1e-16 of itself.
     EXPECT_LT(worst, 1e-10 * most);
-    // The same by the accounts that do not ask whose loads they are.
+    // The same by accounts that do not distinguish the sources of loads.
     EXPECT_NEAR(
         e.water - start.water,
         (e.system - start.system) - (e.dissipated - start.dissipated) - (e.added - start.added),
         1e-10 * most);
 }
 
-/// Systems before and behind the sea load the same body; their work is that of a world in which
-/// they alone are named: kinetic + gravity − water is what they did.
+/// Systems before and after the sea load the same body. Their work equals that in a world with them
+/// alone: kinetic + gravity − water is their work.
 TEST(WaterEnergy, LeavesOutWhatOtherSystemsDo) {
     for (const int order : {0, 1, 2}) {  // others before the sea, behind it, both
         World w;
@@ -131,7 +131,7 @@ TEST(WaterEnergy, IsSavedCopiedAndTakenBack) {
     EXPECT_EQ(w.energy().water, later);
 }
 
-/// Nothing that is no water counts as such.
+/// Loads other than water do not count as such.
 TEST(WaterEnergy, IsNothingWithoutASea) {
     World w({.gravity = Vec3::Zero()});
     const BodyId ball = add_ball(w);

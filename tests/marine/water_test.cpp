@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Water on lines, bodies and hulls against closed forms, and what a world does with it.
+// Water on lines, bodies and hulls against closed forms, and in a world.
 #include <hawser/hawser.h>
 
 #include "verify/sea_loads.h"
@@ -24,7 +24,7 @@ void take(World& w, int steps) {
 
 SeaDef still() { return {.depth = 1000.0}; }
 
-/// A chain without ends, straight and level, that sinks.
+/// An endless chain, straight and horizontal, that sinks.
 struct Chain {
     World w{WorldDef{}};
     WireId wire{};
@@ -62,12 +62,12 @@ TEST(Water, LineFollowsAcceleratedWaterByItsAddedMass) {
     sea.waves.push_back({.height = 2e-4, .period = 8.0});
     const double area = 0.01, mass = 30.0, ca = 0.7;
     Chain c({.diameter = 0.1, .volume = area, .cd_normal = 0.0, .ca_normal = ca}, mass, sea);
-    // Weightless apart from its motion: buoyancy is taken off by hand.
+    // Weightless except for its motion: buoyancy is subtracted manually.
     for (const BodyId b : c.w.nodes(c.wire)) {
         const double length = c.w.body_def(b).mass / mass;
         c.w.set_force(b, {0, 0, (mass - kRho * area) * length * kGravity}, Vec3::Zero());
     }
-    // v changes by that share of what the water's velocity changes by, lump by lump.
+    // v changes by that fraction of the change of the velocity of the water, lump by lump.
     const Sea water(sea, kGravity);
     const double share = (1.0 + ca) * kRho * area / (mass + ca * kRho * area);
     const auto nodes = c.w.nodes(c.wire);
@@ -136,7 +136,7 @@ TEST(Water, NeutralLumpCirclesAsTheWater) {
     sea.waves.push_back({.height = 2 * a, .period = period});
     World w{WorldDef{}};
     const double volume = 0.1, radius = a * std::exp(k * z);
-    // Starts with the water, where it is.
+    // It starts with the velocity of the water at its position.
     const Sea water(sea, kGravity);
     const BodyId body = w.add_body({.kind = BodyKind::lump,
                                     .position = {0, 0, z},
@@ -189,7 +189,7 @@ TEST(Water, HullFloatsByItsDisplacement) {
     w.add(sea);
     take(w, 60 * 60);
     EXPECT_NEAR(w.pose(box).position.z(), 0.0, 1e-10);
-    // What water carries: nothing else.
+    // The load of the water alone.
     double up = 0.0;
     for (const LoadView& l : sea_loads(w)) up += l.force[2];
     EXPECT_NEAR(up, mass * kGravity, 1e-7 * mass);
@@ -315,8 +315,8 @@ TEST(Water, ThreadsDoNotMatter) {
 }
 
 TEST(Water, LinesKeepTheirSortsWhenNodesComeAndWiresAreCut) {
-    // A wire of two sorts: what comes on an element is of its sort, and what is cut off keeps its
-    // own. Buoyancy of a line at rest tells: ρ g A times half of each element.
+    // A wire of two types: the loads of an element follow its type, and a cut-off part keeps its
+    // own. The buoyancy of a line at rest shows it: ρ g A times half of each element.
     const double thin = 0.001, thick = 0.004;
     World w{WorldDef{}};
     const BodyId top = w.add_body({.kind = BodyKind::fixed, .position = {0, 0, -10}});

@@ -27,7 +27,7 @@ SeaDef irregular(double depth, int components = 200, double spreading = 0.0) {
     return sea;
 }
 
-/// Of linear theory, by functions of the standard library.
+/// Return the water by linear theory, with functions of the standard library.
 WaterPoint by_hand(const Sea& sea, double t, const Vec3& x) {
     WaterPoint out;
     for (const WaveComponent& w : sea.components())
@@ -96,9 +96,9 @@ TEST(Waves, PressureEndsAtTheSurfaceAndFlowHasNoSource) {
     const WaterPoint top = sea.water(now, {3.0, 4.0, z - 1e-9});
     EXPECT_NEAR(top.pressure, 0.0, 1e-4);  // of 1e-9 m
     EXPECT_EQ(sea.water(now, {3.0, 4.0, z + 1e-9}).pressure, 0.0);
-    // At the bottom nothing goes through.
+    // At the bottom there is no flow through it.
     EXPECT_NEAR(sea.water(now, {3.0, 4.0, -30.0}).velocity.z(), 0.0, 1e-15);
-    // ∂u/∂t of one small wave, where stretching does not matter.
+    // ∂u/∂t of one small wave, for which stretching does not matter.
     SeaDef small{.depth = 30.0};
     small.waves.push_back({.height = 1e-6, .period = 6.0, .direction = 1.0});
     const Sea calm(small);
@@ -207,7 +207,7 @@ TEST(Waves, BadDefinitionsAreRefusedByTheirField) {
 }
 
 TEST(Waves, TimeOfAComponentAtAPoint) {
-    // Printed, not judged: machines differ. Aims are in docs/sea_measured.md.
+    // Printed, not checked: machines differ. Aims are in docs/sea_measured.md.
     const Sea sea(irregular(150.0, 400));
     const SeaMoment now = sea.at(10.0);
     double sum = 0.0;

@@ -73,7 +73,7 @@ bool has_collapsed_segment(const Poses& p, const InteractionDef& d) {
     return std::min((at[1] - at[0]).norm(), (at[2] - at[1]).norm()) < 0.1 * d.get("length");
 }
 
-/// Random poses; frames and points random too, so nothing is at a special place.
+/// Draw random poses, frames and points, so that no position is special.
 void draw(Random& random, const KindInfo& info, bool lumps, Poses& p, InteractionDef& d) {
     d = between(info.kind, {});
     for (int b = 0; b < info.bodies; ++b) {
@@ -95,8 +95,8 @@ void draw(Random& random, const KindInfo& info, bool lumps, Poses& p, Interactio
     if (has_collapsed_segment(p, d)) draw(random, info, lumps, p, d);
 }
 
-/// Near the joint's own configuration: frames aligned but for a small turn. The twist angle is
-/// singular where the axes oppose each other.
+/// Move near the configuration of the joint: frames aligned except for a small rotation. The twist
+/// angle is singular for opposite axes.
 void align(Random& random, Poses& p, InteractionDef& d) {
     const Quat small(Eigen::AngleAxisd(0.5, random.vector(1.0).normalized()));
     d.frame[1] = (p.q[1].conjugate() * (small * (p.q[0] * d.frame[0]))).normalized();
@@ -122,8 +122,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EachKind, testing::Range(0, kInteractionKindCoun
                          });
 
 TEST_P(EachKind, JacobianIsTheDerivativeOfTheViolation) {
-    // Central differences of fourth order. Rows as steep as 30 are near a singular pose, where
-    // rounding of the angle, some 2⁻⁵³·30², makes an error of 2⁻⁵³·30²·2/d ≈ 2e-9.
+    // Central differences of fourth order. Rows with slopes of up to 30 are near a singular pose.
+    // Rounding of the angle there, about 2⁻⁵³·30², causes an error of 2⁻⁵³·30²·2/d ≈ 2e-9.
     constexpr double kStep = 1e-4, kTolerance = 2e-8, kSteepest = 30.0;
     int compared = 0, rows = 0;
     Random random(kind_seed(1));
@@ -147,8 +147,8 @@ TEST_P(EachKind, JacobianIsTheDerivativeOfTheViolation) {
                            (12.0 * kStep);
                 };
                 if (info().kind == InteractionKind::Bend) {
-                    // The two rows turn with a basis of their own about the wire: only their
-                    // length is the bend. Its half square is what the energy is made of.
+                    // The two rows turn with their own basis about the wire: only their length is
+                    // the bend. Half of its square determines the energy.
                     double slope = 0.0, want = 0.0;
                     for (int r = 0; r < 2; ++r) {
                         slope += slope_of(r, [](double g) { return 0.5 * g * g; });
@@ -164,7 +164,7 @@ TEST_P(EachKind, JacobianIsTheDerivativeOfTheViolation) {
                     for (int c = 0; c < info().bodies; ++c)
                         for (int k = 0; k < freedoms(p.kind[c]); ++k)
                             steepest = std::max(steepest, std::abs(at.j[c][r][k]));
-                    // Angles jump where they are taken within a turn.
+                    // Angles jump if they are reduced to one turn.
                     const bool jumps = std::abs(plus_two.g[r] - minus_two.g[r]) > 0.1;
                     if (jumps || steepest > kSteepest) continue;
                     ++compared;
@@ -207,7 +207,7 @@ TEST(Motors, DriveTheCoordinateThatTheRangeMeasures) {
 }
 
 TEST_P(EachKind, ActsWithoutNetForceOrMoment) {
-    // Against the world these act on purpose; a scalar has no place in space.
+    // Forces against the world are intentional; a scalar has no position in space.
     const bool world = info().bodies == 1;
     if (world) GTEST_SKIP() << "acts against the world";
     Random random(kind_seed(100));
@@ -216,8 +216,8 @@ TEST_P(EachKind, ActsWithoutNetForceOrMoment) {
         Poses p;
         InteractionDef d;
         draw(random, info(), takes_lumps() && trial % 2 == 1, p, d);
-        // A shared point pulls both bodies there: apart by a gap, the pair of forces has the
-        // moment gap × force, which vanishes with the gap.
+        // A shared point pulls both bodies there. With a gap, the pair of forces has the moment gap
+        // × force, which vanishes with the gap.
         if (std::string(info().row_units).starts_with("mmm")) {
             const Vec3 arm0 =
                 p.kind[0] == BodyKind::rigid ? Vec3(p.q[0] * d.point[0]) : Vec3::Zero();

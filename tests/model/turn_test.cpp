@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// turn_between() against what it must do.
+/// turn_between() against its definition.
 #include <hawser/math.h>
 
 #include "support/random.h"

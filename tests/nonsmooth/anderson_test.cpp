@@ -27,7 +27,7 @@ int iterate_to(Anderson& a, Eigen::VectorXd& x, F&& f, double tolerance, int mos
 }
 
 /// F(x) = A x + b with a spectral radius of 0.999: n + 1 evaluations find the fixed point, one more
-/// sees it.
+/// detects it.
 TEST(AndersonAcceleration, EndsAfterAsManyIterationsAsUnknowns) {
     std::mt19937_64 random(test::first_seed(7));
     const int trials = test::by_tier(20, 100, 1000);
@@ -38,8 +38,8 @@ TEST(AndersonAcceleration, EndsAfterAsManyIterationsAsUnknowns) {
             Eigen::VectorXd b(n);
             for (int i = 0; i < n; ++i) {
                 b[i] = normal(random);
-                // A general matrix up to a rotation of the space (Schur's form), its eigenvalues
-                // known; a normal matrix of this size has a radius of √n.
+                // A general matrix up to a rotation of the space (Schur's form), with known
+                // eigenvalues; a normal matrix of this size has a radius of √n.
                 for (int j = i + 1; j < n; ++j) a(i, j) = normal(random) / std::sqrt(n);
                 a(i, i) = std::uniform_real_distribution<>(-0.999, 0.999)(random);
             }
@@ -56,10 +56,10 @@ TEST(AndersonAcceleration, EndsAfterAsManyIterationsAsUnknowns) {
             Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
             const int taken = iterate_to(
                 accelerate, x, [&](const auto& y) { return (a * y + b).eval(); }, 1e-9, 60);
-            // Where growth forgot a history in between, once more.
+            // Once more, if growth discarded a history in between.
             EXPECT_LE(taken, 2 * n + 4) << n;
             const Eigen::VectorXd exact = test::solve_dense(Eigen::MatrixXd::Identity(n, n) - a, b);
-            // 1e-9 over 1 − 0.999, and what is not normal about A.
+            // 1e-9 over 1 − 0.999, and the non-normal part of A.
             EXPECT_LT((x - exact).norm(), 1e-4 * exact.norm()) << n;
         }
 }

@@ -128,8 +128,8 @@ TEST(Chain, FindsTheSolutionThatTryingEverySetFinds) {
     }
 }
 
-/// A slack wire whose elements come taut one after the other: what costs Newton's method on the
-/// whole system an iteration an element.
+/// A slack wire whose elements come taut one after the other: Newton's method on the whole system
+/// needs an iteration per element.
 TEST(Chain, SettlesALongWireThatZips) {
     constexpr std::size_t kRows = 100;
     std::vector<ChainRow> rows(kRows, ChainRow{});

@@ -64,7 +64,7 @@ TEST(Project, GivesTheNearestPointOfTheCone) {
     }
 }
 
-/// λ and u that satisfy Coulomb's law exactly, with a given status.
+/// Make λ and u that satisfy Coulomb's law exactly, with a given status.
 void make_solution(Cone& c, Touch touch, Random& random) {
     const double n = touch == Touch::open ? 0.0 : random.uniform(0.1, 10.0);
     const double angle = random.uniform(0, 6.28), x = std::cos(angle), y = std::sin(angle);
@@ -89,11 +89,11 @@ TEST(NaturalMap, VanishesExactlyWhereTheLawHolds) {
         residual(c, c.u, c.lambda, e);
         ASSERT_LE(natural_map(c, 1e-9), 1e-11) << trial;
         ASSERT_LE(std::hypot(e[0], e[1], e[2]), 1e-11 * (1.0 + c.lambda[0])) << trial;
-        // And nowhere else: an impulse that is off by a tenth shows.
+        // And nowhere else: an impulse with an error of a tenth is detected.
         if (trial % 3 == 0) continue;
         const double change = 0.1 * c.lambda[0];
         c.lambda[trial % 2] += change;
-        c.u[trial % 2] += c.mobility * change;  // what the point would answer
+        c.u[trial % 2] += c.mobility * change;  // the response of the point
         // Relative to λ or to the impulse that would stop the point, whichever is larger.
         const double rho = 1.0 / (c.mobility + std::max(c.sigma_n, c.sigma_t));
         double size = std::hypot(c.lambda[0], c.lambda[1], c.lambda[2]), q[3];
@@ -121,8 +121,8 @@ TEST(NaturalMap, DoesNotDependOnUnits) {
     }
 }
 
-/// The linear law touches the nonlinear one: P(y(u, λ)) − (p − S u) has the tangent that Newton's
-/// equation says. With W = 0, P depends on u alone, so −S is its derivative.
+/// The linear law is tangent to the nonlinear one: P(y(u, λ)) − (p − S u) has the tangent of
+/// Newton's equation. With W = 0, P depends on u alone, so that −S is its derivative.
 TEST(Linearise, IsTheDerivativeByVelocity) {
     Random random(first_seed(4));
     const int trials = by_tier(3000, 15'000, 150'000);
@@ -158,8 +158,8 @@ TEST(Linearise, IsTheDerivativeByVelocity) {
     for (const int count : seen) EXPECT_GT(count, trials / 30);
 }
 
-/// Newton's direction is that of the residual: along it, every component of λ − P(y) falls as 1 −
-/// t. It does not where residual and law differ in ρ.
+/// Newton's direction is that of the residual: along it, every component of λ − P(y) decreases as 1
+/// − t. It does not if residual and law differ in ρ.
 TEST(Linearise, IsNewtonsStepOfTheResidual) {
     Random random(first_seed(7));
     const int trials = by_tier(3000, 15'000, 150'000);
@@ -188,7 +188,7 @@ TEST(Linearise, IsNewtonsStepOfTheResidual) {
         if (other != touch) continue;
         ++seen[static_cast<int>(touch)];
         for (int i = 0; i < 3; ++i)
-            // Second order in the share, and rounding of differences over the share.
+            // Second order in the fraction, and rounding of differences divided by the fraction.
             ASSERT_NEAR((after[i] - before[i]) / kShare, -before[i], 1e-3 * size)
                 << trial << " row " << i;
     }
@@ -218,7 +218,7 @@ TEST(Linearise, HoldsWhatTurnsRound) {
         if (std::fabs(cosine) > 1e-6) {
             ASSERT_EQ(turned_round(law, other), cosine < 0.0) << trial;
         }
-        // The law that takes its place asks for r = 0.
+        // The substitute law requires r = 0.
         const Law held = hold_law(c);
         ASSERT_FALSE(turned_round(law, held));
         for (int i = 0; i < 3; ++i) {
@@ -249,7 +249,7 @@ TEST(Linearise, KeepsASolution) {
                     lambda -= law.s[3 * i + k] * c.u[k];
                     size += std::fabs(law.s[3 * i + k] * c.u[k]);
                 }
-                // Rounding of the terms, which are large where Σ is small.
+                // Rounding of the terms, which are large if Σ is small.
                 ASSERT_NEAR(lambda, c.lambda[i], 1e-12 * size + 1e-12 * c.lambda[0]) << trial;
             }
         }

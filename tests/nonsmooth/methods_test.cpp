@@ -55,7 +55,7 @@ TEST_P(Methods, HoldABlockBelowTheLimit) {
         ASSERT_EQ(s.world.step(), Status::ok);
         if (i == 99) at = s.world.pose(s.block).position;
     }
-    // Friction is a spring in every method; what is left is its settling.
+    // Friction is a spring in every method; the rest is its settling.
     EXPECT_LE((s.world.pose(s.block).position - at).norm(), 1e-8);
 }
 
@@ -78,7 +78,7 @@ TEST_P(Methods, BalanceMomentum) {
     Slope s = make_slope(GetParam(), 0.75);
     for (int i = 0; i < 60; ++i) {
         ASSERT_EQ(s.world.step(), Status::ok);
-        // Whatever the impulses are, velocities follow from them.
+        // For any impulses, velocities follow from them.
         ASSERT_LE(s.world.stats().momentum_residual, 1e-10) << i;
     }
 }

@@ -135,7 +135,7 @@ VectorXd brute_force(const Problem& p, const std::vector<double>& limit, int& so
     return found;
 }
 
-/// Solve by pivoting from all rows free. @return rounds; 300: not solved.
+/// Solve by pivoting from all rows free. @return iterations; 300: not solved.
 int pivot_all(Problem& p, const std::vector<double>& limit, PivotProgress progress) {
     std::vector<Bound> bounds(3 * p.cones.size(), Bound::free);
     for (int rounds = 1; rounds < 300; ++rounds) {
@@ -167,12 +167,12 @@ TEST(Box, PivotingFindsTheSolutionThatTryingEverythingFinds) {
             EXPECT_LE((p.lambda() - exact).norm(), 1e-7 * (1.0 + exact.norm())) << trial;
         }
     }
-    EXPECT_LT(together, singly);  // which is what changing them together is for
+    EXPECT_LT(together, singly);  // the purpose of changing them together
 }
 
-/// Rounds that do not get on: all rows change until the trials are used up, then the last one
-/// alone, until fewer are infeasible. (A search among 10⁴ random problems found none on which
-/// changing all of them goes in a circle.)
+/// Iterations without progress: all rows change until the trials are used up, then the last one
+/// alone, until fewer are infeasible. (A search among 10⁴ random problems found none that cycles
+/// when all change.)
 TEST(Box, PivotingChangesRowsSinglyWhenItDoesNotGetOn) {
     Cone pulled{};  // λ outside all of its bounds
     pulled.sigma_n = pulled.sigma_t = 0.01;
@@ -190,7 +190,7 @@ TEST(Box, PivotingChangesRowsSinglyWhenItDoesNotGetOn) {
     };
     for (int i = 0; i <= kPivotTrials; ++i) EXPECT_EQ(changed(three), 9) << i;
     for (int i = 0; i < 3; ++i) EXPECT_EQ(changed(three), 1) << i;
-    EXPECT_EQ(changed(two), 1);  // fewer: what follows changes all again
+    EXPECT_EQ(changed(two), 1);  // fewer: the next one changes all again
     for (int i = 0; i < kPivotTrials; ++i) EXPECT_EQ(changed(two), 6) << i;
     EXPECT_EQ(changed(two), 1);
 }

@@ -125,7 +125,7 @@ void projected(const Pair& p, double out[3]) {
 }
 
 /// Along every direction in (u_n, u) that the linear laws of the normal and of the resistance
-/// allow, λ − P is to change by what it is now, to first order: Newton's equation.
+/// allow, λ − P must change by its negative value to first order: Newton's equation.
 TEST(Resistance, LinearLawSolvesNewtonsEquation) {
     Random random(first_seed(3));
     const int trials = by_tier(4000, 20'000, 200'000);

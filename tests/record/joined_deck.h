@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file joined_deck.h
-/// Two wires that hang and are shackled to each other while the world runs, and a box on a stay,
-/// which a hook takes, is cut loose from the stay, and is let go: its recording, and what lines
-/// beside the wires there were.
+/// Two hanging wires that are shackled to each other while the world runs, and a box on a stay. A
+/// hook captures it, it is cut loose from the stay, and it is released. Also its recording, and the
+/// lines that existed beside the wires.
 
 #include "record/small_scene.h"
 

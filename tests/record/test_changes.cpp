@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is done to a world between steps is in its recording, and is done again from it.
+/// Changes of a world between steps are in its recording, and are repeated from it.
 #include <hawser/repeater.h>
 #include "record/changes.h"
 #include "record/recording_listener.h"
@@ -16,8 +16,8 @@ using record::Recording;
 
 namespace {
 
-/// Steps a world as its recording says. @return frames whose motion is another: a recording holds
-/// what systems did, not the systems.
+/// Step a world as recorded. @return frames with a different motion: a recording contains the
+/// actions of systems, not the systems.
 int differences(const Recording& r, World& world) {
     int wrong = 0;
     record::Repeater repeater(r);
@@ -56,7 +56,7 @@ void repeat_edits(std::uint32_t seed) {
             if (step == 60) world.set_pose(world.bodies()[2], {.position = {0, 0, 6}});
             listener.flush();
             ASSERT_EQ(world.step(), Status::ok);
-            listener.flush(step);  // what systems set in it
+            listener.flush(step);  // values set by systems in it
             out.add_loads(world);
             out.add_frame(world);
         }
@@ -70,7 +70,7 @@ void repeat_edits(std::uint32_t seed) {
     again.restore(r.snapshot);
     EXPECT_EQ(differences(r, again), 0);
     EXPECT_EQ(again.motion_hash(), world.motion_hash());
-    // Of the last frame, the bodies that are there stand where they do.
+    // In the last frame, the existing bodies are at their positions.
     const record::Frame last = r.frame(90);
     std::size_t there = 0;
     for (std::size_t b = 0; b < r.bodies.size(); ++b) there += last.there[b] ? 1 : 0;

@@ -113,7 +113,7 @@ TEST(Recording, DamagedBytesAreNoticed) {
     }
 }
 
-// Chunks with a right checksum and wrong contents: what a hostile writer would make.
+// Chunks with a correct checksum and wrong contents, as from an attacker.
 TEST(Recording, HostileChunksAreRefused) {
     const auto file = fresh_folder() / "r.hwr";
     SmallScene scene;

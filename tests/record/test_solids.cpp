@@ -53,7 +53,7 @@ TEST(ConvexSurface, HoldsAllPoints) {
         for (const auto& c : hull.corners) {
             const Vec3& a = hull.points[c[0]];
             const Vec3 n = (hull.points[c[1]] - a).cross(hull.points[c[2]] - a).normalized();
-            // 1e-9 of an extent of some 20 m is what the method takes for a face.
+            // The method treats 1e-9 of an extent of about 20 m as one face.
             for (const Vec3& p : points) EXPECT_LE(n.dot(p - a), 1e-7);
         }
     }

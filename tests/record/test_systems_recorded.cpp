@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What systems do is in a recording as data: a replay needs none of their code.
+/// A recording contains the actions of systems as data: a replay needs none of their code.
 #include <hawser/hawser.h>
 #include <hawser/repeater.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Random sequences of all that is done to wires while a world runs: equal bits for any number of
-/// threads, in a world that repeats what a listener heard, and after a restored state.
+/// Random sequences of all operations on wires while a world runs. Bits are equal for any number of
+/// threads, in a world that repeats the messages of a listener, and after a restored state.
 #include <hawser/hawser.h>
 
 #include "record/changes.h"
@@ -21,7 +21,7 @@
 namespace hawser::test {
 namespace {
 
-/// Of a world; the wires of one get more nodes with each, and its steps longer.
+/// Operations per world; they add nodes to the wires and lengthen the steps.
 constexpr int kOperations = kSanitized ? 60 : 200;
 
 /// Number of worlds. HAWSER_OPERATIONS gives the number of operations of all worlds.
@@ -61,7 +61,7 @@ World wires_world(int threads) {
     return w;
 }
 
-/// Of lumps, and of half elements that end at other bodies, which no lump carries.
+/// Return the mass of lumps, and of half elements that end at other bodies.
 double lump_mass(const World& w) {
     double sum = 0.0;
     for (const BodyId id : w.bodies())
@@ -185,9 +185,9 @@ void sequence(unsigned seed, std::vector<int>& done) {
         ASSERT_EQ(repeated.state_hash(), worlds[0].state_hash()) << op.what << " " << k;
         for (int step = 0; step < 2; ++step) {
             const Status status = worlds[0].step();
-            // Nodes put beside nodes again and again leave lumps of milligrams beside blocks of
-            // 400 kg, whose elements are 1e15 times as stiff; and a world that only warns goes on
-            // from what has been judged wrong. Such may end as a status.
+            // Nodes inserted repeatedly beside nodes leave lumps of milligrams beside blocks of 400
+            // kg, with elements 1e15 times as stiff. A world that only warns continues from a state
+            // with a wrong verdict. Both may end with a status.
             ASSERT_TRUE(status == Status::ok || status == Status::diverged ||
                         lightest(worlds[0]) < 1e-4 || worlds[0].verdict().grade == Grade::wrong)
                 << to_string(status) << " after " << op.what << ", seed " << seed << ", lightest "
@@ -201,7 +201,7 @@ void sequence(unsigned seed, std::vector<int>& done) {
         for (std::size_t i = 1; i < worlds.size(); ++i)
             ASSERT_EQ(worlds[i].state_hash(), worlds[0].state_hash()) << op.what << " " << k;
         ASSERT_EQ(repeated.state_hash(), worlds[0].state_hash()) << op.what << " " << k;
-        if (k % 10 == 9) {  // one goes on and comes back, and twins are in the same state
+        if (k % 10 == 9) {  // one continues and is restored, and twins are in the same state
             const auto saved = worlds[1].save();
             (void)worlds[1].step();
             worlds[1].restore(saved);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Worlds whose bodies come to touch: the order of elimination is repaired, and what comes of it
-/// depends on nothing but the state.
+/// Worlds whose bodies begin to touch: the order of elimination is repaired, and the result depends
+/// only on the state.
 #include <hawser/inspect.h>
 
 #include "context/context.h"
@@ -66,13 +66,14 @@ TEST(WorldRepair, RepairsMoreOftenThanItPlans) {
         plans += s.plans;
         repairs += s.repairs;
     }
-    // In the first steps, which are all that sanitizers see, much touches at once.
+    // In the first steps, the only ones for sanitizers, many contacts appear at once.
     if (!kSanitized) {
         EXPECT_LT(plans, repairs);
     }
 }
 
-/// Saved anywhere between repairs, the state goes on to the same bits, through later repairs too.
+/// Saved anywhere between repairs, the state continues with the same bits, through later repairs
+/// too.
 TEST(WorldRepair, SnapshotsHoldTheOrder) {
     for (const std::uint32_t seed : seeds(5, 1, 3, 30)) {
         SCOPED_TRACE(seed);
@@ -83,7 +84,7 @@ TEST(WorldRepair, SnapshotsHoldTheOrder) {
             if (i % 40 == 17) {
                 const auto bytes = a.save();
                 Yard other = falling(seed);
-                const int ahead = i % 80 == 17 ? 70 : 0;  // an order of its own, or just made
+                const int ahead = i % 80 == 17 ? 70 : 0;  // an order of its own, or just computed
                 for (int k = 0; k < ahead; ++k) ASSERT_EQ(other.world.step(), Status::ok);
                 other.world.restore(bytes);
                 ASSERT_EQ(other.world.inspect().order, a.inspect().order);
@@ -118,8 +119,8 @@ TEST(WorldRepair, BitsDoNotDependOnThreads) {
     }
 }
 
-/// What is added to a world that runs is analysed by repair, too; a world that has it from the
-/// start takes over the state bit for bit.
+/// Objects added to a running world are analysed by repair, too. A world that has them from the
+/// start restores the state bit for bit.
 TEST(WorldRepair, AddedBodiesAreRepairedIn) {
     for (const std::uint32_t seed : seeds(5, 1, 3, 30)) {
         SCOPED_TRACE(seed);
@@ -164,10 +165,10 @@ std::unique_ptr<stepper::StepContext> heap(std::uint32_t seed, double tolerance 
     return ctx;
 }
 
-/// The order changes the rounding alone: steps with the repaired order and steps with an order made
-/// anew each time agree, where contacts are solved to round-off.
+/// The order changes only the rounding. Steps with the repaired order and with a new order each
+/// time agree if contacts are solved to round-off.
 TEST(WorldRepair, EqualsAnAnalysisFromNothing) {
-    constexpr std::uint32_t kSeed = 9;  // others have impacts that multiply a rounding earlier
+    constexpr std::uint32_t kSeed = 9;  // others have impacts that amplify rounding earlier
     auto repaired = heap(kSeed, 1e-12), rebuilt = heap(kSeed, 1e-12);
     ASSERT_EQ(stepper::step(*repaired), Status::ok);
     ASSERT_EQ(stepper::step(*rebuilt), Status::ok);
@@ -213,7 +214,7 @@ TEST(WorldRepair, PartialRefactorisationsEqualWholeOnes) {
     }
 }
 
-/// So are blocks of lines that come taut or go slack among contacts.
+/// The same holds for blocks of lines that come taut or go slack during contacts.
 TEST(WorldRepair, PartialRefactorisationsFollowLinesThatSwitch) {
     for (const std::uint32_t seed : seeds(11, 1, 3, 30)) {
         SCOPED_TRACE(seed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file start_scene.h
-/// What a check of the start of a scene finds.
+/// Findings of a check of the start of a scene.
 
 #include <hawser/scene.h>
 
@@ -45,7 +45,7 @@ inline Started start_of(const std::string& members) {
 
 inline Started start_of_file(const std::string& file) { return Started(scene::load_file(file)); }
 
-/// One finding of this kind; an empty one and a failure where there are none or several.
+/// Return the only finding of this kind; an empty one and a failure if there are none or several.
 inline Finding only(const Started& started, FindingKind kind) {
     const std::vector<Finding> found = started.of(kind);
     EXPECT_EQ(found.size(), 1U) << started.text();

@@ -81,8 +81,8 @@ TEST(ReportedEvents, LinesInWordsAndListsOfTheirOwn) {
               "the stretch \"wire/s1\" between \"wire/1\" and \"box & <friends>\"");
 }
 
-/// What a timeline did stands before what came of it, in report and summary, however many other
-/// events there were.
+/// Operations of a timeline are listed before their consequences, in report and summary, for any
+/// number of other events.
 TEST(ReportedEvents, WhatTheTimelineDidIsListedWhole) {
     SmallScene scene;
     report::SummaryCollector collector(scene.info, scene.world);

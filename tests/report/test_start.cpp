@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is wrong with a start besides its joints.
+/// Faults of a start other than joints.
 #include "start_scene.h"
 
 #include "report/start/start_forces.h"
@@ -30,7 +30,7 @@ TEST(Start, OverlapsAreErrorsFromHalfTheNarrowerBody) {
     EXPECT_TRUE(only(apart(0.4), FindingKind::overlap).error);
 }
 
-/// A wire through a solid is refused with the places of both in the file.
+/// A wire through a solid is rejected with the places of both in the file.
 TEST(Start, AWireInsideASolidIsToldWithItsPlace) {
     const Started s = start_of(R"("settings": {"gravity": [0, 0, 0]},
         "line_types": {"rope": {"mass_per_length": 10, "EA": 1e6, "diameter": 0.05}},
@@ -46,7 +46,7 @@ TEST(Start, AWireInsideASolidIsToldWithItsPlace) {
     const std::vector<Finding> found = s.of(FindingKind::overlap);
     ASSERT_EQ(found.size(), 4U) << s.text();
     for (const Finding& f : found) {
-        // Two elements lie within the box, and two come to its faces.
+        // Two elements lie within the box, and two reach its faces.
         EXPECT_EQ(f.error, f.value > 1.0) << f.text;
         EXPECT_NE(f.text.find("start.json: /cables/1"), std::string::npos) << f.text;
         EXPECT_NE(f.text.find("start.json: /bodies/0/shapes/1"), std::string::npos) << f.text;
@@ -75,7 +75,7 @@ TEST(Start, OverlapsOfThousandsAreToldShortly) {
     const Started s = start_of(R"("bodies": [)" + bodies + "]");
     EXPECT_EQ(s.found.errors(), 1000U) << "the worst of 60 x 59/2 pairs";
     EXPECT_NE(only(s, FindingKind::unexamined).text.find("1770 pairs"), std::string::npos);
-    // A line for each of the first five, one for the rest, one for what is not listed.
+    // A line for each of the first five, one for the rest, one for those not listed.
     const std::string text = s.text();
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 7);
 }
@@ -126,8 +126,8 @@ TEST(Start, JointsThatTheStepDoesNotResolve) {
     const Finding f = only(s, FindingKind::joint_step);
     EXPECT_EQ(f.about, (Names{"top", "hook"}));
     const double inertia = 2.0 * (3.0 * 0.01 * 0.01 + 1.0) / 12.0, h = 1.0 / 60.0;
-    // Rigid rows are soft by 1e-9 of what they move, and the thin rod moves a thousand times as
-    // readily as what it carries.
+    // Rigid rows have a compliance of 1e-9 of their mobility, and that of the thin rod is a
+    // thousand times larger than that of its load.
     EXPECT_NEAR(f.value, h * h * 1002 * 9.81 * 0.5 / inertia, 1e-5 * f.value);
 }
 
@@ -139,7 +139,7 @@ TEST(Start, ForcesHoldWhatHangs) {
                        {"name": "s", "kind": "distance", "bodies": ["a", "b"], "length": 1}])");
     const report::start::StartForces forces(s.scene.world);
     ASSERT_TRUE(forces.known());
-    // To the floor under rigid rows, 1e-9 of what they move.
+    // Up to the floor under rigid rows, 1e-9 of their mobility.
     EXPECT_NEAR(forces.push({0}), 15 * 9.81 + 20, 1e-5);
     EXPECT_NEAR(forces.push({1}), 5 * 9.81 + 20, 1e-5);
 }
@@ -215,7 +215,7 @@ TEST(Start, HullsOfABodyFloatTogether) {
     EXPECT_NE(spring.text.find("hydrostatic \"float\""), std::string::npos) << spring.text;
 }
 
-/// What joints hold to a hull, and what lines pull, it carries.
+/// A hull carries the weight of bodies joined to it and the pull of lines.
 TEST(Start, HullsCarryWhatHangsOnThem) {
     const std::string welded = R"(, "interactions": [{"name": "foot", "kind": "lock",
           "bodies": ["barge", "derrick"], "at": [0, 0, 2]}])";
@@ -320,7 +320,7 @@ TEST(Start, ABareDrumThatKeepsOneElement) {
     EXPECT_TRUE(with(1, "", "0").of(FindingKind::drum).empty());
 }
 
-/// Looking changes nothing: bits of steps after it are those without it.
+/// A check changes nothing: the bits of later steps are those without it.
 TEST(Start, TheWorldStaysAsItIs) {
     for (const char* file : {"scenes/chain_pile.json", "scenes/heavy_hook.json",
                              "scenes/slider_crank.json", "scenes/box_stack.json"}) {

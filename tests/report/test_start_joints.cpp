@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Joints of a start: which repeat each other, which cannot all hold, which are open.
+/// Joints of a start: redundant, contradictory, open.
 #include "start_scene.h"
 
 #include <cmath>
@@ -166,7 +166,7 @@ TEST(StartJoints, AnOpenFourBarIsAGapAndNoContradiction) {
     EXPECT_EQ(only(s, FindingKind::repeated).value, 3.0);
 }
 
-/// The nearest that rows of a chain come to each other is 1/n²: not the same by far.
+/// The smallest distance between rows of a chain is 1/n²: far from equal.
 TEST(StartJoints, ALongChainBetweenTwoFixedPointsRepeatsNothing) {
     const Started s = start_of(R"("line_types": {"t": {"mass_per_length": 10, "diameter": 0.05}},
       "cables": [{"name": "chain", "line_type": "t", "as": "links", "elements": 1000, "length": 500,

@@ -7,8 +7,8 @@
 
 namespace hawser::test {
 
-/// What is asked for and held shut by contacts is exact and no degradation; of what was in force
-/// the largest defect stays.
+/// A cut that was requested but kept closed by contacts is exact and no degradation; the largest
+/// error of those in force is kept.
 TEST(Degradations, CountWhatWasInForceWithItsDefect) {
     report::Degradations d;
     StepStats s;
@@ -99,7 +99,7 @@ TEST(Summary, JsonHasAllFields) {
     const auto& motion = json["motions"]["box & <friends>"];
     EXPECT_GT(motion["displacement_max"].get<double>(), 0.0);
     EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16u);
-    // The box swings: what the elements and the step's damping take is small.
+    // The box oscillates: elements and damping of the step dissipate little.
     EXPECT_LT(std::abs(json["energy"]["drift_relative"].get<double>()), 0.1);
     EXPECT_NE(report::to_text(summary).find("wire"), std::string::npos);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What hawser check and hawser run say of vessels.
+/// Output of hawser check and hawser run about vessels.
 #include <hawser/hawser.h>
 #include <hawser/vessel_ships.h>
 

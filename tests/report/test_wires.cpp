@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What reports tell of wires: where they part, nodes that come and go, tension along them.
+/// Reports about wires: breaks, added and removed nodes, tension along them.
 #include "record/wire_place.h"
 #include "report/summary.h"
 #include "report/wires_json.h"
@@ -38,7 +38,7 @@ TEST(ReportedWires, ListThePiecesOfWiresThatAreCut) {
     WireId piece;
     InteractionId first;
     for (int i = 0; i < 30; ++i) {
-        // Within an element: a node, an end and an element come, none of which has a name.
+        // Within an element: a node, an end and an element are added, none of which has a name.
         if (i == 12) {
             piece = h.w.cut(h.wire, 33.0);
             first = h.w.elements(piece).front();
@@ -55,11 +55,12 @@ TEST(ReportedWires, ListThePiecesOfWiresThatAreCut) {
     EXPECT_FALSE(s.wires[0].came);
     EXPECT_TRUE(s.wires[1].came);
     EXPECT_EQ(s.wires[1].name, "rope/2");
-    // The step in which it was cut is the thirteenth: looked at when it has been taken.
+    // The step of the cut is the thirteenth: it is read after that step.
     EXPECT_NEAR(s.wires[1].since, 13.0 / 60.0, 1e-12);
-    // The node beside the cut goes, which keeps tensions: lengths move by what differs in strains.
+    // The node beside the cut is removed with preserved tensions: lengths change with the
+    // difference of strains.
     EXPECT_NEAR(s.wires[1].length.now, 17.0, 1e-4);
-    // It falls freely: it pulls no more than what hung below it, with the recoil of that.
+    // It falls freely: the tension is at most the weight that hung below it, with its recoil.
     EXPECT_GE(s.wires[1].tension.least, 0.0);
     EXPECT_LT(s.wires[1].tension.greatest, 2.0 * 17.0 * 4.0 * 9.81);
     const std::string text = report::to_text(s);
@@ -117,7 +118,7 @@ TEST(ReportedWires, FollowNodesThatComeAndGo) {
     EXPECT_EQ(f.nodes.now, 6.0);
     EXPECT_EQ(f.nodes.least, 6.0);
     EXPECT_EQ(f.nodes.most, 7.0);
-    // Rest lengths change a little where a node comes or goes, so that tensions stay.
+    // Rest lengths change slightly with added and removed nodes, to preserve tensions.
     EXPECT_NEAR(f.length.now, 50.0, 1e-3);
     ASSERT_EQ(f.along.size(), 5U);
     for (std::size_t k = 0; k < 5; ++k) {
@@ -132,8 +133,8 @@ TEST(ReportedWires, FollowNodesThatComeAndGo) {
     EXPECT_EQ(json["wires"]["rope"]["tension_along"]["mean"].size(), 5U);
 }
 
-/// An element bears the weight of the wire below it: half of the wire's in the mean over elements,
-/// however many there are.
+/// An element carries the weight of the wire below it: in the mean over any number of elements half
+/// of the weight.
 TEST(ReportedWires, MeansAreOfTheElementsThereAre) {
     HangingWire h;
     const auto elements = h.w.elements(h.wire);
@@ -154,7 +155,7 @@ TEST(ReportedWires, MeansAreOfTheElementsThereAre) {
     const report::CableFigures& f = s.cables.at(0);
     EXPECT_LE(f.min, f.mean);
     EXPECT_LE(f.mean, f.max);
-    // By its material 25 m of it hang below a place in the mean, by its three elements 23 m.
+    // In the mean 25 m of material hang below a point, by its three elements 23 m.
     EXPECT_NEAR(f.mean, 24.0 * 4.0 * 9.81, 0.1 * 24.0 * 4.0 * 9.81);
 }
 
@@ -166,7 +167,7 @@ TEST(ReportedWires, AreNoneWhereThereIsNone) {
     EXPECT_EQ(report::wires_in_words({}, {}), "");
 }
 
-/// docs/cli.md has a row of what a summary says of wires.
+/// docs/cli.md has a row for each value of wires in a summary.
 TEST(WireSummary, EachOfItsKeysIsDocumented) {
     std::ifstream in("docs/cli.md");
     std::string line;

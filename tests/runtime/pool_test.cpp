@@ -16,8 +16,8 @@
 namespace hawser::runtime {
 namespace {
 
-/// Runs many batches of changing size and checks that each task ran once with a valid thread.
-/// `seen` is plain memory on purpose: the thread sanitizer must see that run() orders it.
+/// Run many batches of varying size and check that each task ran once with a valid thread. `seen`
+/// is plain memory on purpose: the thread sanitizer must see that run() orders it.
 void stress(Pool& pool, int batches) {
     std::vector<std::int64_t> seen(257, 0);
     std::vector<std::int64_t> want(257, 0);
@@ -111,9 +111,9 @@ TEST(Pool, ScratchOfAThreadIsItsOwn) {
     EXPECT_EQ(total, 400 * 4950);
 }
 
-/// A worker that is between its look at the stop flag and its sleep when the pool goes away
-/// must still wake up. The rounds differ in how far the workers have come; without the order of
-/// reads in Pool::work a run of 20,000 hangs more often than not.
+/// A worker that has read the stop flag but does not sleep yet must still wake up when the pool is
+/// destroyed. The progress of the workers differs between the rounds. Without the order of reads in
+/// Pool::work, most runs of 20,000 hang.
 TEST(Pool, AlwaysShutsDown) {
     const int rounds = test::kSanitized ? 1'500 : 12'000;
     std::atomic<bool> finished{false};
@@ -130,7 +130,7 @@ TEST(Pool, AlwaysShutsDown) {
         }
         finished = true;
     });
-    // 20,000 thread starts take about a second; under a sanitizer and load about a minute.
+    // 20,000 thread starts take about a second; with a sanitizer and load about a minute.
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(240);
     while (!finished && std::chrono::steady_clock::now() < deadline)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));

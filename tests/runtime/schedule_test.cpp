@@ -38,7 +38,7 @@ TEST(Schedule, EqualTasksTakeTheirShareRoundedUp) {
 
 TEST(Schedule, OneLongTaskBoundsTheRest) {
     std::vector<double> task(30, 1.0);
-    task.insert(task.begin(), 20.0);  // dealt first: the others fit beside it on 4 threads
+    task.insert(task.begin(), 20.0);  // started first: the others fit beside it on 4 threads
     // Two threads: 20 short ones beside the long one, then 5 each.
     EXPECT_NEAR(simulate(one_loop(task), 2, {}).seconds, 25.0, kRounding);
     EXPECT_NEAR(simulate(one_loop(task), 4, {}).seconds, 20.0, kRounding);
@@ -61,14 +61,14 @@ TEST(Schedule, SerialCodeFollowsAmdahl) {
 TEST(Schedule, EveryCostAppearsOnceALoop) {
     ProgramTimes p;
     for (int k = 0; k < 3; ++k) p.loops.push_back({1.0, {1.0, 1.0}});
-    p.loops.push_back({1.0, {1.0}});  // one task wakes nobody
+    p.loops.push_back({1.0, {1.0}});  // a single task needs no other thread
     PoolCosts costs;
     costs.start = 0.25;
     costs.join = 0.5;
     // The other thread begins 0.25 late and is waited for: 1 + 1.25 + 0.5 a loop.
     EXPECT_NEAR(simulate(p, 2, costs).seconds, 3 * 2.75 + 2.0, kRounding);
     EXPECT_NEAR(simulate(p, 1, costs).seconds, p.work(), kRounding);
-    // Who sleeps takes no task: the caller has done both when the other one wakes.
+    // A sleeping thread takes no task: the caller has done both when the other one wakes.
     costs.wake = 3.5;
     EXPECT_NEAR(simulate(p, 2, costs).seconds, (1.0 + 2.0 + 0.5) + 2 * 2.75 + 2.0, kRounding);
     // Tasks are taken one at a time.
@@ -91,7 +91,7 @@ TaskWaits towards(const std::vector<std::int32_t>& parent) {
 }
 
 TEST(Schedule, ATaskWaitsForItsChildren) {
-    // A binary tree of 2^5 − 1 equal tasks, level by level: 5 levels deep.
+    // A binary tree of 2^5 − 1 equal tasks, level by level: 5 levels.
     constexpr int kLevels = 5;
     std::vector<std::int32_t> parent;
     for (int width = 1 << (kLevels - 1), begin = 0; width > 0; begin += width, width /= 2)
@@ -102,7 +102,7 @@ TEST(Schedule, ATaskWaitsForItsChildren) {
     EXPECT_NEAR(simulate(p, 16, {}).seconds, kLevels, kRounding);
     EXPECT_NEAR(simulate(p, 1, {}).seconds, 31.0, kRounding);
     EXPECT_NEAR(simulate(p, 4, {}).seconds, 4 + 2 + 1 + 1 + 1, kRounding);
-    // A chain of tasks gains nothing.
+    // A chain of tasks is not faster.
     for (std::size_t i = 0; i < parent.size(); ++i)
         parent[i] = i + 1 < parent.size() ? static_cast<std::int32_t>(i + 1) : -1;
     p.loops[0].waits = towards(parent);
@@ -110,7 +110,7 @@ TEST(Schedule, ATaskWaitsForItsChildren) {
 }
 
 TEST(Schedule, TheMostUrgentReadyTaskGoesFirst) {
-    // Two short tasks, then one with a long one behind it; by rank the latter comes first.
+    // Two short tasks, then one with a long one after it; by rank the latter comes first.
     ProgramTimes p = one_loop({1.0, 1.0, 1.0, 5.0});
     p.loops[0].waits = towards({-1, -1, 3, -1});
     EXPECT_NEAR(simulate(p, 2, {}).seconds, 7.0, kRounding);
@@ -119,8 +119,8 @@ TEST(Schedule, TheMostUrgentReadyTaskGoesFirst) {
     EXPECT_NEAR(p.critical(), 6.0, kRounding);
 }
 
-/// One chain of blocks of size s, cut into k parts: a part with one boundary costs 7/3 s³ a block,
-/// one with two boundaries 19/3 s³. With lengths that balance, S(k) = 2 + (k − 2) 7/19.
+/// One chain of blocks of size s, cut into k parts. A part with one boundary costs 7/3 s³ per
+/// block, one with two boundaries 19/3 s³. With balanced lengths, S(k) = 2 + (k − 2) 7/19.
 TEST(Schedule, AChainInPartsReachesItsLimit) {
     constexpr double kOne = 7.0 / 3.0, kTwo = 19.0 / 3.0, kBlocks = 100'000.0;
     for (const int k : {2, 4, 8, 16}) {
@@ -181,7 +181,7 @@ TEST(Schedule, SpansAreThoseOfARun) {
     EXPECT_NEAR(busy, s.busy, kRounding);
 }
 
-/// What one thread of the pool records is what the simulator takes in: times add up.
+/// The simulator reads the record of one thread of the pool: times add up.
 TEST(Schedule, ReadsTheProgramThatAPoolRecorded) {
     Pool pool(1);
     Trace trace(1, 4096);
@@ -209,7 +209,7 @@ TEST(Schedule, ReadsTheProgramThatAPoolRecorded) {
     for (const LoopTimes& l : p.loops)
         for (std::size_t i = 0; i < l.task.size(); ++i)
             EXPECT_GE(l.task[i], 2e-6 * static_cast<double>(1 + i % 3));
-    // Looks at the clock between tasks belong to no one.
+    // Clock readings between tasks belong to no task.
     EXPECT_LE(p.work(), end - begin);
     EXPECT_GE(p.work(), 2e-6 * (2 * 30 + 3 + 2 * 12));
 }

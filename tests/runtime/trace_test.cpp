@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The rings of spans: a span for every task, and what is whole when they have wrapped.
+/// The rings of spans: a span for every task, and complete ones after they have wrapped.
 #include "runtime/trace.h"
 #include "runtime/tasks.h"
 

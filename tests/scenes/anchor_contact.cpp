@@ -38,7 +38,7 @@ TEST(AnchorContact, StartsSettledAndCertified) {
         violation = std::max(violation, stats.violation_max);
     }
     EXPECT_GE(least, 1000);
-    EXPECT_LE(map, 1e-6);        // What the solver promises of every step.
+    EXPECT_LE(map, 1e-6);        // the promise of the solver for every step
     EXPECT_LE(violation, 1e-3);  // Compliance times force of the joints.
     EXPECT_EQ(world.stats().islands, 1);
     EXPECT_GE(world.stats().equations + 3 * least, 9500);
@@ -48,7 +48,7 @@ TEST(AnchorContact, StartsSettledAndCertified) {
             fastest = std::max(fastest, world.velocity({i}).linear.norm());
         }
     }
-    EXPECT_LT(fastest, 0.05);  // Friction takes up its load anew at the start.
+    EXPECT_LT(fastest, 0.05);  // At the start friction takes its load again.
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file anchor_lines_probe.h
-/// Watches a run of scenes/anchor_lines.json: what the scene promises, measured every step.
+/// Measures the promises of scenes/anchor_lines.json in every step of a run.
 
 #include <hawser/hawser.h>
 #include <hawser/scene.h>
@@ -45,7 +45,8 @@ class AnchorLinesProbe {
         return true;
     }
 
-    /// Interactions whose force stayed below `threshold` [N or N m] in every row and step.
+    /// Return the interactions whose force stayed below `threshold` [N or N m] in every row and
+    /// step.
     [[nodiscard]] std::vector<std::string> idle(double threshold) const {
         std::vector<std::string> names;
         for (std::size_t i = 0; i < force_max_.size(); ++i) {
@@ -70,8 +71,8 @@ class AnchorLinesProbe {
     double stretch_error_max = 0.0;      ///< |l − l₀(1 + T/EA)| / l₀, measured from the poses.
     double tension_min = 1e300;          ///< [N]
     double load_max = 0.0;               ///< Tension / breaking load.
-    double drift_max = 0.0;              ///< Of a vessel [m].
-    double turn_max = 0.0;               ///< Of a vessel [deg].
+    double drift_max = 0.0;              ///< Largest drift of a vessel [m].
+    double turn_max = 0.0;               ///< Largest rotation of a vessel [deg].
 
   private:
     void watch_forces() {

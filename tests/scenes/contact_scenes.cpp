@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes of contact whose outcome is known: what stands, holds, drags. Those with closed forms of a
-// motion are cases of `hawser validate`.
+// Scenes of contact with known results: bodies stand, hold, or are dragged. Motions in closed form
+// are cases of `hawser validate`.
 
 #include <hawser/scene.h>
 
@@ -14,7 +14,7 @@
 namespace hawser {
 namespace {
 
-/// What the solver promises of every step (WorldDef::contact_tolerance).
+/// Promise of the solver for every step (WorldDef::contact_tolerance).
 constexpr double kCertified = 1e-6;
 
 struct Watched {
@@ -47,17 +47,17 @@ TEST(ContactScenes, ArchStands) {
     Watched run("arch");
     const Vec3 crown = run.position("stone6");
     ASSERT_TRUE(run.to(3.0));
-    // Thrust of some 50 kN gives each of 14 joints of 4e9 N/m 1e-5 m; the crown sinks by a few
-    // times their sum. A mechanism would move it by metres.
+    // A thrust of about 50 kN compresses each of 14 joints of 4e9 N/m by 1e-5 m; the crown sinks by
+    // a few times their sum. A mechanism would move it by metres.
     EXPECT_LT((run.position("stone6") - crown).norm(), 2e-3);
     const Vec3 settled = run.position("stone6");
     ASSERT_TRUE(run.to(5.0));
-    EXPECT_LT((run.position("stone6") - settled).norm(), 1e-9);  // It rests; nothing creeps.
+    EXPECT_LT((run.position("stone6") - settled).norm(), 1e-9);  // at rest, without creep
     EXPECT_LE(run.worst_map, kCertified);
 }
 
-/// The wall with contacts up to a hundred times as stiff, pushed from the first step on, before
-/// there is anything to start from.
+/// The wall with contacts up to a hundred times as stiff, pushed from the first step on, without an
+/// initial solution.
 TEST(ContactScenes, StiffContactsStartCold) {
     for (const char* stiffness : {"1e9", "1e10"}) {
         scene::Options options;
@@ -72,9 +72,9 @@ TEST(ContactScenes, StiffContactsStartCold) {
     }
 }
 
-/// Pivoting factors what its contacts changed, not the whole. (Newton's method does where few of
-/// many contacts change, tests/world/block_test.cpp; on this wall what changes in an iteration
-/// takes four fifths of the work at the median, and then the whole is factored.)
+/// Pivoting factors only the changes of its contacts. (Newton's method does so if few of many
+/// contacts change, tests/world/block_test.cpp. On this wall the changes of an iteration have four
+/// fifths of the work at the median, and then the whole is factored.)
 TEST(ContactScenes, PivotingOnTheWallFactorsWhatChanged) {
     scene::Options options;
     options.set = {"settings.nonsmooth=pivoting"};
@@ -106,8 +106,8 @@ TEST(ContactScenes, WedgeJams) {
     const double pushed = run.position("wedge").z();
     world.set_input(push, 0.0);
     ASSERT_TRUE(run.to(3.0));
-    // Friction above the half angle holds it down against the walls that it has pressed apart:
-    // without friction the squeeze would fall back to what it was.
+    // Friction above the half angle keeps it between the walls that it has pressed apart: without
+    // friction the squeeze would return to its initial value.
     EXPECT_GT(squeeze(), 2.0 * before);
     const double let_go = run.position("wedge").z();
     EXPECT_LT(let_go - pushed, 1e-4);
@@ -148,12 +148,12 @@ TEST(ContactScenes, PileOfChainComesToRest) {
         fastest = std::max(fastest, world.velocity(node).linear.norm());
     }
     EXPECT_LT(highest, 0.2);   // Two thicknesses: one layer across the other.
-    EXPECT_LT(fastest, 1e-3);  // Spans between flakes swing on by 0.1 mm, undamped.
+    EXPECT_LT(fastest, 1e-3);  // Spans between flakes oscillate by 0.1 mm, undamped.
     EXPECT_LE(run.worst_map, kCertified);
 }
 
-/// Spare lines lie on deck at their length at rest, slack and taut by rounding, 1e-7 N. Slides of
-/// guides weigh a millionth of a lump; measured by those, each such switch took a factorisation.
+/// Spare lines lie on deck at their rest length, slack and taut by rounding, 1e-7 N. Slides of
+/// guides have 1e-6 of the weight of a lump; relative to it, each such switch took a factorisation.
 TEST(ContactScenes, LinesThatLieAboutSwitchNothingBesideSlides) {
     Watched run("anchor_adaptive");
     int more = 0;
@@ -167,7 +167,7 @@ TEST(ContactScenes, LinesThatLieAboutSwitchNothingBesideSlides) {
 TEST(ContactScenes, SeabedHoldsTheMooring) {
     Watched run("mooring_seabed");
     ASSERT_TRUE(run.to(2.0));
-    // 650 to 850 is what the comparison of engines states for this scene.
+    // The comparison of engines states 650 to 850 for this scene.
     EXPECT_GE(run.contacts_min, 650);
     EXPECT_LE(run.contacts_max, 850);
     EXPECT_LE(run.violation, 1e-5);

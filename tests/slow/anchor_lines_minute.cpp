@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A minute of the frozen scene anchor_lines with nothing acting but its own loads.
+// A minute of the frozen scene anchor_lines with only its own loads.
 
 #include <gtest/gtest.h>
 
@@ -35,8 +35,8 @@ TEST(AnchorLinesMinute, StaysPhysicalAndEveryInteractionCarriesForce_full) {
     scene::Scene scene = scene::load_file("scenes/anchor_lines.json");
     test::AnchorLinesProbe probe(scene);
     expect_physical_minute(scene, probe);
-    // The least loaded interactions are bends of the tow wire, 2-3 N m by design; what carries
-    // nothing shows round-off, below 1e-3.
+    // The least loaded interactions are bends of the tow wire, 2-3 N m by design; unloaded ones
+    // have round-off, below 1e-3.
     for (const std::string& name : probe.idle(0.1)) {
         ADD_FAILURE() << name << " carries no force";
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file acting.h
-/// Systems for tests: what they do is a function.
+/// Systems for tests: their action is a function.
 
 #include <hawser/hawser.h>
 
@@ -14,7 +14,7 @@
 
 namespace hawser::test {
 
-/// Does what it is told; its state is a list of numbers and a counter.
+/// Calls a function; its state is a list of numbers and a counter.
 class Acting final : public System {
   public:
     using Act = std::function<void(Acting&, Prestep&, Loads&)>;
@@ -49,7 +49,7 @@ inline Acting& act(World& w, std::string name, Acting::Act f, std::size_t number
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
-/// Of a body, (v, ω).
+/// Return (v, ω) of a body.
 inline Vec6 motion(const World& w, BodyId body) {
     const Twist t = w.velocity(body);
     Vec6 out;

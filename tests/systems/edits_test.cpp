@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What systems ask to be added and removed, and what they hold.
+/// Edits requested by systems, and the objects that they hold.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// Does what it is given.
+/// Executes given functions.
 struct Doer final : System {
     std::string called = "doer";
     std::function<void(Prestep&, Loads&)> act;
@@ -128,7 +128,7 @@ TEST(SystemEdits, StayWhereTheStepIsCancelledAndAreAskedForOnce) {
     bool cancel = true;
     add_doer(cancelled.w, [&](Prestep& now, Loads& loads) {
         build(now, loads);
-        // A flag that the step sees after the edits.
+        // A flag that the step reads after the edits.
         if (now.count == 10 && std::exchange(cancel, false)) cancelled.w.cancel();
     });
     add_doer(straight.w, build);
@@ -155,7 +155,7 @@ TEST(SystemHolds, IsNotRemoved) {
         return false;
     };
     EXPECT_TRUE(refused([&] { y.w.remove_interaction(y.rod); }));
-    EXPECT_TRUE(refused([&] { y.w.remove_body(y.bob); }));  // the rod would go with it
+    EXPECT_TRUE(refused([&] { y.w.remove_body(y.bob); }));  // the rod would be removed with it
     EXPECT_TRUE(y.w.alive(y.rod));
     EXPECT_TRUE(y.w.alive(y.bob));
     (void)y.w.remove_system(doer);
@@ -202,10 +202,10 @@ TEST(Forces, OfUserInputsAndSystemsAddUp) {
         w.restore(saved);
     }
     for (int i = 0; i < 20; ++i) ASSERT_EQ(together.w.step(), Status::ok);
-    // Loads go to the right-hand side apart: another order of a few sums.
+    // Loads are added to the right-hand side separately: another order of a few sums.
     EXPECT_NEAR(speed, together.w.velocity(together.bob).linear.x(), 1e-12);
     EXPECT_NEAR(speed, 15.0 * (20 - 0.5) * 0.01, 1e-12);
-    // What an input set stays where it is removed.
+    // A force set by an input remains when the input is removed.
     w.remove_input(two);
     EXPECT_EQ(w.body_def(apart.bob).force.x(), 20.0);
 }

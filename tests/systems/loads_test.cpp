@@ -21,8 +21,8 @@ Mat6 sway_roll(double sway, double roll, double both) {
     return a;
 }
 
-/// (M + A) v̇ = f has v = (M + A)⁻¹ f t, whatever the step; velocities are those half a step ago. A
-/// turn about a principal axis of a body makes no gyroscopic torque.
+/// (M + A) v̇ = f has v = (M + A)⁻¹ f t for any step; velocities are those half a step ago. A
+/// rotation about a principal axis of a body causes no gyroscopic torque.
 TEST(Loads, CoupledAddedMassMovesABodyAsTheClosedFormSays) {
     const Mat6 a = sway_roll(5.0, 4.0, 3.0);
     const Vec3 force(0, 7, 0), torque(1.5, 0, 0);
@@ -51,8 +51,8 @@ TEST(Loads, CoupledAddedMassMovesABodyAsTheClosedFormSays) {
     }
 }
 
-/// The step's matrix and its residual know the loads each on its own: where one of them did not, no
-/// refinement would bring the residual down. Chains go through kernels of their own.
+/// The matrix of the step and its residual use the loads independently: if one of them did not,
+/// refinement would not reduce the residual. Chains have their own kernels.
 TEST(Loads, ResidualsOfChainsWithLoadsAreThoseOfRounding) {
     for (const Form form : {Form::automatic, Form::saddle, Form::condensed}) {
         Recipe r = chains(3, 4, 24);
@@ -93,7 +93,7 @@ TEST(Loads, FormsOfTheEquationsAgree) {
     for (std::size_t b = 0; b < v[0].size(); ++b) EXPECT_LT((v[0][b] - v[1][b]).norm(), 1e-7);
 }
 
-/// A spring given as force and stiffness is the spring of an interaction, to rounding.
+/// A spring given as force and stiffness equals the spring of an interaction, up to rounding.
 TEST(Loads, ASpringIsThatOfAnInteraction) {
     const double k = 4e3, start = 0.3;
     World loaded({.gravity = Vec3::Zero()}), bound({.gravity = Vec3::Zero()});
@@ -149,7 +149,7 @@ TEST(Loads, ASpringWithDamperIsOfSecondOrder) {
     const double first = std::log2(error[0] / error[1]), second = std::log2(error[1] / error[2]);
     std::printf("errors %.3g %.3g %.3g m, orders %.3f %.3f\n", error[0], error[1], error[2], first,
                 second);
-    // Order 2 but for what the next term leaves at these steps.
+    // Order 2, up to the next term at these steps.
     EXPECT_NEAR(first, 2.0, 0.1);
     EXPECT_NEAR(second, 2.0, 0.1);
 }
@@ -173,14 +173,14 @@ TEST(Loads, ADamperAloneIsExactAtAnyStep) {
     }
 }
 
-/// What the ledger leaves open [J].
+/// Return the unexplained part of the energy balance [J].
 double left(const Energy& a, const Energy& b) {
     return b.mechanical() - a.mechanical() - (b.applied - a.applied) - (b.system - a.system) +
            (b.dissipated - a.dissipated) + (b.damped - a.damped);
 }
 
-/// A coupled hull in sway and roll with all three matrices, of which the added mass changes, under
-/// a force that swings: T + ½ vᵀA v less what systems and forces did is constant to rounding.
+/// A coupled hull in sway and roll with all three matrices and a variable added mass, under an
+/// oscillating force. T + ½ vᵀA v less the work of systems and forces is constant up to rounding.
 TEST(Loads, EnergyClosesOverAThousandSteps) {
     World w;
     BodyDef def = floating({0, 0, 0}, 2.0, {3, 4, 5});
@@ -212,11 +212,11 @@ TEST(Loads, EnergyClosesOverAThousandSteps) {
     EXPECT_LT(worst, 1e-10 * most);
     EXPECT_GT(w.energy().added, 0.0);
     EXPECT_GT(w.energy().dissipated, 0.1);
-    // What judges take for explained is what the ledger does.
+    // The energy check accepts the balance as explained.
     EXPECT_EQ(w.verdict().grade, Grade::good);
 }
 
-/// Added mass that goes away takes its energy with it, and the ledger says so.
+/// The energy of a removed added mass is removed with it, and is in the balance.
 TEST(Loads, RemovedAddedMassTakesItsEnergy) {
     World w({.gravity = Vec3::Zero()});
     BodyDef def = floating({0, 0, 0}, 2.0, {3, 4, 5});
@@ -236,8 +236,8 @@ TEST(Loads, RemovedAddedMassTakesItsEnergy) {
     EXPECT_EQ(w.velocity(hull).linear.x(), 3.0);
 }
 
-/// A box that slides under a force: (m + A) v̇ = F − μ m g. Added mass that couples to rolling turns
-/// nothing over here, but stands in the matrix of each Newton iteration.
+/// A box that slides under a force: (m + A) v̇ = F − μ m g. Added mass coupled to rolling does not
+/// overturn it here, but is in the matrix of each Newton iteration.
 TEST(Loads, ALoadedBodySlidesAsCoulombSays) {
     World w;
     BodyDef ground;
@@ -271,7 +271,7 @@ TEST(Loads, ALoadedBodySlidesAsCoulombSays) {
     }
     const double rate = (90.0 - friction * 10.0 * 9.81) / 25.0;
     ASSERT_GT(rate, 0.0);
-    // Contacts hold to their law within 1e-6 of their impulses.
+    // Contacts satisfy their law within 1e-6 of their impulses.
     EXPECT_NEAR(w.velocity(BodyId{1}).linear.x() - before, rate, 1e-4);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The PID system at a winch that is to hold the tension of a line to a barge in swell.
+/// The PID system at a winch that controls the tension of a line to a barge in swell.
 #include <hawser/hawser.h>
 
 #include "support/recipe.h"
@@ -16,7 +16,8 @@ namespace hawser::test {
 namespace {
 
 constexpr double kLength = 20.0, kEA = 1e6, kRadius = 0.5;
-constexpr double kSpeed = 0.5, kRate = 0.6;  ///< Of the barge: kSpeed cos(kRate t) [m/s, rad/s].
+/// Motion of the barge: kSpeed cos(kRate t) [m/s, rad/s].
+constexpr double kSpeed = 0.5, kRate = 0.6;
 constexpr double kGain = 4e-4, kReset = 0.3, kTarget = 20e3;
 
 struct Tow {
@@ -39,7 +40,7 @@ struct Tow {
         speed = w.add_input({.name = "winch speed", .interaction = motor, .param = "speed"});
     }
     void control() {
-        // The drum pays out where it turns forwards: more tension asks for less speed.
+        // The drum pays out when it turns forwards: more tension requires less speed.
         w.add_system(std::make_unique<Pid>(PidDef{.name = "tension",
                                                   .measured = line,
                                                   .driven = speed,
@@ -78,7 +79,7 @@ TEST(PidSystem, HoldsTheTensionOfAWinchAsTheClosedLoopSays) {
     // The line's stiffness follows its length, within 5 %; the loop is a step late.
     EXPECT_NEAR(worst, theory, 0.1 * theory);
     EXPECT_NEAR(held.w.system_signal("tension.measured"), kTarget, 1.1 * theory);
-    // A winch that stands still lets the tension swing by k × 0.83 m, and go slack.
+    // With a stationary winch the tension oscillates by k × 0.83 m, and the line goes slack.
     Tow still;
     EXPECT_GT(still.worst(), 15e3);
 }

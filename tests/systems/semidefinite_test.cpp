@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which matrices a system may load: what has a direction without mass is taken, what has one of
-/// negative mass is not.
+/// Matrices allowed as loads of a system: a direction without mass is accepted, one of negative
+/// mass is not.
 #include "assembly/load_matrix.h"
 
 #include "support/random.h"
@@ -14,7 +14,7 @@
 namespace hawser::test {
 namespace {
 
-/// A direction whose components differ by up to eight powers of ten.
+/// Return a direction with components that differ by up to eight powers of ten.
 Vec3 any_direction(Random& random) {
     Vec3 t;
     for (int k = 0; k < 3; ++k)
@@ -22,7 +22,7 @@ Vec3 any_direction(Random& random) {
     return t.normalized();
 }
 
-/// c (t² E − (1 + beyond) t tᵀ), as water takes a straight piece of wire along.
+/// Return c (t² E − (1 + beyond) t tᵀ), the added mass of a straight piece of wire.
 std::vector<double> across(const Vec3& t, double c, double beyond) {
     const Mat3 m = c * (t.squaredNorm() * Mat3::Identity() - (1.0 + beyond) * t * t.transpose());
     return {c * (t.y() * t.y() + t.z() * t.z()) - c * beyond * t.x() * t.x(),
@@ -33,8 +33,8 @@ std::vector<double> across(const Vec3& t, double c, double beyond) {
             c * (t.x() * t.x() + t.y() * t.y()) - c * beyond * t.z() * t.z()};
 }
 
-/// In the order of its rows the last pivot of such a matrix came out up to 1e-12 below 0, and the
-/// step ended with Status::bad_load where a wire in the sea had a free end.
+/// In the order of its rows the last pivot of such a matrix was up to 1e-12 below 0. The step ended
+/// with Status::bad_load if a wire in the sea had a free end.
 TEST(Semidefinite, TakesAPieceOfWireOfAnyDirection) {
     Random random(first_seed(1));
     const int cases = by_tier(10'000, 200'000, 2'000'000);
@@ -68,7 +68,7 @@ TEST(Semidefinite, TakesComponentsWhoseSquaresUnderflow) {
         const double c = std::pow(10.0, random.uniform(-6, 6));
         ASSERT_TRUE(stepper::semidefinite(across(t, c, 0.0).data(), 3))
             << i << ' ' << t.transpose();
-        // A share of a lump that is only just wet makes all entries as small.
+        // The part of a lump that is only just wet makes all entries equally small.
         const double small = std::pow(10.0, random.uniform(-323, -290));
         ASSERT_TRUE(stepper::semidefinite(across(t, small, 0.0).data(), 3)) << i;
         ASSERT_FALSE(stepper::semidefinite(across(Vec3(1.0, 1.0, t.x()), c, 1e-9).data(), 3)) << i;

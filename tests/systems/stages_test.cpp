@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Loads of systems in the stages that solve beside the step's own solution: impacts, and what the
-/// sides of a cut take for each other's velocity.
+/// Loads of systems in the stages that solve in addition to the step: impacts, and the velocities
+/// that the sides of a cut assume for each other.
 #include "systems/acting.h"
 
 #include "support/recipe.h"
@@ -12,8 +12,8 @@
 namespace hawser::test {
 namespace {
 
-/// A ball that falls onto a plane returns at e times its speed, whatever mass it carries with it;
-/// what the impact takes of the energy of ball and added mass is what the ledger says.
+/// A ball that falls on a plane returns at e times its speed for any added mass. The energy lost by
+/// ball and added mass in the impact is in the balance.
 TEST(LoadStages, AnImpactReflectsAddedMass) {
     World w;
     BodyDef ground;
@@ -42,7 +42,7 @@ TEST(LoadStages, AnImpactReflectsAddedMass) {
     for (int i = 0; i < 60 && w.velocity(BodyId{1}).linear.z() < 0.0; ++i)
         ASSERT_EQ(w.step(), Status::ok);
     EXPECT_EQ(w.stats().impacts, 1);
-    // The contact gives by a little within the step of the impact, and is no part of the law.
+    // The contact deflects slightly within the step of the impact, which is not part of the law.
     EXPECT_NEAR(w.velocity(BodyId{1}).linear.z(), 0.5 * 4.0, 1e-3);
     const Energy end = w.energy();
     // Three quarters of ½ (2 + 6) kg (4 m/s)².
@@ -52,8 +52,8 @@ TEST(LoadStages, AnImpactReflectsAddedMass) {
     EXPECT_NEAR(open, 0.0, 1e-9);
 }
 
-/// Hulls and lumps side by side under the same acceleration by loads: what holds them together
-/// carries nothing, and a predictor that knows the loads leaves nothing of the cut.
+/// Hulls and lumps side by side under equal acceleration by loads: their connections carry no
+/// force, and a predictor with the loads leaves no error at the cut.
 TEST(LoadStages, PredictorsOfCutsKnowLoads) {
     for (const Predictor predictor : {Predictor::forces, Predictor::clique, Predictor::hold}) {
         World w({.gravity = Vec3::Zero(), .coupling = Coupling::kinematic, .predictor = predictor});
@@ -77,7 +77,7 @@ TEST(LoadStages, PredictorsOfCutsKnowLoads) {
         for (int i = 0; i < 30; ++i) ASSERT_EQ(w.step(), Status::ok);
         EXPECT_EQ(w.stats().cuts, 1);
         const double ahead = w.settings().step * 0.5;
-        if (predictor == Predictor::hold) {  // it knows nothing of forces, and is off by them
+        if (predictor == Predictor::hold) {  // it does not know forces, which causes an error
             EXPECT_GT(w.stats().cut_residual, 1e-6);
         } else {
             EXPECT_LT(w.stats().cut_residual, 1e-12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Systems as part of a world: their order, their state, what fails and what it names.
+/// Systems as part of a world: their order, state, failures and names.
 #include "systems/acting.h"
 
 #include "support/recipe.h"
@@ -92,7 +92,7 @@ TEST(Systems, GiveTheSameBitsOnAnyNumberOfThreadsAndAfterRestore) {
     EXPECT_EQ(one.state_hash(), fresh.state_hash());
 }
 
-/// Counts, drives an input beyond its range, loads, and cancels the step when it is told to.
+/// Counts, sets an input beyond its range, applies loads, and cancels the step on request.
 struct Driven {
     World w{WorldDef{}};
     BodyId body{};
@@ -139,7 +139,7 @@ TEST(Systems, AStepThatFailsTakesBackWhatTheyDid) {
         ASSERT_EQ(well.w.step(), Status::ok);
         ASSERT_EQ(failing.w.state_hash(), well.w.state_hash()) << i;
     }
-    // Each good step that asked for too much has told so once.
+    // Each successful step with a value out of range has reported it once.
     const auto clamped = failing.w.event_extremes(EventKind::input_clamped);
     EXPECT_GT(clamped.count, 0);
     EXPECT_EQ(clamped.count, well.w.event_extremes(EventKind::input_clamped).count);
@@ -215,7 +215,7 @@ TEST(Systems, BadLoadsEndTheStepAndNameSystemAndBody) {
     }
 }
 
-/// Matrices that are semi-definite but for rounding are taken: of rank one, in units far apart.
+/// All events of systems are reported, for any number.
 TEST(Systems, TellAllTheirEventsHoweverMany) {
     World w;
     const BodyId drum = w.add_body({.name = "drum", .kind = BodyKind::scalar, .mass = 1.0});

@@ -61,7 +61,7 @@ TEST(MovedWorld, MayBeAssignedToAndDestroyed) {
     first = std::move(other);
     ASSERT_EQ(first.step(), Status::ok);
     EXPECT_EQ(first.state_hash(), second.state_hash());
-    World third = std::move(first);  // and `first` goes out of scope as it is
+    World third = std::move(first);  // `first` goes out of scope unchanged
     EXPECT_EQ(third.step_count(), 1);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Small worlds and one large island: the number of threads changes nothing.
+/// Small worlds and one large island: the number of threads has no effect.
 #include "support/small_recipes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Traces of whole steps: they change nothing, nest, and have the times that the statistics have.
+/// Traces of whole steps: they have no effect, are nested, and agree with the times in the
+/// statistics.
 #include "support/small_recipes.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace {
 class EachTracedRecipe : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Recipes, EachTracedRecipe, testing::ValuesIn(kSmallRecipes), name_of);
 
-/// Spans of the calling thread lie within each other or apart; other threads' tasks lie apart.
+/// Expect spans of the calling thread nested or apart; tasks of other threads apart.
 void expect_nested(const TraceView& view) {
     std::vector<TraceSpan> open;
     std::vector<double> busy_until(static_cast<std::size_t>(view.threads), 0.0);
@@ -45,7 +46,7 @@ void expect_nested(const TraceView& view) {
     }
 }
 
-/// Time of each stage in a step, without what inner stages took, from the spans.
+/// Return the time of each stage in a step, without inner stages, from the spans.
 std::array<double, kStageCount> stage_seconds(const TraceView& view, std::int64_t step) {
     std::array<double, kStageCount> own{};
     std::vector<TraceSpan> open;
@@ -84,7 +85,7 @@ TEST_P(EachTracedRecipe, NestsAndChangesNothing) {
         EXPECT_EQ(view.threads, threads);
         expect_nested(view);
         expect_whole_loops_of(view);
-        // Both come from the same looks at the clock: rounding of sums of them.
+        // Both come from the same clock readings: rounding of their sums.
         const std::array<double, kStageCount> own = stage_seconds(view, 20);
         for (std::size_t k = 0; k < kStageCount; ++k)
             EXPECT_NEAR(own[k], traced.stats().stage_seconds[k], 1e-9)
@@ -115,7 +116,7 @@ TEST(Trace, KeepsTheLastStepsWhole) {
     }
 }
 
-/// The program of a step of one thread: all of it, with graphs where tasks wait for each other.
+/// The program of a step of one thread is complete, with graphs for tasks that wait for each other.
 TEST(Trace, AStepIsAProgramForTheSimulator) {
     Recipe recipe = mixed(11, 150);
     World w = recipe.make();

@@ -20,7 +20,7 @@ std::string program() {
     return (fs::path(folder != nullptr ? folder : "build/release/bin") / "hawser").string();
 }
 
-/// A folder of its own, removed at the end.
+/// A separate folder, removed at the end.
 struct Scratch {
     fs::path path = fs::temp_directory_path() / fmt::format("hawser_validate_{}", ::getpid());
     Scratch() { fs::create_directories(path); }
@@ -113,7 +113,7 @@ TEST(Validate, damping_orders) { expect_pass("damping_orders", 3); }
 
 TEST(Validate, unknown_case_is_refused) { EXPECT_EQ(validate("no_such_case").code, 1); }
 
-// A scene that is not what the case describes must be noticed: the rod is 1 % too long.
+// A scene that differs from the description of the case must be detected: the rod is 1 % too long.
 TEST(Validate, notices_a_wrong_scene) {
     const fs::path folder = fs::temp_directory_path() / fmt::format("hawser_wrong_{}", ::getpid());
     fs::create_directories(folder);
