@@ -22,7 +22,7 @@ struct DenseStep {
     Matrix mass;       ///< M + h θ D.
     Matrix geometric;  ///< (h²/4) K_g, of lines (a + d) h² K_g (assembly/geo.h).
     Matrix late;       ///< (h²/4) K_g on the velocities before the step, of lines a h² K_g.
-    Matrix ahead;      ///< Of lines d h² K_g, acting on the velocities expected after it.
+    Matrix ahead;      ///< d h² K_g of lines, acting on the velocities expected after it.
     Matrix damping;    ///< (1 + u) h C.
     Matrix before;     ///< (1 − u) h C, on the velocities before the step.
     double fastest;    ///< Largest u.

@@ -131,7 +131,7 @@ TEST(Collider, NeighboursAlongAWireDoNotTouch) {
         EXPECT_GT(c.shape[1] - c.shape[0], 2);
         pairs.emplace_back(c.shape[0], c.shape[1]);
     }
-    // Of five segments: 0-3, 0-4, 1-4.
+    // Pairs of the five segments: 0-3, 0-4, 1-4.
     EXPECT_GE(pairs.size(), 3U);
 }
 

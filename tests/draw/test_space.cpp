@@ -140,7 +140,8 @@ TEST(SpaceView, HidesWhatStandsBehindASolid) {
     EXPECT_TRUE(draw::is_hidden({0, 0, 0}, solids, camera)) << "in it";
     EXPECT_FALSE(draw::is_hidden({1, 0, 0}, solids, camera)) << "on the side that is seen";
     EXPECT_TRUE(draw::is_hidden({-1, 0, 0}, solids, camera)) << "on the side that is not";
-    // Of a box seen along an axis the four edges of its face; seen obliquely nine of its twelve.
+    // A box seen along an axis has the four edges of its face visible; seen obliquely nine of its
+    // twelve.
     EXPECT_EQ(draw::visible_creases(solids[0], camera).size(), 4U);
     const Camera askew = Camera::at(-60.0, 22.0);
     EXPECT_EQ(draw::visible_creases(box_at({0, 0, 0}, {1, 2, 3}, askew), askew).size(), 9U);

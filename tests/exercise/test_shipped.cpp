@@ -15,7 +15,8 @@
 namespace hawser::test {
 namespace {
 
-/// @param until  Of the control file, later lines left out [s]. @param times  Of the exercise.
+/// @param until  Time from which lines of the control file are omitted [s]. @param times  Duration
+/// of the exercise [s].
 exercise::Result perform(const std::string& name, double until, double duration = 0.0) {
     exercise::Loaded loaded = exercise::load_file("exercises/" + name + ".json");
     if (duration > 0.0) loaded.exercise.duration = duration;

@@ -101,9 +101,9 @@ inline BlockMatrix random_quasi_definite(Random& random, int nodes, double densi
     return m;
 }
 
-/// Hubs joined by wires of any length, one size of bodies a wire, with or without bending over two
-/// neighbours, with rows or without, some lying on a hub, some ending free, some with a row of
-/// their own at one end; hubs among each other at random.
+/// Hubs joined by wires of any length, with one size of bodies per wire. Wires may have bending
+/// over two neighbours and rows. Some lie on a hub, some end free, some have a separate row at one
+/// end. Hubs are connected at random.
 inline BlockMatrix wires(Random& random, int most_wires, int longest) {
     std::vector<std::int8_t> size, sign;
     std::vector<std::pair<int, int>> edges;

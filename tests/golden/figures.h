@@ -23,7 +23,8 @@ namespace hawser::golden {
 struct Real {
     double value = 0.0;
     double scale = 0.0;
-    double tolerance = 0.0;  ///< Of a reference: relative to the scale; 0: that of its scene.
+    double tolerance =
+        0.0;  ///< Tolerance of a reference relative to the scale; 0: that of its scene.
 };
 
 /// Figures of one scene, by name.

@@ -58,8 +58,8 @@ void moor_float(World& world, int links) {
         moor(world, held, seabed, Vec3(side * flat, 0.0, -depth), links);
 }
 
-// Of 20,000 joints a few have almost no force, and must not count as redundant. Otherwise each step
-// would take one more substitution than the one after each factorisation.
+// A few of the 20,000 joints have almost no force, and must not count as redundant. Otherwise each
+// step would take one more substitution than the one after each factorisation.
 TEST(SelfStress, LongChainsAreNotFilteredForTheFewJointsThatDrawNothing) {
     World world({.refinements = 0});
     moor_float(world, 10'000);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that wind on to a post, and rollers that turn under a wire, by more than half a turn: the
-/// wire's length counts the arc on the wheel with its whole turns, in copies and restored worlds
-/// too.
+/// Wires that wind onto a post, and rollers that turn under a wire, by more than half a turn. The
+/// length of the wire includes the arc on the wheel with its whole turns, in copies and restored
+/// worlds too.
 #include <hawser/guide.h>
 #include <hawser/hawser.h>
 

@@ -7,10 +7,10 @@
 /// is a lower bound of the signed distance, which is its maximum.
 ///
 /// Apart: minimisation of |b − a| over both sets by corrected Frank-Wolfe steps; the duality gap
-/// bounds the error of the result. Overlapping: all local maxima of s are collected: at normals
-/// of faces; on the circles of normals perpendicular to each edge (golden section from a scan);
-/// and, for curved shapes, on the sphere (a scan, then a pattern search). Two boxes: the 15 axes
-/// are just these, in closed form.
+/// bounds the error of the result. Overlapping: all local maxima of s are collected at three kinds
+/// of normals. They are normals of faces; normals perpendicular to each edge, on circles (golden
+/// section from a scan); and, for curved shapes, the sphere (a scan, then a pattern search). For
+/// two boxes these are the 15 axes, in closed form.
 
 #include "collide/geometry.h"
 
