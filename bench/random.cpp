@@ -172,7 +172,7 @@ int random_command(int argc, char** argv) {
     RandomOptions o;
     app.add_option("--seed", o.seed, "Of the random numbers")->capture_default_str();
     app.add_option("--family", o.family, "Kind of scenes")
-        ->check(CLI::IsMember({"mechanisms", "winches", "guides", "hulls"}))
+        ->check(CLI::IsMember({"mechanisms", "winches", "guides", "hulls", "ships"}))
         ->capture_default_str();
     app.add_option("--count", o.count, "Cases")
         ->check(CLI::Range(1, 10'000'000))

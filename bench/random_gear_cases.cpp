@@ -2,6 +2,7 @@
 #include "random_gear_cases.h"
 
 #include "dice.h"
+#include "support/random_ships.h"
 
 #include <hawser/math.h>
 
@@ -21,7 +22,7 @@ using GearJson = nlohmann::ordered_json;
 
 constexpr double kGearGravity = 9.81;
 constexpr double kPlace = 0.01;  ///< Tolerance of places over the length of the wire.
-constexpr std::array<std::string_view, 3> kFamilies{"winches", "guides", "hulls"};
+constexpr std::array<std::string_view, 4> kFamilies{"winches", "guides", "hulls", "ships"};
 
 GearJson point(double x, double y, double z) { return GearJson::array({x, y, z}); }
 
@@ -391,6 +392,21 @@ class Hulls : public GearMaker {
     }
 };
 
+/// A vessel of the library under random orders.
+GearCase make_ship_case(std::uint64_t seed, std::uint64_t number) {
+    GearCase out;
+    out.step = 1.0 / 60.0;
+    out.duration = 30.0;
+    test::ShipMaker maker(seed * 1'000'003u + number, ".");
+    out.text = maker.scene(number, out.duration, true);
+    // Motions in waves and under way: half a metre, and a degree.
+    for (const char* name : {"hull_x", "hull_y"}) out.probes.push_back({name, 0.5, 0.05, false});
+    out.probes.push_back({"hull_z", 0.1, 0.05, false});
+    for (const char* name : {"hull_roll", "hull_pitch"})
+        out.probes.push_back({name, 0.02, 0.05, false});
+    return out;
+}
+
 }  // namespace
 
 std::string_view to_string(GearFamily family) noexcept {
@@ -407,6 +423,7 @@ GearCase make_gear_case(GearFamily family, std::uint64_t seed, std::uint64_t num
     const std::string_view name = to_string(family);
     if (family == GearFamily::winches) return Winches(name, seed, number).make();
     if (family == GearFamily::guides) return Guides(name, seed, number).make();
+    if (family == GearFamily::ships) return make_ship_case(seed, number);
     return Hulls(name, seed, number).make();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_gear_cases.h
-/// Generates random scenes with winches, guides or moored hulls, as scene documents
+/// Generates random scenes with winches, guides, moored hulls or ships, as scene documents
 /// (docs/scenes.md), with the outputs by which two runs of the same scene are compared.
 
 #include <cstdint>
@@ -16,6 +16,8 @@ enum class GearFamily : std::uint8_t {
     winches,  ///< A winch in changing modes lifts a load or hauls a float.
     guides,   ///< A wire over or under a roller between a winch and a float that is pulled away.
     hulls,    ///< A barge on two to four chains, in still water or in waves.
+    ships,    ///< Scaled vessels of the library with random orders, Hs 0 to 6 m. Run in the root of
+              ///< the source tree.
 };
 
 [[nodiscard]] std::string_view to_string(GearFamily family) noexcept;

@@ -54,6 +54,8 @@ constexpr std::array<Saying, kEventKindCount> kSayings{{
     {"left its guide at", "N"},
     {"came back onto its guide at", "N"},
     {"joints were linearised; failed steps", ""},
+    {"sheds load, power withheld", "W"},
+    {"has a part that failed, mode", ""},
 }};
 static_assert(kSayings.back().words != nullptr, "each kind of event has its words");
 

@@ -20,5 +20,13 @@ void case_vessel_kvlcc2(Report& report);
 void case_vessel_mariner(Report& report);
 void case_vessel_s175(Report& report);
 void case_vessel_esso(Report& report);
+// vessels_propulsion.cpp
+void case_vessel_propulsion(Report& report);
+// vessels_anchors.cpp
+void case_vessel_anchors(Report& report);
+// vessels_stability.cpp
+void case_vessel_stability(Report& report);
+// vessels_winches.cpp
+void case_vessel_winches(Report& report);
 
 }  // namespace hawser::validate

@@ -218,6 +218,13 @@ std::span<const Case> vessel_cases() {
         {"V.3", "vessel_mariner", "Mariner, polynomials", case_vessel_mariner},
         {"V.4", "vessel_s175", "S175 container ship with roll", case_vessel_s175},
         {"V.5", "vessel_esso", "Esso 190k tanker in water of 1000, 30, 23 m", case_vessel_esso},
+        {"V.6", "vessel_propulsion", "propellers: pull against speed, crash stop",
+         case_vessel_propulsion},
+        {"V.10", "vessel_anchors", "drag-embedment anchors", case_vessel_anchors},
+        {"V.11", "vessel_stability", "static heel by a wire, and the stability gauge",
+         case_vessel_stability},
+        {"V.12", "vessel_winches", "heave compensation and overload protection",
+         case_vessel_winches},
     };
     return kCases;
 }

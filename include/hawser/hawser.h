@@ -3,6 +3,7 @@
 /// @file hawser.h
 /// All of hawser::hawser in one include; scene.h and session.h have libraries of their own.
 
+#include <hawser/anchor.h>
 #include <hawser/catenary.h>
 #include <hawser/changes.h>
 #include <hawser/chaser.h>
@@ -34,6 +35,7 @@
 #include <hawser/sea.h>
 #include <hawser/settings.h>
 #include <hawser/shapes.h>
+#include <hawser/stability.h>
 #include <hawser/state.h>
 #include <hawser/stats.h>
 #include <hawser/stopper.h>

@@ -97,8 +97,11 @@ enum class EventKind : std::uint8_t {
     /// Iterations of rigid joints failed, so the step linearised the joints once. Reported once
     /// until limit::kMemory has passed without a failure. value: StepStats::completion_failures.
     incomplete,
+    // Of vessels (vessel.h), of their body.
+    shed,     ///< A bus withheld power from a consumer; once each time. value: power withheld [W].
+    failure,  ///< A part failed by its signal; once each time. value: the signal.
 };
-inline constexpr int kEventKindCount = 32;
+inline constexpr int kEventKindCount = 34;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {

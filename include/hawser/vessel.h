@@ -28,7 +28,9 @@
 /// positive clockwise from above, NAME_pitch [−1, 1] of propulsors; NAME [rad] of rudders. Outputs:
 /// `speed` through the water [m/s], `ground_speed` [m/s], `drift` β [rad], `turn_rate` r [rad/s],
 /// `rudder_angle`, `shaft_rps`, `surge_force`, `sway_force` [N], `yaw_moment` [N m]; NAME_thrust,
-/// NAME_rps, NAME_power, NAME_turned, NAME_set of propulsors; NAME_at of rudders.
+/// NAME_rps, NAME_power, NAME_turned, NAME_set, NAME_loss of propulsors; NAME_at of rudders.
+/// Failures: inputs NAME_failed of propulsors and rudders (vessel_propulsion.h), and those of the
+/// power bus (vessel_power.h).
 ///
 /// Limits: forces of calm water and mean wind; those of waves come from a hull in the sea and add
 /// up. Coefficients hold for one loading and depth.
@@ -36,6 +38,7 @@
 #include <hawser/id.h>
 #include <hawser/math.h>
 #include <hawser/vessel_hull.h>
+#include <hawser/vessel_power.h>
 #include <hawser/vessel_propulsion.h>
 #include <hawser/water_hull.h>
 
@@ -81,6 +84,7 @@ struct VesselDef {
     Matrix6 restoring = Matrix6::Zero();
     HullResistance resistance{};
     CrossFlow cross_flow{};
+    CurrentLoad current{};
     HullPolynomial polynomial{};
     MmgStern mmg{};
     SonNomotoStern son_nomoto{};
@@ -88,6 +92,8 @@ struct VesselDef {
     WindLoad wind{};
     std::vector<PropulsorDef> propulsors{};
     std::vector<RudderDef> rudders{};
+    PowerDef power{};
+    bool thruster_losses = false;  ///< Thrusters lose in the race of others; need diameters.
 };
 
 /// Non-dimensional values of a vessel outside the range of published ships, one sentence each:

@@ -34,18 +34,26 @@
 /// `jump_load`; above that load the chain jumps by whole pockets. The friction "name/bitter_end" is
 /// the fastening of the chain in the locker.
 ///
+/// *Heave compensation*. In mode heave the motor pays out by the upward motion of a point of the
+/// ship, so that a load below it keeps its height. *Overload protection*. Above `overload_limit`
+/// the winch pays out in every mode: AOPS. The input `mops` reduces its holding force to
+/// `overload_retained` at once: MOPS.
+///
 /// Inputs, as "name.signal": `mode` (number of a WinchMode), `speed` [m/s], `tension` [N], `brake`
 /// 0 to 1, `clutch` 0 or 1.
 ///
 /// Outputs: `layer`, `wraps`, `wire_left` [m], `radius` [m], `across` [m], `pull` [N], `pull_limit`
 /// [N], `inertia` [kg m²]. Further `at_drum` [m] (rest length of the element at the drum), `slip`
 /// [m], `heat` [J], `state` (number of a WinchState). A gypsy adds `jumps`, `jumped` [m], `grip`
-/// [N] and `tail` [N].
+/// [N] and `tail` [N]. Protection and compensation add the inputs `aops` and `mops`, 0 or 1, and
+/// the outputs `wire_out` [m], `wire_speed` [m/s], `peak_pull` [N], `overload` 0 or 1,
+/// `overload_out` [m] and `heave_error` [m].
 ///
 /// Limits and derivations: docs/winches.md.
 
 #include <hawser/id.h>
 #include <hawser/interactions.h>
+#include <hawser/math.h>
 
 #include <cstdint>
 #include <span>
@@ -64,10 +72,11 @@ enum class WinchMode : std::uint8_t {
     brake,    ///< The band brake acts with the fraction `brake` of its torque; the motor is off.
     free,     ///< Motor and brake are off.
     release,  ///< Emergency release: after `release_delay` only `release_load` resists.
+    heave,    ///< Heave compensation: `speed`, and the upward speed of the point heave_point.
 };
 
 /// Return the names of the modes in the order of WinchMode: "speed", "tension", "render", "brake",
-/// "free", "release". Scene files and reports use them.
+/// "free", "release", "heave". Scene files and reports use them.
 [[nodiscard]] std::span<const char* const> winch_modes() noexcept;
 
 /// Operating state of a winch.
@@ -157,6 +166,16 @@ struct WinchDef {
                                  ///< the fastening [1].
     double weak_link = 0.0;  ///< Breaking load of the fastening [N]; 0: the end comes free when the
                              ///< drum is empty.
+
+    double overload_limit = 0.0;     ///< Tension at which AOPS pays out [N]; 0: no protection. The
+                                     ///< drive then balances the inertia of the drum.
+    double overload_retained = 0.0;  ///< Tension that remains while `mops` is 1 [N].
+    double heave_speed = 0.0;  ///< Largest speed of the compensation [m/s]; 0: no compensation.
+    double heave_acceleration = 1e30;  ///< Largest acceleration of the compensation [m/s²].
+    double heave_falls = 1.0;  ///< Wire paid out per height of the point [1]; falls of a tackle.
+    BodyId heave_body{};       ///< Body of the compensated point; invalid: that of the fairlead.
+    Vec3 heave_point{0.0, 0.0, 0.0};  ///< Point, in the frame of heave_body [m]; not used if that
+                                      ///< is invalid.
     WinchMode mode = WinchMode::brake;
 };
 
@@ -170,6 +189,9 @@ struct WinchIds {
     InteractionId grip{}, bitter_end{};
 };
 
+/// Return the mass of the scalar body of a drum [kg m²]: `inertia`; 1e-4 of it with an
+/// overload_limit. The winch adds the rest to the drum, except while the protection acts.
+[[nodiscard]] double drum_mass(const WinchDef& def) noexcept;
 /// Return the radius of a gypsy, at which one turn pays out two pitches per pocket: pockets ×
 /// pitch/π [m].
 [[nodiscard]] double gypsy_radius(const WinchDef& def) noexcept;

@@ -45,6 +45,8 @@ int rank_of(EventKind kind) {
         case EventKind::alarm:
         case EventKind::missed:
         case EventKind::lay_on:
+        case EventKind::shed:
+        case EventKind::failure:
             return 2;
         case EventKind::range:
             return 3;
@@ -82,6 +84,8 @@ const char* unit_of(const World& world, const Event& event) {
             return "N";
         case EventKind::brake_slip:
             return "N m";
+        case EventKind::shed:
+            return "W";
         case EventKind::saturation:
             // For the actuator of a vessel a rate or a power.
             if (!known) return "";
@@ -107,6 +111,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::alarm:
         case EventKind::alarm_end:
         case EventKind::incomplete:
+        case EventKind::failure:
             break;
     }
     return "";
@@ -193,6 +198,10 @@ std::string what_happened(const EventFigures& e) {
         case EventKind::lay_on:
         case EventKind::incomplete:
             return how_often(e);
+        case EventKind::shed:
+            return "consumers of vessels were shed " + plural(e.count, "time", "times");
+        case EventKind::failure:
+            return plural(e.count, "part of a vessel failed", "parts of vessels failed");
         case EventKind::node_limit:
             return "wires had all the nodes that they may " + plural(e.count, "time", "times");
     }

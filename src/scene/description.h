@@ -4,6 +4,7 @@
 /// A scene as flat lists of definitions, before it becomes a world. Bodies and interactions
 /// refer to one another by their index here, which is also their index in the world.
 
+#include <hawser/anchor.h>
 #include <hawser/chaser.h>
 #include <hawser/crane.h>
 #include <hawser/edges.h>
@@ -13,6 +14,7 @@
 #include <hawser/post.h>
 #include <hawser/resolution.h>
 #include <hawser/sea.h>
+#include <hawser/stability.h>
 #include <hawser/stopper.h>
 #include <hawser/vessel.h>
 
@@ -20,6 +22,7 @@
 #include "scene/frame.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -77,12 +80,35 @@ struct Crane {
     int place = 0;
 };
 
+/// An anchor of the description. Its line is given by the name of a cable, or empty.
+struct AnchorItem {
+    AnchorDef def;
+    std::string cable;
+    Place place;
+};
+
+/// A stability gauge of the description. Its wire is given by the name of a cable.
+struct StabilityItem {
+    StabilityDef def;
+    std::string cable;
+    Place place;
+};
+
 /// A cable in water, as described.
 struct CableWater {
     std::string cable{};
     std::vector<WaterLine::Section> sections{};
     bool free_first = false, free_last = false;
     Place place{};
+};
+
+/// An item of a section (sections.h): a system that is added to the world last.
+struct SectionItem {
+    std::string name{};    ///< Full name in copy 0.
+    std::string prefix{};  ///< Prefix of all names in its copy of the scene; "" in copy 0.
+    Place place{};
+    /// Add the system. Names that it refers to begin with `prefix`. @throws DefError.
+    std::function<void(World&, const std::string& prefix, const std::string& name)> add;
 };
 
 /// An input of a signal.
@@ -115,7 +141,10 @@ class Description {
     std::vector<Resolution> resolutions;
     std::vector<Crane> cranes;
     std::vector<DeckGear::Item<VesselDef>> vessels;
+    std::vector<AnchorItem> anchors;
+    std::vector<StabilityItem> gauges;
     std::vector<Lever> levers;
+    std::vector<SectionItem> sections;
     std::vector<CableWater> waters;  ///< Cables that are in water if the scene has a sea.
     std::optional<SeaDef> sea;       ///< The sea; its lines are in `waters`.
     Place sea_place;
@@ -268,6 +297,9 @@ void keep_water(Description& out, const CableWater& water);
 void add_sea(World& world, const Description& from);
 /// Read the outputs of one scope. All interactions must have been read (outputs.cpp).
 void expand_outputs(Description& out, const Scope& scope);
+/// Read the sections of one scope. All interactions and inputs of the scope have been read
+/// (sections.cpp).
+void expand_sections(Description& out, const Scope& scope);
 /// Return the definition of an output for the world. The tension of all elements of a cable becomes
 /// that of its wire, whose number of elements can change. @param world  World with the wires of the
 /// scene.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/error.h"
 
+#include "base/edit_distance.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -69,29 +71,6 @@ void refuse_field(const Place& place, const FieldWords& said) {
     refuse({place.file, said.path.empty() ? place.path : place.path + "/" + said.path}, said.words);
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    const std::size_t width = b.size() + 1;
-    std::vector<std::size_t> before(width);
-    std::vector<std::size_t> above(width);
-    std::vector<std::size_t> row(width);
-    for (std::size_t j = 0; j < width; ++j) {
-        above[j] = j;
-    }
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        row[0] = i;
-        for (std::size_t j = 1; j < width; ++j) {
-            const bool same = a[i - 1] == b[j - 1];
-            row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0U : 1U)});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-                row[j] = std::min(row[j], before[j - 2] + 1);
-            }
-        }
-        std::swap(before, above);
-        std::swap(above, row);
-    }
-    return above[b.size()];
-}
-
 std::string suggestion(std::string_view name, std::span<const std::string> known) {
     const std::string* best = nullptr;
     // About half of the letters may differ; a more different name probably means another object.
@@ -103,7 +82,7 @@ std::string suggestion(std::string_view name, std::span<const std::string> known
             if (gap >= best_distance) {
                 continue;
             }
-            const std::size_t distance = edit_distance(name, candidate);
+            const std::size_t distance = base::edit_distance(name, candidate);
             if (distance < best_distance) {
                 best_distance = distance;
                 best = &candidate;

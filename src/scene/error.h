@@ -44,10 +44,6 @@ struct FieldWords {
 /// always.
 [[noreturn]] void refuse_field(const Place& place, const FieldWords& said);
 
-/// Return the smallest number of insertions, deletions, replacements and swaps of neighbours that
-/// turns one text into the other (optimal string alignment).
-[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
-
 /// Return the end of a message about an unknown name. It is `; did you mean "x"?` if a known name
 /// is near. Else it is the list of known names if that is short, else "".
 [[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> known);

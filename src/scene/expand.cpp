@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scene/anchors.h"
 #include "scene/checks.h"
 #include "scene/counts.h"
 #include "scene/deck.h"
@@ -57,10 +58,12 @@ class Expander {
                 expand_posts(out_, item.scope);
                 expand_deck(out_, item.scope);
                 expand_vessels(out_, item.scope);
+                expand_anchors(out_, item.scope);
                 expand_routes(out_, item.scope);
                 expand_segments(out_, item.scope);
                 expand_interactions(out_, item.scope);
                 expand_inputs(out_, item.scope);
+                expand_sections(out_, item.scope);
             });
         }
         // Outputs of the scene itself may name parts of its instances.
@@ -206,15 +209,18 @@ class Expander {
     Json filled_lists(const Json& definition, const Json& parameters, const InstanceScope& inner) {
         Json content = Json::object();
         const Format& f = format();
-        const std::pair<const char*, const Shape*> lists[] = {
+        std::vector<std::pair<const char*, const Shape*>> lists{
             {"bodies", f.bodies.get()},     {"instances", f.instances.get()},
             {"cables", f.cables.get()},     {"winches", f.winches.get()},
             {"guides", f.guides.get()},     {"posts", f.posts.get()},
             {"stoppers", f.stoppers.get()}, {"pins", f.pins.get()},
             {"hooks", f.hooks.get()},       {"chasers", f.chasers.get()},
             {"cranes", f.cranes.get()},     {"vessels", f.vessels.get()},
+            {"anchors", f.anchors.get()},   {"stability", f.stability.get()},
             {"routes", f.routes.get()},     {"interactions", f.interactions.get()},
             {"inputs", f.inputs.get()},     {"outputs", f.outputs.get()}};
+        for (std::size_t i = 0; i < section_formats().size(); ++i)
+            lists.emplace_back(section_formats()[i].key, f.sections[i].get());
         const bool filled = with_note(out_.mistakes, inner.note, [&] {
             for (const auto& [key, shape] : lists) {
                 if (definition.contains(key)) {

@@ -110,32 +110,38 @@ ShapePtr instance() {
 }
 
 ShapePtr scene_template(const Format& format) {
-    return object(
-        "template", "a template", "A reusable group of bodies, such as a crane.",
-        {{"description", text("a text"), false, "", "", "Remarks."},
-         {"parameters", map("parameters by name", parameter()), false, "", "",
-          "Names and defaults of what \"${name}\" stands for."},
-         {"bodies", with_placeholders(format.bodies), false, "", "", "Bodies."},
-         {"interactions", with_placeholders(format.interactions), false, "", "", "Interactions."},
-         {"cables", with_placeholders(format.cables), false, "", "", "Cables."},
-         {"winches", with_placeholders(format.winches), false, "", "", "Winches."},
-         {"guides", with_placeholders(format.guides), false, "", "", "What cables run over."},
-         {"posts", with_placeholders(format.posts), false, "", "",
-          "What cables may come to lie on."},
-         {"stoppers", with_placeholders(format.stoppers), false, "", "",
-          "Shark jaws and chain stoppers."},
-         {"pins", with_placeholders(format.pins), false, "", "", "Pins that go up and down."},
-         {"hooks", with_placeholders(format.hooks), false, "", "", "Hooks that take loads."},
-         {"chasers", with_placeholders(format.chasers), false, "", "",
-          "Rings that run along cables."},
-         {"cranes", with_placeholders(format.cranes), false, "", "", "Cranes."},
-         {"vessels", with_placeholders(format.vessels), false, "", "", "What sails."},
-         {"routes", with_placeholders(format.routes), false, "", "",
-          "Lines over posts and sheaves."},
-         {"inputs", with_placeholders(format.inputs), false, "", "", "Inputs."},
-         {"outputs", with_placeholders(format.outputs), false, "", "", "Outputs."},
-         {"instances", with_placeholders(format.instances), false, "", "",
-          "Templates used inside."}});
+    std::vector<Field> fields{
+        {"description", text("a text"), false, "", "", "Remarks."},
+        {"parameters", map("parameters by name", parameter()), false, "", "",
+         "Names and defaults of what \"${name}\" stands for."},
+        {"bodies", with_placeholders(format.bodies), false, "", "", "Bodies."},
+        {"interactions", with_placeholders(format.interactions), false, "", "", "Interactions."},
+        {"cables", with_placeholders(format.cables), false, "", "", "Cables."},
+        {"winches", with_placeholders(format.winches), false, "", "", "Winches."},
+        {"guides", with_placeholders(format.guides), false, "", "", "What cables run over."},
+        {"posts", with_placeholders(format.posts), false, "", "",
+         "What cables may come to lie on."},
+        {"stoppers", with_placeholders(format.stoppers), false, "", "",
+         "Shark jaws and chain stoppers."},
+        {"pins", with_placeholders(format.pins), false, "", "", "Pins that go up and down."},
+        {"hooks", with_placeholders(format.hooks), false, "", "", "Hooks that take loads."},
+        {"chasers", with_placeholders(format.chasers), false, "", "",
+         "Rings that run along cables."},
+        {"cranes", with_placeholders(format.cranes), false, "", "", "Cranes."},
+        {"vessels", with_placeholders(format.vessels), false, "", "", "What sails."},
+        {"anchors", with_placeholders(format.anchors), false, "", "", "Anchors in the soil."},
+        {"stability", with_placeholders(format.stability), false, "", "", "Stability gauges."},
+        {"routes", with_placeholders(format.routes), false, "", "",
+         "Lines over posts and sheaves."},
+        {"inputs", with_placeholders(format.inputs), false, "", "", "Inputs."},
+        {"outputs", with_placeholders(format.outputs), false, "", "", "Outputs."},
+        {"instances", with_placeholders(format.instances), false, "", "",
+         "Templates used inside."}};
+    for (std::size_t i = 0; i < section_formats().size(); ++i)
+        fields.push_back({section_formats()[i].key, with_placeholders(format.sections[i]), false,
+                          "", "", section_formats()[i].doc});
+    return object("template", "a template", "A reusable group of bodies, such as a crane.",
+                  std::move(fields));
 }
 
 std::vector<Field> state_fields() {
@@ -190,6 +196,8 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
         {"chasers", f.chasers, false, "", "", "Rings that run along cables."},
         {"cranes", f.cranes, false, "", "", "Cranes."},
         {"vessels", f.vessels, false, "", "", "What sails."},
+        {"anchors", f.anchors, false, "", "", "Anchors in the soil."},
+        {"stability", f.stability, false, "", "", "Stability gauges."},
         {"routes", f.routes, false, "", "", "Lines over posts and sheaves."},
         {"instances", f.instances, false, "", "", "Uses of templates."},
         {"inputs", f.inputs, false, "", "", "Inputs."},
@@ -225,6 +233,9 @@ ShapePtr scene_file(const Format& f, std::vector<Field> fields) {
                   false, "", "m", "Lower and upper corner of what is shown."}}),
          false, "", "", "Pictures."}};
     fields.insert(fields.end(), more.begin(), more.end());
+    for (std::size_t i = 0; i < section_formats().size(); ++i)
+        fields.push_back(
+            {section_formats()[i].key, f.sections[i], false, "", "", section_formats()[i].doc});
     return object("scene", "a scene", "A scene file.", std::move(fields));
 }
 
@@ -244,10 +255,14 @@ Format make_format() {
     f.chasers = list_of("a list of chasers", chaser_shape());
     f.cranes = list_of("a list of cranes", crane_shape());
     f.vessels = list_of("a list of vessels", vessel_shape());
+    f.anchors = list_of("a list of anchors", anchor_shape());
+    f.stability = list_of("a list of stability gauges", stability_shape());
     f.routes = list_of("a list of routes", route_shape());
     f.instances = list_of("a list of instances", instance());
     f.inputs = list_of("a list of inputs", input_shape());
     f.outputs = list_of("a list of outputs", output_shape());
+    for (const SectionFormat& section : section_formats())
+        f.sections.push_back(list_of(std::string("a list of ") + section.entries, section.shape()));
     const auto common = common_fields(f.line_type, scene_template(f));
     f.scene = scene_file(f, common);
     auto part = common;
@@ -261,6 +276,15 @@ Format make_format() {
 }
 
 }  // namespace
+
+std::span<const SectionFormat> section_formats() {
+    static constexpr SectionFormat kFormats[] = {
+#define HAWSER_SECTION_FORMAT(key, item, entries, doc) {#key, entries, doc, item##_shape},
+        HAWSER_SCENE_SECTIONS(HAWSER_SECTION_FORMAT)
+#undef HAWSER_SECTION_FORMAT
+    };
+    return kFormats;
+}
 
 const Format& format() {
     static const Format instance = make_format();

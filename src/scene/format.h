@@ -6,10 +6,13 @@
 
 #include <hawser/settings.h>
 
+#include "scene/section_list.h"
 #include "scene/shape.h"
 
 #include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace hawser::scene {
 
@@ -47,11 +50,26 @@ struct Format {
     ShapePtr chasers;
     ShapePtr cranes;
     ShapePtr vessels;
+    ShapePtr anchors;
+    ShapePtr stability;
     ShapePtr routes;
     ShapePtr instances;
     ShapePtr inputs;
     ShapePtr outputs;
+    std::vector<ShapePtr> sections;  ///< Lists of section_formats(), in their order.
 };
+
+/// Format of a section: a list of systems (sections.h).
+struct SectionFormat {
+    const char* key;      ///< Key of the list.
+    const char* entries;  ///< Entries in words.
+    const char* doc;
+    ShapePtr (*shape)();  ///< Shape of an entry.
+};
+[[nodiscard]] std::span<const SectionFormat> section_formats();
+#define HAWSER_SECTION_SHAPE(key, item, entries, doc) [[nodiscard]] ShapePtr item##_shape();
+HAWSER_SCENE_SECTIONS(HAWSER_SECTION_SHAPE)
+#undef HAWSER_SECTION_SHAPE
 
 [[nodiscard]] const Format& format();
 /// Keys of the outermost object of a scene, a part and a state.
@@ -83,6 +101,9 @@ struct Format {
 [[nodiscard]] ShapePtr crane_load_shape();
 /// Return the shape of a vessel. See format_vessels.cpp.
 [[nodiscard]] ShapePtr vessel_shape();
+/// Return the shapes of anchors in the soil, and of stability gauges. See format_anchors.cpp.
+[[nodiscard]] ShapePtr anchor_shape();
+[[nodiscard]] ShapePtr stability_shape();
 /// Return the shape of the sea. See format_sea.cpp.
 [[nodiscard]] ShapePtr sea_shape();
 /// Return the shape of an entry of "hulls" (format_hulls.cpp).

@@ -183,6 +183,12 @@ ShapePtr winch_shape() {
             {n.key, required ? positive("a number", n.most) : number("a number", n.least, n.most),
              required, n.fallback, n.unit, n.doc});
     }
+    fields.push_back(
+        {"heave_point",
+         object("heave_point", "a point of a body", "A point that moves with the ship.",
+                {{"body", body_ref(), true, "", "", "Body of the point."},
+                 {"point", vector3("a point"), true, "", "m", "In the frame of the body."}}),
+         false, "the fairlead", "", "Point whose upward motion mode heave compensates."});
     fields.push_back({"gypsy", gypsy_shape(), false, "it is a drum", "",
                       "A wheel with pockets for chain, instead of a drum."});
     fields.push_back({"description", text("a text"), false, "", "", "Remarks."});

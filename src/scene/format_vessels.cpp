@@ -82,6 +82,41 @@ ShapePtr wind_shape() {
         {{"ship", word("a kind of ship", ships), true, "", "", "Whose coefficients."}});
 }
 
+ShapePtr current_shape() {
+    const ShapePtr point =
+        list("an angle [deg] and three coefficients", number("a number", -1e3, 1e3), 4, 4);
+    return vessel_part<CurrentLoad>(
+        "current_load", "a current load",
+        "By the angle from which the water comes: X = 1/2 density V^2 CX L T, Y likewise, "
+        "N = 1/2 density V^2 CN L^2 T.",
+        {{"points", list("a list of points", point, 2, 1000), true, "", "deg, 1, 1, 1",
+          "Angle, CX, CY, CN; angles ascend from 0 (ahead) to 180, from starboard."}});
+}
+
+ShapePtr power_shape() {
+    const ShapePtr generator = vessel_part<GeneratorDef>(
+        "generator", "a generator", "Of a switchboard.",
+        {{"name", name("a name"), true, "", "", "Fails by the signal VESSEL.NAME_failed."}});
+    const ShapePtr board =
+        object("switchboard", "a switchboard", "Its consumers share its generators.",
+               {{"name", name("a name"), true, "", "", "Fails by the signal VESSEL.NAME_failed."},
+                {"generators", list("a list of generators", generator, 1, 100), true, "", "",
+                 "Its generators."}});
+    const ShapePtr consumer = vessel_part<ConsumerDef>(
+        "consumer", "a consumer", "A propulsor, a load, or the power of another system.",
+        {{"name", name("a name"), true, "", "", "Of a propulsor, or of a load."},
+         {"board", name("a switchboard"), true, "", "", "That feeds it."},
+         {"priority", integer("a number", 1, 1000), false, "1", "", "1 is served first."},
+         {"signal", text("SYSTEM.SIGNAL"), false, "none", "W",
+          "Demand of another system, which is served and not limited."}});
+    return vessel_part<PowerDef>(
+        "vessel_power", "a power bus", "Switchboards, generators and consumers with priorities.",
+        {{"boards", list("a list of switchboards", board, 1, 100), true, "", "", "Switchboards."},
+         {"consumers", list("a list of consumers", consumer, 1, 1000), true, "", "", "Consumers."},
+         {"tied", boolean("true or false"), false, "false", "",
+          "The tie of all switchboards is closed at the start; the signal VESSEL.tie."}});
+}
+
 ShapePtr propulsor_shape() {
     const ShapePtr propeller = vessel_part<PropellerDef>(
         "propeller", "a propeller", "By its series, in open water.",
@@ -91,12 +126,15 @@ ShapePtr propulsor_shape() {
         "propulsor", "a propulsor", "A propeller or an ideal thruster.",
         {{"name", name("a name"), true, "", "",
           "Of its order: the signal VESSEL.NAME, from -1 to 1."},
-         {"kind", word("a kind", {"shaft", "azimuth", "tunnel"}), false, "shaft", "", "Its kind."},
+         {"kind", word("a kind", {"shaft", "azimuth", "tunnel", "cycloidal"}), false, "shaft", "",
+          "Its kind."},
          {"point", vector3("a point"), false, "[0, 0, 0]", "m",
           "From the centre of mass, in the body's frame."},
          {"propeller", propeller, false, "none: ideal", "", "Its propeller."},
          {"controllable", boolean("true or false"), false, "false", "",
-          "Pitch by the signal VESSEL.NAME_pitch."}});
+          "Pitch by the signal VESSEL.NAME_pitch."},
+         {"ventilates", boolean("true or false"), false, "false", "",
+          "It loses thrust and torque near the surface of the water."}});
 }
 
 ShapePtr rudder_shape() {
@@ -153,6 +191,11 @@ ShapePtr vessel_shape() {
           "Propellers and thrusters."},
          {"rudders", list("a list of rudders", rudder_shape(), 1, 100), false, "none", "",
           "Rudders."},
+         {"current", current_shape(), false, "none", "",
+          "At low speed, in place of resistance and cross_flow."},
+         {"power", power_shape(), false, "none", "", "Power bus that sheds load."},
+         {"thruster_losses", boolean("true or false"), false, "false", "",
+          "Thrusters lose thrust in the race of others."},
          {"description", text("a text"), false, "", "", "Source and remarks."}});
 }
 

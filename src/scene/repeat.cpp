@@ -13,7 +13,8 @@ namespace {
 /// Size of each list of the description in copy 0.
 struct Extent {
     std::size_t bodies, interactions, inputs, outputs, cables, shapes, winches, guides, posts,
-        stoppers, pins, hooks, chasers, resolutions, cranes, levers, vessels;
+        stoppers, pins, hooks, chasers, resolutions, cranes, levers, vessels, anchors, gauges,
+        sections;
 };
 
 std::string copy_prefix(int copy) { return std::to_string(copy) + ":"; }
@@ -63,7 +64,8 @@ class Copier {
                 out.winches.size(),       out.guides.size(),       out.posts.size(),
                 out.deck.stoppers.size(), out.deck.pins.size(),    out.deck.hooks.size(),
                 out.deck.chasers.size(),  out.resolutions.size(),  out.cranes.size(),
-                out.levers.size(),        out.vessels.size()} {}
+                out.levers.size(),        out.vessels.size(),      out.anchors.size(),
+                out.gauges.size(),        out.sections.size()} {}
 
     void run(int copies) {
         const auto check = [&](std::size_t each, std::int64_t most, const char* what) {
@@ -108,6 +110,9 @@ class Copier {
         add_gear(out_.deck.hooks, base_.hooks, prefix);
         add_gear(out_.deck.chasers, base_.chasers, prefix);
         add_gear(out_.vessels, base_.vessels, prefix);
+        add_section_items(prefix);
+        add_gear(out_.anchors, base_.anchors, prefix);
+        add_gear(out_.gauges, base_.gauges, prefix);
         add_resolutions(prefix);
         add_cranes(prefix, shift);
         add_shapes(prefix, shift);
@@ -183,6 +188,7 @@ class Copier {
             rename(winch.cable, prefix);
             winch.def.drum = mapped(winch.def.drum);
             winch.def.chain = mapped(winch.def.chain);
+            winch.def.heave_body = mapped(winch.def.heave_body);
             winch.place = number_;
             out_.winches.push_back(std::move(winch));
         }
@@ -217,7 +223,16 @@ class Copier {
             item.def.body = mapped(item.def.body);
             if constexpr (requires { item.def.loads; })
                 for (CraneLoad& load : item.def.loads) load.body = mapped(load.body);
+            if constexpr (requires { item.cable; }) rename(item.cable, prefix);  // empty: none
             items.push_back(std::move(item));
+        }
+    }
+
+    void add_section_items(const std::string& prefix) {
+        for (std::size_t i = 0; i < base_.sections; ++i) {
+            SectionItem item = out_.sections[i];
+            item.prefix = prefix;
+            out_.sections.push_back(std::move(item));
         }
     }
 

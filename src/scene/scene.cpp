@@ -2,10 +2,12 @@
 
 #include <hawser/scene.h>
 
+#include "scene/anchors.h"
 #include "scene/deck.h"
 #include "scene/description.h"
 #include "scene/format.h"
 #include "scene/plot.h"
+#include "scene/sections.h"
 #include "scene/timeline.h"
 #include "scene/vessels.h"
 
@@ -56,11 +58,13 @@ class Builder {
             (void)take(description_.sea_place, [&] { add_sea(*world, description_); });
         }
         if (numbered_ && whole_) add_vessels(*world, description_);
-        check_levers(*world);
+        if (numbered_ && whole_) add_anchors(*world, description_);
         for (std::size_t i = 0; i < description_.inputs.size() && numbered_; ++i) {
             (void)take(description_.input_place(i),
                        [&] { world->add_input(description_.inputs[i]); });
         }
+        if (numbered_ && whole_) add_sections(*world, description_);
+        check_levers(*world);
         for (std::size_t i = 0; i < description_.outputs.size() && numbered_; ++i) {
             (void)take(description_.output_place(i),
                        [&] { world->add_output(output_of(description_, i, *world)); });

@@ -72,6 +72,8 @@ PropulsorDef read_propulsor(const Json& json) {
     const std::string kind = json.value("kind", "shaft");
     if (kind == "azimuth") p.kind = PropulsorKind::azimuth;
     if (kind == "tunnel") p.kind = PropulsorKind::tunnel;
+    if (kind == "cycloidal") p.kind = PropulsorKind::cycloidal;
+    p.ventilates = flag_or(json, "ventilates", false);
     p.point = vector_or(json, "point", p.point);
     p.controllable = flag_or(json, "controllable", false);
     const auto propeller = json.find("propeller");
@@ -98,6 +100,52 @@ RudderDef read_rudder(const Json& json, const std::vector<PropulsorDef>& propuls
     }
     refuse(place / "behind",
            "there is no propulsor " + in_quotes(r.behind) + suggestion(r.behind, known));
+}
+
+CurrentLoad read_current(const Json& json) {
+    CurrentLoad c;
+    read_vessel_part(c, json);
+    for (const Json& point : json["points"])
+        c.points.push_back({point[0].get<double>() * kVesselDegree, point[1].get<double>(),
+                            point[2].get<double>(), point[3].get<double>()});
+    return c;
+}
+
+ConsumerDef read_consumer(const Json& json, const PowerDef& power, const Place& place) {
+    ConsumerDef c;
+    read_vessel_part(c, json);
+    c.name = json["name"].get<std::string>();
+    c.board = json["board"].get<std::string>();
+    c.priority = static_cast<int>(number_or(json, "priority", 1.0));
+    c.signal = json.value("signal", "");
+    std::vector<std::string> known;
+    for (const SwitchboardDef& b : power.boards) {
+        if (b.name == c.board) return c;
+        known.push_back(b.name);
+    }
+    refuse(place / "board",
+           "there is no switchboard " + in_quotes(c.board) + suggestion(c.board, known));
+}
+
+PowerDef read_power(const Json& json, const Place& place) {
+    PowerDef p;
+    read_vessel_part(p, json);
+    p.tied = flag_or(json, "tied", false);
+    for (const Json& each : json["boards"]) {
+        SwitchboardDef board;
+        board.name = each["name"].get<std::string>();
+        for (const Json& one : each["generators"]) {
+            GeneratorDef g;
+            read_vessel_part(g, one);
+            g.name = one["name"].get<std::string>();
+            board.generators.push_back(std::move(g));
+        }
+        p.boards.push_back(std::move(board));
+    }
+    const Json& list = json["consumers"];
+    for (std::size_t i = 0; i < list.size(); ++i)
+        p.consumers.push_back(read_consumer(list[i], p, place / "consumers" / i));
+    return p;
 }
 
 WindLoad read_wind(const Json& json) {
@@ -146,6 +194,8 @@ void read_hull_parts(VesselDef& def, const Json& json) {
         def.cross_flow = {};
         read_vessel_part(def.cross_flow, *part);
     }
+    if (const auto part = json.find("current"); part != json.end())
+        def.current = read_current(*part);
     if (const auto part = json.find("polynomial"); part != json.end())
         def.polynomial = read_polynomial(*part);
 }
@@ -171,6 +221,9 @@ VesselDef read_vessel(Description& out, const Scope& scope, const Json& json, co
     if (const auto list = json.find("rudders"); list != json.end())
         for (std::size_t i = 0; i < list->size(); ++i)
             def.rudders.push_back(read_rudder((*list)[i], def.propulsors, place / "rudders" / i));
+    if (const auto part = json.find("power"); part != json.end())
+        def.power = read_power(*part, place / "power");
+    def.thruster_losses = flag_or(json, "thruster_losses", false);
     return def;
 }
 

@@ -148,7 +148,11 @@ struct VesselTable<PropulsorDef> {
         {"most_angle_deg", &PropulsorDef::most_angle, "deg", "turns freely",
          "Of an azimuth from ahead, to both sides.", 0.0, 180.0},
         {"lost_at", &PropulsorDef::lost_at, "m/s", "no loss",
-         "Speed ahead at which a tunnel has no thrust.", 0.0, 1e3}};
+         "Speed ahead at which a tunnel has no thrust.", 0.0, 1e3},
+        {"diameter", &PropulsorDef::diameter, "m", "that of the propeller",
+         "Of an ideal propulsor with losses.", 0.0, 100.0},
+        {"hull_loss", &PropulsorDef::hull_loss, "1", "0",
+         "Share lost of a race that runs under the hull; 0.03 for Coanda's effect.", 0.0, 1.0}};
 };
 
 template <>
@@ -168,6 +172,35 @@ struct VesselTable<RudderDef> {
         {"most_angle_deg", &RudderDef::most_angle, "deg", "35", "To both sides.", 1.0, 90.0},
         {"rate_deg", &RudderDef::rate, "deg/s", "2.32", "Of the steering gear; above 0.", 0.0,
          500.0}};
+};
+
+template <>
+struct VesselTable<CurrentLoad> {
+    static constexpr VesselNumber<CurrentLoad> kNumbers[] = {
+        {"length", &CurrentLoad::length, "m", "", "L.", 0.0, kVesselFar},
+        {"draught", &CurrentLoad::draught, "m", "", "T.", 0.0, kVesselFar}};
+};
+
+template <>
+struct VesselTable<GeneratorDef> {
+    static constexpr VesselNumber<GeneratorDef> kNumbers[] = {
+        {"power", &GeneratorDef::power, "W", "", "Rated power.", 0.0, 1e12}};
+};
+
+template <>
+struct VesselTable<ConsumerDef> {
+    static constexpr VesselNumber<ConsumerDef> kNumbers[] = {
+        {"power", &ConsumerDef::power, "W", "0",
+         "Of an ideal propulsor at full order, or of a load at the start.", 0.0, 1e12},
+        {"efficiency", &ConsumerDef::efficiency, "1", "0.9",
+         "From the board to the shaft; above 0.", 0.0, 1.0}};
+};
+
+template <>
+struct VesselTable<PowerDef> {
+    static constexpr VesselNumber<PowerDef> kNumbers[] = {
+        {"share", &PowerDef::share, "1", "0.9",
+         "Of the generators' power that consumers may take; above 0.", 0.0, 1.0}};
 };
 
 /// Vessels of one scope, when all bodies are there (vessels.cpp).

@@ -60,7 +60,17 @@ constexpr WinchNumber kNumbers[] = {
     {"dead_wraps", &WinchDef::dead_wraps, "1", "5", "The motor pays out no further.", 0.0, 1e6},
     {"wrap_friction", &WinchDef::wrap_friction, "1", "0.1", "Of wire on the drum.", 0.0, 10.0},
     {"weak_link", &WinchDef::weak_link, "N", "0",
-     "Load of the wire's fastening; 0: it lets go when the drum is empty.", 0.0, kPull}};
+     "Load of the wire's fastening; 0: it lets go when the drum is empty.", 0.0, kPull},
+    {"overload_limit", &WinchDef::overload_limit, "N", "0, no protection",
+     "Tension at which the overload protection pays out in every mode.", 0.0, kPull},
+    {"overload_retained", &WinchDef::overload_retained, "N", "0",
+     "Tension that is left while the signal NAME.mops is 1.", 0.0, kPull},
+    {"heave_speed", &WinchDef::heave_speed, "m/s", "0, no compensation",
+     "Largest speed of the heave compensation.", 0.0, 100.0},
+    {"heave_acceleration", &WinchDef::heave_acceleration, "m/s^2", "no limit",
+     "Largest acceleration of the heave compensation.", 0.0, 1e6},
+    {"heave_falls", &WinchDef::heave_falls, "1", "1",
+     "Wire paid out per height of the compensated point: falls of a tackle.", 0.0, 100.0}};
 
 constexpr GypsyNumber kGypsyNumbers[] = {
     {"pitch", &GypsyDef::pitch, "m", "4 wire_diameter",
@@ -156,7 +166,7 @@ BodyId add_wheel(Description& out, Winch& winch) {
         body.gravity = false;
         return out.add_body(std::move(body), winch.place);
     };
-    def.drum = add("/drum", def.inertia);
+    def.drum = add("/drum", drum_mass(def));
     if (def.gypsy.pockets == 0) return def.drum;
     return def.chain = add("/chain", gypsy_chain_inertia(def));
 }
@@ -178,6 +188,11 @@ void read_winch(Description& out, const Scope& scope, const Json& json, const Pl
     if (!(def.wire_diameter > 0.0))
         refuse(place, "a winch needs \"wire_diameter\": its cable's line type has no diameter");
     read_wheel(def, cable, json, place);
+    if (const auto at = json.find("heave_point"); at != json.end()) {
+        def.heave_body = resolve_body(out, scope, (*at)["body"].get<std::string>(),
+                                      place / "heave_point" / "body");
+        def.heave_point = vector_of((*at)["point"]);
+    }
     const std::string mode = text_or(json, "mode", "brake");
     const auto modes = winch_modes();
     def.mode = static_cast<WinchMode>(std::find(modes.begin(), modes.end(), mode) - modes.begin());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verify/certificate.h"
 
+#include "verify/anchor_soil.h"
 #include "verify/contact_side.h"
 #include "verify/step_velocity.h"
 
@@ -182,6 +183,7 @@ std::string Verifier::after_step(const World& world) {
                           stats.flips_left > 0 || stats.momentum_residual > kNotStrict;
     if (!checks_.strict && (unsolved || stats.cut)) return {};
     if (!wrong_law_.empty()) return wrong_law_;
+    if (std::string fault = anchor_fault(world); !fault.empty()) return fault;
     // Comparisons are written so that NaN fails.
     if (!(difference <= rounding + 1e-6 * stats.natural_map))
         return fmt::format("the natural map is {:.3e}, the step says {:.3e}", map,

@@ -12,6 +12,9 @@ constexpr double kFlat = 1.2;                            ///< C_N of a stalled p
 constexpr double kStallWidth = std::numbers::pi / 18.0;  ///< From full lift to the plate [rad].
 constexpr double kReversed = 0.5;                        ///< Lift of reversed flow.
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
+/// Revolutions over most below which a granted power limits the torque at this n: a shaft at rest
+/// takes torque without power.
+constexpr double kSlowShaft = 0.05;
 
 }  // namespace
 
@@ -63,6 +66,7 @@ double Propulsor::direction(const PropulsorState& s) const noexcept {
         case PropulsorKind::shaft:
             return 0.0;
         case PropulsorKind::azimuth:
+        case PropulsorKind::cycloidal:
             return s.angle;
         case PropulsorKind::tunnel:
             break;
@@ -86,7 +90,15 @@ PropellerForce Propulsor::open(const PropulsorState& s, const Flow& flow,
     }
     if (def_.kind == PropulsorKind::tunnel && def_.lost_at > 0.0)
         out.thrust *= std::max(0.0, 1.0 - std::abs(flow.u()) / def_.lost_at);
+    out.thrust *= s.kept;
+    out.torque *= s.kept_torque;
     return out;
+}
+
+double Propulsor::most_thrust(double density) const noexcept {
+    if (!screw()) return def_.thrust;
+    return propeller_force(def_.propeller, def_.propeller.pitch, def_.most_rps, 0.0, density)
+        .thrust;
 }
 
 Wrench Propulsor::force(const PropulsorState& s, const Flow& flow) const noexcept {
@@ -99,58 +111,135 @@ Wrench Propulsor::force(const PropulsorState& s, const Flow& flow) const noexcep
     return push_at(at_, thrust * std::cos(a), thrust * std::sin(a));
 }
 
-/// The motor follows the ordered revolutions within its torque and power. The torque of the water
-/// goes in with its derivative by n, so that light shafts are stable.
-void Propulsor::turn_shaft(PropulsorState& s, const Flow& flow, double step,
-                           Limit& power) const noexcept {
-    const double target = std::clamp(s.order, -1.0, 1.0) * def_.most_rps;
+Failure failure_of(double input) noexcept {
+    return static_cast<Failure>(std::clamp(static_cast<int>(std::lround(input)), 0, 3));
+}
+
+double Propulsor::ordered(const PropulsorState& s) const noexcept {
+    switch (failure_of(s.failed)) {
+        case Failure::none:
+            break;
+        case Failure::stopped:
+            return 0.0;
+        case Failure::kept:
+            return screw() && def_.shaft_inertia > 0.0 ? s.rps / def_.most_rps : s.level;
+        case Failure::full:
+            return 1.0;
+    }
+    return std::clamp(s.order, -1.0, 1.0);
+}
+
+double Propulsor::turning(const PropulsorState& s) const noexcept {
+    return std::max(std::abs(s.rps), kSlowShaft * def_.most_rps);
+}
+
+Propulsor::Shaft Propulsor::shaft(const PropulsorState& s, const Flow& flow) const noexcept {
+    Shaft out;
+    out.target = ordered(s) * def_.most_rps;
     const double inertia = kTwoPi * def_.shaft_inertia;
     double along = 0.0;
-    const double load = open(s, flow, along).torque;
+    out.load = open(s, flow, along).torque;
     PropulsorState more = s;
     const double d = 1e-4 * def_.most_rps;
     more.rps = s.rps + d;
-    const double slope = std::max(0.0, (open(more, flow, along).torque - load) / d);
-    const double wanted = load + inertia * (target - s.rps) / def_.response;
+    out.slope = std::max(0.0, (open(more, flow, along).torque - out.load) / d);
+    out.wanted = out.load + inertia * (out.target - s.rps) / def_.response;
+    if (failure_of(s.failed) == Failure::stopped) return out;
     double most = def_.most_torque > 0.0 ? def_.most_torque : 1e300;
     if (def_.most_power > 0.0)
         most = std::min(most, def_.most_power / std::max(kTwoPi * std::abs(s.rps), 1e-6));
-    const double motor = std::clamp(wanted, -most, most);
-    const double rate = 1.0 / (inertia + step * slope);
-    const bool limited = motor != wanted;
-    double next = s.rps + step * (motor - load) * rate;
-    // Without a limit the response is exactly first order.
-    if (!limited) next = target - (target - s.rps) * std::exp(-step / def_.response);
+    out.motor = std::clamp(out.wanted, -most, most);
+    return out;
+}
+
+double Propulsor::demand(const PropulsorState& s, const Flow& flow, double rated) const noexcept {
+    const double order = ordered(s);
+    if (!screw()) return rated * std::abs(order * order * order);
+    if (!(def_.shaft_inertia > 0.0)) {
+        PropulsorState at = s;
+        at.rps = order * def_.most_rps;
+        double along = 0.0;
+        return std::max(0.0, kTwoPi * at.rps * open(at, flow, along).torque);
+    }
+    const double motor = shaft(s, flow).motor;
+    return motor * s.rps < 0.0 ? 0.0 : kTwoPi * turning(s) * std::abs(motor);
+}
+
+/// The motor follows the ordered revolutions within its torque and power. The torque of the water
+/// goes in with its derivative by n, so that light shafts are stable.
+void Propulsor::turn_shaft(PropulsorState& s, const Flow& flow, double step, double granted,
+                           Limit& power) const noexcept {
+    const Shaft at = shaft(s, flow);
+    const double inertia = kTwoPi * def_.shaft_inertia;
+    double motor = at.motor;
+    const bool stopped = failure_of(s.failed) == Failure::stopped;
+    const bool limited = motor != at.wanted && !stopped;
+    if (motor * s.rps >= 0.0) {
+        const double most = granted / (kTwoPi * turning(s));
+        motor = std::clamp(motor, -most, most);
+    }
+    const double before = s.rps;
+    double next = before + step * (motor - at.load) / (inertia + step * at.slope);
+    if (motor == at.wanted) {
+        // Without a limit the response is exactly first order.
+        next = at.target - (at.target - before) * std::exp(-step / def_.response);
+        // Mean torque of the motor in the step.
+        motor = at.load + 0.5 * at.slope * (next - before) + inertia * (next - before) / step;
+    }
     s.rps = next;
-    s.power = kTwoPi * s.rps * motor;
+    s.power = std::numbers::pi * (before + next) * motor;
     if (limited && s.power_limited == 0) power = {true, s.power};
     s.power_limited = limited ? 1 : 0;
 }
 
-void Propulsor::advance(PropulsorState& s, const Flow& flow, double step, Limit& turn,
-                        Limit& power) const noexcept {
-    double along = 0.0;
-    s.thrust = open(s, flow, along).thrust;
-    if (screw() && def_.controllable)
-        (void)follow(s.pitch, s.pitch_order, def_.pitch_time > 0.0 ? 1.0 / def_.pitch_time : 1e30,
-                     0.0, step);
-    if (screw() && def_.shaft_inertia > 0.0) {
-        turn_shaft(s, flow, step, power);
-    } else {
-        const double target = std::clamp(s.order, -1.0, 1.0);
-        (void)follow(s.level, target, def_.ramp > 0.0 ? 1.0 / def_.ramp : 1e30, 0.0, step);
-        if (screw()) {
-            s.rps = s.level * def_.most_rps;
-            s.power = kTwoPi * s.rps * open(s, flow, along).torque;
-        }
-    }
-    if (def_.kind != PropulsorKind::azimuth) return;
+void Propulsor::turn(PropulsorState& s, double step, Limit& turn) const noexcept {
     double target = s.angle_order;
     if (!(def_.most_angle > 0.0)) target = s.angle + wrapped(s.angle_order - s.angle);
     const bool limited = follow(s.angle, target, def_.turn_rate, 0.0, step);
     if (!(def_.most_angle > 0.0)) s.angle = wrapped(s.angle);
     if (limited && s.turning_limited == 0) turn = {true, def_.turn_rate};
     s.turning_limited = limited ? 1 : 0;
+}
+
+void Propulsor::turn_vector(PropulsorState& s, double order, double step) const noexcept {
+    const double angle = failure_of(s.failed) == Failure::none ? s.angle_order : s.angle;
+    double x = s.level * std::cos(s.angle), y = s.level * std::sin(s.angle);
+    const double to_x = order * std::cos(angle) - x, to_y = order * std::sin(angle) - y;
+    const double way = std::hypot(to_x, to_y);
+    const double moved = def_.ramp > 0.0 ? std::min(way, 2.0 * step / def_.ramp) : way;
+    if (way > 0.0) {
+        x += to_x * moved / way;
+        y += to_y * moved / way;
+    }
+    s.level = std::min(1.0, std::hypot(x, y));
+    if (s.level > 1e-12) s.angle = std::atan2(y, x);
+}
+
+void Propulsor::advance(PropulsorState& s, const Flow& flow, double step, double granted,
+                        double demanded, Limit& turning, Limit& power) const noexcept {
+    double along = 0.0;
+    s.thrust = open(s, flow, along).thrust;
+    const Failure failure = failure_of(s.failed);
+    if (screw() && def_.controllable && failure != Failure::stopped && failure != Failure::kept)
+        (void)follow(s.pitch, failure == Failure::full ? 1.0 : s.pitch_order,
+                     def_.pitch_time > 0.0 ? 1.0 / def_.pitch_time : 1e30, 0.0, step);
+    if (screw() && def_.shaft_inertia > 0.0) {
+        turn_shaft(s, flow, step, granted, power);
+    } else {
+        double target = ordered(s);
+        // Power grows with the cube of the order.
+        if (granted < demanded) target *= std::cbrt(granted / demanded);
+        if (def_.kind == PropulsorKind::cycloidal) {
+            turn_vector(s, target, step);
+            return;
+        }
+        (void)follow(s.level, target, def_.ramp > 0.0 ? 1.0 / def_.ramp : 1e30, 0.0, step);
+        if (screw()) {
+            s.rps = s.level * def_.most_rps;
+            s.power = kTwoPi * s.rps * open(s, flow, along).torque;
+        }
+    }
+    if (def_.kind == PropulsorKind::azimuth && failure == Failure::none) turn(s, step, turning);
 }
 
 Rudder::Rudder(const RudderDef& def, const Vec3& origin, int behind)
@@ -180,8 +269,12 @@ Wrench Rudder::force(const RudderState& s, const Flow& flow, double thrust,
 }
 
 void Rudder::advance(RudderState& s, double step, Limit& rate) const noexcept {
-    const bool limited = follow(s.angle, std::clamp(s.order, -def_.most_angle, def_.most_angle),
-                                def_.rate, 0.0, step);
+    double target = std::clamp(s.order, -def_.most_angle, def_.most_angle);
+    const Failure failure = failure_of(s.failed);
+    if (failure == Failure::stopped) target = s.angle;
+    if (failure == Failure::kept) target = def_.most_angle;
+    if (failure == Failure::full) target = -def_.most_angle;
+    const bool limited = follow(s.angle, target, def_.rate, 0.0, step);
     if (limited && s.limited == 0) rate = {true, def_.rate};
     s.limited = limited ? 1 : 0;
 }

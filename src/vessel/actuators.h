@@ -12,7 +12,7 @@
 
 namespace hawser::vessel {
 
-/// What an actuator did in a step.
+/// Limit that an actuator met in a step.
 struct Limit {
     bool met = false;
     double value = 0.0;
@@ -33,7 +33,15 @@ struct PropulsorState {
     double pitch = 1.0;  ///< Over full pitch.
     double thrust = 0.0, power = 0.0;                     ///< Outputs [N], [W].
     std::int32_t turning_limited = 0, power_limited = 0;  ///< Limits in the last step.
+    double failed = 0.0;                                  ///< Input, a Failure.
+    std::int32_t failed_last = 0;                         ///< Failure of the last step.
+    double kept = 1.0, kept_torque = 1.0;  ///< Thrust and torque over those without losses.
+    double loss = 0.0;                     ///< Output: 1 − kept.
 };
+
+/// Modes of the inputs NAME_failed.
+enum class Failure : std::uint8_t { none, stopped, kept, full };
+[[nodiscard]] Failure failure_of(double input) noexcept;
 
 /// A propulsor of a vessel; its point from O in the marine frame.
 class Propulsor {
@@ -44,15 +52,42 @@ class Propulsor {
     [[nodiscard]] PropellerForce open(const PropulsorState& s, const Flow& flow,
                                       double& along) const noexcept;
     [[nodiscard]] Wrench force(const PropulsorState& s, const Flow& flow) const noexcept;
+    /// Return the power that it would take in a step without a bus [W].
+    /// @param rated  Power of an ideal one at full order.
+    [[nodiscard]] double demand(const PropulsorState& s, const Flow& flow,
+                                double rated) const noexcept;
     /// From one step to the next. `turn` and `power` are limits that begin.
-    void advance(PropulsorState& s, const Flow& flow, double step, Limit& turn,
-                 Limit& power) const noexcept;
+    /// @param granted  Power that it may take [W]. @param demanded  demand().
+    void advance(PropulsorState& s, const Flow& flow, double step, double granted, double demanded,
+                 Limit& turn, Limit& power) const noexcept;
+    /// Return the direction of its thrust at an order above 0 [rad].
+    [[nodiscard]] double direction(const PropulsorState& s) const noexcept;
+    [[nodiscard]] const Vec3& at() const noexcept { return at_; }
+    /// Return the diameter of its race, 0 if unknown [m].
+    [[nodiscard]] double diameter() const noexcept {
+        return screw() ? def_.propeller.diameter : def_.diameter;
+    }
+    /// Return its thrust at full order, at rest and without losses [N].
+    [[nodiscard]] double most_thrust(double density) const noexcept;
     [[nodiscard]] const PropulsorDef& def() const noexcept { return def_; }
     [[nodiscard]] bool screw() const noexcept { return def_.propeller.diameter > 0.0; }
 
   private:
-    void turn_shaft(PropulsorState& s, const Flow& flow, double step, Limit& power) const noexcept;
-    [[nodiscard]] double direction(const PropulsorState& s) const noexcept;
+    /// Motor and water at the begin of a step.
+    struct Shaft {
+        double target = 0.0;               ///< Ordered n [1/s].
+        double load = 0.0, slope = 0.0;    ///< Torque of the water, ∂Q/∂n.
+        double wanted = 0.0, motor = 0.0;  ///< Torque without limits, within its own.
+    };
+    [[nodiscard]] Shaft shaft(const PropulsorState& s, const Flow& flow) const noexcept;
+    /// n by which a granted power limits the torque [1/s].
+    [[nodiscard]] double turning(const PropulsorState& s) const noexcept;
+    void turn_shaft(PropulsorState& s, const Flow& flow, double step, double granted,
+                    Limit& power) const noexcept;
+    void turn(PropulsorState& s, double step, Limit& turn) const noexcept;
+    void turn_vector(PropulsorState& s, double order, double step) const noexcept;
+    /// Order in force: that of the input, of a failure, or of a grant.
+    [[nodiscard]] double ordered(const PropulsorState& s) const noexcept;
     PropulsorDef def_;
     Vec3 at_;  ///< Marine frame.
 };
@@ -61,6 +96,8 @@ struct RudderState {
     double order = 0.0;  ///< Input [rad].
     double angle = 0.0;  ///< [rad].
     std::int32_t limited = 0;
+    double failed = 0.0;           ///< Input, a Failure.
+    std::int32_t failed_last = 0;  ///< Failure of the last step.
 };
 
 class Rudder {

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/number.h"
+#include "vessel/power.h"
 #include "vessel/vessel_system.h"
 
 #include <algorithm>
@@ -98,6 +99,25 @@ void check_polynomial(const VesselFields& f, const HullPolynomial& p) {
     }
 }
 
+void check_current(const VesselFields& f, const VesselDef& def) {
+    const CurrentLoad& c = def.current;
+    if (c.points.empty()) return;
+    f.positive("current/length", c.length, kLong);
+    f.positive("current/draught", c.draught, kLong);
+    if (c.points.size() < 2) f.fail("current/points", "give two points or more");
+    for (std::size_t i = 0; i < c.points.size(); ++i) {
+        const CurrentPoint& p = c.points[i];
+        f.from(at("current/points", i, "angle"), p.angle, 0.0, 3.15);
+        if (!(std::abs(p.x) <= 100.0 && std::abs(p.y) <= 100.0 && std::abs(p.n) <= 100.0))
+            f.fail(at("current/points", i, "x"), "give coefficients up to 100");
+        if (i > 0 && !(p.angle > c.points[i - 1].angle))
+            f.fail(at("current/points", i, "angle"), "angles have to ascend");
+    }
+    if (def.cross_flow.length > 0.0 || !def.resistance.curve.empty() ||
+        def.resistance.quadratic > 0.0)
+        f.fail("current", "cross_flow and resistance count its load twice; leave them out");
+}
+
 void check_hull(const VesselFields& f, const VesselDef& def) {
     const HullResistance& r = def.resistance;
     for (std::size_t i = 0; i < r.curve.size(); ++i) {
@@ -121,6 +141,7 @@ void check_hull(const VesselFields& f, const VesselDef& def) {
         f.from("cross_flow/strips", c.strips, 1.0, 1000.0);
     }
     check_polynomial(f, def.polynomial);
+    check_current(f, def);
     const WindLoad& w = def.wind;
     if (w.ship == WindShip::none) return;
     f.from("wind/frontal_area", w.frontal_area, 0.0, 1e6);
@@ -179,6 +200,12 @@ void check_propulsor(const VesselFields& f, const PropulsorDef& p, std::size_t i
     f.positive(field("turn_rate"), p.turn_rate, 100.0);
     f.from(field("most_angle"), p.most_angle, 0.0, 3.15);
     f.from(field("propeller/diameter"), p.propeller.diameter, 0.0, 100.0);
+    f.from(field("diameter"), p.diameter, 0.0, 100.0);
+    f.from(field("hull_loss"), p.hull_loss, 0.0, 1.0);
+    if (p.ventilates && !(p.diameter > 0.0 || p.propeller.diameter > 0.0))
+        f.fail(field("diameter"), "ventilation needs the diameter");
+    if (p.kind == PropulsorKind::cycloidal && p.propeller.diameter > 0.0)
+        f.fail(field("propeller"), "a cycloidal propeller is ideal; give thrust");
     if (!(p.propeller.diameter > 0.0)) {
         f.positive(field("thrust"), p.thrust, kStrong);
         if (p.controllable) f.fail(field("controllable"), "an ideal propulsor has no pitch");
@@ -242,8 +269,8 @@ void check_names(const VesselFields& f, const VesselDef& def) {
 
 bool has_hull(const World& world, const VesselDef& def) {
     if (!def.polynomial.terms.empty() || def.cross_flow.length > 0.0 ||
-        !def.resistance.curve.empty() || def.resistance.quadratic > 0.0 ||
-        def.resistance.linear > 0.0 || !def.damping.isZero(0.0))
+        !def.current.points.empty() || !def.resistance.curve.empty() ||
+        def.resistance.quadratic > 0.0 || def.resistance.linear > 0.0 || !def.damping.isZero(0.0))
         return true;
     const SeaDef* sea = find_sea(world);
     return sea != nullptr && std::any_of(sea->hulls.begin(), sea->hulls.end(),
@@ -270,6 +297,7 @@ void check_vessel(const World& world, const VesselDef& def) {
     for (std::size_t i = 0; i < def.propulsors.size(); ++i)
         check_propulsor(f, def.propulsors[i], i);
     for (std::size_t i = 0; i < def.rudders.size(); ++i) check_rudder(f, def, i);
+    check_power(def);
     if (!has_hull(world, def))
         f.fail(!def.propulsors.empty() ? "propulsors" : "body",
                "the body has no hull: give polynomial, cross_flow, resistance or damping, or a "

@@ -67,5 +67,7 @@ class Polynomial {
 [[nodiscard]] double surge_force(const HullResistance& def, double u) noexcept;
 /// Y and N of cross-flow drag.
 [[nodiscard]] Wrench cross_flow_force(const CrossFlow& def, const Flow& flow) noexcept;
+/// Compute X, Y and N of a current load.
+[[nodiscard]] Wrench current_force(const CurrentLoad& def, const Flow& flow) noexcept;
 
 }  // namespace hawser::vessel

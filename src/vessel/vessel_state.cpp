@@ -25,12 +25,20 @@ void VesselSystem::visit_state(StateVisitor& v) {
             v.visit(*x);
         v.visit(s.turning_limited);
         v.visit(s.power_limited);
+        for (double* x : {&s.failed, &s.kept, &s.kept_torque, &s.loss}) v.visit(*x);
+        v.visit(s.failed_last);
     }
     for (RudderState& s : rudder_state_) {
         v.visit(s.order);
         v.visit(s.angle);
         v.visit(s.limited);
+        v.visit(s.failed);
+        v.visit(s.failed_last);
     }
+    for (double* x : {&rudder_failed_, &rps_failed_}) v.visit(*x);
+    v.visit(rudder_failed_last_);
+    v.visit(rps_failed_last_);
+    bus_.visit_state(v);
 }
 
 void VesselSystem::check_state(const World& world, StateRules& rules) const {
@@ -42,6 +50,12 @@ void VesselSystem::check_state(const World& world, StateRules& rules) const {
         rules.range(x, -kMostState, kMostState, "the last velocity is out of range");
     for (const double x : last_spin_)
         rules.range(x, -kMostState, kMostState, "the last turning rate is out of range");
+    bus_.check_state(rules);
+    const auto failure = [&](std::int32_t last) {
+        rules.range(last, 0.0, 3.0, "the last failure is none of 0 to 3");
+    };
+    failure(rudder_failed_last_);
+    failure(rps_failed_last_);
     const SteeringDef& steering = def_.steering;
     rules.range(rudder_, -steering.most_angle * kSlack, steering.most_angle * kSlack,
                 "the rudder angle is out of range");
@@ -59,11 +73,16 @@ void VesselSystem::check_state(const World& world, StateRules& rules) const {
         rules.range(s.pitch, -kSlack, kSlack, "a propulsor's pitch is out of range");
         rules.flag(s.turning_limited, "whether a propulsor is at its turning rate is no flag");
         rules.flag(s.power_limited, "whether a motor is at its limit is no flag");
+        failure(s.failed_last);
+        rules.range(s.kept, 0.0, kSlack, "the thrust that a propulsor keeps is out of range");
+        rules.range(s.kept_torque, 0.0, kSlack,
+                    "the torque that a propulsor keeps is out of range");
     }
     for (std::size_t i = 0; i < rudder_state_.size(); ++i) {
         const double angle = rudders_[i].def().most_angle * kSlack;
         rules.range(rudder_state_[i].angle, -angle, angle, "a rudder's angle is out of range");
         rules.flag(rudder_state_[i].limited, "whether a rudder is at its rate is no flag");
+        failure(rudder_state_[i].failed_last);
     }
 }
 
@@ -72,18 +91,22 @@ void VesselSystem::signals(SignalTable& table) {
         const SteeringDef& s = def_.steering;
         table.input("rudder", "rad", rudder_order_, -s.most_angle, s.most_angle);
         table.output("rudder_angle", "rad", rudder_);
+        table.input("rudder_failed", "1", rudder_failed_, 0.0, 3.0);
     }
     if (has_shaft(def_)) {
         const SteeringDef& s = def_.steering;
         const double most = s.most_rps > 0.0 ? s.most_rps : 2.0 * s.rps;
         table.input("rps", "1/s", rps_order_, -most, most);
         table.output("shaft_rps", "1/s", rps_);
+        table.input("rps_failed", "1", rps_failed_, 0.0, 3.0);
     }
     for (std::size_t i = 0; i < propulsor_.size(); ++i) {
         PropulsorState& s = propulsor_[i];
         const PropulsorDef& d = propulsors_[i].def();
         table.input(d.name, "1", s.order, -1.0, 1.0);
         table.output(d.name + "_thrust", "N", s.thrust);
+        table.input(d.name + "_failed", "1", s.failed, 0.0, 3.0);
+        if (lossy_) table.output(d.name + "_loss", "1", s.loss);
         if (propulsors_[i].screw()) {
             table.output(d.name + "_rps", "1/s", s.rps);
             table.output(d.name + "_power", "W", s.power);
@@ -92,7 +115,7 @@ void VesselSystem::signals(SignalTable& table) {
                 table.output(d.name + "_set", "1", s.pitch);
             }
         }
-        if (d.kind != PropulsorKind::azimuth) continue;
+        if (d.kind != PropulsorKind::azimuth && d.kind != PropulsorKind::cycloidal) continue;
         const double angle = d.most_angle > 0.0 ? d.most_angle : 6.283185307179586;
         table.input(d.name + "_angle", "rad", s.angle_order, -angle, angle);
         table.output(d.name + "_turned", "rad", s.angle);
@@ -101,7 +124,9 @@ void VesselSystem::signals(SignalTable& table) {
         const RudderDef& d = rudders_[i].def();
         table.input(d.name, "rad", rudder_state_[i].order, -d.most_angle, d.most_angle);
         table.output(d.name + "_at", "rad", rudder_state_[i].angle);
+        table.input(d.name + "_failed", "1", rudder_state_[i].failed, 0.0, 3.0);
     }
+    bus_.signals(table);
     table.output("speed", "m/s", speed_);
     table.output("ground_speed", "m/s", ground_speed_);
     table.output("drift", "rad", drift_);

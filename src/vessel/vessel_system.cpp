@@ -104,13 +104,16 @@ Matrix6 rigid_mass(double mass, const Mat3& inertia, const Vec3& origin) {
     return back.transpose() * rigid * back;
 }
 
-VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia)
+VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface surface)
     : def_(std::move(def)),
       mass_(mass),
       inertia_(std::move(inertia)),
       added_(part_for_loads(def_.added_mass, std::sqrt(inertia_.trace() / (3.0 * mass)))),
       balance_(Matrix6::Identity()),
-      polynomial_(def_.polynomial, mass) {
+      polynomial_(def_.polynomial, mass),
+      surface_(std::move(surface)),
+      lossy_(has_losses(def_)),
+      bus_(def_) {
     for (const PropulsorDef& p : def_.propulsors) propulsors_.emplace_back(p, def_.origin);
     for (const RudderDef& r : def_.rudders) {
         int behind = -1;
@@ -138,7 +141,7 @@ bool VesselSystem::has_shaft(const VesselDef& def) noexcept {
 }
 
 std::unique_ptr<System> VesselSystem::clone() const {
-    return std::make_unique<VesselSystem>(def_, mass_, inertia_);
+    return std::make_unique<VesselSystem>(def_, mass_, inertia_, surface_);
 }
 
 void VesselSystem::read_sea(const World& world, Vec3& current, Vec3& wind,
@@ -199,6 +202,7 @@ Wrench VesselSystem::water_force(const Flow& flow) const noexcept {
     Wrench out = -(def_.damping * flow.motion);
     out[0] += surge_force(def_.resistance, flow.u());
     out += cross_flow_force(def_.cross_flow, flow);
+    out += current_force(def_.current, flow);
     out += polynomial_.force(flow);
     out += stern_force(def_.mmg, flow);
     out += stern_force(def_.son_nomoto, flow);
@@ -289,22 +293,80 @@ void VesselSystem::add_loads(Loads& loads, const Motion& m, const Wrench& force,
     if (!def_.restoring.isZero(0.0)) loads.add_stiffness(def_.body, in_world(def_.restoring));
 }
 
-void VesselSystem::advance(Prestep& now, const Flow& flow) noexcept {
+namespace {
+
+/// Report a failure that begins. @param last  That of the last step, out: of this one.
+void report_failure(Prestep& now, BodyId body, double input, std::int32_t& last) noexcept {
+    const auto mode = static_cast<std::int32_t>(failure_of(input));
+    if (mode != 0 && mode != last) now.tell(EventKind::failure, body, input);
+    last = mode;
+}
+
+}  // namespace
+
+void VesselSystem::advance_steering(Prestep& now) noexcept {
     const SteeringDef& s = def_.steering;
-    const bool limited = follow(rudder_, std::clamp(rudder_order_, -s.most_angle, s.most_angle),
-                                s.rate, s.lag, now.step);
+    report_failure(now, def_.body, rudder_failed_, rudder_failed_last_);
+    report_failure(now, def_.body, rps_failed_, rps_failed_last_);
+    double target = std::clamp(rudder_order_, -s.most_angle, s.most_angle);
+    const Failure jam = failure_of(rudder_failed_), stop = failure_of(rps_failed_);
+    if (jam == Failure::stopped) target = rudder_;
+    if (jam == Failure::kept) target = s.most_angle;
+    if (jam == Failure::full) target = -s.most_angle;
+    const bool limited = follow(rudder_, target, s.rate, s.lag, now.step);
     if (limited && steering_limited_ == 0) now.tell(EventKind::saturation, def_.body, s.rate);
     steering_limited_ = limited ? 1 : 0;
-    rps_ = s.shaft_lag > 0.0 ? rps_order_ - (rps_order_ - rps_) * std::exp(-now.step / s.shaft_lag)
-                             : rps_order_;
+    double order = rps_order_;
+    if (stop == Failure::stopped) order = 0.0;
+    if (stop == Failure::kept) order = rps_;
+    if (stop == Failure::full) order = s.most_rps > 0.0 ? s.most_rps : 2.0 * s.rps;
+    rps_ = s.shaft_lag > 0.0 ? order - (order - rps_) * std::exp(-now.step / s.shaft_lag) : order;
+}
+
+void VesselSystem::advance_propulsors(Prestep& now, const Flow& flow) noexcept {
     for (std::size_t i = 0; i < propulsors_.size(); ++i) {
+        PropulsorState& s = propulsor_[i];
+        report_failure(now, def_.body, s.failed, s.failed_last);
+        if (bus_.any()) bus_.demand(i, propulsors_[i].demand(s, flow, bus_.rated(i)));
+    }
+    if (bus_.any()) bus_.grant(now, def_.body);
+    for (std::size_t i = 0; i < propulsors_.size(); ++i) {
+        PropulsorState& s = propulsor_[i];
         Limit turn, power;
-        propulsors_[i].advance(propulsor_[i], flow, now.step, turn, power);
+        const double granted = bus_.granted(i);
+        const double demanded =
+            granted < 1e300 ? propulsors_[i].demand(s, flow, bus_.rated(i)) : 0.0;
+        propulsors_[i].advance(s, flow, now.step, granted, demanded, turn, power);
         if (turn.met) now.tell(EventKind::saturation, def_.body, turn.value);
         if (power.met) now.tell(EventKind::saturation, def_.body, power.value);
     }
+}
+
+void VesselSystem::update_losses(const Prestep& now, double density) noexcept {
+    if (!lossy_) return;
+    surface_.update(now.world, now.time);
+    for (std::size_t i = 0; i < propulsors_.size(); ++i) {
+        PropulsorState& s = propulsor_[i];
+        const PropulsorDef& d = propulsors_[i].def();
+        s.kept = s.kept_torque = 1.0;
+        if (d.ventilates) {
+            const Vec3 hub = now.world.world_point(def_.body, d.point);
+            const double depth = surface_.height(hub.x(), hub.y()) - hub.z();
+            s.kept = ventilated_thrust(2.0 * depth / propulsors_[i].diameter());
+            s.kept_torque = std::pow(s.kept, 0.85);
+        }
+        s.kept *= kept_at_hull(propulsors_[i], s);
+    }
+    if (def_.thruster_losses) lose_in_races(propulsors_, propulsor_, density);
+    for (PropulsorState& s : propulsor_) s.loss = 1.0 - s.kept;
+}
+
+void VesselSystem::advance(Prestep& now, const Flow& flow) noexcept {
+    advance_steering(now);
+    advance_propulsors(now, flow);
     for (std::size_t i = 0; i < rudders_.size(); ++i) {
         Limit rate;
+        report_failure(now, def_.body, rudder_state_[i].failed, rudder_state_[i].failed_last);
         rudders_[i].advance(rudder_state_[i], now.step, rate);
         if (rate.met) now.tell(EventKind::saturation, def_.body, rate.value);
     }
@@ -313,6 +375,7 @@ void VesselSystem::advance(Prestep& now, const Flow& flow) noexcept {
 void VesselSystem::prestep(Prestep& now, Loads& loads) noexcept {
     const Motion m = motion_of(now);
     const Flow& flow = m.flow;
+    update_losses(now, flow.density);
     const Wrench water = water_force(flow);
     Wrench damping = Wrench::Zero();
     for (int i = 0; i < 6; ++i) {

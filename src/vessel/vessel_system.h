@@ -21,6 +21,8 @@
 #include "vessel/actuators.h"
 #include "vessel/flow.h"
 #include "vessel/hull_forces.h"
+#include "vessel/losses.h"
+#include "vessel/power.h"
 #include "vessel/stern.h"
 
 #include <memory>
@@ -37,7 +39,8 @@ namespace hawser::vessel {
 class VesselSystem final : public System {
   public:
     /// The definition has been checked. @param mass, inertia  Of the body.
-    VesselSystem(VesselDef def, double mass, Mat3 inertia);
+    /// @param surface  Surface of the water over its propulsors.
+    VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface surface);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
@@ -74,6 +77,10 @@ class VesselSystem final : public System {
     void add_loads(Loads& loads, const Motion& m, const Wrench& force,
                    const Wrench& damping) const noexcept;
     void advance(Prestep& now, const Flow& flow) noexcept;
+    void advance_steering(Prestep& now) noexcept;
+    void advance_propulsors(Prestep& now, const Flow& flow) noexcept;
+    /// Compute `kept` of all propulsors.
+    void update_losses(const Prestep& now, double density) noexcept;
 
     VesselDef def_;
     double mass_;
@@ -84,12 +91,17 @@ class VesselSystem final : public System {
     Polynomial polynomial_;
     std::vector<Propulsor> propulsors_;
     std::vector<Rudder> rudders_;
+    Surface surface_;  ///< Computed anew in each step.
+    bool lossy_ = false;
 
     // State.
     Vec3 last_velocity_{0.0, 0.0, 0.0}, last_spin_{0.0, 0.0, 0.0};
     std::int32_t started_ = 0, steering_limited_ = 0;
     double rudder_order_ = 0.0, rps_order_ = 0.0;  ///< Inputs.
     double rudder_ = 0.0, rps_ = 0.0;
+    double rudder_failed_ = 0.0, rps_failed_ = 0.0;  ///< Inputs.
+    std::int32_t rudder_failed_last_ = 0, rps_failed_last_ = 0;
+    PowerBus bus_;
     std::vector<PropulsorState> propulsor_;
     std::vector<RudderState> rudder_state_;
     // Outputs, part of the state.

@@ -42,7 +42,8 @@ void check_numbers(const WinchDef& def) {
         check_number(def, row.what, row.value, 0.0, row.above);
     if (!(std::abs(def.speed) <= 100.0))
         refuse(def, "speed = " + number(def.speed) + " m/s; give -100 to 100");
-    if (static_cast<int>(def.mode) > 5) refuse(def, "there is no such mode");
+    if (static_cast<int>(def.mode) > 6) refuse(def, "there is no such mode");
+    wire::check_aids(def);
     if (std::isnan(def.brake_dynamic)) return;
     check_number(def, "brake_dynamic", def.brake_dynamic, 0.0, false);
     if (def.brake_dynamic > def.brake_static)
@@ -109,7 +110,7 @@ void check_scalar(const World& world, const WinchDef& def, BodyId body, const ch
 /// Return the element by which an existing drum pays out the wire's end.
 /// @throws DefError
 InteractionId wound_end(const World& world, const WinchDef& def) {
-    check_scalar(world, def, def.drum, "drum", def.inertia);
+    check_scalar(world, def, def.drum, "drum", drum_mass(def));
     if (is_gypsy(def)) check_scalar(world, def, def.chain, "chain", gypsy_chain_inertia(def));
     const auto elements = world.elements(def.wire);
     const InteractionId id = def.end == 0 ? elements.front() : elements.back();
@@ -207,7 +208,7 @@ void check_names(const World& world, const WinchDef& def) {
 void add_wheel(World& world, const WinchDef& def, WinchIds& ids) {
     ids.drum = world.add_body({.name = def.name + "/drum",
                                .kind = BodyKind::scalar,
-                               .mass = def.inertia,
+                               .mass = drum_mass(def),
                                .gravity = false});
     if (!is_gypsy(def)) return;
     try {

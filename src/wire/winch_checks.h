@@ -27,4 +27,7 @@ inline void check_number(const WinchDef& def, const char* what, double value, do
                     (above ? "above " : "from ") + number(least) + (above ? "" : " on"));
 }
 
+/// Check overload protection and heave compensation (winch_aids.cpp). @throws DefError
+void check_aids(const WinchDef& def);
+
 }  // namespace hawser::wire

@@ -14,9 +14,9 @@
 namespace hawser {
 
 std::span<const char* const> winch_modes() noexcept {
-    static constexpr const char* kModes[] = {"speed", "tension", "render",
-                                             "brake", "free",    "release"};
-    static_assert(static_cast<int>(WinchMode::release) + 1 == std::size(kModes));
+    static constexpr const char* kModes[] = {"speed", "tension", "render", "brake",
+                                             "free",  "release", "heave"};
+    static_assert(static_cast<int>(WinchMode::heave) + 1 == std::size(kModes));
     return kModes;
 }
 
@@ -43,6 +43,10 @@ void WinchSystem::order_motor(Orders& out) noexcept {
     switch (mode()) {
         case WinchMode::speed:
             out.speed = speed_ / radius_;
+            if (wraps_ <= def_.dead_wraps && out.speed > 0.0) out.speed = 0.0;
+            break;
+        case WinchMode::heave:
+            out.speed = (speed_ + aids_.speed) / radius_;
             if (wraps_ <= def_.dead_wraps && out.speed > 0.0) out.speed = 0.0;
             break;
         case WinchMode::tension:
@@ -82,6 +86,7 @@ WinchSystem::Orders WinchSystem::orders() noexcept {
         out.hold = brake_ * (slipping_ != 0 ? slips : def_.brake_static);
     else if (m == WinchMode::release)
         out.hold = def_.release_load * radius_;
+    limit_overload(out);
     if (empty_ != 0 && parted_ == 0 && !wheel_) {  // the fastening holds: the drum can only haul
         out.hold = kUnbounded;
         out.back = 0.0;
@@ -119,12 +124,13 @@ void WinchSystem::give(Prestep& now, const Orders& o) noexcept {
 
 void WinchSystem::turn_along(const Prestep& now, Loads& loads) noexcept {
     const bool engaged = clutch_ >= 0.5;
-    double added = wound_inertia();
+    double added = wound_inertia() + (def_.inertia - drum_mass(def_));
     if (engaged) added += def_.motor_inertia;
     if (engaged && engaged_ == 0)  // the motor at rest is accelerated
         loads.add_force(ids_.drum, {-def_.motor_inertia * omega_ / now.step, 0.0, 0.0});
     engaged_ = engaged ? 1 : 0;
-    inertia_ = def_.inertia + added;
+    inertia_ = drum_mass(def_) + added;
+    if (aids_.guards != 0) added = 0.0;
     loads.add_mass(ids_.drum, Eigen::Matrix<double, 1, 1>(added));
 }
 

@@ -31,6 +31,7 @@ WinchSystem::WinchSystem(WinchDef def, const WinchWheel& wheel, const WinchIds& 
     wraps_ = at.wraps;
     across_ = at.across;
     inertia_ = def_.inertia + def_.motor_inertia + wound_inertia();
+    if (!(def_.overload_limit > 0.0)) aids_.aops = 0.0;
     pull_limit_ = def_.torque_haul / radius_;
 }
 
@@ -69,6 +70,7 @@ void WinchSystem::visit_state(StateVisitor& v) {
         v.visit(*x);
     for (std::int32_t* x : {&slipping_, &parted_, &empty_, &released_, &engaged_, &rendering_})
         v.visit(*x);
+    if (assisted()) visit_aids(v);
     if (!wheel_) return;
     for (double* x : {&grip_set_.speed, &grip_set_.low, &grip_set_.high, &end_set_}) v.visit(*x);
     chain_.visit_state(v);
@@ -92,11 +94,12 @@ void WinchSystem::check_state(const World& world, StateRules& rules) const {
                   "wraps, clock, slip or heat is below 0");
     for (const std::int32_t x : {slipping_, parted_, empty_, released_, engaged_, rendering_})
         rules.flag(x, "a condition of the winch is no flag");
+    if (assisted()) check_aids(rules);
     if (wheel_) chain_.check_state(rules);
 }
 
 void WinchSystem::signals(SignalTable& table) {
-    table.input("mode", "1", mode_, 0.0, 5.0);
+    table.input("mode", "1", mode_, 0.0, def_.heave_speed > 0.0 ? 6.0 : 5.0);
     table.input("speed", "m/s", speed_, -100.0, 100.0);
     table.input("tension", "N", tension_, 0.0, 1e15);
     table.input("brake", "1", brake_, 0.0, 1.0);
@@ -114,6 +117,7 @@ void WinchSystem::signals(SignalTable& table) {
     table.output("heat", "J", heat_);
     table.output("state", "1", state_);
     if (wheel_) chain_.signals(table);
+    if (assisted()) add_aid_signals(table);
 }
 
 void WinchSystem::holds(HoldTable& table) const {
@@ -276,6 +280,7 @@ void WinchSystem::prestep(Prestep& now, Loads& loads) noexcept {
     check_fastening(now);
     if (wheel_) follow_chain(*wheel_, now, loads);
     count_release(now);
+    if (assisted()) follow_aids(now);
     give(now, orders());
     if (crowded_) now.tell(EventKind::no_node, ids_.drum, at_drum_);
     if (jams_now_) now.tell(EventKind::hauled_in, ids_.drum, pull_);

@@ -91,6 +91,21 @@ class WinchSystem final : public System {
         double speed, low, high, hold, back;
     };
 
+    /// State of protection and compensation.
+    struct Aids {
+        double aops = 1.0, mops = 0.0;                          // inputs
+        double out = 0.0, rate = 0.0, peak = 0.0, shown = 0.0;  // outputs: wire_out and on
+        double lost = 0.0, error = 0.0;                         // overload_out, heave_error
+        double first = 0.0;               ///< Wire outboard less that paid out since [m].
+        double height = 0.0, paid = 0.0;  ///< At the begin of the compensation [m].
+        double pull = 0.0;                ///< Of the step before [N].
+        double speed = 0.0;               ///< Speed of the compensation [m/s].
+        std::int32_t begun = 0;           ///< `first` is known.
+        std::int32_t guards = 0;          ///< The drive balances the drum's inertia.
+        std::int32_t yields = 0;          ///< The protection pays out.
+        std::int32_t heaves = 0;          ///< The compensation has begun.
+    };
+
     void look(const Prestep& now) noexcept;
     void count_slip(Prestep& now) noexcept;
     void count_rendering(Prestep& now) noexcept;
@@ -103,6 +118,18 @@ class WinchSystem final : public System {
     [[nodiscard]] BodyId wound() const noexcept { return wheel_ ? ids_.chain : ids_.drum; }
     void check_fastening(Prestep& now) noexcept;
     void count_release(Prestep& now) noexcept;
+    // winch_aids.cpp
+    /// True if protection or compensation is defined: their signals and state exist.
+    [[nodiscard]] bool assisted() const noexcept {
+        return def_.overload_limit > 0.0 || def_.heave_speed > 0.0;
+    }
+    void visit_aids(StateVisitor& visitor);
+    void check_aids(StateRules& rules) const;
+    void add_aid_signals(SignalTable& table);
+    void follow_aids(Prestep& now) noexcept;
+    void follow_heave(const Prestep& now) noexcept;
+    [[nodiscard]] double most_tension() const noexcept;
+    void limit_overload(Orders& out) const noexcept;
     [[nodiscard]] Orders orders() noexcept;
     void order_motor(Orders& out) noexcept;
     void give(Prestep& now, const Orders& orders) noexcept;
@@ -132,6 +159,7 @@ class WinchSystem final : public System {
     double end_set_ = 0.0;  ///< Bound of the bitter end [N m].
     std::int32_t slipping_ = 0, parted_ = 0, empty_ = 0, released_ = 0, engaged_ = 1;
     std::int32_t rendering_ = 0;
+    Aids aids_;
     // Outputs.
     double layer_ = 1.0, wraps_ = 0.0, across_ = 0.0, pull_ = 0.0, pull_limit_ = 0.0;
     double inertia_ = 0.0, state_ = 0.0;

@@ -72,7 +72,7 @@ const char* to_string(EventKind kind) noexcept {
         "layer",      "brake_slip",     "release",    "weak_link",  "drum_empty",  "cut",
         "join",       "detach",         "chain_jump", "no_node",    "node_limit",  "render",
         "alarm",      "alarm_end",      "overload",   "missed",     "hauled_in",   "lift_off",
-        "lay_on",     "incomplete"};
+        "lay_on",     "incomplete",     "shed",       "failure"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

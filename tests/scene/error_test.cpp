@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/error.h"
 
+#include "base/edit_distance.h"
+
 #include <gtest/gtest.h>
 
 namespace hawser::scene {
 namespace {
 
 TEST(EditDistance, counts_single_changes) {
-    EXPECT_EQ(edit_distance("", ""), 0U);
-    EXPECT_EQ(edit_distance("mass", "mass"), 0U);
-    EXPECT_EQ(edit_distance("mass", ""), 4U);
-    EXPECT_EQ(edit_distance("mass", "mas"), 1U);
-    EXPECT_EQ(edit_distance("mass", "masss"), 1U);
-    EXPECT_EQ(edit_distance("mass", "moss"), 1U);
-    EXPECT_EQ(edit_distance("mass", "msas"), 1U);  // neighbours swapped
-    EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
+    EXPECT_EQ(base::edit_distance("", ""), 0U);
+    EXPECT_EQ(base::edit_distance("mass", "mass"), 0U);
+    EXPECT_EQ(base::edit_distance("mass", ""), 4U);
+    EXPECT_EQ(base::edit_distance("mass", "mas"), 1U);
+    EXPECT_EQ(base::edit_distance("mass", "masss"), 1U);
+    EXPECT_EQ(base::edit_distance("mass", "moss"), 1U);
+    EXPECT_EQ(base::edit_distance("mass", "msas"), 1U);  // neighbours swapped
+    EXPECT_EQ(base::edit_distance("kitten", "sitting"), 3U);
 }
 
 TEST(Suggestion, names_the_nearest_or_lists_a_few) {

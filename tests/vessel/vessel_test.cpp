@@ -199,7 +199,8 @@ TEST(Vessel, RestoredStateIsChecked) {
         refused += *rules.fault() != '\0' ? 1 : 0;
         s.world.restore(good);
     }
-    EXPECT_EQ(refused, 6 + 2 + 2);  // last velocities, flags, rudder and revolutions
+    // Last velocities, flags, rudder and revolutions, last failures of both.
+    EXPECT_EQ(refused, 6 + 2 + 2 + 2);
 }
 
 std::string refusal(const std::function<void(PublishedShip&)>& spoil, const char* name = "kvlcc2") {

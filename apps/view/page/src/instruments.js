@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Instruments of a station: ship (heading, speed, turn, heel, depth, wind), a card for each winch
-/// (wire, tension against its limits, layer), and the displays of the exercise. They show values in
-/// force; controls show requests.
+/// Instruments of a station: ship (heading, speed, turn, heel, depth, wind), propulsion, a card for each
+/// winch (wire, tension against its limits, layer) and crane (radius, load, load moment), and the
+/// displays of the exercise. They show values in force; controls show requests.
 import {el, memory} from './dom.js';
 import {Motion} from './motion.js';
 import {largestTensions} from './protocol.js';
@@ -43,6 +43,18 @@ export function winchesOf(scene, body) {
     for (const w of found)
         if (!w.system && scene.outputs.some(o => o.name === `${w.name}/feed.paid_out`)) w.feed = `${w.name}/feed`;
     return found.slice(0, kMostWinches);
+}
+
+/// Return the propulsors of a vessel from the names of outputs: "V.port_thrust" belongs to "port".
+export function propulsorsOf(outputs, vessel) {
+    const names = new Set(outputs.map(o => o.name)), own = [...names].filter(n => n.startsWith(`${vessel}.`) && n.endsWith('_thrust')).map(n => n.slice(vessel.length + 1, -7));
+    return own.map(name => ({name, order: names.has(`${vessel}.${name}`), angle: names.has(`${vessel}.${name}_turned`) ? `${vessel}.${name}_turned` : names.has(`${vessel}.${name}_angle`) ? `${vessel}.${name}_angle` : ''}));
+}
+
+/// Return the cranes to show: systems with load and utilisation, of the ship if the prefix names one.
+export function cranesOf(outputs, prefix) {
+    const all = outputs.filter(o => /\.utilisation$/.test(o.name)).map(o => o.name.slice(0, -12)), own = all.filter(n => prefix && (n === prefix || n.startsWith(`${prefix}/`)));
+    return (own.length ? own : all).slice(0, 2);
 }
 
 /// Fractions of a tension bar: value and working load of the breaking load; null without one.
@@ -98,7 +110,10 @@ export class Instruments {
                 el('div', {className: 'facts2'}, fact('heading', 'Heading'), fact('speed', 'Speed (ground)'), fact('turn', 'Rate of turn'), fact('heel', 'Heel'), fact('course', 'Course'),
                     ...(scene.sea ? [fact('depth', 'Depth')] : []), ...(this.at('sea.wind') >= 0 ? [fact('wind', 'Wind')] : []), ...(this.water() >= 0 ? [fact('water', 'Speed (water)')] : []))));
         }
+        if (ship) this.propulsors = this.propulsionCard(ship, parts);
+        else this.propulsors = [];
         this.winches = ship ? winchesOf(scene, ship.id).map(w => this.winchCard(w, parts)) : [];
+        this.cranes = cranesOf(scene.outputs, this.prefix).map(n => this.craneCard(n, parts));
         this.shownOutputs = this.exerciseCard(parts);
         this.box.replaceChildren(...parts);
         this.box.hidden = !parts.length || !this.open;
@@ -124,6 +139,33 @@ export class Instruments {
         parts.push(el('section', {className: 'instrument winch', 'aria-label': `Winch ${readable(w.name)}`}, el('h3', {textContent: readable(w.name)}), card.bar,
             el('div', {className: 'facts2'}, card.tension.box, card.out.box, card.speed.box, ...(card.layer ? [card.layer.box] : []))));
         return card;
+    }
+
+    propulsionCard(ship, parts) {
+        const vessel = ship.name.split('/')[0], found = propulsorsOf(this.scene.outputs, vessel).slice(0, 8).map(p => ({...p, vessel, fact: new Fact(readable(p.name))}));
+        if (found.length) parts.push(el('section', {className: 'instrument', 'aria-label': 'Propulsion'}, el('div', {className: 'facts2 one'}, ...found.map(p => p.fact.box))));
+        return found;
+    }
+
+    craneCard(name, parts) {
+        const card = {name, load: new Fact('Load'), rated: new Fact('Rated'), radius: new Fact('Radius'), bar: el('div', {className: 'bar', title: 'Load moment: load over rated load'}, el('i', {}))};
+        parts.push(el('section', {className: 'instrument winch', 'aria-label': `Crane ${readable(name)}`}, el('h3', {textContent: readable(name)}), card.bar,
+            el('div', {className: 'facts2'}, card.load.box, card.rated.box, card.radius.box)));
+        return card;
+    }
+
+    paintCrane(c, frame) {
+        const read = name => this.at(`${c.name}.${name}`) >= 0 ? frame.outputs[this.at(`${c.name}.${name}`)] : NaN, share = read('utilisation');
+        c.load.set(shown(read('load'), 'kg'));
+        c.rated.set(shown(read('rated'), 'kg'));
+        c.radius.set(shown(read('radius'), 'm'));
+        c.bar.className = `bar ${share >= 1 ? 'danger' : share >= 0.9 ? 'warn' : 'good'}`;
+        c.bar.firstElementChild.style.width = `${100 * Math.min(1, Math.max(0, share || 0))}%`;
+    }
+
+    paintPropulsion(p, frame) {
+        const read = name => this.at(name) >= 0 ? frame.outputs[this.at(name)] : NaN, order = p.order ? read(`${p.vessel}.${p.name}`) : NaN, angle = p.angle ? read(p.angle) : NaN;
+        p.fact.set([Number.isFinite(order) ? `${Math.round(100 * order)} %` : '', shown(read(`${p.vessel}.${p.name}_thrust`), 'N', 'thrust'), Number.isFinite(angle) ? shown(angle, 'rad') : ''].filter(Boolean).join('  '));
     }
 
     exerciseCard(parts) {
@@ -157,6 +199,8 @@ export class Instruments {
         this.paintShip(frame);
         largestTensions(frame, this.tensions);
         for (const w of this.winches) this.paintWinch(w, frame);
+        for (const p of this.propulsors) this.paintPropulsion(p, frame);
+        for (const c of this.cranes) this.paintCrane(c, frame);
         for (const d of this.shownOutputs) d.fact.set(shown(frame.outputs[d.at], this.scene.outputs[d.at].unit, d.name));
     }
 

@@ -112,7 +112,6 @@ class App {
         this.paintCamera();
         this.inset();
         this.paintLink({state: 'open'});
-        this.stage.reference = scene.wires.some(w => w.breaking_load > 0) ? 0 : 1;
         this.paintLegend();
     }
 
@@ -260,7 +259,7 @@ class App {
 
     nextRange() {
         this.stage.full = kRanges[(kRanges.indexOf(this.stage.full) + 1) % kRanges.length];
-        if (this.frame) this.stage.wires.fill(this.frame, this.stage.full, this.stage.reference);
+        if (this.frame) this.stage.wires.fill(this.frame, this.stage.full);
         this.paintLegend();
     }
 

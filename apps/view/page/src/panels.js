@@ -64,6 +64,7 @@ export class Inspector {
         if (!frame) return;
         const stat = name => frame.stats[scene.stats.indexOf(name)];
         const out = leftOutWords(frame);
+        this.certificate.hidden = scene.mode === 'recording';  // recordings have no certificates and no deadlines
         this.certificate.replaceChildren(
             el('span', {className: `chip ${frame.certified ? 'good' : 'wait'}`, textContent: frame.certified ? '✓ step certified' : '○ step without certificate'}),
             frame.late ? el('span', {className: 'chip bad', textContent: '! deadline missed'}) : el('span', {className: 'chip', textContent: 'in time'}));

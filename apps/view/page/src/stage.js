@@ -196,7 +196,7 @@ export class Stage {
         this.frame = frame;
         ({level: this.level, factor: this.waveFactor} = seaState(this.info, frame));
         this.bodies.update(frame);
-        this.wires.fill(frame, this.full, this.reference ?? 0);
+        this.wires.fill(frame, this.full);
         if (this.subjectBody) {
             this.subject.position.copy(this.subjectBody.position);
             this.subject.quaternion.copy(this.subjectBody.quaternion);

@@ -171,15 +171,15 @@ export class Wires {
         this.selected = -1;
     }
 
-    /// Read a frame. @param full  Tension of the hottest colour, as a fraction of the breaking load, or
-    /// of `reference` [N] if that is unknown.
-    fill(frame, full, reference) {
+    /// Read a frame. Wires without a known breaking load are grey.
+    /// @param full  Tension of the hottest colour, as a fraction of the breaking load.
+    fill(frame, full) {
         this.reserve(frame.points);
         const {place, look} = this, p = frame.wirePoints;
         const same = this.counts && frame.counts.every((n, i) => n === this.counts[i]);
         let point = 0, piece = 0;
         for (let w = 0; w < frame.counts.length; ++w) {
-            const n = frame.counts[w], wire = this.wires[w], strength = full * (wire.breaking_load || 0) || reference;
+            const n = frame.counts[w], wire = this.wires[w], strength = full * (wire.breaking_load || 0);
             for (let k = 0; k < n; ++k, ++point) {
                 const t = k + 1 < n ? frame.tensions[piece++] : -1, at = 4 * point;
                 place[at] = p[3 * point];

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {AlarmBook} from '../src/alarms.js';
-import {prefixOf, tensionBar, winchesOf} from '../src/instruments.js';
+import {cranesOf, prefixOf, propulsorsOf, tensionBar, winchesOf} from '../src/instruments.js';
 import {attitude, Motion} from '../src/motion.js';
 import {readable} from '../src/roles.js';
 import {bearing, convert, shown, sided} from '../src/units.js';
@@ -75,6 +75,14 @@ test('winches of a ship: by drum, joined with their system, others left out', ()
     const found = winchesOf(scene, 4);
     assert.deepEqual(found.map(w => [w.name, w.wire, w.system]), [['tow_winch', 0, 'tow_winch'], ['work', 1, '']]);
     assert.equal(found[1].feed, 'work/feed');
+});
+
+test('propulsors and cranes from the names of outputs', () => {
+    const outputs = ['osv.port', 'osv.port_thrust', 'osv.port_turned', 'osv.bow1_thrust', 'other.x_thrust', 'ahts1/crane.utilisation', 'rig.utilisation'].map(name => ({name}));
+    assert.deepEqual(propulsorsOf(outputs, 'osv'), [{name: 'port', order: true, angle: 'osv.port_turned'}, {name: 'bow1', order: false, angle: ''}]);
+    assert.deepEqual(cranesOf(outputs, 'ahts1'), ['ahts1/crane']);
+    assert.deepEqual(cranesOf(outputs, ''), ['ahts1/crane', 'rig']);
+    assert.deepEqual(cranesOf([], 'rig'), []);
 });
 
 test('tension against working and breaking load', () => {

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/sections.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser::scene {
+namespace {
+
+using ReadEntry = SectionItem (*)(const Description& out, const Scope& scope, const Json& json,
+                                  const Place& place);
+/// In the order of section_formats().
+constexpr ReadEntry kReaders[] = {
+#define HAWSER_SECTION_ENTRY(key, item, entries, doc) read_##item,
+    HAWSER_SCENE_SECTIONS(HAWSER_SECTION_ENTRY)
+#undef HAWSER_SECTION_ENTRY
+};
+
+}  // namespace
+
+void expand_sections(Description& out, const Scope& scope) {
+    const auto formats = section_formats();
+    for (std::size_t k = 0; k < formats.size(); ++k) {
+        const char* key = formats[k].key;
+        const auto list = scope.content->find(key);
+        if (list == scope.content->end()) continue;
+        for (std::size_t i = 0; i < list->size(); ++i) {
+            const Json& json = (*list)[i];
+            if (json.is_null()) continue;  // Left out: mistakes.h.
+            const Place place = scope.place / key / i;
+            (void)attempt(out.mistakes, [&] {
+                SectionItem item = kReaders[k](out, scope, json, place);
+                item.name = scope.prefix + json["name"].get<std::string>();
+                item.place = place;
+                const auto same = [&](const SectionItem& other) { return other.name == item.name; };
+                if (std::any_of(out.sections.begin(), out.sections.end(), same))
+                    refuse(place / "name", "the name " + in_quotes(item.name) + " exists already");
+                out.sections.push_back(std::move(item));
+            });
+        }
+    }
+}
+
+void add_sections(World& world, const Description& from) {
+    for (const SectionItem& item : from.sections)
+        (void)attempt(from.mistakes, [&] {
+            try {
+                item.add(world, item.prefix, item.prefix + item.name);
+            } catch (const DefError& error) {
+                refuse(item.place, error.what());
+            }
+        });
+}
+
+std::string interaction_name(const Description& out, const Scope& scope, const Json& json,
+                             const char* key, const Place& place) {
+    const InteractionId id =
+        resolve_interaction(out, scope, json[key].get<std::string>(), place / key);
+    return out.interactions[static_cast<std::size_t>(id.index)].name;
+}
+
+std::string input_name(const Description& out, const Scope& scope, const Json& json,
+                       const char* key, const Place& place) {
+    const auto& local = json[key].get_ref<const std::string&>();
+    std::vector<std::string> known;
+    for (const InputDef& def : out.inputs) {
+        if (def.name == scope.prefix + local) return def.name;
+        if (def.name.starts_with(scope.prefix))
+            known.push_back(def.name.substr(scope.prefix.size()));
+    }
+    refuse(place / key, "there is no input " + in_quotes(local) + suggestion(local, known));
+}
+
+}  // namespace hawser::scene

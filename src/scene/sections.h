@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file sections.h
+/// Sections: lists of systems that need no code elsewhere in the reader.
+///
+/// A section is one line of section_list.h. From it follow the format, the schema, the reference
+/// page, templates, copies ("repeat") and the world:
+/// ```
+///   scene file --item_shape()--> checked JSON --read_item()--> SectionItem --add(world)--> system
+/// ```
+/// Items refer to bodies, interactions and inputs by full name. A copy of the scene only has
+/// another prefix. Items are added last, so that all other parts of the scene exist.
+///
+/// A new system with scene keys needs two files, its header and a source with its section, and the
+/// line in section_list.h. pids.cpp is the worked example.
+
+#include <hawser/world.h>
+
+#include "scene/description.h"
+#include "scene/format.h"
+#include "scene/section_list.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hawser::scene {
+
+/// Add the items to a world in which all other parts exist.
+void add_sections(World& world, const Description& from);
+
+/// Number of a definition: key, member, unit, default and range.
+template <class Def>
+struct SectionNumber {
+    const char* key;
+    double Def::* value;
+    const char* unit;
+    const char* fallback;  ///< Default in words; "" if the value is required.
+    const char* doc;
+    double least, most;
+};
+
+/// Return the fields of numbers for a shape.
+template <class Def>
+[[nodiscard]] std::vector<Field> number_fields(std::span<const SectionNumber<Def>> numbers) {
+    std::vector<Field> out;
+    for (const SectionNumber<Def>& n : numbers)
+        out.push_back({n.key, make::number("a number", n.least, n.most),
+                       std::string_view(n.fallback).empty(), n.fallback, n.unit, n.doc});
+    return out;
+}
+
+/// Read the numbers that are given.
+template <class Def>
+void read_numbers(Def& def, const Json& json, std::span<const SectionNumber<Def>> numbers) {
+    for (const SectionNumber<Def>& n : numbers) def.*n.value = number_or(json, n.key, def.*n.value);
+}
+
+/// Return the full name of an interaction of the scope. @throws SceneError with the nearest name.
+[[nodiscard]] std::string interaction_name(const Description& out, const Scope& scope,
+                                           const Json& json, const char* key, const Place& place);
+/// Return the full name of an input of the scope. @throws SceneError with the nearest name.
+[[nodiscard]] std::string input_name(const Description& out, const Scope& scope, const Json& json,
+                                     const char* key, const Place& place);
+
+// Readers of entries. Names that an entry refers to are resolved in its scope and checked.
+// @throws SceneError.
+#define HAWSER_SECTION_READER(key, item, entries, doc)                                \
+    [[nodiscard]] SectionItem read_##item(const Description& out, const Scope& scope, \
+                                          const Json& json, const Place& place);
+HAWSER_SCENE_SECTIONS(HAWSER_SECTION_READER)
+#undef HAWSER_SECTION_READER
+
+}  // namespace hawser::scene

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file anchor_system.h
+/// Soil on a drag-embedment anchor (hawser/anchor.h).
+///
+/// Each step computes the bounds of the rows from the force p on the anchor, that of the rows left
+/// out. Both horizontal rows together are to bear H cos θ in the direction of p, and no less below
+/// it:
+/// ```
+///     bound_i = √(H² − |p|² + p_i²)  if |p| ≤ H        bound_i = H |p_i|/|p|  otherwise
+/// ```
+/// so that a load below the capacity leaves every row below its bound, and a greater one slides in
+/// its own direction. p is that of the lines at the anchor; without lines it follows from the
+/// equation of motion, p = m Δv/h − F.
+
+#include <hawser/anchor.h>
+#include <hawser/system.h>
+
+#include "vessel/anchor_law.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+namespace hawser::vessel {
+
+/// Rows of an anchor and the inputs of their bounds.
+struct AnchorRows {
+    std::array<InteractionId, 3> slide{}, turn{};
+    std::array<InputId, 3> slide_bound{}, turn_bound{};
+    bool carried = false;  ///< True: the body has shapes, whose contacts bear its weight.
+    double mass = 0.0;     ///< Mass of the body [kg].
+};
+
+class AnchorSystem final : public System {
+  public:
+    AnchorSystem(AnchorDef def, const AnchorRows& rows);
+
+    [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
+    void prestep(Prestep& now, Loads& loads) noexcept override;
+    void visit_state(StateVisitor& visitor) override;
+    void check_state(const World& world, StateRules& rules) const override;
+    void signals(SignalTable& table) override;
+    void holds(HoldTable& table) const override;
+    [[nodiscard]] std::unique_ptr<System> clone() const override {
+        return std::make_unique<AnchorSystem>(def_, rows_);
+    }
+    [[nodiscard]] AnchorView view() const;
+
+  private:
+    void feel(const Prestep& now) noexcept;
+    void follow_drag(Prestep& now) noexcept;
+    void break_out(Prestep& now) noexcept;
+    void set_bounds(Prestep& now) noexcept;
+    void give(Prestep& now, InputId input, double& last, double value) const noexcept;
+
+    AnchorDef def_;
+    AnchorCapacity law_;
+    AnchorRows rows_;
+    // State.
+    double drag_, drag_before_ = 0.0, scraped_ = 0.0;
+    std::int32_t set_, begun_ = 0, dragging_ = 0, grounded_ = 0;
+    double last_[3] = {};      ///< Position of the point [m].
+    double speed_[3] = {};     ///< Velocity of the body in the step before [m/s].
+    double bound_[3] = {};     ///< Bounds of the slides [N].
+    double turn_bound_ = 0.0;  ///< Bound of the turns [N m].
+    double pull_[3] = {};      ///< Force of the lines, or on the anchor without them [N].
+    // Outputs.
+    double capacity_ = 0.0, tension_ = 0.0, angle_ = 0.0, set_shown_ = 0.0, depth_ = 0.0;
+    double breakout_ = 0.0, used_ = 0.0;
+    // Of the step that begins.
+    double lift_ = 0.0;                    ///< Vertical force on the anchor without its weight [N].
+    double moved_ = 0.0;                   ///< Horizontal distance of the last step [m].
+    bool slides_ = false, lifts_ = false;  ///< At their bounds in the last step.
+};
+
+}  // namespace hawser::vessel

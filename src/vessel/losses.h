@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file losses.h
+/// Losses of propulsors at the begin of a step (hawser/vessel_propulsion.h).
+
+#include <hawser/sea.h>
+#include <hawser/vessel.h>
+
+#include "vessel/actuators.h"
+
+#include <memory>
+#include <vector>
+
+namespace hawser::vessel {
+
+/// Surface of the water over the propulsors of a vessel.
+class Surface {
+  public:
+    /// Read the sea of the world, if the definition has propulsors that ventilate.
+    Surface(const World& world, const VesselDef& def);
+    /// Bring the waves to a time.
+    void update(const World& world, double time) noexcept;
+    /// Return z of the surface [m].
+    [[nodiscard]] double height(double x, double y) const noexcept;
+
+  private:
+    std::shared_ptr<const Sea> sea_;  ///< Null: still water.
+    SeaMoment moment_;
+    double still_ = 0.0;
+};
+
+/// True if a definition has losses of any kind.
+[[nodiscard]] bool has_losses(const VesselDef& def) noexcept;
+/// Multiply `kept` of each propulsor by the share that it keeps in the races of others.
+void lose_in_races(const std::vector<Propulsor>& propulsors, std::vector<PropulsorState>& states,
+                   double density) noexcept;
+/// Return the share that an azimuth keeps whose race runs under the hull.
+[[nodiscard]] double kept_at_hull(const Propulsor& propulsor, const PropulsorState& s) noexcept;
+
+}  // namespace hawser::vessel

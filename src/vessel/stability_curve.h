@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file stability_curve.h
+/// Righting levers of a ship, and the criteria of a towline (hawser/stability.h).
+
+#include <hawser/hull.h>
+#include <hawser/stability.h>
+
+#include <array>
+#include <vector>
+
+namespace hawser::vessel {
+
+/// Righting levers by heel and displacement, and the criteria.
+class StabilityCurve {
+  public:
+    /// Levers of a mesh, with the centre of mass at its origin, or GM sin φ of an empty mesh.
+    /// @param def  Without defaults left but `stern` and angles.
+    StabilityCurve(const StabilityDef& def, const HullMesh& mesh, double density);
+
+    /// Return GZ at a heel of 0 to 90° with an added weight at the pin's height on the centreline
+    /// [m]. @param added  [kg].
+    [[nodiscard]] double lever(double heel, double added) const noexcept;
+    /// Return the largest GZ of the ship alone and its angle [m, rad].
+    [[nodiscard]] std::array<double, 2> most() const noexcept { return most_; }
+    /// Return y = y₀ + x tan α, at most the half breadth of the mesh [m].
+    [[nodiscard]] double outreach(double alpha) const noexcept;
+    /// Return h [m].
+    [[nodiscard]] double height() const noexcept { return def_.pin.z() - def_.thrust_height; }
+    [[nodiscard]] StabilityCheck check(double force, double alpha, double beta) const noexcept;
+    /// @param halvings  Of the interval up to the ship's weight.
+    [[nodiscard]] double permissible(double alpha, double beta, int halvings) const noexcept;
+    [[nodiscard]] const StabilityDef& def() const noexcept { return def_; }
+
+  private:
+    static constexpr int kAngles = 61;  ///< From 0 to 90°.
+    using Levers = std::array<double, kAngles>;
+    struct Residual {
+        double first, area, lever;
+    };
+
+    [[nodiscard]] double free_stern(double added) const noexcept;
+    [[nodiscard]] Residual residual(double lever_of_wire, double added) const noexcept;
+
+    StabilityDef def_;
+    Levers light_{}, heavy_{};  ///< GZ of the mesh at the mass and at kHeavier times it.
+    bool meshed_ = false;
+    std::array<double, 2> most_{};
+    double half_angle_ = 0.0;  ///< Of half of the largest GZ [rad].
+    double half_breadth_;      ///< [m]
+    double freeboard_ = 0.0;   ///< At the stern, afloat without a tow [m].
+    double sinks_ = 0.0;       ///< Change of it per added mass [m/kg].
+};
+
+}  // namespace hawser::vessel

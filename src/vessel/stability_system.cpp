@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vessel/stability_system.h"
+
+#include <hawser/world.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace hawser::vessel {
+namespace {
+
+constexpr double kOverhead = 1e-9;  ///< Below, a tension has no direction [N].
+
+/// Number of the end of a wire on a body; −1: none.
+int end_on(const World& world, WireId wire, BodyId body) noexcept {
+    const std::span<const BodyId> nodes = world.nodes(wire);
+    if (nodes.empty()) return -1;
+    return nodes.front() == body ? 0 : (nodes.back() == body ? 1 : -1);
+}
+
+}  // namespace
+
+StabilitySystem::StabilitySystem(std::shared_ptr<const StabilityCurve> curve)
+    : curve_(std::move(curve)) {
+    gz_max_ = curve_->most()[0];
+    gz_max_angle_ = curve_->most()[1];
+}
+
+void StabilitySystem::visit_state(StateVisitor& v) {
+    for (double* x : {&tension_, &alpha_, &beta_, &moment_, &lever_, &worst_, &heel_gm_, &heel_,
+                      &gz_, &gz_max_, &gz_max_angle_, &static_heel_, &area_, &residual_,
+                      &permissible_, &criterion_, &used_, &alarm_})
+        v.visit(*x);
+    v.visit(begun_);
+}
+
+void StabilitySystem::check_state(const World& world, StateRules& rules) const {
+    static_cast<void>(world);
+    rules.flag(begun_, "whether the gauge has begun is no flag");
+    rules.require(alarm_ == 0.0 || alarm_ == 1.0 || alarm_ == 2.0, "there is no such alarm");
+    rules.require(permissible_ >= 0.0, "the permissible tension is below 0");
+}
+
+void StabilitySystem::signals(SignalTable& table) {
+    table.output("tension", "N", tension_);
+    table.output("alpha", "rad", alpha_);
+    table.output("beta", "rad", beta_);
+    table.output("moment", "N m", moment_);
+    table.output("lever", "m", lever_);
+    table.output("worst_beta", "rad", worst_);
+    table.output("heel_gm", "rad", heel_gm_);
+    table.output("heel", "rad", heel_);
+    table.output("gz", "m", gz_);
+    table.output("gz_max", "m", gz_max_);
+    table.output("gz_max_angle", "rad", gz_max_angle_);
+    table.output("static_heel", "rad", static_heel_);
+    table.output("residual_area", "m rad", area_);
+    table.output("residual_lever", "m", residual_);
+    table.output("permissible", "N", permissible_);
+    table.output("criterion", "1", criterion_);
+    table.output("utilisation", "1", used_);
+    table.output("alarm", "1", alarm_);
+}
+
+/// Tension and direction of the first element that leads beyond the pin.
+void StabilitySystem::read_wire(const World& world) noexcept {
+    const StabilityDef& def = curve_->def();
+    tension_ = 0.0;
+    const int end = world.alive(def.wire) ? end_on(world, def.wire, def.body) : -1;
+    if (end < 0) return;
+    const std::span<const InteractionId> elements = world.elements(def.wire);
+    const Vec3 pin = world.world_point(def.body, def.pin);
+    Vec3 aboard = pin;
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const InteractionId id = elements[end == 0 ? k : elements.size() - 1 - k];
+        if (!world.alive(id) || !world.intact(id)) return;
+        const auto at = world.ends(id);
+        if (k == 0) aboard = at[static_cast<std::size_t>(end)];
+        const Vec3& outer = at[static_cast<std::size_t>(1 - end)];
+        if ((outer - aboard).norm() <= (pin - aboard).norm()) continue;
+        tension_ = std::max(0.0, -world.force(id)[0]);
+        const Vec3 along = outer - pin;
+        if (!(tension_ > kOverhead) || !(along.norm() > 0.0)) return;
+        const Quat turn = world.pose(def.body).orientation;
+        const Vec3 ahead = turn * Vec3::UnitX();
+        const double heading = std::atan2(ahead.y(), ahead.x());
+        const double c = std::cos(heading), s = std::sin(heading);
+        // Aft and to starboard: the body's x points to the bow, its y to port.
+        const double aft = -(c * along.x() + s * along.y());
+        const double starboard = s * along.x() - c * along.y();
+        alpha_ = std::atan2(starboard, aft);
+        beta_ = std::atan2(-along.z(), std::hypot(aft, starboard));
+        return;
+    }
+}
+
+void StabilitySystem::read_ship(const World& world) noexcept {
+    const StabilityDef& def = curve_->def();
+    const Mat3 axes = world.pose(def.body).orientation.toRotationMatrix();
+    heel_ = std::atan2(axes(2, 1), axes(2, 2));
+    gz_ = std::copysign(curve_->lever(std::abs(heel_), 0.0), heel_);
+    const double alpha = std::abs(alpha_), y = curve_->outreach(alpha_);
+    moment_ = towing_moment(tension_, alpha, std::max(beta_, 0.0), curve_->height(), y);
+    lever_ = moment_ / (def.mass * def.gravity);
+    worst_ = worst_towing_angle(tension_, alpha, curve_->height(), y, def.bollard_pull);
+    heel_gm_ = def.gm > 0.0 ? std::atan(lever_ / def.gm) : 0.0;
+}
+
+/// Levels of alarm, with hysteresis.
+void StabilitySystem::alert(Prestep& now) noexcept {
+    const StabilityDef& def = curve_->def();
+    const double heeled = std::abs(heel_) / def.most_heel;
+    const auto at = [&](double level, bool was) { return level - (was ? def.hysteresis : 0.0); };
+    const bool high = used_ >= at(1.0, alarm_ >= 2.0) || heeled >= at(1.0, alarm_ >= 2.0);
+    const bool low = high || used_ >= at(def.warn, alarm_ >= 1.0);
+    const double level = high ? 2.0 : (low ? 1.0 : 0.0);
+    if (level > alarm_) now.tell(EventKind::alarm, def.body, std::max(used_, heeled));
+    if (level < alarm_) now.tell(EventKind::alarm_end, def.body, std::max(used_, heeled));
+    alarm_ = level;
+}
+
+void StabilitySystem::prestep(Prestep& now, Loads&) noexcept {
+    read_wire(now.world);
+    read_ship(now.world);
+    if (begun_ == 0 || now.count % kRenew == 0) {
+        constexpr int kHalvings = 24;  // of the weight: to 1e-7 of it
+        permissible_ = curve_->permissible(alpha_, beta_, kHalvings);
+        const double next = std::max(permissible_ * (1.0 + 1e-6), 1.0);
+        criterion_ = curve_->check(next, alpha_, beta_).criterion;
+        const StabilityCheck of = curve_->check(tension_, alpha_, beta_);
+        static_heel_ = std::isnan(of.static_heel) ? 0.5 * std::numbers::pi : of.static_heel;
+        area_ = of.residual_area;
+        residual_ = of.residual_lever;
+        begun_ = 1;
+    }
+    constexpr double kOverloaded = 1e3;  // utilisation if nothing is permissible
+    used_ = permissible_ > 0.0 ? std::min(tension_ / permissible_, kOverloaded)
+                               : (tension_ > 0.0 ? kOverloaded : 0.0);
+    alert(now);
+}
+
+}  // namespace hawser::vessel

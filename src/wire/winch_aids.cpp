@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Overload protection, heave compensation and displays of a winch.
+///
+/// The protection bounds the torque of motor and brake by the limit times the radius, so that the
+/// drum is a row at its bound while wire runs out. The drive supplies the torque that accelerates
+/// the drum; the inertia therefore leaves the equations, and the tension is that of the bound.
+#include "wire/bounds.h"
+#include "wire/winch_checks.h"
+#include "wire/winch_system.h"
+
+#include <hawser/world.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hawser {
+
+double drum_mass(const WinchDef& def) noexcept {
+    constexpr double kLeft = 1e-4;  // of the inertia
+    return def.overload_limit > 0.0 ? kLeft * def.inertia : def.inertia;
+}
+
+}  // namespace hawser
+
+namespace hawser::wire {
+
+void check_aids(const WinchDef& def) {
+    check_number(def, "overload_limit", def.overload_limit, 0.0, false);
+    check_number(def, "overload_retained", def.overload_retained, 0.0, false);
+    check_number(def, "heave_speed", def.heave_speed, 0.0, false);
+    check_number(def, "heave_acceleration", def.heave_acceleration, 0.0, true);
+    check_number(def, "heave_falls", def.heave_falls, 0.0, true);
+    if (def.overload_retained > def.overload_limit)
+        refuse(def, "overload_retained = " + number(def.overload_retained) +
+                        " N is above overload_limit = " + number(def.overload_limit) +
+                        " N; give less, or a limit");
+    if (def.mode == WinchMode::heave && !(def.heave_speed > 0.0))
+        refuse(def, "heave_speed = 0: mode heave needs the largest speed of the compensation");
+    if (!def.heave_point.allFinite() || def.heave_point.norm() > 1e4)
+        refuse(def, "heave_point: give a point within 10 km");
+}
+
+void WinchSystem::visit_aids(StateVisitor& v) {
+    Aids& a = aids_;
+    for (double* x : {&a.aops, &a.mops, &a.out, &a.rate, &a.peak, &a.shown, &a.lost, &a.error,
+                      &a.first, &a.height, &a.paid, &a.pull, &a.speed})
+        v.visit(*x);
+    for (std::int32_t* x : {&a.begun, &a.guards, &a.yields, &a.heaves}) v.visit(*x);
+}
+
+void WinchSystem::check_aids(StateRules& rules) const {
+    for (const std::int32_t x : {aids_.begun, aids_.guards, aids_.yields, aids_.heaves})
+        rules.flag(x, "a condition of the winch is no flag");
+    rules.range(aids_.speed, -1e3, 1e3, "the speed of the compensation is out of range");
+    rules.range(aids_.paid, -1e7, 1e7, "the wire of the compensation is out of range");
+}
+
+void WinchSystem::add_aid_signals(SignalTable& table) {
+    table.input("aops", "1", aids_.aops, 0.0, 1.0);
+    table.input("mops", "1", aids_.mops, 0.0, 1.0);
+    table.output("wire_out", "m", aids_.out);
+    table.output("wire_speed", "m/s", aids_.rate);
+    table.output("peak_pull", "N", aids_.peak);
+    table.output("overload", "1", aids_.shown);
+    table.output("overload_out", "m", aids_.lost);
+    table.output("heave_error", "m", aids_.error);
+}
+
+/// Return the tension at which the protection pays out [N].
+double WinchSystem::most_tension() const noexcept {
+    if (!(def_.overload_limit > 0.0) || parted_ != 0)
+        return std::numeric_limits<double>::infinity();
+    if (aids_.mops >= 0.5) return def_.overload_retained;
+    return aids_.aops >= 0.5 ? def_.overload_limit : std::numeric_limits<double>::infinity();
+}
+
+void WinchSystem::limit_overload(Orders& out) const noexcept {
+    const double most = most_tension() * radius_;
+    if (!(most < kUnbounded)) return;
+    out.low = std::max(out.low, -most);
+    out.high = std::max(out.high, out.low);
+    out.hold = std::min(out.hold, most);
+}
+
+/// Compensate the upward motion of the point by its velocity in the middle of the step that begins.
+/// An error of length decreases with a time constant of 1 s.
+void WinchSystem::follow_heave(const Prestep& now) noexcept {
+    Aids& a = aids_;
+    const World& world = now.world;
+    if (mode() != WinchMode::heave || parted_ != 0) {
+        a.heaves = 0;
+        a.speed = a.error = 0.0;
+        return;
+    }
+    const InteractionDef& line = world.interaction_def(ids_.line);
+    const std::size_t fairlead = 1 - node_slot(world);
+    const bool given = def_.heave_body.valid() && world.alive(def_.heave_body);
+    const BodyId body = given ? def_.heave_body : line.body[fairlead];
+    const Vec3 local = given ? def_.heave_point : line.point[fairlead];
+    const Vec3 arm = world.world_point(body, local) - world.pose(body).position;
+    const Vec3 gravity = world.settings().gravity;
+    const double g = gravity.norm();
+    const Vec3 up = g > 0.0 ? Vec3(-gravity / g) : Vec3(Vec3::UnitZ());
+    const Twist v = world.predicted_velocity(body);
+    const double height = up.dot(world.pose(body).position + arm);
+    const double rises = def_.heave_falls * up.dot(v.linear + v.angular.cross(arm));
+    const double paid = def_.stored - stored_;
+    if (a.heaves == 0) {
+        a.height = height;
+        a.paid = paid;
+        a.heaves = 1;
+    }
+    constexpr double kReturn = 1.0;  // [s]
+    a.error = def_.heave_falls * (height - a.height) - (paid - a.paid);
+    const double most = def_.heave_speed, change = def_.heave_acceleration * now.step;
+    const double wanted = std::clamp(rises + a.error / kReturn, -most, most);
+    a.speed = std::clamp(wanted, a.speed - change, a.speed + change);
+    a.paid += speed_ * now.step;
+}
+
+void WinchSystem::follow_aids(Prestep& now) noexcept {
+    Aids& a = aids_;
+    const double paid = def_.stored - stored_;
+    if (a.begun == 0) {
+        a.first = now.world.length(def_.wire) - paid;
+        a.begun = 1;
+    }
+    a.out = a.first + paid;
+    a.rate = radius_ * leaving_;
+    a.peak = std::max(a.peak, pull_);
+    // The drive is ready two steps before the limit, so that the drum starts without a peak.
+    constexpr double kReady = 0.95;
+    const double soon = pull_ + 2.0 * std::max(pull_ - a.pull, 0.0);
+    a.pull = pull_;
+    const double most = most_tension();
+    const bool near = soon >= kReady * most;
+    a.guards = near || (a.guards != 0 && a.rate > kStands && most < kUnbounded) ? 1 : 0;
+    const bool yields = a.guards != 0 && a.rate > kStands &&
+                        (mode() != WinchMode::speed || speed_ < a.rate - kStands);
+    if (yields) a.lost += std::max(radius_ * turned_, 0.0);
+    if (yields && a.yields == 0) now.tell(EventKind::render, ids_.drum, pull_);
+    a.yields = yields ? 1 : 0;
+    a.shown = a.yields;
+    follow_heave(now);
+}
+
+}  // namespace hawser::wire

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// scenes/tow_barge.json: an anchor handler of the library tows a barge in waves, current and wind.
+// Energy, separate verification, and the same bits for any threads, after a restore and in replay.
+#include <hawser/hawser.h>
+#include <hawser/session.h>
+
+#include "support/repeat.h"
+#include "support/sanitizer.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hawser::test {
+namespace {
+
+constexpr const char* kTowScene = "scenes/tow_barge.json";
+
+/// Mechanical energy less all that the accounts of a world explain [J].
+double unexplained(const Energy& e) {
+    return e.mechanical() - e.applied - e.driven - e.system - e.edited + e.dissipated + e.friction +
+           e.contact + e.damped;
+}
+
+struct TowRun {
+    std::uint64_t hash = 0, middle_hash = 0;
+    std::vector<std::byte> middle;
+    double residual = 0.0;  ///< Largest change of unexplained energy [J].
+    double work = 0.0;      ///< Work of the main propellers' thrust on the ship [J].
+    double way = 0.0;       ///< Way of the barge over ground [m].
+    Grade grade = Grade::good;
+};
+
+TowRun tow(double seconds, int threads) {
+    scene::Options options;
+    options.threads = threads;
+    Session session({.scene = kTowScene, .options = options});
+    const World& w = session.world();
+    const BodyId barge = w.find_body("barge/hull");
+    const Vec3 start = w.pose(barge).position;
+    TowRun out;
+    const auto steps = static_cast<int>(seconds * 60.0);
+    double first = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        EXPECT_EQ(session.step(), Status::ok) << session.time();
+        const Energy e = w.energy();
+        if (i == 0) first = unexplained(e);
+        out.residual = std::max(out.residual, std::abs(unexplained(e) - first));
+        for (const char* side : {"ahts/ship.port_thrust", "ahts/ship.starboard_thrust"})
+            out.work += 0.9 * std::max(0.0, w.system_signal(side)) *
+                        w.system_signal("ahts/ship.speed") / 60.0;
+        if (i == steps / 2) {
+            out.middle = w.save();
+            out.middle_hash = w.state_hash();
+        }
+    }
+    out.hash = w.state_hash();
+    out.way = (w.pose(barge).position - start).norm();
+    out.grade = w.verdict().grade;
+    return out;
+}
+
+void expect_tow(double seconds, const std::vector<int>& threads) {
+    const TowRun one = tow(seconds, 1);
+    EXPECT_EQ(one.grade, Grade::good);
+    EXPECT_GT(one.way, 0.5 * seconds);  // under way, at more than 1 knot
+    EXPECT_LE(one.residual, 1e-3 * one.work) << one.work;
+    std::printf("residual %.3g J of %.4g J, way %.1f m\n", one.residual, one.work, one.way);
+    for (const int n : threads) EXPECT_EQ(tow(seconds, n).hash, one.hash) << n << " threads";
+    // On from the middle, in a session that has not sailed.
+    Session again({.scene = kTowScene, .state = one.middle});
+    EXPECT_EQ(again.world().state_hash(), one.middle_hash);
+    while (again.world().step_count() < static_cast<std::int64_t>(seconds * 60.0))
+        ASSERT_EQ(again.step(), Status::ok) << again.time();
+    EXPECT_EQ(again.world().state_hash(), one.hash);
+}
+
+/// Verify and record each step, then repeat the recording on two threads.
+void expect_recorded(double seconds) {
+    const std::filesystem::path file = std::filesystem::temp_directory_path() /
+                                       ("hawser_ship_tow_" + std::to_string(::getpid()) + ".hwr");
+    {
+        Session session({.scene = kTowScene, .record = file.string(), .verify = true});
+        const auto steps = static_cast<int>(seconds * 60.0);
+        for (int i = 0; i < steps; ++i) {
+            ASSERT_EQ(session.step(), Status::ok) << session.time();
+            ASSERT_EQ(session.objection(), "") << session.time();
+        }
+        session.finish();
+    }
+    (void)expect_repeats(record::Recording::open(file.string()), 2);
+    std::filesystem::remove(file);
+}
+
+TEST(ShipTow, KeepsEnergyAndBits) {
+    const double seconds = kSanitized ? 1.0 : 10.0;
+    if (kSanitized) {
+        (void)tow(seconds, 2);
+        return;
+    }
+    expect_tow(seconds, {2, 4});
+    expect_recorded(4.0);
+}
+
+TEST(ShipTow, KeepsEnergyAndBitsForTenMinutes_full) {
+    expect_tow(600.0, {2, 4, 8});
+    expect_recorded(600.0);
+}
+
+}  // namespace
+}  // namespace hawser::test
