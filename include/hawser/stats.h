@@ -97,7 +97,7 @@ enum class EventKind : std::uint8_t {
     /// Iterations of rigid joints failed, so the step linearised the joints once. Reported once
     /// until limit::kMemory has passed without a failure. value: StepStats::completion_failures.
     incomplete,
-    // Of vessels (vessel.h), of their body.
+    // Events of vessels (vessel.h), for their body.
     shed,     ///< A bus withheld power from a consumer; once each time. value: power withheld [W].
     failure,  ///< A part failed by its signal; once each time. value: the signal.
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file vessel.h
-/// Vessels: what sails. Hull forces (vessel_hull.h), propulsors and rudders (vessel_propulsion.h)
-/// of one rigid body, as a system.
+/// A vessel: hull forces (vessel_hull.h), propulsors and rudders (vessel_propulsion.h) of one rigid
+/// body, as a system.
 ///
 /// ```cpp
 /// hawser::PublishedShip ship = hawser::kvlcc2(hawser::KvlccScale::full);   // vessel_ships.h
@@ -74,8 +74,8 @@ struct VesselDef {
     std::string name = "vessel";           ///< Unique among the systems of a world.
     BodyId body{};                         ///< Rigid. Required.
     Vec3 origin{0.0, 0.0, 0.0};            ///< O from the centre of mass, in the body's frame [m].
-    double draught = 0.0;                  ///< Of the water that the current is taken of [m].
-    double density = 1025.0;               ///< Of water, without a sea [kg/m³].
+    double draught = 0.0;                  ///< Draught; the current at half of it acts [m].
+    double density = 1025.0;               ///< Density of water without a sea [kg/m³].
     Matrix6 added_mass = Matrix6::Zero();  ///< A at O, marine frame [kg, kg m, kg m²].
     AddedCoriolis coriolis = AddedCoriolis::full;
     Matrix6 damping = Matrix6::Zero();  ///< D at O, marine frame.
@@ -96,17 +96,18 @@ struct VesselDef {
     bool thruster_losses = false;  ///< Thrusters lose in the race of others; need diameters.
 };
 
-/// Non-dimensional values of a vessel outside the range of published ships, one sentence each:
-/// coefficients of another scale or unit; a weight that nothing carries, or two things carry.
-/// Empty: none.
+/// Return the non-dimensional values of a vessel outside the range of published ships, one sentence
+/// each. Causes are coefficients of another scale or unit, and a weight without support or with
+/// two. Empty: none.
 [[nodiscard]] std::vector<std::string> unusual_values(const World& world, const VesselDef& def);
 
-/// Called by World::add(). It owns the system. @throws DefError "vessel NAME: field: reason".
+/// Make the system, which the world owns. Called by World::add(). @throws DefError "vessel NAME:
+/// field: reason".
 System* define(World& world, const VesselDef& def);
 
-/// Vessels of a world as defined, in the order in which they act.
+/// Return the vessels of a world as defined, in the order in which they act.
 [[nodiscard]] std::vector<const VesselDef*> vessels_of(const World& world);
-/// The vessel of a body as defined; null: there is none.
+/// Return the vessel of a body as defined; null: there is none.
 [[nodiscard]] const VesselDef* find_vessel(const World& world, BodyId body) noexcept;
 
 }  // namespace hawser

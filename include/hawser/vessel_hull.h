@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file vessel_hull.h
-/// Hull forces of ships that manoeuvre: resistance, cross-flow drag, polynomials, wind.
+/// Hull forces of manoeuvring ships: resistance, cross-flow drag, polynomials, wind.
 ///
-/// **Marine frame.** All coefficients hold in the horizontal frame of the ship: origin O, x ahead
+/// *Marine frame.* All coefficients hold in the horizontal frame of the ship: origin O, x ahead
 /// in the horizontal projection of the bow, y to starboard, z down. Velocities u, v, r, p are those
 /// of O through the water along and about these axes; X, Y, K, N are the forces and moments. Roll φ
 /// is positive with starboard down, the rudder angle δ is positive if it turns the ship to
@@ -14,35 +14,33 @@
 ///              | O--> y, v    r' = r L/U        v' = v/U
 ///              |___|          r > 0: turns to starboard
 /// ```
-/// **Resistance.** X = −R(u) by a table, mirrored for u < 0, and
+/// *Resistance.* X = −R(u) by a table, mirrored for u < 0, and
 /// ```
 ///     X = σ X_u u + (1 − σ) X_uu |u| u,     σ = 1 − tanh(|u|/u₀)
 /// ```
-/// **Cross-flow drag** by strips of the hull at x (S. F. Hoerner, *Fluid-Dynamic Drag*, 1965):
+/// *Cross-flow drag* by strips of the hull at x (S. F. Hoerner, *Fluid-Dynamic Drag*, 1965):
 /// ```
 ///     Y = −½ρ T C_d Σ |v + x r| (v + x r) Δx        N = −½ρ T C_d Σ x |v + x r| (v + x r) Δx
 /// ```
-/// **Polynomials** are sums of terms C · variables, in one of two scales:
+/// *Polynomials* are sums of terms C · variables, in one of two scales:
 /// - `speed`: X, Y times ½ρ A U², K, N times ½ρ A L U²; variables u' = (u − U₀)/U, v', r',
 ///   p' = p L/U;
 /// - `mass`: X, Y times the mass m [m/s²], K, N times m L² [1/s²]; variables in SI.
 ///
 /// A term names its variables by letters, a letter for each power: "vvr" is v² r.
 ///
-/// | letter | variable |
-/// |---|---|
-/// | u v r p | velocities, as above |
-/// | f | roll φ [rad] |
-/// | d | rudder angle δ × HullPolynomial::rudder_sign [rad] |
-/// | n | revolutions [1/s], in `mass` alone |
-/// | b | atan(v/u) [rad] |
-/// | V R D N B | magnitudes of v r d n b |
-/// | 0 | a constant, alone |
+/// - u v r p: velocities, as above;
+/// - f: roll φ [rad];
+/// - d: rudder angle δ × HullPolynomial::rudder_sign [rad];
+/// - n: revolutions [1/s], in `mass` alone;
+/// - b: atan(v/u) [rad];
+/// - V R D N B: magnitudes of v r d n b;
+/// - 0: a constant, alone.
 ///
 /// Beyond the published range: U in the formulas is at least |r| L/r'_most, so that forces stay
 /// finite at rest; u' is from −1 to 1. Astern (u < −0.1 U) terms of velocity alone act on the
-/// mirrored ship (u, r, X, N change sign); terms with the rudder vanish; between 0.1 U and −0.1 U
-/// both are blended. With U₀ > 0 the terms of u alone in X hold the propeller, too, and are not
+/// mirrored ship (u, r, X, N change sign), and terms with the rudder vanish. Between 0.1 U and −0.1
+/// U both are blended. With U₀ > 0 the terms of u alone in X include the propeller and are not
 /// mirrored.
 
 #include <hawser/math.h>
@@ -75,7 +73,7 @@ struct HullPolynomial {
     double speed = 0.0;        ///< U₀ of u' [m/s].
     double most_turn = 1.5;    ///< r'_most of `speed` [1].
     double rudder_sign = 1.0;  ///< −1: the source counts rudder angles to port as positive.
-    /// The terms hold the Coriolis and centripetal forces of the body's own mass, too.
+    /// The terms include the Coriolis and centripetal forces of the mass of the body.
     bool own_coriolis = false;
 };
 
@@ -99,12 +97,12 @@ struct CrossFlow {
     double beam = 0.0;     ///< [m].
     double draught = 0.0;  ///< [m].
     double drag = 0.0;     ///< C_d [1]; 0: by Hoerner's curve of beam/(2 draught).
-    int strips = 20;       ///< Of equal length.
-    /// One strip more, with strips centred on the ends: the sum of MSS' crossFlowDrag.m, whose
-    /// sway drag is 21/20 and whose yaw drag is 1.21 of the integral's.
+    int strips = 20;       ///< Number of strips, of equal length.
+    /// One more strip, with strips centred on the ends, as in MSS' crossFlowDrag.m. The sway drag
+    /// is then 21/20 and the yaw drag 1.21 of the integral.
     bool end_strips = false;
 };
-/// Hoerner's drag coefficient of a section. @param ratio  Beam over twice the draught [1].
+/// Return Hoerner's drag coefficient of a section. @param ratio  Beam over twice the draught [1].
 [[nodiscard]] double hoerner_drag(double ratio) noexcept;
 
 /// Coefficients of a current from an angle off the bow.
@@ -124,7 +122,7 @@ struct CurrentLoad {
     double length = 0.0;                 ///< L [m].
     double draught = 0.0;                ///< T [m].
 };
-/// Coefficients of water that comes from an angle, positive from starboard [rad].
+/// Return the coefficients of a current from an angle, positive from starboard [rad].
 [[nodiscard]] CurrentPoint current_coefficients(const CurrentLoad& load, double angle) noexcept;
 
 /// Ships of W. Blendermann, "Parameter identification of wind loads on ships", 1994.
@@ -144,7 +142,7 @@ enum class WindShip : std::uint8_t {
     tanker_ballast,
     tender
 };
-/// "offshore_supply" and so on.
+/// Return the name, such as "offshore_supply".
 [[nodiscard]] const char* to_string(WindShip ship) noexcept;
 inline constexpr int kWindShipCount = 14;
 
@@ -156,14 +154,14 @@ struct WindLoad {
     double length = 0.0;        ///< L_oa [m].
     double centre = 0.0;        ///< s_L, of A_L ahead of O [m].
     double height = 0.0;        ///< s_H, of the centre of A_L above the water [m].
-    double density = 1.225;     ///< Of air, without a sea [kg/m³].
+    double density = 1.225;     ///< Density of air without a sea [kg/m³].
 };
 /// Coefficients of wind from ahead by an angle.
 struct WindCoefficients {
     double x = 0.0, y = 0.0, k = 0.0, n = 0.0;  ///< C_X C_Y C_K C_N [1].
 };
-/// @param angle  From which the wind comes, 0 ahead, positive from starboard, |angle| ≤ π [rad].
-/// Signs: X ahead, Y, K, N as in the marine frame.
+/// Return the coefficients of a wind. Signs: X ahead, Y, K, N as in the marine frame. @param angle
+/// Angle from which the wind comes, 0 ahead, positive from starboard, |angle| ≤ π [rad].
 [[nodiscard]] WindCoefficients wind_coefficients(const WindLoad& load, double angle) noexcept;
 
 /// Propeller and rudder of the MMG standard method (H. Yasukawa and Y. Yoshimura, "Introduction of

@@ -10,15 +10,15 @@
 ///                  |             |         |             |
 ///             consumers      hotel load            consumers
 /// ```
-/// **Capacity.** Sum of the generators of a board that run; 0 of a failed board. A closed tie joins
-/// all boards that did not fail into one. `share` of the capacity goes to consumers; the rest is
-/// reserve.
+/// *Capacity.* Sum of the generators of a board that run; 0 of a failed board. A closed tie joins
+/// all boards that did not fail into one. The fraction `share` of the capacity is for consumers;
+/// the rest is reserve.
 ///
-/// **Grants.** By ascending `priority` (1 first), each consumer gets its demand P/η while capacity
+/// *Grants.* By ascending `priority` (1 first), each consumer gets its demand P/η while capacity
 /// lasts. Consumers of one priority share the remainder in proportion to their demands. Withheld
 /// power begins with the event `shed` of the body.
 ///
-/// **Demand.** Propeller with a shaft: power of its motor within its own limits. Other propellers:
+/// *Demand.* Propeller with a shaft: power of its motor within its own limits. Other propellers:
 /// power at the ordered revolutions. Ideal propulsor: `power` times |order|³; a grant limits the
 /// order to the cube root. Load (not a propulsor): the input NAME [W]. Signal: that of another
 /// system in W, such as a winch, which the bus serves and does not limit. Power that a propeller
@@ -46,11 +46,12 @@ struct SwitchboardDef {
 };
 
 struct ConsumerDef {
-    /// Of a propulsor of the vessel; otherwise that of a load, unique in the vessel. Required.
+    /// Name of a propulsor of the vessel, or of a load, unique in the vessel. Required.
     std::string name{};
     std::string board{};  ///< Required.
     int priority = 1;     ///< 1 is served first.
-    double power = 0.0;   ///< Of an ideal propulsor at full order, or of a load at the start [W].
+    double power =
+        0.0;  ///< Power of an ideal propulsor at full order, or of a load at the start [W].
     double efficiency = 0.9;  ///< η, from the board to the shaft [1].
     std::string signal{};     ///< "SYSTEM.SIGNAL" in W of another system; "": none.
 };
@@ -58,7 +59,7 @@ struct ConsumerDef {
 struct PowerDef {
     std::vector<SwitchboardDef> boards{};  ///< Empty: no bus.
     std::vector<ConsumerDef> consumers{};
-    double share = 0.9;  ///< Of the capacity that consumers may take (DNV-ST-0111) [1].
+    double share = 0.9;  ///< Fraction of the capacity for consumers (DNV-ST-0111) [1].
     bool tied = false;   ///< The tie is closed at the start.
 };
 

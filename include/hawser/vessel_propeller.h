@@ -29,7 +29,7 @@ namespace hawser {
 struct PropellerPoint {
     double thrust = 0.0;  ///< K_T, with that of the nozzle [1].
     double torque = 0.0;  ///< K_Q [1].
-    double nozzle = 0.0;  ///< K_TN, part of K_T that the nozzle gives [1].
+    double nozzle = 0.0;  ///< K_TN, part of K_T due to the nozzle [1].
 };
 
 /// Published ranges of the Wageningen B polynomials.
@@ -40,12 +40,13 @@ struct WageningenRange {
 };
 inline constexpr WageningenRange kWageningenB{};
 
-/// Wageningen B-series. @param advance  J. @param pitch  P/D. @param area  A_E/A_0.
+/// Return a point of the Wageningen B-series. @param advance  J. @param pitch  P/D. @param area
+/// A_E/A_0.
 [[nodiscard]] PropellerPoint wageningen_b(double advance, double pitch, double area,
                                           double blades) noexcept;
-/// Ka4-70 in nozzle 19A.
+/// Return a point of Ka4-70 in nozzle 19A.
 [[nodiscard]] PropellerPoint ka4_70(double advance, double pitch) noexcept;
-/// Ka5-75 in nozzle 19A.
+/// Return a point of Ka5-75 in nozzle 19A.
 [[nodiscard]] PropellerPoint ka5_75(double advance, double pitch) noexcept;
 
 /// Coefficients at an advance angle.
@@ -53,11 +54,11 @@ struct QuadrantPoint {
     double thrust = 0.0;  ///< C_T [1].
     double torque = 0.0;  ///< C_Q [1].
 };
-/// B4-70 of pitch ratio 1 in all four quadrants. @param angle  β [rad].
+/// Return a point of B4-70 with pitch ratio 1 in all four quadrants. @param angle  β [rad].
 [[nodiscard]] QuadrantPoint four_quadrants_b4_70(double angle) noexcept;
 
 enum class PropellerSeries : std::uint8_t { wageningen_b, ka4_70, ka5_75 };
-/// "wageningen_b", "ka4_70", "ka5_75".
+/// Return the name: "wageningen_b", "ka4_70", "ka5_75".
 [[nodiscard]] const char* to_string(PropellerSeries series) noexcept;
 
 /// A propeller by its geometry.
@@ -66,7 +67,7 @@ struct PropellerDef {
     double diameter = 0.0;  ///< [m]. Required.
     double pitch = 1.0;     ///< P/D [1].
     double area = 0.7;      ///< A_E/A_0 of the B-series [1].
-    double blades = 4.0;    ///< Of the B-series.
+    double blades = 4.0;    ///< Number of blades of the B-series.
 };
 [[nodiscard]] PropellerPoint open_water(const PropellerDef& propeller, double advance) noexcept;
 
@@ -75,14 +76,14 @@ struct PropellerForce {
     double thrust = 0.0;  ///< Ahead [N].
     double torque = 0.0;  ///< On the shaft, positive against revolutions ahead [N m].
 };
-/// Thrust and torque at any V_a and n, of any sign, with a pitch ratio of any sign.
+/// Compute thrust and torque at V_a, n and a pitch ratio of any sign.
 ///
-/// Ahead, J from 0 to 0.9 |P/D|: the polynomials of the series. From 1.2 |P/D| on, and in the three
-/// other quadrants: the Fourier series of the B4-70 with the advance angle of V_a/|P/D|, thrust and
-/// torque scaled so that they agree with the series at J = 0; between, a cubic blend. Below a pitch
-/// ratio of 0.5 the thrust is linear in the pitch and the torque that of pitch 0.5 times
-/// 0.2 + 0.8 (2 |P/D|)². A negative pitch is the mirror image: thrust with the other sign, V_a
-/// reversed.
+/// Ahead, the polynomials of the series hold for J from 0 to 0.9 |P/D|. From 1.2 |P/D| on, and in
+/// the three other quadrants, the Fourier series of the B4-70 holds with the advance angle of
+/// V_a/|P/D|. Its thrust and torque are scaled to agree with the series at J = 0. In between both
+/// are blended by a cubic. Below a pitch ratio of 0.5 the thrust is linear in the pitch and the
+/// torque that of pitch 0.5 times 0.2 + 0.8 (2 |P/D|)². A negative pitch is the mirror image:
+/// thrust with the other sign, V_a reversed.
 [[nodiscard]] PropellerForce propeller_force(const PropellerDef& propeller, double pitch,
                                              double rps, double speed, double density) noexcept;
 
@@ -92,7 +93,8 @@ struct PowerPoint {
     double thrust = 0.0;  ///< [N].
     double torque = 0.0;  ///< [N m].
 };
-/// Revolutions at which a propeller absorbs a power 2π n Q at a speed of advance ≥ 0, by bisection.
+/// Find the revolutions at which a propeller absorbs a power 2π n Q at a speed of advance ≥ 0, by
+/// bisection.
 /// @param power  [W], above 0.
 [[nodiscard]] PowerPoint at_power(const PropellerDef& propeller, double power, double speed,
                                   double density) noexcept;

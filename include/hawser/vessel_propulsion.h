@@ -3,26 +3,26 @@
 /// @file vessel_propulsion.h
 /// Propulsors and rudders of a vessel (vessel.h).
 ///
-/// **Ideal propulsor** (no diameter): thrust T = T_most s |s| with s = n/n_most, astern times
-/// `astern`. The revolutions follow the order s at 1/`ramp`.
+/// An *ideal propulsor* has no diameter. Its thrust is T = T_most s |s| with s = n/n_most, astern
+/// times `astern`. The revolutions follow the order s at 1/`ramp`.
 ///
-/// **Propeller** (with a diameter): open-water thrust and torque at V_a = (1 − w) u_a, u_a the
-/// velocity of the water along its axis, in all four quadrants (propeller_force()); the ship gets
-/// (1 − t) T ahead, T astern. The shaft turns by
+/// A *propeller* has a diameter, and open-water thrust and torque at V_a = (1 − w) u_a, u_a the
+/// velocity of the water along its axis, in all four quadrants (propeller_force()). The force on
+/// the ship is (1 − t) T ahead, T astern. The shaft turns by
 /// ```
 ///     2π I ṅ = Q_m − Q        Q_m = Q + 2π I (n_order − n)/τ,  |Q_m| ≤ Q_most,  |2π n Q_m| ≤
 ///     P_most
 /// ```
 /// A limit of torque or power sends the event `saturation` of the body, with the power [W].
 ///
-/// **Azimuth** thrusters turn at a rate to the ordered angle, by the shorter way; **tunnels** push
+/// Azimuth thrusters turn at a rate to the ordered angle, by the shorter way. Tunnel thrusters push
 /// to starboard (order > 0) or port and lose thrust linearly with the speed of the ship.
 ///
-/// **Cycloidal** propellers (ideal) push in any direction. Their vector (s cos α, s sin α) follows
+/// Cycloidal propellers (ideal) push in any direction. Their vector (s cos α, s sin α) follows
 /// that of the orders at 2/`ramp`, without a turn: `ramp` is the time from full ahead to full
 /// astern.
 ///
-/// **Losses** multiply thrust and torque of a propulsor at the begin of each step:
+/// Losses multiply thrust and torque of a propulsor at the beginning of each step:
 /// - Ventilation (`ventilates`, K. J. Minsaas et al. 1987), h the depth of the hub below the water
 ///   there, waves included, R the radius: β = 1 − 0.675 (1 − 0.769 h/R)^1.258 for
 ///   −0.48 ≤ h/R ≤ 1.3, 0 above the water, 1 below. Torque falls with β^0.85.
@@ -32,17 +32,17 @@
 /// - Hull (`hull_loss` k): the race of an azimuth that runs inboard under the hull clings to it:
 ///   1 − k max(0, cos ψ), ψ from the race to the centreline. Thrust alone.
 ///
-/// **Failure** by the input NAME_failed, 1: stopped, without torque; 2: keeps its order, angle and
-/// pitch; 3: full ahead, keeping its angle. Of rudders 1: keeps its angle; 2: hard to starboard, 3:
-/// to port. The event `failure` reports the begin.
+/// The input NAME_failed sets a failure. 1: stopped, without torque. 2: order, angle and pitch
+/// stay. 3: full ahead, the angle stays. Rudders: 1 keeps the angle, 2 is hard to starboard, 3 hard
+/// to port. The event `failure` reports its beginning.
 ///
-/// **Rudder** in the slipstream of a propulsor (momentum theory, as in the MMG method):
+/// A rudder in the slipstream of a propulsor (momentum theory, as in the MMG method):
 /// ```
 ///     V² = η (u_a + κ (√(u_a² + 8 T/(π ρ D²)) − u_a))² + (1 − η) u_a²
 ///     F_N = ½ρ A (V² + v²) C_N(α)       C_N = f_α sin α to the stall angle
 ///     f_α = 6.13 Λ/(Λ + 2.25)           beyond: falls to 1.2 sin α within 10°
 /// ```
-/// α the angle of attack; reversed flow has the same law at π − α, half as strong.
+/// α is the angle of attack; reversed flow has the same law at π − α, half as strong.
 
 #include <hawser/math.h>
 #include <hawser/vessel_propeller.h>
@@ -54,16 +54,16 @@ namespace hawser {
 
 enum class PropulsorKind : std::uint8_t { shaft, azimuth, tunnel, cycloidal };
 
-/// Thrust over that of a deeply immersed propeller [1].
+/// Return the thrust relative to that of a deeply immersed propeller [1].
 /// @param ratio  Depth of the hub below the water over the radius.
 [[nodiscard]] double ventilated_thrust(double ratio) noexcept;
-/// Thrust in the race of another thruster over that without it, both at equal load [1].
-/// @param distance  Behind it, over its diameter, ≥ 0. @param angle  From the axis of the race
-/// [rad].
+/// Return the thrust in the race of another thruster relative to that without it, both at equal
+/// load [1]. @param distance  Distance behind it over its diameter, ≥ 0. @param angle  Angle from
+/// the axis of the race [rad].
 [[nodiscard]] double race_thrust(double distance, double angle) noexcept;
 
 struct PropulsorDef {
-    std::string name{};  ///< Of its signals; unique in the vessel. Required.
+    std::string name{};  ///< Name of its signals; unique in the vessel. Required.
     PropulsorKind kind = PropulsorKind::shaft;
     Vec3 point{0.0, 0.0, 0.0};  ///< From the centre of mass, in the body's frame [m].
     // Ideal.
@@ -87,13 +87,14 @@ struct PropulsorDef {
     // Tunnel.
     double lost_at = 0.0;  ///< Speed through the water without thrust [m/s]; 0: no loss.
     // Losses.
-    double diameter = 0.0;    ///< Of an ideal propulsor with losses [m]; of a propeller its own.
+    double diameter =
+        0.0;  ///< Diameter of an ideal propulsor with losses [m]; a propeller has its own.
     bool ventilates = false;  ///< Loses thrust near the surface; needs a diameter.
     double hull_loss = 0.0;   ///< k of an azimuth, 0.03 for Coanda's effect [1].
 };
 
 struct RudderDef {
-    std::string name = "rudder";        ///< Of its signals; unique in the vessel.
+    std::string name = "rudder";        ///< Name of its signals; unique in the vessel.
     Vec3 point{0.0, 0.0, 0.0};          ///< From the centre of mass, in the body's frame [m].
     double area = 0.0;                  ///< A [m²]. Required.
     double aspect = 1.5;                ///< Λ [1].
@@ -107,7 +108,7 @@ struct RudderDef {
     double rate = 0.0404916386;              ///< [rad/s]; 2.32°/s: 65° in 28 s (SOLAS II-1/29).
 };
 
-/// Normal force coefficient of a rudder at an angle of attack of any size [rad].
+/// Return the normal force coefficient of a rudder at any angle of attack [rad].
 [[nodiscard]] double rudder_normal(const RudderDef& rudder, double attack) noexcept;
 
 }  // namespace hawser

@@ -13,9 +13,10 @@
 ///
 /// Numbers of the last four as in the Marine Systems Simulator (MSS, MIT licence).
 ///
-/// Assumed, not published: heave, roll and pitch of kvlcc2, mariner and esso_190k, heave and pitch
-/// of s175: stiffness of the waterplane (0.85 L B) and a GM of 5 % of the beam, damping ratio 0.2;
-/// the bodies are weightless, and nothing excites these motions in calm water.
+/// Assumed, not published: heave, roll and pitch of kvlcc2, mariner and esso_190k, and heave and
+/// pitch of s175. The assumptions are the stiffness of the waterplane (0.85 L B), a GM of 5 % of
+/// the beam, and a damping ratio of 0.2. The bodies are weightless, and calm water does not excite
+/// these motions.
 
 #include <hawser/def.h>
 #include <hawser/vessel.h>
@@ -28,7 +29,7 @@ namespace hawser {
 /// A body at the origin, bow along x, at its approach speed, and the vessel on it.
 struct PublishedShip {
     BodyDef body{};
-    VesselDef vessel{};   ///< VesselDef::body is to be set.
+    VesselDef vessel{};   ///< The caller sets VesselDef::body.
     double length = 0.0;  ///< L [m].
     double speed = 0.0;   ///< Approach speed U₀ [m/s].
 };
@@ -37,16 +38,16 @@ enum class KvlccScale : std::uint8_t { l7, l3, full };
 [[nodiscard]] PublishedShip kvlcc2(KvlccScale scale);
 [[nodiscard]] PublishedShip mariner();
 [[nodiscard]] PublishedShip s175();
-/// @param depth  Of the water, above 19.5 m [m]; from 1000 on deep. The approach speed is that of
-/// 80 rpm in this depth. @throws DefError.
+/// Return the ship at the approach speed of 80 rpm in a depth. @param depth  Depth of water
+/// above 19.5 m [m]; from 1000 on deep. @throws DefError.
 [[nodiscard]] PublishedShip esso_190k(double depth = 1000.0);
-/// At rest.
+/// Return the ship at rest.
 [[nodiscard]] PublishedShip osv();
 
 /// Names of ships: "kvlcc2_l7", "kvlcc2_l3", "kvlcc2", "mariner", "s175", "esso_190k", "osv".
 inline constexpr const char* kPublishedShips[] = {"kvlcc2", "kvlcc2_l7", "kvlcc2_l3", "mariner",
                                                   "s175",   "esso_190k", "osv"};
-/// By its name. @throws DefError where there is none.
+/// Return the ship with this name. @throws DefError if there is none.
 [[nodiscard]] PublishedShip published_ship(std::string_view name, double depth = 1000.0);
 
 }  // namespace hawser

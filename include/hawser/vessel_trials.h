@@ -45,12 +45,13 @@ struct ZigZagTrial {
 };
 
 /// Put the rudder over and step the world for `duration` [s]. The rudder order is the signal
-/// NAME.rudder. @param rudder  Positive turns to starboard [rad]. @throws DefError where a step
-/// fails or the vessel has no such signal.
+/// NAME.rudder. @param rudder  Positive turns to starboard [rad]. @throws DefError if a step fails
+/// or the vessel has no such signal.
 [[nodiscard]] TurningCircle turning_circle(World& world, const VesselDef& vessel, double rudder,
                                            double duration);
-/// @param rudder  δ, of the first order; negative: first to port [rad]. @param heading  ψ > 0
-/// [rad]. @param count  Overshoots after which it ends, or @param most  after a time [s].
+/// Run a zig-zag trial. @param rudder  δ of the first order; negative: first to port [rad]. @param
+/// heading  ψ > 0 [rad]. @param count  Number of overshoots at the end. @param most  Longest
+/// duration [s].
 [[nodiscard]] ZigZagTrial zig_zag(World& world, const VesselDef& vessel, double rudder,
                                   double heading, int count, double most = 3600.0);
 
@@ -61,8 +62,8 @@ struct ImoCriterion {
     std::string unit{};               ///< "L" or "deg".
     [[nodiscard]] bool met() const noexcept { return value <= limit; }
 };
-/// @param turn  With full rudder. @param small  10°/10° zig-zag. @param large  20°/20°; what they
-/// do not have is left out.
+/// Return the criteria. Those without data are omitted. @param turn  Turning circle with full
+/// rudder. @param small  10°/10° zig-zag. @param large  20°/20° zig-zag.
 [[nodiscard]] std::vector<ImoCriterion> imo_criteria(double length, double speed,
                                                      const TurningCircle& turn,
                                                      const ZigZagTrial& small,
