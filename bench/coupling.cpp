@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench coupling: the splits of the paper beside exact coupling, on the same cuts
+// hawser-bench coupling: the splits of the paper compared with exact coupling, on the same cuts
 // (docs/theory/splits.md).
 #include "commands.h"
 #include "coupling_chains.h"
@@ -24,8 +24,8 @@ namespace {
 /// Spans of a traced step: some hundreds; 12 MB.
 constexpr std::size_t kSpans = std::size_t{1} << 18;
 
-/// By turns, so that what else the machine does meets all of them: turns are shorter than the time
-/// for which it takes a processor away.
+/// Alternate the worlds, so that other processes affect all of them equally. Turns are shorter than
+/// the time for which another process takes a processor.
 std::vector<ModeFigures> measure_times(const std::string& file, const CouplingOptions& o,
                                        const PoolCosts& costs) {
     std::vector<ModeFigures> out;
@@ -90,7 +90,7 @@ Json compare(const std::string& file, const CouplingOptions& o, const PoolCosts&
     return {{"scene", file}, {"parts", o.parts}, {"modes", rows}, {"exact_over_split", ratios}};
 }
 
-/// The boundary of two bodies by bisection beside the theory's.
+/// Compare the stability boundary of two bodies, found by bisection, with that of the theory.
 Json judge_boundaries(const CouplingOptions& o, Verdict& verdict) {
     Json rows = two_body_boundaries(o.quick ? 2 : 6);
     double most = 0.0;

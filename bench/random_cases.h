@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_cases.h
-/// Mechanisms that no one has tuned: trees and loops of all joints with random bodies, wires,
-/// repeated and contradictory joints, as scene documents.
+/// Random mechanisms as scene documents: trees and loops of all joints with random bodies, wires,
+/// redundant and contradictory joints.
 
 #include <cstdint>
 #include <string>

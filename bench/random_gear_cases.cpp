@@ -21,7 +21,7 @@ namespace {
 using GearJson = nlohmann::ordered_json;
 
 constexpr double kGearGravity = 9.81;
-constexpr double kPlace = 0.01;  ///< Tolerance of places over the length of the wire.
+constexpr double kPlace = 0.01;  ///< Tolerance of positions relative to the length of the wire.
 constexpr std::array<std::string_view, 4> kFamilies{"winches", "guides", "hulls", "ships"};
 
 GearJson point(double x, double y, double z) { return GearJson::array({x, y, z}); }
@@ -96,7 +96,7 @@ class WinchMaker : public GearMaker {
         return w;
     }
 
-    /// @param length  Of the wire outside [m]. @param moving  Mass that the wire moves [kg].
+    /// @param length  Length of the wire outside [m]. @param moving  Mass that the wire moves [kg].
     void add_winch(const WinchSizes& w, double length, double moving) {
         GearJson winch{{"name", "winch"},
                        {"cable", "wire"},
@@ -222,7 +222,7 @@ class Guides : public WinchMaker {
         pull_ = rope.breaking() * dice_.spread(0.03, 0.2);
         const double side = dice_.chance(0.5) ? 1.0 : -1.0;  // over or under
         const double radius = rope.diameter * dice_.from(4.0, 12.0);
-        // Both parts leave the top of the wheel downward (under it: upward) by these angles.
+        // Both parts leave the top of the wheel downwards (under it: upwards) at these angles.
         const double left_angle = dice_.from(0.05, 1.2), right_angle = dice_.from(0.05, 1.2);
         constexpr double kDuration = 8.0;
         // A fifth of the wires is hauled until its end is at the roller.
@@ -374,7 +374,7 @@ class Hulls : public GearMaker {
             sea["current"] = GearJson::array(
                 {{{"depth", 0}, {"speed", dice_.from(0.1, 1.0)}, {"direction_deg", 180}},
                  {{"depth", depth}, {"speed", 0}, {"direction_deg", 180}}});
-        // Added mass and damping of a box, of the size that strip theory gives.
+        // Added mass and damping of a box, of the order given by strip theory.
         const double l2 = length * length, b2 = beam * beam;
         const double heave = mass * dice_.from(0.7, 1.5), rate = dice_.from(0.2, 0.6);
         const GearJson added = GearJson::array({0.05 * mass, 0.5 * mass, heave, heave * b2 / 14.0,

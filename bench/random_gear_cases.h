@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_gear_cases.h
-/// Generates random scenes with winches, guides, moored hulls or ships, as scene documents
-/// (docs/scenes.md), with the outputs by which two runs of the same scene are compared.
+/// Random scenes with winches, guides, moored hulls or ships, as scene documents (docs/scenes.md).
+/// Each has the outputs by which two runs of the same scene are compared.
 
 #include <cstdint>
 #include <optional>

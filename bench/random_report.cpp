@@ -80,7 +80,7 @@ void Tally::add(const Ended& e) {
     }
     if (e.of.contradictory) return;
     ++consistent;
-    // A wrong run did not end ok, whatever its status.
+    // A wrong run did not end ok, for any status.
     consistent_ok += e.outcome == Outcome::ok && !e.wrong();
 }
 double Tally::share_ok() const {

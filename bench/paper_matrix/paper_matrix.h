@@ -5,19 +5,20 @@
 /// "A partitioning method for parallelization of large systems in realtime"). It has two ships and
 /// a rig, 20 bodies attached to each, ten cables of 93-94 elements, and 1000 contacts.
 ///
-/// | a copy has | count | rows |
-/// |---|---|---|
-/// | hulls and attached bodies, 6 DoF each | 3 + 60 | |
-/// | cable elements, 3 DoF (lumped) or 6 (rigid) | 937 | |
-/// | hinge, lock: an attached body on its hull | 48, 12 | 5, 6 |
-/// | motor between the same two | 60 | 1 |
-/// | link of a cable, ends included | 947 | 3 (lumped: 1 between elements) |
-/// | bend of three neighbours | 933 | 2 |
-/// | contact | 1000 | 3 |
+/// ```
+///     a copy has                                  count    rows
+///     hulls and attached bodies, 6 DoF each       3 + 60
+///     cable elements, 3 DoF (lumped) or 6 (rigid) 937
+///     hinge, lock: an attached body on its hull   48, 12   5, 6
+///     motor between the same two                  60       1
+///     link of a cable, ends included              947      3 (lumped: 1 between elements)
+///     bend of three neighbours                    933      2
+///     contact                                     1000     3
+/// ```
 ///
 /// 1000 bodies and 3000 interactions: n = 9414 lumped, 14079 rigid; 2496 pairs of bodies touch
 /// the same interaction; the rig touches 132 others. Four cables end in the ground. Copies are
-/// joined to one island: a ground end of each becomes an end at the first ship of the next, which
+/// joined to one island: a ground end of each becomes an end at the first ship of the next. This
 /// adds one bend, two rows.
 
 #include "paper_matrix/block_system.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Readers of binary outputs: what the log gets of them is text.
+/// Readers of binary outputs, which are logged as text.
 #include "golden/figures.h"
 #include "golden/outputs.h"
 

@@ -8,8 +8,9 @@
 /// that ends in `_full` or `_long`. All others are quick.
 ///
 /// A random suite runs in every tier:
-///   quick       a few cases of a fixed seed, so that a failure is due to the change
-///   full, long  more cases of a fresh seed, which the test prints
+/// - quick: a few cases of a fixed seed, so that a failure is due to the change;
+/// - full, long: more cases of a fresh seed, which the test prints.
+///
 /// HAWSER_SEED=N repeats a seed in any tier.
 
 #include <cstdint>

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kAnchorTestMass = 15e3, kAnchorTestLine = 100.0, kAnchorTestStiff = 1e9;
 
-/// A set anchor in sand, and a buoy that pulls at it by a line of one element.
+/// A set anchor in sand, and a buoy that pulls it by a line of one element.
 struct HeldBuoy {
     World w{WorldDef{.step = 1.0 / 60.0}};
     BodyId anchor{}, buoy{};
@@ -96,7 +96,7 @@ TEST(Anchor, DragsUntilItHoldsAndKeepsItsDrag) {
         b.run(1);
     }
     b.run(3000);
-    // The last tenth of a millimetre takes for ever: the excess falls with the way.
+    // The last tenth of a millimetre takes very long: the excess decreases with the way.
     EXPECT_NEAR(b.signal("drag"), expected, 1e-3 * expected);
     EXPECT_NEAR(b.w.pose(b.anchor).position.x() + 10.0, b.signal("drag"), 1e-5);
     EXPECT_GE(b.w.event_extremes(EventKind::render).count, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hull forces as functions against formulas written out apart.
+/// Hull forces as functions against separately written formulas.
 #include <hawser/vessel_hull.h>
 #include <hawser/vessel_ships.h>
 
@@ -135,8 +135,8 @@ TEST(Hull, EssoPolynomialMeetsTheFormula) {
     EXPECT_NEAR(f[5], m * L * L * nn, 1e-9 * m * L);
 }
 
-// Coefficients describe ships that go ahead: at rest and astern forces stay finite, and the hull
-// takes energy.
+// Coefficients describe ships that move ahead: at rest and astern forces stay finite, and the hull
+// dissipates energy.
 TEST(Hull, PolynomialsAreFiniteAtRestAndBrakeAstern) {
     for (const char* name : kPublishedShips) {
         const PublishedShip ship = published_ship(name);
@@ -152,7 +152,7 @@ TEST(Hull, PolynomialsAreFiniteAtRestAndBrakeAstern) {
         // Astern, the hull alone pushes ahead.
         EXPECT_GT(p.force(flow_of(-0.5 * speed, 0, 0))[0], 0.0) << name;
         EXPECT_LT(p.force(flow_of(0, 0.3 * speed, 0))[1], 0.0) << name;
-        // Between ahead and astern nothing jumps.
+        // Between ahead and astern forces are continuous.
         Wrench before = p.force(flow_of(0.2 * speed, 0.5 * speed, 0));
         const double size = before.head<2>().norm();
         for (int i = 1; i <= 400; ++i) {

@@ -75,7 +75,7 @@ TEST(Losses, RaceMeetsItsFormula) {
     EXPECT_GT(race_thrust(8.0, 0.5 * kPiLosses), 0.99);
 }
 
-// Two thrusters ahead in line, 16 m and 8 diameters apart: the one behind loses.
+// Two thrusters ahead in line, 16 m and 8 diameters apart: the rear one loses thrust.
 TEST(Losses, ThrusterInARaceLoses) {
     Held h;
     h.thruster("fore", 8.0, 0.0);
@@ -115,7 +115,7 @@ TEST(Losses, RaceUnderTheHullLoses) {
     }
 }
 
-// Depth of the hub by the public sea, as the ship stays where it is.
+// Depth of the hub by the public sea, since the ship stays in place.
 TEST(Losses, HubNearTheSurfaceVentilatesInWaves) {
     Held h;
     SeaDef sea{.depth = 100.0};
@@ -214,7 +214,7 @@ TEST(Failures, RuddersJamOrGoHardOver) {
     EXPECT_EQ(h.world.event_extremes(EventKind::failure).count, 3);
 }
 
-// From full ahead to full astern in `ramp`, straight through zero: nothing to the side.
+// From full ahead to full astern in `ramp`, straight through zero: no side force.
 TEST(Cycloidal, VectorGoesStraight) {
     Held h;
     PropulsorDef& p = h.thruster("voith", 0.0, 0.0);

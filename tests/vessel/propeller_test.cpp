@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Propeller series against tables that were computed apart from the published coefficients, and
-/// against the tests of another program.
+/// Propeller series against tables computed separately from the published coefficients, and against
+/// the tests of another program.
 #include <hawser/vessel_propeller.h>
 
 #include <gtest/gtest.h>

@@ -25,7 +25,7 @@ TEST(Actuators, FollowIsLimitedInRateThenExponential) {
     EXPECT_NEAR(x, 5.0 - std::exp(-1.0), 1e-12);
     double y = 0.0;
     for (int i = 0; i < 250; ++i) (void)vessel::follow(y, 5.0, 2.0, 0.5, 0.01);
-    EXPECT_NEAR(y, x, 1e-12);  // whatever the step
+    EXPECT_NEAR(y, x, 1e-12);  // for any step
     double z = 1.0;
     EXPECT_FALSE(vessel::follow(z, 0.5, 2.0, 0.0, 1.0));
     EXPECT_EQ(z, 0.5);
@@ -91,7 +91,7 @@ TEST(Actuators, RudderInTheSlipstreamMeetsMomentumTheory) {
     const vessel::Wrench f = rudder.force(s, flow, thrust, d);
     EXPECT_NEAR(f[0], -normal * std::sin(0.25), 1e-6 * normal);
     EXPECT_NEAR(f[1], -normal * std::cos(0.25), 1e-6 * normal);
-    // At rest the propeller alone makes it work; without either there is nothing.
+    // At rest only the propeller makes it effective; without both there is no force.
     flow.motion[0] = 0.0;
     EXPECT_LT(rudder.force(s, flow, thrust, d)[1], 0.0);
     EXPECT_EQ(rudder.force(s, flow, 0.0, 0.0)[1], 0.0);
@@ -127,7 +127,7 @@ struct Tug {
     }
 };
 
-// A motor at its limit of power turns the propeller as fast as the series says it may.
+// A motor at its power limit turns the propeller at the speed given by the series.
 TEST(Propulsors, PowerLimitGivesTheBollardPull) {
     Tug t(5e6);
     t.add();
@@ -152,7 +152,7 @@ TEST(Propulsors, ShaftFollowsItsOrderWithinItsLimits) {
     EXPECT_EQ(t.world.event_extremes(EventKind::saturation).count, 0);
 }
 
-// A light shaft whose motor gives nothing is turned by the water: stable at any inertia.
+// The water turns a light shaft whose motor gives no torque: stable at any inertia.
 TEST(Propulsors, WindmillsAndStopsWithoutNoise) {
     for (const double inertia : {1.0, 1e3, 1e6}) {
         Tug t(0.0, 5.0, 0.0);

@@ -114,7 +114,7 @@ TEST(Vessel, StepIsOfSecondOrder) {
     EXPECT_LT(third, 1e-3 * ship.length);
 }
 
-// Long steps: nothing that the vessel does is unstable at 5 Hz.
+// Long steps: no load of the vessel is unstable at 5 Hz.
 TEST(Vessel, LongStepsAreStable) {
     for (const char* name : kPublishedShips) {
         const PublishedShip ship = published_ship(name);
@@ -181,8 +181,8 @@ class Spoiler final : public StateVisitor {
     std::int32_t flag_;
 };
 
-// Numbers that steer what a step does are refused out of range; outputs and inputs may be anything
-// here, as the next step computes them or the world checks their range.
+// Values that control a step are rejected out of range. Outputs and inputs may have any value here,
+// since the next step computes them or the world checks their range.
 TEST(Vessel, RestoredStateIsChecked) {
     Sailing s(kvlcc2(KvlccScale::full));
     System* system = s.world.find_system("kvlcc2");
@@ -259,7 +259,7 @@ TEST(Vessel, RefusesBadDefinitions) {
     EXPECT_THROW((void)published_ship("kvlcc"), DefError);
 }
 
-// Coefficients of the model on the full-scale body, and the other way round.
+// Coefficients of the model on the full-scale body, and vice versa.
 TEST(Vessel, NamesValuesOfAnotherScale) {
     for (const char* name : kPublishedShips) {
         World world;
