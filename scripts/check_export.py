@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compares exports of a recording with the recording, by code of its own.
+"""Compare exports of a recording with the recording, by independent code.
 
     scripts/check_export.py RUN.hwr [RUN.glb] [RUN.pvd]
 
-Reads the recording by docs/recording.md, the .glb by the glTF 2.0 specification, the .vtp by VTK's own
-reader (Debian's python3-vtk9), and compares poses of bodies and tensions of wires in every exported
-frame: they have to be the recording's numbers in single precision. Recordings of scenes in which
-bodies or nodes come and go (chunks BODS, WIRE) are refused.
+Reads the recording by docs/recording.md, the .glb by the glTF 2.0 specification, and the .vtp by VTK's
+own reader (Debian's python3-vtk9). Compares poses of bodies and tensions of wires in every exported
+frame: they must be the numbers of the recording in single precision. Recordings of scenes with added
+or removed bodies or nodes (chunks BODS, WIRE) are rejected.
 """
 import json
 import struct

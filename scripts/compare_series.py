@@ -5,8 +5,9 @@
     scripts/compare_series.py RUN.csv REFERENCE.csv --column "work1 tension at first end" \\
                               [--from 2] [--to 600] [--every 1]
 
-Of each column whose name begins so: the root of the mean square of the difference over that of the
-reference, and the mean difference, at the times that both have, `--every` seconds [s].
+Prints two figures for each column whose name begins with the given text. They are the root mean square
+of the difference relative to that of the reference, and the mean difference. Both use the common times,
+every `--every` seconds.
 """
 
 import argparse

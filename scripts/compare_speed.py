@@ -5,7 +5,8 @@
 usage: scripts/compare_speed.py BEFORE AFTER [--runs 11] [--duration S] [SCENE...]
 
 BEFORE and AFTER are programs `hawser` of two builds. Prints for each scene the median step of both
-[ms], as the median over the runs, their ratio, and whether the final states have the same hash.
+[ms], as the median over the runs, and their ratio. Also prints whether the final states have the same
+hash.
 Exit code 1 if a ratio is above --limit (default 1.03).
 """
 import argparse

@@ -3,11 +3,11 @@
 """Write scenes/anchor_adaptive.json: the site of anchor_contact with winches and wires whose
 resolution follows tension, curvature and contact (standard library only).
 
-Tow and work wires lie on winches with layers, which make nodes as wire runs out; ahts1/tow_speed
-and the like still say how fast their drums turn. They run over the stern rollers by guides, since a
-polygon of 5 m over a roller of 1.75 m is no wire on a roller. All long lines have elements of at
-least 5 m, and nodes come and go on moorings, chains, tow and work wires. Spare lines on deck are
-laid anew with elements of 5 m. Everything else is anchor_contact and its settled state.
+Tow and work wires lie on winches with layers, which insert nodes as they pay out. Inputs such as
+ahts1/tow_speed still set the speed of their drums. They run over the stern rollers by guides, since a
+polygon of 5 m does not represent a wire on a roller of 1.75 m. All long lines have elements of at
+least 5 m, and nodes are added and removed on moorings, chains, tow and work wires. Spare lines on deck are
+laid again with elements of 5 m. Everything else is anchor_contact and its settled state.
 
     scripts/make_anchor_adaptive.py                  write the scene
     scripts/make_anchor_adaptive.py --start FOLDER   write the same without resolutions to FOLDER,

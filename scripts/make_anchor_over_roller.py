@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes exercises/anchor_over_roller.scene.json.
+"""Write exercises/anchor_over_roller.scene.json.
 
-An anchor handler of 5,000 t (75 x 18 m, still water by a hydrostatic stiffness) with an anchor of 15 t
-on its work wire, 76 mm, over the stern roller, 12 m under water over a seabed at 60 m. The wire is laid
-along the deck, over the roller and down, every element under the anchor's weight in water, so that it
-starts almost at rest.
+An anchor handler of 5,000 t (75 x 18 m, still water by a hydrostatic stiffness) has an anchor of 15 t on
+its work wire, 76 mm, over the stern roller. The anchor is 12 m under water over a seabed at 60 m. The
+wire leads along the deck, over the roller and down. Every element has the tension of the anchor's weight
+in water, so that it starts almost at rest.
 """
 import json
 import math

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Write scenes/anchor_run.json: an anchor is hauled over the stern roller on deck, its work wire is
-changed to the chain in the shark jaw, and the chain is run out again (standard library only).
+"""Write scenes/anchor_run.json (standard library only). An anchor is hauled over the stern roller on
+deck. In the shark jaw its work wire is changed to the chain, and the chain is run out again.
 
-The site is that of anchor_adaptive. ahts1 has guide pins that go down, a shark jaw, and an anchor
-that touches its deck and roller; a pendant lies along the anchor from its wire to its chain. ahts2
-has a second tow wire to the other corner of the rig, which crosses its first one right behind the
-roller. docs/anchor_run.md explains the numbers.
+The site is that of anchor_adaptive. Ship ahts1 has guide pins that move down, a shark jaw, and an
+anchor that touches its deck and roller. A pendant lies along the anchor from its wire to its chain.
+Ship ahts2 has a second tow wire to the other corner of the rig. It crosses the first one right behind
+the roller. docs/anchor_run.md explains the numbers.
 
     scripts/make_anchor_run.py                write scenes/anchor_run.json
     scripts/make_anchor_run.py --fine         the same in elements of 2.5 m without resolutions

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Write scenes/anchor_sea.json and its hulls: the site of scenes/anchor_lines.json in a sea.
 
-Where anchor_lines has three linear springs under each hull and linear drag on its lines, this scene
-has hulls of 2,000 triangles, Morison's forces on all lines, anchors in the water, waves of 2.5 m and
-9 s by 200 components and a current of 0.8 m/s. Masses of hulls are what their displacement at the
-draughts of anchor_lines leaves for them beside cranes, drums and the pull of the lines there.
+In anchor_lines each hull has three linear springs, and lines have linear drag. This scene has hulls of
+2,000 triangles, Morison's forces on all lines, and anchors in the water. Waves are 2.5 m and 9 s with
+200 components, and the current is 0.8 m/s. Masses of hulls equal their displacement at the draughts of
+anchor_lines less cranes, drums and the pull of the lines there.
 """
 import copy
 import json
@@ -89,7 +89,7 @@ def rig():
     mesh = Mesh()
     for side in (-1, 1):
         box(mesh, f"p{side}", (0.0, 29.0 * side, -21.0 + 4.25), (40.0, 7.5, 4.25), (16, 5, 2))
-    # Of a polygon the area of the circle.
+    # Use the area of the circle for the polygon.
     sides = 32
     radius = 6.5 * math.sqrt(2 * math.pi / sides / math.sin(2 * math.pi / sides))
     for x in (-30.0, 30.0):

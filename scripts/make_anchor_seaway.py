@@ -3,9 +3,8 @@
 """Write scenes/anchor_seaway.json: the site of anchor_contact in the sea of anchor_sea.
 
 Hulls float by the pressure on their meshes and radiate waves: heave, roll and pitch have a damping
-B(w) and the memory that belongs to it. Lines, anchors and hulls meet waves of 2.5 m and 9 s and a
-current of 0.8 m/s, while chain lies on the seabed, wires run over stern rollers, cargo lies on deck
-and a barge works on its fenders. docs/anchor_seaway.md explains the numbers.
+B(w) and its memory. Waves are 2.5 m and 9 s, the current is 0.8 m/s. Chain lies on the seabed, wires
+run over stern rollers, cargo lies on deck, and a barge moves on its fenders. docs/anchor_seaway.md explains the numbers.
 
     scripts/make_anchor_seaway.py            write the scene
 """

@@ -4,9 +4,9 @@
 
     scripts/scene_times.py PROGRAM [--duration 60] [--rounds 3] [SCENE ...]
 
-Columns are wall time and processor time of a step [ms]: median, 99th percentile, worst. Of several
-rounds in turns the row has the lowest median, 99th percentile and worst: other processes only add
-time. Measure on an idle machine; the last line states its load.
+Columns are wall time and processor time of a step [ms]: median, 99th percentile, worst. The
+row has the lowest median, 99th percentile and worst of several alternating rounds: other processes
+only add time. Measure on an idle machine; the last line states its load.
 """
 import argparse
 import json
