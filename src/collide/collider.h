@@ -50,7 +50,7 @@ class Collider {
     std::int32_t most_contacts = 1'000'000'000;
     double most_bytes = 1e15;  ///< Limit of the memory of the arrays [B].
 
-    /// Add a shape. Its definition has been checked (world/shape_checks.h) and its bodies exist.
+    /// Add a shape. Its definition has been checked (world/shape_checks.cpp) and its bodies exist.
     /// @return its index. @throws DefError for vertices without volume, std::bad_alloc.
     std::int32_t add(const ShapeDef& def, const model::Bodies& bodies);
     /// Allocate, so that remove() does not throw. @throws std::bad_alloc.
