@@ -20,7 +20,7 @@ enum class Status : std::uint8_t {
     out_of_memory,  ///< Allocation failed.
     cancelled,      ///< World::cancel() ended it.
     over_bound,     ///< A bound of WorldDef would be exceeded: see StepStats::bound_met.
-    /// The recent states are physically impossible, see World::verdict(). Only if
+    /// Reported if recent states are physically impossible (World::verdict()). Only if
     /// WorldDef::on_diverged is stop.
     diverged,
     /// A system set a value that is not finite, or a load that is not positive semi-definite.
@@ -187,8 +187,8 @@ struct Energy {
     /// damping and added mass. Energy absorbed by water is negative. It is a part of `system`,
     /// `dissipated` and the change of `added`. 0 in a replay, whose loads have no names.
     double water = 0.0;
-    /// Energy of edits since the start, negative if removed: added and removed bodies and
-    /// interactions, changed masses, nodes of wires inserted or removed, cuts and joins.
+    /// Energy of edits since the start, negative if removed. Edits are: bodies and interactions
+    /// added or removed, masses changed, nodes of wires inserted or removed, cuts and joins.
     double edited = 0.0;
     [[nodiscard]] double mechanical() const noexcept { return kinetic + added + gravity + elastic; }
 };

@@ -360,9 +360,9 @@ class System {
         static_cast<void>(element);
         return 0.0;
     }
-    /// Return the line that a drum of this system has paid out of an element since the start [m],
-    /// including parts that have become elements (OutputKind::drum). Negative: hauled in. kDefault:
-    /// not counted here.
+    /// Return the length that a drum of this system has paid out of an element since the start [m].
+    /// It includes parts that have become elements (OutputKind::drum). Negative: hauled in.
+    /// kDefault: this system does not count it.
     [[nodiscard]] virtual double paid_out(const World& world,
                                           InteractionId element) const noexcept {
         static_cast<void>(world);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file vessel_hull.h
-/// Hull forces of manoeuvring ships: resistance, cross-flow drag, polynomials, wind.
+/// Hull forces of ships that manoeuvre: resistance, cross-flow drag, polynomials, wind.
 ///
 /// *Marine frame.* All coefficients hold in the horizontal frame of the ship: origin O, x ahead
-/// in the horizontal projection of the bow, y to starboard, z down. Velocities u, v, r, p are those
-/// of O through the water along and about these axes; X, Y, K, N are the forces and moments. Roll φ
-/// is positive with starboard down, the rudder angle δ is positive if it turns the ship to
+/// in the horizontal projection of the bow, y to starboard, z down. The velocities u, v, r, p are
+/// those of O through the water along and about these axes. X, Y, K, N are the forces and moments.
+/// Roll φ is positive with starboard down. The rudder angle δ is positive if it turns the ship to
 /// starboard.
 /// ```
 ///           bow  ^ x, u
@@ -18,11 +18,11 @@
 /// ```
 ///     X = σ X_u u + (1 − σ) X_uu |u| u,     σ = 1 − tanh(|u|/u₀)
 /// ```
-/// *Cross-flow drag* by strips of the hull at x (S. F. Hoerner, *Fluid-Dynamic Drag*, 1965):
+/// *Cross-flow drag.* Strips of the hull at x (S. F. Hoerner, *Fluid-Dynamic Drag*, 1965):
 /// ```
 ///     Y = −½ρ T C_d Σ |v + x r| (v + x r) Δx        N = −½ρ T C_d Σ x |v + x r| (v + x r) Δx
 /// ```
-/// *Polynomials* are sums of terms C · variables, in one of two scales:
+/// *Polynomials.* Sums of terms C · variables, in one of two scales:
 /// - `speed`: X, Y times ½ρ A U², K, N times ½ρ A L U²; variables u' = (u − U₀)/U, v', r',
 ///   p' = p L/U;
 /// - `mass`: X, Y times the mass m [m/s²], K, N times m L² [1/s²]; variables in SI.
@@ -37,11 +37,12 @@
 /// - V R D N B: magnitudes of v r d n b;
 /// - 0: a constant, alone.
 ///
-/// Beyond the published range: U in the formulas is at least |r| L/r'_most, so that forces stay
-/// finite at rest; u' is from −1 to 1. Astern (u < −0.1 U) terms of velocity alone act on the
-/// mirrored ship (u, r, X, N change sign), and terms with the rudder vanish. Between 0.1 U and −0.1
-/// U both are blended. With U₀ > 0 the terms of u alone in X include the propeller and are not
-/// mirrored.
+/// Beyond the published range:
+/// - U in the formulas is at least |r| L/r'_most, so that forces stay finite at rest.
+/// - u' is limited to −1 to 1.
+/// - Astern (u < −0.1 U), terms of velocity alone act on the mirrored ship: u, r, X, N change sign.
+///   Terms with the rudder vanish. Between 0.1 U and −0.1 U both laws are blended.
+/// - With U₀ > 0 the terms of u alone in X include the propeller and are not mirrored.
 
 #include <hawser/math.h>
 
@@ -73,14 +74,14 @@ struct HullPolynomial {
     double speed = 0.0;        ///< U₀ of u' [m/s].
     double most_turn = 1.5;    ///< r'_most of `speed` [1].
     double rudder_sign = 1.0;  ///< −1: the source counts rudder angles to port as positive.
-    /// The terms include the Coriolis and centripetal forces of the mass of the body.
+    /// True if the terms include the Coriolis and centripetal forces of the body's own mass.
     bool own_coriolis = false;
 };
 
 /// A point of a resistance curve.
 struct ResistancePoint {
     double speed = 0.0;       ///< Through the water, ascending from 0 [m/s].
-    double resistance = 0.0;  ///< [N].
+    double resistance = 0.0;  ///< Resistance at this speed [N].
 };
 
 /// Resistance ahead and astern.
@@ -93,13 +94,13 @@ struct HullResistance {
 
 /// Cross-flow drag.
 struct CrossFlow {
-    double length = 0.0;   ///< [m]; 0: none.
-    double beam = 0.0;     ///< [m].
-    double draught = 0.0;  ///< [m].
+    double length = 0.0;   ///< Length of the ship [m]; 0: no cross-flow drag.
+    double beam = 0.0;     ///< Beam [m].
+    double draught = 0.0;  ///< Draught [m].
     double drag = 0.0;     ///< C_d [1]; 0: by Hoerner's curve of beam/(2 draught).
-    int strips = 20;       ///< Number of strips, of equal length.
-    /// One more strip, with strips centred on the ends, as in MSS' crossFlowDrag.m. The sway drag
-    /// is then 21/20 and the yaw drag 1.21 of the integral.
+    int strips = 20;       ///< Number of strips of equal length.
+    /// Use `strips` + 1 strips, the outer ones centred on the ends, as in MSS' crossFlowDrag.m. Its
+    /// sway drag is 21/20 of the integral and its yaw drag 1.21 of it.
     bool end_strips = false;
 };
 /// Return Hoerner's drag coefficient of a section. @param ratio  Beam over twice the draught [1].
@@ -122,7 +123,7 @@ struct CurrentLoad {
     double length = 0.0;                 ///< L [m].
     double draught = 0.0;                ///< T [m].
 };
-/// Return the coefficients of a current from an angle, positive from starboard [rad].
+/// Coefficients of water that comes from an angle, positive from starboard [rad].
 [[nodiscard]] CurrentPoint current_coefficients(const CurrentLoad& load, double angle) noexcept;
 
 /// Ships of W. Blendermann, "Parameter identification of wind loads on ships", 1994.
@@ -142,26 +143,26 @@ enum class WindShip : std::uint8_t {
     tanker_ballast,
     tender
 };
-/// Return the name, such as "offshore_supply".
+/// Return the name of a ship, such as "offshore_supply".
 [[nodiscard]] const char* to_string(WindShip ship) noexcept;
 inline constexpr int kWindShipCount = 14;
 
-/// Wind on a ship: forces by Blendermann's coefficients at the relative wind of a height.
+/// Wind on a ship: forces by Blendermann's coefficients at the relative wind at a height.
 struct WindLoad {
     WindShip ship = WindShip::none;
     double frontal_area = 0.0;  ///< A_F [m²].
     double lateral_area = 0.0;  ///< A_L [m²].
-    double length = 0.0;        ///< L_oa [m].
-    double centre = 0.0;        ///< s_L, of A_L ahead of O [m].
-    double height = 0.0;        ///< s_H, of the centre of A_L above the water [m].
-    double density = 1.225;     ///< Density of air without a sea [kg/m³].
+    double length = 0.0;        ///< Length over all L_oa [m].
+    double centre = 0.0;        ///< Centre of A_L ahead of O, s_L [m].
+    double height = 0.0;        ///< Centre of A_L above the water, s_H [m].
+    double density = 1.225;     ///< Density of the air if the world has no sea [kg/m³].
 };
-/// Coefficients of wind from ahead by an angle.
+/// Coefficients of wind at an angle from ahead.
 struct WindCoefficients {
     double x = 0.0, y = 0.0, k = 0.0, n = 0.0;  ///< C_X C_Y C_K C_N [1].
 };
-/// Return the coefficients of a wind. Signs: X ahead, Y, K, N as in the marine frame. @param angle
-/// Angle from which the wind comes, 0 ahead, positive from starboard, |angle| ≤ π [rad].
+/// Compute the wind coefficients. Signs: X ahead; Y, K, N as in the marine frame. @param angle
+/// Direction from which the wind comes, 0 ahead, positive from starboard, |angle| ≤ π [rad].
 [[nodiscard]] WindCoefficients wind_coefficients(const WindLoad& load, double angle) noexcept;
 
 /// Propeller and rudder of the MMG standard method (H. Yasukawa and Y. Yoshimura, "Introduction of
@@ -176,22 +177,22 @@ struct WindCoefficients {
 ///     N = −(x_R + a_H x_H) F_N cos δ
 /// ```
 struct MmgStern {
-    double diameter = 0.0;                            ///< D [m]; 0: no such stern.
+    double diameter = 0.0;                            ///< D [m]; 0: the vessel has no such stern.
     double k0 = 0.0, k1 = 0.0, k2 = 0.0;              ///< K_T = k0 + k1 J + k2 J².
-    double thrust_deduction = 0.0;                    ///< t_P.
-    double wake = 0.0;                                ///< w_P0.
-    double wake_port = 1.0, wake_star = 1.0;          ///< C for β_P > 0 and below 0.
-    double propeller_x = 0.0;                         ///< x_P'.
-    double rudder_area = 0.0;                         ///< A_R [m²].
+    double thrust_deduction = 0.0;                    ///< Thrust deduction t_P.
+    double wake = 0.0;                                ///< Wake fraction w_P0.
+    double wake_port = 1.0, wake_star = 1.0;          ///< C for β_P > 0 and for β_P < 0.
+    double propeller_x = 0.0;                         ///< Position of the propeller x_P'.
+    double rudder_area = 0.0;                         ///< Area of the rudder A_R [m²].
     double height_share = 1.0;                        ///< η = D/H_R.
-    double steering_deduction = 0.0;                  ///< t_R.
+    double steering_deduction = 0.0;                  ///< Steering resistance deduction t_R.
     double hull_increase = 0.0;                       ///< a_H.
-    double hull_x = 0.0, rudder_x = 0.0;              ///< x_H', x_R', over the length.
-    double wake_ratio = 1.0;                          ///< ε.
-    double slipstream = 0.0;                          ///< κ.
-    double lift_slope = 0.0;                          ///< f_α.
-    double inflow_x = 0.0;                            ///< l_R'.
-    double straight_port = 1.0, straight_star = 1.0;  ///< γ_R for β_R < 0 and above 0.
+    double hull_x = 0.0, rudder_x = 0.0;              ///< Positions x_H' and x_R' over the length.
+    double wake_ratio = 1.0;                          ///< Ratio of wake fractions ε.
+    double slipstream = 0.0;                          ///< Factor of the slipstream κ.
+    double lift_slope = 0.0;                          ///< Lift gradient f_α.
+    double inflow_x = 0.0;                            ///< Effective position of the inflow l_R'.
+    double straight_port = 1.0, straight_star = 1.0;  ///< γ_R for β_R < 0 and for β_R > 0.
     double length = 0.0;                              ///< L [m].
 };
 
@@ -205,7 +206,7 @@ struct MmgStern {
 ///     K' = −(1 + a_H) z_R F_N' cos δ                        N' = (x_R + a_H x_H) F_N' cos δ
 /// ```
 struct SonNomotoStern {
-    double diameter = 0.0;  ///< D [m]; 0: no such stern.
+    double diameter = 0.0;  ///< D [m]; 0: the vessel has no such stern.
     double length = 0.0;    ///< L [m].
     double k0 = 0.0, k1 = 0.0;
     double thrust_deduction = 0.0, wake = 0.0, wake_turn = 0.0, propeller_x = 0.0;

@@ -11,11 +11,11 @@
 /// | esso_190k | W. B. van Berlekom and T. A. Goddard 1972, depth of water | surge, sway, yaw |
 /// | osv | T. I. Fossen's offshore supply vessel (MSS, osv.m) | six |
 ///
-/// Numbers of the last four as in the Marine Systems Simulator (MSS, MIT licence).
+/// Numbers of the last four are from the Marine Systems Simulator (MSS, MIT licence).
 ///
-/// Assumed, not published: heave, roll and pitch of kvlcc2, mariner and esso_190k, and heave and
-/// pitch of s175. The assumptions are the stiffness of the waterplane (0.85 L B), a GM of 5 % of
-/// the beam, and a damping ratio of 0.2. The bodies are weightless, and calm water does not excite
+/// Heave, roll and pitch of kvlcc2, mariner and esso_190k, and heave and pitch of s175, are
+/// assumed, not published. They have the stiffness of a waterplane of 0.85 L B, a GM of 5 % of the
+/// beam, and a damping ratio of 0.2. The bodies are weightless, and calm water does not excite
 /// these motions.
 
 #include <hawser/def.h>
@@ -26,7 +26,7 @@
 
 namespace hawser {
 
-/// A body at the origin, bow along x, at its approach speed, and the vessel on it.
+/// A body at the origin with its bow along x, at its approach speed, and the vessel on it.
 struct PublishedShip {
     BodyDef body{};
     VesselDef vessel{};   ///< The caller sets VesselDef::body.
@@ -38,16 +38,16 @@ enum class KvlccScale : std::uint8_t { l7, l3, full };
 [[nodiscard]] PublishedShip kvlcc2(KvlccScale scale);
 [[nodiscard]] PublishedShip mariner();
 [[nodiscard]] PublishedShip s175();
-/// Return the ship at the approach speed of 80 rpm in a depth. @param depth  Depth of water
-/// above 19.5 m [m]; from 1000 on deep. @throws DefError.
+/// Return Esso 190,000 dwt. The approach speed is that of 80 rpm in this depth. @param depth  Depth
+/// of the water, above 19.5 m [m]; 1000 or more: deep. @throws DefError.
 [[nodiscard]] PublishedShip esso_190k(double depth = 1000.0);
-/// Return the ship at rest.
+/// Return Fossen's offshore supply vessel, at rest.
 [[nodiscard]] PublishedShip osv();
 
 /// Names of ships: "kvlcc2_l7", "kvlcc2_l3", "kvlcc2", "mariner", "s175", "esso_190k", "osv".
 inline constexpr const char* kPublishedShips[] = {"kvlcc2", "kvlcc2_l7", "kvlcc2_l3", "mariner",
                                                   "s175",   "esso_190k", "osv"};
-/// Return the ship with this name. @throws DefError if there is none.
+/// Return a ship by its name. @throws DefError if the name is unknown.
 [[nodiscard]] PublishedShip published_ship(std::string_view name, double depth = 1000.0);
 
 }  // namespace hawser

@@ -14,7 +14,7 @@
 ///   |<--------->|^ start
 ///    tactical diameter
 /// ```
-/// Tracks are those of VesselDef::origin; times and angles are interpolated between steps.
+/// Tracks are the paths of VesselDef::origin; times and angles are interpolated between steps.
 
 #include <hawser/vessel.h>
 
@@ -24,24 +24,24 @@
 namespace hawser {
 
 struct TurningCircle {
-    bool turned = false;                 ///< It came to a heading change of 180°.
-    double advance = 0.0;                ///< [m].
-    double transfer = 0.0;               ///< [m].
+    bool turned = false;                 ///< True if it reached a heading change of 180°.
+    double advance = 0.0;                ///< Advance [m].
+    double transfer = 0.0;               ///< Transfer [m].
     double tactical = 0.0;               ///< Tactical diameter [m].
-    double time90 = 0.0, time180 = 0.0;  ///< [s].
+    double time90 = 0.0, time180 = 0.0;  ///< Times of heading changes of 90° and 180° [s].
     double track10 = 0.0;                ///< Way along the track to a heading change of 10° [m].
     // At the end of the run.
-    double speed = 0.0;      ///< [m/s].
+    double speed = 0.0;      ///< Speed [m/s].
     double turn_rate = 0.0;  ///< r, positive to starboard [rad/s].
     double drift = 0.0;      ///< β [rad].
-    double roll = 0.0;       ///< [rad].
+    double roll = 0.0;       ///< φ [rad].
     double most_roll = 0.0;  ///< Largest |φ| since the start [rad].
 };
 
 struct ZigZagTrial {
     std::vector<double> executes{};    ///< Times of the second and later orders [s].
-    std::vector<double> overshoots{};  ///< [rad].
-    double most_roll = 0.0;            ///< [rad].
+    std::vector<double> overshoots{};  ///< Overshoot angles [rad].
+    double most_roll = 0.0;            ///< Largest |φ| [rad].
 };
 
 /// Put the rudder over and step the world for `duration` [s]. The rudder order is the signal
@@ -49,9 +49,9 @@ struct ZigZagTrial {
 /// or the vessel has no such signal.
 [[nodiscard]] TurningCircle turning_circle(World& world, const VesselDef& vessel, double rudder,
                                            double duration);
-/// Run a zig-zag trial. @param rudder  δ of the first order; negative: first to port [rad]. @param
-/// heading  ψ > 0 [rad]. @param count  Number of overshoots at the end. @param most  Longest
-/// duration [s].
+/// Run a zig-zag trial until a number of overshoots or a time is reached. @param rudder  δ of the
+/// first order; negative: first to port [rad]. @param heading  ψ > 0 [rad]. @param count  Number of
+/// overshoots. @param most  Longest time [s].
 [[nodiscard]] ZigZagTrial zig_zag(World& world, const VesselDef& vessel, double rudder,
                                   double heading, int count, double most = 3600.0);
 
@@ -59,11 +59,11 @@ struct ZigZagTrial {
 struct ImoCriterion {
     std::string what{};
     double value = 0.0, limit = 0.0;  ///< In `unit`.
-    std::string unit{};               ///< "L" or "deg".
+    std::string unit{};               ///< Unit of both: "L" or "deg".
     [[nodiscard]] bool met() const noexcept { return value <= limit; }
 };
-/// Return the criteria. Those without data are omitted. @param turn  Turning circle with full
-/// rudder. @param small  10°/10° zig-zag. @param large  20°/20° zig-zag.
+/// Compare trials with the IMO criteria. Criteria without a result in the trials are omitted.
+/// @param turn  With full rudder. @param small  10°/10° zig-zag. @param large  20°/20° zig-zag.
 [[nodiscard]] std::vector<ImoCriterion> imo_criteria(double length, double speed,
                                                      const TurningCircle& turn,
                                                      const ZigZagTrial& small,

@@ -230,8 +230,9 @@ class World {
     [[nodiscard]] Twist predicted_velocity(BodyId id) const;  ///< 2 v − v of the previous step.
     /// Move a body between steps; multipliers are kept. The velocity is used without a staggered
     /// start.
-    /// @throws DefError as add_body(): a position not finite or beyond 1e7 m, an orientation far
-    ///        from length 1, a speed not finite or beyond 1e5, a velocity for a fixed body.
+    /// @throws DefError like add_body(): if the position is not finite or beyond 1e7 m, if the
+    ///        length of the orientation is far from 1. Also if the speed is not finite or beyond
+    ///        1e5, or if a fixed body gets a velocity.
     void set_pose(BodyId id, const Pose& pose);
     void set_velocity(BodyId id, const Twist& twist);
     /// Return true if it sleeps (WorldDef::sleep_after). Its velocity is then that of its last
@@ -254,8 +255,9 @@ class World {
     /// Rows 0-2 of ball, hinge, universal and lock are the force on body 1 in world axes. A line in
     /// tension has f < 0: tension = −force(id)[0].
     [[nodiscard]] std::span<const double> force(InteractionId id) const;
-    /// Return the coordinate of a kind with one (KindInfo::coordinate): the angle of frame 1
-    /// relative to frame 0 about z, −π to π [rad], 0 if their x axes agree. Sliders: the distance
+    /// Return the coordinate of an interaction whose kind has one (KindInfo::coordinate). Hinges:
+    /// the angle of frame 1 relative to frame 0 about z, −π to π [rad], 0 if their x axes agree.
+    /// Sliders: the distance
     /// of point 1 along z of frame 0 [m]. Scalar bodies: the position. Limits, drives and friction
     /// of a joint have the same coordinate.
     /// @throws DefError.
@@ -399,8 +401,8 @@ class World {
     [[nodiscard]] std::vector<std::byte> save_motion() const;  ///< Without states of systems.
     /// Restore a state.
     /// @throws std::bad_alloc, LimitError; DefError if the bytes are damaged or belong to another
-    ///        world: other objects, step or parameters (any mass, length, stiffness, …; names, form
-    ///        and threads may differ). The state is then unchanged.
+    ///        world. Objects, step and parameters (masses, lengths, stiffnesses, …) must be equal;
+    ///        names, form and threads may differ. The state is unchanged after an error.
     void restore(std::span<const std::byte> bytes);
     void restore_variant(std::span<const std::byte> bytes);  ///< Parameters and forces may differ.
     /// Return the definitions, to restore with a state in a world with the same settings:
@@ -417,8 +419,9 @@ class World {
     [[nodiscard]] PartitionView partition(const PartitionRequest& request) const;
     [[nodiscard]] std::size_t memory_bytes() const noexcept;  ///< Memory of state and solver.
 
-    /// Record the activity of each thread from the next step on, up to a number of spans per thread
-    /// (a thousand bodies: a few hundred per step); 0 ends it. Earlier records are dropped.
+    /// Record the activity of each thread from the next step on, up to `spans` spans per thread.
+    /// 0 ends the record. A thousand bodies need a few hundred spans per step. Earlier records are
+    /// dropped.
     /// @throws DefError above 2^28, std::bad_alloc; the present trace then continues.
     void start_trace(std::size_t spans);
     /// Return the last stored steps.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file dense.h
-/// The step's equations written down naively and densely, from the definitions, as the reference
-/// for the assembly: [M̃ Gᵀ; G −Σ][v₊; −λ] = [a; c].
+/// Dense equations of a step, written from the definitions as a reference for the assembly: [M̃ Gᵀ;
+/// G −Σ][v₊; −λ] = [a; c].
 #define HAWSER_KIND_SETUP
 #include "model/kinds/all.h"
 #include "support/dense_reference.h"
@@ -20,16 +20,15 @@ using Vector = Eigen::VectorXd;
 
 struct DenseStep {
     Matrix mass;       ///< M + h θ D.
-    Matrix geometric;  ///< (h²/4) K_g, of lines (a + d) h² K_g (assembly/geo.h).
-    Matrix late;       ///< (h²/4) K_g on the velocities before the step, of lines a h² K_g.
-    Matrix ahead;      ///< d h² K_g of lines, acting on the velocities expected after it.
+    Matrix geometric;  ///< (h²/4) K_g; for lines (a + d) h² K_g (assembly/geo.h).
+    Matrix late;       ///< (h²/4) K_g on the velocities before the step; for lines a h² K_g.
+    Matrix ahead;      ///< d h² K_g of lines, on the velocities expected after the step.
     Matrix damping;    ///< (1 + u) h C.
     Matrix before;     ///< (1 − u) h C, on the velocities before the step.
     double fastest;    ///< Largest u.
     Matrix g;          ///< G, all rows of all interactions.
     Vector sigma, c;
-    /// Without the rotation of rigid bodies, whose gyroscopic part belongs to the stepper.
-    Vector a;
+    Vector a;  ///< Without the rotation of rigid bodies: the stepper computes the gyroscopic term.
     Vector couple_fixed;  ///< Geometric stiffness times prescribed velocities.
     [[nodiscard]] Matrix tilde() const { return mass + geometric + damping; }
 };
@@ -40,7 +39,7 @@ inline Mat3 skew(const Vec3& r) {
     return m;
 }
 
-/// Largest positive semi-definite part of a symmetric matrix.
+/// Return the largest positive semi-definite part of a symmetric matrix.
 inline Mat3 projected(const Mat3& k) {
     const Spectrum s = spectrum(k);
     Mat3 sum = Mat3::Zero();
@@ -51,7 +50,7 @@ inline Mat3 projected(const Mat3& k) {
     return sum;
 }
 
-/// Data of one interaction for its matrices.
+/// Data from which the terms of one interaction are written.
 struct SlotState {
     int dof[kMaxInteractionBodies], at[kMaxInteractionBodies];
     Vec3 arm[kMaxInteractionBodies], lin[kMaxInteractionBodies], ang[kMaxInteractionBodies];
@@ -95,7 +94,7 @@ inline SlotState slot_state(const stepper::StepContext& ctx, int id) {
     return s;
 }
 
-/// K, a 12 × 12 matrix on the twists of slots 0 and 1, into the packed system.
+/// Add K, a 12 × 12 matrix on the twists of slots 0 and 1, to the packed system.
 inline void scatter(const SlotState& s, const Matrix& k, Matrix& into, Vector& fixed) {
     for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q) {
@@ -111,7 +110,7 @@ inline void scatter(const SlotState& s, const Matrix& k, Matrix& into, Vector& f
         }
 }
 
-/// |r|/I of a body at the arm r [world frame], I the mean of its moments across r.
+/// Return |r|/I of a body at the arm r [world frame], with I the mean of its moments across r.
 inline double swing_of(const stepper::StepContext& ctx, std::size_t body, const Vec3& arm) {
     const Quat q(ctx.model.bodies.q[4 * body], ctx.model.bodies.q[4 * body + 1],
                  ctx.model.bodies.q[4 * body + 2], ctx.model.bodies.q[4 * body + 3]);
@@ -120,7 +119,7 @@ inline double swing_of(const stepper::StepContext& ctx, std::size_t body, const 
     const Vec3 n = arm.normalized(), p = n.unitOrthogonal(), t = n.cross(p);
     return arm.norm() / (0.5 * (p.dot(world * p) + t.dot(world * t)));
 }
-/// The larger one of both bodies.
+/// Return the larger swing_of() of both bodies.
 inline double swing_rate(const stepper::StepContext& ctx, int id, const SlotState& s) {
     double most = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
@@ -169,7 +168,7 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         const double p = swing > 0.25 && !rigid ? (swing - 0.25) / (swing + 0.25) : 0.0;
         late_share = 0.25 + 0.25 * p;
         ahead_share = -0.1 * p;
-        // Without lumps a resolved line needs no such term.
+        // Skip a resolved line without point masses: it needs no correction.
         const bool lumps = s.dof[0] == 3 || s.dof[1] == 3 || s.dof[0] == 1 || s.dof[1] == 1;
         if (!lumps && swing < 0.25) resolved = 16.0 * swing * swing;
         line *= resolved;
@@ -198,15 +197,15 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
     Vector none = Vector::Zero(out.couple_fixed.size());
     scatter(s, quarter * k + 4.0 * quarter * late_share * line, out.late, none);
     scatter(s, 4.0 * quarter * ahead_share * line, out.ahead, none);
-    // Joints damp only between two rigid bodies, so that no term couples to a prescribed velocity.
+    // Joints damp between two rigid bodies only, so nothing couples to a prescribed velocity.
     scatter(s, (1.0 + u) * h * c, out.damping, out.couple_fixed);
     scatter(s, (1.0 - u) * h * c, out.before, out.couple_fixed);
 }
 
-/// θ of a damper, docs/theory/step.md.
+/// Compute θ of a damper, docs/theory/step.md.
 inline double late(double z) { return z < 1e-3 ? 0.5 + z / 12.0 : -1.0 / std::expm1(-z) - 1.0 / z; }
 
-/// G M⁻¹ Gᵀ of a row.
+/// Compute G M⁻¹ Gᵀ of a row.
 inline double row_mobility(const stepper::StepContext& ctx, int id, const SlotState& s, int r) {
     double sum = 0.0;
     for (int b = 0; b < ctx.model.interactions.bodies[static_cast<std::size_t>(id)]; ++b) {
@@ -285,7 +284,7 @@ inline void add_bodies(const stepper::StepContext& ctx, DenseStep& out) {
     }
 }
 
-/// The equations at the present state.
+/// Write the equations at the present state.
 inline DenseStep dense_step(const stepper::StepContext& ctx) {
     const int n = ctx.model.bodies.dofs, rows = ctx.model.interactions.row_count;
     const double h = ctx.model.def.step;
@@ -310,12 +309,14 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
         const SlotState s = slot_state(ctx, id);
         const KindInfo& info = kind_info(in.def[i].kind);
         const bool range = std::string_view(info.name).ends_with("_range");
-        // Inside its range, or a slack line (part of the state): no rows, a diagonal alone.
+        // Inactive: a joint inside its range, or a slack line (part of the state). It has no rows,
+        // only a diagonal.
         const bool idle = range ? s.g[0] == 0.0 : in.active[i] == 0.0;
         for (int r = 0; r < info.rows; ++r) {
             const int row = in.row_begin[i] + r;
             double e = in.def[i].compliance[static_cast<std::size_t>(r)];
-            // The recipes give no compliance for it: EA divided by the line paid out by the drum.
+            // Recipes define no compliance for this kind: it is 1/EA of the length paid out by the
+            // drum.
             if (in.def[i].kind == InteractionKind::WinchStretch) {
                 const auto drum = static_cast<std::size_t>(in.def[i].body[2].index);
                 e = (in.def[i].get("length") +
@@ -325,8 +326,8 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
             const double given = in.def[i].damping_time[static_cast<std::size_t>(r)];
             const double tau = std::isnan(given) ? 2.0 * h : given;
             const bool velocity = info.row_units[r] == 'v';
-            // A damper; the damping of the scheme acts only on the velocity after the step. Wires
-            // with an unresolved oscillation have at least that of half a step.
+            // Damper. The scheme's own damping acts only on the velocity after the step. A wire
+            // whose transverse vibration is under-resolved has the damping of at least half a step.
             double theta = 1.0, seen = tau;
             if (!velocity && (in.row_flags[static_cast<std::size_t>(row)] & model::kRowDamper) &&
                 e > 0.0) {
@@ -339,7 +340,7 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
             const double ups = 1.0 / (1.0 + 4.0 * seen * theta / h);
             const double recall = 1.0 - 4.0 * seen * (1.0 - theta) / h;
             out.sigma[row] = velocity ? e / h : 4.0 * e * ups / (h * h);
-            // The Σ of a rigid row is a fraction of its mobility at the analysis.
+            // A rigid row has a fraction of its mobility where the system was analysed.
             if (!velocity && e == 0.0) out.sigma[row] = in.sigma[static_cast<std::size_t>(row)];
             if (idle) continue;
             double prescribed = 0.0;
@@ -353,10 +354,10 @@ inline DenseStep dense_step(const stepper::StepContext& ctx) {
                                   : ups * recall * (out.g.row(row) * v + prescribed) -
                                         4.0 / h * ups * s.g[r] - prescribed;
             if (in.flags[i] & model::kOneSided) {
-                // x̄₋, the position of the line half a step ago: slack is 0 in the mean (x̄₋ +
-                // x̄₊)/2.
+                // x̄₋: position of the line half a step ago. A line is slack if the mean (x̄₋ +
+                // x̄₊)/2 is.
                 const double before = s.g[r] - 0.5 * h * (out.g.row(row) * v + prescribed);
-                // Its damper uses the rate that leads from there.
+                // The damper acts on the rate from x̄₋.
                 const double mean = 4.0 / h * ups * recall;  // factor of x̄ in c
                 out.c[row] += mean * 0.5 * std::min(before, 0.0);
             }

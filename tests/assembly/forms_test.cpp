@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Condensed, saddle and automatic form are pivot orders of one matrix: the same v₊.
+/// Condensed, saddle and automatic form are pivot orders of one matrix and give equal v₊.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 namespace hawser::test {
 namespace {
 
-/// Largest difference of the velocities over the largest velocity.
+/// Return the largest difference of the velocities over the largest velocity.
 double difference(const World& a, const World& b) {
     double most = 0.0, apart = 0.0;
     for (int i = 0; i < a.body_count(); ++i) {
@@ -19,13 +19,13 @@ double difference(const World& a, const World& b) {
     return apart / most;
 }
 
-/// @param mass_ratio  Ratio of the mass that pulls through a joint to that of the lightest body
-///        there. Rounding of the force moves that body by this factor more.
+/// Expect equal velocities of the three forms after each step.
+/// @param mass_ratio  Largest force per mass at a joint over that of the lightest body there:
+/// rounding of the force moves this body by so much more.
 void expect_same(const Recipe& recipe, int steps, double mass_ratio = 100.0) {
-    // relative to the force, after the number of joints used here
-    constexpr double kRounding = 1e-14;
+    constexpr double kRounding = 1e-14;  // of the force, after the number of joints in these scenes
     WorldDef def = recipe.world;
-    def.solution_tolerance = 1e-13;  // compare the forms, not the end of refinement
+    def.solution_tolerance = 1e-13;  // compares the forms, not the end of refinement
     def.form = Form::automatic;
     World automatic = recipe.make(def);
     def.form = Form::saddle;
@@ -33,7 +33,8 @@ void expect_same(const Recipe& recipe, int steps, double mass_ratio = 100.0) {
     def.form = Form::condensed;
     World condensed = recipe.make(def);
     for (int i = 0; i < steps; ++i) {
-        // Start from the same state each time: compare one step, not its consequences.
+        // Restore the same state before each step: compare one step without effects of earlier
+        // differences.
         const auto state = automatic.save();
         saddle.restore(state);
         condensed.restore(state);
@@ -63,7 +64,7 @@ TEST(Forms, AgreeOnAChainWithAHeavyEnd) {
 TEST(Forms, AgreeOnAWire) { expect_same(wire(30), 10); }
 
 TEST(Forms, AgreeOnRedundantRows) {
-    // A closed loop: four hinges of a plane four-bar, three rows too many.
+    // A closed loop: four hinges of a plane four-bar linkage, with three redundant rows.
     Recipe r;
     const BodyId g = r.ground();
     const Vec3 corner[4] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The sums of the checks, processed eight at a time, against Eigen and one at a time.
+/// Kernels of the monitors, eight values per batch, against Eigen and the scalar path.
 #include "assembly/kernels.h"
 #include "base/index.h"
 #include "support/tier.h"
@@ -30,7 +30,7 @@ auto vector_at(T* p) {
     return Eigen::Map<V>(p);
 }
 
-/// Rigid bodies with three lumps among them, and the data that the kernel reads.
+/// Rigid bodies, three point masses among them, with the data that the kernel reads.
 struct Rig {
     static constexpr int kBodies = 40, kFirstLump = 17, kLumps = 3, kSlack = 8;
     std::vector<std::uint8_t> dof = std::vector<std::uint8_t>(kBodies + kSlack, 6);
@@ -49,7 +49,7 @@ struct Rig {
         for (int i = 0; i < kBodies; ++i) {
             dof_begin.push_back(begin);
             begin += dof[at(i)];
-            if (i != 30) moving.push_back(i);  // as of one that was removed
+            if (i != 30) moving.push_back(i);  // body 30 is like one that was removed
             weight[at(i)] = random() % 4 == 0 ? 0 : 1;
             mass[at(i)] = 1.5 + any(random);
             for (int k = 0; k < 3; ++k) x[at(3 * i + k)] = 10.0 * any(random);
@@ -59,7 +59,7 @@ struct Rig {
             matrix_at(&r[at(9 * i)]) = turned;
             const Vector3d moments(1.0, 1.3 + 0.1 * any(random), 1.5);
             RowMajor3 own = moments.asDiagonal();
-            // The first eight have inertias about their own axes, the others about any.
+            // The first eight have inertias about their own axes, the others about arbitrary axes.
             if (i < 8)
                 vector_at(&principal[at(6 * i)]) = moments;
             else
@@ -93,7 +93,7 @@ struct Rig {
     [[nodiscard]] double spin_of(int i) const {
         return vector_at(&v[at(dof_begin[at(i)] + 3)]).squaredNorm();
     }
-    /// Energy of gravity, `back` seconds ago [J].
+    /// Return the energy of gravity, `back` seconds ago [J].
     [[nodiscard]] double potential(int i, double back) const {
         if (weight[at(i)] == 0) return 0.0;
         const Vector3d place =
@@ -140,7 +140,7 @@ TEST(RigidEnergies, AreThoseOfEachBody) {
     }
 }
 
-/// Bodies outside a row of eight, or not rigid, are skipped.
+/// Batches leave out groups of fewer than eight rows, and bodies that are not rigid.
 TEST(RigidEnergies, LeaveTheOthers) {
     const Rig rig(1);
     const auto done_from = [&](std::size_t first, std::int32_t count) {
@@ -149,14 +149,14 @@ TEST(RigidEnergies, LeaveTheOthers) {
                                                   rig.after.data(), 0.0, &e);
     };
     EXPECT_EQ(done_from(0, 7), 0);
-    EXPECT_EQ(done_from(0, 39), 16);  // one of the next eight is a lump
+    EXPECT_EQ(done_from(0, 39), 16);  // one of the next eight is a point mass
     EXPECT_EQ(done_from(Rig::kFirstLump, 22), 0);
     EXPECT_EQ(done_from(20, 19), 8);
     EXPECT_EQ(done_from(23, 16), 0);  // body 30 is missing
 }
 
-/// Against one row at a time, over ranges that begin and end anywhere; a violation that is no
-/// number is not passed over.
+/// Against one row at a time, over ranges with arbitrary first and last rows. A NaN violation is
+/// reported.
 TEST(WidestRow, IsTheFirstOfTheLargest) {
     std::mt19937_64 random(first_seed(7));
     std::uniform_real_distribution<double> any(-1.0, 1.0);

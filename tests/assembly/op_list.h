@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file op_list.h
-/// The list of contributions to the matrix, made the plain way: collected interaction by
-/// interaction, sorted, and shared by lanes by search.
+/// List of contributions to the matrix, made by a direct method: collected interaction by
+/// interaction, sorted, and assigned to lanes by search.
 
 #include "assembly/system.h"
 
@@ -43,7 +43,7 @@ class PlainOps {
     using Op = assembly::Op;
     struct Entry {
         std::int64_t place;
-        std::int32_t column;  ///< Its position.
+        std::int32_t column;  ///< Column of the entry.
         Op op;
     };
 
@@ -130,7 +130,7 @@ class PlainOps {
     void share(std::size_t begin, std::size_t end) {
         struct Shared {
             assembly::LaneOp op;
-            std::size_t first;  ///< Entry.
+            std::size_t first;  ///< First entry of its contributions.
         };
         std::vector<Shared> shared;
         for (std::size_t k = begin; k < end; ++k) {
@@ -201,7 +201,7 @@ inline bool same(const assembly::LaneOp& a, const assembly::LaneOp& b) {
            std::equal(a.id, a.id + 8, b.id) && std::equal(a.from, a.from + 8, b.from);
 }
 
-/// Expect that a system lists the same entries as the simple method.
+/// Expect that a system lists the contributions of the direct method, entry by entry.
 inline void expect_plain_ops(const assembly::System& s, const model::Bodies& bodies,
                              const assembly::View& view) {
     const PlainOps plain(s, bodies, view);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The list of contributions against one made by a simple method. In these worlds bodies,
-/// interactions, links of contacts and forms are added and removed at random.
+/// List of contributions against one made by a direct method. Bodies, interactions, links of
+/// contacts and forms of these worlds change at random.
 #include "assembly/op_list.h"
 #include "context/context.h"
 #include "context/view.h"
@@ -21,7 +21,7 @@ namespace {
 
 using stepper::StepContext;
 
-/// A model that is changed behind the back of the stepper.
+/// A model that is changed without calls of the stepper.
 class Changing {
   public:
     Changing(std::uint32_t seed, Form form) : random_(100ULL + seed) {
@@ -38,7 +38,8 @@ class Changing {
         const assembly::View v = stepper::view(*ctx_);
         expect_plain_ops(ctx_->model.system, bodies(), v);
     }
-    /// The interactions of a body are found from it, as by a search over all interactions.
+    /// Expect that the index of a body lists the interactions that a search of all interactions
+    /// finds.
     void expect_holders() {
         using Holder = std::pair<std::int32_t, std::size_t>;
         constexpr auto kSlots = static_cast<std::size_t>(kMaxInteractionBodies);
@@ -58,7 +59,7 @@ class Changing {
             ASSERT_EQ(found, wanted[static_cast<std::size_t>(b)]) << b;
         }
     }
-    /// One change at random. @return only links changed: relink() is enough.
+    /// Make a random change. @return true if only links changed: relink() is enough.
     bool change() {
         switch (random_.integer(0, 5)) {
             case 0:
@@ -83,7 +84,8 @@ class Changing {
     }
 
   private:
-    /// Wires of lumps side by side between two bodies, with three lengths, and some single lumps.
+    /// Make wires of point masses in parallel between two bodies, in three lengths, and some free
+    /// point masses.
     static Recipe wires(std::uint64_t seed) {
         Random random(seed);
         Recipe r;
@@ -192,7 +194,7 @@ class Changing {
     std::vector<std::int32_t> touching_;
 };
 
-/// Steps of batches, and those of them that an analysis kept from the one before.
+/// Number of steps, and of batches that an analysis kept from the one before.
 struct Carried {
     std::ptrdiff_t kept = 0, steps = 0;
 };
@@ -231,7 +233,7 @@ TEST_P(OpList, IsThatOfThePlainWay) {
         if (HasFailure()) return;
     }
     if (all.size() == 1) return;
-    // Some stay and some do not.
+    // Expect that some batches are kept and some are not.
     EXPECT_GT(carried.kept, carried.steps / 20);
     EXPECT_LT(carried.kept, carried.steps);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Parts of random block patterns: no edge joins two of them.
+/// Parts of random block patterns: no block joins two parts.
 #include "assembly/pattern_parts.h"
 #include "factor/analyse.h"
 #include "factor/ordering.h"
@@ -22,7 +22,7 @@ TEST(PatternParts, NoBlockJoinsTwoParts) {
         for (int v = 0; v < bodies + rows; ++v) {
             size.push_back(static_cast<std::int8_t>(random.integer(1, 6)));
             sign.push_back(v < bodies ? 1 : -1);
-            // Bodies couple to bodies near by, rows to two or three of these.
+            // Bodies couple to bodies of nearby index, rows to two or three of these.
             const int centre = v < bodies ? v : random.integer(0, bodies - 1);
             for (int k = v < bodies ? random.integer(0, 1) : random.integer(1, 3); k > 0; --k) {
                 from.push_back(v);

@@ -15,7 +15,7 @@ namespace {
 
 using assembly::Strips;
 
-/// Store the strip of every index, −1 if none; fails if an index is in two.
+/// Return the row block of every index, −1 if it has none. Fails if an index is in two row blocks.
 template <class Ranges>
 void mark(const Ranges& ranges, int strip, std::vector<int>& of) {
     for (const auto& r : ranges)
@@ -25,8 +25,8 @@ void mark(const Ranges& ranges, int strip, std::vector<int>& of) {
         }
 }
 
-/// Check that every index is in exactly one strip, and that no other strip touches own bodies of a
-/// strip.
+/// Check that every item is in exactly one row block, and that no other row block touches its
+/// private items.
 void check(const stepper::StepContext& ctx) {
     const model::Interactions& in = ctx.model.interactions;
     const Strips& strips = ctx.model.system.strips;
@@ -64,7 +64,7 @@ TEST(Strips, HoldEverythingOnce) {
         }
 }
 
-/// Bodies without interactions: the work is their number.
+/// A scene of bodies alone: the largest amount of work.
 TEST(Strips, AreLongerInLargeScenes) {
     auto strips_of = [](std::size_t bodies) {
         Strips strips;
@@ -93,7 +93,7 @@ TEST(Strips, ShareFewBodiesOfAWire) {
     std::int32_t shared = 0;
     for (int g = 0; g < strips.groups(); ++g)
         for (const auto& r : strips.shared(g)) shared += r.end - r.begin;
-    // One or two a border.
+    // One or two per border.
     EXPECT_LE(shared, 2 * strips.count());
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 using stepper::StepContext;
 
-/// The matrix in the panels, in the permuted order.
+/// Return the matrix in the panels, in the permuted order.
 Matrix assembled(const assembly::System& s, const double* panel) {
     Matrix k = Matrix::Zero(s.symbolic.scalars, s.symbolic.scalars);
     auto get = [&](int row, int column) {
@@ -43,7 +43,7 @@ Matrix assembled(const assembly::System& s, const double* panel) {
     return k;
 }
 
-/// The same matrix from the dense equations: condensed rows eliminated, kept rows bordered.
+/// Compute the same matrix from the dense equations: condensed rows eliminated, kept rows bordered.
 Matrix expected(const StepContext& ctx, const DenseStep& d) {
     const assembly::System& s = ctx.model.system;
     const model::Interactions& in = ctx.model.interactions;
@@ -75,7 +75,7 @@ Matrix expected(const StepContext& ctx, const DenseStep& d) {
            select * kept.transpose() + sigma;
 }
 
-/// The whole matrix as a step writes it, piece by piece.
+/// Write the whole matrix like a step does, piece by piece.
 void write_blocks(StepContext& ctx) {
     assembly::System& s = ctx.model.system;
     const assembly::View v = stepper::view(ctx);
@@ -84,8 +84,9 @@ void write_blocks(StepContext& ctx) {
         s.write_blocks(v, p, s.numeric.values());
 }
 
-/// A mixed scene, or chains long enough for eight links at a time, some steps after the start, so
-/// that all terms occur. With even seeds, forces make joints oscillate too fast for the step.
+/// A mixed scene, or chains long enough for batches of eight links, some steps after the start, so
+/// that no term is zero. With even seeds, forces make the transverse vibration of joints too fast
+/// for the step.
 struct Drawn {
     std::uint32_t seed;
     Form form;
@@ -100,8 +101,8 @@ struct Drawn {
             for (double& l : ctx->model.interactions.lambda) l *= 1000.0;
         return ctx;
     }
-    /// Rows of the step. Completed joints have right-hand sides of their own (tests of
-    /// step/completion.h).
+    /// Return a context with the rows of the step. Joints iterated at the end of the step have
+    /// other right-hand sides, which tests of step/completion.h check.
     [[nodiscard]] std::unique_ptr<StepContext> with_rows() const {
         auto ctx = context();
         ctx->model.completion.banned = true;
@@ -143,7 +144,7 @@ TEST_P(Seeds, OfChainsGoEightAtATime) {
         EXPECT_TRUE(std::any_of(ops.begin(), ops.end(), [](const assembly::LaneOp& op) {
             return op.kind == assembly::Op::body_block;
         }));
-        // Every other chain has reversed joints.
+        // Every other chain has its joints in the opposite direction.
         EXPECT_EQ(std::any_of(ops.begin(), ops.end(),
                               [](const assembly::LaneOp& op) { return op.turned != 0; }),
                   !saddle);
@@ -158,8 +159,8 @@ TEST_P(Seeds, BlocksEqualTheDenseMatrix) {
         const Matrix got = assembled(ctx->model.system, ctx->model.system.numeric.values());
         const Matrix want = expected(*ctx, d);
         ASSERT_EQ(got.rows(), want.rows());
-        // The diagonal of a block row bounds the sums in it. 1e-11 of it is the rounding of sums of
-        // up to a few hundred terms and of the eigenvectors of the projection.
+        // The diagonal of a block row bounds the terms that are added to it. 1e-11 of it covers
+        // rounding of sums of a few hundred terms and of the projection's eigenvectors.
         for (Eigen::Index i = 0; i < got.rows(); ++i)
             for (Eigen::Index j = 0; j < got.cols(); ++j) {
                 const double scale = std::sqrt(std::abs(want(i, i) * want(j, j)));
@@ -175,7 +176,7 @@ TEST_P(Seeds, RightHandSidesEqualTheDenseOnes) {
         const assembly::View v = stepper::view(*ctx);
         for (int r = 0; r < ctx->model.interactions.row_count; ++r) {
             const auto k = static_cast<std::size_t>(r);
-            if (d.g.row(r).isZero(0.0)) continue;  // a range at rest
+            if (d.g.row(r).isZero(0.0)) continue;  // a joint inside its range
             EXPECT_NEAR(v.c[r], d.c[r], 1e-11 * (1.0 + std::abs(d.c[r]))) << "row " << r;
             EXPECT_NEAR(ctx->model.interactions.sigma[k], d.sigma[r], 1e-12 * d.sigma[r])
                 << "row " << r;
@@ -189,7 +190,7 @@ TEST_P(Seeds, RightHandSidesEqualTheDenseOnes) {
     });
 }
 
-/// Solved densely in long double with the stepper's own a: v₊ and λ.
+/// Reference: v₊ and λ by a dense solution in long double, with the stepper's own a.
 TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
     for_each_scene([](const Drawn& scene) {
         const auto ctx = scene.with_rows();
@@ -207,19 +208,19 @@ TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
         b << a, d.c;
         for (int r = 0; r < rows; ++r) {
             k(n + r, n + r) = -d.sigma[r];
-            if (d.g.row(r).isZero(0.0)) b[n + r] = 0.0;  // idle
+            if (d.g.row(r).isZero(0.0)) b[n + r] = 0.0;  // inactive
         }
         const Vector x = solve_dense(k, b);
         const Vector want = x.head(n);
         const Vector got = Eigen::Map<const Vector>(view.v_new, n);
-        // One refinement on the saddle residual in double: 1e-12 of the largest velocity.
+        // After one refinement on the saddle residual in double: 1e-12 of the largest velocity.
         EXPECT_LE((got - want).cwiseAbs().maxCoeff(), 1e-12 * want.cwiseAbs().maxCoeff());
         const Vector lambda = -x.tail(rows);
         const Vector have = Eigen::Map<const Vector>(view.lambda, rows);
-        // λ of rows as stiff as 1e-12 m/N: the velocities' rounding over Σ ≈ 1e-9.
+        // λ of rows as stiff as 1e-12 m/N: rounding of the velocities over Σ ≈ 1e-9.
         EXPECT_LE((have - lambda).cwiseAbs().maxCoeff(), 1e-6 * lambda.cwiseAbs().maxCoeff());
 
-        // The matrix-free residual is that of the dense equations.
+        // The matrix-free residual equals the residual of the dense equations.
         const Vector residual = a - d.tilde() * got + d.g.transpose() * have;
         const double scale = a.cwiseAbs().maxCoeff();
         std::vector<double> momentum(static_cast<std::size_t>(n));
@@ -233,7 +234,7 @@ TEST_P(Seeds, SolutionSolvesTheDenseEquations) {
     });
 }
 
-/// The losses computed along with the solution are those of its rows.
+/// Losses collected while the solution was measured equal the losses of its rows.
 TEST_P(Seeds, LossesAreThoseOfTheSolution) {
     for_each_scene([](const Drawn& scene) {
         const auto ctx = scene.with_rows();
@@ -271,7 +272,7 @@ TEST(ArmStiffness, IsTheProjectionOfTheSymmetrisedOne) {
         const Vec3 r = random.vector(2.0);
         Vec3 f = random.vector(1e5);
         if (trial % 5 == 0) f = random.uniform(-1, 1) * r;              // along the arm
-        if (trial % 7 == 0) f = r.cross(f) / r.norm();                  // square to it
+        if (trial % 7 == 0) f = r.cross(f) / r.norm();                  // perpendicular to it
         if (trial % 50 == 0) f = 1e-9 * f + random.uniform(-9, 9) * r;  // almost along
         double s[6];
         generic::arm_stiffness({f.x(), f.y(), f.z()}, f.norm(), {r.x(), r.y(), r.z()}, r.norm(),
@@ -286,12 +287,12 @@ TEST(ArmStiffness, IsTheProjectionOfTheSymmetrisedOne) {
     for (double z : zero) EXPECT_EQ(z, 0.0);
 }
 
-/// All interactions are internal: impulses on the bodies sum to gravity and applied forces alone,
-/// for any forms and geometric stiffness.
+/// All interactions are internal: impulses on the bodies sum to those of gravity and applied
+/// forces. This holds for all forms and geometric stiffnesses.
 TEST(Momentum, LinearMomentumOfAnIsolatedSystemIsConserved) {
     for (const std::uint32_t seed : seeds(1, 4, 20, 200)) {
         Recipe r = link_chain(8);
-        r.interactions.erase(r.interactions.begin());  // free in space
+        r.interactions.erase(r.interactions.begin());  // leaves the system free in space
         r.world.gravity = {0, 0, 0};
         Random random(seed);
         double mass = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `hawser-bench partition`, `coupling` and `deadline` as programs, in a short form: their JSON, and
-// those of their bars that do not depend on time.
+// the bars that do not depend on time.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +27,7 @@ class BarsProgram : public testing::Test {
         if (!std::filesystem::exists(program_)) GTEST_SKIP() << "hawser-bench is not in this build";
     }
 
-    /// @return its JSON. Checks that the exit code is 0 if all bars are met, else 1.
+    /// Run the program. @return its JSON. The exit code is 0 if all bars are met and 1 otherwise.
     [[nodiscard]] Figures run(const std::string& arguments) const {
         const auto stem = std::filesystem::temp_directory_path() /
                           ("hawser_bars_program_" + std::to_string(::getpid()));
@@ -50,7 +50,7 @@ class BarsProgram : public testing::Test {
         return out;
     }
 
-    /// Return the results of a bar, by case.
+    /// Return for each quantity of a bar whether it is met.
     [[nodiscard]] static std::map<std::string, bool> bar(const Figures& out,
                                                          const std::string& name) {
         std::map<std::string, bool> met;
@@ -86,7 +86,7 @@ TEST_F(BarsProgram, PartitionJudgesThePapersGraphs_full) {
             for (const char* who : {"ours_seconds", "metis_seconds", "amd_seconds"})
                 EXPECT_GT(t.at(who).get<double>(), 0.0) << who;
         }
-        // Two threads are assessed only if a second processor was available.
+        // Bars for two threads exist only if the machine had a second processor.
         for (const char* b : {"full_partition", "update", "factor_and_solve_1"})
             EXPECT_EQ(bar(out, b).count(c.at("name")), 1U) << b;
     }
@@ -129,7 +129,7 @@ TEST_F(BarsProgram, CouplingTellsWhatItMeasuredAndNothingElse_full) {
     }
 }
 
-/// A budget of 0.1 ms: less than the full load needs on any machine.
+/// A budget of 0.1 ms is less than a full step of the load takes on any machine.
 TEST_F(BarsProgram, DeadlineJudgesAShortRun_full) {
     const Figures out =
         run("deadline scenes/heavy_hook.json --control '' --stacks 10 --steps 100 --budget 0.1");

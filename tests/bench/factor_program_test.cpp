@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `hawser-bench factor` as a program: a file in, every solver's figures out.
+// `hawser-bench factor` as a program: reads a file and writes the figures of every solver.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -53,8 +53,8 @@ TEST_F(FactorProgram, EverySolverSolvesAMatrixFromAFile_full) {
     for (const auto& tried : result.at("tried")) {
         EXPECT_FALSE(tried.contains("failure")) << tried.dump();
         solvers.insert(tried.at("solver"));
-        // Bodies of 10 kg with rows of compliance 1e-9: the condition allows 1e-16 / 1e-9 / 1e3,
-        // refinement included, and another three digits for 90 links in a row.
+        // Bodies of 10 kg with rows of compliance 1e-9: the condition allows 1e-16 / 1e-9 / 1e3
+        // with refinement, and three digits more for a chain of 90 links.
         EXPECT_LT(tried.value("error", 1.0), 1e-9) << tried.dump();
         EXPECT_GT(tried.value("total_ms", 0.0), 0.0);
     }
@@ -63,7 +63,7 @@ TEST_F(FactorProgram, EverySolverSolvesAMatrixFromAFile_full) {
     for (const std::string& file : {matrix, json, stem.string()}) std::filesystem::remove(file);
 }
 
-/// The parts add up to the value printed above them, and the marked ones to the line below.
+/// The parts add up to the sum printed above them, the marked ones to the line below.
 TEST_F(FactorProgram, SharesAddUp_full) {
     const std::string out = (std::filesystem::temp_directory_path() /
                              ("hawser_factor_shares_" + std::to_string(::getpid())))
@@ -93,7 +93,7 @@ TEST_F(FactorProgram, SharesAddUp_full) {
     EXPECT_EQ(parts, 9);
     EXPECT_EQ(updates, 1);
     EXPECT_GT(common, 0.0);
-    const double digits = 0.05 * (parts + 1);  // every figure is printed to a tenth
+    const double digits = 0.05 * (parts + 1);  // every figure is rounded to a tenth
     EXPECT_NEAR(sum, all, digits);
     EXPECT_NEAR(marked, common, digits);
     std::filesystem::remove(out);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Scenes with contacts give the same bits for any number of threads, and after restoring a state
-/// into a world with another number. `hawser-bench hashes` runs 1,000 steps of each.
+/// into a world with another number of threads. `hawser-bench hashes` runs 1,000 steps of each.
 #include "hashes/compare.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@ void expect_equal(const HashComparison& c) {
             << " thread(s), restored from a state of " << r.restored_from;
 }
 
-/// Steps until a contact slides or a body lands, or joints reach their ends.
+/// Enough steps for sliding, or for the landing of bodies that do not slide, or for joints at their
+/// ends.
 const std::map<std::string, int> kSteps = {
     {"bouncing_ball", 200}, {"painleve", 500}, {"joint_limits", 200}};
 constexpr int kFewSteps = 20;
@@ -29,7 +30,7 @@ const std::set<std::string> kAtRest = {
     "box_stack_1e6",   "rolling_resistance", "crane_knuckle", "crane_lattice", "chaser",
     "wire_edge",       "wire_pins",          "wire_slide"};
 
-/// Scenes with friction, ranges and motors, but no contacts.
+/// Scenes with friction, ranges and motors, without contacts.
 const std::set<std::string> kJoints = {
     "anchor_lines", "anchor_sea", "joint_friction", "joint_limits", "motor_limits", "payout",
     "slider_crank", "tackle",     "winch_modes",    "wire_part",    "wire_bollard"};
@@ -51,8 +52,8 @@ TEST(Hashes, DoNotDependOnThreadsOrRestoring_full) {
     }
 }
 
-/// Nodes are added and removed, also in the step after a saved state; `make test-long` runs whole
-/// scenes.
+/// Nodes are inserted and removed, also in the step after a saved state. `make test-long` runs
+/// whole scenes.
 TEST(Hashes, DoNotDependOnRestoringWhereNodesComeAndGo) {
     for (const char* scene : {"payout", "tow_payout"}) {
         HashOptions options;
@@ -66,8 +67,8 @@ TEST(Hashes, DoNotDependOnRestoringWhereNodesComeAndGo) {
     }
 }
 
-/// The scenes with many parallel wires, with more threads than most machines have; `make test-long`
-/// runs 600 steps.
+/// Scenes of many parallel wires, with more threads than most machines have. `make test-long` runs
+/// 600 steps.
 TEST(Hashes, DoNotDependOnManyThreads) {
     for (const char* scene : {"anchor_lines", "mooring"}) {
         HashOptions options;

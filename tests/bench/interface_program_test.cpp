@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `hawser-bench interface` as a program, in a short form: its JSON, and that bar which does not
+// `hawser-bench interface` as a program, in a short form: its JSON, and the bar that does not
 // depend on time.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -38,7 +38,7 @@ TEST(InterfaceProgram, TellsWhatReadingCosts_full) {
     for (const char* time :
          {"state_ns", "outputs_us", "contacts_us", "save_ms", "restore_ms", "hash_ms", "step_ms"})
         EXPECT_GE(out.at(time).get<double>(), 0.0) << time;
-    // A thousand of them cost more than none does, by far more than the clock resolves.
+    // A thousand idle systems cost more than none, by far more than the resolution of the clock.
     EXPECT_GT(out.at("idle_system_us").get<double>(), 0.0);
     bool no_copy = false, idle = false, good = true;
     for (const nlohmann::json& bar : out.at("bars")) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code of `hawser-bench factor` around the solvers, against dense algebra.
+// Functions of `hawser-bench factor` around the solvers, against dense algebra.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -27,7 +27,7 @@ Matrix full(const Sparse& lower) {
     return k;
 }
 
-/// Scalars of the nodes that a form keeps, and the others.
+/// Return the scalars of the nodes that a form keeps, and the others.
 std::pair<std::vector<int>, std::vector<int>> split(const BlockSystem& s, const BlockForm& f) {
     std::pair<std::vector<int>, std::vector<int>> parts;
     for (int a = 0; a < s.pattern.nodes(); ++a)
@@ -61,7 +61,7 @@ TEST(BlockForm, CondensedIsTheSchurComplement) {
         const Matrix g = k(gone, kept);
         const Vector sigma = -k.diagonal()(gone);
         const Matrix schur = k(kept, kept) + g.transpose() * sigma.cwiseInverse().asDiagonal() * g;
-        // Rounding of sums of up to some hundred terms as large as the largest.
+        // Rounding of sums of up to some hundred terms, each at most as large as the largest entry.
         EXPECT_LT((full(m.lower) - schur).cwiseAbs().maxCoeff(),
                   1e-14 * schur.cwiseAbs().maxCoeff())
             << s.name;
@@ -106,7 +106,7 @@ TEST(Sweeps, FoldSolveUnfoldSolvesTheSystem) {
             solve();
             add_correction(s, f, inverse, v, serial);
             const double refined = relative_error(s, v.x, exact.x);
-            // Condition: bodies of 2e7 kg and 1e2 kg, compliances of 1e-9 and 1e1.
+            // Condition: bodies of 2e7 kg and of 1e2 kg, compliances 1e-9 and 1e1.
             EXPECT_LT(refined, 1e-8) << s.name << (condensed ? " condensed" : " saddle");
             EXPECT_LE(refined, 2.0 * first + 1e-15);
         }
@@ -127,7 +127,7 @@ TEST(Reference, SolvesInLongDouble) {
 }
 
 TEST(MatrixMarket, ReadsDetectsBlocksAndRefuses) {
-    // Two bodies of two scalars each, coupled, and one row on both; comments and blank lines.
+    // Two bodies of two scalars each, coupled, and one row on both, with comments and blank lines.
     std::istringstream in(
         "%%MatrixMarket matrix coordinate real symmetric\n% comment\n\n5 5 12\n"
         "1 1 4\n2 1 1\n2 2 5\n3 3 6\n4 3 1\n4 4 7\n3 1 0.5\n4 1 0.25\n3 2 0.125\n4 2 0.1\n"

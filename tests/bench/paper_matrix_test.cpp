@@ -72,7 +72,7 @@ TEST(PaperMatrix, IsOneIslandAtEveryScale) {
     for (int scale : {1, 2, 10}) {
         const BlockSystem s = PaperScene(options(CableForm::rigid, scale)).system();
         EXPECT_EQ(s.islands(), 1) << scale;
-        // Each joint between copies adds one bend of two rows.
+        // Each joint between two copies of the scene adds one bending joint of two rows.
         EXPECT_EQ(s.scalars(), 14'079 * scale + 2 * (scale - 1));
     }
 }
@@ -82,7 +82,7 @@ TEST(PaperMatrix, RepeatsBitForBit) {
     const BlockSystem a = PaperScene(o).system(), b = PaperScene(o).system();
     EXPECT_EQ(a.values, b.values);
     EXPECT_EQ(a.rhs, b.rhs);
-    // Another seed is another matrix of the same size.
+    // Another seed gives another matrix of the same size.
     auto other = o;
     other.seed = 2;
     const BlockSystem c = PaperScene(other).system();
@@ -111,14 +111,15 @@ TEST(PaperMatrix, ContactEditsChangeThatManyContactsAndNothingElse) {
                 if (!same) ++moved;
                 EXPECT_TRUE(same || nodes.count(a) == 1) << "node " << a;
             }
-            // A body with three points on its hull may by chance change to itself.
+            // A body with three points on its hull can change to itself by chance.
             EXPECT_GE(moved, 2 * count * 9 / 10);
         }
     }
 }
 
-/// A and A + GᵀΣ⁻¹G by dense Cholesky, Σ by its diagonal. By Sylvester's law the matrix then has as
-/// many positive and negative pivots as it has bodies' scalars and rows, in any order.
+/// Check A and A + GᵀΣ⁻¹G by dense Cholesky, and Σ by its diagonal. By Sylvester's law the matrix
+/// then has as many positive pivots as bodies have scalars, and as many negative ones as there are
+/// rows. This holds in any order.
 void expect_quasi_definite(const BlockSystem& s) {
     const Sparse lower = s.lower();
     std::vector<int> row(at(s.scalars()), -1), body(at(s.scalars()), -1);
@@ -141,7 +142,7 @@ void expect_quasi_definite(const BlockSystem& s) {
             else
                 FAIL() << s.name << ": rows coupled to rows";
         }
-    EXPECT_TRUE((sigma.array() > 0.0).all()) << s.name;  // or there are none
+    EXPECT_TRUE((sigma.array() > 0.0).all()) << s.name;  // or Σ is empty
     EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(a).info(), Eigen::Success) << s.name;
     Sparse jacobian(rows, bodies);
     jacobian.setFromTriplets(g.begin(), g.end());
@@ -166,7 +167,7 @@ TEST(PaperMatrix, LowerAndProductAgreeWithTheBlocks) {
         multiply(s, {x.data(), at(s.scalars())}, y);
         const Eigen::VectorXd z = s.lower().selfadjointView<Eigen::Lower>() * x;
         for (int i = 0; i < s.scalars(); ++i)
-            // Sums of some hundred terms of the size of the largest, 4e10 at hulls.
+            // Sums of some hundred terms up to the size of the largest one, 4e10 at hulls.
             ASSERT_NEAR(y[at(i)], z[i], 1e-14 * 4e10);
     }
 }

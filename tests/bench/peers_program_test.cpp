@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// `hawser-bench peers` as a program, with our engine alone: h = 1/60 s, no substeps, one thread.
-// The limits are those which the comparison promises of us; measured is 1.3 times less (the gap of
-// heavy_hook) to a hundred times less.
+// `hawser-bench peers` as a program, with Hawser alone: h = 1/60 s, no substeps, one thread. The
+// limits are the claims of the comparison for Hawser. Measured values are smaller by a factor of
+// 1.3 (gap of heavy_hook) to 100.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -22,14 +22,14 @@
 namespace hawser::bench {
 namespace {
 
-/// Return a path for this process: tests run concurrently.
+/// Return a path that contains the id of this process: tests run in parallel.
 std::filesystem::path own_path(const char* name) {
     return std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + name);
 }
 
 using nlohmann::json;
 
-/// Return the wanted engines that are in the program, in the form of --engines.
+/// Return the wanted engines that the program has, in the form of --engines.
 std::string engines_of(const std::string& program, const std::vector<std::string>& wanted) {
     const auto help = own_path("hawser_peers_help.txt");
     if (std::system((program + " peers --help > " + help.string()).c_str()) != 0) return {};
@@ -54,7 +54,7 @@ class PeersProgram : public testing::Test {
                                     " peers --engines hawser --scene all --budget 3600 "
                                     "--reference bench/peers/reference --json " +
                                     out.string() + " > /dev/null";
-        // 1: ours missed a target. Each test checks its own targets, but not times.
+        // 1: Hawser missed a demand. Each test checks its own demand; those of time are not tested.
         ASSERT_LE(WEXITSTATUS(std::system(command.c_str())), 1);
         results_ = json::parse(std::ifstream(out));
     }
@@ -94,16 +94,16 @@ TEST_F(PeersProgram, OurStepKeepsWhatIsAskedOfContacts_full) {
     int checked = 0;
     for (const char* scene : {"mooring_seabed", "box_stack", "box_stack_1e6"}) {
         for (const json& d : of(scene)["demands"]) {
-            if (d["what"] == "median frame, CPU [ms]") continue;  // the machine's business
+            if (d["what"] == "median frame, CPU [ms]") continue;  // depends on the machine
             EXPECT_TRUE(d["met"].get<bool>()) << scene << ": " << d.dump();
             ++checked;
         }
-        // unknown, since friction dissipates energy
-        EXPECT_TRUE(of(scene)["energy_drift"].is_null());
+        EXPECT_TRUE(of(scene)["energy_drift"].is_null());  // unknown because friction dissipates
+                                                           // energy
     }
     EXPECT_EQ(checked, 4 + 2 + 2);
-    // Shapes initially just touch: the floor deflects by m g / (2 k) = 0.1 mm per point, twice that
-    // at first.
+    // Shapes touch at the start: the floor yields by m g / (2 k) = 0.1 mm per point, twice that at
+    // first.
     EXPECT_LE(of("mooring_seabed")["sink_m"].get<double>(), 1e-3);
 }
 
@@ -118,17 +118,17 @@ TEST(PeersWithContacts, LieOnTheFloorAndTellTheirPoints_full) {
                                 " --substeps 4 --scene mooring_seabed,box_stack --duration 0.2 "
                                 "--json " +
                                 out.string() + " > /dev/null 2> /dev/null";
-    ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 0);  // peers have no targets
+    ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 0);  // peers have no demands
     for (const json& r : json::parse(std::ifstream(out))) {
         EXPECT_EQ(r["substeps"], 4);
         EXPECT_FALSE(r.contains("demands"));
         if (r["scene"] == "mooring_seabed") {
-            // A free fall of 0.2 s is 196 mm.
+            // A free fall of 0.2 s would be 196 mm.
             EXPECT_GE(r["contacts"]["median"].get<int>(), 600) << r["engine"];
             EXPECT_LT(r["sink_m"].get<double>(), 0.02) << r["engine"];
         } else {
-            // Ten faces of four points if they are found; a ratio of 1000:1 presses them through
-            // each other.
+            // Ten faces of four points if all are found; a mass ratio of 1000:1 lets the bodies
+            // penetrate.
             EXPECT_GE(r["contacts"]["max"].get<int>(), 40) << r["engine"];
             EXPECT_GT(r["drop_m"].get<double>(), 0.0) << r["engine"];
         }
@@ -154,8 +154,9 @@ TEST(PeersReference, IsWrittenWithBothRuns_full) {
             EXPECT_EQ(a, b);
             continue;
         }
-        // The first samples of the file, computed again. Other instruction sets round differently;
-        // with 1e-10 in the law of contacts tensions agree to many more digits.
+        // Compute the first samples of the file again. Other instruction sets round differently.
+        // With 1e-10 as tolerance of the contact laws the tensions agree to many more digits than
+        // compared.
         double x[5], y[5];
         for (const auto& [text, v] : {std::pair{&a, x}, std::pair{&b, y}})
             ASSERT_EQ(

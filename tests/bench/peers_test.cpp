@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of `hawser-bench peers` that assess engines: scenes, spanning forests, measures.
+// Parts of `hawser-bench peers` that assess engines: scenes, spanning forests, measures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,12 +37,12 @@ TEST(Scenes, HaveTheStatedSizesAndAreClosed) {
         const Reference none;
         EXPECT_LT(Meter(c.scene, none, false).largest_gap(start_of(c.scene)), 1e-8);
     }
-    EXPECT_NEAR(*tow_zigzag().tension, 249.688e3, 0.5);  // given with six digits
+    EXPECT_NEAR(*tow_zigzag().tension, 249.688e3, 0.5);  // published with six digits
 }
 
 TEST(Scenes, TowLinesOfMooringStartAtRest) {
-    // Slopes of neighbouring links differ by w / H in equilibrium; 500 kN of thrust is H. Ships
-    // are placed to 0.5 mm, worth 70 N of a tow line of 7.5e-6 m/N.
+    // Slopes of neighbouring links differ by w / H in equilibrium; H is the thrust of 500 kN. Ships
+    // are placed to 0.5 mm, which equals 70 N of a tow line of 7.5e-6 m/N.
     const Scene s = mooring();
     const auto slope = [&](std::size_t body) {
         const Vec3 d = s.bodies[body].start.q * Vec3::UnitX();
@@ -70,7 +70,7 @@ TEST(Forest, PlacesEveryBodyOnceParentsFirst) {
     EXPECT_THROW((void)spanning_forest(mooring(), {"none cut", {}}), std::invalid_argument);
 }
 
-/// One towed ship under thrust, without other loads.
+/// Make a scene of one towed ship under thrust.
 Scene lone_ship() {
     Scene s;
     s.name = "lone";
@@ -87,7 +87,7 @@ Scene lone_ship() {
     return s;
 }
 
-/// Three seconds in which the ship gains `acceleration` against the pull of the line.
+/// Simulate three seconds in which the ship moves with `acceleration` against the pull of the line.
 Measures towed_at(double acceleration, int frames = 180) {
     const Scene s = lone_ship();
     const Reference none;
@@ -106,14 +106,14 @@ Measures towed_at(double acceleration, int frames = 180) {
 }
 
 TEST(Meter, TensionIsTheForceMissingInTheMomentumBalance) {
-    // 300 N of thrust, 0.2 m/s2 of 1000 kg: the line pulls back with 100 N.
+    // 300 N of thrust, 0.2 m/s² of 1000 kg: the line pulls back with 100 N.
     EXPECT_NEAR(*towed_at(0.2).tension_error, 0.0, 1e-9);
     EXPECT_NEAR(*towed_at(0.197).tension_error, 0.03, 1e-9);
     EXPECT_FALSE(towed_at(0.2, 30).tension_error) << "the first second does not count";
 }
 
 TEST(Meter, EnergyDriftIsWhatNoLoadExplains) {
-    // The line is not a load of the scene: it takes 100 N over x = 0.1 t^2 = 0.9 m, scale 200 J.
+    // The line is not a load of the scene: it absorbs 100 N over x = 0.1 t² = 0.9 m, scale 200 J.
     EXPECT_NEAR(towed_at(0.2).energy_end, -100.0 * 0.9 / 200.0, 1e-9);
     EXPECT_NEAR(towed_at(0.3).energy_end, 0.0, 1e-9);
 }
@@ -142,7 +142,7 @@ TEST(Meter, BreaksOnGapPathAndNan) {
     EXPECT_NE(meter.why_not(600).find("block"), std::string::npos);
 }
 
-/// The file of the same scene that the program runs.
+/// Read the file of the scene with this name.
 nlohmann::json scene_file(const std::string& name) {
     return nlohmann::json::parse(std::ifstream("scenes/" + name + ".json"));
 }
@@ -150,10 +150,10 @@ nlohmann::json scene_file(const std::string& name) {
 TEST(ContactScenes, SeabedIsThatOfTheSceneFile) {
     const Scene s = mooring_seabed();
     const nlohmann::json file = scene_file(s.name);
-    // Nodes of the first line from its anchor at (302.109, 208.462) are joints 1, 2, ... of it.
+    // Nodes of the first line from its anchor at (302.109, 208.462) are its joints 1, 2, ...
     std::size_t compared = 0;
     for (const auto& cable : file["cables"]) {
-        if (!cable["shape"].is_array()) continue;  // tow lines: solved for, not listed
+        if (!cable["shape"].is_array()) continue;  // shapes of tow lines are solved, not listed
         std::set<std::size_t> found;
         for (const auto& node : cable["shape"]) {
             const Vec3 at(node[0], node[1], node[2]);
@@ -198,7 +198,7 @@ TEST(Meter, MeasuresTheTopOfAStackAndHowDeepACapsuleSinks) {
     const auto before = state;
     state[9].x += Vec3(3e-4, -4e-4, -2e-4);
     tower.frame(before, state, 0.1);
-    tower.frame(state, before, 0.2);  // the largest counts, not the last
+    tower.frame(state, before, 0.2);  // reports the largest value, not the last
     EXPECT_NEAR(tower.measures().drop.value(), 2e-4, 1e-12);
     EXPECT_NEAR(tower.measures().sideways.value(), 5e-4, 1e-12);
     EXPECT_EQ(tower.why_not(600), "");
@@ -210,17 +210,17 @@ TEST(Meter, MeasuresTheTopOfAStackAndHowDeepACapsuleSinks) {
     Meter meter(bed, none, false);
     auto links = start_of(bed);
     meter.frame(links, links, 0.1);
-    // It starts on the floor; but a capsule is as long as its arc, not its chord, so that the end
-    // of the first link that rises dips by 2e-8 m.
+    // The line starts on the floor. A capsule is as long as its arc, not its chord, so that the
+    // first rising link dips by 2e-8 m.
     EXPECT_NEAR(meter.measures().sink.value(), 0.0, 1e-7);
-    links[3].x.z() -= 2e-3;  // the first link of the first line, horizontal
+    links[3].x.z() -= 2e-3;  // first link of the first line, horizontal
     meter.frame(links, links, 0.2);
     EXPECT_NEAR(meter.measures().sink.value(), 2e-3, 1e-9);
 }
 
 TEST(References, OfTheSeabedIsConverged) {
-    // Both columns are our runs, with h/16 and h/32 (make_reference.h). If errors at least halve
-    // with the step, their difference bounds the error of the finer one.
+    // Both columns are runs of Hawser, at h/16 and h/32 (make_reference.h). Their difference bounds
+    // the error of the finer run if errors at least halve with the step.
     const std::string path = std::string(kReferences) + "/mooring_seabed.csv";
     std::ifstream in(path);
     std::string line;
@@ -237,7 +237,7 @@ TEST(References, OfTheSeabedIsConverged) {
             sum += std::pow(coarse[k] / fine[k] - 1.0, 2);
     }
     EXPECT_GT(count, 2 * 1100);
-    // A twentieth of the 0.5 % by which engines are assessed.
+    // A twentieth of the 0.5 % limit for engines.
     EXPECT_LT(std::sqrt(sum / count), 0.05 * mooring_seabed().wanted.tension);
     EXPECT_TRUE(load_reference(kReferences, mooring_seabed()).covers(19.9));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A short run of `hawser-bench random`: its cases are as stated and reproducible, and its checks
-/// detect impossible motions.
+/// `hawser-bench random` in a short form: cases have the stated kinds and repeat exactly, and the
+/// monitor detects impossible motions.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -31,7 +31,7 @@ class RandomProgram : public testing::Test {
         for (const char* end : {".csv", ".json", ".scene", ".txt"})
             std::filesystem::remove(stem_ + end);
     }
-    /// @return its exit code; its output is in stem_ + ".txt".
+    /// Run the program; its output goes to stem_ + ".txt". @return its exit code.
     [[nodiscard]] int run(const std::string& arguments) const {
         const std::string command =
             program_ + " random " + arguments + " > " + stem_ + ".txt 2> /dev/null";
@@ -56,7 +56,7 @@ TEST_F(RandomProgram, CountsWhatItMade_full) {
     EXPECT_EQ(all.at("ok").get<int>() + all.at("doubtful").get<int>() +
                   all.at("failed").get<int>() + all.at("refused").get<int>(),
               200);
-    // At least a fifth of each, less three standard deviations for 200 cases.
+    // At least a fifth of each kind, less three standard deviations of a sample of 200.
     for (const char* kind : {"repeated joints", "contradictory joints", "wires", "ratios of 1e6"})
         EXPECT_GE(out.at("categories").at(kind).at("cases").get<int>(), 28) << kind;
     EXPECT_EQ(out.at("wrong").size(), all.at("wrong").get<std::size_t>());

@@ -11,7 +11,7 @@
 namespace hawser::bench {
 namespace {
 
-/// The order stays good for a while, and a repair gives the same result as an analysis.
+/// The order stays efficient over some changes, and the repaired analysis equals a new one.
 TEST(ContactEdits, LeaveTheOrderGood) {
     for (const CableForm cables : {CableForm::lumped, CableForm::rigid})
         for (const bool condensed : {false, true}) {
@@ -31,7 +31,7 @@ TEST(ContactEdits, LeaveTheOrderGood) {
                 EXPECT_TRUE(factor::analyse(p, analysis.elimination()) == analysis.symbolic());
             }
             EXPECT_LT(columns, 0.25);  // measured 0.15 to 0.19
-            // Measured 1.1 to 1.3; without the places at which branches meet 1.4 to 1.6.
+            // Measured 1.1 to 1.3; 1.4 to 1.6 without reserved positions at branch points.
             EXPECT_LT(static_cast<double>(analysis.symbolic().flops), 1.35 * flops);
         }
 }

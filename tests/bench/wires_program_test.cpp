@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `hawser-bench wires --quick` as a program: its JSON, and Euler's ratio of our routes and guide.
+// `hawser-bench wires --quick` as a program: its JSON, and Euler's ratio of routes and of a guide.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -51,9 +51,9 @@ TEST(WiresProgram, OursSlipWhereEulerSays_full) {
             EXPECT_LE(std::abs(error), 1e-4) << method;
         } else {
             ++segments;
-            // A polygon slips at the balance of its lumps, which is not Euler's ratio. At three
-            // turns each of the 16 elements turns by 67 degrees, and its lumps have moved before
-            // they slip: 4 %.
+            // A polygon slips at the force balance of its nodes, which differs from Euler's ratio.
+            // At three turns each of the 16 elements turns by 67 degrees, and its nodes have moved
+            // before they slip: 4 %.
             const double own = row.at("capstan_error_of_geometry");
             EXPECT_LT(own, 0.0) << method;
             EXPECT_NEAR((1.0 + error) / (1.0 + own), 1.0, 0.06) << method;

@@ -79,7 +79,7 @@ TEST(Controls, SignalsOfSystems) {
 
 TEST(Exercise, VerifiesItsSteps) {
     const auto folder = test_folder();
-    // The exercise fails without operators; all steps are correct.
+    // The exercise fails because no role acts; each step passes the verifier.
     const Outcome good = run_program({"exercise", "exercises/crane_lift.json", "--verify"});
     EXPECT_EQ(good.code, 4) << good.err;
     EXPECT_NE(good.out.find("verified"), std::string::npos) << good.out;

@@ -26,7 +26,7 @@ std::filesystem::path program_file() {
 
 namespace {
 
-// In the child: no allocation after fork, so everything is prepared before.
+// In the child process: prepare everything before fork, which is not followed by any allocation.
 [[noreturn]] void become(char* const* argv, const char* out, const char* err) {
     const int flags = O_WRONLY | O_CREAT | O_TRUNC;
     dup2(open(out, flags, 0600), STDOUT_FILENO);
@@ -43,7 +43,7 @@ Outcome run_program(const std::vector<std::string>& arguments, double interrupt_
     std::filesystem::create_directories(folder);
     const std::string tag = std::to_string(getpid());
     const std::string out = folder / ("out." + tag), err = folder / ("err." + tag);
-    // env(1) sets the variables and becomes the program, so signals reach it.
+    // env(1) sets the variables and replaces itself by the program, so that signals reach it.
     std::vector<std::string> words{"/usr/bin/env"};
     words.insert(words.end(), environment.begin(), environment.end());
     words.push_back(program_file());
@@ -55,7 +55,8 @@ Outcome run_program(const std::vector<std::string>& arguments, double interrupt_
     const pid_t child = fork();
     if (child == 0) become(argv.data(), out.c_str(), err.c_str());
     if (interrupt_after >= 0.0) {
-        // A program handles signals when it prints its first line: instrumented ones start slowly.
+        // A program handles signals once it has printed its first line: instrumented programs start
+        // slowly.
         const auto silent = [&] {
             return std::filesystem::file_size(out) + std::filesystem::file_size(err) == 0;
         };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file program.h
-/// Runs the program hawser and returns its output and exit code.
+/// Run the program hawser and return its output and exit code.
 
 #include <gtest/gtest.h>
 
@@ -12,20 +12,21 @@
 namespace hawser::test {
 
 struct Outcome {
-    int code = -1;  ///< Exit code; −signal when it died from one.
+    int code = -1;  ///< Exit code; −signal if a signal ended it.
     std::string out, err;
 };
 
-/// The program under test. @throws std::runtime_error when HAWSER_BIN_DIR does not name it.
+/// Return the program under test. @throws std::runtime_error if HAWSER_BIN_DIR does not name it.
 [[nodiscard]] std::filesystem::path program_file();
 
-/// @param interrupt_after  Send SIGINT this many seconds after the first output; negative = never.
-/// @param environment      Environment entries "NAME=value" besides the present ones.
+/// Run the program.
+/// @param interrupt_after  Send SIGINT this many seconds after the first output; negative: never.
+/// @param environment      Environment entries "NAME=value", added to the present ones.
 [[nodiscard]] Outcome run_program(const std::vector<std::string>& arguments,
                                   double interrupt_after = -1.0,
                                   const std::vector<std::string>& environment = {});
 
-/// A folder of this test's own, emptied.
+/// Return an empty folder of this test.
 [[nodiscard]] std::filesystem::path test_folder();
 
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Shipped scenes under random controls within their declared ranges (`hawser controls`), verified.
 ///
-/// No run may crash, end ok although the verifier refuses a step, or end otherwise without a
-/// physical cause: a line above its breaking load, an empty drum, an open stopper or hook.
+/// Failures are: a crash, an end with "ok" although the verifier rejects a step, or another end
+/// without a physical cause. Physical causes are a line above its breaking load, an empty drum, and
+/// an open stopper or hook.
 #include "program.h"
 #include "support/tier.h"
 
@@ -38,7 +39,7 @@ bool has_physical_cause(const Summary& summary) {
     return false;
 }
 
-/// Run a scene under the controls of a seed. @return number of equations; 0: no inputs.
+/// Run a scene under the controls of a seed. @return number of equations; 0 if it has no inputs.
 std::int64_t run_controlled(const std::string& scene, std::uint32_t seed, const char* seconds) {
     const fs::path folder = test_folder(), controls = folder / "controls.csv",
                    summary = folder / "summary.json";
@@ -70,7 +71,7 @@ TEST(RandomControls, LeaveASampleOfScenesValid_full) {
     constexpr std::size_t kSample = 10;
     std::size_t done = 0;
     for (std::size_t i = 0; i < all.size() && done < kSample; ++i) {
-        // A stride that is prime to any number of scenes below it visits each once.
+        // A stride that is coprime to the number of scenes visits each scene once.
         const std::string& scene = all[(seed + 101 * i) % all.size()];
         if (scene.find("1e6") != std::string::npos) continue;  // above 50,000 equations
         if (run_controlled(scene, seed + static_cast<std::uint32_t>(i), "20") > 0) ++done;

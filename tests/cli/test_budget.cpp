@@ -41,7 +41,7 @@ TEST(Budget, CutStepsAreRecordedAndReplayed) {
     }
     const Json one = run({"--budget-work", "0.01"});
     EXPECT_EQ(one["state_hash"], run({"--budget-work", "0.01", "--threads", "2"})["state_hash"]);
-    // In two parts.
+    // Run in two parts.
     (void)run({"--budget-work", "0.01", "--save-at", "0.25", folder / "half.hws"});
     EXPECT_EQ(one["state_hash"],
               run({"--budget-work", "0.01", "--restore", folder / "half.hws"})["state_hash"]);
@@ -49,7 +49,8 @@ TEST(Budget, CutStepsAreRecordedAndReplayed) {
 
 TEST(Budget, OpensCutsWhereNothingElseFitsAndReplaysThem) {
     const auto folder = test_folder();
-    // No step fits. A cut is made only if its matrix is 5 % cheaper, as in these lines.
+    // No step fits the budget. A cut is made only if the cut matrix is 5 % cheaper, which holds for
+    // these lines.
     const Outcome outcome = run_program(
         {"run", "bench/scenes/frozen/anchor_lines.json", "--duration", "0.6", "--budget", "0.001",
          "--coupling", "deadline", "--record", folder / "r.hwr", "--summary", folder / "s.json"});
@@ -64,7 +65,7 @@ TEST(Budget, OpensCutsWhereNothingElseFitsAndReplaysThem) {
     EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
 }
 
-/// Also if there are no cuts yet: mooring is one group.
+/// Also for a scene without cuts: mooring is one group.
 TEST(Verify, NeedsExactCoupling) {
     for (const char* coupling : {"kinematic", "compliant", "deadline"}) {
         const Outcome outcome = run_program({"run", "scenes/mooring.json", "--duration", "0.1",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Findings of `hawser check` about scenes and their starts, and reaction of `hawser run`.
+/// Output of `hawser check` for scenes and their starts, and the reaction of `hawser run`.
 #include "program.h"
 
 #include <nlohmann/json.hpp>
@@ -50,7 +50,7 @@ TEST(Check, ContradictoryJointsAreNamedAndRefused) {
     EXPECT_NE(run.err.find("--unchecked"), std::string::npos) << run.err;
     EXPECT_TRUE(run.out.empty());
     EXPECT_FALSE(std::filesystem::exists(folder / "s.json"));
-    // Whatever its result: it is not rejected.
+    // Whatever the result, the scene is not rejected.
     const Outcome unchecked = run_program({"run", file, "--unchecked"});
     EXPECT_EQ(unchecked.err.find("--unchecked"), std::string::npos) << unchecked.err;
     EXPECT_NE(unchecked.out.find("contradiction ("), std::string::npos) << unchecked.out;
@@ -101,7 +101,7 @@ TEST(Check, WarningsAreSaidBeforeTheFirstStepAndInTheReport) {
     EXPECT_TRUE(quiet.err.empty()) << quiet.err;
 }
 
-/// A line is 20 kg/m, so that 47.5 m of the 100 m hang from the end of the first element.
+/// A line has 20 kg/m, so that 47.5 m of the 100 m hang from the end of the first element.
 constexpr const char* kHangingAndLying = R"({"version": 1, "name": "wires",
   "line_types": {"wire": {"mass_per_length": 20, "EA": 1e8, "breaking_load": 1e6}},
   "cables": [
@@ -120,7 +120,7 @@ TEST(Check, SaysWithWhatTensionCablesStart) {
     EXPECT_NE(one.out.find("cable \"lies\" starts slack; it lies on its seabed from 0 m to 60 m"),
               std::string::npos)
         << one.out;
-    // With several scenes only on request.
+    // With several scenes, cables are printed only with --cables.
     const Outcome two = run_program({"check", file, "scenes/mooring.json"});
     EXPECT_EQ(two.out.find("starts with"), std::string::npos) << two.out;
     const Outcome asked = run_program({"check", "--cables", file, "scenes/mooring.json"});
@@ -128,7 +128,7 @@ TEST(Check, SaysWithWhatTensionCablesStart) {
     const Outcome json = run_program({"check", "--json", file});
     const auto cables = nlohmann::json::parse(json.out)[0]["cables"];
     ASSERT_EQ(cables.size(), 2U);
-    // The horizontal pull is 33.82 m of weight, the vertical one 47.5 m.
+    // The horizontal pull is the weight of 33.82 m, the vertical one the weight of 47.5 m.
     EXPECT_NEAR(cables[0]["tension_largest"].get<double>(), 196.2 * std::hypot(33.82, 47.5), 60.0);
     EXPECT_NEAR(cables[0]["tension_first"].get<double>(), cables[0]["tension_last"].get<double>(),
                 1e-3);
@@ -145,7 +145,7 @@ TEST(Check, OptionsChangeWhatIsChecked) {
     EXPECT_NE(heavy.err.find("\"box3\" has a density of 1e+09"), std::string::npos) << heavy.err;
 }
 
-/// User quantities come first, solver quantities last.
+/// Data for users come first, data of the solver last.
 TEST(Check, ReportBeginsWithTensionsAndMotions) {
     const Outcome run = run_program({"run", "scenes/mooring.json", "--duration", "0.1"});
     ASSERT_EQ(run.code, 0) << run.err;

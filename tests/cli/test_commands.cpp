@@ -14,7 +14,7 @@ using nlohmann::json;
 constexpr const char* kPendulum = "scenes/pendulum.json";
 constexpr const char* kMooring = "scenes/mooring.json";
 
-// A box pulled along a line by an input, held by a wire that breaks at 5 kN.
+// Return a scene: an input pulls a box along a line, which breaks at 5 kN.
 std::string tug_scene() {
     return R"({"version": 1, "name": "tug",
         "settings": {"step": 0.01, "duration": 2, "gravity": [0, 0, 0]},
@@ -160,7 +160,8 @@ TEST(Run, ControlMovesInputsAndReplays) {
                      "--record", folder / "r.hwr", "--summary", folder / "s.json"});
     ASSERT_EQ(run.code, 0) << run.err;
     const json s = json::parse(read_text(folder / "s.json"));
-    // The line balances the thrust; its elements and their damping make it oscillate about that.
+    // The line balances the thrust; its elements and their damping let the tension vibrate about
+    // it.
     EXPECT_GT(s["tensions"]["line"]["max"].get<double>(), 1000.0);
     EXPECT_LT(s["tensions"]["line"]["max"].get<double>(), 5000.0);
     EXPECT_GT(s["energy"]["applied"].get<double>(), 0.0);
@@ -201,7 +202,7 @@ TEST(Run, ControlTakesOperations) {
     EXPECT_EQ(s["event_counts"]["cut"].get<int>(), 1);
     EXPECT_TRUE(s["wires"].contains("line/2")) << s["wires"].dump();
     EXPECT_EQ(run_program({"replay", "--quiet", folder / "r.hwr"}).code, 0);
-    // Mistakes are reported at their position in that file.
+    // Messages give the position in the included file.
     write_text(part,
                R"([{"at": 0.2, "set": {"tug.thrust": 500}}, {"at": 0.5, "cut": "lien", "s": 4}])");
     const Outcome unknown = run_program(run);
@@ -252,7 +253,8 @@ TEST(Run, TracesTheLastSteps) {
     const json trace = json::parse(read_text(folder / "t.json"));
     EXPECT_EQ(trace["otherData"]["steps"], 3);
     EXPECT_NE(read_text(folder / "t.svg").find("thread 1"), std::string::npos);
-    // The state is the same without a trace; one thread is simulated on more.
+    // The state is the same with and without a trace. Simulated schedules for several threads come
+    // from a run on one thread.
     const Outcome one = run_program({"run", kMooring, "--duration", "0.5", "--trace",
                                      folder / "t.svg", "--save-at", "0.5", folder / "a.hws"});
     EXPECT_NE(one.out.find("simulated    2 threads"), std::string::npos) << one.out;
@@ -275,7 +277,7 @@ TEST(Run, RealtimeKeepsPace) {
 
 TEST(Run, AFailedStepIsCode2) {
     const auto folder = test_folder();
-    // The condensed form adds a stiffness of 1e24 times the mass. The mass is lost in rounding and
+    // The condensed form adds a stiffness of 1e24 times the mass: the mass is lost in rounding and
     // the matrix becomes singular. The automatic form would keep the row.
     write_text(folder / "bad.json", R"({"version": 1, "name": "bad",
         "settings": {"duration": 1, "form": "condensed", "on_diverged": "warn"},
@@ -290,11 +292,11 @@ TEST(Run, AFailedStepIsCode2) {
     const json summary = json::parse(read_text(folder / "s.json"));
     EXPECT_EQ(summary["outcome"], "failed");
     EXPECT_EQ(summary["status"], "wrong_pivot");
-    // Steps before the failed one are recorded and repeat.
+    // The steps before the failed one are recorded, and replay reproduces them.
     EXPECT_EQ(run_program({"replay", "--quiet", folder / "r.hwr"}).code, 0);
 }
 
-// A recording whose thrust was changed afterwards, with correct checksums.
+// A recording whose thrust was changed afterwards, with valid checksums.
 TEST(Replay, NoticesAChangedCommand) {
     const auto folder = test_folder();
     write_text(folder / "tug.json", tug_scene());
@@ -326,7 +328,7 @@ TEST(Replay, SaysWhereItDiffers) {
                   .code,
               0);
     const Outcome other = run_program({"replay", folder / "r.hwr"}, -1.0, {"HAWSER_ISA=sse2"});
-    if (other.code != 0) {  // unless this processor has no better one
+    if (other.code != 0) {  // The processor may have no other instruction set.
         EXPECT_EQ(other.code, 3);
         EXPECT_NE(other.err.find("HAWSER_ISA="), std::string::npos) << other.err;
     }
@@ -344,7 +346,7 @@ TEST(Inspect, PrintsSizesAndDrawsTheMatrix) {
     for (const char* line : {"205000 kg at a draught of 2 m", "KB               1 m",
                              "BM               4.16666667 m", "GM               3.16666667 m"})
         EXPECT_NE(hull.out.find(line), std::string::npos) << line << hull.out;
-    // With the tide of the start; the box is 2 m below it.
+    // With the tide at the start; the box lies 2 m deep in it.
     std::string tide = read_text("scenes/floating_box.json");
     tide.replace(tide.find("[0, 0, 0]"), 9, "[0, 0, 6]");
     tide.replace(tide.find("\"depth\": 150"), 12,
@@ -375,12 +377,11 @@ TEST(Settle, FindsTheRestOfAHangingWeight) {
     ASSERT_EQ(settle.code, 0) << settle.err << settle.out;
     const json state = json::parse(read_text(folder / "hang.settled.json"));
     const auto p = state["bodies"]["w"]["p"];
-    // 5 m, stretched by the weight of the 50 kg and of the four nodes of 1 kg between the ends.
-    // Each element carries the nodes below it: two on average. The mass of the rope at its ends
-    // belongs to the bodies there.
+    // 5 m, stretched by the weight of the 50 kg and of the nodes of 1 kg. Each element carries the
+    //   nodes below it, two of four on average. The ends' fraction of the rope's mass belongs to
+    //   the bodies there.
     const double rest = -5.0 * (1.0 + (50.0 + 2.0) * 9.81 / 1e5);
-    // At 1e-7 m/s and a stop time of 15 s the oscillation is within x = v / (ω² T) of its
-    // equilibrium.
+    // At 1e-7 m/s and a stop time of 15 s the position stays within x = v / (ω² T) of its rest.
     EXPECT_NEAR(p[0].get<double>(), 0.0, 1e-6);
     EXPECT_NEAR(p[2].get<double>(), rest, 1e-6);
     EXPECT_EQ(state["bodies"]["w"]["v"], json({0.0, 0.0, 0.0}));

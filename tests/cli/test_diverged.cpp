@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Runs that reach an impossible state end as failed, and report its kind, place and time.
+/// Runs that reach an impossible state end as failed, with cause, object and time.
 #include "cli/program.h"
 
 #include <nlohmann/json.hpp>
 
 namespace hawser::test {
 
-/// Two joints between the same bodies that no pose closes both.
+/// Two joints between the same bodies that no pose can close together.
 constexpr const char* kContradiction = R"({"version": 1, "name": "contradiction",
     "settings": {"duration": 1}, "bodies": [
         {"name": "a", "mass": 4, "box": [1, 1, 0.3]},

@@ -10,7 +10,7 @@ namespace hawser::test {
 
 using nlohmann::json;
 
-/// @return true if it contains 0 … n − 1, each once.
+/// True if it contains 0 … n − 1, each once.
 bool is_permutation_of(std::vector<int> order, std::size_t n) {
     std::sort(order.begin(), order.end());
     for (std::size_t k = 0; k < order.size(); ++k)
@@ -45,7 +45,7 @@ TEST_F(Figures, WriteAPictureInTwoFormsAndItsDataForEachPanel) {
         if (entry.path().extension() != ".json") continue;
         ++panels;
         const json d = data(entry.path().stem().string());
-        // The panel of an order that is not in this build says so in one line.
+        // A panel of an ordering that this build lacks contains one line with the reason.
         const std::uintmax_t least = d.contains("missing") ? 500 : 2000;
         for (const char* extension : {".svg", ".png"}) {
             const auto picture = std::filesystem::path(entry.path()).replace_extension(extension);
@@ -90,12 +90,12 @@ TEST_F(Figures, MatricesAreWhatTheirNumbersSay) {
         EXPECT_GT(d["factor_ms"].get<double>(), 0.0);
         EXPECT_EQ(d["part_factor_ms"].size(), whole ? 1u : 4u);
     }
-    // Among orders with rows after bodies, AMD's has the least fill for a line.
+    // Among orders that keep rows after bodies, AMD has the least fill on a line.
     EXPECT_LE(data("fig2_full_amd")["factor_nnz"], data("fig2_full_natural")["factor_nnz"]);
 }
 
-// Every body is in the part shown by the graph of cuts, cut rows are in several, and no block joins
-// two parts.
+// Every body is in the part shown by the cut graph. Cut rows are in several parts, and no block
+// joins two parts.
 TEST_F(Figures, SplitMatrixIsBlockDiagonal) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const json split = data("fig1_split_matrix"), whole = data("fig1_matrix");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Unusual files and streams: pipes, holes, the same file twice, closed and full outputs, times
-/// beyond all clocks, truncation.
+/// Unusual files and streams: pipes, files with holes, the same file twice, closed and full
+/// outputs, times beyond any clock, truncated files.
 #include <hawser/recording.h>
 #include "cli/program.h"
 #include "record/bytes.h"
@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSwing = "scenes/pendulum.json";
 
-/// Run a line of the shell, with $H for the program; it ends after a minute. @return the exit code;
-/// 124 after a timeout, −1 after a signal.
+/// Run a line of the shell, with $H for the program, for at most a minute. @return the exit code,
+/// 124 after a timeout, −1 if a signal ended it.
 int shell(const std::string& line) {
     const std::string whole =
         "H='" + program_file().string() + "'; export H; timeout 60 sh -c '" + line + "'";
@@ -41,7 +41,7 @@ std::string joined(std::initializer_list<std::string_view> parts) {
     return out;
 }
 
-/// Exit code 1 and these words, soon.
+/// Expect exit code 1 with these words within the time limit.
 void refused(const std::string& arguments, const char* words) {
     const fs::path err = fs::path(testing::TempDir()) / ("refused." + std::to_string(getpid()));
     EXPECT_EQ(shell("$H " + arguments + " >/dev/null 2>" + err.string()), 1) << arguments;
@@ -54,7 +54,7 @@ std::string run_line(const fs::path& folder, const std::string& more = {}) {
            (folder / "r.hwr").string() + more;
 }
 
-/// Expect that the recording of run_line() is complete and has no other output in it.
+/// Expect that the recording of run_line() is complete and contains no other data.
 void expect_whole(const fs::path& folder, const char* what) {
     const auto r = record::Recording::open(folder / "r.hwr");
     EXPECT_EQ(r.damage, "") << what;
@@ -83,7 +83,7 @@ TEST(Streams, ClosedOnesAreNobodyElsesAndALostReportIsCode1) {
     EXPECT_EQ(shell("$H --version >&-"), 1);
     EXPECT_EQ(shell("$H check scenes/pendulum.json >/dev/full 2>&1"), 1);
     EXPECT_EQ(shell("$H validate --list >&-"), 1);
-    // A message that cannot be printed does not end the program: the exit code remains.
+    // A message that cannot be printed does not end the program; the exit code reports the error.
     EXPECT_EQ(shell("$H run no_such.json 2>&-"), 1);
     EXPECT_EQ(shell("$H run no_such.json 2>/dev/full"), 1);
     EXPECT_EQ(shell("$H sail >&- 2>&-"), 1);
@@ -156,7 +156,7 @@ TEST(Files, NoOutputIsAnInputOrAnotherOutput) {
             "--summary and --save-at are the same");
     refused(run + "--trace " + at("x.json") + " --trace " + at("x.json"), "the same file");
     EXPECT_FALSE(fs::exists(at("x")));
-    // Links to a file that does not exist yet lead to one file, too.
+    // Two links to a file that does not exist yet also lead to one file.
     fs::create_symlink("new", folder / "a");
     fs::create_symlink(at("new"), folder / "b");
     fs::create_symlink("a", folder / "c");
@@ -166,7 +166,7 @@ TEST(Files, NoOutputIsAnInputOrAnotherOutput) {
     fs::create_symlink("loop", folder / "loop");
     refused(run + "--record " + at("loop"), "Too many levels of symbolic links");
     EXPECT_FALSE(fs::exists(at("new")));
-    // Nowhere is not a file that is written twice.
+    // Two outputs may go to /dev/null.
     EXPECT_EQ(shell("$H " + run + "--quiet --csv /dev/null --summary /dev/null"), 0);
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     refused(run + "--quiet --summary /dev/full", "cannot write the summary");
@@ -179,7 +179,7 @@ TEST(Files, AreWrittenBesideAndRenamed) {
     write_text(at("a.hws"), "before");
     chmod(at("s.json").c_str(), 0640);
     fs::create_symlink("s.json", folder / "link.json");
-    // A killed run leaves the earlier file.
+    // A killed run leaves the data written before.
     EXPECT_EQ(shell("$H run " + std::string(kSwing) +
                     " --duration 1e6 --realtime --quiet --summary " + at("link.json") +
                     " --save-at 1e5 " + at("a.hws") + " & sleep 0.5; kill -9 $!; wait $!"),
@@ -208,7 +208,7 @@ TEST(Files, AreWrittenWhereALinkToNothingLeads) {
     EXPECT_EQ(json::parse(read_text(folder / "new.json"))["outcome"], "finished");
 }
 
-// A limit of file sizes is reported like a full disk; before, SIGXFSZ ended the run without a
+// A limit of file sizes is reported like a full disk. Before, SIGXFSZ ended the run without a
 // message.
 TEST(Files, ThatMayNotGrowFurtherEndTheRunWithAMessage) {
     const fs::path folder = test_folder();
@@ -216,7 +216,7 @@ TEST(Files, ThatMayNotGrowFurtherEndTheRunWithAMessage) {
     for (const char* option : {"--record ", "--csv ", "--summary "}) {
         const std::string line =
             "$H run " + std::string(kSwing) + " --duration 30 --quiet " + option;
-        // A block of the shell is 512 bytes: less than each of the three.
+        // A block of the shell is 512 bytes: less than each of the three files.
         EXPECT_EQ(shell("ulimit -f 1; " + line + (folder / "out").string() + " 2>" + err), 1)
             << option;
         EXPECT_NE(read_text(err).find("File too large"), std::string::npos) << read_text(err);
@@ -241,7 +241,7 @@ TEST(Files, ThatPicturesAreDrawnFromAreNotDrawnOver) {
     refused("plot " + at("motions.svg") + " -o " + folder.string(), "would replace the recording");
     EXPECT_EQ(read_text(at("r.hwr")), whole);
     EXPECT_EQ(read_text(at("motions.svg")), whole);
-    // Pictures that are not requested replace no file.
+    // Drawings that are not requested replace no file.
     EXPECT_EQ(
         shell("$H plot " + at("motions.svg") + " --only scene >/dev/null -o " + folder.string()),
         0);
@@ -288,7 +288,7 @@ TEST(Interrupted, RunRecordsItsLastStep) {
     EXPECT_NE(replay.out.find("was interrupted"), std::string::npos) << replay.out;
 }
 
-/// Bytes of a recording with its last chunk, the end, changed and signed.
+/// Return the bytes of a recording whose last chunk, the end, was changed and signed again.
 std::string with_end(std::string bytes, std::size_t offset, std::int64_t value) {
     const std::size_t end = bytes.rfind("DONE");
     EXPECT_NE(end, std::string::npos);
@@ -313,8 +313,7 @@ TEST(Replay, ComparesTheEndAndSaysWhatIsMissing) {
     EXPECT_EQ(other.code, 3);
     EXPECT_NE(other.out.find("difference at the end, step 24"), std::string::npos) << other.out;
 
-    // An end beyond the distance between frames is invalid for this recording, as is one before its
-    // last frame.
+    // An end is rejected if it is farther from the last frame than frames are apart, or before it.
     for (const std::int64_t step : {std::int64_t{30}, std::int64_t{23}, std::int64_t{1} << 60}) {
         write_text(folder / "r.hwr", with_end(whole, 1, step));
         const Outcome far = run_program({"replay", folder / "r.hwr"});

@@ -32,7 +32,7 @@ TEST(Groups, ThatChangeInARunAreReplayedAndRestored) {
         const Outcome replay = run_program({"replay", folder / "r.hwr", "--threads", threads});
         EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
     }
-    // In two parts, with a change of groups in each.
+    // Run in two parts, with an update of groups in each.
     (void)run({"--predictor", "clique", "--save-at", "0.25", folder / "half.hws"});
     EXPECT_EQ(one["state_hash"],
               run({"--predictor", "clique", "--restore", folder / "half.hws"})["state_hash"]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds of scenes, signals within a step, and an environment that makes no sense.
+// Bounds of scenes, signals within a step, and invalid environment variables.
 #include "cli/program.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace hawser::test {
 namespace {
 
-/// Balls that all lie in each other.
+/// Return a scene of balls at one point.
 std::string heap_of_balls(int count, const std::string& settings) {
     std::string bodies;
     for (int i = 0; i < count; ++i)
@@ -75,7 +75,7 @@ TEST(Limits, AnUnknownInstructionSetIsAnError) {
               0);
 }
 
-/// The first step of so many balls takes many seconds; an interrupt ends the run within it.
+/// The first step with this many balls takes many seconds; the interrupt arrives within it.
 TEST(Limits, AnInterruptEndsTheStepUnderWay) {
     const auto folder = test_folder();
     const std::string scene = folder / "heap.json";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// `hawser view` from the command line: addresses, an answer, an end by SIGINT, and what is
-/// refused.
+/// `hawser view` from the command line: addresses, a response, the end by SIGINT, and rejected
+/// options.
 #include "cli/program.h"
 
 #include <nlohmann/json.hpp>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A port of this machine that this process has, or had, open.
+/// A port of this machine that this process uses, or used before.
 class Port {
   public:
     Port() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
@@ -47,7 +47,8 @@ class Port {
     std::uint16_t number_ = 0;
 };
 
-/// Return the first line of the answer to GET /, after attempts for some seconds; "": no answer.
+/// Return the first line of a server's response to GET /, retried for some seconds; "" without a
+/// response.
 std::string first_line(std::uint16_t port) {
     for (int tried = 0; tried < 100; ++tried) {
         const int line = ::socket(AF_INET, SOCK_STREAM, 0);
@@ -72,7 +73,7 @@ std::string first_line(std::uint16_t port) {
     return {};
 }
 
-/// A WebSocket at /live that sends nothing and never closes by itself.
+/// A WebSocket client at /live that sends nothing and never closes the connection.
 class Silent {
   public:
     explicit Silent(std::uint16_t port) {
@@ -168,7 +169,7 @@ TEST(View, AnExerciseHasAnAddressForEachStationAndLeavesReportAndScore) {
     const std::string again = (folder / "again.json").string();
     const Outcome replay = run_program({"exercise", "exercises/tow_out.json", "--replay", file,
                                         "--threads", "2", "--summary", again, "--quiet"});
-    EXPECT_EQ(replay.code, 4) << replay.err;  // not passed
+    EXPECT_EQ(replay.code, 4) << replay.err;  // verification failed
     EXPECT_EQ(read_text(again), read_text(score));
 }
 
@@ -203,7 +204,7 @@ TEST(View, RefusesWhatItCannotShowWithTheReason) {
         EXPECT_EQ(outcome.code, 1) << one.reason;
         EXPECT_NE(outcome.err.find(one.reason), std::string::npos) << outcome.err;
     }
-    // A recording of another format: the reason is in the message.
+    // A recording of another format: the message contains the reason.
     const std::string run = (folder / "run.hwr").string();
     ASSERT_EQ(run_program(
                   {"run", "scenes/pendulum.json", "--duration", "0.1", "--record", run, "--quiet"})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shapes that the broad phase tests against all others.
+/// Shapes that the broad phase compares with all others.
 #include "collide/broad.h"
 #include "model/interactions.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 using collide::Placed;
 
-/// A shape of the given size [m] along x; below 0: a removed one, outside the world.
+/// Make a shape of a size along x [m]. A negative size: a shape that was removed and has no box.
 Placed placed(double x, double size) {
     Placed p{};
     for (int k = 0; k < 3; ++k) {
@@ -32,7 +32,7 @@ Placed placed(double x, double size) {
     return p;
 }
 
-/// Stores the number of tasks.
+/// Executor that counts its tasks.
 class Counting final : public base::Executor {
   public:
     void run(int count, Task task, void* context) noexcept override {
@@ -49,7 +49,7 @@ struct Swept {
 };
 
 Swept swept(const base::Array<Placed>& placed) {
-    constexpr int kHeldByOneTask = 256;  // against large shapes: kLargeChunk of broad.cpp
+    constexpr int kHeldByOneTask = 256;  // compared with large shapes: kLargeChunk of broad.cpp
     std::vector<collide::Shape> shapes(placed.size());
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         shapes[i].body[0] = static_cast<std::int32_t>(i);
@@ -67,12 +67,12 @@ Swept swept(const base::Array<Placed>& placed) {
     return {pool.given - base::chunks(placed.size(), kHeldByOneTask), {out.begin(), out.end()}};
 }
 
-/// A wire that has lost most of its nodes, under a hull. The sweep has the same work as if they had
-/// never existed. When slots of removed shapes counted as shapes of size 0, all remaining elements
-/// counted as large and were tested against all others.
+/// A wire that has lost most of its nodes, under a hull: the sweep does the work of a wire that
+/// never had them. A fault counted slots of removed shapes as shapes of size 0. All remaining
+/// elements then were large and compared with all others.
 TEST(Broad, ShapesThatAreGoneMakeNoneLarge) {
     base::Array<Placed> all, left;
-    std::vector<std::int32_t> number;  // in `all`, of those in `left`
+    std::vector<std::int32_t> number;  // index in `all` of each shape in `left`
     const auto add = [&](double x, double size) {
         if (size >= 0.0) {
             number.push_back(static_cast<std::int32_t>(all.size()));
@@ -83,7 +83,7 @@ TEST(Broad, ShapesThatAreGoneMakeNoneLarge) {
     for (int i = 0; i < 1800; ++i) add(1.6 * i, i % 3 == 0 ? 5.0 : -1.0);
     add(500.0, 80.0);
     const Swept with = swept(all), without = swept(left);
-    // 600 elements in tasks of 128; more if an element lies in two strips.
+    // 600 elements in tasks of 128; more if an element is in two strips.
     EXPECT_GE(without.tasks, 5);
     EXPECT_EQ(with.tasks, without.tasks);
     std::vector<collide::Pair> expected;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Stage collide: which pairs, in which order, with which memory.
+/// Stage collide: pairs, their order, and their memory.
 #include "collide/site.h"
 #include "collide/touch.h"
 
@@ -47,14 +47,14 @@ TEST(Collider, AWireOnAPlaneTouchesOncePerLump) {
         EXPECT_EQ(c.weight[1], 1.0);
         EXPECT_EQ(c.body[2], -1);
         ++seen[static_cast<std::size_t>(c.body[1] - 1)];
-        EXPECT_NEAR(c.gap, -0.001, 1e-15);  // of coordinates near 0.05
+        EXPECT_NEAR(c.gap, -0.001, 1e-15);  // rounding of coordinates near 0.05
         EXPECT_EQ(c.normal[2], 1.0);
     }
     for (const int n : seen) EXPECT_EQ(n, 1);
 }
 
-/// Positions and velocities of a diverging motion, or of a forged snapshot. They have no place in
-/// the order of boxes or in the strips.
+/// Positions and velocities of a diverging motion or a forged snapshot have no valid sort key and
+/// no valid strip.
 TEST(Collider, BodiesBeyondAllNumbersAreSaidAndSorted) {
     for (const double far : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e200}) {
         Site site;
@@ -74,7 +74,7 @@ TEST(Collider, BodiesBeyondAllNumbersAreSaidAndSorted) {
             EXPECT_TRUE(site.set.contacts.empty());
             x = kept;
         }
-        if (!std::isnan(far)) {  // which the step itself refuses, and no box is made of
+        if (!std::isnan(far)) {  // the step itself rejects NaN, and no box is made
             site.bodies.v[2] = far;
             EXPECT_FALSE(site.collide()) << far;
             site.bodies.v[2] = 0.0;
@@ -111,7 +111,7 @@ TEST(Collider, AWireThatCrossesAnotherAtALumpTouchesOnce) {
     site.wire(line(5, {0, -2, 0.1}, {0, 1, 0}), 0.05);
     site.prepare();
     ASSERT_TRUE(site.collide());
-    // Four pairs of segments meet at the two middle lumps; one of them owns both.
+    // Four pairs of segments meet at the two middle nodes; one of them owns both.
     ASSERT_EQ(site.set.contacts.size(), 1U);
     EXPECT_EQ(site.set.contacts[0].slots, 2);
     EXPECT_EQ(site.set.contacts[0].body[0], 2);
@@ -131,7 +131,7 @@ TEST(Collider, NeighboursAlongAWireDoNotTouch) {
         EXPECT_GT(c.shape[1] - c.shape[0], 2);
         pairs.emplace_back(c.shape[0], c.shape[1]);
     }
-    // Pairs of the five segments: 0-3, 0-4, 1-4.
+    // Among the pairs of five segments, 0-3, 0-4 and 1-4 have no common node.
     EXPECT_GE(pairs.size(), 3U);
 }
 
@@ -145,7 +145,7 @@ TEST(Collider, LeavesOutOneBodyJointsAndWhatCannotMove) {
     InteractionDef hinge{.kind = InteractionKind::Hinge, .body = {BodyId{a}, BodyId{b}}};
     InteractionDef line{.kind = InteractionKind::Distance, .body = {BodyId{b}, BodyId{c}}};
     for (const InteractionDef& def : {hinge, line}) site.interactions.add(def, site.bodies, site.h);
-    // Separated, so that normals exist.
+    // Separate the bodies, so that normals exist.
     site.move(carrier, {0.1, 0, 0});
     site.move(a, {0, 0.1, 0});
     site.move(b, {0, 0, 0.1});
@@ -188,7 +188,7 @@ TEST(Collider, AFastWireDoesNotPassThroughAThinOne) {
         site.wire({{-1, 0, 0}, {1, 0, 0}}, 0.005);
         const auto fast = site.wire({{0, -1, 0}, {0, 1, 0}}, 0.005, {0, 0, -speed});
         const double travel = speed * site.h;
-        // From just within reach of the next step down to the surface.
+        // From just within the reach of the next step to the surface.
         for (const double share : {0.999, 0.5, 0.0}) {
             for (const std::int32_t b : {2, 3})
                 site.bodies.x[static_cast<std::size_t>(3 * b + 2)] = 0.01 + share * travel;
@@ -198,7 +198,7 @@ TEST(Collider, AFastWireDoesNotPassThroughAThinOne) {
             EXPECT_EQ(site.set.contacts[0].shape[1], fast);
             EXPECT_NEAR(site.set.contacts[0].gap, share * travel, 1e-12);
         }
-        // Moving away it is not worth a row.
+        // Moving away, it needs no row.
         site.bodies.x[8] = site.bodies.x[11] = 0.01 + 0.03;
         site.bodies.v[8] = site.bodies.v[11] = speed;
         ASSERT_TRUE(site.collide());
@@ -259,7 +259,8 @@ TEST(Collider, APartedLineTouchesNothing) {
     site.prepare();
     ASSERT_TRUE(site.collide());
     EXPECT_EQ(site.set.contacts.size(), 5U);
-    // The two in the middle: the outer lumps of the outer segments, and the inner ones, remain.
+    // Break the two in the middle: the outer nodes of the outer segments remain, and the inner
+    // ones.
     site.interactions.parted[1] = site.interactions.parted[2] = 1;
     ASSERT_TRUE(site.collide());
     ASSERT_EQ(site.set.contacts.size(), 4U);
@@ -276,14 +277,14 @@ TEST(Collider, ContactsRememberWhoTheyWere) {
     site.prepare();
     ASSERT_TRUE(site.collide());
     for (const Contact& c : site.set.contacts) EXPECT_EQ(c.previous, -1);
-    // A step that failed is tried again: still no past.
+    // A failed step is repeated: its contacts still have no previous impulse.
     ASSERT_TRUE(site.collide());
     for (const Contact& c : site.set.contacts) EXPECT_EQ(c.previous, -1);
     site.collider.keep();
     ASSERT_TRUE(site.collide());
     for (std::size_t i = 0; i < site.set.contacts.size(); ++i)
         EXPECT_EQ(site.set.contacts[i].previous, static_cast<int>(i));
-    // A lump leaves; the later ones keep their memory, and it returns without memory.
+    // Lift node 3 off. The others keep their previous contacts, and node 3 returns without one.
     site.collider.keep();
     site.move(3, {0, 0, 1});
     ASSERT_TRUE(site.collide());
@@ -316,7 +317,8 @@ TEST(Collider, MemoryOutlivesAChangeOfFeature) {
     collide::match(contacts, now, last, last.size(), 0.01, taken);
     EXPECT_EQ(contacts[1].previous, 0);
     EXPECT_EQ(contacts[0].previous, 2);
-    EXPECT_EQ(contacts[2].previous, -1);  // its neighbour is taken, the next one too far
+    EXPECT_EQ(contacts[2].previous, -1);  // the neighbour is assigned already, the next one is too
+                                          // far
 }
 
 TEST(Collider, MixesMaterials) {
@@ -381,7 +383,7 @@ TEST(Collider, ReducesWhatHasOneNormalToFour) {
     ASSERT_EQ(m.count, 4);
     const std::uint32_t corners[4] = {0, 2, 4, 6};
     for (int i = 0; i < 4; ++i) EXPECT_EQ(m.point[i].feature, corners[i]);
-    // A wall in addition: points with another normal are not compared with the floor.
+    // With a wall: contacts of another normal are not compared with the floor.
     for (const int i : {3, 7}) {
         mixed.point[i].normal[2] = 0.0;
         mixed.point[i].normal[0] = 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Convex edges of boxes, hulls and meshes, against shapes with known edges.
+/// Convex edges of boxes, hulls and meshes, against shapes whose edges are known.
 #include <hawser/def.h>
 #include <hawser/edges.h>
 
@@ -19,8 +19,8 @@ constexpr double kRight = 0.5 * std::numbers::pi;
 
 ShapeDef box_of(const Vec3& half) { return {.kind = ShapeKind::box, .half_size = half}; }
 
-/// Return a step of 1 m on a floor, of triangles counterclockwise as seen from above. The floor, a
-/// face and a top consist of strips along y whose vertices divide the edges.
+/// Make a step of 1 m on a floor from triangles, counterclockwise seen from above. Floor, face and
+/// top are strips along y whose vertices divide the edges.
 ShapeDef step_mesh(int strips) {
     ShapeDef out{.kind = ShapeKind::mesh};
     for (int i = 0; i <= strips; ++i)
@@ -43,14 +43,14 @@ TEST(Edges, OfABoxAreTwelve) {
     for (const ShapeEdge& edge : edges) {
         EXPECT_NEAR(edge.turn, kRight, 1e-12);
         length += (edge.to - edge.from).norm();
-        // The cylinder lies against both faces: its axis is a radius inside of each.
+        // The cylinder touches both faces: its axis is one radius inside each.
         const EdgeAxis axis = axis_in_edge(edge, 0.2);
         const Vec3 middle = 0.5 * (axis.from + axis.to);
         int near = 0;
         for (int k = 0; k < 3; ++k)
             near += std::abs(half[k] - std::abs(middle[k]) - 0.2) < 1e-12 ? 1 : 0;
         EXPECT_EQ(near, 2);
-        // It is as thick as the lesser of both sizes across.
+        // Its thickness is the smaller size across.
         Vec3 across = half;
         int along = 0;
         (edge.to - edge.from).cwiseAbs().maxCoeff(&along);
@@ -80,7 +80,7 @@ TEST(Edges, FollowTheShapesFrame) {
 }
 
 TEST(Edges, OfAHullAreThoseBetweenItsFaces) {
-    // A prism over an isosceles triangle with a ridge: two slopes of 30 degrees meet at it.
+    // A prism over an isosceles triangle with a ridge: two slopes of 30 degrees meet in it.
     ShapeDef roof{.kind = ShapeKind::hull};
     const double rise = std::tan(std::numbers::pi / 6.0);
     for (const double y : {-2.0, 0.0, 2.0}) {
@@ -99,7 +99,7 @@ TEST(Edges, OfAHullAreThoseBetweenItsFaces) {
     ASSERT_NE(ridge, all.end());
     EXPECT_NEAR((ridge->outward - Vec3::UnitZ()).norm(), 0.0, 1e-9);
     EXPECT_NEAR((ridge->to - ridge->from).norm(), 4.0, 1e-12);
-    // The circle that touches both slopes and the floor: r = rise/(1 + 1/cos 30).
+    // A cylinder that touches both slopes and the floor: r = rise/(1 + 1/cos 30).
     EXPECT_NEAR(ridge->most_radius, rise / (1.0 + 1.0 / std::cos(std::numbers::pi / 6.0)), 1e-9);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// For any shapes and positions, stage collide returns contacts that a solver can use, or none.
+/// For arbitrary shapes and poses, stage collide returns contacts that a solver can use, or none.
 #include "collide/site.h"
 #include "support/random.h"
 #include "support/sanitizer.h"
@@ -41,7 +41,8 @@ ShapeDef any_shape(Random& random, bool moves) {
     return d;
 }
 
-/// Return a position from a grid, so that bodies coincide, lines cross, faces lie in one plane.
+/// Return a position from a small set, so that bodies coincide, lines cross, and faces are
+/// coplanar.
 Vec3 any_place(Random& random) {
     return {0.5 * random.integer(-2, 2), 0.5 * random.integer(-2, 2), 0.5 * random.integer(-2, 2)};
 }
@@ -92,7 +93,7 @@ void expect_sound(const Site& site) {
         ASSERT_NEAR(n.norm(), 1.0, 1e-9);
         ASSERT_TRUE(a.allFinite() && b.allFinite());
         ASSERT_NEAR((b - a).dot(n), c.gap, 1e-9);
-        // Bodies are within 3 m of the centre, and 50 m/s is 0.8 m a step.
+        // Bodies are within 3 m of the centre, and 50 m/s is 0.8 m per step.
         ASSERT_LT(std::abs(c.gap), 10.0);
         ASSERT_LT(a.norm(), 10.0);
     }
@@ -112,7 +113,7 @@ TEST(Collider, AnythingAnywhereGivesSoundContacts) {
             if (HasFatalFailure()) return;
             contacts += site.set.contacts.size();
             site.collider.keep();
-            // Teleported.
+            // Move bodies at once to other positions.
             for (const std::int32_t b : site.bodies.moving)
                 if (random.chance(0.5)) {
                     const Vec3 to = any_place(random);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact points at rest: their number, positions and stable keys.
+// Contact points at rest: their number, their positions, and whether they keep their keys.
 #include "collide/collide_function.h"
 #include "support/collide/place.h"
 #include "support/collide/random_pairs.h"
@@ -23,7 +23,7 @@ using test::place;
 using test::turn;
 using enum ShapeKind;
 
-const Quat kLying = turn(M_PI / 2, Vec3(0, 1, 0));  // z along x.
+const Quat kLying = turn(M_PI / 2, Vec3(0, 1, 0));  // z along x
 
 Geometry shape(ShapeKind kind) {
     Geometry g;
@@ -57,7 +57,7 @@ void expect_gaps(const Manifold& m, double gap, double tolerance = 1e-12) {
     for (int i = 0; i < m.count; ++i) EXPECT_NEAR(m.point[i].gap, gap, tolerance) << i;
 }
 
-/// A shape at rest on a slab, with its supporting points.
+/// A shape at rest on a slab, with its contact points.
 struct Resting {
     const char* name;
     Geometry shape;
@@ -130,10 +130,10 @@ TEST(NarrowManifold, StacksOfEqualShapesKeepTheirNames) {
         Vec3 shift;
         int points;
     };
-    const Stack stacks[] = {{shape(box), 0.6, {0, 0, 0}, 4},        // Aligned on all sides.
-                            {shape(box), 0.6, {0.5, 0, 0}, 4},      // Bricks, half over.
-                            {shape(box), 0.6, {0.5, 0.7, 0}, 4},    // A corner.
-                            {shape(cylinder), 1.6, {0, 0, 0}, 4}};  // Standing on each other.
+    const Stack stacks[] = {{shape(box), 0.6, {0, 0, 0}, 4},        // aligned on all sides
+                            {shape(box), 0.6, {0.5, 0, 0}, 4},      // bricks, half over the edge
+                            {shape(box), 0.6, {0.5, 0.7, 0}, 4},    // a corner
+                            {shape(cylinder), 1.6, {0, 0, 0}, 4}};  // one standing on the other
     for (const Stack& s : stacks) {
         const Vec3 at = s.shift + Vec3(0, 0, s.height - 1e-5);
         const auto first = names(collide_two(s.g, place({0, 0, 0}), s.g, place(at)));
@@ -149,7 +149,7 @@ TEST(NarrowManifold, StacksOfEqualShapesKeepTheirNames) {
 
 TEST(NarrowManifold, FaceOnFaceIsWhereTheyOverlap) {
     // Turned by 45 degrees over a large one: its own four corners. Over an equal one: four of the
-    // eight crossings, with the reach of the octagon.
+    // eight crossings, which span the octagon.
     Geometry cube = shape(box);
     cube.half_size[0] = cube.half_size[1] = cube.half_size[2] = 0.5;
     const Quat q = turn(M_PI / 4, Vec3(0, 0, 1));
@@ -196,7 +196,7 @@ TEST(NarrowManifold, ParallelCapsulesAndCylindersTouchAlongTheirCommonLength) {
             EXPECT_NEAR(*std::min_element(x.begin(), x.end()), -0.5, 1e-3);
             EXPECT_NEAR(*std::max_element(x.begin(), x.end()), 0.8, 1e-3);
         }
-    // Crossing ones: one point.
+    // Crossing capsules: one point.
     const Manifold m = collide_two(shape(capsule), place({0, 0, 0}, kLying), shape(capsule),
                                    place({0, 0, 0.6}, turn(1.0, Vec3(0, 0, 1)) * kLying));
     EXPECT_EQ(m.count, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The narrow phase does not allocate. malloc is replaced in this executable and counts on request;
-/// operator new uses it.
+/// The narrow phase allocates nothing. This executable replaces malloc by a function that counts on
+/// request; operator new calls it.
 #include "collide/collide_function.h"
 #include "support/collide/random_pairs.h"
 #include "support/tier.h"

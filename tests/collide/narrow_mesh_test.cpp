@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bent meshes must not push a shape from a distance, or leave it without contact.
+// Bent meshes must not push a shape from a distance, nor leave it without contact.
 #include "collide/collide_function.h"
 #include "collide/narrow/shape_data.h"
 #include "support/collide/place.h"
@@ -34,7 +34,8 @@ Ground ground_of(const ShapeDef& def) {
     return g;
 }
 
-/// A floor, z = 0 for −5 < x < 0, and a wall of 5 m that rises from its edge at an angle to +x.
+/// Make a floor, z = 0 for −5 < x < 0, and a wall of 5 m that rises from its edge at an angle to
+/// +x.
 Ground floor_and_wall(double angle) {
     ShapeDef def;
     def.kind = ShapeKind::mesh;
@@ -62,8 +63,8 @@ double least_gap(const Manifold& m) {
 }
 
 TEST(NarrowMesh, ATriangleApartDoesNotPush) {
-    // A slab leans over a wall that overhangs the floor: its middle is below the plane of the
-    // floor, but beyond its edge, and its top is above the floor, behind the wall.
+    // A slab leans over a wall that overhangs the floor. Its middle is below the plane of the
+    // floor, but beyond its edge. Its top is above the floor, behind the wall.
     const double lean = M_PI * 110 / 180, wall = M_PI * 100 / 180;
     const Ground ground = floor_and_wall(wall);
     Geometry slab;
@@ -83,8 +84,9 @@ TEST(NarrowMesh, ATriangleApartDoesNotPush) {
 }
 
 TEST(NarrowMesh, WhatNoTriangleClaimsIsPushedOut) {
-    // A capsule pierces the floor beside a wall of slope 30°. The shortest way out of the floor is
-    // over its edge, into the wall. Its lowest point is beyond the edge, and not under the wall.
+    // A capsule pierces the floor beside a wall of slope 30°. The shortest way out of the floor
+    // leads over its edge, into the wall. Its lowest point is beyond the edge and not under the
+    // wall.
     const Ground ground = floor_and_wall(M_PI / 6);
     Geometry pin;
     pin.kind = ShapeKind::capsule;
@@ -97,7 +99,7 @@ TEST(NarrowMesh, WhatNoTriangleClaimsIsPushedOut) {
 }
 
 TEST(NarrowMesh, TheLowestPointOfARimIsFound) {
-    // Deep in the ground the way out is up, and the corners that stand for a rim are not enough.
+    // Deep in the ground the way out is upwards, and corners of a rim are not sufficient.
     ShapeDef def;
     def.kind = ShapeKind::heightfield;
     def.rows = def.columns = 2;
@@ -118,7 +120,7 @@ TEST(NarrowMesh, TheLowestPointOfARimIsFound) {
 }
 
 TEST(NarrowMesh, TheFrameOfAHullMayLieAnywhere) {
-    // The same hull, described in a frame 30 m off.
+    // The same hull, described in a frame 30 m away.
     test::Random random(test::first_seed(3));
     const int cases = test::by_tier(200, 1000, 10'000);
     for (const double angle : {M_PI / 6, M_PI * 100 / 180}) {

@@ -14,8 +14,8 @@ using Kinds = std::pair<ShapeKind, ShapeKind>;
 
 class NarrowRandom : public testing::TestWithParam<Kinds> {};
 
-/// Return the number of pairs; 1 if a seed is given. The sanitizer runs the quick number, the long
-/// tier ten times the full one.
+/// Return the number of pairs; 1 if a seed is given. Sanitizers run the quick number, the long tier
+/// ten times the full one.
 int pairs_of(int quick, int full) {
     return test::seed_count(quick, test::kSanitized ? quick : full, 10 * full);
 }
@@ -31,8 +31,8 @@ TEST_P(NarrowRandom, AgreesWithTheReference) {
     }
     EXPECT_EQ(score.wrong_verdicts, 0) << text;
     EXPECT_EQ(score.bad_points, 0) << text;
-    // Requirements for collision: 1e-6 m, and 1e-6 if the normal is unique (hulls and triangles:
-    // 1e-4, but they reach 1e-6).
+    // Requirement: 1e-6 m and 1e-6 where the normal is unique. Hulls and triangles may have 1e-4,
+    // but are as accurate.
     EXPECT_LE(score.worst_gap, 1e-6) << text;
     EXPECT_LE(score.worst_normal, 1e-6) << text;
     EXPECT_LE(score.ambiguous, score.pairs / 100) << text;
@@ -45,7 +45,7 @@ TEST(NarrowRandomGround, AgreesWithTheReference) {
         for (const ShapeKind kind : test::ground_kinds()) {
             const auto score = test::judge_ground(kind, ground, count, seed);
             const std::string text = test::describe(kind, ground, score);
-            if (count > 20) {  // of twenty, chance decides
+            if (count > 20) {  // up to twenty, chance decides
                 EXPECT_GT(score.touching, count / 10) << text;
                 EXPECT_GT(score.apart, count / 10) << text;
                 EXPECT_GT(score.normals, count / 4) << text;
@@ -54,7 +54,7 @@ TEST(NarrowRandomGround, AgreesWithTheReference) {
             EXPECT_EQ(score.bad_points, 0) << text;
             EXPECT_LE(score.worst_gap, 1e-6) << text;
             EXPECT_LE(score.worst_normal, 1e-6) << text;
-            // Cases without a comparison to the last digit must be the smaller part.
+            // Pairs without an exact comparison remain the smaller part.
             EXPECT_LE(score.ambiguous, 1 + score.pairs / 50) << text;
             EXPECT_LE(score.beside, 2 + score.touching / 3) << text;
             EXPECT_LE(score.left, 2 + score.touching / 15) << text;
@@ -79,9 +79,9 @@ TEST_P(NarrowRandom, ExtremeSizesAgreeToo) {
     const std::string text = test::describe(a, b, score);
     EXPECT_EQ(score.wrong_verdicts, 0) << text;
     EXPECT_EQ(score.bad_points, 0) << text;
-    // Near the axis of a drum of 60 m all ways out are nearly equally short. A small cylinder there
-    // may get one that is longer by 2e-5 of that. Otherwise 1e-7 of 100 m, by which a corner of a
-    // manifold may differ from the deepest point.
+    // Near the axis of a drum of 60 m all ways out are nearly equal: the one of a small cylinder
+    // may be longer by 2e-5 of it. Otherwise 1e-7 of 100 m: the difference of a manifold's corner
+    // from the deepest point.
     const bool drums = a == ShapeKind::cylinder && b == ShapeKind::cylinder;
     EXPECT_LE(score.worst_gap, drums ? 2e-3 : 1e-5) << text;
     if (!drums) {

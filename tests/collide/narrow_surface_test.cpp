@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heightfields and meshes: no ghost contacts at interior edges, supporting points, depth.
+// Heightfields and meshes: no false contacts at interior edges, points that support a shape, depth.
 #include "collide/collide_function.h"
 #include "collide/narrow/shape_data.h"
 #include "support/collide/place.h"
@@ -30,7 +30,7 @@ using enum ShapeKind;
 
 using Height = std::function<double(double, double)>;
 
-/// 21 by 21 nodes over ±5 m.
+/// Make 21 by 21 nodes over ±5 m.
 ShapeDef ground_def(const Height& height) {
     ShapeDef def;
     def.kind = heightfield;
@@ -40,7 +40,7 @@ ShapeDef ground_def(const Height& height) {
         for (int j = 0; j < 21; ++j) def.heights.push_back(height(0.5 * (j - 10), 0.5 * (i - 10)));
     return def;
 }
-/// The same surface as triangles; every second one turned upside down.
+/// Make the same surface of triangles; every second one is upside down.
 ShapeDef mesh_def(const Height& height) {
     ShapeDef def;
     def.kind = mesh;
@@ -97,7 +97,7 @@ std::vector<Mover> movers() {
                                {"hull", g, Quat::Identity(), 0.3, 4, nullptr}};
     const ShapeKind kinds[] = {sphere, capsule, box, cylinder, cylinder, hull};
     for (std::size_t i = 0; i < list.size(); ++i) list[i].geometry.kind = kinds[i];
-    ShapeDef prism;  // Eight sides.
+    ShapeDef prism;  // eight sides
     prism.kind = hull;
     for (int i = 0; i < 16; ++i)
         prism.vertices.push_back(
@@ -126,7 +126,7 @@ TEST(NarrowSurface, SlidingOverFlatGroundMeetsNoEdge) {
         for (const Mover& mover : movers())
             for (int i = 0; i < cases; ++i) {
                 const double gap = random.uniform(-0.03, 0.015);
-                // Also exactly over edges and nodes.
+                // Includes positions exactly over edges and nodes.
                 Vec3 x(random.uniform(-3, 3), random.uniform(-3, 3), mover.height + gap);
                 if (i % 4 == 0) x.x() = 0.5 * random.integer(-6, 6);
                 if (i % 8 == 0) x.y() = 0.5 * random.integer(-6, 6);
@@ -145,7 +145,7 @@ TEST(NarrowSurface, SlidingOverFlatGroundMeetsNoEdge) {
 }
 
 TEST(NarrowSurface, PointsHoldTheShape) {
-    // The centre lies within the points: a shape at rest does not tip.
+    // The centre is within the points, so that a shape at rest does not tip.
     for (const Surface& ground : surfaces(flat))
         for (const Mover& mover : movers()) {
             const Vec3 x(0.13, -0.21, mover.height - 1e-4);
@@ -184,7 +184,7 @@ TEST(NarrowSurface, NamesSurviveNoise) {
 }
 
 TEST(NarrowSurface, SlopesAndMovedFrames) {
-    // A plane of slope 0.3 in a turned and shifted frame: gaps as over that plane.
+    // A plane of slope 0.3 in a rotated and shifted frame has the gaps of that plane.
     test::Random random(test::first_seed(2));
     const int cases = test::by_tier(300, 1500, 15'000);
     const auto slope = [](double x, double y) { return 0.3 * x - 0.2 * y; };
@@ -212,7 +212,7 @@ TEST(NarrowSurface, RidgesAndValleys) {
     Geometry ball;
     ball.kind = sphere;
     ball.radius = 0.4;
-    // Along y; faces of slope 1 to both sides.
+    // A ridge along y with faces of slope 1 on both sides.
     const auto ridge = [](double x, double) { return -std::fabs(x); };
     const auto valley = [](double x, double) { return std::fabs(x); };
     for (const Surface& ground : surfaces(ridge)) {
@@ -220,7 +220,7 @@ TEST(NarrowSurface, RidgesAndValleys) {
         ASSERT_EQ(m.count, 1);
         EXPECT_NEAR(m.point[0].gap, 0.01, 1e-12);
         EXPECT_NEAR(m.point[0].normal[2], -1.0, 1e-12);
-        // An edge of a box across the ridge, a little deep.
+        // An edge of a box across the ridge, slightly deep.
         Geometry beam;
         beam.kind = box;
         beam.half_size[0] = 1.0;
@@ -264,7 +264,7 @@ TEST(NarrowSurface, GroundPushesUpFromAnyDepthAndAMeshToEitherSide) {
 }
 
 TEST(NarrowSurface, RoughGroundGivesTheDistance) {
-    // Apart from the ground, the smallest gap is that of the nearest triangle, by the reference.
+    // Off the ground, the smallest gap is the one of the nearest triangle, by the reference.
     test::Random random(test::first_seed(9));
     const int cases = test::by_tier(test::kSanitized ? 5 : 15, test::kSanitized ? 5 : 60, 600);
     const auto rough = [](double x, double y) {
@@ -356,7 +356,7 @@ TEST(NarrowSurface, HullsHaveTheFacesOfTheirPoints) {
     const auto cube = collide::make_shape_data(def);
     EXPECT_EQ(cube->faces.size(), 6U);
     EXPECT_EQ(cube->vertices.size() + cube->faces.size(), cube->edges.size() + 2);
-    // Points of a sphere: all on the hull, none outside it.
+    // Points of a sphere: all are on the hull, none is outside.
     test::Random random(test::first_seed(6));
     const int rounds = test::by_tier(20, 100, 1000);
     for (int round = 0; round < rounds; ++round) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Stage collide gives the same bits for any threads, order of the last step, and boxes.
+/// Stage collide gives the same bits for any number of threads, order of the last step, and boxes.
 #include "base/hash.h"
 #include "collide/site.h"
 #include "collide/touch.h"
@@ -30,7 +30,7 @@ std::vector<Vec3> row(int count, const Vec3& from, const Vec3& step) {
     return nodes;
 }
 
-/// Wires strewn over a plane and over each other, with balls between.
+/// Scatter wires over a plane and over each other, with balls between.
 void strew(Site& site, int wires, int nodes, std::uint32_t seed = 7) {
     Random random(seed);
     site.shape(ShapeKind::plane, site.body(BodyKind::fixed, Vec3::Zero()));
@@ -117,7 +117,7 @@ void expect_all_pairs(std::uint32_t seed) {
     ASSERT_TRUE(site.collide());
     collide::Filter filter;
     filter.build(site.collider.shapes(), site.bodies.count(), site.interactions);
-    // Every pair, without boxes.
+    // Test every pair, without boxes.
     std::vector<Contact> all;
     std::vector<Contact> some(collide::kMaxManifold);
     const auto& shapes = site.collider.shapes();

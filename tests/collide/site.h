@@ -50,7 +50,8 @@ struct Site {
         d.radius = radius;
         return collider.add(d, bodies);
     }
-    /// Add lumps at the given positions and segments between them. @return the first segment.
+    /// Add point masses at the given positions and segments between them. @return the first
+    /// segment.
     std::int32_t wire(const std::vector<Vec3>& nodes, double radius,
                       const Vec3& velocity = Vec3::Zero()) {
         std::vector<std::int32_t> lumps;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Use from another project: a scene that is run, controlled, edited and recorded through the public
-// headers of an installed Hawser. A controller holds the tension of a tow wire, a crane loses its
-// load, a line is added, another one breaks. Usage: session SCENE RECORDING
+// Test program of an installed Hawser: a scene is run, controlled, edited and recorded through the
+// public headers. A controller keeps the tension of a tow wire, a crane drops its load, a line is
+// added, another one breaks. Usage: session SCENE RECORDING
 #include <hawser/scene.h>
 #include <hawser/session.h>
 #include <hawser/systems/pid.h>
@@ -14,7 +14,7 @@
 
 namespace {
 
-/// The largest error of a tension from some time on.
+/// Record the largest error of a tension from a given time on.
 struct Error : hawser::Observer {
     hawser::OutputId tension;
     double target = 0.0, from = 0.0, largest = 0.0;  ///< [N], [s], [N]
@@ -24,7 +24,7 @@ struct Error : hawser::Observer {
     }
 };
 
-/// A tow wire pulls a tenth more than at the start, by its winch.
+/// Let the winch of a tow wire pull a tenth more than at the start.
 double hold_tension(hawser::World& world, Error& error) {
     const auto elements = world.elements(world.find_wire("tow1"));
     error.tension = world.add_output({.name = "tow1",
@@ -37,7 +37,7 @@ double hold_tension(hawser::World& world, Error& error) {
                        .measured = elements.front(),
                        .driven = world.find_input("ahts1/tow_speed"),
                        .target = error.target,
-                       .gain = -8e-6,  // pays out if the tension is too high
+                       .gain = -8e-6,  // pays out if the tension is too large
                        .reset = 2.0,
                        .low = -0.8,
                        .high = 0.8}));
@@ -62,7 +62,7 @@ void add_line(hawser::World& world) {
 int run(const char* file, const char* recording) {
     hawser::Session session({.scene = file});
     hawser::World& world = session.world();
-    if (session.step() != hawser::Status::ok) return 2;  // tensions are known from here on
+    if (session.step() != hawser::Status::ok) return 2;  // tensions are known after the first step
     session.record(recording);
     Error error;
     error.from = 8.0;
@@ -96,7 +96,8 @@ int run(const char* file, const char* recording) {
         run.changes.size(), 100.0 * error.largest / target, 1e-3 * target, error.from, fallen,
         1e-3 * world.tension(world.find_wire("spring"), 1.0));
     const bool held = error.largest < 0.02 * target;
-    const bool fell = std::abs(fallen - 9.81 * 8.0) < 0.1 * 9.81 * 8.0;  // drag of the hook
+    const bool fell = std::abs(fallen - 9.81 * 8.0) < 0.1 * 9.81 * 8.0;  // margin for the drag of
+                                                                         // the hook
     const bool same = run.end_hash == world.motion_hash();
     return ending == hawser::record::Ending::finished && same && held && fell && events == 1 &&
                    run.changes.size() == 3

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hooks on bodies and at the ends of wires: tensions of slings in closed form, capture, waiting,
-/// release, latch, strength, bits, errors.
+/// Hooks on bodies and at the ends of wires: tensions of slings in closed form, taking, waiting and
+/// releasing loads, latch, strength, bits, rejected definitions.
 #include <hawser/hawser.h>
 
 #include "support/bits.h"
@@ -30,7 +30,7 @@ BodyId add_box(World& w, const char* name, const Vec3& at) {
     return box;
 }
 
-/// Legs to eyes spaced evenly around the top of a box.
+/// Make legs to eyes evenly spaced around the top of a box.
 CraneLoad slung(BodyId body, int legs, double length, double radius) {
     CraneLoad load{.body = body, .sling_length = length, .sling_EA = 2e9, .reach = 0.05};
     for (int k = 0; k < legs; ++k)
@@ -131,7 +131,7 @@ TEST(Hooks, TakeWhatComesIntoReachAndLetItGo) {
     EXPECT_TRUE(d.is(HookState::empty));
     EXPECT_EQ(d.count(EventKind::detach), 1);
     EXPECT_FALSE(d.w.find_interaction("hook/leg1").valid());
-    // Another load, which is 6 m away, and the first one again without 0 between.
+    // Another load, 6 m away, and then the first one again without 0 between.
     d.take(2);
     d.run(0.2);
     EXPECT_TRUE(d.is(HookState::waiting));
@@ -165,7 +165,7 @@ TEST(Hooks, KeepShutUnderALoadThatHasALatch) {
 }
 
 TEST(Hooks, OpenAboveTheirStrength) {
-    Hoist d({.strength = 15e3});  // of 19.6 kN that the box weighs
+    Hoist d({.strength = 15e3});  // the box weighs 19.6 kN
     d.take(1);
     d.move({0, 0, -2}, 4.0);
     d.move({0, 0, 6}, 12.0);

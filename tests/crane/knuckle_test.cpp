@@ -11,11 +11,11 @@ using test::KnuckleYard;
 
 constexpr double kTwenty = 20e3;
 
-/// Line of the crane of knuckle_crane(), by its geometry [m].
+/// Compute the line length of the crane of knuckle_crane() from its geometry [m].
 double line_length(const KnuckleCraneDef& d) {
     const double r = d.hoist.sheave_radius, x = d.boom.length - d.hoist.drum.x();
     const double z = d.hoist.drum.z(), first = std::sqrt(x * x + z * z - r * r);
-    // The line reaches the sheave of the knuckle at this angle, and leaves along the jib.
+    // The line arrives at the knuckle's sheave at this angle and leaves along the jib.
     const double comes = -(std::atan2(z, x) - std::asin(r / std::hypot(x, z)));
     const double knuckle = comes - d.jib_angle;
     const double tip = 0.5 * std::numbers::pi + d.boom_angle + d.jib_angle;
@@ -23,7 +23,7 @@ double line_length(const KnuckleCraneDef& d) {
 }
 
 TEST(KnuckleCrane, FallsStretchAsTheLineOfBothDoes) {
-    // Compliant booms change the line on their sheaves.
+    // Elastic booms change the length of line over their sheaves.
     KnuckleYard y(knuckle_crane, kTwenty, [](KnuckleCraneDef& d) {
         d.boom_cylinder.stiffness = d.jib_cylinder.stiffness = 1e13;
     });
@@ -31,9 +31,9 @@ TEST(KnuckleCrane, FallsStretchAsTheLineOfBothDoes) {
     const KnuckleCraneDef d = knuckle_crane(y.quay);
     const double n = d.hoist.falls, k = n * n * d.hoist.EA / line_length(d);
     const double hang = y.mean(20.0, [&] { return y.signal("hang"); });
-    const double stretch = kTwenty * kG / k;  // by the load: it starts stretched by its hook
+    const double stretch = kTwenty * kG / k;  // of the load: the line starts stretched by its hook
     EXPECT_NEAR((hang - d.hook.hang) / stretch, 1.0, 0.01);
-    // Both falls have equal tensions, and carry the load.
+    // Both falls carry the same tension, in sum the hanging weight.
     for (const InteractionId fall : y.ids.falls) {
         const double t = y.mean(10.0, [&] { return -y.w.force(fall)[0]; });
         EXPECT_NEAR(t / (0.5 * (kTwenty + d.hook.mass) * kG), 1.0, 1e-3);
@@ -42,8 +42,8 @@ TEST(KnuckleCrane, FallsStretchAsTheLineOfBothDoes) {
 
 TEST(KnuckleCrane, LoadBouncesAtTheFrequencyOfItsFalls) {
     KnuckleYard y(knuckle_crane, kTwenty, [](KnuckleCraneDef& d) {
-        // only the falls are compliant
-        d.boom_cylinder.stiffness = d.jib_cylinder.stiffness = 1e13;
+        d.boom_cylinder.stiffness = d.jib_cylinder.stiffness =
+            1e13;  // leaves only the falls elastic
         d.hoist.damping_time = 0.0;
     });
     const KnuckleCraneDef d = knuckle_crane(y.quay);
@@ -67,7 +67,7 @@ TEST(KnuckleCrane, LoadBouncesAtTheFrequencyOfItsFalls) {
     EXPECT_NEAR(periods / (last - first) / expected, 1.0, 0.01);
 }
 
-/// Return the force of a cylinder that balances a moment, by the triangle of its pins.
+/// Compute the force of a cylinder against a moment, from the triangle of its pins.
 double push_of(const CraneCylinder& c, const Vec3& pin, double angle, double moment) {
     const Vec3 head(c.head.x() * std::cos(angle) - c.head.z() * std::sin(angle), 0,
                     c.head.x() * std::sin(angle) + c.head.z() * std::cos(angle));
@@ -90,7 +90,7 @@ TEST(KnuckleCrane, CylindersCarryTheMomentOfAllThatHangs) {
     const double boom_push = y.mean(20.0, [&] { return y.w.motor_force(y.part("luff/motor")); });
     const double jib_push = y.mean(20.0, [&] { return y.w.motor_force(y.part("knuckle/motor")); });
     EXPECT_NEAR(boom_push / push_of(d.boom_cylinder, d.boom_foot, boom, on_boom), 1.0, 2e-3);
-    // The line along the jib, its radius above the pin, helps by T r: 1.7 % here.
+    // The line along the jib, one sheave radius above the pin, adds the moment T r: 1.7 % here.
     const double helps = 0.5 * hangs * kG * d.hoist.sheave_radius;
     const Vec3 pin{d.boom.length, 0, 0};
     EXPECT_NEAR(jib_push / push_of(d.jib_cylinder, pin, jib, on_jib - helps), 1.0, 5e-3);
@@ -114,7 +114,7 @@ TEST(KnuckleCrane, CylinderStallsAtItsForceAndGivesWayBeyond) {
     strong.order("luff", 0.1);
     strong.run(6.0);
     EXPECT_GT(strong.w.coordinate(strong.part("luff")), start + 0.1);
-    // It ends with the rod at its maximum.
+    // The motion ends when the rod is fully extended.
     strong.run(30.0);
     const double rod = strong.w.pose(strong.w.find_body("crane/luff/stroke")).position.x();
     const double length = strong.w.interaction_def(strong.part("luff/cylinder")).get("length");
@@ -122,7 +122,7 @@ TEST(KnuckleCrane, CylinderStallsAtItsForceAndGivesWayBeyond) {
 }
 
 TEST(KnuckleCrane, AlarmsComeAtTheirShareOfTheRatedLoad) {
-    // 23.4 t are rated at 17.2 m.
+    // The rated load at 17.2 m is 23.4 t.
     for (const auto& [mass, step] : {std::pair(20e3, 0), std::pair(22e3, 1), std::pair(25e3, 2)}) {
         KnuckleYard y(knuckle_crane, mass);
         y.run(20.0);

@@ -53,7 +53,7 @@ TEST(LatticeCrane, PendantsHoldTheMomentOfTheBoom) {
         const Vec3 head = y.w.world_point(y.ids.boom, {30, 0, 0});
         const Vec3 held = y.w.world_point(y.ids.boom, {30, 0, 1.4});
         const double lead = y.tension("hoist/part1"), hangs = (kFiveHundred + 12e3) * kG;
-        // Near enough to the head's sheave: its radius is 0.5 m of 60 m.
+        // Error of the distance to the head's sheave: its radius is 0.5 m of 60 m.
         const double turns = moment(head, {0, 0, -hangs}) +
                              moment(y.w.pose(y.ids.boom).position, {0, 0, -60e3 * kG}) +
                              moment(head, lead * (drum - head).normalized());
@@ -77,7 +77,7 @@ TEST(LatticeCrane, LuffingMovesTheBridle) {
     y.run(4.0);
     const double from = way();
     y.run(20.0);
-    EXPECT_NEAR(from - way(), 1.0, 0.02);  // the line contracts as the pull decreases
+    EXPECT_NEAR(from - way(), 1.0, 0.02);  // the line contracts as its tension decreases
     EXPECT_LT(y.signal("radius"), radius - 1.0);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// README.md and docs/library.md: each of their blocks of C++ is part of a program in
-// examples/library, and the programs have the documented results.
+// README.md and docs/library.md: each of their C++ blocks is part of a program in examples/library,
+// and the programs give the stated results.
 #define main readme_program
 #include "../../examples/library/readme.cpp"
 #undef main
@@ -21,7 +21,7 @@
 
 namespace {
 
-/// Return the lines of a text without indentation and empty lines.
+/// Return the lines of a text without indentation and without empty lines.
 std::string flattened(const std::string& text) {
     std::istringstream in(text);
     std::string line, out;
@@ -63,8 +63,8 @@ TEST(ReadmeDocument, ItsProgramStandsInTheExamplesAndRuns) {
 }
 
 TEST(LibraryDocument, TheFirstBodySwings) {
-    // The rod keeps it 1 m away, within its lag, docs/theory/step.md: 4.3e-4 m at 240 Hz, and 16
-    // times that at 60 Hz.
+    // The rod keeps it 1 m away, except for its lag (docs/theory/step.md): 4.3e-4 m at 240 Hz. The
+    // lag grows with the square of the step: 16 times at 60 Hz.
     EXPECT_NEAR(swing(), 1.0, 7e-3);
 }
 
@@ -74,7 +74,7 @@ TEST(LibraryDocument, TheCraneKeepsItsLoadWhereItWas) {
     EXPECT_NEAR(end.angle, 0.6, 0.05 / 60.0 + 1e-4);
     EXPECT_NEAR(end.height, 0.0, 0.05);
     EXPECT_LT(end.worst, 2.0);                       // without the controller it would rise by 17 m
-    EXPECT_NEAR(end.tension, 5000.0 * 9.81, 500.0);  // it still swings
+    EXPECT_NEAR(end.tension, 5000.0 * 9.81, 500.0);  // the load still swings
     EXPECT_TRUE(end.same_after_restore);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Tensions over time and along wires with added and removed nodes, in pictures.
+/// Pictures of tensions over time and along wires whose nodes are inserted and removed.
 #include "draw/along.h"
 #include "draw/curves.h"
 #include "draw/plots.h"
@@ -27,20 +27,20 @@ TEST(TensionAlong, IsThatOfTheNodesThereAreAndOfTheLengthThatIsOut) {
     const draw::Along& a = along[0];
     EXPECT_TRUE(a.changes);
     EXPECT_GT(a.elements.size(), std::size_t(r.cables[0].elements)) << "nodes came";
-    // The wire hangs straight: the length out is the distance from the drum to the load.
+    // The wire hangs straight: the length paid out is the distance from the drum to the load.
     const record::Frame frame = r.frame(last);
     const double out = -frame.poses[std::size_t(r.cables[0].nodes.back())].position.z();
     EXPECT_GT(out, WinchScene::kWire + 7.0);
     EXPECT_NEAR(a.length, out, 1e-3) << "poses are in single precision, and it sways by rounding";
     EXPECT_LT(a.elements.back(), out);
     EXPECT_GT(a.elements.back(), out - 3.5) << "within half an element of the end";
-    // Weight below the middle of each element. The load is lowered steadily at 1 m/s, its damping
-    // takes 400 N, and the mass of the wire is stretched by 0.2 %.
+    // Weight below the middle of each element. The load is lowered at a constant 1 m/s, its damping
+    // carries 400 N, and the wire's mass is stretched by 0.2 %.
     for (std::size_t i = 0; i < a.elements.size(); ++i) {
         const double weight = kG * (kMass + kPerLength * (out - a.elements[i])) - 400.0;
         EXPECT_NEAR(a.tensions[i], weight, 0.01 * weight) << i;
     }
-    // The band has positions all along, and maxima not below minima.
+    // The band has points along the whole wire, and the largest is ≥ the smallest everywhere.
     ASSERT_GT(a.s.size(), 100U);
     EXPECT_GT(a.s.back(), 0.99 * a.length);
     for (std::size_t i = 0; i < a.s.size(); ++i) {
@@ -67,7 +67,7 @@ TEST(TensionCurves, AreThoseOfTheElementsThereAre) {
     const record::Frame frame = r.frame(r.frame_count() - 1);
     ASSERT_NE(frame.wires, nullptr);
     const auto& s = series.cables[0];
-    // At the drum the wire carries all its weight, at the load the least.
+    // At the drum the wire carries its whole weight, at the load the least.
     EXPECT_FLOAT_EQ(float(s.highest.back()),
                     *std::max_element(frame.pulls.begin(), frame.pulls.end()));
     EXPECT_FLOAT_EQ(float(s.lowest.back()),
@@ -91,7 +91,7 @@ TEST(TensionCurves, PiecesThatAreCutOffHaveTheirOwn) {
     EXPECT_NE(draw::to_svg(*tensions).find("fall/2"), std::string::npos);
     const auto along = draw::tensions_along(r, series, 6, r.frame_count() - 1);
     ASSERT_EQ(along.size(), 2U);
-    // The part below the cut, at the time drawn; the part at the drum.
+    // The part below the cut at the drawn time, and the part left at the drum.
     EXPECT_NEAR(along[0].elements.back(), WinchScene::kAt, 3.0);
     EXPECT_GT(along[1].length, WinchScene::kWire + 8.0 - WinchScene::kAt);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Commands in pictures over time: not the actions of systems on their own parts.
+/// Commands in pictures over time: they exclude actions of systems on their own parts.
 #include "record/commands.h"
 #include "draw/commands_note.h"
 #include "draw/plots.h"
@@ -22,7 +22,7 @@ std::vector<std::byte> bytes_of(const std::string& text) {
 
 TEST(Commands, AreTheTimelinesAndNotThoseOfAWinchToItsMotor) {
     const record::Recording r = WinchScene::record(WinchScene::kCut + 0.2);
-    // The winch did set its motor, again and again.
+    // The winch set its motor many times.
     ASSERT_EQ(r.inner_inputs.size(), r.input_names.size());
     EXPECT_GT(std::count(r.inner_inputs.begin(), r.inner_inputs.end(), true), 0);
     EXPECT_GT(r.inputs.size(), 3U);
@@ -50,7 +50,7 @@ TEST(Commands, WhatATakeDoesAgainIsListedOnce) {
     EXPECT_EQ(commands[1].done, "cut fall at 5 m");
 }
 
-/// Levers are moved often; operations on wires are marked nevertheless.
+/// Controls move often; actions on wires are marked nevertheless.
 TEST(Commands, WhatWasDoneIsMarkedBesideManyLevers) {
     record::Recording r = WinchScene::record(0.2);
     const std::vector<std::byte> lever = bytes_of("hoist.speed 0.1"),

@@ -44,7 +44,7 @@ TEST(BlockGraphs, RowsThatAreCutStandInBothParts) {
         for (const std::int32_t u : split.neighbours(v))
             EXPECT_EQ(split.part[static_cast<std::size_t>(u)],
                       split.part[static_cast<std::size_t>(v)]);
-    // The copy of s in the first part is connected only to b.
+    // The duplicate of s in the first part has b as its only neighbour.
     const auto near = split.neighbours(3);
     EXPECT_EQ(std::vector<std::int32_t>(near.begin(), near.end()), (std::vector<std::int32_t>{1}));
     const BlockGraph second = draw::part_graph(split, 1);
@@ -62,7 +62,7 @@ TEST(BlockGraphs, CountsAreThoseOfTheSolver) {
     EXPECT_EQ(c.scalars, f.info().scalars);
     EXPECT_EQ(c.nodes, f.info().nodes);
     EXPECT_EQ(c.nnz, f.info().matrix_nnz);
-    // Merged fronts have zeros besides.
+    // Merged fronts contain additional zeros.
     EXPECT_LE(c.factor_nnz, f.info().factor_nnz);
     EXPECT_LE(c.flops, f.info().flops);
     // r fills in between a and b, then with s, and s with t: 1·2 + 2·3 scalars.

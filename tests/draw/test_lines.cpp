@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Links between wires and legs of hooks that are added while a world runs, in pictures and
-/// exports.
+/// Links between wires and legs of hooks that are made while a world runs, in pictures and exports.
 #include "draw/plots.h"
 #include "draw/projection.h"
 #include "draw/wire_lines.h"
@@ -46,14 +45,14 @@ TEST(JoinedLines, AreThoseThatThereWereInEachFrame) {
         strops += deck.lines[f].count("strop");
         EXPECT_EQ(draw::is_gone(frame, 0), f > JoinedDeck::kStayGone) << f;
     }
-    // It appears with the step after the request, and disappears likewise.
+    // Legs appear with the step after the one of the request, and disappear in the same way.
     EXPECT_NEAR(static_cast<double>(legs), JoinedDeck::kLetGo - JoinedDeck::kTaken, 2.0);
     EXPECT_EQ(strops, std::size_t{JoinedDeck::kSteps - JoinedDeck::kJoined});
     EXPECT_FALSE(
         record::cable_interior(r)[static_cast<std::size_t>(deck.w.find_body("box").index)]);
 }
 
-/// Strokes of wires and of joints, by their widths.
+/// Count strokes of wires and of joints, by their widths.
 struct Strokes {
     std::size_t wires = 0, joints = 0;
 };

@@ -57,7 +57,7 @@ TEST(Outlines, AreRecordedInTheFrameOfTheirBody) {
     Touching scene;
     const record::Recording r = recorded(scene);
     EXPECT_EQ(r.damage, "");
-    // Not that of the cable's node.
+    // The cable's node has no outline.
     ASSERT_EQ(r.outlines.size(), 4U);
     EXPECT_EQ(r.outlines[0].kind, record::OutlineKind::plane);
     EXPECT_EQ(r.outlines[0].points[0], Vec3(0, 0, -2.2));
@@ -66,7 +66,7 @@ TEST(Outlines, AreRecordedInTheFrameOfTheirBody) {
     for (const Vec3& p : r.outlines[1].points)
         EXPECT_NEAR((p - Vec3(0, 3, p.z())).norm(), 0.5, 1e-12);
     EXPECT_EQ(r.outlines[2].radius, 0.5);
-    // Thinned, the last line kept.
+    // Thinned, but the last line is kept.
     EXPECT_EQ(r.outlines[3].kind, record::OutlineKind::lines);
     EXPECT_LE(r.outlines[3].row, 65);
     EXPECT_NEAR(r.outlines[3].points.back().x(), 9.95, 1e-12);
@@ -92,7 +92,7 @@ TEST(Outlines, ArePartOfThePicture) {
     draw::Bounds bounds;
     draw::add_outlines_to_bounds(r, r.frame(0), bounds);
     EXPECT_NEAR(bounds.high.y(), 3.5, 1e-9);
-    EXPECT_GT(bounds.low.x(), -5.0);  // the ground, 20 m wide, does not count
+    EXPECT_GT(bounds.low.x(), -5.0);  // the ground, 20 m wide, is excluded
 }
 
 TEST(Outlines, NonsenseIsRefused) {

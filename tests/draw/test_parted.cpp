@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Cables that part, in pictures.
+/// Broken cables in pictures.
 #include "draw/parted.h"
 #include "draw/plots.h"
 #include "draw/svg.h"
@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// Return the number of lines in the colour of crosses at broken ends.
+/// Count the lines of the colour that marks broken ends by crosses.
 std::size_t crosses(const draw::Drawing& drawing) {
     const std::string svg = draw::to_svg(drawing), color = "#be1e1e";
     std::size_t count = 0;
@@ -32,7 +32,7 @@ TEST(PartedCables, AreFoundByTheNamesOfTheirElements) {
     ASSERT_EQ(draw::parted_elements(recording, 2.0).size(), 1U);
     EXPECT_EQ(draw::parted_elements(recording, 2.0)[0].element, 1);
     EXPECT_TRUE(draw::parted_elements(recording, 1.4).empty()) << "not yet";
-    // Names that no element of a cable has, in files that anyone may write.
+    // Names that no element of a cable has, in files from any source.
     for (const char* where :
          {"wire/s2", "wire/s-1", "wire/s", "wire/s1x", "wire/s99999999999999", "wir", "", "s1"}) {
         recording.events[0].where = where;
@@ -43,7 +43,7 @@ TEST(PartedCables, AreFoundByTheNamesOfTheirElements) {
     EXPECT_EQ(draw::parted_elements(recording, 2.0)[0].element, 0);
 }
 
-/// Record 1.5 s of a cable that breaks at their end.
+/// Record 1.5 s of a cable that breaks at its end.
 record::Recording record_parting() {
     SmallScene scene;
     const auto file = fresh_folder() / "r.hwr";

@@ -24,7 +24,7 @@ bool has_text(const XmlDocument& document, const std::string& wanted) {
                        [&](const std::string& t) { return t.find(wanted) != std::string::npos; });
 }
 
-/// Check that a picture states its quantity, its scene and its parameters.
+/// Every picture states its content, its scene and its parameters.
 XmlDocument check_picture(const Drawing& drawing) {
     const std::string svg = draw::to_svg(drawing);
     XmlDocument document;
@@ -71,7 +71,7 @@ TEST_F(Plots, CommandsAreMarkedAndListed) {
         ASSERT_TRUE(drawing);
         EXPECT_TRUE(has_text(check_picture(*drawing), "A  0.05 s: inputs set, box.push 20"));
     }
-    // Values that repeat are no commands; of many moments the first are listed, the rest counted.
+    // Repeated values are no commands. The first of many moments are listed, the rest are counted.
     recording->inputs.clear();
     for (int i = 0; i < 30; ++i) recording->inputs.push_back({i, 0, i < 10 ? 5.0 : 1.0 + i});
     const auto commands = draw::commands_of(*recording);
@@ -81,7 +81,7 @@ TEST_F(Plots, CommandsAreMarkedAndListed) {
     EXPECT_EQ(commands[5].text, "box.push 15; 15 later changes are not marked");
 }
 
-// Names stand clear of each other: of many boxes in a heap each name is drawn once or not at all.
+// Names do not overlap: in a heap of many boxes each name is drawn once or not at all.
 TEST_F(Plots, NamesDoNotOverlap) {
     record::Frame frame = recording->frame(0);
     for (int i = 0; i < 40; ++i) {
@@ -124,14 +124,14 @@ TEST_F(Plots, ViewsHaveBothPanelsAndAColourBar) {
 }
 
 TEST_F(Plots, DetailsAreDrawnOnlyForSmallBodies) {
-    // The box is large in its small scene.
+    // The box is large compared with its small scene.
     EXPECT_FALSE(draw::plot_details(*recording, 1));
     recording->bodies[2].half_size = Vec3(0.1, 0.1, 0.1);
     const auto drawing = draw::plot_details(*recording, recording->frame_count() - 1);
     ASSERT_TRUE(drawing);
     const XmlDocument d = check_picture(*drawing);
     EXPECT_TRUE(has_text(d, "box & <friends>, side view"));
-    // Lines that leave the panel are cut at its frame, in the pixels too.
+    // Lines that leave the panel are clipped at its frame, in the pixels as well.
     const draw::Image image = draw::rasterise(*drawing, 1.0);
     for (int y = 0; y < 60; ++y)
         for (int x = 1000; x < image.width; ++x)
@@ -222,7 +222,7 @@ TEST(Raster, FillsAndStrokesCoverTheRightPixels) {
     EXPECT_NEAR(soft.rgb[3], 128, 1);
 }
 
-// Damaged recordings contain any number; pictures of them must end and stay inside.
+// Damaged recordings contain any number. Drawing them must end and stay inside the image.
 TEST(Raster, AbsurdCoordinatesAreHarmless) {
     Drawing drawing{.width = 20, .height = 20};
     for (const double far : {1e6, 1e30, 1e300, -1e300, HUGE_VAL, -HUGE_VAL, std::nan("")}) {

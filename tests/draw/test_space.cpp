@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Views in space: order, hidden parts, water, colours.
+/// Views in space: order along the view, hidden parts of solids, water, colours.
 #include "draw/plots.h"
 #include "draw/solids_view.h"
 #include "draw/svg.h"
@@ -37,13 +37,13 @@ TEST(SpaceView, TheCameraIsAFrame) {
             EXPECT_NEAR(c.right.z(), 0.0, 1e-12) << "the horizon is level";
             EXPECT_GT(c.up.z(), 0.0);
         }
-    // From the south, y runs away from the viewer and x to the right.
+    // From the south: y points away from the viewer and x to the right.
     const Camera south = Camera::at(-90.0, 0.0);
     EXPECT_NEAR(south.right.x(), 1.0, 1e-12);
     EXPECT_NEAR(south.to_viewer.y(), -1.0, 1e-12);
 }
 
-/// A box along the axes.
+/// A box parallel to the axes.
 struct AxisBox {
     Vec3 middle, half;
 };
@@ -51,7 +51,7 @@ struct AxisBox {
 /// Compare two disjoint boxes along the view. @return 1 if `b` hides part of `a`, −1 if `a` hides
 /// part of `b`, 0 if they do not overlap in the picture.
 int nearer(const AxisBox& a, const AxisBox& b, const Camera& camera) {
-    double low = -1e9, high = 1e9;  // ways from a to b towards the viewer
+    double low = -1e9, high = 1e9;  // bounds of the distances from a to b towards the viewer
     for (int k = 0; k < 3; ++k) {
         const double from = (b.middle[k] - a.middle[k] - a.half[k] - b.half[k]),
                      to = (b.middle[k] - a.middle[k] + a.half[k] + b.half[k]),
@@ -93,7 +93,7 @@ TEST(SpaceView, PaintsSolidsSoThatNearOnesCoverFarOnes) {
             const AxisBox box{{at(random), at(random), at(random)},
                               {size(random), size(random), size(random)}};
             Solid one = box_at(box.middle, box.half, camera, 0.0);
-            // Boxes that overlap have no order.
+            // Overlapping boxes have no order.
             const bool free = std::none_of(solids.begin(), solids.end(), [&](const Solid& other) {
                 for (int k = 0; k < 3; ++k) {
                     double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
@@ -118,8 +118,8 @@ TEST(SpaceView, PaintsSolidsSoThatNearOnesCoverFarOnes) {
         ASSERT_EQ(order.size(), solids.size());
         for (std::size_t i = 0; i < order.size(); ++i)
             for (std::size_t j = i + 1; j < order.size(); ++j) {
-                // A corner painted later must not be hidden by a solid painted earlier, unless its
-                // own solid hides it.
+                // Solids painted earlier must not hide a corner of a later one, except if that
+                // corner is behind its own solid.
                 const Solid &early = solids[order[i]], &late = solids[order[j]];
                 for (const Vec3& p : late.surface.points) {
                     EXPECT_FALSE(draw::is_hidden(p, {early}, camera));
@@ -132,7 +132,7 @@ TEST(SpaceView, PaintsSolidsSoThatNearOnesCoverFarOnes) {
 }
 
 TEST(SpaceView, HidesWhatStandsBehindASolid) {
-    const Camera camera = Camera::at(0.0, 0.0);  // the viewer faces −x
+    const Camera camera = Camera::at(0.0, 0.0);  // the viewer looks along −x
     const std::vector<Solid> solids{box_at({0, 0, 0}, {1, 2, 3}, camera)};
     EXPECT_TRUE(draw::is_hidden({-5, 1.9, 2.9}, solids, camera));
     EXPECT_FALSE(draw::is_hidden({5, 0, 0}, solids, camera)) << "before it";
@@ -140,8 +140,8 @@ TEST(SpaceView, HidesWhatStandsBehindASolid) {
     EXPECT_TRUE(draw::is_hidden({0, 0, 0}, solids, camera)) << "in it";
     EXPECT_FALSE(draw::is_hidden({1, 0, 0}, solids, camera)) << "on the side that is seen";
     EXPECT_TRUE(draw::is_hidden({-1, 0, 0}, solids, camera)) << "on the side that is not";
-    // A box seen along an axis has the four edges of its face visible; seen obliquely nine of its
-    // twelve.
+    // A box seen along an axis shows the four edges of its face; from an oblique angle it shows
+    // nine of twelve.
     EXPECT_EQ(draw::visible_creases(solids[0], camera).size(), 4U);
     const Camera askew = Camera::at(-60.0, 22.0);
     EXPECT_EQ(draw::visible_creases(box_at({0, 0, 0}, {1, 2, 3}, askew), askew).size(), 9U);
@@ -160,7 +160,7 @@ TEST(SpaceView, CutsPolygonsAtTheWater) {
     EXPECT_EQ(draw::clipped(square, 5.0, false).size(), 4U);
 }
 
-/// Record a buoy in water whose level is raised by a tide, and manually by 4 m after half a second.
+/// Record a buoy in water whose level a tide raises; a command sets 4 m after half a second.
 record::Recording record_tide(const std::filesystem::path& file) {
     SessionDef def;
     def.scene_text = R"({"version": 1, "name": "tide", "settings": {"step": 0.05},
@@ -176,7 +176,7 @@ record::Recording record_tide(const std::filesystem::path& file) {
     return record::Recording::open(file);
 }
 
-/// Return the height in the picture of the line of still water of a side view; none if it is not
+/// Return the height of the still-water line in the picture of a side view; nullopt if it is not
 /// drawn.
 std::optional<double> water_line(const record::Recording& r, std::size_t frame) {
     const auto drawing =
@@ -192,7 +192,7 @@ std::optional<double> water_line(const record::Recording& r, std::size_t frame) 
 TEST(SpaceView, WaterStandsWhereItStoodThen) {
     const record::Recording r = record_tide(fresh_folder() / "r.hwr");
     ASSERT_EQ(r.frame_count(), 41U);
-    // The tide at each time; 4 m more after the step from 0.5 s.
+    // Expected: the tide at each time, and 4 m after the step at 0.5 s.
     for (std::size_t f = 0; f < r.frame_count(); ++f) {
         const record::Frame frame = r.frame(f);
         const double level = 2.0 + 0.5 * frame.time + (frame.time > 0.501 ? 4.0 : 0.0);
@@ -249,7 +249,7 @@ TEST(SpaceView, DrawsAFrameAndCrossesWhatHasParted) {
     EXPECT_EQ(red(89), 0U);
     EXPECT_GE(red(90), 2U);
     EXPECT_FALSE(draw::plot_space(r, series, 91, {}));
-    // A given size and given axes apply to every frame.
+    // A given size and given axes are used for every frame.
     draw::ViewOptions fixed;
     fixed.width = 640;
     fixed.height = 400;

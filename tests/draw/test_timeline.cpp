@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Timelines: figures of a trace made by hand, the picture, the file for trace viewers.
+/// Timelines: figures of a hand-made trace, the picture, the file for trace viewers.
 #include "draw/svg.h"
 #include "draw/timeline.h"
 #include "draw/xml_check.h"
@@ -16,7 +16,7 @@ using namespace draw;
 
 constexpr auto kAssemble = static_cast<std::int8_t>(Stage::assemble);
 constexpr auto kFactor = static_cast<std::int8_t>(Stage::factor);
-// Sums of a few numbers of the size of 1.
+// Rounding of sums of a few numbers of about 1.
 constexpr double kRound = 1e-12;
 
 TraceSpan span(SpanKind kind, double begin, double end, std::int8_t stage, int thread = 0,
@@ -33,7 +33,7 @@ TraceSpan span(SpanKind kind, double begin, double end, std::int8_t stage, int t
     return s;
 }
 
-/// Two threads: 1 s of assembly, a loop of two tasks of 3 s and 2 s, 1 s of other code.
+/// Make two threads: 1 s of assembly, a loop of two tasks of 3 s and 2 s, 1 s of other code.
 TraceView by_hand() {
     TraceView v;
     v.threads = 2;
@@ -58,7 +58,8 @@ TEST(Timeline, FiguresOfATraceMadeByHand) {
     const TimelineFigures f = figures_of(t);
     auto of = [&](Work w) { return f.seconds[static_cast<std::size_t>(w)]; };
     EXPECT_NEAR(of(Work::assembly), 1.0, kRound);
-    EXPECT_NEAR(of(Work::linear_algebra), 3.0 + 2.0 + 1.0, kRound);  // tasks, code after the loop
+    EXPECT_NEAR(of(Work::linear_algebra), 3.0 + 2.0 + 1.0,
+                kRound);  // tasks, and code after the loop
     EXPECT_NEAR(of(Work::other), 1.0, kRound);
     EXPECT_NEAR(f.busy, 8.0 / 12.0, kRound);
     EXPECT_NEAR(f.linear_algebra, 6.0 / 8.0, kRound);
@@ -78,7 +79,7 @@ TEST(Timeline, OneThreadNeverWaits) {
 TEST(Timeline, SimulatesAStepOfOneThread) {
     TraceView view = by_hand();
     view.threads = 1;
-    view.spans[3].end = 16.0;  // the loop, tasks one after the other
+    view.spans[3].end = 16.0;  // the loop, with one task after the other
     view.spans[0].end = 18.0;
     view.spans[2].end = 17.0;
     view.spans[4] = span(SpanKind::task, 11.0, 14.0, kFactor, 0, 3, 0);
@@ -103,7 +104,7 @@ TEST(Timeline, ThePictureHasALineForEachThread) {
     for (const char* text : {"thread 0", "thread 1", "simulated thread 0", "simulated thread 2",
                              "assembly", "linear algebra", "other", "idle"})
         EXPECT_EQ(count(text), 1) << text;
-    EXPECT_EQ(count("nonsmooth"), 0);  // only existing ones
+    EXPECT_EQ(count("nonsmooth"), 0);  // absent names are left out
     EXPECT_GE(count("a & b"), 1);
 }
 

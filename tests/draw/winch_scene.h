@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file winch_scene.h
-/// Recordings of a winch that lowers a weight on a wire, which gets nodes at the drum and is cut.
+/// Recordings of a winch that lowers a weight on a wire. The wire gets nodes at the drum and is
+/// cut.
 
 #include "record/small_scene.h"
 
@@ -15,9 +16,9 @@
 namespace hawser::test {
 
 struct WinchScene {
-    static constexpr double kWire = 12.0;  ///< At the start [m].
-    static constexpr double kCut = 10.0;   ///< Time [s].
-    static constexpr double kAt = 5.0;     ///< Position of the cut, from the drum [m].
+    static constexpr double kWire = 12.0;  ///< Length of the wire at the start [m].
+    static constexpr double kCut = 10.0;   ///< Time of the cut [s].
+    static constexpr double kAt = 5.0;     ///< Distance of the cut from the drum [m].
 
     static std::string text() {
         return R"({
@@ -35,7 +36,8 @@ struct WinchScene {
 })";
     }
 
-    /// @param back  Then from the state at 4 s again, to 6 s.
+    /// Record the scene. @param until  Duration [s]. @param back  Continue from the state at 4 s to
+    /// 6 s.
     static record::Recording record(double until, bool back = false) {
         const auto file = fresh_folder() / "r.hwr";
         SessionDef def;

@@ -2,8 +2,8 @@
 #pragma once
 /// @file xml_check.h
 /// A strict reader of the XML that the SVG writer may produce: elements, quoted attributes, text,
-/// the five named and the numeric entities. It detects an open tag, an unescaped character or a
-/// repeated attribute.
+/// the five named entities and numeric ones. It detects open tags, unescaped characters and
+/// repeated attributes.
 
 #include <cctype>
 #include <set>
@@ -15,7 +15,7 @@ namespace hawser::test {
 
 struct XmlDocument {
     std::vector<std::string> elements;  ///< Names in order.
-    std::vector<std::string> texts;     ///< Text content, ASCII entities decoded.
+    std::vector<std::string> texts;     ///< Text content, with entities decoded to ASCII.
 };
 
 class XmlReader {

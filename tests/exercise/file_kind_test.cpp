@@ -16,7 +16,7 @@ namespace {
 struct OtherFile {
     const char* what;
     std::string text;
-    std::vector<const char*> said;  ///< All of them stand in the message.
+    std::vector<const char*> said;  ///< Parts that the message contains.
 };
 
 std::vector<OtherFile> other_files() {
@@ -94,7 +94,7 @@ TEST(FileKind, ScenesWithMistakesStayScenes) {
         }
         return std::string("none");
     };
-    // "http://x" in a string is no comment; a colon or a comma too many is not YAML.
+    // "http://x" in a string is not a comment. A missing or additional colon or comma is not YAML.
     for (const char* text :
          {R"({"version": 1, "name": "http://x", "bodis": []})",
           R"({"version": 1, "name": "x", "bodies": {"a": 1}})",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file small_exercise.h
-/// A load on a winch, a tow, and a wheel with motor and brake: an exercise of some seconds.
+/// An exercise of some seconds: a load on a winch, a tow, and a wheel with motor and brake.
 
 #include <hawser/exercise.h>
 #include <hawser/hawser.h>
@@ -65,7 +65,7 @@ inline const char* const kSmallExercise = R"({
   "ends": [{"name": "down", "when": [{"output": "load_z", "below": 2}], "failed": true}]
 })";
 
-/// A temporary folder with the scene.
+/// A folder with the scene, deleted by the destructor.
 struct Yard {
     std::filesystem::path folder = std::filesystem::temp_directory_path() / "hawser_exercise" /
                                    (std::to_string(::getpid()) + "_" +
@@ -84,7 +84,7 @@ struct Yard {
     }
 };
 
-/// One that runs.
+/// An exercise that runs.
 struct Running {
     exercise::Loaded loaded;
     std::unique_ptr<Session> session;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files of exercises: mistakes with their place, an equivalent schema, and arbitrary bytes.
+/// Exercise files: mistakes with their position, agreement with the schema, and arbitrary bytes.
 #include "exercise/small_exercise.h"
 
 #include "debrief/debrief.h"
@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Return the place and reason with which a document is rejected.
+/// Return position and reason of a rejection of a document.
 std::string refusal(const Yard& yard, const std::string& text) {
     try {
         (void)yard.load(text);
@@ -139,7 +139,7 @@ TEST(ExerciseFiles, ForgedNotesAreRefusedOrMeanSomething) {
         recording.notes = notes;
         const std::size_t k = random() % notes.size();
         forged.assign(notes[k].bytes.begin(), notes[k].bytes.end());
-        // Behind the document, which has its own test.
+        // After the document, which has its own test.
         const std::size_t from = k == 0 ? forged.size() - 9 : 0;
         forged[from + random() % (forged.size() - from)] = static_cast<std::byte>(random() % 256);
         if (round % 5 == 0) forged.resize(random() % (forged.size() + 1));
@@ -175,7 +175,7 @@ TEST(Debriefing, IsOneFileWithoutScriptsThatEscapesAllText) {
     EXPECT_EQ(html.find("<img"), std::string::npos);
     EXPECT_NE(html.find("&lt;script&gt;"), std::string::npos);
     EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
-    // The page loads no external file: its only addresses are XML names.
+    // Nothing is fetched: the only addresses are names of XML.
     const std::regex address(R"((src|href|url)\s*[=(]\s*["']?(http|//))");
     EXPECT_FALSE(std::regex_search(html.substr(0, 20000), address));
     EXPECT_GE(std::count(html.begin(), html.end(), '<'), 200);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Running exercises: permissions, faults, and the repetition from recordings.
+/// Exercises as they run: permissions of roles, effects of faults, and recordings that reproduce
+/// both.
 #include "exercise/small_exercise.h"
 
 #include <cmath>
@@ -124,7 +125,7 @@ TEST(ExerciseRun, AFrozenDisplayHidesAnAlarmButNotAGoal) {
     EXPECT_THROW((void)run.shown("laod_z"), DefError);
 }
 
-/// Run an exercise and return the data in which a run and its recording must agree.
+/// Return results on which a run and its recording must agree.
 std::string perform(const Yard& yard, int threads, const std::string& record) {
     Running e(yard.load(kSmallExercise, threads), {.record = record});
     exercise::Run& run = *e.run;
@@ -157,8 +158,8 @@ TEST(ExerciseRun, ARecordingHasTheSameScoreWithAnyNumberOfThreads) {
         EXPECT_EQ(again.curves.time.size(), again.curves.values[1].size());
         EXPECT_FALSE(std::isnan(again.curves.values[1].back())) << "of a system, from notes";
     }
-    // A score by hand: 10 for the goal, less 3 for the tow and half a point a second of less wire
-    // on the drum than 31 m, which is all the time that the exercise lasted.
+    // A score by hand: 10 for the goal, less 3 for the tow, less half a point for each second with
+    // < 31 m of wire on the drum. The latter holds for the whole exercise.
     const exercise::Rescored r = exercise::rescore(recording);
     ASSERT_TRUE(r.result.goals[0].reached);
     EXPECT_NEAR(r.result.points, 10.0 - 3.0 - 0.5 * r.result.penalties[1].seconds, 1e-9);
@@ -193,8 +194,8 @@ TEST(ExerciseRun, GoesBackToAMark) {
     EXPECT_NE(first.find("\"points\": -3"), std::string::npos);
 }
 
-/// Faults, a broken tow and an end occur before a restore. There are two restores without a step
-/// between, and at last one without a step after it.
+/// Faults, a broken tow and an end come before the exercise goes back. It goes back twice without a
+/// step between, and at last without a later step.
 TEST(ExerciseRun, ARecordingThatGoesBackHasTheSameScore) {
     const Yard yard;
     const std::string file = yard.file("back.hwr");

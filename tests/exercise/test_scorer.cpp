@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Manually computed scores: holding times, order, time limits, points.
+/// Scores by hand: durations of conditions, order, time limits, points.
 #include "exercise/scorer.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ Trigger above(const char* output, double limit, double hold = 0.0) {
     return {.conditions = {{output, limit}}, .hold = hold, .of = ""};
 }
 
-/// Feeds values of one output at 0.1 s.
+/// Feed values of one output, at intervals of 0.1 s.
 struct Fed {
     Exercise e;
     std::unique_ptr<Scorer> scorer;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Exercises that ship: their control files pass them, worse runs score worse, and the schema is
-/// that of the source.
+/// Shipped exercises: their control files pass, worse runs score worse, and the schema is that of
+/// the source.
 #include <hawser/exercise.h>
 #include <hawser/hawser.h>
 
@@ -15,8 +15,8 @@
 namespace hawser::test {
 namespace {
 
-/// @param until  Time from which lines of the control file are omitted [s]. @param times  Duration
-/// of the exercise [s].
+/// Perform an exercise. @param until  Time after which the lines of the control file are left out
+/// [s]. @param duration  Duration of the exercise [s].
 exercise::Result perform(const std::string& name, double until, double duration = 0.0) {
     exercise::Loaded loaded = exercise::load_file("exercises/" + name + ".json");
     if (duration > 0.0) loaded.exercise.duration = duration;
@@ -52,7 +52,7 @@ void expect_passed(const exercise::Result& r) {
 
 TEST(Exercises, TowOut) {
     expect_passed(perform("tow_out", 1e9));
-    // The brake is left on when it fades: wire runs out.
+    // The brake stays on while it fades: wire runs out.
     const exercise::Result bad = perform("tow_out", 100.0, 140.0);
     EXPECT_EQ(bad.outcome, exercise::Outcome::failed);
     EXPECT_LT(bad.points, 70.0);
@@ -69,7 +69,7 @@ TEST(Exercises, CraneLift) {
 
 TEST(Exercises, AnchorOverRoller) {
     expect_passed(perform("anchor_over_roller", 1e9));
-    // The winch is not stopped: the anchor reaches the seabed at 0.9 m/s.
+    // The winch is not stopped: the anchor hits the seabed at 0.9 m/s.
     const exercise::Result bad = perform("anchor_over_roller", 10.0, 80.0);
     EXPECT_EQ(bad.outcome, exercise::Outcome::failed);
     EXPECT_EQ(bad.penalties[0].times, 1) << "hard landing";

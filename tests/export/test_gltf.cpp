@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Binary glTF, read back by the specification: containers, accessors, poses, joints of wires.
+/// Binary glTF, read by the specification: containers, accessors, poses, joints of wires.
 #include "export/export.h"
 #include "record/small_scene.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A .glb as the specification has it; accessors of floats.
+/// A .glb file by the specification, with accessors of floats.
 struct Glb {
     json doc;
     std::vector<std::byte> buffer;
@@ -55,7 +55,7 @@ struct Glb {
         return out;
     }
 
-    /// Return the channel of a node; empty if there is none.
+    /// Read the values of a node's channel. @return empty if it has none.
     [[nodiscard]] std::vector<float> channel(const std::string& node, const char* path) const {
         const json& animation = doc["animations"][0];
         for (const json& c : animation["channels"]) {
@@ -124,7 +124,7 @@ TEST(Gltf, GivesAWireAJointPerEndOfAnElementAndPartsIt) {
     EXPECT_EQ(skin["joints"].size(), 4U);
 }
 
-/// After a restore within the run, written times still ascend.
+/// A run that goes back to an earlier time: exported times ascend.
 TEST(Gltf, TakesTheLastTakeAlone) {
     const auto folder = fresh_folder();
     {

@@ -11,7 +11,7 @@
 namespace hawser::test {
 namespace {
 
-/// A .vtp with raw appended blocks.
+/// A .vtp file with raw appended blocks.
 class Vtp {
   public:
     explicit Vtp(const std::filesystem::path& file) {
@@ -19,7 +19,7 @@ class Vtp {
         text_.assign((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
         data_ = text_.find('_', text_.find("<AppendedData")) + 1;
     }
-    /// @param from  Key after which the array is searched.
+    /// Read an array. @param from  Key after which the array is searched.
     template <class T>
     [[nodiscard]] std::vector<T> array(const std::string& name, const std::string& from) const {
         std::size_t at = text_.find("Name=\"" + name + "\"", text_.find("<" + from));

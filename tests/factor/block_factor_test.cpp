@@ -14,7 +14,7 @@
 namespace hawser::test {
 namespace {
 
-/// Return the values in the user's format.
+/// Return the values in the order of the public interface.
 std::vector<double> values_of(BlockMatrix& m, const BlockPattern& p, const BlockFactor& f) {
     std::vector<double> values(static_cast<std::size_t>(f.value_count()));
     auto put = [&](std::size_t block, int a, int b) {
@@ -22,7 +22,7 @@ std::vector<double> values_of(BlockMatrix& m, const BlockPattern& p, const Block
         auto at = static_cast<std::size_t>(f.value_begin(static_cast<std::int32_t>(block)));
         for (Eigen::Index i = 0; i < k.rows(); ++i)
             for (Eigen::Index j = 0; j < k.cols(); ++j)
-                // Unread values may be anything.
+                // Entries that are not read may have any value.
                 values[at++] = a == b && j > i ? std::numeric_limits<double>::quiet_NaN() : k(i, j);
     };
     for (std::size_t v = 0; v < p.size.size(); ++v)
@@ -64,7 +64,7 @@ TEST(BlockFactor, SolvesWithAnyNumberOfThreads) {
             const std::vector<double> rhs = x;
             ASSERT_EQ(f.solve(x), Status::ok);
             const double error = backward_error(m, Eigen::Map<Vector>(x.data(), b.size()), b);
-            EXPECT_LE(error, 1e-12);  // growth below 1e4 on 2⁻⁵³
+            EXPECT_LE(error, 1e-12);  // growth below 1e4 times 2⁻⁵³
             // Fixed seeds only: with others the residual can differ by more than one rounding.
             if (seed <= 20) {
                 EXPECT_NEAR(f.residual(k, x, rhs), error, 1e-16);
@@ -126,7 +126,7 @@ TEST(BlockFactor, FollowsAPattern) {
         f.analyse(p);
         EXPECT_TRUE(f.info().planned);
         for (int step = 0; step < 20; ++step) {
-            // Remove an edge; the values of its block no longer count.
+            // Remove an edge: the values of its block are ignored.
             const std::size_t e =
                 static_cast<std::size_t>(random.integer(0, static_cast<int>(p.edges.size()) - 1));
             m.block(p.edges[e].row, p.edges[e].column).setZero();
@@ -193,7 +193,7 @@ TEST(BlockFactor, EliminatesInAGivenOrder) {
         BlockFactor f;
         f.analyse(p, order);
         EXPECT_EQ(f.info().nodes, m.pattern.nodes());
-        // Elimination in the order that it used changes nothing.
+        // Eliminating in the solver's final order changes nothing.
         const std::vector<std::int32_t> taken(f.order().begin(), f.order().end());
         const FactorInfo info = f.info();
         f.analyse(p, taken);
@@ -207,7 +207,8 @@ TEST(BlockFactor, EliminatesInAGivenOrder) {
         ASSERT_EQ(f.solve(x), Status::ok);
         EXPECT_LE(backward_error(m, Eigen::Map<Vector>(x.data(), b.size()), b), 1e-12);
     }
-    // A star of scalars: its centre last makes no fill, its centre first joins all others.
+    // A star of scalars: eliminating its centre last makes no fill, eliminating it first couples
+    // all others.
     const BlockPattern star{{1, 1, 1, 1}, {1, 1, 1, 1}, {{0, 1}, {0, 2}, {0, 3}}};
     BlockFactor f;
     f.analyse(star, std::vector<std::int32_t>{0, 1, 2, 3});
@@ -223,7 +224,7 @@ TEST(BlockFactor, EliminatesInAGivenOrder) {
     EXPECT_EQ(order, (std::vector<std::int32_t>{2, 1, 0}));
 }
 
-/// The empty matrix.
+/// An empty matrix is valid.
 TEST(BlockFactor, SolvesNothing) {
     BlockFactor f;
     EXPECT_EQ(f.factor({}), Status::ok);
@@ -231,7 +232,7 @@ TEST(BlockFactor, SolvesNothing) {
     EXPECT_EQ(f.info().scalars, 0);
 }
 
-/// Large changes are planned at once, except with given orders: they are kept until the flops have
+/// A large change leads to a new plan, except for given orders: they remain until the flops have
 /// grown.
 TEST(BlockFactor, UpdatesKeepAnOrderThatWasGiven) {
     constexpr std::int32_t kNodes = 64;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires are found, cut into chains that do not touch each other, and laid out in lanes.
+/// Wires are detected, cut into chains that do not touch each other, and assigned to lanes.
 #include "factor/body_graph.h"
 #include "factor/matrices.h"
 #include "support/sanitizer.h"
@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// `wires` wires of `length` bodies with ball joints; both ends on a hub when `hubs`.
+/// Make `wire_count` wires of `length` bodies with ball joints; both ends are on a hub if `hubs`.
 BlockMatrix ladder(int wire_count, int length, bool hubs) {
     std::vector<std::int8_t> size, sign;
     std::vector<std::pair<int, int>> edges;
@@ -60,7 +60,7 @@ TEST(Chains, FillEightLanesOfOneLongWire) {
     const BlockMatrix m = ladder(1, 203, true);
     const factor::Chains chains = factor::find_chains(m.pattern);
     EXPECT_EQ(chains.count(), 8);
-    // Hubs with one neighbour are the wire's ends: 205 bodies, seven separators.
+    // Hubs with one neighbour are ends of wires: 205 bodies, seven separators.
     EXPECT_EQ(bodies_in_chains(m, chains), 198);
     for (int c = 0; c < chains.count(); ++c) {
         EXPECT_GE(chains.units(c), 24);
@@ -73,14 +73,14 @@ TEST(Chains, LeaveWiresWholeThatFillTheLanesAlready) {
     const factor::Chains chains = factor::find_chains(m.pattern);
     EXPECT_EQ(chains.count(), 16);
     EXPECT_EQ(bodies_in_chains(m, chains), 16 * 60);
-    // Begin at the free end: nothing is carried along.
+    // Start at the free end: no update is carried along.
     const factor::Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
     ASSERT_EQ(s.batches.size(), 2U);
     for (const factor::Batch& b : s.batches)
         EXPECT_EQ(s.batch_steps[static_cast<std::size_t>(b.step_begin)].q, 6);
 }
 
-/// A spine with a body beside every link: chains would have to carry all of them to their ends.
+/// A spine with a body beside every link: chains would carry all of them to their ends.
 TEST(Chains, AreNotMadeWhereTheyWouldCarryMuch) {
     constexpr int kLinks = 800;
     std::vector<std::int8_t> size, sign;
@@ -97,7 +97,7 @@ TEST(Chains, AreNotMadeWhereTheyWouldCarryMuch) {
     const factor::Pattern pattern = factor::make_pattern(size, sign, from, to);
     const factor::Symbolic s = factor::analyse(pattern, factor::plan_elimination(pattern));
     for (const factor::Batch& b : s.batches) EXPECT_LE(b.most_q, 48);
-    // Without chains: 800 fronts of 7 over 6. Lanes may do eight times the flops in that time.
+    // Without chains: 800 fronts of 7 over 6. Lanes do up to eight times the flops in that time.
     EXPECT_LE(s.flops, factor::kLaneCount * kLinks * factor::front_flops(7, 6));
 }
 
@@ -106,7 +106,7 @@ TEST(Chains, AreNotMadeOfSmallThings) {
     EXPECT_EQ(factor::find_chains(factor::Pattern{{}, {}, {0}, {}}).count(), 0);
 }
 
-/// Check the assumptions of batches.h.
+/// Check the preconditions of batches.h.
 void check_chains(const BlockMatrix& m, const factor::Chains& chains) {
     const factor::Pattern& p = m.pattern;
     std::vector<int> chain_of(p.size.size(), -1), unit_of(p.size.size(), -1);
@@ -131,7 +131,7 @@ void check_chains(const BlockMatrix& m, const factor::Chains& chains) {
                 for (std::int32_t w : p.neighbours(v)) {
                     const int other = chain_of[static_cast<std::size_t>(w)];
                     if (other < 0) {
-                        // Rows with all bodies outside stay outside, and no others.
+                        // Rows with all bodies outside chains stay outside, and only those.
                         ASSERT_EQ(p.sign[static_cast<std::size_t>(w)], 1);
                         continue;
                     }
@@ -158,7 +158,7 @@ TEST(Chains, OfRandomWiresAreApartAndSolve) {
         base::SerialExecutor serial;
         const Solved got = solve(m, s, b, serial);
         EXPECT_EQ(got.wrong, 0);
-        EXPECT_LE(backward_error(m, got.x, b), 1e-12);  // growth below 1e4 on 2⁻⁵³
+        EXPECT_LE(backward_error(m, got.x, b), 1e-12);  // growth below 1e4 times 2⁻⁵³
     }
     const int most = static_cast<int>(all.size());
     if (most == 1) return;
@@ -194,7 +194,7 @@ TEST(Chains, EveryEntryOfTheMatrixHasItsOwnPlace) {
 }
 
 TEST(Chains, StraightAndPinnedStaysSolvable) {
-    // Both ends held and compliance 1e-9 of the mobility: the smallest pivot has that size.
+    // Both ends are fixed and the compliance is 1e-9 of the mobility: so is the worst pivot.
     const BlockMatrix m = ladder(3, 80, true);
     Random random(2);
     const Vector b = random_matrix(random, m.scalars(), 1);

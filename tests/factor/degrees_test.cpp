@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Orders by degrees in scalars: fill in L, counted by sets of nodes.
+/// Orders by degrees in scalars: their fill in L, counted by sets of nodes.
 #include "factor/approximate_degree.h"
 #include "factor/matrices.h"
 #include "factor/minimum_degree.h"
@@ -21,7 +21,7 @@ namespace {
 using factor::Pattern;
 using Order = std::vector<std::int32_t>;
 
-/// Entries of L and products of the elimination, by sets of nodes.
+/// Return entries of L and products of the elimination, by sets of nodes.
 std::pair<double, double> fill_of(const Pattern& p, const Order& order) {
     std::vector<std::set<int>> adjacent(p.size.size());
     for (int v = 0; v < p.nodes(); ++v)
@@ -44,7 +44,7 @@ std::pair<double, double> fill_of(const Pattern& p, const Order& order) {
     return {entries, products};
 }
 
-/// A square net of strings: rows of one scalar between knots of three.
+/// Make a square net of strings: rows of one scalar between knots of three.
 Pattern net(int side) {
     std::vector<std::int8_t> size(static_cast<std::size_t>(side * side), 3), sign(size.size(), 1);
     std::vector<std::int32_t> from, to;
@@ -64,7 +64,7 @@ Pattern net(int side) {
     return factor::make_pattern(size, sign, from, to);
 }
 
-/// Bounds of degrees instead of exact ones: a valid order with similar cost.
+/// Bounds of degrees instead of exact ones: a valid order of about the same cost.
 TEST(Degrees, AreBoundsForLargeGraphs) {
     Random random(first_seed(7));
     factor::ApproximateDegree large;
@@ -86,17 +86,18 @@ TEST(Degrees, AreBoundsForLargeGraphs) {
             ASSERT_EQ(sorted[v], static_cast<std::int32_t>(v)) << trial;
         small.run(p, other);
         const double cost = fill_of(p, order).second, least = fill_of(p, other).second;
-        // A single graph: ties are resolved differently.
+        // For a single graph the order depends on ties.
         EXPECT_LE(cost, 2.0 * least + 1000.0) << trial;
         approximate += cost;
         exact += least;
     }
-    // Amestoy, Davis, Duff 1996, table 4: within some per cent of minimum degree on the whole.
+    // Amestoy, Davis, Duff 1996, table 4: within a few per cent of minimum degree in the sum of
+    // all.
     EXPECT_LE(approximate, 1.1 * exact);
 }
 
-/// Knots before strings: a knot leaves two rows, not three scalars. Counted in nodes, strings are
-/// eliminated first and leave the matrix of the knots.
+/// Knots precede strings: a knot has two rows left, not three scalars. Counted in nodes, strings
+/// come first and leave the matrix of the knots.
 TEST(Degrees, CountScalars) {
     for (const int side : {12, 30, 40}) {  // the last two have more than MinimumDegree::kMost nodes
         const Pattern p = net(side);

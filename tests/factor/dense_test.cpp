@@ -16,9 +16,9 @@ namespace {
 
 Vector random_vector(Random& random, int n) { return random_matrix(random, n, 1); }
 
-/// Return a chain of bodies (6) and joints (5 rows), with nodes in the order of `label`.
+/// Make a chain of bodies (6) and joints (5 rows), with nodes in the order of `label`.
 BlockMatrix chain(Random& random, int links, double sigma, bool shuffled) {
-    const int nodes = 2 * links;  // joint i holds body i to body i − 1
+    const int nodes = 2 * links;  // joint i connects bodies i and i − 1
     std::vector<int> label(static_cast<std::size_t>(nodes));
     std::iota(label.begin(), label.end(), 0);
     if (shuffled) random.shuffle(label);
@@ -92,7 +92,7 @@ TEST(DenseReference, MassRatioOneMillion) {
         EXPECT_EQ(s.wrong, 0);
         // Growth 1 + ‖G‖²/(λ_A Σ) ≈ 1e5 at the light bodies, but relative to ‖K‖ = 1e6.
         EXPECT_LE(backward_error(m, s.x, b), 1e-14);
-        // Forward error: condition about 1e6/1e-3 at worst, relative to the reference.
+        // Forward error: condition up to about 1e6/1e-3, measured against the reference.
         EXPECT_LE((s.x - reference(m, b)).norm(), 1e-9 * s.x.norm()) << "heavy body " << heavy;
     }
 }
@@ -100,7 +100,7 @@ TEST(DenseReference, MassRatioOneMillion) {
 TEST(DenseReference, RedundantRows) {
     Random random(4);
     for (double sigma : {1e-3, 1e-6, 1e-9}) {
-        // The same five rows three times over: without Σ the matrix has rank 11 of 21.
+        // Five rows, three times: without Σ the matrix has rank 11 of 21.
         BlockMatrix m = make_blocks({6, 5, 5, 5}, {1, -1, -1, -1}, {{1, 0}, {2, 0}, {3, 0}});
         m.block(0, 0) = definite(random, 6, 1.0, 1);
         const Matrix g = random_matrix(random, 5, 6);
@@ -130,7 +130,8 @@ void expect_rows_behind_a_body(const BlockMatrix& m, const std::vector<std::int3
     }
 }
 
-/// ε = 0 exactly: the rows' own diagonal is zero. Behind *all* their bodies it factors.
+/// ε = 0 exactly: the rows' own diagonal is zero. The matrix factors if they come after *all* their
+/// bodies.
 TEST(DenseReference, RigidRowsBehindAllTheirBodies) {
     Random random(5);
     for (int links : {1, 2, 7, 30}) {
@@ -149,9 +150,9 @@ TEST(DenseReference, RigidRowsBehindAllTheirBodies) {
     }
 }
 
-/// The order of the solver puts a row after only one of its bodies. Two joints after the same body
-/// have more rows than it has freedoms. So ε = 0 needs the floor Σ = 1e-9 G M⁻¹Gᵀ of the assembly;
-/// one refinement recovers the digits lost.
+/// The solver's own order puts a row after only one of its bodies. Two joints after one body have
+/// more rows than it has freedoms. ε = 0 then needs the floor Σ = 1e-9 G M⁻¹Gᵀ that the assembly
+/// adds. One refinement recovers the lost digits.
 TEST(DenseReference, RigidRowsInTheSolversOwnOrder) {
     Random random(5);
     for (int links : {1, 2, 7, 30}) {
@@ -161,7 +162,7 @@ TEST(DenseReference, RigidRowsInTheSolversOwnOrder) {
         const Vector b = random_vector(random, m.scalars());
         const Solved first = solve(m, b);
         EXPECT_EQ(first.wrong, 0) << links;
-        EXPECT_LE(backward_error(m, first.x, b), 1e-5) << links;  // 2⁻⁵³/Σ, and conditions
+        EXPECT_LE(backward_error(m, first.x, b), 1e-5) << links;  // 2⁻⁵³/Σ times conditions
         Vector x = first.x;
         for (int i = 0; i < 2; ++i) x += solve(m, b - m.dense * x).x;
         EXPECT_LE(backward_error(m, x, b), 1e-14) << links;
@@ -207,7 +208,7 @@ TEST(DenseReference, RandomQuasiDefinite) {
         const Vector b = random_vector(random, m.scalars());
         const Solved s = solve(m, b);
         EXPECT_EQ(s.wrong, 0);
-        // ‖G‖² ≤ (6·40)², λ ≥ 1: growth below 6e4; 1e-16 · 6e4 with a factor to spare.
+        // ‖G‖² ≤ (6·40)², λ ≥ 1: growth below 6e4; 1e-16 · 6e4 with a margin.
         EXPECT_LE(backward_error(m, s.x, b), 1e-11) << "seed " << seed;
         // Condition ≤ ‖K‖/1 ≈ 1e3.
         EXPECT_LE((s.x - reference(m, b)).norm(), 1e-9 * (s.x.norm() + 1e-300)) << "seed " << seed;
@@ -237,7 +238,7 @@ TEST(Pivots, WrongSignsAreCounted) {
     ASSERT_EQ(solve(m, b).wrong, 0);
     for (int node : {0, 5, 14, 15}) {
         BlockMatrix broken = m;
-        broken.block(node, node) *= -1.0;  // indefinite in spite of the declared sign
+        broken.block(node, node) *= -1.0;  // indefinite where the pattern promises a sign
         if (node % 2 == 0) broken.block(node, node) -= 1e3 * Matrix::Identity(6, 6);
         if (node % 2 == 1) broken.block(node, node) += 1e3 * Matrix::Identity(5, 5);
         EXPECT_GT(solve(broken, b).wrong, 0) << "node " << node;
@@ -288,7 +289,7 @@ TEST(Threads, SameBitsOfAChain) {
     for (int links : {3, 40}) expect_same_bits(chain(random, links, 1e-3, true), 1);
 }
 
-/// A grid of bodies with blocks of every size: many tasks and a top.
+/// A grid of bodies with blocks of every size: many tasks and a top task.
 TEST(Threads, SameBitsOfAGrid) {
     Random random(12);
     constexpr int kSide = 18;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file edited_graph.h
-/// Patterns that change as those of scenes do.
+/// Patterns with the kinds of changes that scenes make.
 
 #include "factor/pattern.h"
 #include "support/random.h"
@@ -15,7 +15,7 @@
 
 namespace hawser::test {
 
-/// A graph that is edited: nodes with a name that stays, edges between names.
+/// A graph under edits: nodes with constant names, edges between names.
 class EditedGraph {
   public:
     explicit EditedGraph(const factor::Pattern& p) {
@@ -40,7 +40,7 @@ class EditedGraph {
         std::advance(it, random.integer(0, static_cast<int>(edges_.size()) - 1));
         edges_.erase(it);
     }
-    /// Usually a contact: rows with one or two bodies, or a body with such rows.
+    /// Add a node, usually a contact: rows with one or two bodies, or a body with such rows.
     void add_node(Random& random) {
         const bool body = random.chance(0.3);
         const int name = names_++;
@@ -72,7 +72,7 @@ class EditedGraph {
     }
     void shuffle(Random& random) { random.shuffle(nodes_); }
 
-    /// The pattern now, and which node of the last pattern each node was.
+    /// Return the present pattern and the index of each node in the last pattern.
     factor::Pattern pattern(std::vector<std::int32_t>& old_of_new) {
         old_of_new.clear();
         for (const Node& n : nodes_)

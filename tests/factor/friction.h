@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file friction.h
-/// Block matrices with friction-like unsymmetric blocks, and the ways to fill and factor them.
+/// Block matrices with unsymmetric blocks like those of friction, and functions to fill and factor
+/// them.
 
 #include "factor/matrices.h"
 #include "factor/unsymmetric.h"
@@ -10,9 +11,9 @@
 
 namespace hawser::test {
 
-/// Add s Jᵀ [1 0; μ 1] J on two bodies: a normal and a tangential row, the force of the second
-/// following that of the first. For |μ| < 2 the symmetric part stays definite, so that every pivot
-/// has its sign in any order.
+/// Add s Jᵀ [1 0; μ 1] J on two bodies: a normal and a tangential row, whose force follows that of
+/// the normal row. For |μ| < 2 the symmetric part stays definite, so that every pivot has its sign
+/// in any order.
 inline void add_friction(BlockMatrix& m, Random& random, int a, int b, double mu) {
     const int na = m.pattern.size[static_cast<std::size_t>(a)],
               nb = m.pattern.size[static_cast<std::size_t>(b)];
@@ -26,16 +27,16 @@ inline void add_friction(BlockMatrix& m, Random& random, int a, int b, double mu
     m.block(b, b) += k.bottomRightCorner(nb, nb);
 }
 
-/// Add a force that the row does not have to the column of a row with its own node. It is small
-/// relative to the definite part, so that every pivot has its sign in any order.
+/// Add a force to the column of a row that is a node of its own, without the symmetric entry. It is
+/// small compared with the definite part, so that every pivot has its sign in any order.
 inline void add_kept_friction(BlockMatrix& m, Random& random, int body, int row) {
     const int nb = m.pattern.size[static_cast<std::size_t>(body)],
               nr = m.pattern.size[static_cast<std::size_t>(row)];
     m.block(body, row) += 0.05 * random_matrix(random, nb, nr);
 }
 
-/// Add friction to `count` random pairs of neighbours, two bodies or a body and a row. @return the
-/// nodes of all blocks that are then unsymmetric, pair by pair; fewer if there are no such pairs.
+/// Add friction on `count` random pairs of neighbours, two bodies or a body and a row. @return the
+/// nodes of all unsymmetric blocks, pair by pair; fewer if there are no such pairs.
 inline std::vector<std::pair<int, int>> add_frictions(BlockMatrix& m, Random& random, int count) {
     std::vector<std::pair<int, int>> pairs, chosen;
     auto body = [&](int v) { return m.pattern.sign[static_cast<std::size_t>(v)] > 0; };
@@ -54,14 +55,14 @@ inline std::vector<std::pair<int, int>> add_frictions(BlockMatrix& m, Random& ra
     return chosen;
 }
 
-/// Columns of the three blocks of each pair.
+/// Return the columns of the three blocks of each pair.
 inline std::vector<std::int32_t> columns_of(const std::vector<std::pair<int, int>>& pairs) {
     std::vector<std::int32_t> columns;
     for (const auto& [a, b] : pairs) columns.insert(columns.end(), {a, b});
     return columns;
 }
 
-/// Write the upper half, transposed, of the columns for which wanted(node) holds.
+/// Write the upper half, transposed, of the columns for which wanted(node) is true.
 template <class Wanted>
 inline void fill_upper(const BlockMatrix& m, const factor::Symbolic& s, double* upper,
                        Wanted&& wanted) {
@@ -72,7 +73,7 @@ inline bool in_set(const factor::Symbolic& s, const factor::Unsymmetric& set, in
     return set.is(s.node_front[static_cast<std::size_t>(column)]);
 }
 
-/// Write both halves, as the public functions require.
+/// Write both halves in the form of the public path.
 inline void fill_both(const BlockMatrix& m, const factor::Symbolic& s,
                       const factor::Unsymmetric& set, factor::Numeric& numeric,
                       base::Executor& executor) {
@@ -82,7 +83,7 @@ inline void fill_both(const BlockMatrix& m, const factor::Symbolic& s,
     fill_upper(m, s, numeric.upper(), [&](int column) { return in_set(s, set, column); });
 }
 
-/// Return the entries below the diagonal of each panel of L, or of Uᵀ; those above are unused.
+/// Return the entries below the diagonal of each panel of L, or of Uᵀ. Entries above are not used.
 inline std::vector<double> entries_below(const factor::Symbolic& s, const double* panel) {
     std::vector<double> entries;
     for (const factor::Front& f : s.fronts)
@@ -103,7 +104,7 @@ inline bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), sizeof(T) * a.size()) == 0;
 }
 
-/// Solve for a right-hand side with the padding that the solver requires, and return the bits of
+/// Solve for a right-hand side with the additional slots that the solver needs; return the bits of
 /// the solution.
 inline std::vector<double> solve_bits(const factor::Symbolic& s, factor::Numeric& numeric,
                                       base::Executor& executor, std::uint64_t seed) {

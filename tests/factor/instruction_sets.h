@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file instruction_sets.h
-/// The kernels of every compiled instruction set, and whether this processor supports it.
+/// Kernels of every compiled instruction set, and whether this processor has it.
 
 #include "factor/isa/lanes.h"
 #include "factor/kernels.h"

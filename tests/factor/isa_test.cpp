@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The kernels of every instruction set of this processor, compared with each other.
+/// Kernels of every instruction set that this processor has, compared with each other.
 #include "factor/friction.h"
 #include "factor/instruction_sets.h"
 #include "factor/matrices.h"
@@ -21,7 +21,7 @@ Solved solve_with(const factor::Kernels& kernels, const BlockMatrix& m, const fa
                   const Vector& b, const factor::Unsymmetric* set = nullptr) {
     const auto n = static_cast<std::size_t>(s.scalars);
     base::Array<double> panel(static_cast<std::size_t>(s.panel_size)), pivot(n + 8),
-        // Garbage that must never reach a result.
+        // NaN: must never reach a result.
         work(static_cast<std::size_t>(s.work_size), std::numeric_limits<double>::quiet_NaN()),
         carry(s.rows.size() + 8),
         scratch(
@@ -148,13 +148,13 @@ TEST(InstructionSets, AgreeWithTheReferenceAndEachOther) {
             if (!set.available) continue;
             const Solved got = solve_with(*set.kernels, m, s, b);
             EXPECT_EQ(got.wrong, 0) << set.name << " seed " << seed;
-            // Condition about 1e3 and growth below 6e4 on 2⁻⁵³.
+            // Condition about 1e3 and growth below 6e4, times 2⁻⁵³.
             EXPECT_LE((got.x - want).norm(), 1e-9 * want.norm()) << set.name << " seed " << seed;
         }
     }
 }
 
-/// Every width of pivots and of updates, so that no vector remainder is missed.
+/// Every width of pivots and of updates, which covers all remainders of vectors.
 TEST(InstructionSets, EveryFrontShape) {
     for (const std::uint32_t seed : seeds(1, 1, 3, 30))
         for (int p = 1; p <= 20; ++p)
@@ -163,7 +163,8 @@ TEST(InstructionSets, EveryFrontShape) {
                 Random random(seed + static_cast<std::uint64_t>(100 * p + q));
                 std::vector<std::int8_t> size, sign;
                 std::vector<std::pair<int, int>> edges;
-                const int nodes = p + q;  // one scalar each, all coupled: any split into fronts
+                const int nodes = p + q;  // of one scalar, all coupled: any split into fronts is
+                                          // valid
                 for (int i = 0; i < nodes; ++i) {
                     size.push_back(1);
                     sign.push_back(random.chance(0.5) ? 1 : -1);
@@ -200,7 +201,7 @@ TEST(InstructionSets, EveryFrontShape) {
 }
 
 /// Rows of a child that meet its parent in runs of every length, at every offset: pivots of the
-/// parent, its update rows, and runs that end in one of each.
+/// parent, its update rows, and runs with both.
 TEST(InstructionSets, EveryRunOfAChild) {
     constexpr int kChildren = 3, kClique = 48, kPivots = 30;
     for (const std::uint64_t seed : seeds(1, 1, 3, 30))
@@ -245,7 +246,7 @@ TEST(InstructionSets, EveryRunOfAChild) {
         }
 }
 
-/// Wires in every lane pattern: batches of one to eight chains, and more.
+/// Wires with every number of lanes in use: batches of one to eight chains, and more.
 TEST(InstructionSets, Batches) {
     for (const std::uint32_t seed : seeds(1, 3, kSanitized ? 5 : 40, 200)) {
         Random random(seed);
@@ -278,7 +279,7 @@ TEST(InstructionSets, Unsymmetric) {
             if (!set.available) continue;
             const Solved got = solve_with(*set.kernels, m, s, b, &unsymmetric);
             EXPECT_EQ(got.wrong, 0) << set.name << " seed " << seed;
-            // Growth below 1e4 on 2⁻⁵³.
+            // Growth below 1e4 times 2⁻⁵³.
             EXPECT_LE(backward_error(m, got.x, b), 1e-12) << set.name << " seed " << seed;
         }
     }

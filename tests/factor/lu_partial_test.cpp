@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Partial refactorisation with fronts that become unsymmetric and symmetric again, and with wrong
-/// pivots.
+/// Partial refactorisation if fronts become unsymmetric and symmetric again, and if pivots have the
+/// wrong sign.
 #include "factor/friction.h"
 #include "factor/partial.h"
 #include "runtime/tasks.h"
@@ -33,7 +33,7 @@ class Sequence {
         EXPECT_EQ(part_.factor(s_, at_, &set_), 0);
     }
 
-    /// Change contacts: those unsymmetric before or now are stale.
+    /// Draw other contacts: old and new unsymmetric blocks are stale.
     void step(Random& random) {
         std::vector<std::int32_t> columns = columns_of(pairs_);
         now_ = base_;
@@ -92,18 +92,18 @@ TEST(Unsymmetric, PartialHasTheBitsOfAFullFactorisation) {
         if (HasFailure()) return;
     }
     if (all.size() == 1) return;
-    // A few contacts of many leave some of these small trees clean.
+    // A few of many contacts leave some of these small trees clean.
     EXPECT_LT(share, 0.95);
     EXPECT_GT(share, 0.01);
 }
 
-/// Make two scalars whose second pivot is 1 − 2·2.
+/// Two scalars whose second pivot is 1 − 2·2.
 void break_pivot(BlockMatrix& m, int node) {
     m.block(node, node)(0, 1) = 2.0 * m.block(node, node)(0, 0);
     m.block(node, node)(1, 0) = 2.0 * m.block(node, node)(1, 1);
 }
 
-/// The node of a wrong pivot is named, in fronts and in chains, and reset by the next
+/// The node of a wrong pivot is reported, in fronts and in chains, and no longer after the next
 /// factorisation.
 TEST(Unsymmetric, NamesTheNodesOfWrongPivots) {
     base::SerialExecutor serial;
@@ -132,8 +132,8 @@ TEST(Unsymmetric, NamesTheNodesOfWrongPivots) {
         const auto nodes = numeric.wrong_nodes();
         EXPECT_EQ(wrong > 0, !nodes.empty());
         EXPECT_LE(nodes.size(), static_cast<std::size_t>(std::max(wrong, 0)));
-        // Nodes eliminated before it are correct. The node may repair its own pivot; then a later
-        // one is wrong.
+        // Nodes eliminated before it have valid pivots. The node may repair its own pivot; then a
+        // later one is wrong.
         if (!nodes.empty()) {
             EXPECT_GE(s.position[static_cast<std::size_t>(nodes.front())], s.position[v]);
         }

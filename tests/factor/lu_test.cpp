@@ -17,7 +17,7 @@ namespace {
 using factor::Symbolic;
 using factor::Unsymmetric;
 
-/// A matrix of both families, with friction on some pairs.
+/// Matrices of both families, with friction on some pairs.
 struct FrictionCase {
     BlockMatrix m;
     std::vector<std::pair<int, int>> pairs;
@@ -56,10 +56,10 @@ TEST(Unsymmetric, SolvesWhatADenseFactorisationSolves) {
         y.head(b.size()) = permuted(c.m, s, b, false);
         numeric.solve(s, y.data(), serial);
         const Vector x = permuted(c.m, s, y.head(b.size()), true);
-        EXPECT_LE(backward_error(c.m, x, b), 1e-12);  // growth below 1e4 on 2⁻⁵³
-        if (c.m.scalars() < 300) {                    // dense, in long double: slow
+        EXPECT_LE(backward_error(c.m, x, b), 1e-12);  // growth below 1e4 times 2⁻⁵³
+        if (c.m.scalars() < 300) {                    // dense in long double is slow
             const Vector want = reference(c.m, b);
-            EXPECT_LE((x - want).norm(), 1e-9 * want.norm());  // condition about 1e3 on top
+            EXPECT_LE((x - want).norm(), 1e-9 * want.norm());  // condition about 1e3 in addition
             ++compared;
         }
         const std::size_t marked = set.fronts.size();
@@ -75,8 +75,8 @@ TEST(Unsymmetric, SolvesWhatADenseFactorisationSolves) {
     EXPECT_GT(compared, cases / 4);
 }
 
-/// If the values are symmetric the second half equals the first bit by bit, and the first that of
-/// LDLᵀ. Partial refactorisation relies on this if some lanes of a batch are symmetric.
+/// For symmetric values the second half equals the first bit by bit, and the first equals LDLᵀ.
+/// Partial refactorisation needs this if some lanes of a batch are symmetric.
 TEST(Unsymmetric, OfSymmetricValuesHasTheBitsOfTheSymmetric) {
     base::SerialExecutor serial;
     for (const std::uint32_t seed : seeds(1, kSanitized ? 6 : 12, kSanitized ? 6 : 40, 400)) {
@@ -110,14 +110,14 @@ TEST(Unsymmetric, OfSymmetricValuesHasTheBitsOfTheSymmetric) {
     }
 }
 
-/// Input of factor_forward(): the symmetric part first, then both halves.
+/// Values for factor_forward(): the symmetric part first, then both halves.
 struct PieceWriter {
     const BlockMatrix& m;
     const Symbolic& s;
     const Unsymmetric& set;
     factor::Numeric& numeric;
     std::vector<int> piece_of = {};  ///< Piece of each node.
-    BlockMatrix half = {};           ///< The symmetric part.
+    BlockMatrix half = {};           ///< Symmetric part.
 
     void start() {
         half = m;
@@ -148,13 +148,13 @@ struct PieceWriter {
     }
 };
 
-/// Piece by piece or in phases, with one thread or three: the bits are the same; the second half of
-/// symmetric parts is not touched.
+/// Piece by piece or in phases, with one thread or three: equal bits. The second half of symmetric
+/// fronts is not written.
 TEST(Unsymmetric, PieceByPieceHasTheSameBits) {
     runtime::Pool pool(3);
     pool.resume();
     base::SerialExecutor serial;
-    int resumed = 0;  // pieces that begin within an unsymmetric batch
+    int resumed = 0;  // pieces that start within an unsymmetric batch
     const auto all = seeds(1, kSanitized ? 8 : 12, kSanitized ? 8 : 40, 400);
     for (const std::uint32_t seed : all) {
         SCOPED_TRACE(seed);
@@ -201,7 +201,7 @@ TEST(Unsymmetric, PieceByPieceHasTheSameBits) {
     }
 }
 
-/// One Numeric and one set through structures of every size, with and without a second half.
+/// One Numeric and one set for structures of every size, with and without a second half.
 TEST(Unsymmetric, FollowsOtherStructures) {
     base::SerialExecutor serial;
     factor::Numeric numeric;
@@ -228,7 +228,7 @@ TEST(Unsymmetric, FollowsOtherStructures) {
         y.head(b.size()) = permuted(c.m, s, b, false);
         numeric.solve(s, y.data(), serial);
         const Vector x = permuted(c.m, s, y.head(b.size()), true);
-        EXPECT_LE(backward_error(c.m, x, b), 1e-12);  // growth below 1e4 on 2⁻⁵³
+        EXPECT_LE(backward_error(c.m, x, b), 1e-12);  // growth below 1e4 times 2⁻⁵³
     }
 }
 
@@ -245,7 +245,7 @@ TEST(Unsymmetric, SetIsClosedAndCountsFlops) {
         for (int v = 0; v < c.m.pattern.nodes(); ++v) all.push_back(v);
         set.find(s, all);
         EXPECT_EQ(set.flops, 2 * s.flops);
-        set.find(s, columns);  // no data of earlier sets may remain
+        set.find(s, columns);  // must contain nothing from the sets before
         std::int64_t flops = s.flops;
         std::vector<bool> want(s.fronts.size(), false);
         for (const std::int32_t v : columns)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file matrices.h
-/// Quasi-definite block matrices for the tests of the solver, and the ways to factor them.
+/// Quasi-definite block matrices for tests of the solver, and functions to factor them.
 
 #include "base/executor.h"
 #include "factor/analyse.h"
@@ -28,8 +28,8 @@ using Vector = Eigen::VectorXd;
 /// A block pattern with values, in the order of the nodes.
 struct BlockMatrix {
     factor::Pattern pattern;
-    std::vector<int> offset;  ///< First scalar of each node, one more at the end.
-    Matrix dense;             ///< Symmetric.
+    std::vector<int> offset;  ///< First scalar of each node, and the end.
+    Matrix dense;             ///< The symmetric matrix.
 
     [[nodiscard]] int scalars() const { return offset.back(); }
     [[nodiscard]] auto block(int a, int b) {
@@ -39,7 +39,7 @@ struct BlockMatrix {
     }
 };
 
-/// Nodes and edges first, values after.
+/// Make a pattern from nodes and edges; values are set later.
 inline BlockMatrix make_blocks(const std::vector<std::int8_t>& size,
                                const std::vector<std::int8_t>& sign,
                                const std::vector<std::pair<int, int>>& edges) {
@@ -68,14 +68,14 @@ inline void set_symmetric(BlockMatrix& m, int a, int b, const Matrix& value) {
     if (a != b) m.block(b, a) = value.transpose();
 }
 
-/// Positive or negative definite with condition about 10: A Aᵀ + E, scaled.
+/// Make a positive or negative definite matrix with condition about 10: A Aᵀ + E, scaled.
 inline Matrix definite(Random& random, int size, double scale, int sign) {
     const Matrix a = random_matrix(random, size, size);
     return sign * scale * (a * a.transpose() + Matrix::Identity(size, size));
 }
 
-/// Random quasi-definite matrix: positive blocks couple among themselves only weakly (diagonal
-/// dominance keeps that part definite), rows couple to bodies in any way.
+/// Make a random quasi-definite matrix. Positive blocks couple weakly to each other: diagonal
+/// dominance keeps their part definite. Rows couple to bodies in any way.
 inline BlockMatrix random_quasi_definite(Random& random, int nodes, double density) {
     std::vector<std::int8_t> size, sign;
     for (int i = 0; i < nodes; ++i) {
@@ -94,16 +94,16 @@ inline BlockMatrix random_quasi_definite(Random& random, int nodes, double densi
     for (const auto& [i, j] : edges) {
         const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
         const bool same = sign[a] == sign[b];
-        // Gershgorin: at most `nodes` neighbours of six scalars of this size stay below 1.
+        // Gershgorin: at most `nodes` neighbours of six scalars of this size sum to less than 1.
         const double scale = same ? 0.9 / (6.0 * nodes) : 1.0;
         set_symmetric(m, i, j, scale * random_matrix(random, size[a], size[b]));
     }
     return m;
 }
 
-/// Hubs joined by wires of any length, with one size of bodies per wire. Wires may have bending
-/// over two neighbours and rows. Some lie on a hub, some end free, some have a separate row at one
-/// end. Hubs are connected at random.
+/// Make hubs with random links, joined by wires of any length. Each wire has one size of bodies.
+/// Variants: with or without bending over two neighbours, with or without rows, attached to a hub,
+/// free at an end, with a row of its own at an end.
 inline BlockMatrix wires(Random& random, int most_wires, int longest) {
     std::vector<std::int8_t> size, sign;
     std::vector<std::pair<int, int>> edges;
@@ -161,8 +161,8 @@ inline BlockMatrix wires(Random& random, int most_wires, int longest) {
     return m;
 }
 
-/// Write the blocks of the columns for which wanted(node) holds: those of the lower half or,
-/// transposed, of the upper one.
+/// Write the blocks of the columns for which wanted(node) is true: the lower half or the transposed
+/// upper one.
 template <class Wanted>
 inline void fill_columns(const BlockMatrix& m, const factor::Symbolic& s, double* values,
                          Wanted&& wanted, bool upper = false) {
@@ -229,7 +229,7 @@ inline Solved solve(const BlockMatrix& m, const Vector& b) {
     return solve(m, factor::analyse(m.pattern, factor::plan_elimination(m.pattern)), b, serial);
 }
 
-/// Largest entry of b − K x over ‖K‖ ‖x‖ + ‖b‖ (infinity norms), in long double.
+/// Return the largest entry of b − K x over ‖K‖ ‖x‖ + ‖b‖ (infinity norms), in long double.
 inline double backward_error(const BlockMatrix& m, const Vector& x, const Vector& b) {
     if (b.size() == 0) return 0.0;
     long double most = 0.0L;
@@ -243,7 +243,7 @@ inline double backward_error(const BlockMatrix& m, const Vector& x, const Vector
     return static_cast<double>(most) / (k * x.cwiseAbs().maxCoeff() + b.cwiseAbs().maxCoeff());
 }
 
-/// Reference in long double with full pivoting.
+/// Solve in long double with full pivoting, as a reference.
 inline Vector reference(const BlockMatrix& m, const Vector& b) { return solve_dense(m.dense, b); }
 
 }  // namespace hawser::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Fast algorithms for orders give the order of slow ones, which are written here.
+/// Fast methods give the orders of the slow ones that are written here.
 #include "factor/ordering.h"
 #include "factor/matrices.h"
 #include "factor/repair.h"
@@ -24,7 +24,7 @@ namespace {
 using factor::Pattern;
 using Order = std::vector<std::int32_t>;
 
-/// Bodies only, rows among them, or wires.
+/// Draw a pattern: bodies only, bodies and rows, or wires.
 Pattern draw(Random& random) {
     if (random.chance(0.4)) return wires(random, 12, 40).pattern;
     const int nodes = random.integer(0, 150);
@@ -34,7 +34,7 @@ Pattern draw(Random& random) {
     return p;
 }
 
-/// Place rows after the first of their bodies, by sorting all positions.
+/// Put rows after the first of their bodies, by sorting all positions.
 Order with_rows_placed(const Pattern& p, const Order& order) {
     std::vector<std::int64_t> position(order.size());
     for (std::size_t k = 0; k < order.size(); ++k)
@@ -58,8 +58,8 @@ Order with_rows_placed(const Pattern& p, const Order& order) {
     return placed;
 }
 
-/// Minimum degree in scalars by sets: closed neighbourhoods, of nodes that have the same one the
-/// first.
+/// Compute the minimum degree order in scalars by sets: closed neighbourhoods; nodes with equal
+/// ones are merged into the first.
 Order least_degree_first(const Pattern& p) {
     const std::size_t n = p.size.size();
     std::size_t scalars = 0;
@@ -135,13 +135,13 @@ Order order_of_the_library(const Pattern& p) {
     amd_defaults(control);
     control[AMD_DENSE] = 100.0;
     std::vector<std::int32_t> adjacent = p.adjacent;
-    adjacent.push_back(-1);  // not read, but an empty list has no address
+    adjacent.push_back(-1);  // never read: gives an empty list an address
     EXPECT_EQ(amd_order(p.nodes(), p.start.data(), adjacent.data(), order.data(), control, nullptr),
               AMD_OK);
     return with_rows_placed(p, order);
 }
 
-/// Return the remainder after chains as a list of edges: those of the pattern, and all pairs of
+/// Plan the graph that chains leave, as a list of edges: those of the pattern, and all pairs of
 /// each boundary.
 Order long_plan(const Pattern& p, const factor::Chains& chains) {
     std::vector<std::int32_t> chain_of(p.size.size(), -1), rest_of(p.size.size(), -1), from, to;
@@ -185,7 +185,7 @@ Order long_plan(const Pattern& p, const factor::Chains& chains) {
 
 int trials() { return by_tier(kSanitized ? 40 : 100, kSanitized ? 40 : 400, 4000); }
 
-/// One orderer for all: no data of one pattern affect the next.
+/// Use one orderer for all: it keeps no data of one pattern for the next.
 TEST(Ordering, IsThatOfTheLibrary) {
     Random random(first_seed(1));
     factor::Orderer orderer;
@@ -258,7 +258,7 @@ TEST(Ordering, OfWhatChainsLeaveHasTheirBoundariesAsCliques) {
     EXPECT_GT(with_chains, most / 8);
 }
 
-/// A postorder, children in the sequence that they had.
+/// Compute a postorder that keeps the sequence of children.
 Order long_postorder(const factor::Columns& columns, const Order& order) {
     std::vector<Order> children(order.size() + 1);
     for (const std::int32_t v : order) {
@@ -324,7 +324,7 @@ TEST(Ordering, ColumnsAndPostorderAreThoseOfTheDefinition) {
 TEST(Ordering, PlansAgainAsIfForTheFirstTime) {
     Random random(first_seed(4));
     factor::Analysis used;
-    used.plan(Pattern{});  // as for a world without moving bodies
+    used.plan(Pattern{});  // pattern of a world without moving bodies
     EXPECT_TRUE(used.symbolic().order.empty());
     const int most = trials() / 2;
     for (int trial = 0; trial < most; ++trial) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A partial refactorisation gives the bits of a full one, and does no more work than stated.
+/// A partial refactorisation gives the bits of a full one, and does no more work than it reports.
 #include "factor/partial.h"
 #include "factor/friction.h"
 #include "factor/matrices.h"
@@ -19,12 +19,12 @@ namespace {
 using factor::DirtyParts;
 using factor::Symbolic;
 
-/// Fill only the blocks of columns that must be refilled.
+/// Fill only the blocks of columns that need new values.
 void refill(const BlockMatrix& m, const Symbolic& s, const DirtyParts& dirty, double* values) {
     fill_columns(m, s, values, [&](int column) { return dirty.refill(s, column); });
 }
 
-/// New values for a random set of blocks. @return their columns.
+/// Set new values for a random set of blocks. @return their columns.
 std::vector<std::int32_t> change(BlockMatrix& m, const Symbolic& s, Random& random, int count) {
     std::vector<std::int32_t> columns;
     for (int k = 0; k < count; ++k) {
@@ -44,7 +44,7 @@ std::vector<std::int32_t> change(BlockMatrix& m, const Symbolic& s, Random& rand
     return columns;
 }
 
-/// L bit for bit, and D through a solution.
+/// Compare L bit for bit, and D through a solution.
 void expect_same_bits(const BlockMatrix& m, const Symbolic& s, factor::Numeric& part,
                       factor::Numeric& full, base::Executor& executor, Random& random) {
     const std::vector<double> l = entries_below(s, part.values());
@@ -58,7 +58,7 @@ void expect_same_bits(const BlockMatrix& m, const Symbolic& s, factor::Numeric& 
         std::memcmp(x.data(), y.data(), sizeof(double) * static_cast<std::size_t>(m.scalars())), 0);
 }
 
-/// Factor each change of a sequence in part and in full. @return fraction of the flops.
+/// Factor a sequence of changes partially and fully. @return fraction of the flops.
 double compare_sequence(BlockMatrix m, Random& random, base::Executor& executor, int steps) {
     Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
     factor::keep_updates(s);
@@ -148,7 +148,7 @@ TEST(Partial, DoesABatchWhole) {
     std::vector<std::pair<int, int>> edges;
     std::vector<int> first;
     for (int wire = 0; wire < 8; ++wire) {
-        // Each wire has its own hub: eight trees.
+        // Each wire is on its own hub: eight trees.
         const int hub = static_cast<int>(size.size());
         first.push_back(hub + 1);
         for (int i = 0; i < 61; ++i) {
@@ -156,7 +156,7 @@ TEST(Partial, DoesABatchWhole) {
             sign.push_back(1);
             if (i > 0) edges.emplace_back(i == 1 ? hub : hub + i - 1, hub + i);
         }
-        // A hub has many neighbours; these make it one.
+        // Hubs have many neighbours: add them.
         for (int i = 0; i < 12; ++i) {
             size.push_back(2);
             sign.push_back(1);
@@ -181,7 +181,7 @@ TEST(Partial, DoesABatchWhole) {
     }
 }
 
-/// The part with a wrong pivot reports it.
+/// A pivot that becomes wrong is reported by the part that computes it.
 TEST(Partial, ReportsWrongPivots) {
     Random random(5);
     base::SerialExecutor serial;

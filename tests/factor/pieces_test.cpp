@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that are filled in while the factorisation runs, and a solution that begins with it.
+// Values that are filled in during the factorisation, and a solution that starts with it.
 #include "factor/matrices.h"
 #include "runtime/tasks.h"
 #include "support/tier.h"
@@ -11,7 +11,7 @@
 namespace hawser::test {
 namespace {
 
-/// Copies ranges of prepared panels, and counts the requests.
+/// Copies ranges of panels filled before, and counts the requests.
 class Copy {
   public:
     Copy(const BlockMatrix& m, const factor::Symbolic& s)
@@ -42,11 +42,11 @@ class Copy {
 };
 
 TEST(Pieces, GivesTheBitsOfFillingFactoringAndSolving) {
-    int resumed = 0;  // pieces that begin within a batch
+    int resumed = 0;  // pieces that start within a batch
     const auto all = seeds(1, 10, 40, 400);
     for (const std::uint32_t seed : all) {
         Random random(seed);
-        const bool grid = seed % 3 == 0;  // else with chains in batches
+        const bool grid = seed % 3 == 0;  // otherwise with chains in batches
         const BlockMatrix m = grid ? random_quasi_definite(random, 60, 0.05) : wires(random, 9, 40);
         const factor::Symbolic s = factor::analyse(m.pattern, factor::plan_elimination(m.pattern));
         const Vector b = random_matrix(random, m.scalars(), 1);
@@ -63,7 +63,7 @@ TEST(Pieces, GivesTheBitsOfFillingFactoringAndSolving) {
             for (const factor::Piece& p : numeric.pieces())
                 resumed += p.begin == p.end &&
                            p.step_begin > s.batches[static_cast<std::size_t>(p.begin)].step_begin;
-            for (int round = 0; round < 2; ++round) {  // the second finds L in the panels
+            for (int round = 0; round < 2; ++round) {  // the second round finds L in the panels
                 Vector x = Vector::Zero(b.size() + 8);
                 x.head(b.size()) = permuted(m, s, b, false);
                 source.filled_ = source.dirty_ = 0;
@@ -76,7 +76,7 @@ TEST(Pieces, GivesTheBitsOfFillingFactoringAndSolving) {
                           0)
                     << "seed " << seed << ", threads " << threads << ", round " << round;
                 EXPECT_EQ(source.dirty_, 0);
-                // All but the gaps behind fronts.
+                // All values except for gaps after fronts.
                 EXPECT_LE(source.filled_, s.panel_size);
                 EXPECT_GE(source.filled_,
                           s.panel_size - 128 - 8 * static_cast<std::int64_t>(s.fronts.size()));

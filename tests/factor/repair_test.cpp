@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A repaired analysis is the analysis of the new pattern in the same order, after any edits.
+/// After any edits, a repaired analysis equals the analysis of the new pattern in the same order.
 #include "factor/repair.h"
 #include "factor/edited_graph.h"
 #include "factor/matrices.h"
@@ -19,7 +19,7 @@ using factor::Analysis;
 using factor::Pattern;
 using factor::Symbolic;
 
-/// Expect that rows follow one of their bodies, as stability requires.
+/// Expect that rows come after one of their bodies, which stability requires.
 void expect_rows_behind_bodies(const Pattern& p, const Symbolic& s) {
     for (int v = 0; v < p.nodes(); ++v) {
         if (p.sign[static_cast<std::size_t>(v)] > 0) continue;
@@ -57,7 +57,7 @@ void expect_order_kept(const Pattern& last, const Symbolic& before, const Patter
             const std::int32_t old_u = old_of_new[static_cast<std::size_t>(u)];
             if (!same[static_cast<std::size_t>(u)] || next.sign[static_cast<std::size_t>(u)] < 0)
                 continue;
-            // Only those in an ancestor relation: unrelated fronts may change their order.
+            // Only nodes in an ancestor relation: unrelated fronts may be exchanged.
             const auto front = before.node_front[static_cast<std::size_t>(old_u)];
             bool above = false;
             for (std::int32_t f = before.node_front[static_cast<std::size_t>(old_v)]; f >= 0;
@@ -72,7 +72,7 @@ void expect_order_kept(const Pattern& last, const Symbolic& before, const Patter
     }
 }
 
-/// Values for a pattern; small couplings keep it quasi-definite.
+/// Factor values for a pattern; small couplings keep it quasi-definite. Return the backward error.
 double backward_error_of(const Pattern& p, const Symbolic& s, Random& random) {
     BlockMatrix m;
     m.pattern = p;
@@ -100,7 +100,7 @@ struct Totals {
     int chains = 0, dissolved = 0, kept = 0, unchanged_columns = 0, columns = 0;
 };
 
-/// @param team  Helps with the repairs, not with the comparison.
+/// Check a sequence of edits. @param team  Executor of the repairs, not of the reference.
 void check_sequence(const Pattern& first, Random& random, int steps, base::Executor* team,
                     Totals& totals) {
     const bool numbers_stay = random.chance(0.3), keep = random.chance(0.3);
@@ -128,7 +128,7 @@ void check_sequence(const Pattern& first, Random& random, int steps, base::Execu
         if (keep) factor::keep_updates(fresh);
         ASSERT_TRUE(fresh == analysis.symbolic()) << "step " << step;
         expect_rows_behind_bodies(next, analysis.symbolic());
-        // A node of another size is a new one.
+        // A node that changed its size is a new node.
         for (std::size_t v = 0; v < old_of_new.size(); ++v) {
             const std::int32_t old = old_of_new[v];
             if (old >= 0 && last.size[static_cast<std::size_t>(old)] != next.size[v])
@@ -137,7 +137,7 @@ void check_sequence(const Pattern& first, Random& random, int steps, base::Execu
         expect_order_kept(last, before, next, analysis.symbolic(), old_of_new);
         last = next;
         if (step % 4 == 0) {
-            // Growth below 1e4 on 2⁻⁵³, as in chains_test.cpp.
+            // Growth below 1e4 times 2⁻⁵³, like in chains_test.cpp.
             EXPECT_LT(backward_error_of(next, analysis.symbolic(), random), 1e-12);
         }
     }
@@ -159,7 +159,7 @@ TEST(Repair, EqualsAnAnalysisOfTheNewPattern) {
         if (HasFailure()) return;
     }
     if (all.size() == 1) return;
-    // All cases occur: chains kept and dissolved, columns unchanged.
+    // All cases occur: chains that remain and chains that do not, columns that are kept.
     EXPECT_GT(totals.kept, totals.chains / 10);
     EXPECT_GT(totals.dissolved, 0);
     EXPECT_GT(totals.unchanged_columns, totals.columns / 2);
@@ -222,7 +222,7 @@ TEST(Repair, RefusesAStateThatDoesNotFit) {
             array[at_random()] += random.integer(-3, 3);
         if (other.resume(p, state)) {
             EXPECT_TRUE(other.symbolic() == factor::analyse(p, other.elimination()));
-            // A random order is stable enough for this; a wrong address is not.
+            // A random order is stable enough for this tolerance; a wrong address is not.
             EXPECT_LT(backward_error_of(p, other.symbolic(), random), 1e-10);
             continue;
         }
@@ -246,7 +246,7 @@ TEST(Repair, OfNothingChangesNothing) {
     EXPECT_TRUE(analysis.symbolic() == before);
 }
 
-/// An edge inside existing structure costs one column.
+/// An edge inside existing structure changes one column.
 TEST(Repair, StopsWhereNothingChanges) {
     // A cycle 0 1 … n−1: eliminating in order fills (k + 1, n − 1).
     constexpr int kNodes = 50;
@@ -261,12 +261,12 @@ TEST(Repair, StopsWhereNothingChanges) {
     analysis.plan(factor::make_pattern(size, sign, from, to), {order, {}});
     from.push_back(20);
     to.push_back(kNodes - 1);
-    // Both ends have a new neighbour; neither column changes.
+    // Both ends get a new neighbour, but neither column changes.
     const factor::RepairReport r = analysis.repair(factor::make_pattern(size, sign, from, to));
     EXPECT_EQ(r.columns, 2);
 }
 
-/// update() makes a new order when the old one has become bad, and not before.
+/// update() makes a new order if the old one has become expensive, and not before.
 TEST(Repair, ReplansWhenFlopsGrow) {
     int replans = 0;
     const auto all = seeds(11, 4, 16, 160);
@@ -296,7 +296,7 @@ TEST(Repair, ReplansWhenFlopsGrow) {
     EXPECT_LT(replans, 150 * static_cast<int>(all.size()));
 }
 
-/// A plan is faster than a repair of so many nodes.
+/// For this number of changed nodes a plan is faster than a repair.
 TEST(Repair, PlansAtOnceWhereMuchChanges) {
     int at_once = 0, repaired = 0;
     for (const std::uint32_t seed : seeds(5, 1, 4, 40)) {
@@ -327,7 +327,7 @@ TEST(Repair, PlansAtOnceWhereMuchChanges) {
             planned.plan(next);
             EXPECT_TRUE(analysis.symbolic() == planned.symbolic());
             EXPECT_TRUE(analysis.state() == planned.state());
-            // And it can be repaired again.
+            // The new plan can be repaired.
             analysis.repair(first);
             EXPECT_TRUE(analysis.symbolic() == factor::analyse(first, analysis.elimination()));
         }

@@ -25,7 +25,7 @@ struct Case {
     Symbolic symbolic;
 };
 
-/// Random graph: islands, trees, dense cores and everything between.
+/// Draw a random graph: islands, trees, dense cores and everything between.
 Case draw(std::uint64_t seed) {
     Random random(seed);
     const int nodes = random.integer(0, 90);
@@ -88,7 +88,7 @@ void check_order(const Case& c) {
     RC_ASSERT(s.scalars == at);
 }
 
-/// Fronts in postorder, pivots and rows contiguous and ascending.
+/// Check that fronts are in postorder, and pivots and rows contiguous and ascending.
 void check_fronts(const Case& c) {
     const Symbolic& s = c.symbolic;
     std::int32_t offset = 0, node = 0;
@@ -122,7 +122,7 @@ void check_fronts(const Case& c) {
     RC_ASSERT(node == static_cast<std::int32_t>(s.order.size()));
 }
 
-/// Runs cover the update rows once, in order, and name the right rows of the parent.
+/// Check that runs cover the update rows once, in order, with the right rows of the parent.
 void check_runs(const Case& c) {
     const Symbolic& s = c.symbolic;
     for (const Front& front : s.fronts) {
@@ -148,7 +148,7 @@ void check_runs(const Case& c) {
     }
 }
 
-/// Blocks of the pattern lie inside the panel of their column's front, and none overlap.
+/// Check that blocks of the pattern are inside the panel of their column's front, without overlap.
 void check_targets(const Case& c) {
     const Symbolic& s = c.symbolic;
     std::set<std::int64_t> used;
@@ -183,8 +183,9 @@ void check_targets(const Case& c) {
     }
 }
 
-/// Check that each front is in exactly one task, and that a subtree depends only on batches. A node
-/// of the graph leads to all that take an update from it, which have larger numbers.
+/// Check that each front is in exactly one task. A subtree needs data only from batches of other
+/// tasks. A node of the graph has edges to all nodes that use its updates, and these have larger
+/// numbers.
 std::vector<int> check_tasks(const Symbolic& s) {
     std::vector<int> owner(s.fronts.size(), -1);  // node of the graph
     auto own = [&](std::int32_t f, std::size_t node) {
@@ -229,14 +230,15 @@ std::vector<int> check_tasks(const Symbolic& s) {
     return owner;
 }
 
-/// From the moment a front is factored until its parent has been, its update matrix is its own.
-/// Tasks run in any order and at the same time.
+/// Check that the memory of an update matrix is not shared from the factorisation of its front
+/// until that of its parent. Tasks run in any order and simultaneously.
 void check_updates(const Symbolic& s, const std::vector<int>& owner) {
     struct Life {
         std::int64_t from, to;  // addresses
         int task;
-        bool stays;               // until its parent, in the same task, has used it
-        std::int32_t born, dies;  // fronts: while factoring `born` … while factoring `dies`
+        bool stays;               // true if the parent, in the same task, uses it
+        std::int32_t born, dies;  // fronts: written while factoring `born`, last read while
+                                  // factoring `dies`
     };
     std::vector<Life> all;
     for (std::size_t f = 0; f < s.fronts.size(); ++f) {
@@ -253,16 +255,16 @@ void check_updates(const Symbolic& s, const std::vector<int>& owner) {
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             const Life &a = all[i], &b = all[j];
-            if (a.from >= b.to || b.from >= a.to) continue;  // separate memory
-            // Two tasks may run together, but not in one thread, and each thread has its own
-            // stacks. An update for another task remains.
+            if (a.from >= b.to || b.from >= a.to) continue;  // different memory
+            // Two tasks can run simultaneously, but not in one thread, and each thread has its own
+            // stacks. An update used by another task stays valid.
             RC_ASSERT(a.stays && b.stays);
             if (a.task != b.task) continue;
             RC_ASSERT(a.born > b.dies || b.born > a.dies);
         }
 }
 
-/// The factor of a dense computation has its non-zeros inside the fronts.
+/// Check that non-zeros of a dense factor are inside the fronts.
 void check_fill(const Case& c) {
     const std::size_t n = c.pattern.size.size();
     std::vector<std::set<int>> below(n);
@@ -275,7 +277,7 @@ void check_fill(const Case& c) {
     }
     for (std::size_t k = 0; k < n; ++k) {
         for (int r : below[k]) {
-            // target() finds the row by bisection: the address shows whether it exists.
+            // target() finds the row by bisection; the address shows whether the row exists.
             const std::int32_t row = s.order[static_cast<std::size_t>(r)], column = s.order[k];
             const factor::BlockTarget t = s.target(row, column);
             const Front& front =
@@ -305,7 +307,7 @@ RC_GTEST_PROP(Symbolic, InvariantsOnRandomGraphs, ()) {
     check_updates(c.symbolic, check_tasks(c.symbolic));
 }
 
-/// Larger, so that there are many tasks, including several at the top.
+/// Larger, for many tasks and several top tasks.
 TEST(Symbolic, InvariantsOnLargeForests) {
     for (const std::uint32_t seed : seeds(1, kSanitized ? 1 : 2, kSanitized ? 1 : 8, 80)) {
         SCOPED_TRACE(seed);
@@ -329,8 +331,8 @@ TEST(Symbolic, InvariantsOnLargeForests) {
         c.symbolic = factor::analyse(c.pattern, factor::order_nodes(c.pattern));
         EXPECT_GT(c.symbolic.tasks.size(), 5U);
         EXPECT_GT(c.symbolic.top_tasks.size(), 1U);
-        // rapidcheck repeats a hundred times, but there are no random values here
-        bool checked = false;
+        bool checked = false;  // rapidcheck calls it a hundred times, but nothing random is drawn
+                               // here
         ASSERT_TRUE(rc::check("large forest", [&] {
             if (checked) return;
             checked = true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every node once, after all that it waits for, whoever runs it; priorities by hand.
+// Every node runs once, after all nodes that it depends on, on any executor. Priorities are
+// computed by hand.
 #include "factor/task_graph.h"
 
 #include "runtime/tasks.h"
@@ -26,7 +27,7 @@ TaskGraph graph_of(std::vector<std::int64_t> work, Edges edges) {
     return graph;
 }
 
-/// A tree in which node i hands on to i / 3 steps further up, with a second edge now and then.
+/// Make a tree with edges from node i to i / 3 steps up, and some additional edges.
 TaskGraph large() {
     constexpr std::int32_t kNodes = 400;
     Edges edges;
@@ -39,7 +40,7 @@ TaskGraph large() {
     return graph_of(std::move(work), edges);
 }
 
-/// Run and note the sequence in which nodes begin and end.
+/// Run the graph, and expect that nodes start and end in a valid sequence.
 void expect_in_order(const TaskGraph& graph, bool up, base::Executor& executor, int repeat) {
     TaskQueue queue;
     queue.reserve(graph, executor.threads());
@@ -71,7 +72,7 @@ TEST(TaskGraph, KeepsTheOrderForAnyNumberOfThreads) {
         pool.resume();
         for (const bool up : {true, false}) expect_in_order(graph, up, pool, 20);
         pool.pause();
-        expect_in_order(graph, true, pool, 1);  // workers asleep: the caller does all
+        expect_in_order(graph, true, pool, 1);  // with sleeping workers the caller does everything
     }
 }
 
@@ -82,7 +83,7 @@ TEST(TaskGraph, TakesNoNodesAndNoEdges) {
     expect_in_order(graph_of({1, 1, 1}, {}), false, pool, 1);
 }
 
-/// Two threads that alternate, the second one first.
+/// Executor of two alternating threads, the second one first.
 class Turns final : public base::Executor {
   public:
     void run(int count, Task task, void* context) noexcept override {
@@ -91,7 +92,7 @@ class Turns final : public base::Executor {
     [[nodiscard]] int threads() const noexcept override { return 2; }
 };
 
-/// Claims a number of threads, of which the first executes all tasks.
+/// Executor that reports several threads and uses only the first.
 class First final : public base::Executor {
   public:
     explicit First(int threads) : threads_(threads) {}
@@ -118,7 +119,7 @@ TEST(TaskGraph, GivesAThreadWhatItFactoredLast) {
     EXPECT_EQ(first, (std::vector<int>{0, 1, 0, 1, 0, 1})) << "dealt out in turns at first";
     run(executor, TaskPass::factor, again);
     EXPECT_EQ(again, first);  // by urgency alone the second thread would get node 0
-    // In a substitution the first thread does all, and owns no more than before.
+    // In a substitution the first thread does everything, and owns no more tasks than before.
     First alone(2);
     run(alone, TaskPass::forward, again);
     EXPECT_EQ(again, std::vector<int>(6, 0));
@@ -141,11 +142,11 @@ TEST(TaskGraph, KeepsToTheRoomThatWasReserved) {
 }
 
 TEST(TaskGraph, RanksByTheWorkThatIsLeft) {
-    // 0 (5) ─┐        Left going up: 0: 5 + 2 + 1 = 8, 1: 3 + 2 + 1 = 6, 2: 9 + 1 = 10.
+    // 0 (5) ─┐        Time left going up: 0: 5 + 2 + 1 = 8, 1: 3 + 2 + 1 = 6, 2: 9 + 1 = 10.
     // 1 (3) ─┴ 3 (2) ─┐
     // 2 (9) ──────────┴ 4 (1)
     const TaskGraph graph =
-        graph_of({5, 3, 9, 2, 1}, {{0, 3}, {1, 3}, {3, 4}, {2, 4}, {0, 3}});  // one twice
+        graph_of({5, 3, 9, 2, 1}, {{0, 3}, {1, 3}, {3, 4}, {2, 4}, {0, 3}});  // one edge twice
     EXPECT_EQ(graph.up.by_rank, (std::vector<std::int32_t>{2, 0, 1, 3, 4}));
     EXPECT_EQ(graph.up.waits, (std::vector<std::int32_t>{0, 0, 0, 2, 2}));
     EXPECT_EQ(graph.down.by_rank, (std::vector<std::int32_t>{4, 2, 3, 0, 1}));

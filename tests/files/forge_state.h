@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file forge_state.h
-/// Changes the contents of a snapshot and corrects its checksum.
+/// Change the contents of a snapshot and update its checksum.
 #include "base/hash.h"
 #include "files/mutate.h"
 
@@ -10,9 +10,9 @@
 
 namespace hawser::test {
 
-inline constexpr std::size_t kSnapshotSystems = 13 * 8;  ///< Offset of the count of their bytes.
+inline constexpr std::size_t kSnapshotSystems = 13 * 8;  ///< Offset of the byte count of systems.
 
-/// Make 1 to 3 changes of the bytes from `from` on; their number is constant.
+/// Change 1 to 3 values in the bytes from `from` on, without changing the size.
 inline void forge_tail(std::vector<std::byte>& bytes, std::size_t from, Random& random) {
     const std::size_t sum = 8;
     for (int i = random.integer(1, 3); i > 0; --i)

@@ -21,7 +21,7 @@ double any_number(Random& random) {
     return random.chance(0.5) ? size : -size;
 }
 
-/// A value at an end of the range, or anywhere.
+/// Return a value at an end of the range, or anywhere.
 double value_for(Random& random, double min, double max) {
     if (random.chance(0.25)) return random.chance(0.5) ? min : max;
     return any_number(random);
@@ -30,7 +30,7 @@ double value_for(Random& random, double min, double max) {
 struct Sets {
     int taken = 0, refused = 0, steps = 0, failed = 0;
     double longest = 0.0;
-    std::string last;  ///< Last value set in this round, for the report.
+    std::string last;  ///< Values set in this round, for the report.
 };
 
 void set_one(World& world, Random& random, Sets& out) {
@@ -84,10 +84,10 @@ void set_inputs_of(const std::string& name, int rounds) {
             ASSERT_LT(took, kLongest) << running << ", step " << k << ": " << out.last;
             watch.begin(running);
         }
-        if (random.chance(0.5)) continue;  // values add up
+        if (random.chance(0.5)) continue;  // keep values, so that they accumulate
         try {
             scene->world.restore(good);
-        } catch (const DefError&) {  // a step has added or removed nodes
+        } catch (const DefError&) {  // a step has inserted or removed nodes
             scene.emplace(after_some_steps(name));
         }
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file mutate.h
-/// Malicious changes of bytes: in places with indices, numbers and counts, to values that a reader
-/// may not expect.
+/// Change bytes like an attacker: indices, numbers and counts get values that a reader may handle
+/// wrongly.
 
 #include "support/random.h"
 #include "support/sanitizer.h"
@@ -19,7 +19,8 @@
 
 namespace hawser::test {
 
-/// Number of inputs of a fuzzer: HAWSER_FUZZ, or by tier. @param full  With and without sanitizer.
+/// Return the number of inputs of a fuzzer: HAWSER_FUZZ, or by tier. @param full  Without and with
+/// a sanitizer.
 inline int inputs_of(int quick, int full, int long_runs) {
     if (const char* count = std::getenv("HAWSER_FUZZ")) return std::max(1, std::atoi(count));
     return by_tier(kSanitized ? quick / 2 : quick, full, long_runs);
@@ -38,7 +39,7 @@ inline std::int32_t odd_index(Random& random, std::int32_t old) {
                                       {-1, -2, 0, 1, kMost, -kMost - 1, 1 << 20, 0x7FF80000});
         case 1:
             return random.integer(0, 64);
-        case 2:  // as unsigned: the old one may be the maximum
+        case 2:  // as unsigned: the old value may be the largest integer
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(old) +
                                              static_cast<std::uint32_t>(random.integer(-3, 3)));
         default:
@@ -73,7 +74,7 @@ void write_at(std::span<std::byte> to, std::size_t at, T value) {
     std::memcpy(to.data() + at, &value, sizeof value);
 }
 
-/// Make one change of the bytes; their number is constant.
+/// Change one value in the bytes without changing the size.
 inline void mutate(std::span<std::byte> bytes, Random& random) {
     if (bytes.size() < 16) return;
     const auto place = [&](std::size_t size, std::size_t align) {
@@ -94,7 +95,7 @@ inline void mutate(std::span<std::byte> bytes, Random& random) {
         case 2:
             bytes[place(1, 1)] ^= static_cast<std::byte>(random.integer(1, 255));
             break;
-        case 3: {  // something that is right elsewhere
+        case 3: {  // a value that is valid elsewhere
             const std::size_t size = pick<std::size_t>(random, {4, 8, 16});
             const std::size_t from = place(size, 4), to = place(size, 4);
             std::memmove(bytes.data() + to, bytes.data() + from, size);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Recordings and snapshot files with changed contents and correct checksums. They are rejected or
-/// read, and any data read can be drawn.
+/// Recordings and snapshot files with changed contents and valid checksums are rejected or read.
+/// Files that were read can be drawn.
 #include "draw/plots.h"
 #include "draw/raster.h"
 #include "draw/svg.h"
@@ -40,7 +40,7 @@ std::vector<Chunk> chunks_of(std::span<const std::byte> file) {
     return out;
 }
 
-/// The file of some chunks, each with the checksum that it needs.
+/// Write a file of some chunks, each with a valid checksum.
 std::vector<std::byte> file_of(std::span<const std::byte> magic, const std::vector<Chunk>& chunks) {
     record::ByteWriter out;
     out.put_bytes(magic);
@@ -70,7 +70,7 @@ void forge(std::vector<Chunk>& chunks, Random& random) {
     if (random.chance(0.02)) chunks.erase(chunks.begin() + static_cast<std::ptrdiff_t>(any()));
 }
 
-/// Check the promises of a reader about its data.
+/// Check the guarantees of the reader.
 void expect_sound(const Recording& r) {
     std::int64_t step = r.start_step - 1;
     for (std::size_t i = 0; i < r.frame_count(); ++i) {
@@ -148,8 +148,8 @@ TEST(ForgedRecordings, OfJoinedWiresAreRefusedOrSound) {
     forge_recordings(file, inputs_of(300, 3000, 100'000));
 }
 
-/// Forge a file of the state of the world and restore it into that world, which accepts it or
-/// remains unchanged. @param first  Number of first bytes that are changed in every other file.
+/// Forge a file of the world's state and restore it in that world. The world stays unchanged or
+/// accepts it. @param first  Number of leading bytes that are changed in every other file.
 void forge_snapshots(SmallScene& scene, bool with_structure, std::size_t first) {
     const auto folder = fresh_folder();
     record::save_snapshot(folder / "good.hws", scene.info, scene.world, with_structure);
@@ -177,14 +177,14 @@ void forge_snapshots(SmallScene& scene, bool with_structure, std::size_t first) 
     EXPECT_GT(refused, 0);
 }
 
-/// Around the state of a world: name, time and hash of the file.
+/// Header around the state of a world: name, time and hash of the file.
 TEST(ForgedRecordings, SnapshotFilesAreRefusedOrTaken) {
     SmallScene scene;
     ASSERT_EQ(scene.world.step(), Status::ok);
     forge_snapshots(scene, false, 64);
 }
 
-/// The structure of the world.
+/// Definitions of the world.
 TEST(ForgedRecordings, SnapshotFilesWithAStructureAreRefusedOrTaken) {
     SmallScene scene;
     World& w = scene.world;

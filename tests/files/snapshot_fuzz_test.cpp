@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Snapshots with changed contents and a correct checksum. Each is rejected and the world
-/// unchanged, or accepted, and steps continue without harm.
+/// Snapshots with changed contents and a valid checksum. Each is rejected and leaves the world
+/// unchanged, or is accepted and the world continues without harm.
 #include "base/hash.h"
 #include "files/mutate.h"
 #include "support/sleep_yard.h"
@@ -17,15 +17,16 @@
 namespace hawser::test {
 namespace {
 
-constexpr std::size_t kHead = 12 * 8;  ///< Bytes of the header: magic, two hashes, nine counts.
-constexpr std::size_t kCounts = 24;    ///< Offset of the counts; the last one is that of bytes.
+constexpr std::size_t kHead = 12 * 8;  ///< Size of the header: magic, two hashes, nine counts
+                                       ///< [bytes].
+constexpr std::size_t kCounts = 24;    ///< Offset of the counts; the last one counts bytes.
 
 void sign(std::vector<std::byte>& bytes) {
     const std::span<std::byte> all(bytes);
     write_at(all, bytes.size() - 8, base::checksum(bytes.data(), bytes.size() - 8));
 }
 
-/// Add or subtract one in a count of the header, or insert or remove bytes.
+/// Change a count of the header by one, and insert or remove bytes anywhere.
 void resize(std::vector<std::byte>& bytes, Random& random) {
     const std::size_t count = kCounts + 8 * static_cast<std::size_t>(random.integer(0, 8));
     const auto n = read_at<std::uint64_t>(bytes, count);
@@ -55,12 +56,13 @@ std::vector<std::byte> forged(const std::vector<std::byte>& good, Random& random
     return bad;
 }
 
-/// Results of a run with forged snapshots.
+/// Results of a run of forged snapshots.
 struct Tally {
-    int taken = 0, refused = 0, failed = 0;  ///< `failed`: a step of a world that took one.
+    int taken = 0, refused = 0, failed = 0;  ///< `failed`: a step of a world that accepted one
+                                             ///< failed.
 };
 
-/// World and the snapshots of it that are changed.
+/// Change snapshots of a world and restore them.
 void attack(World& world, const std::vector<std::vector<std::byte>>& good, int inputs,
             std::uint64_t seed, Tally& tally) {
     Random random(seed);
@@ -78,7 +80,7 @@ void attack(World& world, const std::vector<std::vector<std::byte>>& good, int i
             continue;
         }
         ++tally.taken;
-        // A state accepted by a world is saved and accepted again.
+        // A snapshot of a world that accepted a forged one is accepted again.
         const std::vector<std::byte> own = world.save();
         ASSERT_NO_THROW(world.restore(own)) << "input " << i;
         for (int k = 0; k < 2; ++k) tally.failed += world.step() == Status::ok ? 0 : 1;
@@ -101,13 +103,13 @@ std::vector<std::vector<std::byte>> snapshots_of(World& world, std::initializer_
 void tell(const char* what, const Tally& tally) {
     std::printf("%s: %d forged snapshots, %d refused, %d taken, of their steps %d failed\n", what,
                 tally.taken + tally.refused, tally.refused, tally.taken, tally.failed);
-    // Both occur, or one of them has not been tested.
+    // Both happen, otherwise one of them is not tested.
     EXPECT_GT(tally.taken, 0) << what;
     EXPECT_GT(tally.refused, 0) << what;
 }
 
-/// Return a number of sixteenths of the inputs: a world with groups takes ten times as long for
-/// each.
+/// Return a number of sixteenths of the inputs: each input of a world with groups takes ten times
+/// as long.
 int share(int sixteenths) { return inputs_of(1000, 10'000, 500'000) * sixteenths / 16; }
 
 TEST(ForgedSnapshots, OfContactsSleepAndFriction) {
@@ -121,7 +123,7 @@ TEST(ForgedSnapshots, OfContactsSleepAndFriction) {
     tell("contacts, sleep, friction", tally);
 }
 
-/// Each word of a snapshot in turn becomes an index far beyond any count.
+/// Replace each word of a snapshot in turn by an index far beyond the end of any array.
 TEST(ForgedSnapshots, EveryWordAsAFarIndex) {
     Yard yard;
     yard.friction(0.5);
@@ -172,8 +174,8 @@ TEST(ForgedSnapshots, OfWiresLinksAndEveryJoint) {
     tell("wires, links, joints", tally);
 }
 
-/// A lump does not rotate, and its ghost bodies at cut lines use its rotation. A state with another
-/// rotation was accepted, and the state then saved by the world was rejected.
+/// Point masses do not rotate, and their ghost bodies at cuts have the same orientation. A state
+/// with another orientation was once accepted, and the world's next snapshot was rejected.
 TEST(ForgedSnapshots, RotationsOfLumps) {
     const regrouping::Cables cables(2);
     World world = cables.recipe.make();
@@ -195,10 +197,10 @@ TEST(ForgedSnapshots, RotationsOfLumps) {
             ++refused;
             continue;
         }
-        ++taken;  // the memory of an analysis, which is a start for the next one
+        ++taken;  // word of an analysis that only starts the next one
         ASSERT_NO_THROW(world.restore(world.save())) << "byte " << at;
     }
-    // Consecutive orientations 1 0 0 0 look like rotation matrices, and are rejected as such.
+    // Consecutive orientations 1 0 0 0 resemble rotations and are rejected as invalid.
     EXPECT_GE(refused, 2 * world.body_count() - 2);
     std::printf("%d rotations refused, %d taken\n", refused, taken);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file watch.h
-/// Times hostile inputs and ends the process with a report if one of them loops without end.
+/// Measures the time of hostile inputs, and ends the process with a report if one of them loops
+/// endlessly.
 #include <hawser/scene.h>
 #include <hawser/world.h>
 
@@ -17,12 +18,12 @@
 
 namespace hawser::test {
 
-inline constexpr double kLongest = 1.0;  ///< Longest time of an input, with a few steps [s].
+inline constexpr double kLongest = 1.0;  ///< Longest time of an input with a few steps [s].
 
-/// The input that is running, for the report of an endless loop.
+/// Name of the running input, for the report of an endless loop.
 inline char running[200] = "";
 
-/// Ends the process with a report if an input runs on. gtest cannot end a loop.
+/// Ends the process with a report if an input does not end. gtest cannot interrupt a loop.
 class Watch {
   public:
     Watch() {
@@ -40,7 +41,7 @@ class Watch {
         start_ = std::chrono::steady_clock::now();
         alarm(kEndless);
     }
-    /// Processor time would exclude waiting, wall time includes other programs: both are short.
+    /// Processor time excludes waiting, and wall time includes other programs: both must be short.
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
@@ -49,7 +50,7 @@ class Watch {
     std::chrono::steady_clock::time_point start_;
 };
 
-/// Return a scene of `scenes`, or of a text if one is given, after 20 steps.
+/// Load a scene of `scenes`, or a text if one is given, and run 20 steps.
 inline scene::Scene after_some_steps(const std::string& name, std::string_view text = {}) {
     scene::Scene scene =
         text.empty() ? scene::load_file("scenes/" + name + ".json") : scene::load_text(text, name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Readers of binary outputs, which are logged as text.
+/// Readers of binary outputs, which add text to the log.
 #include "golden/figures.h"
 #include "golden/outputs.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 using hawser::test::read_text;
 
-/// Read a number of a binary file. Files are little-endian, as are the machines.
+/// Read a number of a binary file. Files and machines are little-endian.
 template <class T>
 T number_at(const std::string& bytes, std::size_t at) {
     if (at + sizeof(T) > bytes.size()) throw std::runtime_error("the file is too short");
@@ -66,8 +66,8 @@ std::string attribute(std::string_view element, const std::string& name) {
     return std::string(element.substr(begin, element.find('"', begin) - begin));
 }
 
-/// Return a projection of an array that an element of a .vtp file describes.
-/// @param data  Where the appended data begin; an array begins with its size in bytes.
+/// Return a projection of an array that an element of a .vtp file describes. @param data  Offset of
+/// the appended data; an array begins with its size in bytes.
 std::string project_array(std::string_view element, const std::string& bytes, std::size_t data) {
     const std::size_t at = data + std::stoul(attribute(element, "offset"));
     const auto size = static_cast<std::size_t>(number_at<std::uint64_t>(bytes, at));

@@ -101,7 +101,7 @@ std::string compare_reals(const Entry& reference, const Figures& figures) {
     return out;
 }
 
-/// Return a line for each name in the file that is no figure any more.
+/// Return a line for each name in the file that no longer is a figure.
 template <class A, class B>
 std::string left_over(const A& reference, const B& figures) {
     std::string out;

@@ -16,7 +16,7 @@
 
 namespace hawser::golden {
 
-/// Figures of a scene as the file has them.
+/// Figures of a scene in the form of the file.
 struct Entry {
     int steps = 0;
     double tolerance = 0.0;
@@ -27,7 +27,8 @@ struct Entry {
 
 using Entries = std::map<std::string, Entry>;
 
-/// @return nothing if the file does not exist. @throws std::exception if it cannot be read.
+/// Read the entries of a file. @return nullopt if the file does not exist. @throws std::exception
+/// if it cannot be read.
 [[nodiscard]] Entries read_entries(const std::filesystem::path& file);
 void write_entries(const std::filesystem::path& file, const Entries& entries);
 
@@ -38,9 +39,9 @@ void write_entries(const std::filesystem::path& file, const Entries& entries);
 [[nodiscard]] Entry entry_of(const Figures& figures, int steps);
 
 /// Widen an entry by the figures of another instruction set. A tolerance becomes 1,000 times the
-/// largest difference of the scene, between 1e-9 and 1e-6. A figure that differs more gets its own
-/// tolerance, up to 1e-4. Counts that differ become null.
-/// @return the name of the real number with the largest difference, and this in units of its scale.
+/// largest difference of the scene, between 1e-9 and 1e-6. A figure with a larger difference gets
+/// its own tolerance, up to 1e-4. Counts that differ become null. @return the name of the real
+/// number with the largest difference, and this difference in units of its scale.
 std::pair<std::string, double> widen(Entry& entry, const Figures& figures);
 
 }  // namespace hawser::golden

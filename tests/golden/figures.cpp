@@ -21,7 +21,7 @@ std::uint64_t scramble(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// Compress a quantity of any unit, so that a relative change of each of them counts the same.
+/// Compress a quantity of any unit, so that equal relative changes have equal weight.
 double compress(double value) { return std::asinh(value); }
 
 void write_bodies(const World& world, const std::vector<Pose>& start, Figures& out) {
@@ -184,7 +184,7 @@ void write_energy(const World& world, Figures& out) {
                                                                 {"water", e.water}}};
     double largest = 1e-3;  // [J]
     for (const auto& [name, value] : parts) largest = std::max(largest, std::abs(value));
-    // Parts far below the largest are rounding errors, those of rows residuals of the solution.
+    // Parts far below the largest are rounding errors; parts of rows are residuals of the solution.
     constexpr double kRounding = 1e-6, kResidual = 0.1;
     for (const auto& [name, value] : parts)
         out.reals[std::string("energy_") + name] = {value, std::abs(value) + kRounding * largest,
@@ -192,7 +192,7 @@ void write_energy(const World& world, Figures& out) {
     out.reals["energy_damped"].scale = std::abs(e.damped) + kResidual * largest;
 }
 
-/// Write how near the result is to its limits. Judges whose values are rounding errors are left
+/// Write how near the result is to its limits. Monitors whose values are rounding errors are left
 /// out.
 void write_verdict(const World& world, Figures& out) {
     const Verdict verdict = world.verdict();

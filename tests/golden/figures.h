@@ -23,8 +23,8 @@ namespace hawser::golden {
 struct Real {
     double value = 0.0;
     double scale = 0.0;
-    double tolerance =
-        0.0;  ///< Tolerance of a reference relative to the scale; 0: that of its scene.
+    double tolerance = 0.0;  ///< Tolerance of a reference, relative to the scale; 0: the tolerance
+                             ///< of its scene.
 };
 
 /// Figures of one scene, by name.
@@ -34,14 +34,14 @@ struct Figures {
     std::map<std::string, Real> reals;
 };
 
-/// Weight number `index` of a sequence: between 0.5 and 1.5, with either sign.
+/// Return weight number `index` of a sequence: between 0.5 and 1.5 in size, with either sign.
 [[nodiscard]] double weight(std::uint64_t sequence, std::uint64_t index);
 
 /// Sum of weighted terms.
 class Projection {
   public:
-    /// @param floor  Smallest scale, in the unit of the terms: changes of terms far below it do not
-    ///               count.
+    /// Start a sum. @param floor  Smallest scale, in the unit of the terms: changes of terms far
+    /// below it have no effect.
     Projection(std::uint64_t sequence, double floor) : sequence_(sequence), floor_(floor) {}
     /// Add the next term. A term that is not finite counts as 0.
     void add(double term);

@@ -22,7 +22,7 @@ class Outputs : public testing::Test {
     void SetUp() override;
     void TearDown() override;
 
-    /// Path of a file in the folder.
+    /// Return the path of a file in the folder.
     [[nodiscard]] std::string out(const std::string& file) const { return folder_ / file; }
     /// Run the program with SSE2 and append its command line, outputs and exit code to the log.
     void run(const std::vector<std::string>& arguments);
@@ -44,8 +44,8 @@ class Outputs : public testing::Test {
     std::filesystem::path folder_;
 };
 
-/// Compare a text with the file `name` in tests/golden/outputs. Write it in place of that if the
-/// environment has HAWSER_WRITE_GOLDEN.
+/// Compare a text with the file `name` in tests/golden/outputs. Write it to that file instead if
+/// the environment has HAWSER_WRITE_GOLDEN.
 void check_output(const std::string& name, const std::string& text);
 
 }  // namespace hawser::golden

@@ -10,7 +10,7 @@ namespace {
 
 using SceneOutputs = Outputs;
 
-/// Scenes with mistakes of many kinds.
+/// Scenes with many kinds of mistakes.
 constexpr std::array<const char*, 14> kBadScenes{
     R"({"version": 1, "name": "syntax" "bodies": []})",
     R"({"version": 2, "name": "version"})",

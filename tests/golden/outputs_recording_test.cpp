@@ -82,13 +82,13 @@ TEST_F(RecordingOutputs, ExerciseIsThatOfTheFiles) {
     check_log("exercise");
 }
 
-/// Levers of a short exercise that fails: the load is dropped beside its target.
+/// Controls of a short exercise that fails: the load is dropped beside its target.
 constexpr const char* kClumsy =
     "time,take,hoist,slew,luff\n0,0,0,0,0\n0.5,1,0,0,0\n1,1,0.5,0,0\n3,1,0.5,0.06,0.05\n"
     "5,1,-0.5,0.06,0\n7,0,0,-0.06,0\n";
 
 TEST_F(RecordingOutputs, FailedExerciseIsThatOfTheFiles) {
-    // A report has a curve with a point each step: 10 s in place of 180.
+    // A report has a curve with a point per step: run 10 s instead of 180 s.
     auto exercise = nlohmann::json::parse(hawser::test::read_text("exercises/crane_lift.json"));
     exercise["duration"] = 10;
     exercise["scene"] = "crane.json";

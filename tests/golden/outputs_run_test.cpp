@@ -8,7 +8,7 @@
 namespace hawser::golden {
 namespace {
 
-/// Run whose report, summary and, if `every` is not empty, table are compared.
+/// A run whose report, summary and (if `every` is not empty) table are compared.
 struct RunCase {
     const char* name;
     std::vector<std::string> arguments;
@@ -98,7 +98,7 @@ TEST_P(RunOutputs, AreThoseOfTheFiles) {
 INSTANTIATE_TEST_SUITE_P(All, RunOutputs, testing::ValuesIn(kRuns),
                          [](const auto& run) { return std::string(run.param.name); });
 
-/// Joints between two bodies that no pose closes.
+/// Joints between two bodies that no pose can close together.
 constexpr const char* kOpenJoints = R"({"version": 1, "name": "open",
   "settings": {"duration": 0.5}, "bodies": [
     {"name": "a", "mass": 4, "box": [1, 1, 0.3]},

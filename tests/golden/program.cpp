@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Compiles the helper of tests/cli that runs the program into this executable.
+/// Compile the helper of tests/cli that runs the program into this executable.
 #include "cli/program.cpp"  // NOLINT(bugprone-suspicious-include)

@@ -22,10 +22,10 @@ namespace {
 
 const std::filesystem::path kFile = "tests/golden/scene_figures.json";
 
-/// Names of the entries: "format_<n>" for the scenes that use all parts of the format, else the
-/// name of a file in scenes/.
+/// Return the names of the entries: "format_<n>" for scenes that use all parts of the format,
+/// otherwise the name of a file in scenes/.
 std::vector<std::string> scene_names() {
-    // Scenes of more bodies take longer to load than a quick test may.
+    // Scenes with more bodies take longer to load than a quick test allows.
     const std::set<std::string> too_large{"anchor_run_fine"};
     std::vector<std::string> names;
     std::error_code ignored;

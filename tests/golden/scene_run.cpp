@@ -13,7 +13,7 @@ namespace hawser::golden {
 
 namespace {
 
-constexpr double kDuration = 4.0;  // Of a run, if the scene is small [s].
+constexpr double kDuration = 4.0;  // Duration of the run of a small scene [s].
 
 /// Input that the run sets.
 struct Lever {
@@ -23,7 +23,7 @@ struct Lever {
     double start = 0.0;  ///< Value at the start.
 };
 
-/// Range within which the run sets an input of a system, by the name of its signal.
+/// Range in which the run sets an input of a system, by the name of its signal.
 struct SignalRange {
     std::string_view signal;
     double min, max;
@@ -62,8 +62,8 @@ bool is_inner(const World& world, const std::string& input) {
 
 std::vector<Lever> levers_of(const scene::Scene& scene) {
     std::vector<Lever> levers;
-    constexpr double kWidest = 1e12;  // Wider ranges stand for "any value".
-    constexpr double kWay = 0.05;     // [m or rad]
+    constexpr double kWidest = 1e12;  // Wider ranges mean "any value".
+    constexpr double kWay = 0.05;     // Largest change of a position [m or rad].
     const World& world = scene.world;
     for (const InputId id : world.inputs()) {
         const InputDef& def = world.input_def(id);
@@ -84,8 +84,8 @@ std::vector<Lever> levers_of(const scene::Scene& scene) {
     return levers;
 }
 
-/// Return value number `moment` of the sequence of a lever; number 0 is its value at the start.
-/// @param part  Fraction of the way from the start to a value anywhere in the range.
+/// Return value number `moment` of the sequence of a control; number 0 is its value at the start.
+/// @param part  Fraction of the difference between the start and a random value in the range.
 double value_of(const Lever& lever, std::size_t index, int moment, double part) {
     if (moment == 0) return lever.start;
     const double share = std::abs(weight(1000 + index, static_cast<std::uint64_t>(moment))) - 0.5;
@@ -93,8 +93,8 @@ double value_of(const Lever& lever, std::size_t index, int moment, double part) 
     return lever.whole ? std::round(value) : lever.start + part * (value - lever.start);
 }
 
-/// Set all levers to their values at a time in units of moments. Values change linearly from moment
-/// to moment; whole numbers change at moments.
+/// Set all controls to their values at a time in units of moments. Values change linearly from
+/// moment to moment; whole numbers change at moments.
 void set_levers(Session& session, const std::vector<Lever>& levers, double time, double part) {
     const int moment = static_cast<int>(time);
     for (std::size_t i = 0; i < levers.size(); ++i) {

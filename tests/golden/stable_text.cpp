@@ -18,11 +18,11 @@ namespace {
 
 using nlohmann::json;
 
-/// Volatile part of a text. A pattern is literal but for '#', a number, '@', a word, and '*' at
-/// its end, the rest of the line. A part that matches becomes the pattern itself.
+/// Volatile part of a text. A pattern is literal, with three exceptions: '#' is a number, '@' a
+/// word, and '*' at its end the rest of the line. A part that matches is replaced by the pattern.
 struct Pattern {
     std::string_view text;
-    bool whole_line = false;  ///< Delete the line in place of the part.
+    bool whole_line = false;  ///< Delete the line instead of the part.
 };
 
 constexpr std::array<Pattern, 24> kPatterns{{
@@ -39,7 +39,7 @@ constexpr std::array<Pattern, 24> kPatterns{{
     {"machine      *"},
     {", other @ @"},
     {"(# % of what was exchanged)"},
-    // Progress on the terminal, as often as the clock has it.
+    // Progress on the terminal, which depends on the clock.
     {" s  #x real time", true},
     // Times of other commands.
     {"; @ still moves at # m/s"},
@@ -81,7 +81,7 @@ std::size_t number_length(std::string_view text, std::size_t at) {
     return sign + static_cast<std::size_t>(end.ptr - from);
 }
 
-/// Return the length of the part at a position that a pattern matches; npos if it does not.
+/// Return the length of the part at a position that a pattern matches; npos if it does not match.
 std::size_t match_length(std::string_view text, std::size_t at, std::string_view pattern) {
     std::size_t i = at;
     for (const char p : pattern) {
@@ -133,7 +133,7 @@ void prune(json& value) {
         for (json& part : value) prune(part);
 }
 
-/// True if two numbers differ by no more than the tolerance. Whole numbers have to be equal.
+/// True if two numbers differ by no more than the tolerance. Whole numbers must be equal.
 bool same_number(std::string_view a, std::string_view b, const NumberTolerance& tolerance) {
     if (a == b) return true;
     const auto whole = [](std::string_view n) { return n.find_first_of(".e") == n.npos; };
@@ -161,7 +161,7 @@ void skip_padding(std::string_view a, std::size_t& i, std::string_view b, std::s
 
 constexpr std::size_t kSame = std::string_view::npos;
 
-/// Return where two lines differ; kSame if nowhere.
+/// Return the position at which two lines differ; kSame if they do not.
 std::size_t first_difference(std::string_view a, std::string_view b,
                              const NumberTolerance& tolerance) {
     if (a == b) return kSame;
@@ -193,7 +193,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-/// Return the part of a line about a position.
+/// Return the part of a line around a position.
 std::string_view about(std::string_view line, std::size_t at) {
     constexpr std::size_t kBefore = 60, kLength = 180;
     return line.substr(std::min(line.size(), at < kBefore ? 0 : at - kBefore), kLength);

@@ -13,10 +13,11 @@ namespace hawser::golden {
 /// stable_text.cpp.
 [[nodiscard]] std::string stable_text(std::string text, const std::string& folder);
 
-/// Return a JSON document without its volatile members, one value a line.
+/// Return a JSON document without its volatile members, one value per line.
 [[nodiscard]] std::string stable_json(const std::string& text, const std::string& folder);
 
-/// Largest difference between two numbers that count as equal: relative to the larger, or absolute.
+/// Largest difference between two numbers that are treated as equal: relative to the larger, or
+/// absolute.
 struct NumberTolerance {
     double relative = 1e-6;
     double absolute = 1e-9;

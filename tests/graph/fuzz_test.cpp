@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Invariants of every partition, on unusual graphs. There are no nodes, no edges, fixed nodes,
-/// edges of one node or of many, repeated ones, loops, many islands, or more parts than nodes.
-/// Sizes, weights and costs are at their limits. With sanitizers it also detects reads out of
-/// bounds and overflow of sums.
+/// Invariants of every partition, on degenerate graphs:
+/// - no nodes, no edges, fixed nodes;
+/// - edges of one node, of many nodes, from a node to itself, and repeated ones;
+/// - many islands, more parts than nodes;
+/// - sizes, weights and costs at their limits.
+/// A build with sanitizers also detects reads out of bounds and overflows of sums.
 #include "assembly/parts.h"
 #include "graph/follow.h"
 #include "graph/random_graph.h"
@@ -57,7 +59,7 @@ Hostile hostile_graph(Random& random) {
         g.node(kind == 0 ? 0 : kind == 1 ? 255 : random.chance(0.2) ? 0 : random.integer(1, 6));
     const auto pick = [&] { return random.integer(0, nodes - 1); };
     const int edges = nodes == 0 ? random.integer(0, 3) : random.integer(0, 4 * nodes);
-    // Islands: edges stay within blocks of a given number of nodes.
+    // Islands: edges stay within blocks of this number of nodes.
     const int block = random.integer(1, std::max(1, nodes));
     for (int e = 0; e < edges; ++e) {
         std::vector<int> members;
@@ -81,7 +83,7 @@ Hostile hostile_graph(Random& random) {
     return h;
 }
 
-/// Call check(graph, random) for each hostile graph until one fails.
+/// Call check(graph, random) for degenerate graphs until one fails.
 template <class Check>
 void for_hostile_graphs(Check&& check) {
     for (const std::uint32_t seed :
@@ -110,7 +112,8 @@ TEST(PartitionFuzz, NoInteractionIsLost) {
     Partition p;
     for_hostile_graphs([&](Hostile& h, Random& random) {
         splitter.split(h.view(), h.options, p);
-        // Each edge is inside a part or in the list of cuts, once; whole ones are not cut.
+        // Each edge is inside a part or in the list of cuts, once. Edges that must not be cut are
+        // inside a part.
         expect_split(h.graph, p);
         for (std::int32_t& w : h.graph.node_weight) w = hostile_weight(random);
         splitter.follow(h.view(), h.options, p);
@@ -141,7 +144,7 @@ TEST(PartitionFuzz, EditsKeepSeparatorsApart) {
     });
 }
 
-/// Partitions are made by one thread; several that make them side by side get the same.
+/// One thread makes a partition; several threads that make it simultaneously get the same.
 TEST(PartitionFuzz, SameResultOnAnyNumberOfThreads) {
     for (const std::uint32_t seed : seeds(77, kSanitized ? 4 : 30, kSanitized ? 8 : 100, 2000)) {
         SCOPED_TRACE(seed);

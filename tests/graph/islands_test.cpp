@@ -12,7 +12,7 @@
 namespace hawser::test {
 namespace {
 
-/// Islands by repeated flooding, numbered by their first node.
+/// Find islands by repeated flooding, numbered by their first node.
 std::vector<int> flooded(const std::vector<std::uint8_t>& include,
                          const std::vector<std::vector<int>>& edges) {
     std::vector<int> label(include.size(), -1);
@@ -79,7 +79,7 @@ TEST(Islands, BodiesThatDoNotMoveJoinNothing) {
     (void)c;
 }
 
-/// A wire between two carriers is one island; its numbering follows the order of the bodies.
+/// A wire between two carriers is one island; its numbers follow the order of the bodies.
 TEST(Islands, AThirdBodyJoinsThem) {
     Recipe r;
     const BodyId a = r.lump({0, 0, 0}, 1.0), b = r.lump({1, 0, 0}, 1.0), drum = r.scalar(0, 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Properties of partitions, on graphs at random and on wires.
+/// Properties of partitions, on random graphs and on wires.
 #include "graph/partition.h"
 #include "graph/follow.h"
 #include "graph/random_graph.h"
@@ -34,7 +34,7 @@ TEST(Partition, AnyGraphFallsIntoParts) {
         expect_sums(g, p, partitioner.cost.node);
         if (HasFatalFailure()) return;
         separators += p.separator.size();
-        // Buffers of earlier graphs leave no trace.
+        // Buffers keep no data of earlier graphs.
         graph::Partitioner other;
         Partition q;
         other.read(g.view());
@@ -46,7 +46,7 @@ TEST(Partition, AnyGraphFallsIntoParts) {
     }
 }
 
-/// Islands that fit fill every part evenly, and one is too large for a part.
+/// Islands that fit fill every part evenly, although one is too large for a part.
 TEST(Partition, NoPartHasRoomForTheLargestIsland) {
     Partition p;
     bool divided = false;
@@ -56,7 +56,8 @@ TEST(Partition, NoPartHasRoomForTheLargestIsland) {
             Graph g;
             for (int v = 0; v < 10 * parts + links; ++v) g.node(3);
             for (int v = 0; v + 1 < links; ++v) g.edge({10 * parts + v, 10 * parts + v + 1}, 0);
-            graph::Partitioner partitioner;  // a new one: buffers of an earlier graph would do
+            graph::Partitioner partitioner;  // a new one: the test needs no buffers of an earlier
+                                             // graph
             partitioner.read(g.view());
             partitioner.separate({parts}, p);
             expect_separated(g, p);
@@ -81,7 +82,8 @@ TEST(Partition, SeparatorsFollowEdits) {
         const auto last = static_cast<int>(g.size.size()) - 1;
         for (int step = 0; step < 20; ++step) {
             for (int k = random.integer(1, 20); k > 0; --k) {
-                // Members move; their number stays, so that this test's own arrays can follow.
+                // Exchange members; their number stays, so that the arrays of this test remain
+                // valid.
                 const int e = random.integer(0, g.view().edges() - 1);
                 std::vector<std::int32_t> members(g.view().edge(e).begin(), g.view().edge(e).end());
                 for (std::int32_t& v : members)
@@ -97,8 +99,8 @@ TEST(Partition, SeparatorsFollowEdits) {
     }
 }
 
-/// Wires of few nodes and more parts than useful: as many parts as possible are used, evenly if
-/// each has some nodes.
+/// Wires of few nodes and more parts than nodes allow: as many parts as possible are used, evenly
+/// if each has some nodes.
 TEST(Partition, ShortWiresFillAsManyPartsAsTheyCan) {
     graph::Partitioner partitioner;
     graph::Splitter splitter;
@@ -119,7 +121,7 @@ TEST(Partition, ShortWiresFillAsManyPartsAsTheyCan) {
                 }
                 splitter.split(g.view(), {parts}, p);
                 expect_split(g, p);
-                // A fifth may be missing: 13 nodes are 7 parts of at most two, not 8.
+                // A fifth may be missing: 13 nodes give 7 parts of at most two, not 8.
                 EXPECT_GE(5 * used(), 4 * std::min(parts, std::max(1, n - 2)));
                 if (n >= 6 * parts) {
                     EXPECT_LE(p.imbalance(), 1.25);
@@ -134,7 +136,7 @@ TEST(Partition, ShortWiresFillAsManyPartsAsTheyCan) {
             }
 }
 
-/// The weights determine the position of cuts in three otherwise equal wires.
+/// The weights determine the position of a cut. Three otherwise equal wires differ only in them.
 TEST(Partition, CutsSlideToTheLowestWeight) {
     Graph g;
     const int a = g.node(6), b = g.node(6);
@@ -151,7 +153,7 @@ TEST(Partition, CutsSlideToTheLowestWeight) {
     const int even = cut_at();
     ASSERT_GT(even, 40);
     ASSERT_LT(even, 60);
-    // Three cheap rows (two bends and a stretch), two positions further.
+    // Three cheap rows (two bends and a stretch), two nodes further.
     const int cheap = even + 2;
     for (int e = 0; e < g.view().edges(); ++e) {
         int low = 1000, high = -1;
@@ -165,7 +167,7 @@ TEST(Partition, CutsSlideToTheLowestWeight) {
     }
     splitter.follow(g.view(), {2}, p);
     EXPECT_EQ(cut_at(), cheap);
-    // More expensive now, but still by far the cheapest position: no change.
+    // More expensive now, but still by far the cheapest cut: it does not move.
     g.node_weight[at(wire[at(cheap)])] = 100;
     const auto kept = p.part;
     splitter.follow(g.view(), {2}, p);
@@ -181,7 +183,7 @@ TEST(Partition, AnyGraphSplits) {
         SCOPED_TRACE(seed);
         Random random(seed);
         Graph g = any_graph(random);
-        // A group is one part, so that edges that must not be cut must not join two groups.
+        // A group is one part, so that edges that must not be cut may not join two groups.
         const bool groups = random.chance(0.3);
         for (std::size_t e = 0; groups && e < g.edge_weight.size(); ++e)
             g.edge_weight[e] = std::min(g.edge_weight[e], 100);
@@ -199,7 +201,7 @@ TEST(Partition, AnyGraphSplits) {
         Partition q;
         other.split(g.view(), options, q);
         EXPECT_EQ(p.part, q.part);
-        // The next steps: weights change, something new may touch.
+        // The next steps: weights change, new contacts may appear.
         for (int step = 0; step < 3; ++step) {
             for (std::int32_t& w : g.edge_weight)
                 if (w != kNeverCut) w = random.integer(0, 100);
@@ -217,7 +219,7 @@ TEST(Partition, AnyGraphSplits) {
     }
 }
 
-/// Two hulls with four wires between them, and four that hang free.
+/// Make two hulls with four wires between them, and four wires that hang free.
 Graph fleet() {
     Graph g;
     const int a = g.node(6), b = g.node(6);
@@ -234,7 +236,7 @@ TEST(Partition, WiresAreCutWhereTheyBalance) {
     partitioner.separate({4}, p);
     expect_separated(g, p);
     EXPECT_LT(p.imbalance(), 1.1);
-    // Both hulls, and two nodes of a wire for each of three cuts at most.
+    // Both hulls, and at most two nodes of a wire for each of three cuts.
     EXPECT_LE(p.separator.size(), 8U);
 
     graph::Splitter splitter;
@@ -261,7 +263,7 @@ TEST(Partition, IslandsThatFitStayWhole) {
 }
 
 TEST(Partition, CostIsThePapersFormula) {
-    // A ring of five and a pendant: n_b = 2 but for one 3 and one 1, one loop of five.
+    // A ring of five and a pendant: n_b = 2 except for one 3 and one 1, one loop of five.
     Graph g;
     for (int i = 0; i < 6; ++i) g.node(3);
     for (int i = 0; i < 5; ++i) g.edge({i, (i + 1) % 5});
@@ -271,7 +273,7 @@ TEST(Partition, CostIsThePapersFormula) {
     ASSERT_EQ(partitioner.cost.islands(), 1);
     EXPECT_EQ(partitioner.cost.paper[0], 4 * 4 + 9 + 1 + 5);
 
-    // Bending of three neighbours closes no loop.
+    // Bending over three neighbours closes no loop.
     Graph w;
     w.wire(-1, 10, -1);
     partitioner.read(w.view());
@@ -280,7 +282,7 @@ TEST(Partition, CostIsThePapersFormula) {
     EXPECT_EQ(partitioner.cost.paper[0], squares);
 }
 
-/// Wires that are numbered from end to end are found without walking; the others by walking.
+/// Wires numbered from end to end are found by their numbers, others by following edges.
 TEST(Partition, WiresAreTheSameForAnyNumbering) {
     constexpr int kWires = 6, kLinks = 20, kNodes = 1 + kWires * kLinks;
     const auto wires_of = [](const std::vector<std::int32_t>& number) {
@@ -293,7 +295,7 @@ TEST(Partition, WiresAreTheSameForAnyNumbering) {
                 };
                 g.edge({link(i - 1), link(i)});
                 if (i > 0) g.edge({link(i - 2), link(i - 1), link(i)});
-                g.edge({number[0], link(i)});  // so that it is a hub
+                g.edge({number[0], link(i)});  // makes it a hub
             }
         graph::Partitioner partitioner;
         partitioner.read(g.view());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_graph.h
-/// Random hypergraphs, and the invariants of every partition.
+/// Random hypergraphs, and checks of the invariants of their partitions.
 
 #include "graph/partition.h"
 #include "support/random.h"
@@ -36,7 +36,7 @@ struct Graph {
         edge_weight.push_back(weight);
         return static_cast<int>(edge_weight.size()) - 1;
     }
-    /// Add lumps in a row with stretch and bend, from one node (or none: −1) to another.
+    /// Add point masses in a row with stretch and bend, from one node (−1: none) to another.
     std::vector<int> wire(int from, int count, int to) {
         std::vector<int> all;
         if (from >= 0) all.push_back(from);
@@ -53,7 +53,7 @@ struct Graph {
     }
 };
 
-/// Return a random graph: hubs, wires, clusters, fixed nodes, islands, repeated edges.
+/// Make a graph of any kind: hubs, wires, clusters, fixed nodes, islands, repeated edges.
 inline Graph any_graph(Random& random) {
     Graph g;
     const int start = random.integer(1, 40);
@@ -69,7 +69,7 @@ inline Graph any_graph(Random& random) {
         for (int k = random.integer(0, 2); k > 0; --k) nodes.push_back(pick());
         g.edge(nodes, random.chance(0.3) ? kNeverCut : random.integer(0, 100));
     }
-    if (random.chance(0.5)) {  // a star
+    if (random.chance(0.5)) {  // a star graph
         const int hub = pick();
         for (int i = random.integer(10, 60); i > 0; --i) g.edge({hub, pick()});
     }
@@ -91,7 +91,8 @@ inline void expect_sums(const Graph& g, const Partition& p, const std::vector<st
     EXPECT_EQ(between, p.separator_cost);
 }
 
-/// Expect every moving node in exactly one part or in the separator; no edge joins two parts.
+/// Check that every moving node is in exactly one part or in the separator, and that no edge joins
+/// two parts.
 inline void expect_separated(const Graph& g, const Partition& p) {
     ASSERT_EQ(p.part.size(), g.size.size());
     std::vector<std::int32_t> between;
@@ -112,8 +113,8 @@ inline void expect_separated(const Graph& g, const Partition& p) {
     }
 }
 
-/// Expect every moving node in one part. Exactly the edges between parts are cut; whole ones are
-/// not.
+/// Check that every moving node is in one part, that the cut edges are exactly those between parts,
+/// and that edges that must not be cut are not.
 inline void expect_split(const Graph& g, const Partition& p) {
     std::vector<std::int32_t> cut;
     for (std::size_t v = 0; v < g.size.size(); ++v)

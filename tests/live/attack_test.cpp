@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Attacks on a server by strangers and faulty clients are rejected and logged once, and steps
+/// Attacks of unknown and faulty clients on a server: they are rejected and logged once, and steps
 /// continue.
 #include "live/client.h"
 #include "live/run.h"
@@ -17,7 +17,7 @@ namespace {
 
 SessionDef live_def() { return {.scene_text = live_scene()}; }
 
-/// Wait until a client has the scene after its hello.
+/// Send hello and receive the scene.
 void greet(LiveClient& client) {
     (void)client.wait_for("scene");
     (void)client.frame();
@@ -71,7 +71,7 @@ TEST(LiveAttack, who_has_no_right_to_it_moves_no_lever) {
     EXPECT_EQ(deck.answer_to(3)["type"], "error");
     deck.say({{"type", "pause"}, {"id", 4}});
     EXPECT_EQ(deck.answer_to(4)["reason"], "the role deck may not pause");
-    EXPECT_EQ(deck.closes(2.0), 1008);  // the third
+    EXPECT_EQ(deck.closes(2.0), 1008);  // the third invalid message
     EXPECT_EQ(run.logged("does not have the input \"lift\"", 2), 2);
     LiveClient watcher(run.port(), run.roles[1].token);
     greet(watcher);
@@ -107,7 +107,8 @@ TEST(LiveAttack, a_flood_ends_with_the_third_error) {
     LiveRun run(live_def());
     LiveClient client(run.port(), run.roles[0].token);
     greet(client);
-    // 1.5 times the number that a connection may send in a second: the excess is too much.
+    // The number of messages that a connection may send per second, and half as many more: the
+    // surplus is rejected.
     for (int k = 0; k < 300; ++k)
         if (!client.say({{"type", "set"}, {"input", "push"}, {"value", k % 100}})) break;
     EXPECT_EQ(client.closes(5.0), 1008);
@@ -167,8 +168,8 @@ TEST(LiveAttack, who_reads_nothing_is_dropped_and_others_are_not) {
         ++frames;
     }
     EXPECT_EQ(run.logged("dropped", 1), 1);
-    // The reader is served during the second until the drop; busy or instrumented machines make
-    // few.
+    // The reader is served in the second before the drop; busy or instrumented machines make few
+    // frames.
     EXPECT_GT(frames, 5);
     EXPECT_EQ(run.server->figures().dropped, 1);
     EXPECT_TRUE(run.goes_on());
@@ -187,7 +188,7 @@ TEST(LiveAttack, places_for_clients_are_counted) {
         EXPECT_EQ(three.closes(2.0), 1013);
     }
     {
-        // One connection is reserved for roles with control, and no more.
+        // Exactly one connection is reserved for roles with control.
         LiveClient instructor(run.port(), run.roles[0].token);
         greet(instructor);
         LiveClient beside(run.port(), run.roles[0].token);
@@ -198,7 +199,7 @@ TEST(LiveAttack, places_for_clients_are_counted) {
     two->say("", 8);
     EXPECT_NE(two->closes(3.0), -1);
     two.reset();
-    // The server detects the end slightly after its goodbye.
+    // The server notices the end shortly after its close message.
     for (int k = 0; k < 100 && run.hub.clients.load() > 1; ++k)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     LiveClient again(run.port(), run.roles[1].token);
@@ -215,11 +216,11 @@ TEST(LiveAttack, sockets_without_a_hello_take_no_place) {
         EXPECT_EQ(client.answer(), "HTTP/1.1 101 Switching Protocols");
         greet(client);
     }
-    // At most 32 are kept at a time: the first ones were dropped for the last.
+    // At most 32 waiting connections are kept: the oldest is dropped for a new one.
     EXPECT_EQ(strangers.front()->closes(0.2), 0);
     EXPECT_GE(run.logged("too many sockets without a hello", 8), 8);
-    // Others are dropped at their timeout without a goodbye of their own: 1 s, half a second for
-    // the message, and a check every quarter of a second.
+    // A connection that is not dropped for others ends by its time limit without a reason: 1 s,
+    // half a second for the message, and a check every quarter of a second.
     EXPECT_TRUE(strangers.back()->line().ends(3.0));
     EXPECT_TRUE(run.goes_on());
 }
@@ -231,7 +232,7 @@ TEST(LiveServer, ends_while_clients_do_not_hang_up) {
         silent = std::make_unique<LiveClient>(run.port(), run.roles[1].token);
         greet(*silent);
         stranger = std::make_unique<LiveClient>(run.port(), "");
-        // It has been accepted once the server has answered.
+        // The connection is accepted once the server has answered.
         EXPECT_EQ(stranger->answer(), "HTTP/1.1 101 Switching Protocols");
     }
     EXPECT_EQ(silent->wait_for("bye")["reason"], "the program ends");

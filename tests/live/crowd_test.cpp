@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Truncated, oversized and invalid messages, crowds of connections, and endless restores. Each
-/// gets an answer, and the instructor can connect.
+/// Truncated, oversized or invalid messages, many connections, and endless restores. Each gets a
+/// response, and the instructor can always connect.
 #include "live/client.h"
 #include "live/run.h"
 #include "support/random.h"
@@ -22,7 +22,7 @@ namespace {
 
 SessionDef crowd_def() { return {.scene_text = live_scene()}; }
 
-/// Wait until a client has the scene after its hello.
+/// Send hello and receive the scene.
 void meet(LiveClient& client) {
     (void)client.wait_for("scene");
     (void)client.frame();
@@ -74,7 +74,7 @@ TEST(LiveCrowd, every_message_has_an_answer) {
     EXPECT_TRUE(run.goes_on());
 }
 
-/// A header that announces a gigabyte, without data.
+/// A header that announces a gigabyte, and nothing more.
 TEST(LiveCrowd, an_announced_length_is_answered_at_once) {
     LiveRun run(crowd_def());
     for (const bool hello : {true, false}) {
@@ -87,7 +87,7 @@ TEST(LiveCrowd, an_announced_length_is_answered_at_once) {
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
         EXPECT_LT(took.count(), 1.0);  // handshake_seconds is 5
     }
-    // In parts, the last of which is too much.
+    // Sent in fragments; the last one exceeds the limit.
     LiveClient parts(run.port(), run.roles[0].token);
     meet(parts);
     for (int k = 0; k < 3; ++k) {
@@ -110,8 +110,8 @@ TEST(LiveCrowd, a_crowd_of_connections_keeps_nobody_out) {
     meet(instructor);
     EXPECT_EQ(request(run.port(), "/", run.host()), "HTTP/1.1 200 OK");
     EXPECT_TRUE(half_open.front()->ends(2.0));  // the oldest was dropped
-    // As many connections a second as one thread can make, while the instructor connects
-    // repeatedly.
+    // One thread makes as many connections per second as it can, while the instructor connects and
+    // disconnects.
     std::atomic<bool> stop{false};
     std::atomic<int> made{0};
     std::thread crowd([&] {
@@ -151,7 +151,7 @@ TEST(LiveCrowd, values_that_no_input_has_are_refused) {
             const auto reason = answer["reason"].get<std::string>();
             EXPECT_NE(reason.find(input["name"].get<std::string>()), std::string::npos) << reason;
             const bool range = reason.find("is outside its range") != std::string::npos;
-            // For a motor whose other limit was set before.
+            // The limit of a motor whose other limit was set before.
             const bool empty = reason.find("would be above") != std::string::npos;
             EXPECT_TRUE(range || empty) << reason;
         }
@@ -159,7 +159,7 @@ TEST(LiveCrowd, values_that_no_input_has_are_refused) {
     EXPECT_TRUE(run.goes_on());
 }
 
-/// Restores take a bounded fraction of the time; one of this scene takes tens of milliseconds.
+/// Restores use a bounded fraction of the time; one of this scene takes tens of milliseconds.
 TEST(LiveCrowd, restores_of_a_large_scene_do_not_stop_the_run) {
     LiveRun run({.scene = "scenes/anchor_run.json"});
     LiveClient client(run.port(), run.roles[0].token);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// An exercise over the socket with an instructor, a station and a watcher: permissions and
-/// messages of each. Page, headless run and replay have the same score.
+/// An exercise driven over the socket by an instructor, a station and an observer: permissions of
+/// each role, and messages to each. Page, headless run and replay give the same score.
 #include "exercise/small_exercise.h"
 #include "live/client.h"
 #include "live/driver.h"
@@ -17,8 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-/// `hawser view EXERCISE` without its command line. Paused: the test takes the steps, so that a run
-/// without a page can have the same steps.
+/// `hawser view EXERCISE` without its command line. Paused: the test requests steps, so that a run
+/// without a page can get equal commands at equal steps.
 class ShownExercise {
   public:
     ShownExercise(const Yard& yard, const std::string& text, const std::string& record)
@@ -92,7 +92,7 @@ class Hearer {
         tell({{"type", "step"}, {"count", count}});
         hear([&] { return frame.step == to; });
     }
-    /// Events of a kind.
+    /// Count events of a kind.
     [[nodiscard]] int heard(const std::string& kind) const {
         int count = 0;
         for (const json& event : events) count += event["kind"] == kind ? 1 : 0;
@@ -116,7 +116,7 @@ class Hearer {
     int id_ = 0;
 };
 
-/// Half a minute instead of six seconds.
+/// Make an exercise of half a minute instead of six seconds.
 std::string long_exercise() {
     std::string text = kSmallExercise;
     const auto replace = [&](const std::string& from, const std::string& to) {
@@ -161,14 +161,14 @@ TEST(LiveExercise, each_role_does_and_hears_what_is_its_own) {
     };
     instructor.hear([&] { return active("frozen"); });
     instructor.steps(40, 60);
-    // The display stands still, the load does not.
+    // The display is frozen, the load moves on.
     winch.hear([&] { return winch.frame.step == 60; });
     EXPECT_EQ(winch.output("load_z"), before);
     instructor.tell({{"type", "fault"}, {"name", "frozen"}, {"active", false}});
     instructor.hear([&] { return !active("frozen"); });
     instructor.steps(1, 61);
     EXPECT_GT(instructor.output("load_z"), before + 0.1F);
-    // The tow breaks by itself at 1.5 s: a penalty that all see, a fault that the instructor sees.
+    // The tow breaks by itself at 1.5 s: all roles get the penalty, the instructor also the fault.
     instructor.steps(30, 91);
     instructor.hear([&] { return instructor.last["exercise"]["penalties"][0]["points"] == -3.0; });
     EXPECT_EQ(instructor.refused({{"type", "fault"}, {"name", "part"}, {"active", false}}),
@@ -204,7 +204,7 @@ TEST(LiveExercise, a_scene_has_no_faults) {
     EXPECT_EQ(reason, "this is a scene without an exercise: it has no faults and no end");
 }
 
-/// An operation and its step, for runs with and without a page.
+/// An action and its step, with and without a page.
 struct Deed {
     std::int64_t step;
     json message;
@@ -229,7 +229,7 @@ std::vector<Deed> half_a_minute(int load) {
             {400, {{"type", "fault"}, {"name", "stuck"}, {"active", false}}, "instructor"}};
 }
 
-/// The same without a server: the reaction of the driver to each message, written explicitly.
+/// The exercise without a server: the actions of the driver for each message, written out.
 class Headless {
   public:
     explicit Headless(Running& own) : own_(own) { keep("start"); }
@@ -286,7 +286,7 @@ class Headless {
     std::map<std::string, Point> points_;
 };
 
-/// Levers of two stations, a drag, a broken line, faults and a restore.
+/// Controls of two stations, a drag, a broken line, faults and a restore.
 TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
     constexpr std::int64_t kEnd = 1500;  // steps of 0.02 s: half a minute
     const Yard yard;
@@ -354,7 +354,7 @@ TEST(LiveExercise, page_headless_run_and_replay_have_the_same_score) {
     EXPECT_EQ(recording.takes.size(), 1U);
     for (const int threads : {1, 2}) {
         const exercise::Rescored again = exercise::rescore(recording, threads);
-        EXPECT_TRUE(again.same) << again.difference;  // the hash of every frame, and of the end
+        EXPECT_TRUE(again.same) << again.difference;  // hash of every frame, and of the end
         EXPECT_EQ(exercise::to_json(again.result), page);
     }
     const json score = json::parse(page);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Frames, decoded as in docs/live.md, compared with their world.
+/// Frames, decoded by docs/live.md, compared with their world.
 #include "live/frame_writer.h"
 #include "live/recorded_scene.h"
 #include "live/scene_text.h"
@@ -33,7 +33,7 @@ struct Shown {
     nlohmann::json json;
     ReadFrame frame;
     Vec3 origin{120.0, -30.0, 4.0};
-    double seconds = 1e9;  ///< Shortest time to make it.
+    double seconds = 1e9;  ///< Shortest time to make a frame.
 
     explicit Shown(const std::string& file, int steps) : scene(scene::load_file(file)) {
         scene.world.prepare();
@@ -58,7 +58,7 @@ struct Shown {
 void expect_bodies(Shown& shown) {
     for (const auto& body : shown.json["bodies"]) {
         const BodyId id = shown.world().find_body(body["name"].get<std::string>());
-        if (!id.valid()) continue;  // without a name
+        if (!id.valid()) continue;  // has no name
         const Pose pose = shown.world().pose(id);
         const int slot = body["slot"];
         const std::string kind = body["kind"];
@@ -81,7 +81,7 @@ void expect_bodies(Shown& shown) {
     }
 }
 
-/// Expect the points and tensions of wires with all elements and without wheels.
+/// Check points and tensions of wires with all elements present and none over a sheave.
 void expect_plain_wires(Shown& shown) {
     std::size_t point = 0, piece = 0;
     const World& world = shown.world();
@@ -124,7 +124,7 @@ TEST(LiveFrame, says_what_the_world_of_anchor_contact_is) {
         for (int k = 0; k < 3; ++k) contacts.push_back(relative(c.point[k], shown.origin[k]));
         for (int k = 0; k < 3; ++k) contacts.push_back(static_cast<float>(c.force[k]));
     }
-    EXPECT_GT(contacts.size(), 6U * 900U);  // 1,080 points lie on seabed, rollers and deck
+    EXPECT_GT(contacts.size(), 6U * 900U);  // 1,080 points on seabed, rollers and deck
     EXPECT_EQ(shown.frame.contacts, contacts);
     std::size_t j = 0;
     for (const auto& joint : shown.json["joints"]) {
@@ -178,8 +178,8 @@ TEST(LiveFrame, shows_chains_of_links_ropes_over_sheaves_and_scalar_bodies) {
         EXPECT_EQ(crane.frame.outputs[k], static_cast<float>(crane.world().outputs()[k]));
 }
 
-/// On a post the wire is continuous: a piece on the circle joins the points at which it leaves the
-/// circle.
+/// On a bollard the wire is drawn through: a piece along the circle joins the points where it
+/// leaves.
 TEST(LiveFrame, joins_the_two_sides_of_a_wire_on_a_wheel) {
     scene::Scene scene;
     World& world = scene.world;
@@ -193,7 +193,7 @@ TEST(LiveFrame, joins_the_two_sides_of_a_wire_on_a_wheel) {
     def.mass_per_length = 10.0;
     def.consistent_mass = true;
     const WireId wire = world.add_wire(def);
-    const Vec3 centre(1.0, 0.0, -3.1);  // under the wire, which it lifts by 0.2 m
+    const Vec3 centre(1.0, 0.0, -3.1);  // under the wire, which it raises by 0.2 m
     world.add(GuideDef{.name = "post",
                        .wire = wire,
                        .body = quay,
@@ -239,7 +239,7 @@ TEST(LiveFrame, keeps_its_scene_while_nodes_come_and_go_and_takes_another_for_a_
     EXPECT_EQ(cut.wires.size(), after.wires.size() + 1);
 }
 
-/// The page shows a recording with the objects added to its wires during the run.
+/// The page shows a recording with the links and legs that were added while it was made.
 TEST(LiveFrame, shows_links_and_legs_of_a_recording_while_they_are_there) {
     JoinedDeck deck;
     const record::Recording recording = deck.record(fresh_folder() / "r.hwr");
@@ -265,7 +265,7 @@ TEST(LiveFrame, shows_links_and_legs_of_a_recording_while_they_are_there) {
     }
 }
 
-/// The tension of a broken element is −1, and all else is unchanged.
+/// A broken element is sent as −1, and the rest of the wire is unchanged.
 TEST(LiveFrame, tells_what_has_parted) {
     scene::Scene scene = scene::load_file("scenes/anchor_lines.json");
     World& world = scene.world;

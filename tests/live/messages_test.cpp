@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Clients send whatever they like, in any order: the program goes on, answers within a second, and
-/// a replay of what was recorded agrees bit for bit.
+/// Clients send random messages in random order: the program continues, responds within a second,
+/// and a replay of the recording agrees bit for bit.
 ///
-/// Values are from 1e-320 to 1e308. Messages set inputs, drag, part, save and restore, and step.
-/// One input has no range, so that steps fail until it is set to another value.
+/// Values are from 1e-320 to 1e308. Messages set inputs, drag, cut, save and restore, and step. One
+/// input has no range, so that steps fail until it is set to another value.
 #include "live/client.h"
 #include "live/run.h"
 
@@ -43,7 +43,7 @@ double any_value(Random& random) {
     return random.uniform(-2.0, 2.0);
 }
 
-/// A tow and a winch with an input that has no range; a crane.
+/// Return a scene: a tow and a winch with an input without a range, or a crane.
 std::string scene_of(int session) { return session % 2 == 1 ? "scenes/crane_knuckle.json" : ""; }
 
 std::string rangeless_scene() {
@@ -64,7 +64,7 @@ class Sender {
     }
 
     std::string next(bool failed) {
-        // What made a step fail is often set right again.
+        // The cause of a failed step is often corrected.
         if (failed && random_.chance(0.4))
             return R"({"type":"set","input":"shove","value":0,"id":1})";
         switch (random_.integer(0, 11)) {
@@ -120,7 +120,7 @@ class Sender {
     std::vector<std::string> names_;
 };
 
-/// What a client would be sent is dropped. @return whether a step has failed in it.
+/// Drop the messages to a client. @return true if one of them reports a failed step.
 bool drop_messages(live::Hub& hub) {
     live::Message message;
     bool failed = false;
@@ -131,7 +131,7 @@ bool drop_messages(live::Hub& hub) {
 
 struct Figures {
     std::int64_t steps = 0, failures = 0, taken = 0;
-    double longest = 0.0;  ///< Loop of the driver [s].
+    double longest = 0.0;  ///< Longest cycle of the driver [s].
 };
 
 Figures send_all(int session, int messages, std::uint32_t seed, const std::filesystem::path& file) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Messages of clients: accepted ones, rejected ones with reasons, and no side effects.
+/// Messages of clients: accepted ones, rejected ones with the reason, and no other effects.
 #include "live/command.h"
 
 #include "live/roles.h"
@@ -115,7 +115,8 @@ TEST(LiveParser, names_what_is_wrong) {
               "inputs is to be a list of 1 to 64 pairs of a name and a value");
 }
 
-/// Expect an answer for any text, and only numbers within their ranges if it is accepted.
+/// Check that a text is accepted or rejected, and that an accepted one only has numbers within
+/// their ranges.
 void expect_sane(const std::string& text) {
     Request out;
     std::string reason;
@@ -182,7 +183,7 @@ TEST(LiveRoles, may_do_what_is_theirs) {
     EXPECT_EQ(live::forbidden(watcher, push, false),
               "the role watcher does not have the input \"push\"");
     EXPECT_EQ(live::forbidden(watcher, pause, false), "the role watcher may not pause");
-    EXPECT_EQ(live::forbidden(watcher, pause, true), "");  // of a recording
+    EXPECT_EQ(live::forbidden(watcher, pause, true), "");  // allowed for a recording
     EXPECT_EQ(live::forbidden(instructor, push, true), "a recording has no levers");
     EXPECT_EQ(live::forbidden(watcher, pick, false), "");
     const std::vector<live::Role> roles{instructor, watcher, deck};

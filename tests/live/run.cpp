@@ -74,7 +74,7 @@ int LiveRun::logged(const std::string& part, int expected) {
             log_.begin(), log_.end(),
             [&](const std::string& line) { return line.find(part) != std::string::npos; }));
     };
-    // A connection may end slightly before the line with the reason is written.
+    // A connection may end shortly before the line with the reason is written.
     for (int k = 0; k < 200 && count() < expected; ++k)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return count();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file run.h
-/// A session that is shown and driven while a test runs: `hawser view` without its command line.
+/// A session that is shown and controlled while a test runs: `hawser view` without its command
+/// line.
 
 #include "live/driver.h"
 #include "live/server.h"
@@ -17,8 +18,8 @@
 
 namespace hawser::test {
 
-/// Return a scene with a tow and a hoisting winch, with levers, a timeline and a wire that may
-/// break.
+/// Return a scene: a tow, beside which a winch hoists, with controls, a timeline and a wire that
+/// may break.
 [[nodiscard]] const std::string& live_scene();
 
 class LiveRun {
@@ -34,16 +35,18 @@ class LiveRun {
 
     [[nodiscard]] std::uint16_t port() const { return server->port(); }
     [[nodiscard]] std::string host() const { return "127.0.0.1:" + std::to_string(port()); }
-    /// Return the number of logged lines that contain a text; waits for the expected number.
+    /// Return the number of logged lines that contain a text; waits until the expected number is
+    /// reached.
     [[nodiscard]] int logged(const std::string& part, int expected = 0);
     [[nodiscard]] std::int64_t steps() const { return steps_.load(); }
-    /// @return true if steps continue.
+    /// True if the session makes steps.
     [[nodiscard]] bool goes_on(double seconds = 2.0);
     void stop();
 
     Session session;
     live::Hub hub;
-    std::vector<live::Role> roles;  ///< Instructor, watcher, a station that has the lever "push".
+    std::vector<live::Role> roles;  ///< Instructor, observer, and a station with the control
+                                    ///< "push".
     std::unique_ptr<live::Driver> driver;
     std::unique_ptr<live::Server> server;
 

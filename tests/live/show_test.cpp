@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Half a minute driven over the socket, recorded and repeated; recordings shown and sought
-/// through.
+/// Half a minute controlled over the socket, recorded and replayed; recordings shown, with jumps in
+/// time.
 #include "live/client.h"
 #include "live/player.h"
 #include "live/run.h"
@@ -47,7 +47,7 @@ int number_of(const nlohmann::json& list, const std::string& name) {
     return -1;
 }
 
-/// Levers, a drag, a broken line, a wire cut by the timeline, and a restore to before all that.
+/// Controls, a drag, a broken line, a wire that the timeline cuts, and a return to the time before.
 TEST(LiveShow, half_a_minute_over_the_socket_is_repeated_exactly) {
     const LiveFolder folder;
     const std::string file = folder.file("show.hwr");
@@ -71,7 +71,7 @@ TEST(LiveShow, half_a_minute_over_the_socket_is_repeated_exactly) {
         tell(client, 6, {{"type", "part"}, {"wire", "tow"}, {"s", 0.8}});
         tell(client, 7, {{"type", "drag"}, {"wire", 0}, {"s", 0.3}, {"target", {20, 5, 9}}});
         wait_until(client, 8.0);
-        EXPECT_EQ(client.scene()["wires"].size(), 3U);  // it was cut at 6 s
+        EXPECT_EQ(client.scene()["wires"].size(), 3U);  // cut at 6 s
         EXPECT_GT(client.scene()["epoch"], 1);
         tell(client, 8, {{"type", "restore"}, {"name", "before"}});
         const auto back = read_frame(client.frame());
@@ -80,7 +80,7 @@ TEST(LiveShow, half_a_minute_over_the_socket_is_repeated_exactly) {
         EXPECT_EQ(client.scene()["wires"].size(), 2U);
         tell(client, 9, {{"type", "set"}, {"input", "lift"}, {"value", 200}});
         wait_until(client, 7.0);
-        EXPECT_EQ(client.scene()["wires"].size(), 3U);  // and again
+        EXPECT_EQ(client.scene()["wires"].size(), 3U);  // cut again
         tell(client, 10, {{"type", "restore"}, {"name", "start"}});
         wait_until(client, 20.0);
         tell(client, 11, {{"type", "pause"}});
@@ -92,7 +92,7 @@ TEST(LiveShow, half_a_minute_over_the_socket_is_repeated_exactly) {
     const record::Recording recording = record::Recording::open(file);
     EXPECT_EQ(recording.damage, "");
     EXPECT_EQ(recording.takes.size(), 2U);
-    EXPECT_FALSE(recording.loads.empty());  // of the winch
+    EXPECT_FALSE(recording.loads.empty());  // loads of the winch
     EXPECT_GT(steps, 30 * 60 - 200);
     for (const int threads : {1, 2}) EXPECT_EQ(expect_repeats(recording, threads).steps, steps);
     std::printf("%lld steps in %zu takes repeated with 1 and 2 threads\n",
@@ -108,7 +108,7 @@ TEST(LiveShow, pauses_steps_and_answers_what_is_pointed_at) {
     tell(client, 1, {{"type", "step"}, {"count", 7}});
     int at_seven = 0;
     for (int k = 0; k < 40 && at_seven < 3; ++k) at_seven += read_frame(client.frame()).step == 7;
-    EXPECT_EQ(at_seven, 3);  // and stays there
+    EXPECT_EQ(at_seven, 3);  // and stays cut
     EXPECT_EQ(read_frame(other.frame()).flags & 1, 1);
     client.say({{"type", "pick"}, {"wire", 0}, {"s", 0.5}, {"id", 2}});
     const auto wire = client.answer_to(2);
@@ -129,9 +129,9 @@ TEST(LiveShow, pauses_steps_and_answers_what_is_pointed_at) {
     EXPECT_EQ(client.answer_to(6)["reason"], "there is no wire \"tov\"; nearest: \"tow\"");
 }
 
-/// An impossible operation of the timeline: the run pauses and reports it.
+/// An operation of the timeline is impossible: the run pauses and reports it.
 TEST(LiveShow, a_step_that_fails_pauses_and_tells_where_and_what_to_do) {
-    // The ends that it joins have moved apart by then.
+    // The ends to join have moved apart before.
     Session failing({.scene_text = R"({"version": 1, "name": "f",
         "line_types": {"wire": {"mass_per_length": 5, "EA": 5e6, "drag": 40, "diameter": 0.04}},
         "cables": [{"name": "tow", "line_type": "wire", "from": {"at": [0, 0, 9]},

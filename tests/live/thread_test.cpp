@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Data shared by two threads: none is lost, torn or out of order.
+/// Data shared by two threads: none is lost, mixed or out of order.
 #include "live/frame_swap.h"
 #include "live/ring.h"
 #include "live/web_rules.h"

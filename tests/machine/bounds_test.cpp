@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Limits of contacts and memory: applied before they are exceeded, and reported.
+/// Bounds on contacts and memory: reached before they are exceeded, and reported.
 #include "support/recipe.h"
 #include "support/yard.h"
 
@@ -10,7 +10,7 @@
 namespace hawser::test {
 namespace {
 
-/// Balls that all lie in each other: n (n − 1)/2 contacts.
+/// Make balls at one point: n (n − 1)/2 contacts.
 World balls(int count, const WorldDef& def) {
     Yard yard(def);
     for (int i = 0; i < count; ++i) yard.ball({0.01 * i, 0.003 * (i % 7), 0.0}, 1.0, 1.0);
@@ -20,7 +20,7 @@ World balls(int count, const WorldDef& def) {
 TEST(Bounds, OnContactsEndsTheStepAndSaysSo) {
     WorldDef def;
     def.max_contacts = 100;
-    World few = balls(14, def), many = balls(16, def);  // 91 and 120
+    World few = balls(14, def), many = balls(16, def);  // 91 and 120 contacts
     EXPECT_EQ(few.step(), Status::ok);
     many.prepare();
     const std::uint64_t before = many.state_hash();
@@ -31,7 +31,7 @@ TEST(Bounds, OnContactsEndsTheStepAndSaysSo) {
     EXPECT_EQ(met.value, 120.0);
     EXPECT_EQ(met.limit, 100.0);
     EXPECT_NE(to_string(met).find("max_contacts = 100"), std::string::npos) << to_string(met);
-    // At larger distances they are fewer.
+    // Moved apart, they have fewer contacts.
     for (int b = 0; b < 8; ++b) many.set_pose(BodyId{b}, {{10.0 * b, 0, 50}, Quat::Identity()});
     EXPECT_EQ(many.step(), Status::ok);
     EXPECT_EQ(many.stats().bound_met.bound, Bound::none);
@@ -48,7 +48,7 @@ TEST(Bounds, OnPairsEndsTheStepWhileTheyAreCounted) {
 }
 
 TEST(Bounds, OnMemoryIsCheckedBeforeItIsAskedFor) {
-    // Far less memory than the factorisation of this chain needs: about 5 kB per link.
+    // Far fewer bytes than the factorisation of this chain needs: about 5 kB per link.
     Recipe recipe = link_chain(2000);
     recipe.world.max_memory = 2e6;
     World w = recipe.make();
@@ -65,7 +65,7 @@ TEST(Bounds, OnMemoryIsCheckedBeforeItIsAskedFor) {
     EXPECT_EQ(w.step(), Status::over_bound);
     EXPECT_EQ(w.stats().bound_met.bound, Bound::memory);
     EXPECT_EQ(w.state_hash(), before);
-    // The reported value is about its memory; tables of addresses are additional.
+    // The reported number is near the need; tables of addresses are added to it.
     const double wanted = w.stats().bound_met.value;
     recipe.world.max_memory = 1.01 * wanted;
     World enough = recipe.make();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Steps that are cancelled, by another thread or a signal handler, wherever they are.
+/// Steps cancelled by another thread or a signal handler, at any point.
 #include "support/recipe.h"
 #include "support/sanitizer.h"
 #include "support/yard.h"
@@ -32,7 +32,7 @@ TEST(Cancel, EndsTheNextStepWhereNoneIsUnderWay) {
     }
 }
 
-/// Boxes that fall onto each other: analyses, impacts and Newton iterations.
+/// Make boxes that fall onto each other: analyses, impacts and Newton iterations.
 World heap(int threads) {
     WorldDef def;
     def.threads = threads;
@@ -50,8 +50,8 @@ World heap(int threads) {
     return std::move(yard.world);
 }
 
-/// Attempt a step repeatedly, with longer time each, until one succeeds. @param arm  Cancels it
-/// after a number of seconds. @return number of cancelled ones.
+/// Try a step, with more time in each attempt, until it completes. @param arm  Requests the
+/// cancellation after a number of seconds. @return number of cancelled attempts.
 template <class Arm>
 int attempt_until_done(World& w, Arm&& arm) {
     const std::uint64_t before = w.state_hash();
@@ -105,7 +105,7 @@ TEST(Cancel, AnywhereInAStepLeavesTheStateAndTheBits) {
         World w = heap(threads), twin = heap(1);
         CancelLater later(w);
         int cancelled = 0;
-        // The number per step depends on the scheduler: continue until enough have been tried.
+        // The scheduler determines how many attempts a step takes: continue until enough were made.
         constexpr int kEnough = 20, kMostSteps = 400;
         const int least = kSanitized ? 10 : 40;
         for (int i = 0; (i < least || cancelled <= kEnough) && i < kMostSteps && !HasFailure();
@@ -142,7 +142,7 @@ TEST(Cancel, MayBeCalledByASignalHandler) {
     EXPECT_GT(cancelled, 10) << "or nothing has been tried";
 }
 
-/// A dense matrix of 2,400 scalars takes seconds; the rest of a step after cancel() does not.
+/// A dense matrix of 2,400 scalars takes seconds; the rest of a step after cancel() takes less.
 TEST(Cancel, DoesNotWaitForTheEndOfALongStep) {
     Yard yard(WorldDef{.gravity = Vec3::Zero()});
     for (int i = 0; i < 400; ++i) yard.ball({0.001 * i, 0.0007 * (i % 17), 0.0}, 1.0, 0.5);

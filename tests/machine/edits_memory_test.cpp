@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Memory runs out during edits between steps: the world is unchanged, and the repeated call gives
+/// Allocation fails during edits between steps: the world is unchanged, and the repeated call gives
 /// the same bits.
 #include "machine/retry.h"
 #include "support/yard.h"

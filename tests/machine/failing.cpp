@@ -23,7 +23,7 @@ void* plain(std::size_t bytes, std::size_t alignment) noexcept {
     return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
 }
 
-/// Separate, so that no compiler optimises it away.
+/// A separate function, which compilers cannot inline.
 [[gnu::noinline]] void give_back(void* p) noexcept { std::free(p); }
 
 void* get_or_throw(std::size_t bytes, std::size_t alignment) {
@@ -44,8 +44,8 @@ void* operator new(std::size_t n, std::align_val_t a) {
 void* operator new[](std::size_t n, std::align_val_t a) {
     return get_or_throw(n, static_cast<std::size_t>(a));
 }
-// Callers of this form work with less memory if it fails (std::stable_sort). It always succeeds, or
-// later requests of the call would not be tested.
+// Callers of this form continue with less memory after a failure (std::stable_sort). They always
+// succeed here; otherwise later requests of a call would not be tested.
 void* operator new(std::size_t n, const std::nothrow_t&) noexcept { return plain(n, 1); }
 void* operator new[](std::size_t n, const std::nothrow_t&) noexcept { return plain(n, 1); }
 void* operator new(std::size_t n, std::align_val_t a, const std::nothrow_t&) noexcept {

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file failing.h
-/// Failures of the machine on request: operator new and pthread_create of this executable.
+/// A machine that fails on request: operator new and pthread_create of this executable.
 
 #include <atomic>
 
 namespace hawser::test::failing {
 
-/// While it lives, the n-th request for memory fails, from 0 on; −1: none. All are counted.
+/// During its lifetime, request n for memory fails, counted from 0; −1: none fails. All requests
+/// are counted.
 class Memory {
   public:
     explicit Memory(long at) noexcept;
     ~Memory();
     Memory(const Memory&) = delete;
     Memory& operator=(const Memory&) = delete;
-    /// Requests so far.
+    /// Return the number of requests since the start.
     [[nodiscard]] static long seen() noexcept;
 };
 
-/// Limits the number of threads that can be started during its lifetime.
+/// During its lifetime, a number of threads can be started; starting more fails.
 class Threads {
   public:
     explicit Threads(int most) noexcept;

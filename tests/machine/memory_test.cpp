@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Memory runs out anywhere: every request of every call fails once. The state is unchanged, and
+/// Allocation fails anywhere: every request of every call fails once. The state is unchanged, and
 /// the repeated call gives the bits of a world without failures.
 #include "machine/retry.h"
 #include "support/recipe.h"
@@ -12,7 +12,7 @@
 namespace hawser::test {
 namespace {
 
-/// Set-up call by call, then steps.
+/// Set up a world call by call, then step.
 void build(Retry& retry, std::optional<World>& out, const WorldDef& def, const Recipe& recipe) {
     for (long n = 0;; ++n) {
         const failing::Memory memory(n);
@@ -20,7 +20,7 @@ void build(Retry& retry, std::optional<World>& out, const WorldDef& def, const R
             out.emplace(def);
             break;
         } catch (const std::bad_alloc&) {
-            continue;  // with one request more
+            continue;  // repeats with one request more
         }
     }
     World& w = *out;
@@ -44,7 +44,7 @@ TEST(MemoryEnds, InWorldsOfJointsAndWires) {
                 std::optional<World> w;
                 build(retry, w, def, recipe);
                 steps(retry, *w, 4);
-                // More of everything between steps: the analysis is repaired.
+                // Add more of each kind between steps: the analysis is repaired.
                 BodyDef more = recipe.bodies[1];
                 more.name = "a body with a name that is longer than a short string";
                 retry.call(*w, "add_body", throwing([&](World& to) { to.add_body(more); }));
@@ -70,7 +70,7 @@ TEST(MemoryEnds, InWorldsOfJointsAndWires) {
             });
 }
 
-/// Boxes and balls that fall, bounce and roll, each kind of shape among them.
+/// Add boxes and balls that fall, bounce and roll, with every kind of shape.
 void fill(Retry& retry, World& w) {
     const auto add = [&](const BodyDef& body, ShapeDef shape, MaterialId material) {
         retry.call(w, "add_body", throwing([&](World& to) { to.add_body(body); }));
@@ -170,8 +170,8 @@ TEST(MemoryEnds, WhereGroupsAreCutAndFollowTheState) {
                 retry.call(w, "set_groups", throwing([](World& to) { to.set_groups(2); }));
                 steps(retry, w, 2, false);
             },
-            // Predictors differ in the arrays that make_cuts() makes in addition to ghost bodies
-            // and copies.
+            // Predictors differ in the data of make_cuts() other than ghost bodies and duplicated
+            // rows.
             predictor == Predictor::hold ? 2 : 9);
 }
 
@@ -180,8 +180,8 @@ TEST(MemoryEnds, WhereDeadlinesChooseLevelsOfCuts) {
         using regrouping::Cables;
         Cables t(0);
         t.recipe.world.coupling = Coupling::deadline;
-        t.recipe.world.on_diverged = OnDiverged::warn;  // cuts at will make energy
-        t.recipe.world.budget = 1e6;  // never met: levels are analysed, none is chosen
+        t.recipe.world.on_diverged = OnDiverged::warn;  // arbitrary cuts create energy
+        t.recipe.world.budget = 1e6;  // never reached: levels are analysed, none is chosen
         for (std::size_t b = 20; b < 60; ++b) t.recipe.bodies[b].group = "other";
         World w = t.recipe.make();
         steps(retry, w, 3, false);

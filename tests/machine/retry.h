@@ -25,10 +25,10 @@
 
 namespace hawser::test {
 
-/// One call; false: it failed for lack of memory.
+/// A call; returns false if allocation failed.
 using Call = std::function<bool(World&)>;
 
-/// Wrap a call that may throw std::bad_alloc.
+/// Call a function that may throw std::bad_alloc. @return false if it did.
 template <class F>
 Call throwing(F f) {
     return [f](World& w) {
@@ -48,23 +48,23 @@ inline bool step_once(World& w) {
     return true;
 }
 
-/// Results of the calls of a run without failures.
+/// Results of a run without failures.
 struct Rights {
-    std::vector<std::uint64_t> hash;  ///< After each call.
-    std::vector<long> requests;       ///< Requests of memory in each call.
+    std::vector<std::uint64_t> hash;  ///< State hash after each call.
+    std::vector<long> requests;       ///< Number of memory requests of each call.
 };
 
 class Retry {
   public:
-    /// Exception that ends a run without further checks.
+    /// Exception that ends a run once its result is known.
     struct Enough {};
 
-    /// No failures.
+    /// Run without failures.
     Retry() = default;
-    /// Requests fail in call `number`, the n-th one, or one after another in all calls (−1).
+    /// Let request n of call `number` fail, or one request after another in all calls (−1).
     Retry(const Rights& rights, long number, long n) : rights_(&rights), number_(number), n_(n) {}
 
-    /// Make a call until it succeeds. @param saves  The saved state must stay, too.
+    /// Make a call until it succeeds. @param saves  Also compare the saved state.
     void call(World& w, const char* name, const Call& f, bool saves = false) {
         if (testing::Test::HasFailure()) throw Enough{};
         const auto k = static_cast<long>(done_.hash.size());
@@ -96,11 +96,11 @@ class Retry {
             const failing::Memory memory(n_);
             done = f(w);
         }
-        // Postponed, if it was for work after a step.
+        // Succeeded: the failed request was for work after a step, which is deferred.
         if (done) return;
         ++failures_;
         ASSERT_EQ(w.state_hash(), before) << name << ", request " << n_ << " of memory";
-        // Every other time, do not read the world before the call is repeated.
+        // Every second time nothing reads the world before the call is repeated.
         if (saves && n_ % 2 == 0) {
             ASSERT_EQ(w.save(), saved) << name << ", request " << n_ << " of memory";
         }
@@ -111,7 +111,7 @@ class Retry {
         std::vector<std::byte> saved;
         if (fails && saves) saved = w.save();
         const std::uint64_t before = w.state_hash();
-        // A sanitizer covers the same code with a few of them.
+        // A sanitizer executes the same code in a few of them.
         const long stride = kSanitized ? 7 : 1;
         for (long n = fails ? 0 : -1;; n += stride) {
             bool done = false;
@@ -135,8 +135,8 @@ class Retry {
     long failures_ = 0;
 };
 
-/// Expect the same bits after each call, for any failures. @param every  Number of requests from
-/// one separate world to the next; 1: all.
+/// Expect the same bits after each call for every failure. @param every  Number of requests from
+/// one world of its own to the next; 1: all.
 inline void expect_same_bits(const char* name, const std::function<void(Retry&)>& calls,
                              long every = 1) {
     SCOPED_TRACE(name);
@@ -144,7 +144,7 @@ inline void expect_same_bits(const char* name, const std::function<void(Retry&)>
     try {
         calls(right);
     } catch (const Retry::Enough&) {
-        return;  // it has failed
+        return;  // the reference run has failed
     }
     long failures = 0, requests = 0, ended = 0;
     const auto run = [&](long number, long n) {
@@ -152,16 +152,16 @@ inline void expect_same_bits(const char* name, const std::function<void(Retry&)>
         try {
             calls(failing);
         } catch (const Retry::Enough&) {
-            ++ended;  // as it has failed; failing counts it, too
+            ++ended;  // after a failure; failing.failures() includes it
         }
         failures += failing.failures();
     };
     run(-1, 0);
     const std::vector<long>& seen = right.rights().requests;
-    constexpr long kFew = 11;  // no multiple of the requests of one call
+    constexpr long kFew = 11;  // not a divisor of the requests of one call
     if (tier() != Tier::long_runs) every *= kFew;
     if (tier() == Tier::quick) every *= 5;
-    // A sanitizer covers the same code with a few of them.
+    // A sanitizer executes the same code in a few of them.
     if (kSanitized) every *= 7;
     long number = 0;
     for (std::size_t k = 0; k < seen.size(); ++k)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Memory runs out in steps whose systems add and remove nodes of wires: the step fails as a whole,
-/// and the next one gives the same bits.
+/// Allocation fails in steps whose systems insert and remove nodes of wires. The step fails as a
+/// whole, and the next one gives the same bits.
 #include "machine/retry.h"
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 namespace hawser::test {
 namespace {
 
-/// A winch on a deck pays out over a roller to an end that is pulled away: nodes leave its drum and
+/// Make a winch on a deck that pays out over a roller to a moving end: new nodes leave the drum and
 /// run over the roller.
 World winch_and_roller() {
     World w(WorldDef{.step = 0.05});

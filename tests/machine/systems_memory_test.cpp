@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Memory runs out when systems are added and when they act.
+/// Allocation fails while systems are added and while they act.
 #include "machine/retry.h"
 #include "systems/acting.h"
 
@@ -11,7 +11,7 @@
 namespace hawser::test {
 namespace {
 
-/// Loads one body more each step.
+/// A system that loads one more body in each step.
 class Growing final : public System {
   public:
     explicit Growing(std::string name) : name_(std::move(name)) {}
@@ -46,7 +46,7 @@ TEST(MemoryEnds, WhereSystemsActAndLoad) {
                            to.add_system(std::make_unique<Growing>(name));
                        }));
         for (int i = 0; i < 6; ++i) retry.call(w, "step", step_once, i > 0);
-        // Each of both reported 20, 40, … 120 events, for any failures between.
+        // Each of both reports 20, 40, … 120 events, whatever allocations failed before.
         EXPECT_EQ(w.event_extremes(EventKind::layer).count, 2 * 20 * 21);
         retry.call(w, "remove_system",
                    throwing([](World& to) { (void)to.remove_system(to.system(0)); }));

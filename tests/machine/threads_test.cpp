@@ -26,7 +26,7 @@ TEST(WorkerThreads, ThatCannotStartAreNamedAndNoneIsLeft) {
                 << text;
         }
     }
-    // If enough can start, there is no fault afterwards.
+    // If enough threads can be started, the world works afterwards.
     const failing::Threads enough(7);
     WorldDef def;
     def.threads = 8;

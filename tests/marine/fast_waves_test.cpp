@@ -20,11 +20,11 @@ namespace hawser::test {
 namespace {
 
 struct Motion {
-    double elevation = 0.0, pressure = 0.0;  ///< Pressure of waves [Pa].
+    double elevation = 0.0, pressure = 0.0;  ///< Pressure: of waves [Pa].
     Vec3 velocity{0.0, 0.0, 0.0}, acceleration{0.0, 0.0, 0.0};
 };
 
-/// All components at every depth, in double precision.
+/// Sum all components at every depth, in double precision.
 Motion dense(const Sea& sea, const SeaMoment& now, const marine::FieldPoint& at) {
     Motion out;
     out.elevation = now.level;
@@ -53,7 +53,7 @@ Motion dense(const Sea& sea, const SeaMoment& now, const marine::FieldPoint& at)
     return out;
 }
 
-/// Random seas: depth from 8 to 3,000 m, one or two spectra, with and without spreading.
+/// Make a random sea: depth from 8 to 3,000 m, one or two spectra, with and without spreading.
 SeaDef random_sea(std::mt19937& dice) {
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     SeaDef def{.depth = 8.0 * std::pow(375.0, unit(dice))};
@@ -74,7 +74,7 @@ SeaDef random_sea(std::mt19937& dice) {
     return def;
 }
 
-/// Points within `wide` of each other horizontally, from above the surface to the bottom.
+/// Make points within `wide` of each other horizontally, from above the surface to the bottom.
 std::vector<marine::FieldPoint> random_points(std::mt19937& dice, const Sea& sea, double wide) {
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     std::vector<marine::FieldPoint> out;
@@ -89,7 +89,7 @@ std::vector<marine::FieldPoint> random_points(std::mt19937& dice, const Sea& sea
     return out;
 }
 
-/// Largest error over the significant amplitude.
+/// Largest errors over the significant amplitude.
 struct Errors {
     double elevation = 0.0, velocity = 0.0, acceleration = 0.0, pressure = 0.0;
 };
@@ -106,7 +106,7 @@ void compare(const Sea& sea, const marine::WaterField& field,
     const auto note = [&](double& most, double error) { most = std::max(most, error / factor); };
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Motion want = dense(sea, field.now(), points[i]);
-        // Elevations of water() are exact if a wave can uncover the point.
+        // Elevations of water() are exact at heights that a wave trough can uncover.
         const double lowest = field.now().level - factor * field.fast().highest();
         if (!(points[i].top < lowest))
             note(to.elevation, std::abs(got[i].elevation - want.elevation) / size.elevation);
@@ -142,7 +142,7 @@ TEST(FastWaves, KinematicsAreWithinTheirTolerance) {
         "%s: elevation %.2e, velocity %.2e, acceleration %.2e, pressure %.2e of significant\n",
         base::to_string(base::isa()), worst.elevation, worst.velocity, worst.acceleration,
         worst.pressure);
-    // The bound that docs/theory/waves.md derives.
+    // Bound derived in docs/theory/waves.md.
     const double most = marine::kKinematicTolerance;
     EXPECT_LT(worst.elevation, most);
     EXPECT_LT(worst.velocity, most);
@@ -151,7 +151,7 @@ TEST(FastWaves, KinematicsAreWithinTheirTolerance) {
     EXPECT_GT(worst.velocity, 1e-10) << "single precision was compared";
 }
 
-/// For few components the bits are those of Sea::water().
+/// With few components the bits equal those of Sea::water().
 TEST(FastWaves, FewComponentsStayInDoublePrecision) {
     SeaDef def{.depth = 40.0};
     def.waves.push_back({.kind = WaveKind::jonswap,
@@ -174,7 +174,7 @@ TEST(FastWaves, FewComponentsStayInDoublePrecision) {
     EXPECT_EQ(got.acceleration, want.acceleration);
 }
 
-/// Groups are left out at depth, and none at the surface.
+/// Groups are left out at depth; none is left out at the surface.
 TEST(FastWaves, DeepPointsTakeFewGroups) {
     SeaDef def{.depth = 150.0};
     def.waves.push_back(
@@ -185,10 +185,10 @@ TEST(FastWaves, DeepPointsTakeFewGroups) {
     EXPECT_EQ(fast.extent(0.0).groups, fast.groups());
     EXPECT_LT(fast.extent(100.0).groups, fast.groups() / 2);
     EXPECT_LE(fast.extent(149.9).groups, fast.extent(100.0).groups);
-    // Kinematics use the phases of the groups of the elevation.
+    // Kinematics use phases of the groups that the elevation includes.
     for (double depth = 0.0; depth < 160.0; depth += 0.37)
         EXPECT_GE(fast.extent(depth).stretching, fast.extent(depth).groups) << depth;
-    // Longer waves alone are rounded less: their clusters are wider.
+    // Sums of long waves only have smaller rounding errors: their clusters are wider.
     for (int g = 1; g <= fast.groups(); ++g) EXPECT_LE(fast.reach(g), fast.reach(g - 1)) << g;
     EXPECT_GT(fast.reach(), 5.0) << "a cluster is wider than a node's element";
     std::printf("reach %.3g m; groups at 0, 10, 50, 150 m: %d %d %d %d of %d\n", fast.reach(),
@@ -196,7 +196,7 @@ TEST(FastWaves, DeepPointsTakeFewGroups) {
                 fast.extent(150.0).groups, fast.groups());
 }
 
-/// Another cluster around a point changes it by no more than twice the tolerance.
+/// Another cluster around a point changes its value by at most twice the tolerance.
 TEST(FastWaves, NeighboursHardlyMatter) {
     std::mt19937 dice(first_seed(11));
     for (int round = 0; round < 20; ++round) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A hull with coefficients whose memory is known in closed form.
+// A hull with coefficients whose memory function has a closed form.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ inline void go(World& w, int steps) {
     for (int i = 0; i < steps; ++i) ASSERT_EQ(w.step(), Status::ok) << to_string(w.bad_load(), w);
 }
 
-/// Return B = c ω² e^(−ω/s), for which K = (4c/π) s³ (1 − 3 s²t²)/(1 + s²t²)³.
+/// Compute B = c ω² e^(−ω/s). Its memory is K = (4c/π) s³ (1 − 3 s²t²)/(1 + s²t²)³.
 inline double bell(double omega, double c, double s) {
     return c * omega * omega * std::exp(-omega / s);
 }
@@ -28,7 +28,8 @@ inline double bell_memory(double t, double c, double s) {
     const double x = s * s * t * t;
     return 4.0 * c / kPi * s * s * s * (1.0 - 3.0 * x) / std::pow(1.0 + x, 3);
 }
-/// Return A(ω) − A(∞) = −(1/ω) ∫ K sin ωt dt, by Simpson's rule up to a K of 1e-8 of its maximum.
+/// Compute A(ω) − A(∞) = −(1/ω) ∫ K sin ωt dt by Simpson's rule, up to the time at which K is 1e-8
+/// of K(0).
 inline double bell_added(double omega, double c, double s) {
     double sum = 0.0;
     const int n = 8'000;
@@ -41,7 +42,7 @@ inline double bell_added(double omega, double c, double s) {
     return -sum * dt / 3.0 / omega;
 }
 
-/// A hull of 1000 t that heaves, sways and rolls; sway and roll are coupled.
+/// Make a hull of 1000 t that heaves, sways and rolls; sway and roll are coupled.
 inline WaveCoefficients coupled(double top = 12.0, int count = 240) {
     WaveCoefficients c;
     const double s = 0.5;
@@ -54,7 +55,7 @@ inline WaveCoefficients coupled(double top = 12.0, int count = 240) {
         Matrix6 a = Matrix6::Zero(), b = a;
         for (const auto& p : pairs) {
             b(p.i, p.j) = b(p.j, p.i) = bell(omega, p.damping, s);
-            a(p.i, p.j) = a(p.j, p.i) = p.added;  // part of A(∞); ours() adds the rest
+            a(p.i, p.j) = a(p.j, p.i) = p.added;  // A(∞) only; ours() adds the rest where needed
         }
         c.frequency.push_back(omega);
         c.added_mass.push_back(a);
@@ -69,7 +70,7 @@ inline WaveCoefficients coupled(double top = 12.0, int count = 240) {
     return c;
 }
 
-/// All in phase with the wave in two directions, with drift.
+/// Add wave loads in phase with the wave for two directions, with drift.
 inline void add_waves(WaveCoefficients& c) {
     c.heading = {0.0, 0.5 * kPi, kPi};
     for (std::size_t h = 0; h < 3; ++h)

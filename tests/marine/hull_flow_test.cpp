@@ -25,14 +25,14 @@ TEST(HullCells, FillAMesh) {
         EXPECT_GE(cells.size(), 50U);
         EXPECT_LE(cells.size(), 1000U);
     }
-    // A ball of 5 m by slices: cells of 1.3 m miss its rim.
+    // A ball of 5 m in slices: cells of 1.3 m miss its rim.
     HullMesh ball = box_hull({1, 1, 1}, 12, 12, 12);
     for (Vec3& v : ball.vertices) v = 5.0 * v.normalized();
     EXPECT_NEAR(volume_of(hull_cells(ball)), 4.0 / 3.0 * kFlowPi * 125.0,
                 0.05 * 4.0 / 3.0 * kFlowPi * 125.0);
 }
 
-/// Loads of the sea on a fixed body, over one period: harmonics of force and moment.
+/// Loads of the sea on a fixed body over one period: harmonics of force and moment.
 struct Harmonics {
     std::complex<double> heave = 0.0, pitch = 0.0;
 };
@@ -60,9 +60,8 @@ Harmonics on_held_box(const WaterHull& of, double lambda, double amplitude) {
     return out;
 }
 
-/// For a box of length L and draught T the mean of a cos(kx) over the wet volume is
-/// sin(kL/2)/(kL/2) (1 - e^-kT)/kT. That of the slope over the length is 3 (sin q - q cos q)/q^3, q
-/// = kL/2.
+/// Box of length L and draught T: the mean of a cos(kx) over the wet volume is sin(kL/2)/(kL/2) (1
+/// - e^-kT)/kT. The mean of the slope over the length is 3 (sin q - q cos q)/q^3, q = kL/2.
 TEST(HullFlow, MeansOverTheWetVolume) {
     constexpr double kLong = 60.0, kDraught = 3.0, kWave = 0.01, kMass = 1e6, kInertia = 1e9;
     WaterHull with{.mesh = box_hull({30, 10, 3}, 40, 6, 6),
@@ -75,7 +74,7 @@ TEST(HullFlow, MeansOverTheWetVolume) {
                         b = on_held_box(without, lambda, kWave);
         const double deep = (1.0 - std::exp(-k * kDraught)) / (k * kDraught);
         const double heave = kMass * omega2 * kWave * deep * std::sin(q) / q;
-        // Some 20 cells along the hull, 0.6 % of a wave of 0.65 lengths; two layers of depth.
+        // About 20 cells along the hull, 0.6 % of a wave of 0.65 lengths; two layers in depth.
         EXPECT_NEAR(std::abs(a.heave - b.heave), std::abs(heave), 0.02 * kMass * omega2 * kWave)
             << lambda;
         const double slope = k * 3.0 * (std::sin(q) - q * std::cos(q)) / (q * q * q);
@@ -86,7 +85,7 @@ TEST(HullFlow, MeansOverTheWetVolume) {
     }
 }
 
-/// Return the drag of a current along x and y on a fixed body.
+/// Compute the drag of a current along x and y on a fixed body.
 Vec3 drag_of(const HullMesh& mesh, const Pose& pose, double design, const Vec3& areas) {
     World w(WorldDef{.gravity = {0, 0, -kFlowG}});
     const BodyId body = w.add_body({.name = "box",
@@ -126,7 +125,7 @@ TEST(HullFlow, DesignDraughtIsWhereTheMassFloats) {
                                .mass = of,
                                .inertia = Vec3::Constant(of * 20.0).asDiagonal()});
         };
-        // A crane of a tenth of the mass on the hull.
+        // A crane on the hull, of a tenth of the mass.
         const BodyId hull = part("hull", 0.9 * mass, {0, 0, 4.0 - draught});
         const BodyId crane = part("crane", 0.1 * mass, {0, 0, 10});
         InteractionDef weld{.kind = InteractionKind::Lock, .body = {hull, crane}};

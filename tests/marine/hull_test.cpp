@@ -40,7 +40,7 @@ TEST(Hulls, BoxHasItsStatics) {
 }
 
 TEST(Hulls, PrismAndTurnedBoxHaveTheirVolumes) {
-    // A wedge, edge down: half its height wet is a quarter of its area.
+    // A wedge, edge down: at half its height, a quarter of its area is wet.
     HullMesh wedge;
     wedge.vertices = {{0, 0, -1}, {0, 1, 1}, {0, -1, 1}, {6, 0, -1}, {6, 1, 1}, {6, -1, 1}};
     wedge.triangles = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
@@ -55,7 +55,7 @@ TEST(Hulls, PrismAndTurnedBoxHaveTheirVolumes) {
     EXPECT_NEAR(s.plane_area, 6.0, 1e-13);
     EXPECT_NEAR(s.plane_centre.x(), 3.0, 1e-13);
     EXPECT_NEAR(s.inertia_x, 6.0 / 12.0, 1e-13);
-    // Turned any way, half of a box is wet, by symmetry.
+    // At any rotation, half of a box is wet, by symmetry.
     for (int i = 0; i < 20; ++i) {
         Pose pose;
         pose.orientation =
@@ -65,7 +65,7 @@ TEST(Hulls, PrismAndTurnedBoxHaveTheirVolumes) {
 }
 
 TEST(Hulls, CutTrianglesAgreeWithBruteForce) {
-    // Any triangle, depths that are linear over it: 4^9 pieces by their centres.
+    // Any triangle, with depths linear over it: 4^9 pieces, by their centres.
     for (int i = 0; i < 12; ++i) {
         marine::HullCorner c[3];
         const Vec3 slope(0.2 * std::sin(i), 0.3 * std::cos(2.0 * i), -1.0);
@@ -95,12 +95,12 @@ TEST(Hulls, CutTrianglesAgreeWithBruteForce) {
                     volume -= s * da.z();
                     xy -= x.x() * x.y() * da.z();
                 }
-        // The pieces that the surface cuts are a part of 1/600 of it, and shallow.
+        // The pieces cut by the surface are 1/600 of it, at small depth.
         const double most = 3e-5;
         EXPECT_LT((sums.force - force).norm(), most) << i;
         EXPECT_LT((sums.torque - torque).norm(), most) << i;
         EXPECT_NEAR(sums.volume, volume, most) << i;
-        EXPECT_NEAR(sums.xy, xy, 3e-3) << i;  // not shallow: the step at the surface counts
+        EXPECT_NEAR(sums.xy, xy, 3e-3) << i;  // not at small depth: the step at the surface counts
     }
 }
 
@@ -155,7 +155,7 @@ TEST_F(HullFiles, AreReadAsTheyWereWritten) {
         EXPECT_EQ(hull_fault(mesh), "");
         EXPECT_NEAR(hull_statics(mesh, Pose{}).volume, 24.0, 1e-12);
     }
-    // Faces of four corners, counted from the end.
+    // Faces of four corners, with negative indices that count from the end.
     const std::string quads =
         "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
         "f -8 -5 -6 -7\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels of waves, hulls and memory for all instruction sets, against simple sums.
+// Kernels of waves, hulls and memory for every instruction set, against plain sums.
 #include <hawser/sea.h>
 
 #include "base/isa.h"
@@ -43,7 +43,7 @@ std::vector<Kernels> kernels() {
     return all;
 }
 
-/// By functions of the standard library, all components at every depth.
+/// Sum all components at every depth by functions of the standard library.
 marine::WaveSums plain_sums(const Sea& sea, const SeaMoment& now, double x, double y, double z) {
     marine::WaveSums out{};
     const double d = sea.depth();
@@ -66,8 +66,8 @@ marine::WaveSums plain_sums(const Sea& sea, const SeaMoment& now, double x, doub
     return out;
 }
 
-/// Return a swell and a wind sea: groups contain components of very different lengths where they
-/// meet.
+/// Make a swell and a wind sea: groups contain components of very different lengths where both
+/// overlap.
 SeaDef mixed(double depth) {
     SeaDef sea{.depth = depth};
     sea.waves.push_back({.height = 1.0, .period = 18.0});
@@ -92,7 +92,7 @@ TEST(SeaKernels, WavesAtAllDepths) {
             speeds += w.amplitude * w.frequency / tanh;
             rates += w.amplitude * w.frequency * w.frequency / tanh;
         }
-        // sin and cos of angles up to 40 m · k are within 1e-12, E within 1e-12; the truncation is
+        // sin and cos of angles up to 40 m · k are exact to 1e-12, E to 1e-12; omitted terms are
         // 1.2e-13. Pressure is p/ρ, at most g a.
         const double most = 4e-12;
         for (const Kernels& by : kernels())
@@ -186,7 +186,7 @@ TEST(SeaKernels, WholeTrianglesAgreeWithSingleOnes) {
         }
 }
 
-/// A ring that begins anywhere, of lengths that are no multiple of a block, of some pairs and all.
+/// A ring buffer with any start, lengths that are no multiple of a block, some pairs or all.
 TEST(SeaKernels, MemoryOfAnyLengthAndBeginning) {
     std::mt19937 dice(first_seed(5));
     const int rounds = by_tier(1, 4, 40);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes added and removed on lines in water: momentum of the line and of its added water.
+// Nodes inserted and removed on lines in water: momentum of the line and of the water that it
+// carries.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -14,11 +15,11 @@ namespace hawser::test::line_edits {
 namespace {
 
 constexpr double kRho = 1025.0, kDiameter = 0.14;
-/// Rope that carries four times its mass of water, and chain that carries an eighth.
+/// Rope with four times its mass of added water, and chain with an eighth.
 constexpr std::array<double, 2> kMass{4.0, 120.0};  // kg/m
 constexpr int kOfEach = 10;                         // elements
 
-/// Both sorts in one wire in still water without drag, free and far below the surface.
+/// One wire of both types in still water without drag, free and far below the surface.
 struct Line {
     World w{WorldDef{.step = 0.01}};
     WireId wire{};
@@ -49,7 +50,7 @@ struct Line {
         }
     }
 
-    /// Σ (m + A) v, each half element with ρ V across it, written down from docs/theory/drag.md.
+    /// Compute Σ (m + A) v, each half element with ρ V across it, from docs/theory/drag.md.
     [[nodiscard]] Vec3 momentum(double* size = nullptr) const {
         const double per_length = kRho * 0.25 * std::numbers::pi * kDiameter * kDiameter;
         Vec3 sum = Vec3::Zero();
@@ -73,7 +74,7 @@ struct Line {
     }
 };
 
-/// Return the lost momentum relative to that of all lumps.
+/// Return the lost momentum over the momentum of all nodes.
 double lost(const Line& line, const Vec3& before) {
     double size = 0.0;
     const Vec3 after = line.momentum(&size);
@@ -91,7 +92,7 @@ TEST(LineEdits, NodesThatComeKeepMomentumWithAddedMass) {
     }
 }
 
-/// @param node  Node to be removed. @return fraction of momentum lost with it.
+/// Remove a node. @param node  The node. @return fraction of momentum lost with it.
 double lost_with(std::size_t node) {
     Line line;
     const Vec3 before = line.momentum();
@@ -101,17 +102,17 @@ double lost_with(std::size_t node) {
     return off;
 }
 
-/// Four elements on each side take over the momentum of a node, including that of the water. The
-/// rest comes from their directions, across which water is carried: they turn at a bend of 2e-3
-/// rad.
+/// Four elements on each side share the mass of a removed node. The water moves with the mass,
+/// except for the rotation of the elements' directions at a bend of 2e-3 rad: water is carried
+/// across them.
 TEST(LineEdits, NodesThatGoFarFromOtherLineTypesKeepMomentumWithAddedMass) {
     EXPECT_LT(lost_with(4), 3e-6);
     EXPECT_LT(lost_with(16), 3e-6);
 }
 
-/// Nearer to the other line type momentum of the masses stays and that of the water does not
-/// (docs/theory/sea_loads.md). This is by how much, with water of four times and an eighth of the
-/// mass.
+/// Nearer to the other line type, momentum of the masses is kept and that of the water is not
+/// (docs/theory/sea_loads.md). This measures the loss, with water of four times and an eighth of
+/// the mass.
 TEST(LineEdits, NodesThatGoNearOtherLineTypesLoseAThousandth) {
     for (const std::size_t node : {std::size_t{7}, std::size_t{9}, std::size_t{11}})
         EXPECT_LT(lost_with(node), 2e-3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coefficients and hulls that cannot be, trim, and decks of open meshes.
+// Impossible coefficients and hulls are rejected; trim, and decks of open meshes.
 #include <hawser/hawser.h>
 
 #include "marine/floater.h"
@@ -28,7 +28,7 @@ TEST(Radiation, CoefficientsThatCannotBeAreRefused) {
     c = good;
     c.damping[7](3, 3) = -c.damping[20](3, 3);
     refused(c, "is not positive semi-definite");
-    c = good;  // All have the wrong sign, as for phases of the other convention.
+    c = good;  // All with the wrong sign, as if phases were read by the other convention.
     for (Matrix6& m : c.damping) m = -m;
     refused(c, "is not positive semi-definite");
     c = good;
@@ -44,7 +44,7 @@ TEST(Radiation, CoefficientsThatCannotBeAreRefused) {
     c.heading = {0.0};
     c.excitation.assign(5, 0.0);
     refused(c, "5 entries");
-    // A(0) and A(∞) swapped.
+    // A(0) and A(∞) exchanged.
     c = good;
     for (std::size_t w = 0; w < c.frequency.size(); ++w) {
         const double more = bell_added(c.frequency[w], 1.0, 0.5);
@@ -95,8 +95,8 @@ TEST(Radiation, WavesOfBothKindsAreRefused) {
 }
 
 TEST(Radiation, HullTrims) {
-    // A box with a centre of mass 0.5 m forward: trim of the wall-sided body, lever = tan θ (GM_L +
-    // ½ BM_L tan²θ) about the middle.
+    // A box whose centre of mass is 0.5 m forward. Trim of the wall-sided body: lever = tan θ (GM_L
+    // + ½ BM_L tan²θ) about the middle.
     HullMesh mesh = box_hull({20, 5, 3}, 20, 4, 4);
     for (Vec3& v : mesh.vertices) v -= Vec3(0.5, 0, 0.5);
     const double mass = 1025.0 * 40 * 10 * 2.5;

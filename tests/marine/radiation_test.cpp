@@ -32,7 +32,7 @@ TEST(Radiation, MemoryIsTheIntegralOfDamping) {
     EXPECT_NEAR(infinite_added_mass(known)(2, 2), 8e5, 4e3);
 }
 
-/// Amplitude of heave under a force of 1 N cos ωt, from a world.
+/// Compute the amplitude of heave under a force of 1 N cos ωt with a world.
 Complex response(RadiationKind kind, double omega) {
     Floater f(coupled(), kind);
     f.hull.order = 12;
@@ -60,18 +60,18 @@ TEST(Radiation, HeaveIsThatOfItsFrequency) {
             const Complex ours = response(kind, omega);
             std::printf("omega %.1f: |x| %.5e exact %.5e, phase %.3f deg\n", omega, std::abs(ours),
                         std::abs(exact), 180.0 / kPi * std::arg(ours / exact));
-            // Periods are rounded to steps: 0.5 % near resonance.
+            // Periods are rounded to steps: error 0.5 % near resonance.
             EXPECT_NEAR(std::abs(ours - exact), 0.0, 0.01 * std::abs(exact)) << omega;
         }
     }
 }
 
 TEST(Radiation, NeitherMemoryMakesEnergy) {
-    // Released far from equilibrium, with steps far too long: the motion decays.
+    // Released far from rest, with steps much too long for it: motions decay.
     for (const RadiationKind kind : {RadiationKind::convolution, RadiationKind::state_space})
         for (const double step : {1.0 / 60.0, 0.25}) {
             Floater f(coupled(), kind, {.step = step});
-            f.hull.linear.height = -1.0;  // at rest 1 m lower
+            f.hull.linear.height = -1.0;  // at rest, 1 m lower
             f.hull.order = 10;
             f.start();
             f.w.set_velocity(f.body, {{0, 1.0, 0}, {0.2, 0, 0}});
@@ -91,7 +91,7 @@ TEST(Radiation, NeitherMemoryMakesEnergy) {
 }
 
 TEST(Radiation, DriftIsTheTablesAndSlowAtTheDifference) {
-    // Σ a² D on the mean; two waves: 2 a₁ a₂ √(D₁ D₂) at their difference.
+    // The mean is Σ a² D; two waves add 2 a₁ a₂ √(D₁ D₂) at the difference of their frequencies.
     WaveCoefficients c = coupled();
     add_waves(c);
     Floater f(c, RadiationKind::none);
@@ -110,11 +110,12 @@ TEST(Radiation, DriftIsTheTablesAndSlowAtTheDifference) {
         most = std::max(most, x);
         least = std::min(least, x);
     }
-    EXPECT_NEAR(sum, d1 + d2, 2e-3 * (d1 + d2));  // the beat's 45 s are whole, tables linear
+    EXPECT_NEAR(sum, d1 + d2, 2e-3 * (d1 + d2));  // the beat of 45 s has whole periods, tables are
+                                                  // linear
     EXPECT_NEAR(0.5 * (most - least), 2 * std::sqrt(d1 * d2), 5e-3 * (d1 + d2));
 }
 
-/// How far the energy of a body in ideal fluid strays in 20 s.
+/// Compute the change of energy of a body in ideal fluid within 20 s.
 double energy_strays(double step) {
     WaveCoefficients c = coupled();
     c.infinite.setZero();
@@ -131,7 +132,7 @@ double energy_strays(double step) {
     const Eigen::Array3d aa =
         c.infinite.diagonal().tail<3>().array() + Eigen::Array3d(3e7, 4e7, 4e7);
     const auto energy = [&] {
-        // Velocities are those of half a step before the pose.
+        // Velocities belong to half a step before the pose.
         const Twist v = f.w.velocity(f.body);
         const double angle = 0.5 * step * v.angular.norm();
         const Mat3 back = angle > 0.0
@@ -151,8 +152,8 @@ double energy_strays(double step) {
 }
 
 TEST(Radiation, KirchhoffsForcesKeepEnergyAndTurnIntoTheStream) {
-    // A body in ideal fluid, no damping: ½ νᵀ (M + A) ν stays, and M_z = −(A₂₂ − A₁₁) u v. The
-    // force is that of the middle of a step: second order in it, 1e-6 at 1/60 s.
+    // A body in ideal fluid without damping: ½ νᵀ (M + A) ν is constant, and M_z = −(A₂₂ − A₁₁) u
+    // v. The force belongs to the middle of a step: the error is of second order, 1e-6 at 1/60 s.
     const double coarse = energy_strays(1.0 / 60.0), fine = energy_strays(1.0 / 240.0);
     std::printf("energy of a body in ideal fluid over 20 s: %.2e, %.2e\n", coarse, fine);
     EXPECT_LT(coarse, 5e-6);
@@ -160,7 +161,7 @@ TEST(Radiation, KirchhoffsForcesKeepEnergyAndTurnIntoTheStream) {
 }
 
 TEST(Radiation, StripsStopATurn) {
-    // ω̇ = −c ω|ω| with c = ½ρ C_dA L²/32/I of an even row, so that 1/ω grows by c t.
+    // ω̇ = −c ω|ω| with c = ½ρ C_dA L²/32/I of an even row of strips, so that 1/ω grows by c t.
     WaveCoefficients c = coupled();
     Floater f(c, RadiationKind::none);
     const double length = 80.0, area = 400.0, inertia = 4e7;
@@ -171,11 +172,11 @@ TEST(Radiation, StripsStopATurn) {
     go(f.w, 600);
     const double rate = 0.5 * 1025 * area * std::pow(length, 3) / 32 / inertia;
     const double exact = 1.0 / (1.0 / 0.05 + rate * (f.w.time() - 0.5 / 60));
-    // 40 strips: 1e-3; the step: 1e-3.
+    // Errors: 40 strips 1e-3, the step 1e-3.
     EXPECT_NEAR(f.w.velocity(f.body).angular.z() / exact, 1.0, 4e-3);
 }
 
-/// Everything at once, on a mesh or on linear statics.
+/// Make a floater with all loads, on a mesh or on linear statics.
 Floater busy(RadiationKind kind, bool mesh, int threads = 1) {
     WaveCoefficients c = coupled(4.0, 40);
     add_waves(c);

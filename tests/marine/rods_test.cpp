@@ -12,7 +12,7 @@ constexpr double kSalt = 1025.0, kWeight = 9.81, kStep = 1.0 / 60.0;
 
 double disc(double d) { return 0.25 * kPi * d * d; }
 
-/// One rod about a body's centre of mass in still water, or in a sea.
+/// A rod about a body's centre of mass, in still water or in a sea.
 struct Rod {
     World w{WorldDef{.step = kStep}};
     BodyId body{};
@@ -28,10 +28,11 @@ struct Rod {
     [[nodiscard]] double z() const { return w.pose(body).position.z(); }
 };
 
-/// Period of the scheme, tan(ω_h h/2) = ω h/2, of an oscillation of ω.
+/// Compute the cosine of the phase per step of an oscillation ω in the scheme: tan(ω_h h/2) = ω
+/// h/2.
 double cosine_of_step(double omega) { return std::cos(2.0 * std::atan(0.5 * omega * kStep)); }
 
-/// A spar of 40 m, its centre of mass 10 m above the lower end, that floats at a draught of 24 m.
+/// A spar of 40 m that floats at a draught of 24 m; its centre of mass is 10 m above the lower end.
 struct Spar {
     static constexpr double kLow = -10.0, kDraught = 24.0, kDiameter = 2.0;
     static double mass() { return kSalt * disc(kDiameter) * kDraught; }
@@ -52,7 +53,8 @@ struct Spar {
 TEST(Rods, ASparFloatsAtItsDraught) {
     Rod still(Spar::def(0.0), Spar::rod(0.0));
     go(still.w, 600);
-    // Weights of 8e5 N cancel to rounding, of which the stiffness of 3e4 N/m makes 1e-14 m a step.
+    // Weights of 8e5 N cancel up to rounding, which the stiffness of 3e4 N/m makes 1e-14 m per
+    // step.
     EXPECT_NEAR(still.z(), -Spar::kDraught - Spar::kLow, 1e-9);
     double up = 0.0;
     for (const LoadView& l : sea_loads(still.w)) up += l.force[2];
@@ -60,8 +62,8 @@ TEST(Rods, ASparFloatsAtItsDraught) {
 }
 
 TEST(Rods, ASparHeavesWithThePeriodOfTheScheme) {
-    // No added mass along: linear for any segments, through the boundary of two of them at 25 m. ω²
-    // = ρ g A/m = g/draught.
+    // Without axial added mass the heave is linear for any segments, through the boundary of two
+    // segments at 25 m. ω² = ρ g A/m = g/draught.
     const double rise = 1.5;
     Rod free(Spar::def(rise), Spar::rod(0.0));
     const double c = cosine_of_step(std::sqrt(kWeight / Spar::kDraught));
@@ -77,9 +79,10 @@ TEST(Rods, ASparHeavesWithThePeriodOfTheScheme) {
         now = next;
     }
     std::printf("heave is off the scheme's relation by %.2g m\n", worst);
-    // A step across a boundary of segments changes the position of the stiffness, not its size.
+    // A step across a boundary of segments changes the point of the stiffness, not its size.
     EXPECT_LT(worst, 1e-9);
-    // Added mass along depends on the wet length, which a heave of 1 mm changes by 4e-5.
+    // Axial added mass is proportional to the wet length, which heave of 1 mm changes by 4e-5 of
+    // itself.
     Rod heavy(Spar::def(1e-3), Spar::rod(0.5));
     const double slow = cosine_of_step(std::sqrt(kWeight / Spar::kDraught / 1.5));
     before = 1e-3;
@@ -93,7 +96,8 @@ TEST(Rods, ASparHeavesWithThePeriodOfTheScheme) {
         before = now;
         now = next;
     }
-    // A step curves the motion by h² ω² of the amplitude: 7.6e-8 m, 4e-5 of it by the added mass.
+    // The second difference of a step is h² ω² of the amplitude: 7.6e-8 m. The change of added mass
+    // is 4e-5 of it.
     std::printf("with added mass by %.2g m\n", worst);
     EXPECT_LT(worst, 1e-4 * 7.6e-8);
 }
@@ -108,7 +112,7 @@ TEST(Rods, SinkAtTheirTerminalSpeeds) {
     const LineWater water{.diameter = d, .cd_normal = 0.9, .cd_tangential = 0.05};
     Rod level(def, {.from = {-6, 0, 0}, .to = {6, 0, 0}, .water = water});
     go(level.w, 1'200);
-    // Within 1e-4 as required; the rest of the approach is e^(−2 g' t/v), far below.
+    // Within 1e-4; the rest of the approach is e^(−2 g' t/v) of the speed, far less.
     const double across = std::sqrt(2.0 * weight / (kSalt * 0.9 * d * length));
     EXPECT_NEAR(-level.twist().linear.z() / across, 1.0, 1e-4);
     Rod upright(def, {.from = {0, 0, -6}, .to = {0, 0, 6}, .water = water});
@@ -120,8 +124,8 @@ TEST(Rods, SinkAtTheirTerminalSpeeds) {
 }
 
 TEST(Rods, ASpinDecaysByTheQuadraticMoment) {
-    // I ω̇ = −k ω², k = ½ρ C_d d L⁴/32 by the integral; n segments, an even number, have
-    // (1 − 2/n²) of it. ω = ω₀/(1 + k ω₀ t/I).
+    // I ω̇ = −k ω², k = ½ρ C_d d L⁴/32 by the integral. An even number n of segments has (1 − 2/n²)
+    // of it. ω = ω₀/(1 + k ω₀ t/I).
     const double d = 0.4, length = 10.0, cd = 1.1, inertia = 2e6, spin = 1.5;
     for (const int n : {2, 8, 40}) {
         Rod rod({.name = "boom",
@@ -136,13 +140,13 @@ TEST(Rods, ASpinDecaysByTheQuadraticMoment) {
                  .segments = n});
         const double whole = 0.5 * kSalt * cd * d * std::pow(length, 4) / 32.0;
         const double k = whole * (1.0 - 2.0 / (n * n));
-        // Between two states, so that it does not matter when the first one is.
+        // Compare two states, so that the time of the first one does not matter.
         go(rod.w, 1);
         const double first = rod.twist().angular.z();
         go(rod.w, 600);
         const double expected = first / (1.0 + k * first * 600 * kStep / inertia);
-        // Second order in the step: k ω h/I is 9e-4 at the start, its square 8e-7. The drag of all
-        // motions together, which shows its delay, is no larger.
+        // Error of second order in the step: k ω h/I is 9e-4 at the start, its square 8e-7. The
+        // drag of all motions together determines its time in the step and adds no more.
         EXPECT_NEAR(rod.twist().angular.z() / expected, 1.0, 1e-6) << n;
         EXPECT_LT(rod.twist().linear.norm(), 1e-12);
     }
@@ -163,7 +167,7 @@ TEST(Rods, AddedMassIsInTheFirstAcceleration) {
     go(sinks.w, 1);
     const double first = sinks.twist().linear.z();
     go(sinks.w, 1);
-    // The secant of buoyancy at 500 m adds h² ρ g V/2000 to the mass: 1e-6 of it.
+    // The secant of buoyancy at 500 m adds h² ρ g V/2000 to the mass, which is 1e-6 of it.
     EXPECT_NEAR((sinks.twist().linear.z() - first) / kStep,
                 -(mass - own) * kWeight / (mass + ca * own), 3e-6 * kWeight);
     for (const int n : {1, 5, 24}) {
@@ -175,7 +179,7 @@ TEST(Rods, AddedMassIsInTheFirstAcceleration) {
         const Twist before = turns.twist();
         go(turns.w, 1);
         const double added = ca * own * length * length / 12.0 * (1.0 - 1.0 / (n * n));
-        // Rotations of 1e-5 rad do not change it; along the rod C_at counts.
+        // Rotations of 1e-5 rad do not change it; along the rod C_at acts.
         EXPECT_NEAR((turns.twist().angular.z() - before.angular.z()) / kStep,
                     torque / (inertia + added), 1e-8 * torque / inertia)
             << n;
@@ -193,7 +197,7 @@ TEST(Rods, AWavePressesAFixedRodByTheIntegralOverItsDepth) {
     sea.waves.push_back({.height = 2.0 * amplitude, .period = period});
     World w(WorldDef{.step = period / 200.0});
     const BodyId pile = w.add_body({.name = "pile", .kind = BodyKind::fixed});
-    // A body that only moves.
+    // A body without loads, which can move.
     w.add_body({.name = "lump", .kind = BodyKind::lump, .mass = 1.0, .gravity = false});
     sea.rods.push_back({.body = pile,
                         .from = {0, 0, -deep},
@@ -217,7 +221,7 @@ TEST(Rods, AWavePressesAFixedRodByTheIntegralOverItsDepth) {
     const double lever = per_length * (1.0 - fade * (1.0 + k * deep)) / (k * k);
     std::printf("force %.6g of %.6g N, moment %.6g of %.6g N m\n", std::abs(force), expected,
                 std::abs(moment), lever);
-    // Segments of 0.5 m: (kl)²/24 = 4e-5; the wave moves 1 cm of the top.
+    // Segments of 0.5 m: (kl)²/24 = 4e-5; the wave wets 1 cm of the top.
     EXPECT_NEAR(std::abs(force) / expected, 1.0, 5e-3);
     EXPECT_NEAR(std::abs(moment) / lever, 1.0, 5e-3);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rods in a world: threads, saved states, separate code, energy in a storm, refusals.
+// Rods in a world: threads, saved states, verification by separate code, energy in a storm,
+// rejected definitions.
 #include "support/sanitizer.h"
 #include "support/tier.h"
 #include "verify/sea_loads.h"
@@ -25,7 +26,7 @@ SeaDef storm(double height = 8.0) {
     return sea;
 }
 
-/// A platform of four legs and two braces, 400 t in 4 × 176 m³ of legs, held by a spring.
+/// A platform of four legs and two braces, 400 t with 4 × 176 m³ of legs, on a spring.
 struct Platform {
     World w;
     BodyId body{};
@@ -81,12 +82,12 @@ TEST(RodsWorld, AStormMakesNoEnergyOfNothing) {
                 p.w.pose(p.body).position.x(), p.w.pose(p.body).position.y(),
                 p.w.pose(p.body).position.z());
     EXPECT_EQ(p.w.verdict().grade, Grade::good);
-    // Water of this sea moves at up to 4.5 m/s, and the current's 1.
+    // Water of this sea moves at up to 4.5 m/s, the current at 1 m/s.
     EXPECT_LT(fastest, 8.0);
 }
 
-// A pipe of a twentieth of the weight of its water, without added mass along. A step too long for
-// its buoyancy would throw it out of the water.
+// A pipe of a twentieth of its water's weight, without axial added mass. An unstable step would
+// throw it out of the water.
 TEST(RodsWorld, ALightPipeStaysAtTheWater) {
     for (const double step : {1.0 / 60.0, 0.1}) {
         World w{WorldDef{.step = step}};
@@ -114,7 +115,7 @@ TEST(RodsWorld, ALightPipeStaysAtTheWater) {
         }
         std::printf("pipe, steps of %.3f s: at most %.2f m/s, %.2f m up\n", step, fastest, highest);
         EXPECT_EQ(w.verdict().grade, Grade::good) << step;
-        // From 8 m deep, all of its buoyancy and no drag along would be sqrt(2 · 19 g · 8) = 55
+        // From a depth of 8 m, full buoyancy without axial drag would give sqrt(2 · 19 g · 8) = 55
         // m/s.
         EXPECT_LT(fastest, 55.0);
     }
@@ -145,7 +146,8 @@ TEST(RodsWorld, SavedStateAndTwinGoOnWithTheSameBits) {
     }
 }
 
-/// Return the largest difference of loads in `p` that separate code finds with the sea of `told`.
+/// Return the largest difference of loads that separate code computes for `p` with the sea of
+/// `told`.
 double difference(Platform& p, const World& told, int steps) {
     verify::SeaVerifier verifier(told);
     double worst = 0.0;
@@ -169,7 +171,7 @@ TEST(RodsWorld, SeparateCodeAgreesInWaves) {
     std::printf("separate code differs by %.2g\n", worst);
     EXPECT_GT(worst, 0.0) << "some load was compared";
     EXPECT_LT(worst, 1e-9);
-    // It would detect a brace that is thicker by 1e-3.
+    // The difference shows a brace that is 0.1 % thicker.
     Platform again, thicker({}, 0.8008);
     EXPECT_GT(difference(again, thicker.w, 10), 1e-9);
 }

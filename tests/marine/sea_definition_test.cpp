@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sea as a user defines it, and its signals.
+// Definitions of the sea by a user, and its signals.
 #include <hawser/hawser.h>
 
 #include "record/event_input.h"
@@ -12,7 +12,7 @@
 namespace hawser::test {
 namespace {
 
-/// As include/hawser/sea.h and docs/theory/waves.md have it.
+/// Example of include/hawser/sea.h and docs/theory/waves.md.
 TEST(SeaDefinition, ExampleOfTheHeader) {
     World world;
     const BodyId from = world.add_body({.kind = BodyKind::fixed, .position = {0, 0, -5}});
@@ -31,15 +31,15 @@ TEST(SeaDefinition, ExampleOfTheHeader) {
         sea.lines.push_back(
             {.wire = tow, .sections = {{20, {.diameter = 0.076, .cd_normal = 1.8}}}});
         world.add(sea);
-        world.set_system_signal("sea.waves", 0.5);  // half as high from now on
+        world.set_system_signal("sea.waves", 0.5);  // half the height from now on
     };
     example(wire);
     for (int i = 0; i < 2; ++i) ASSERT_EQ(world.step(), Status::ok);
     EXPECT_EQ(world.system_signal("sea.waves"), 0.5);
-    EXPECT_GE(sea_loads(world).size(), 19U);  // of its lumps
+    EXPECT_GE(sea_loads(world).size(), 19U);  // of its nodes
 }
 
-/// Signals beyond their range are reported; the level stays above the bottom at the lowest tide.
+/// Signals beyond their range make events; the level stays above the bottom at the lowest tide.
 TEST(SeaDefinition, SignalsBeyondTheirRangeAreEvents) {
     World w;
     w.add_body({.kind = BodyKind::lump, .position = {0, 0, -1}, .mass = 1.0});

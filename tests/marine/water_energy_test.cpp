@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy::water: work of the sea on bodies, also if other systems load the same ones.
+// Energy::water: work of the sea on bodies, also on bodies that other systems load.
 #include "floater.h"
 #include "systems/acting.h"
 
@@ -30,7 +30,8 @@ void add_sea(World& w, BodyId ball) {
     w.add(sea);
 }
 
-/// A force that swings and a damper, on the same body, by a system that is no water.
+/// Add a system with an oscillating force and a damper on the same body; it is not part of the
+/// water.
 Acting& add_pull(World& w, BodyId ball, const char* name) {
     return act(w, name, [ball](Acting&, Prestep& now, Loads& loads) {
         loads.add_force(ball, {900.0 * std::cos(now.time), 400.0, 0.0}, {0, 0, 0});
@@ -39,7 +40,7 @@ Acting& add_pull(World& w, BodyId ball, const char* name) {
     });
 }
 
-/// Return the change of energy of bodies that neither water nor gravity explains.
+/// Return the change of energies of bodies that neither water nor gravity explains.
 double left_by_water(const Energy& from, const Energy& to) {
     return (to.kinetic + to.gravity - to.water) - (from.kinetic + from.gravity - from.water);
 }
@@ -60,19 +61,19 @@ TEST(WaterEnergy, IsAllThatABodyInTheSeaGainsAndLoses) {
     std::printf("water did %.4g J, at most %.4g J; %.2g J not explained\n", e.water - start.water,
                 most, worst);
     EXPECT_GT(most, 1e4);
-    // 1,200 sums of some 1e5 J, each rounded to 1e-16 of itself.
+    // 1,200 sums of about 1e5 J, each with a relative rounding error of 1e-16.
     EXPECT_LT(worst, 1e-10 * most);
-    // The same by accounts that do not distinguish the sources of loads.
+    // The same value from the accounts that do not separate systems.
     EXPECT_NEAR(
         e.water - start.water,
         (e.system - start.system) - (e.dissipated - start.dissipated) - (e.added - start.added),
         1e-10 * most);
 }
 
-/// Systems before and after the sea load the same body. Their work equals that in a world with them
-/// alone: kinetic + gravity − water is their work.
+/// Systems before and after the sea load the same body. Their work equals that in a world in which
+/// only they have names: kinetic + gravity − water.
 TEST(WaterEnergy, LeavesOutWhatOtherSystemsDo) {
-    for (const int order : {0, 1, 2}) {  // others before the sea, behind it, both
+    for (const int order : {0, 1, 2}) {  // other systems before the sea, after it, both
         World w;
         const BodyId ball = add_ball(w);
         if (order != 1) add_pull(w, ball, "tug");
@@ -87,7 +88,7 @@ TEST(WaterEnergy, LeavesOutWhatOtherSystemsDo) {
             const double t = w.time(), h = w.settings().step;
             go(w, 1);
             const Vec3 after = w.velocity(ball).linear, mean = 0.5 * (before + after);
-            // Impulse of a pull by its own definition; θ of the damper as the world has it.
+            // Impulse of a pull from its own definition, with θ of the damper from the world.
             const double late = w.loads().front().late;
             const Vec3 impulse = h * Vec3(900.0 * std::cos(t), 400.0, 0.0) -
                                  150.0 * (after - before) -
@@ -122,7 +123,7 @@ TEST(WaterEnergy, IsSavedCopiedAndTakenBack) {
     EXPECT_EQ(w.energy().water, later);
     go(other, 50);
     EXPECT_EQ(other.energy().water, later);
-    // A step that fails leaves it.
+    // A failed step does not change it.
     act(w, "broken", [ball](Acting&, Prestep&, Loads& loads) {
         loads.add_force(ball, Vec3::Constant(std::numeric_limits<double>::quiet_NaN()),
                         Vec3::Zero());
@@ -131,7 +132,7 @@ TEST(WaterEnergy, IsSavedCopiedAndTakenBack) {
     EXPECT_EQ(w.energy().water, later);
 }
 
-/// Loads other than water do not count as such.
+/// Loads other than water are not counted.
 TEST(WaterEnergy, IsNothingWithoutASea) {
     World w({.gravity = Vec3::Zero()});
     const BodyId ball = add_ball(w);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Water on lines, bodies and hulls against closed forms, and in a world.
+// Water on lines, bodies and hulls against closed forms, and effects in a world.
 #include <hawser/hawser.h>
 
 #include "verify/sea_loads.h"
@@ -24,7 +24,7 @@ void take(World& w, int steps) {
 
 SeaDef still() { return {.depth = 1000.0}; }
 
-/// An endless chain, straight and horizontal, that sinks.
+/// A straight horizontal chain without fixed ends that sinks.
 struct Chain {
     World w{WorldDef{}};
     WireId wire{};
@@ -47,7 +47,7 @@ struct Chain {
 };
 
 TEST(Water, ChainSinksAtItsTerminalSpeed) {
-    // 76 mm stud chain: 0.87 of its weight against drag of 2.6.
+    // 76 mm stud chain: 0.87 of its weight against drag with coefficient 2.6.
     Chain c({.diameter = 0.076, .volume = 0.13 * 126.5 / kRho, .cd_normal = 2.6}, 126.5);
     take(c.w, 60 * 20);
     const double expected = std::sqrt(2.0 * 0.87 * 126.5 * kGravity / (kRho * 2.6 * 0.076));
@@ -57,17 +57,17 @@ TEST(Water, ChainSinksAtItsTerminalSpeed) {
 }
 
 TEST(Water, LineFollowsAcceleratedWaterByItsAddedMass) {
-    // No drag: (m + C_a ρA) v̇ = (1 + C_a) ρA a of a small wave, across a line.
+    // Without drag: (m + C_a ρA) v̇ = (1 + C_a) ρA a in a small wave, across a line.
     SeaDef sea = still();
     sea.waves.push_back({.height = 2e-4, .period = 8.0});
     const double area = 0.01, mass = 30.0, ca = 0.7;
     Chain c({.diameter = 0.1, .volume = area, .cd_normal = 0.0, .ca_normal = ca}, mass, sea);
-    // Weightless except for its motion: buoyancy is subtracted manually.
+    // Remove the net weight by hand, so that only the motion of the water acts.
     for (const BodyId b : c.w.nodes(c.wire)) {
         const double length = c.w.body_def(b).mass / mass;
         c.w.set_force(b, {0, 0, (mass - kRho * area) * length * kGravity}, Vec3::Zero());
     }
-    // v changes by that fraction of the change of the velocity of the water, lump by lump.
+    // v changes by this fraction of the change of the water's velocity, at each node.
     const Sea water(sea, kGravity);
     const double share = (1.0 + ca) * kRho * area / (mass + ca * kRho * area);
     const auto nodes = c.w.nodes(c.wire);
@@ -157,7 +157,7 @@ TEST(Water, NeutralLumpCirclesAsTheWater) {
 }
 
 TEST(Water, FrictionHasNoStepThatIsTooLong) {
-    // Drag area over mass of 5 m²/kg at 40 m/s, in waves; a line in a stream of 40 m/s.
+    // Drag area over mass of 5 m²/kg at 40 m/s, in waves; a line in a current of 40 m/s.
     for (const double step : {1.0 / 60.0, 0.2}) {
         World w{WorldDef{.step = step}};
         const BodyId light = w.add_body(
@@ -189,7 +189,7 @@ TEST(Water, HullFloatsByItsDisplacement) {
     w.add(sea);
     take(w, 60 * 60);
     EXPECT_NEAR(w.pose(box).position.z(), 0.0, 1e-10);
-    // The load of the water alone.
+    // Sum of the forces that water alone carries.
     double up = 0.0;
     for (const LoadView& l : sea_loads(w)) up += l.force[2];
     EXPECT_NEAR(up, mass * kGravity, 1e-7 * mass);
@@ -315,8 +315,8 @@ TEST(Water, ThreadsDoNotMatter) {
 }
 
 TEST(Water, LinesKeepTheirSortsWhenNodesComeAndWiresAreCut) {
-    // A wire of two types: the loads of an element follow its type, and a cut-off part keeps its
-    // own. The buoyancy of a line at rest shows it: ρ g A times half of each element.
+    // A wire of two types: new parts of an element have its type, and a part cut off keeps its own.
+    // Measured by buoyancy of a line at rest: ρ g A times half of each element.
     const double thin = 0.001, thick = 0.004;
     World w{WorldDef{}};
     const BodyId top = w.add_body({.kind = BodyKind::fixed, .position = {0, 0, -10}});
@@ -339,10 +339,10 @@ TEST(Water, LinesKeepTheirSortsWhenNodesComeAndWiresAreCut) {
         for (const LoadView& l : sea_loads(w)) up += l.force[2];
         return up / (kRho * kGravity);
     };
-    // Half of the first element is at the fixed body.
+    // The fixed body carries half of the first element.
     const double whole = 27.5 * thin + 20.0 * thick;
     take(w, 600);
-    EXPECT_NEAR(carried(), whole, 1e-3 * whole);  // it still sways a little
+    EXPECT_NEAR(carried(), whole, 1e-3 * whole);  // it still moves slightly
     w.insert_node(w.elements(wire)[2], 0.4);
     w.insert_node(w.elements(wire)[9], 0.5);
     EXPECT_NEAR(carried(), whole, 1e-3 * whole);

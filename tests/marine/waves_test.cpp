@@ -27,7 +27,7 @@ SeaDef irregular(double depth, int components = 200, double spreading = 0.0) {
     return sea;
 }
 
-/// Return the water by linear theory, with functions of the standard library.
+/// Evaluate linear theory by functions of the standard library.
 WaterPoint by_hand(const Sea& sea, double t, const Vec3& x) {
     WaterPoint out;
     for (const WaveComponent& w : sea.components())
@@ -55,7 +55,7 @@ WaterPoint by_hand(const Sea& sea, double t, const Vec3& x) {
 }
 
 TEST(Waves, DispersionIsSolvedToRounding) {
-    // λ of 9 s in 150 m and in 15 m of water.
+    // λ of a period of 9 s in 150 m and in 15 m of water.
     EXPECT_NEAR(kTwoPi / wave_number(kTwoPi / 9.0, 150.0), 126.466, 1e-3);
     EXPECT_NEAR(kTwoPi / wave_number(kTwoPi / 9.0, 15.0), 95.572, 1e-3);
     for (const double depth : {0.1, 3.0, 40.0, 1000.0})
@@ -75,7 +75,7 @@ TEST(Waves, KernelsAgreeWithAPlainSum) {
                 const Vec3 x(900.0 * std::sin(i), 700.0 * std::cos(2.0 * i),
                              -depth * std::pow(i / 40.0, 3.0));
                 const WaterPoint ours = sea.water(sea.at(t), x), plain = by_hand(sea, t, x);
-                // 200 components of up to 1e3 waves away: 1e-12 of a turn each.
+                // 200 components, up to 1e3 wave lengths away: 1e-12 of a revolution each.
                 const double most = 1e-10;
                 EXPECT_NEAR(ours.elevation, plain.elevation, most);
                 EXPECT_NEAR(sea.elevation(sea.at(t), x.x(), x.y()), plain.elevation, most);
@@ -94,11 +94,11 @@ TEST(Waves, PressureEndsAtTheSurfaceAndFlowHasNoSource) {
     EXPECT_DOUBLE_EQ(now.level, 2.0);
     const double z = sea.elevation(now, 3.0, 4.0);
     const WaterPoint top = sea.water(now, {3.0, 4.0, z - 1e-9});
-    EXPECT_NEAR(top.pressure, 0.0, 1e-4);  // of 1e-9 m
+    EXPECT_NEAR(top.pressure, 0.0, 1e-4);  // rounding of 1e-9 m
     EXPECT_EQ(sea.water(now, {3.0, 4.0, z + 1e-9}).pressure, 0.0);
-    // At the bottom there is no flow through it.
+    // No flow through the bottom.
     EXPECT_NEAR(sea.water(now, {3.0, 4.0, -30.0}).velocity.z(), 0.0, 1e-15);
-    // ∂u/∂t of one small wave, for which stretching does not matter.
+    // ∂u/∂t of one small wave, for which stretching has no effect.
     SeaDef small{.depth = 30.0};
     small.waves.push_back({.height = 1e-6, .period = 6.0, .direction = 1.0});
     const Sea calm(small);
@@ -111,7 +111,7 @@ TEST(Waves, PressureEndsAtTheSurfaceAndFlowHasNoSource) {
 }
 
 TEST(Waves, SpectraHaveTheirHeightAndPeriods) {
-    // JONSWAP's own factor makes 4 √m₀ = 3.004 m of Hs = 3 m, and Tz = 0.778 Tp.
+    // JONSWAP's own factor gives 4 √m₀ = 3.004 m for Hs = 3 m, and Tz = 0.778 Tp.
     const WaveDef def = irregular(150.0).waves[0];
     double m0 = 0.0, m2 = 0.0;
     for (int i = 0; i < 200'000; ++i) {
@@ -132,7 +132,7 @@ TEST(Waves, SpectraHaveTheirHeightAndPeriods) {
 }
 
 TEST(Waves, SpreadingIsThatOfItsPower) {
-    // Mean of cos(θ − θ₀) under cos^2s(θ/2) is s/(s + 1).
+    // The mean of cos(θ − θ₀) under cos^2s(θ/2) is s/(s + 1).
     for (const double s : {1.0, 5.0, 25.0}) {
         double mean = 0.0, aside = 0.0;
         const Sea sea(irregular(100.0, 400, s));
@@ -146,7 +146,7 @@ TEST(Waves, SpreadingIsThatOfItsPower) {
 }
 
 TEST(Waves, WindHasItsGusts) {
-    // σ of 1/600 to 0.5 Hz: quadrature of the spectrum, and the components' sum.
+    // σ from 1/600 Hz to 0.5 Hz: quadrature of the spectrum, and the sum of components.
     const double expected[] = {0.872, 2.28};
     for (int i = 0; i < 2; ++i) {
         const double speed = 10.0 * (i + 1);
@@ -207,7 +207,7 @@ TEST(Waves, BadDefinitionsAreRefusedByTheirField) {
 }
 
 TEST(Waves, TimeOfAComponentAtAPoint) {
-    // Printed, not checked: machines differ. Aims are in docs/sea_measured.md.
+    // Print times without a check: machines differ. Targets are in docs/sea_measured.md.
     const Sea sea(irregular(150.0, 400));
     const SeaMoment now = sea.at(10.0);
     double sum = 0.0;

@@ -10,13 +10,13 @@
 namespace hawser::model {
 namespace {
 
-/// G (v₀, ω₀, v₁, ω₁) is the velocity of the joint's point on body 1 less that on body 0.
+/// G (v₀, ω₀, v₁, ω₁) is the velocity of the joint's point on body 1 minus that of body 0.
 TEST(Arms, UnpackToTheRowsOfABallJoint) {
     const double record[kArms] = {0.3, -1.1, 2.0, 0.7, 0.5, -0.9, 5.0, 6.0};
     double room[kArmRoom];
     std::fill_n(room, kArmRoom, std::nan(""));
     const double* packed = packed_rows(record, true, room);
-    // Vectors that begin within the last row end behind it.
+    // Vectors that start within the last row end behind it.
     for (int k = kArmRows * kArmWidth; k < kArmRoom; ++k) EXPECT_EQ(packed[k], 0.0);
     const Eigen::Map<const Eigen::Matrix<double, 3, 12, Eigen::RowMajor>> g(packed);
     Eigen::Matrix<double, 12, 1> u;

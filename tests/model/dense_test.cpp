@@ -25,7 +25,7 @@ MatrixXd random_symmetric(Random& random, int n) {
     return m + m.transpose();
 }
 
-/// Diagonally dominant, with a condition number of at most 3.
+/// Make a diagonally dominant matrix with a condition number of at most 3.
 MatrixXd random_definite(Random& random, int n) {
     return random_symmetric(random, n) + 4.0 * n * MatrixXd::Identity(n, n);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Every kind of interaction: its Jacobian is the derivative of its violation, it acts without
-/// net force or moment, and it starts without violation.
+/// Every kind of interaction: its Jacobian is the derivative of its violation, it has no net force
+/// or moment, and it starts without violation.
 #define HAWSER_KIND_SETUP
 #include "model/kinds/all.h"
 #include "support/recipe.h"
@@ -73,7 +73,7 @@ bool has_collapsed_segment(const Poses& p, const InteractionDef& d) {
     return std::min((at[1] - at[0]).norm(), (at[2] - at[1]).norm()) < 0.1 * d.get("length");
 }
 
-/// Draw random poses, frames and points, so that no position is special.
+/// Draw random poses, frames and points, so that no value is special.
 void draw(Random& random, const KindInfo& info, bool lumps, Poses& p, InteractionDef& d) {
     d = between(info.kind, {});
     for (int b = 0; b < info.bodies; ++b) {
@@ -89,14 +89,14 @@ void draw(Random& random, const KindInfo& info, bool lumps, Poses& p, Interactio
     }
     for (std::size_t i = 0; i < info.params.size(); ++i)
         d.params[i] = std::isnan(info.params[i].fallback) ? 1.3 : info.params[i].fallback;
-    // Far outside any range, so that range rows are on their sloping part.
+    // Far outside any range, on the slope of range rows.
     if (info.kind == InteractionKind::HingeRange || info.kind == InteractionKind::SlideRange)
         d.set("min", 40.0).set("max", 50.0);
     if (has_collapsed_segment(p, d)) draw(random, info, lumps, p, d);
 }
 
-/// Move near the configuration of the joint: frames aligned except for a small rotation. The twist
-/// angle is singular for opposite axes.
+/// Set poses near the joint's own configuration: frames aligned except for a small rotation. The
+/// twist angle is singular if the axes are opposite.
 void align(Random& random, Poses& p, InteractionDef& d) {
     const Quat small(Eigen::AngleAxisd(0.5, random.vector(1.0).normalized()));
     d.frame[1] = (p.q[1].conjugate() * (small * (p.q[0] * d.frame[0]))).normalized();
@@ -107,7 +107,7 @@ class EachKind : public testing::TestWithParam<int> {
     const KindInfo& info() const {
         return interaction_kinds()[static_cast<std::size_t>(GetParam())];
     }
-    /// First seed of a test of this kind; `first` differs from test to test.
+    /// Return the first seed of a test of this kind; `first` differs from test to test.
     static std::uint32_t kind_seed(int first) {
         return first_seed(static_cast<std::uint32_t>(GetParam() + first));
     }
@@ -122,8 +122,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EachKind, testing::Range(0, kInteractionKindCoun
                          });
 
 TEST_P(EachKind, JacobianIsTheDerivativeOfTheViolation) {
-    // Central differences of fourth order. Rows with slopes of up to 30 are near a singular pose.
-    // Rounding of the angle there, about 2⁻⁵³·30², causes an error of 2⁻⁵³·30²·2/d ≈ 2e-9.
+    // Central differences of fourth order. Rows steeper than 30 are near a singular pose and left
+    // out. At 30, rounding of the angle of about 2⁻⁵³·30² gives an error of 2⁻⁵³·30²·2/d ≈ 2e-9.
     constexpr double kStep = 1e-4, kTolerance = 2e-8, kSteepest = 30.0;
     int compared = 0, rows = 0;
     Random random(kind_seed(1));
@@ -147,8 +147,8 @@ TEST_P(EachKind, JacobianIsTheDerivativeOfTheViolation) {
                            (12.0 * kStep);
                 };
                 if (info().kind == InteractionKind::Bend) {
-                    // The two rows turn with their own basis about the wire: only their length is
-                    // the bend. Half of its square determines the energy.
+                    // The two rows have their own rotating basis about the wire, so only their
+                    // length is the bend. The energy contains half its square.
                     double slope = 0.0, want = 0.0;
                     for (int r = 0; r < 2; ++r) {
                         slope += slope_of(r, [](double g) { return 0.5 * g * g; });
@@ -164,7 +164,7 @@ TEST_P(EachKind, JacobianIsTheDerivativeOfTheViolation) {
                     for (int c = 0; c < info().bodies; ++c)
                         for (int k = 0; k < freedoms(p.kind[c]); ++k)
                             steepest = std::max(steepest, std::abs(at.j[c][r][k]));
-                    // Angles jump if they are reduced to one turn.
+                    // Angles jump at the end of a revolution.
                     const bool jumps = std::abs(plus_two.g[r] - minus_two.g[r]) > 0.1;
                     if (jumps || steepest > kSteepest) continue;
                     ++compared;
@@ -178,8 +178,8 @@ TEST_P(EachKind, JacobianIsTheDerivativeOfTheViolation) {
     EXPECT_GE(compared, rows * 9 / 10);
 }
 
-/// Velocity rows: their Jacobian is that of the coordinate that the range of the same joint
-/// measures, at the joint's own configuration.
+/// Velocity rows: their Jacobian is that of the coordinate used by the range of the same joint, at
+/// the joint's own configuration.
 TEST(Motors, DriveTheCoordinateThatTheRangeMeasures) {
     const std::pair<InteractionKind, InteractionKind> pairs[] = {
         {InteractionKind::HingeMotor, InteractionKind::HingeRange},
@@ -191,7 +191,7 @@ TEST(Motors, DriveTheCoordinateThatTheRangeMeasures) {
             Poses p;
             InteractionDef d;
             draw(random, kind_info(range), false, p, d);
-            // Axes parallel, any turn about them.
+            // Parallel axes, any rotation about them.
             const Quat turn(Eigen::AngleAxisd(random.uniform(-3, 3), Vec3::UnitZ()));
             d.frame[1] = p.q[1].conjugate() * (p.q[0] * d.frame[0]) * turn;
             const Evaluated want = evaluate(d, p);
@@ -207,7 +207,7 @@ TEST(Motors, DriveTheCoordinateThatTheRangeMeasures) {
 }
 
 TEST_P(EachKind, ActsWithoutNetForceOrMoment) {
-    // Forces against the world are intentional; a scalar has no position in space.
+    // Kinds with one body act against the world; scalar bodies have no position.
     const bool world = info().bodies == 1;
     if (world) GTEST_SKIP() << "acts against the world";
     Random random(kind_seed(100));
@@ -216,8 +216,8 @@ TEST_P(EachKind, ActsWithoutNetForceOrMoment) {
         Poses p;
         InteractionDef d;
         draw(random, info(), takes_lumps() && trial % 2 == 1, p, d);
-        // A shared point pulls both bodies there. With a gap, the pair of forces has the moment gap
-        // × force, which vanishes with the gap.
+        // A shared point pulls both bodies at that point. With a gap the pair of forces has the
+        // moment gap × force, which vanishes with the gap.
         if (std::string(info().row_units).starts_with("mmm")) {
             const Vec3 arm0 =
                 p.kind[0] == BodyKind::rigid ? Vec3(p.q[0] * d.point[0]) : Vec3::Zero();
@@ -245,8 +245,8 @@ TEST_P(EachKind, ActsWithoutNetForceOrMoment) {
                 EXPECT_LE(moment.norm(), 1e-12) << "row " << r;
             }
         }
-        // One row of a bend alone turns the wire about its tangent when it is bent; the elastic
-        // force, along the bend, does not.
+        // One row of a bend alone twists a bent wire about its tangent; the elastic force, along
+        // the bend, does not.
         EXPECT_LE(elastic.norm(), 1e-12);
     }
 }
@@ -280,7 +280,7 @@ TEST_P(EachKind, StartsWithoutViolation) {
                 d.params[i] = 1.0;
         }
         if (name.ends_with("range")) d.set("min", -1.0);
-        // Its length is that with the slides at 0.
+        // Its length is the one with the slides at 0.
         if (name == "end_span")
             d.set("radius", 0.0);
         else if (name.ends_with("span"))

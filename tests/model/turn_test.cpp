@@ -14,19 +14,19 @@ namespace {
 
 void expect_turns(const Vec3& from, const Vec3& to) {
     const double open = 1.0 + from.normalized().dot(to.normalized());
-    // Rounding of a dozen operations on numbers of order one. The formula for most turns divides
-    // by 1 + cosine, in which three roundings of 2e-16 may be.
+    // Rounding of a dozen operations on numbers of order one. The formula for most rotations
+    // divides by 1 + cosine, which has up to three rounding errors of 2e-16.
     const double tolerance = 4e-15 + (open > 1e-6 ? 6e-16 / open : 0.0);
     const Quat q = turn_between(from, to);
     EXPECT_NEAR(q.norm(), 1.0, tolerance);
     EXPECT_LT((q * from.normalized() - to.normalized()).norm(), tolerance)
         << from.transpose() << " to " << to.transpose();
-    // The smallest: its axis is square to both.
+    // The smallest rotation: its axis is perpendicular to both.
     EXPECT_NEAR(q.vec().dot(from.normalized()), 0.0, tolerance);
     EXPECT_NEAR(q.vec().dot(to.normalized()), 0.0, tolerance);
 }
 
-/// The next test has directions that are nearly opposite, of a fixed seed.
+/// The next test has nearly opposite directions, with a fixed seed.
 TEST(TurnBetween, TakesOneDirectionToTheOther) {
     Random random(first_seed(5));
     const int cases = by_tier(200, 1000, 10'000);

@@ -13,7 +13,7 @@
 namespace hawser::nonsmooth {
 namespace {
 
-/// Iterations until x = F(x) to `tolerance`, or `most`.
+/// Iterate until x = F(x) to `tolerance`, or `most` times.
 template <class F>
 int iterate_to(Anderson& a, Eigen::VectorXd& x, F&& f, double tolerance, int most) {
     for (int k = 1; k <= most; ++k) {
@@ -38,7 +38,7 @@ TEST(AndersonAcceleration, EndsAfterAsManyIterationsAsUnknowns) {
             Eigen::VectorXd b(n);
             for (int i = 0; i < n; ++i) {
                 b[i] = normal(random);
-                // A general matrix up to a rotation of the space (Schur's form), with known
+                // A general matrix up to a rotation of the space (Schur's form) with known
                 // eigenvalues; a normal matrix of this size has a radius of √n.
                 for (int j = i + 1; j < n; ++j) a(i, j) = normal(random) / std::sqrt(n);
                 a(i, i) = std::uniform_real_distribution<>(-0.999, 0.999)(random);
@@ -56,15 +56,15 @@ TEST(AndersonAcceleration, EndsAfterAsManyIterationsAsUnknowns) {
             Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
             const int taken = iterate_to(
                 accelerate, x, [&](const auto& y) { return (a * y + b).eval(); }, 1e-9, 60);
-            // Once more, if growth discarded a history in between.
+            // One repetition if growth cleared the history in between.
             EXPECT_LE(taken, 2 * n + 4) << n;
             const Eigen::VectorXd exact = test::solve_dense(Eigen::MatrixXd::Identity(n, n) - a, b);
-            // 1e-9 over 1 − 0.999, and the non-normal part of A.
+            // 1e-9 over 1 − 0.999, and the part of A that is not normal.
             EXPECT_LT((x - exact).norm(), 1e-4 * exact.norm()) << n;
         }
 }
 
-/// A map that is not affine, with kinks such as bounds have.
+/// A map that is not affine, with kinks like those of bounds.
 TEST(AndersonAcceleration, ConvergesThroughKinks) {
     Anderson accelerate;
     accelerate.reserve(2);

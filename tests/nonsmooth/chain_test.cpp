@@ -25,7 +25,7 @@ using test::by_tier;
 using test::first_seed;
 using test::Random;
 
-/// The problem as dense arrays.
+/// The problem in dense arrays.
 struct DenseChain {
     MatrixXd m;
     VectorXd residual, start;
@@ -50,10 +50,10 @@ DenseChain dense_of(const std::vector<ChainRow>& rows) {
     return d;
 }
 
-/// M = Σ + G A⁻¹ Gᵀ of a wire whose elements turn by `bend` at most; positive definite.
+/// Make M = Σ + G A⁻¹ Gᵀ of a wire whose elements turn by at most `bend`; positive definite.
 std::vector<ChainRow> random_chain(Random& random, std::size_t n, double bend) {
     std::vector<ChainRow> rows(n, ChainRow{});
-    double before = random.uniform(0.02, 0.1);  // mobility of the lump before
+    double before = random.uniform(0.02, 0.1);  // mobility of the previous node
     for (std::size_t i = 0; i < n; ++i) {
         const double behind = random.uniform(0.02, 0.1);
         rows[i].diagonal = std::pow(10.0, random.uniform(-5, -2)) + before + behind;
@@ -67,7 +67,7 @@ std::vector<ChainRow> random_chain(Random& random, std::size_t n, double bend) {
     return rows;
 }
 
-/// The solution by trying all sets of active rows.
+/// Find the solution by trying all sets of active rows.
 std::optional<VectorXd> try_all_sets(const DenseChain& d) {
     const auto n = d.m.rows();
     for (int set = 0; set < 1 << n; ++set) {
@@ -115,7 +115,7 @@ TEST(Chain, FindsTheSolutionThatTryingEverySetFinds) {
     Random random(first_seed(1));
     const int trials = by_tier(300, 2000, 20'000);
     for (int trial = 0; trial < trials; ++trial) {
-        // Bends above 90 degrees too: M is then no M-matrix.
+        // Includes bends above 90 degrees, for which M is no M-matrix.
         const double bend = trial % 2 == 0 ? 0.0 : 3.0;
         std::vector<ChainRow> rows =
             random_chain(random, 1 + static_cast<std::size_t>(trial) % 8, bend);
@@ -128,8 +128,8 @@ TEST(Chain, FindsTheSolutionThatTryingEverySetFinds) {
     }
 }
 
-/// A slack wire whose elements come taut one after the other: Newton's method on the whole system
-/// needs an iteration per element.
+/// A slack wire whose elements come taut one after the other. Newton's method on the whole system
+/// needs one iteration per element.
 TEST(Chain, SettlesALongWireThatZips) {
     constexpr std::size_t kRows = 100;
     std::vector<ChainRow> rows(kRows, ChainRow{});

@@ -52,7 +52,7 @@ TEST(Project, GivesTheNearestPointOfTheCone) {
         std::copy_n(p, 3, again);
         project(mu, again);
         ASSERT_LE(norm_of(p, again), 1e-14);
-        // Nearest: ⟨y − p, z − p⟩ ≤ 0 for every z of the cone.
+        // Nearest point: ⟨y − p, z − p⟩ ≤ 0 for every z of the cone.
         for (int other = 0; other < 20; ++other) {
             const double n = random.uniform(0, 4), a = random.uniform(0, 6.3),
                          r = mu * n * random.unit();
@@ -64,7 +64,7 @@ TEST(Project, GivesTheNearestPointOfTheCone) {
     }
 }
 
-/// Make λ and u that satisfy Coulomb's law exactly, with a given status.
+/// Draw λ and u that satisfy Coulomb's law exactly, with a given status.
 void make_solution(Cone& c, Touch touch, Random& random) {
     const double n = touch == Touch::open ? 0.0 : random.uniform(0.1, 10.0);
     const double angle = random.uniform(0, 6.28), x = std::cos(angle), y = std::sin(angle);
@@ -89,12 +89,12 @@ TEST(NaturalMap, VanishesExactlyWhereTheLawHolds) {
         residual(c, c.u, c.lambda, e);
         ASSERT_LE(natural_map(c, 1e-9), 1e-11) << trial;
         ASSERT_LE(std::hypot(e[0], e[1], e[2]), 1e-11 * (1.0 + c.lambda[0])) << trial;
-        // And nowhere else: an impulse with an error of a tenth is detected.
+        // The residual vanishes only there: an impulse with an error of a tenth is detected.
         if (trial % 3 == 0) continue;
         const double change = 0.1 * c.lambda[0];
         c.lambda[trial % 2] += change;
-        c.u[trial % 2] += c.mobility * change;  // the response of the point
-        // Relative to λ or to the impulse that would stop the point, whichever is larger.
+        c.u[trial % 2] += c.mobility * change;  // velocity change of the point due to the impulse
+        // Relative to λ or the impulse that would stop the point, whichever is larger.
         const double rho = 1.0 / (c.mobility + std::max(c.sigma_n, c.sigma_t));
         double size = std::hypot(c.lambda[0], c.lambda[1], c.lambda[2]), q[3];
         for (int i = 0; i < 3; ++i) q[i] = rho * (c.u[i] - c.b[i] - c.mobility * c.lambda[i]);
@@ -122,7 +122,7 @@ TEST(NaturalMap, DoesNotDependOnUnits) {
 }
 
 /// The linear law is tangent to the nonlinear one: P(y(u, λ)) − (p − S u) has the tangent of
-/// Newton's equation. With W = 0, P depends on u alone, so that −S is its derivative.
+/// Newton's equation. With W = 0, P depends on u alone, so −S is its derivative.
 TEST(Linearise, IsTheDerivativeByVelocity) {
     Random random(first_seed(4));
     const int trials = by_tier(3000, 15'000, 150'000);
@@ -158,8 +158,8 @@ TEST(Linearise, IsTheDerivativeByVelocity) {
     for (const int count : seen) EXPECT_GT(count, trials / 30);
 }
 
-/// Newton's direction is that of the residual: along it, every component of λ − P(y) decreases as 1
-/// − t. It does not if residual and law differ in ρ.
+/// Newton's direction belongs to the residual: along it, every component of λ − P(y) decreases as 1
+/// − t. This fails if residual and law differ in ρ.
 TEST(Linearise, IsNewtonsStepOfTheResidual) {
     Random random(first_seed(7));
     const int trials = by_tier(3000, 15'000, 150'000);
@@ -188,7 +188,7 @@ TEST(Linearise, IsNewtonsStepOfTheResidual) {
         if (other != touch) continue;
         ++seen[static_cast<int>(touch)];
         for (int i = 0; i < 3; ++i)
-            // Second order in the fraction, and rounding of differences divided by the fraction.
+            // Second order in the step fraction, and rounding of differences over the fraction.
             ASSERT_NEAR((after[i] - before[i]) / kShare, -before[i], 1e-3 * size)
                 << trial << " row " << i;
     }
@@ -204,7 +204,7 @@ TEST(Linearise, HoldsWhatTurnsRound) {
         make_solution(c, Touch::slip, random);
         Touch touch{};
         const Law law = linearise(c, touch);
-        // ŷ is the direction of λ_t of a point that slides.
+        // ŷ is the direction of λ_t of a sliding point.
         const double turn = random.uniform(0, 3.14159), cosine = std::cos(turn);
         Cone turned = c;
         const double x = c.lambda[1], y = c.lambda[2], sine = std::sin(turn);
@@ -218,7 +218,7 @@ TEST(Linearise, HoldsWhatTurnsRound) {
         if (std::fabs(cosine) > 1e-6) {
             ASSERT_EQ(turned_round(law, other), cosine < 0.0) << trial;
         }
-        // The substitute law requires r = 0.
+        // The law in its place requires r = 0.
         const Law held = hold_law(c);
         ASSERT_FALSE(turned_round(law, held));
         for (int i = 0; i < 3; ++i) {

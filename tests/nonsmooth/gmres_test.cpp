@@ -26,7 +26,7 @@ int solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double tolerance,
     }
     x.resize(b.size());
     gmres.solution(x.data());
-    // take() returned the residual over ‖b‖.
+    // take() returns the residual over ‖b‖.
     EXPECT_NEAR((b - a * x).norm(), left * b.norm(), 1e-10 * b.norm());
     return gmres.count();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every method for contacts on a block on a slope: it rests, or slides with the closed form.
+// Every contact method with a block on a slope: it rests, or slides as in the closed form.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Slope make_slope(Nonsmooth method, double slope) {
     steel.stiffness = 1e7;
     const MaterialId material = s.world.add_material(steel);
     BodyDef block{.name = "block"};
-    // Four points of 1e7 N/m bear 9 kN: 0.2 mm deep.
+    // Four points of 1e7 N/m carry 9 kN: 0.2 mm deep.
     block.position = tilt * Vec3(0.0, 0.0, 0.2498);
     block.orientation = tilt;
     block.mass = 1000.0;
@@ -55,7 +55,7 @@ TEST_P(Methods, HoldABlockBelowTheLimit) {
         ASSERT_EQ(s.world.step(), Status::ok);
         if (i == 99) at = s.world.pose(s.block).position;
     }
-    // Friction is a spring in every method; the rest is its settling.
+    // Friction is a spring in every method; only its settling is left.
     EXPECT_LE((s.world.pose(s.block).position - at).norm(), 1e-8);
 }
 
@@ -70,7 +70,7 @@ TEST_P(Methods, LetABlockSlideBeyondIt) {
     const double angle = std::atan(kSlope);
     const double exact = 9.81 * (std::sin(angle) - kFriction * std::cos(angle));
     const double found = (s.world.velocity(s.block).linear.dot(s.down) - from) / (90.0 / 60.0);
-    // Sweeps leave the normal force a percent off; the others solve it.
+    // Sweeps have an error of a per cent in the normal force; the others solve it.
     EXPECT_NEAR(found / exact, 1.0, GetParam() == Nonsmooth::pgs ? 0.02 : 2e-3);
 }
 

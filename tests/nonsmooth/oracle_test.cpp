@@ -35,7 +35,7 @@ struct Problem {
     VectorXd q;
     std::vector<Cone> cones;
 
-    /// u and λ with every contact's law p − S u.
+    /// Compute u and λ with the law p − S u of every contact.
     void solve(const std::vector<Law>& laws) {
         const auto n = q.size();
         MatrixXd s = MatrixXd::Zero(n, n);
@@ -67,7 +67,7 @@ struct Problem {
 };
 
 Problem random_problem(Random& random, int contacts) {
-    const int n = 3 * contacts, bodies = 6 * contacts;  // W regular, contacts coupled
+    const int n = 3 * contacts, bodies = 6 * contacts;  // makes W regular and contacts coupled
     MatrixXd j(n, bodies);
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < bodies; ++k) j(i, k) = random.uniform(-1, 1);
@@ -84,7 +84,7 @@ Problem random_problem(Random& random, int contacts) {
     return p;
 }
 
-/// Solution of the box problem: every combination of free, low, high of every row.
+/// Solve the box problem by trying every combination of free, low and high rows.
 VectorXd brute_force(const Problem& p, const std::vector<double>& limit, int& solutions) {
     const auto n = static_cast<int>(p.q.size());
     int combinations = 1;
@@ -159,7 +159,7 @@ TEST(Box, PivotingFindsTheSolutionThatTryingEverythingFinds) {
         int solutions = 0;
         const VectorXd exact = brute_force(p, limit, solutions);
         ASSERT_EQ(solutions, 1) << "a P-matrix has one solution";
-        // As the stepper does it; then by the fallback alone.
+        // First like the stepper, then by the fallback alone.
         for (const PivotProgress& start : {PivotProgress{}, PivotProgress{0, 0}}) {
             const int rounds = pivot_all(p, limit, start);
             ASSERT_LT(rounds, 300);
@@ -167,12 +167,12 @@ TEST(Box, PivotingFindsTheSolutionThatTryingEverythingFinds) {
             EXPECT_LE((p.lambda() - exact).norm(), 1e-7 * (1.0 + exact.norm())) << trial;
         }
     }
-    EXPECT_LT(together, singly);  // the purpose of changing them together
+    EXPECT_LT(together, singly);  // purpose of changing them together
 }
 
-/// Iterations without progress: all rows change until the trials are used up, then the last one
-/// alone, until fewer are infeasible. (A search among 10⁴ random problems found none that cycles
-/// when all change.)
+/// Iterations without progress: all rows change until the trials are used up, then only the last
+/// one, until fewer are infeasible. (A search of 10⁴ random problems found no cycle of changing
+/// all.)
 TEST(Box, PivotingChangesRowsSinglyWhenItDoesNotGetOn) {
     Cone pulled{};  // λ outside all of its bounds
     pulled.sigma_n = pulled.sigma_t = 0.01;
@@ -190,7 +190,7 @@ TEST(Box, PivotingChangesRowsSinglyWhenItDoesNotGetOn) {
     };
     for (int i = 0; i <= kPivotTrials; ++i) EXPECT_EQ(changed(three), 9) << i;
     for (int i = 0; i < 3; ++i) EXPECT_EQ(changed(three), 1) << i;
-    EXPECT_EQ(changed(two), 1);  // fewer: the next one changes all again
+    EXPECT_EQ(changed(two), 1);  // fewer infeasible rows: the next call changes all again
     for (int i = 0; i < kPivotTrials; ++i) EXPECT_EQ(changed(two), 6) << i;
     EXPECT_EQ(changed(two), 1);
 }
@@ -252,7 +252,7 @@ TEST(Cone, NewtonAndSweepsFindTheSameImpulses) {
         if (newton(p, 100) > 1e-11) continue;
         ++solved;
         const VectorXd newton = p.lambda();
-        // Sweeps: another way to the same law, contact by contact.
+        // Sweeps: another method for the same law, contact by contact.
         VectorXd lambda = VectorXd::Zero(p.q.size());
         for (int sweep = 0; sweep < 2000; ++sweep)
             for (std::size_t k = 0; k < p.cones.size(); ++k) {
@@ -269,7 +269,7 @@ TEST(Cone, NewtonAndSweepsFindTheSameImpulses) {
         p.set(p.w * lambda + p.q, lambda);
         double swept = 0.0;
         for (const Cone& c : p.cones) swept = std::max(swept, natural_map(c, 1e-9));
-        if (swept > 1e-10) continue;  // sweeps need not converge on Coulomb's law
+        if (swept > 1e-10) continue;  // sweeps need not converge for Coulomb's law
         EXPECT_LE((newton - lambda).norm(), 1e-6 * (1.0 + lambda.norm())) << trial;
     }
     EXPECT_GE(solved, trials * 9 / 10);
@@ -287,7 +287,7 @@ TEST(Associated, NewtonFindsTheMinimum) {
         }
         double left = 0.0;
         for (const Cone& c : p.cones) left = std::max(left, associated_map(c, 1e-9));
-        if (left > 1e-9) continue;  // no line search here
+        if (left > 1e-9) continue;  // this test has no line search
         // ½ λᵀ(W + Σ)λ + qᵀλ is convex on the cones: no feasible point is lower.
         const VectorXd lambda = p.lambda();
         auto value = [&](const VectorXd& l) {
@@ -303,7 +303,8 @@ TEST(Associated, NewtonFindsTheMinimum) {
     }
 }
 
-/// A block of mass m on a plane, pushed by f along it and by w down, a step h: closed form.
+/// A block of mass m on a plane, pushed by f along it and by w downwards, for a step h: closed
+/// form.
 TEST(Cone, ABlockSlidesWithTheDifference) {
     for (const double push : {0.3, 0.8, 2.0}) {
         Problem p{MatrixXd::Identity(3, 3), VectorXd(3), {}};

@@ -46,7 +46,7 @@ Pair random_pair(Random& random) {
     return p;
 }
 
-/// u and λ that satisfy the law. @param which  Bits: 1 it rolls, 2 it spins.
+/// Draw u and λ that satisfy the law. @param which  Bits: 1 it rolls, 2 it spins.
 void make_solution(Pair& p, int which, Random& random) {
     Cone& c = p.cone;
     Resistance& a = p.turn;
@@ -76,12 +76,13 @@ TEST(Resistance, ResidualsVanishExactlyWhereTheLawHolds) {
         const double size = p.cone.lambda[0];
         ASSERT_LE(std::hypot(e[0], e[1], e[2]), 1e-12 * (1.0 + size)) << trial;
         ASSERT_LE(natural_map(p.turn, p.cone, 1e-9), 1e-11) << trial;
-        // A torque beyond its bound shows, whichever part it belongs to.
+        // A torque beyond its bound is detected in each part.
         for (int i = 0; i < 3; ++i) {
             Pair q = p;
             Resistance& a = q.turn;
             const double bound = (i == 0 ? a.torsional : a.rolling) * size;
-            a.lambda[i] += 3.0 * bound;  // from −bound on: by a bound too much at least
+            a.lambda[i] += 3.0 * bound;  // from −bound on: exceeds the other bound by at least one
+                                         // bound
             double whole = 0.0, free = 0.0;
             for (int k = 0; k < 3; ++k) {
                 whole = std::hypot(whole, a.lambda[k]);
@@ -114,7 +115,7 @@ TEST(Resistance, OpenContactsAndFreePartsCarryNothing) {
     EXPECT_EQ(law.p[1], 0.0);
 }
 
-/// P(λ − ρ r) at an iterate, with the ρ of linearise().
+/// Compute P(λ − ρ r) at an iterate, with the ρ of linearise().
 void projected(const Pair& p, double out[3]) {
     const double rho = 1.0 / (p.turn.sigma + p.turn.mobility);
     for (int i = 0; i < 3; ++i)
@@ -124,8 +125,8 @@ void projected(const Pair& p, double out[3]) {
     limit(p.turn, p.cone.lambda[0] - r / (p.cone.sigma_n + p.cone.mobility), out);
 }
 
-/// Along every direction in (u_n, u) that the linear laws of the normal and of the resistance
-/// allow, λ − P must change by its negative value to first order: Newton's equation.
+/// Along every direction in (u_n, u) allowed by the linear laws of the normal and of the
+/// resistance, λ − P changes by its present value to first order: Newton's equation.
 TEST(Resistance, LinearLawSolvesNewtonsEquation) {
     Random random(first_seed(3));
     const int trials = by_tier(4000, 20'000, 200'000);
@@ -135,7 +136,7 @@ TEST(Resistance, LinearLawSolvesNewtonsEquation) {
         Touch spins{}, rolls{};
         const ResistanceLaw law = linearise(p.turn, p.cone, spins, rolls);
         if (spins == Touch::open) continue;
-        // The end of the Newton step for some new velocities: λ by the linear laws.
+        // End of the Newton step for some new velocities: λ by the linear laws.
         Pair end = p;
         end.cone.u[0] += random.uniform(-1, 1) * 1e-2;
         end.cone.lambda[0] = (end.cone.b[0] - end.cone.u[0]) / end.cone.sigma_n;
@@ -144,7 +145,7 @@ TEST(Resistance, LinearLawSolvesNewtonsEquation) {
             end.turn.lambda[i] = law.p[i] - law.column[i] * end.cone.u[0];
             for (int k = 0; k < 3; ++k) end.turn.lambda[i] -= law.s[3 * i + k] * end.turn.u[k];
         }
-        bool same = true;  // On one side of every kink.
+        bool same = true;  // True if all are on one side of every kink.
         const auto defect = [&](double t, double out[3]) {
             Pair now = p;
             const auto mix = [&](double& x, double to) { x += t * (to - x); };
@@ -170,7 +171,7 @@ TEST(Resistance, LinearLawSolvesNewtonsEquation) {
         for (int i = 0; i < 3; ++i)
             scale = std::max({scale, std::fabs(at[i]), std::fabs(end.turn.lambda[i])});
         for (int i = 0; i < 3; ++i)
-            // Differences of second order; P bends on the scale of λ itself.
+            // Differences of second order; P has curvature at the scale of λ.
             ASSERT_NEAR((after[i] - before[i]) / (2.0 * t), -at[i], 1e-4 * scale)
                 << trial << " part " << i << " status " << static_cast<int>(spins)
                 << static_cast<int>(rolls);

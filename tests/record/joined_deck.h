@@ -2,8 +2,8 @@
 #pragma once
 /// @file joined_deck.h
 /// Two hanging wires that are shackled to each other while the world runs, and a box on a stay. A
-/// hook captures it, it is cut loose from the stay, and it is released. Also its recording, and the
-/// lines that existed beside the wires.
+/// hook takes the box, the stay is cut, and the hook releases it. Contains the recording and the
+/// expected lines other than wires.
 
 #include "record/small_scene.h"
 
@@ -18,7 +18,7 @@
 namespace hawser::test {
 
 struct JoinedDeck {
-    /// Steps after which it happens.
+    /// Steps after which the operations happen.
     static constexpr int kTaken = 10, kJoined = 20, kStayGone = 30, kLetGo = 40, kSteps = 50;
     struct Line {
         std::array<Vec3, 2> ends;
@@ -29,7 +29,7 @@ struct JoinedDeck {
     record::SceneInfo info;
     InteractionId stay{};
     WireId a{}, b{};
-    /// By frame, of links and legs: by name.
+    /// Links and legs by name, for each frame.
     std::vector<std::map<std::string, Line>> lines;
 
     JoinedDeck() {
@@ -76,7 +76,7 @@ struct JoinedDeck {
                                      .instruction_set = instruction_set(),
                                      .version = version(),
                                      .processor = "test"});
-        lines.emplace_back();  // the start
+        lines.emplace_back();  // frame of the start
         for (int i = 0; i < kSteps; ++i) {
             if (i == kTaken) w.set_system_signal("hook.take", 1);
             if (i == kJoined)

@@ -21,10 +21,11 @@ std::vector<record::ControlChange> read_back(const std::string& text) {
     const std::vector<std::string> names = {"thrust", "winch.mode"};
     std::vector<record::ControlRange> ranges;
     for (const auto& i : kRandomLevers) ranges.push_back({i.min, i.max});
-    return record::parse_control(text, "levers.csv", names, ranges);  // Throws beyond a range.
+    return record::parse_control(text, "levers.csv", names, ranges);  // Throws if a value is out of
+                                                                      // range.
 }
 
-/// Values of an input by time, as text-independent pairs.
+/// Return the values of an input by time, as pairs independent of the text.
 std::map<double, double> values_of(const std::string& text, std::int32_t input) {
     std::map<double, double> out;
     for (const auto& c : read_back(text))
@@ -47,7 +48,7 @@ TEST(RandomControl, StaysInRangesAndTimesAndMovesEverything) {
         for (const auto& [time, value] : mode) modes.insert(value);
         for (const double m : modes) EXPECT_EQ(m, std::round(m));
         EXPECT_GE(modes.size(), 3u) << seed;
-        // A ramp has lines 0.1 s apart; a step does not.
+        // A ramp has lines 0.1 s apart; a step change does not.
         int near = 0, far = 0;
         for (auto next = std::next(thrust.begin()); next != thrust.end(); ++next)
             ++(next->first - std::prev(next)->first < 0.15 ? near : far);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file small_scene.h
-/// A box that hangs on a short cable, pushed by an input: small enough to cut its recording
-/// at every byte.
+/// A box on a short cable, pushed by an input: small enough to truncate its recording at every
+/// byte.
 
 #include <hawser/recording.h>
 #include "record/recording_writer.h"
@@ -78,7 +78,7 @@ inline std::vector<std::byte> read_bytes(const std::filesystem::path& file) {
     return {data, data + text.size()};
 }
 
-/// A folder of this test's own, emptied.
+/// Return an empty folder of this test.
 inline std::filesystem::path fresh_folder() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     const auto folder = std::filesystem::path(testing::TempDir()) / "hawser" /

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Changes of a world between steps are in its recording, and are repeated from it.
+/// Changes of a world between steps are recorded, and repeated from the recording.
 #include <hawser/repeater.h>
 #include "record/changes.h"
 #include "record/recording_listener.h"
@@ -16,8 +16,8 @@ using record::Recording;
 
 namespace {
 
-/// Step a world as recorded. @return frames with a different motion: a recording contains the
-/// actions of systems, not the systems.
+/// Step a world with the changes of its recording. @return number of frames with another motion: a
+/// recording contains the actions of systems, not the systems.
 int differences(const Recording& r, World& world) {
     int wrong = 0;
     record::Repeater repeater(r);
@@ -32,7 +32,7 @@ int differences(const Recording& r, World& world) {
     return wrong;
 }
 
-/// Edit a world at random, record it and repeat it from the recording.
+/// Edit a world at random, record it, and repeat it from the recording.
 void repeat_edits(std::uint32_t seed) {
     WorldDef def{.on_diverged = OnDiverged::warn};
     World world(def), again(def);
@@ -56,7 +56,7 @@ void repeat_edits(std::uint32_t seed) {
             if (step == 60) world.set_pose(world.bodies()[2], {.position = {0, 0, 6}});
             listener.flush();
             ASSERT_EQ(world.step(), Status::ok);
-            listener.flush(step);  // values set by systems in it
+            listener.flush(step);  // values set by systems in the step
             out.add_loads(world);
             out.add_frame(world);
         }
@@ -70,7 +70,7 @@ void repeat_edits(std::uint32_t seed) {
     again.restore(r.snapshot);
     EXPECT_EQ(differences(r, again), 0);
     EXPECT_EQ(again.motion_hash(), world.motion_hash());
-    // In the last frame, the existing bodies are at their positions.
+    // In the last frame, existing bodies have their positions.
     const record::Frame last = r.frame(90);
     std::size_t there = 0;
     for (std::size_t b = 0; b < r.bodies.size(); ++b) there += last.there[b] ? 1 : 0;

@@ -113,7 +113,7 @@ TEST(Recording, DamagedBytesAreNoticed) {
     }
 }
 
-// Chunks with a correct checksum and wrong contents, as from an attacker.
+// Chunks with a valid checksum and invalid contents, like those of an attacker.
 TEST(Recording, HostileChunksAreRefused) {
     const auto file = fresh_folder() / "r.hwr";
     SmallScene scene;
@@ -132,7 +132,7 @@ TEST(Recording, HostileChunksAreRefused) {
             (void)in.get<std::uint32_t>();
             std::vector<std::byte> changed(payload.begin(), payload.end());
             for (int k = 0; k < 2 && !changed.empty() && random() % 3 == 0; ++k) {
-                // Whole words of extremes find more than single bits.
+                // Extreme values of whole words detect more than single bits.
                 const std::size_t at = random() % changed.size();
                 for (std::size_t j = at; j < std::min(changed.size(), at + 4); ++j)
                     changed[j] = std::byte(random() % 2 == 0 ? 0xFF : random() % 256);

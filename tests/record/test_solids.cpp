@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Convex surfaces: volumes, Euler's formula, all points inside, flat ones refused.
+/// Convex surfaces: volumes, Euler's formula, all points inside, flat ones rejected.
 #include "record/solids.h"
 #include "support/tier.h"
 
@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// By the divergence theorem; negative were the surface inside out.
+/// Compute the volume by the divergence theorem; negative if the surface is inside out.
 double volume(const record::Triangles& t) {
     double sum = 0.0;
     for (const auto& c : t.corners)
@@ -21,7 +21,7 @@ double volume(const record::Triangles& t) {
     return sum;
 }
 
-/// Each edge once in both directions, and V − E + F = 2 (Euler).
+/// Check that each edge occurs once in both directions, and V − E + F = 2 (Euler).
 void expect_closed(const record::Triangles& t) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const auto& c : t.corners)
@@ -47,13 +47,13 @@ TEST(ConvexSurface, HoldsAllPoints) {
         std::vector<Vec3> points;
         for (int i = 0; i < 60; ++i)
             points.emplace_back(3.0 * normal(random), normal(random), 0.2 * normal(random));
-        points.insert(points.end(), points.begin(), points.begin() + 5);  // twice
+        points.insert(points.end(), points.begin(), points.begin() + 5);  // some points twice
         const record::Triangles hull = record::convex_surface(points);
         expect_closed(hull);
         for (const auto& c : hull.corners) {
             const Vec3& a = hull.points[c[0]];
             const Vec3 n = (hull.points[c[1]] - a).cross(hull.points[c[2]] - a).normalized();
-            // The method treats 1e-9 of an extent of about 20 m as one face.
+            // The method treats points within 1e-9 of an extent of about 20 m as one face.
             for (const Vec3& p : points) EXPECT_LE(n.dot(p - a), 1e-7);
         }
     }

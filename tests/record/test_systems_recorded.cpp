@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A recording contains the actions of systems as data: a replay needs none of their code.
+/// Actions of systems are recorded as data: a replay needs none of their code.
 #include <hawser/hawser.h>
 #include <hawser/repeater.h>
 
@@ -15,7 +15,8 @@ using record::Recording;
 
 namespace {
 
-/// Water about the box, and a hand that pushes it by the scene's input and by one that turns.
+/// Water around the box, and a system that pushes it by the scene's input and by an input that
+/// rotates with the body.
 struct Hand final : System {
     BodyId box;
     InputId push, thruster;

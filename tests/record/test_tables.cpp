@@ -86,7 +86,7 @@ TEST(Names, NearestIsTheFewestEditsAway) {
     EXPECT_EQ(record::nearest_name("x", {}), "");
 }
 
-// Drums and resolutions give wires new elements at their ends.
+// Drums and resolutions replace the elements at the ends of wires.
 TEST(Csv, TensionsAreThoseAtTheEndsThatAWireHasNow) {
     World w({.step = 0.01});
     const BodyId top = w.add_body({.name = "top", .kind = BodyKind::fixed, .position = {0, 0, 10}});

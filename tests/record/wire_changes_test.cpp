@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Random sequences of all operations on wires while a world runs. Bits are equal for any number of
-/// threads, in a world that repeats the messages of a listener, and after a restored state.
+/// threads, in a world that repeats the changes reported to a listener, and after a restored state.
 #include <hawser/hawser.h>
 
 #include "record/changes.h"
@@ -21,17 +21,18 @@
 namespace hawser::test {
 namespace {
 
-/// Operations per world; they add nodes to the wires and lengthen the steps.
+/// Operations per world; each adds nodes to its wires, which makes later steps slower.
 constexpr int kOperations = kSanitized ? 60 : 200;
 
-/// Number of worlds. HAWSER_OPERATIONS gives the number of operations of all worlds.
+/// Return the number of worlds. HAWSER_OPERATIONS gives the number of operations of all worlds.
 unsigned worlds_to_try() {
     if (const char* given = std::getenv("HAWSER_OPERATIONS"))
         return static_cast<unsigned>(std::atol(given) / kOperations);
     return static_cast<unsigned>(seed_count(2, 10, 100));
 }
 
-/// Two wires between a beam and two blocks, one of lumps alone, one of straight pieces with bends.
+/// Make two wires between a beam and two blocks, one of point masses, one of straight pieces with
+/// bends.
 World wires_world(int threads) {
     World w({.step = 0.01, .threads = threads, .on_diverged = OnDiverged::warn});
     const BodyId beam =
@@ -61,7 +62,7 @@ World wires_world(int threads) {
     return w;
 }
 
-/// Return the mass of lumps, and of half elements that end at other bodies.
+/// Return the mass of nodes and of half elements that end at other bodies, whose mass no node has.
 double lump_mass(const World& w) {
     double sum = 0.0;
     for (const BodyId id : w.bodies())
@@ -99,7 +100,7 @@ T pick(std::mt19937& dice, std::span<const T> from) {
     return from[dice() % from.size()];
 }
 
-/// Any operation, also one that the world has to refuse.
+/// Draw any operation, including ones that the world must reject.
 Operation any(std::mt19937& dice, const World& w) {
     const WireId a = pick(dice, w.wires()), b = pick(dice, w.wires());
     const int end = static_cast<int>(dice() % 2), other = static_cast<int>(dice() % 2);
@@ -185,9 +186,9 @@ void sequence(unsigned seed, std::vector<int>& done) {
         ASSERT_EQ(repeated.state_hash(), worlds[0].state_hash()) << op.what << " " << k;
         for (int step = 0; step < 2; ++step) {
             const Status status = worlds[0].step();
-            // Nodes inserted repeatedly beside nodes leave lumps of milligrams beside blocks of 400
-            // kg, with elements 1e15 times as stiff. A world that only warns continues from a state
-            // with a wrong verdict. Both may end with a status.
+            // Repeated insertion beside nodes leaves nodes of milligrams beside blocks of 400 kg,
+            // with elements 1e15 times as stiff. A world that only warns also continues after a
+            // failed monitor. Such a world may end with another status.
             ASSERT_TRUE(status == Status::ok || status == Status::diverged ||
                         lightest(worlds[0]) < 1e-4 || worlds[0].verdict().grade == Grade::wrong)
                 << to_string(status) << " after " << op.what << ", seed " << seed << ", lightest "
@@ -220,7 +221,7 @@ TEST(WireCutRandom, SequencesAreRepeatedInAllBits) {
         if (seed % 50 == 0)
             std::printf("seed %u of %u\n", seed, first + worlds_to_try() - 1), std::fflush(stdout);
     }
-    // The quick tier has too few operations for three of each kind.
+    // The quick tier has too few operations to require some of each kind.
     const int least = by_tier(0, 2, 2);
     for (const char* what : {"cu", "sp", "ge", "at", "de", "in", "re"})
         EXPECT_GT(done[static_cast<std::size_t>(what[0] + what[1]) % done.size()], least) << what;

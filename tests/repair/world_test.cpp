@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Worlds whose bodies begin to touch: the order of elimination is repaired, and the result depends
+/// Worlds whose bodies come into contact: the order of elimination is repaired, and results depend
 /// only on the state.
 #include <hawser/inspect.h>
 
@@ -25,8 +25,8 @@ namespace {
 
 constexpr int kSteps = kSanitized ? 60 : 200;
 
-/// Balls fall on a wire that spans a plane, and on each other: new pairs touch in many steps, and
-/// chains of the matrix are broken up.
+/// Let balls fall on a wire that spans a plane, and on each other. New pairs touch in many steps,
+/// and chains of the matrix are split.
 Yard falling(std::uint32_t seed = 5, int threads = 1) {
     WorldDef def;
     def.threads = threads;
@@ -54,7 +54,7 @@ Yard falling(std::uint32_t seed = 5, int threads = 1) {
 }
 
 TEST(WorldRepair, RepairsMoreOftenThanItPlans) {
-    // How much touches at once depends on how the balls fall: counted over several falls.
+    // The number of simultaneous contacts depends on how the balls fall: count over several falls.
     std::int64_t plans = 0, repairs = 0;
     for (std::uint32_t seed = 1; seed <= (kSanitized ? 1 : 6); ++seed) {
         Yard y = falling(seed);
@@ -66,14 +66,13 @@ TEST(WorldRepair, RepairsMoreOftenThanItPlans) {
         plans += s.plans;
         repairs += s.repairs;
     }
-    // In the first steps, the only ones for sanitizers, many contacts appear at once.
+    // In the first steps, the only ones under sanitizers, many contacts appear at once.
     if (!kSanitized) {
         EXPECT_LT(plans, repairs);
     }
 }
 
-/// Saved anywhere between repairs, the state continues with the same bits, through later repairs
-/// too.
+/// A state saved anywhere between repairs continues to the same bits, through later repairs too.
 TEST(WorldRepair, SnapshotsHoldTheOrder) {
     for (const std::uint32_t seed : seeds(5, 1, 3, 30)) {
         SCOPED_TRACE(seed);
@@ -84,7 +83,7 @@ TEST(WorldRepair, SnapshotsHoldTheOrder) {
             if (i % 40 == 17) {
                 const auto bytes = a.save();
                 Yard other = falling(seed);
-                const int ahead = i % 80 == 17 ? 70 : 0;  // an order of its own, or just computed
+                const int ahead = i % 80 == 17 ? 70 : 0;  // with an order of its own, or new
                 for (int k = 0; k < ahead; ++k) ASSERT_EQ(other.world.step(), Status::ok);
                 other.world.restore(bytes);
                 ASSERT_EQ(other.world.inspect().order, a.inspect().order);
@@ -119,8 +118,8 @@ TEST(WorldRepair, BitsDoNotDependOnThreads) {
     }
 }
 
-/// Objects added to a running world are analysed by repair, too. A world that has them from the
-/// start restores the state bit for bit.
+/// Additions to a running world are analysed by repair. A world that has them from the start
+/// restores the state bit for bit.
 TEST(WorldRepair, AddedBodiesAreRepairedIn) {
     for (const std::uint32_t seed : seeds(5, 1, 3, 30)) {
         SCOPED_TRACE(seed);
@@ -143,7 +142,7 @@ TEST(WorldRepair, AddedBodiesAreRepairedIn) {
     }
 }
 
-/// Balls on balls, without a World around them.
+/// Make balls on balls, without a World around them.
 std::unique_ptr<stepper::StepContext> heap(std::uint32_t seed, double tolerance = 1e-6) {
     WorldDef def;
     def.contact_tolerance = tolerance;
@@ -165,10 +164,10 @@ std::unique_ptr<stepper::StepContext> heap(std::uint32_t seed, double tolerance 
     return ctx;
 }
 
-/// The order changes only the rounding. Steps with the repaired order and with a new order each
-/// time agree if contacts are solved to round-off.
+/// The order changes only the rounding. Steps with the repaired order agree with steps whose order
+/// is made anew, if contacts are solved to rounding.
 TEST(WorldRepair, EqualsAnAnalysisFromNothing) {
-    constexpr std::uint32_t kSeed = 9;  // others have impacts that amplify rounding earlier
+    constexpr std::uint32_t kSeed = 9;  // with others, impacts amplify a rounding error earlier
     auto repaired = heap(kSeed, 1e-12), rebuilt = heap(kSeed, 1e-12);
     ASSERT_EQ(stepper::step(*repaired), Status::ok);
     ASSERT_EQ(stepper::step(*rebuilt), Status::ok);
@@ -189,12 +188,12 @@ TEST(WorldRepair, EqualsAnAnalysisFromNothing) {
     repairs = repaired->work.stats.repairs;
     EXPECT_GT(repairs, 3);
     EXPECT_GT(apart, 3.0) << "steps with different orders";
-    // [m/s]: 3e-10 measured. Balls that strike each other multiply a rounding; somewhat later one
-    // world has an impact a step before the other.
+    // [m/s]: 3e-10 measured. Colliding balls amplify rounding errors; somewhat later one world has
+    // an impact a step before the other.
     EXPECT_LT(worst, 1e-7);
 }
 
-/// Blocks that contacts change are refactored alone, to the bits of a whole factorisation.
+/// Only blocks that contacts change are refactored, to the bits of a whole factorisation.
 TEST(WorldRepair, PartialRefactorisationsEqualWholeOnes) {
     for (const std::uint32_t seed : seeds(9, 1, 3, 30)) {
         SCOPED_TRACE(seed);
@@ -214,7 +213,7 @@ TEST(WorldRepair, PartialRefactorisationsEqualWholeOnes) {
     }
 }
 
-/// The same holds for blocks of lines that come taut or go slack during contacts.
+/// So are blocks of lines that come taut or go slack among contacts.
 TEST(WorldRepair, PartialRefactorisationsFollowLinesThatSwitch) {
     for (const std::uint32_t seed : seeds(11, 1, 3, 30)) {
         SCOPED_TRACE(seed);

@@ -10,7 +10,7 @@
 
 namespace hawser::test {
 
-// In tackle.json the author wrote the route "hoist" and its winch; the route made its slides.
+// tackle.json contains the route "hoist" and its winch; the route made its slides.
 TEST(MessageNames, OfPartsSayWhoMadeThem) {
     const scene::Scene scene = scene::load_file("scenes/tackle.json");
     int made = 0;
@@ -38,7 +38,7 @@ TEST(MessageRemedies, NameTheBudgetWhereThereIsOne) {
     EXPECT_TRUE(lifts({.budget_work = 1e6}));
 }
 
-// DefError of a value far outside: six decimals of 1.9e30 are no number that a person reads.
+// DefError of a value far outside: six decimals of 1.9e30 are unreadable.
 TEST(MessageNumbers, AreRounded) {
     World world;
     try {

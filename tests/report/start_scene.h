@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file start_scene.h
-/// Findings of a check of the start of a scene.
+/// Findings of the check of the start of a scene.
 
 #include <hawser/scene.h>
 
@@ -37,7 +37,7 @@ struct Started {
     [[nodiscard]] std::string text() const { return to_text(found, ""); }
 };
 
-/// A scene of these members of its document, with "version" and "name".
+/// Check a scene with these members of its document, and "version" and "name".
 inline Started start_of(const std::string& members) {
     return Started(
         scene::load_text(R"({"version": 1, "name": "start", )" + members + "}", "start.json"));
@@ -45,7 +45,8 @@ inline Started start_of(const std::string& members) {
 
 inline Started start_of_file(const std::string& file) { return Started(scene::load_file(file)); }
 
-/// Return the only finding of this kind; an empty one and a failure if there are none or several.
+/// Return the only finding of this kind. Fails and returns an empty one if there are none or
+/// several.
 inline Finding only(const Started& started, FindingKind kind) {
     const std::vector<Finding> found = started.of(kind);
     EXPECT_EQ(found.size(), 1U) << started.text();

@@ -13,7 +13,7 @@ report::Summary run_with_events(SmallScene& scene) {
     report::SummaryCollector collector(scene.info, scene.world);
     const InputId push = scene.world.find_input("box.push");
     for (int i = 0; i < 120; ++i) {
-        // Out of its range again and again, by more each time until the 40th step.
+        // Out of range repeatedly, further each time until the 40th step.
         scene.world.set_input(push, i < 40 ? 100.0 + i : 60.0);
         EXPECT_EQ(scene.world.step(), Status::ok);
         collector.after_step(scene.world, scene.world.take_events());
@@ -44,7 +44,7 @@ TEST(ReportedEvents, SummaryHasTheSame) {
     EXPECT_EQ(json["events"].size(), report::kListedEvents);
 }
 
-/// Inputs of systems are no inputs of the world, but have names.
+/// Inputs of systems are not inputs of the world, but have names.
 TEST(ReportedEvents, SignalsByTheirNames) {
     SmallScene scene;
     scene.world.add(SeaDef{.depth = 20.0});
@@ -81,8 +81,8 @@ TEST(ReportedEvents, LinesInWordsAndListsOfTheirOwn) {
               "the stretch \"wire/s1\" between \"wire/1\" and \"box & <friends>\"");
 }
 
-/// Operations of a timeline are listed before their consequences, in report and summary, for any
-/// number of other events.
+/// In report and summary, operations of the timeline come before their effects, for any number of
+/// other events.
 TEST(ReportedEvents, WhatTheTimelineDidIsListedWhole) {
     SmallScene scene;
     report::SummaryCollector collector(scene.info, scene.world);

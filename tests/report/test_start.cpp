@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Faults of a start other than joints.
+/// Errors of a start other than those of joints.
 #include "start_scene.h"
 
 #include "report/start/start_forces.h"
@@ -30,7 +30,7 @@ TEST(Start, OverlapsAreErrorsFromHalfTheNarrowerBody) {
     EXPECT_TRUE(only(apart(0.4), FindingKind::overlap).error);
 }
 
-/// A wire through a solid is rejected with the places of both in the file.
+/// A wire through a solid is rejected with the positions of both in the file.
 TEST(Start, AWireInsideASolidIsToldWithItsPlace) {
     const Started s = start_of(R"("settings": {"gravity": [0, 0, 0]},
         "line_types": {"rope": {"mass_per_length": 10, "EA": 1e6, "diameter": 0.05}},
@@ -46,7 +46,7 @@ TEST(Start, AWireInsideASolidIsToldWithItsPlace) {
     const std::vector<Finding> found = s.of(FindingKind::overlap);
     ASSERT_EQ(found.size(), 4U) << s.text();
     for (const Finding& f : found) {
-        // Two elements lie within the box, and two reach its faces.
+        // Two elements are inside the box, and two end at its faces.
         EXPECT_EQ(f.error, f.value > 1.0) << f.text;
         EXPECT_NE(f.text.find("start.json: /cables/1"), std::string::npos) << f.text;
         EXPECT_NE(f.text.find("start.json: /bodies/0/shapes/1"), std::string::npos) << f.text;
@@ -56,7 +56,7 @@ TEST(Start, AWireInsideASolidIsToldWithItsPlace) {
 
 TEST(Start, WhatLiesOnSoftGroundIsNoOverlap) {
     const auto on_ground = [](const char* stiffness) {
-        // 9,810 N on four corners: 0.49 m of 5,000 N/m each.
+        // 9,810 N on four corners: 0.49 m at 5,000 N/m each.
         return start_of(R"("materials": {"mud": {"stiffness": )" + std::string(stiffness) +
                         R"(}}, "material_pairs": [{"between": ["mud", "default"], "stiffness": )" +
                         std::string(stiffness) +
@@ -75,7 +75,7 @@ TEST(Start, OverlapsOfThousandsAreToldShortly) {
     const Started s = start_of(R"("bodies": [)" + bodies + "]");
     EXPECT_EQ(s.found.errors(), 1000U) << "the worst of 60 x 59/2 pairs";
     EXPECT_NE(only(s, FindingKind::unexamined).text.find("1770 pairs"), std::string::npos);
-    // A line for each of the first five, one for the rest, one for those not listed.
+    // A line for each of the first five, one for the others, one for those that are not listed.
     const std::string text = s.text();
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 7);
 }
@@ -114,7 +114,7 @@ TEST(Start, WiresThatTheStepDoesNotResolve) {
         << "the force at the start is an estimate";
 }
 
-/// A rod of 1 m and 2 kg carries 1 t: f = 9.83 kN, r = 0.5 m, I = m l²/12 and thin.
+/// A thin rod of 1 m and 2 kg carries 1 t: f = 9.83 kN, r = 0.5 m, I = m l²/12.
 TEST(Start, JointsThatTheStepDoesNotResolve) {
     const Started s = start_of(R"("bodies": [
         {"name": "rod", "position": [0, 0, -0.5], "mass": 2, "cylinder": {"radius": 0.01,
@@ -126,8 +126,8 @@ TEST(Start, JointsThatTheStepDoesNotResolve) {
     const Finding f = only(s, FindingKind::joint_step);
     EXPECT_EQ(f.about, (Names{"top", "hook"}));
     const double inertia = 2.0 * (3.0 * 0.01 * 0.01 + 1.0) / 12.0, h = 1.0 / 60.0;
-    // Rigid rows have a compliance of 1e-9 of their mobility, and that of the thin rod is a
-    // thousand times larger than that of its load.
+    // Rigid rows have a compliance of 1e-9 of the mobility, and the thin rod moves a thousand times
+    // more easily than its load.
     EXPECT_NEAR(f.value, h * h * 1002 * 9.81 * 0.5 / inertia, 1e-5 * f.value);
 }
 
@@ -139,7 +139,7 @@ TEST(Start, ForcesHoldWhatHangs) {
                        {"name": "s", "kind": "distance", "bodies": ["a", "b"], "length": 1}])");
     const report::start::StartForces forces(s.scene.world);
     ASSERT_TRUE(forces.known());
-    // Up to the floor under rigid rows, 1e-9 of their mobility.
+    // Up to the floor of rigid rows, 1e-9 of the mobility.
     EXPECT_NEAR(forces.push({0}), 15 * 9.81 + 20, 1e-5);
     EXPECT_NEAR(forces.push({1}), 5 * 9.81 + 20, 1e-5);
 }
@@ -167,7 +167,7 @@ TEST(Start, InertiasOfNoBody) {
                         std::string(inertia) + "}]");
     };
     EXPECT_TRUE(of("[167, 417, 417]").found.list.empty());
-    // Moments that no body has, [100, 100, 201], are a mistake of the scene already.
+    // Impossible moments of inertia, [100, 100, 201], are rejected by the scene reader.
     EXPECT_EQ(of("[1e5, 1e5, 1e5]").of(FindingKind::inertia).size(), 1U);
     EXPECT_EQ(of("[0.1, 0.1, 0.1]").of(FindingKind::inertia).size(), 1U);
 }
@@ -188,7 +188,7 @@ TEST(Start, HullsThatDoNotCarryTheirMass) {
     EXPECT_NEAR(only(afloat("205000", "0.1"), FindingKind::displacement).value, 2.0 / 1.9, 1e-12);
 }
 
-/// A barge of 205 t with hulls, and more of a scene behind it.
+/// Return a barge of 205 t with hulls, and more of a scene after it.
 std::string barge(const std::string& keys, const std::string& hulls, const std::string& more) {
     return R"("bodies": [{"name": "barge", "mass": 205000, "box": [5, 5, 2])" + keys +
            R"(}, {"name": "derrick", "mass": 20500, "box": [1, 1, 5], "position": [0, 0, 7]}],
@@ -215,16 +215,16 @@ TEST(Start, HullsOfABodyFloatTogether) {
     EXPECT_NE(spring.text.find("hydrostatic \"float\""), std::string::npos) << spring.text;
 }
 
-/// A hull carries the weight of bodies joined to it and the pull of lines.
+/// A hull carries bodies that joints fix to it, and the pull of lines.
 TEST(Start, HullsCarryWhatHangsOnThem) {
     const std::string welded = R"(, "interactions": [{"name": "foot", "kind": "lock",
           "bodies": ["barge", "derrick"], "at": [0, 0, 2]}])";
-    // 0.2 m more of draught are 20.5 t.
+    // 0.2 m more draught: 20.5 t.
     EXPECT_TRUE(start_of(barge("", kDeep, welded)).of(FindingKind::displacement).empty());
     const Finding heavy = only(start_of(barge("", kHull, welded)), FindingKind::displacement);
     EXPECT_NEAR(heavy.value, 225.5 / 205.0, 1e-9);
     EXPECT_NE(heavy.text.find("what it carries"), std::string::npos) << heavy.text;
-    // A tension leg stretched by 0.1 m pulls 201 kN, 20.5 t, straight down.
+    // A tension leg stretched by 0.1 m pulls straight down with 201 kN, 20.5 t.
     const std::string leg = R"(, "line_types": {"leg": {"mass_per_length": 1e-6, "EA": 5.630391e7}},
           "cables": [{"name": "leg", "line_type": "leg", "elements": 1, "length": 28,
           "from": {"body": "barge", "point": [0, 0, -2]}, "to": {"at": [0, 0, -30.1]}}])";
@@ -247,7 +247,7 @@ TEST(Start, PostsTakeCablesWhoseElementsHaveMass) {
     EXPECT_TRUE(beside(R"(, "consistent_mass": true)", "0.5").of(FindingKind::post).empty());
 }
 
-/// A wire that rises from the roller to both sides would have to be pulled down by it.
+/// A wire that rises from the roller to both sides would need a roller that pulls it down.
 TEST(Start, LinksAreInAir) {
     const auto chain = [](const char* as) {
         return start_of(std::string(R"("sea": {"depth": 50}, "line_types": {"chain": {
@@ -288,7 +288,7 @@ TEST(Start, ABodyThatTurnsTooFarInAStep) {
     EXPECT_NEAR(only(turning("60"), FindingKind::spin_step).value, 1.0, 1e-12);
 }
 
-/// The element at the drum is 10 m + 0.8 m × coordinate long (docs/scenes.md); 2 % of 10 m stay.
+/// The element at the drum is 10 m + 0.8 m × coordinate long (docs/scenes.md); 2 % of 10 m remain.
 TEST(Start, ABareDrumThatKeepsOneElement) {
     const auto with = [](int version, const std::string& winch, const std::string& at) {
         const std::string text = R"({"version": )" + std::to_string(version) + R"(, "name": "start",
@@ -320,7 +320,7 @@ TEST(Start, ABareDrumThatKeepsOneElement) {
     EXPECT_TRUE(with(1, "", "0").of(FindingKind::drum).empty());
 }
 
-/// A check changes nothing: the bits of later steps are those without it.
+/// The check changes nothing: later steps have the same bits as without it.
 TEST(Start, TheWorldStaysAsItIs) {
     for (const char* file : {"scenes/chain_pile.json", "scenes/heavy_hook.json",
                              "scenes/slider_crank.json", "scenes/box_stack.json"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Joints of a start: redundant, contradictory, open.
+/// Joints of a start: redundant, inconsistent and open ones.
 #include "start_scene.h"
 
 #include <cmath>
@@ -100,7 +100,7 @@ TEST(StartJoints, RangesThatOverlapAreNoMistake) {
     EXPECT_TRUE(s.found.list.empty()) << s.text();
 }
 
-/// Overconstrained, and moves: six hinges in a ring have 30 rows for 5 x 6 relative freedoms.
+/// Overconstrained but mobile: six hinges in a ring have 30 rows for 5 x 6 relative freedoms.
 TEST(StartJoints, BricardIsAWarningAtMost) {
     const Started s = start_of_file("scenes/bricard.json");
     const Finding f = only(s, FindingKind::repeated);
@@ -140,14 +140,15 @@ TEST(StartJoints, RodsTooShortForTheirTriangleContradictEachOther) {
     const Finding f = only(apart, FindingKind::contradiction);
     EXPECT_EQ(f.about, (Names{"left", "right"}));
     EXPECT_NEAR(f.value, 1.0, 1e-3) << "each is a metre short when the bob is between both";
-    // Long enough, they start open and close: no contradiction.
+    // If long enough, they start open and close: not inconsistent.
     const Started closes = rods(3.5);
     EXPECT_EQ(closes.found.errors(), 0U) << closes.text();
     EXPECT_EQ(closes.of(FindingKind::gap).size(), 2U) << closes.text();
     EXPECT_NE(closes.text().find(" too short"), std::string::npos) << closes.text();
 }
 
-/// A planar four-bar of hinges repeats rows across its plane, and is 5 cm open in it: it closes.
+/// A planar four-bar of hinges has redundant rows across its plane, and is 5 cm open in it: it
+/// closes.
 TEST(StartJoints, AnOpenFourBarIsAGapAndNoContradiction) {
     const Started s = start_of(R"("bodies": [
         {"name": "crank", "position": [0, 0, 0.5], "mass": 10, "box": [0.05, 0.05, 0.5]},
@@ -166,7 +167,7 @@ TEST(StartJoints, AnOpenFourBarIsAGapAndNoContradiction) {
     EXPECT_EQ(only(s, FindingKind::repeated).value, 3.0);
 }
 
-/// The smallest distance between rows of a chain is 1/n²: far from equal.
+/// Rows of a chain differ by at least 1/n², far more than redundant ones.
 TEST(StartJoints, ALongChainBetweenTwoFixedPointsRepeatsNothing) {
     const Started s = start_of(R"("line_types": {"t": {"mass_per_length": 10, "diameter": 0.05}},
       "cables": [{"name": "chain", "line_type": "t", "as": "links", "elements": 1000, "length": 500,
@@ -240,7 +241,7 @@ TEST(StartJoints, TwoMotorsOfOneJoint) {
     const std::string a = motor("a", R"("speed": 2)"), b = motor("b", R"("speed": 1.5)");
     const Started apart = start_of(driven(a + b, false));
     EXPECT_EQ(apart.of(FindingKind::motor).size(), 2U) << apart.text();
-    // The same speed twice is no contradiction.
+    // The same speed twice is consistent.
     const Started alike = start_of(driven(a + motor("b", R"("speed": 2)"), false));
     EXPECT_EQ(alike.found.errors(), 0U) << alike.text();
     EXPECT_EQ(only(alike, FindingKind::repeated).about, (Names{"a", "b"}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Warnings about numbers of the sea, of line types, winches and exercises that do not fit.
+/// Warnings about inconsistent numbers of the sea, of line types, winches and exercises.
 #include <hawser/exercise.h>
 
 #include "report/start/parts.h"
@@ -8,7 +8,7 @@
 namespace hawser::test {
 namespace {
 
-/// A chain of 100 m that hangs into a sea of 60 m over a plane, and a hull in waves.
+/// Return a chain of 100 m that hangs into a sea of 60 m over a plane, and a hull in waves.
 std::string scene_of(const std::string& line, double depth, double plane, double period,
                      const std::string& hull = "") {
     return R"("line_types": {"t": )" + line + R"(},
@@ -75,7 +75,7 @@ TEST(StartSea, StiffnessByDiameter) {
     }
 }
 
-/// A narrow peak of damping rings for minutes.
+/// A narrow peak of damping has a memory of minutes.
 TEST(StartSea, MemoriesThatEndTooEarly) {
     const std::string hull = R"(, "memory": %, "coefficients": {"frequencies": [0.9, 1.0, 1.1, 1.2],
         "radiation": [{"of": [3, 3], "infinite": 1e5, "added_mass": [1e5, 1e5, 1e5, 1e5],

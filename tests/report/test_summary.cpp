@@ -7,8 +7,8 @@
 
 namespace hawser::test {
 
-/// A cut that was requested but kept closed by contacts is exact and no degradation; the largest
-/// error of those in force is kept.
+/// A requested cut that contacts keep closed is exact and no degradation. Among the cuts in force
+/// the largest defect is kept.
 TEST(Degradations, CountWhatWasInForceWithItsDefect) {
     report::Degradations d;
     StepStats s;
@@ -52,7 +52,7 @@ TEST(Samples, QuantilesOfAFewAndOfMany) {
     for (int i = 0; i < 10000; ++i) many.add(i == 4999 ? 1e9 : i);
     EXPECT_EQ(many.count(), 10000);
     EXPECT_EQ(many.max(), 1e9);
-    // 32 to 64 evenly spaced numbers are kept: the median is off by less than one spacing.
+    // 32 to 64 evenly spaced values are kept: the error of the median is less than one spacing.
     EXPECT_NEAR(many.median(), 5000, 10000 / 32.0);
     EXPECT_EQ(report::Samples().median(), 0.0);
 }
@@ -99,7 +99,7 @@ TEST(Summary, JsonHasAllFields) {
     const auto& motion = json["motions"]["box & <friends>"];
     EXPECT_GT(motion["displacement_max"].get<double>(), 0.0);
     EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16u);
-    // The box oscillates: elements and damping of the step dissipate little.
+    // The box oscillates: losses of elements and the step's damping are small.
     EXPECT_LT(std::abs(json["energy"]["drift_relative"].get<double>()), 0.1);
     EXPECT_NE(report::to_text(summary).find("wire"), std::string::npos);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Output of hawser check and hawser run about vessels.
+/// Output of hawser check and hawser run for vessels.
 #include <hawser/hawser.h>
 #include <hawser/vessel_ships.h>
 

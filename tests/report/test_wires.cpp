@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Reports about wires: breaks, added and removed nodes, tension along them.
+/// Wires in reports: breaks, nodes inserted and removed, tension along them.
 #include "record/wire_place.h"
 #include "report/summary.h"
 #include "report/wires_json.h"
@@ -15,7 +15,7 @@
 namespace hawser::test {
 namespace {
 
-/// 50 m of wire that hangs, in elements of 10 m that have their mass.
+/// A hanging wire of 50 m, with elements of 10 m that have its mass.
 struct HangingWire {
     World w;
     WireId wire;
@@ -38,7 +38,7 @@ TEST(ReportedWires, ListThePiecesOfWiresThatAreCut) {
     WireId piece;
     InteractionId first;
     for (int i = 0; i < 30; ++i) {
-        // Within an element: a node, an end and an element are added, none of which has a name.
+        // Within an element: a node, an end and an element are added, all without names.
         if (i == 12) {
             piece = h.w.cut(h.wire, 33.0);
             first = h.w.elements(piece).front();
@@ -55,12 +55,12 @@ TEST(ReportedWires, ListThePiecesOfWiresThatAreCut) {
     EXPECT_FALSE(s.wires[0].came);
     EXPECT_TRUE(s.wires[1].came);
     EXPECT_EQ(s.wires[1].name, "rope/2");
-    // The step of the cut is the thirteenth: it is read after that step.
+    // The cut is in the thirteenth step and sampled after it.
     EXPECT_NEAR(s.wires[1].since, 13.0 / 60.0, 1e-12);
-    // The node beside the cut is removed with preserved tensions: lengths change with the
-    // difference of strains.
+    // The node beside the cut is removed with constant tensions: lengths change by the difference
+    // of strains.
     EXPECT_NEAR(s.wires[1].length.now, 17.0, 1e-4);
-    // It falls freely: the tension is at most the weight that hung below it, with its recoil.
+    // It falls freely: it carries at most the weight that hung below it, with the recoil of that.
     EXPECT_GE(s.wires[1].tension.least, 0.0);
     EXPECT_LT(s.wires[1].tension.greatest, 2.0 * 17.0 * 4.0 * 9.81);
     const std::string text = report::to_text(s);
@@ -85,7 +85,7 @@ TEST(ReportedWires, TellWhereTheyPart) {
     EXPECT_DOUBLE_EQ(s.parted[0].s, 35.0);
     EXPECT_DOUBLE_EQ(s.parted[0].length, 50.0);
     EXPECT_NEAR(s.parted[0].time, 12.0 / 60.0, 1e-12);
-    // A lump of 40 kg and a half one hang below it.
+    // One and a half nodes of 40 kg hang below it.
     EXPECT_NEAR(s.parted[0].tension, 60.0 * 9.81, 0.02 * 60.0 * 9.81);
     ASSERT_EQ(s.wires.size(), 1U);
     EXPECT_EQ(s.wires[0].parted.size(), 1U);
@@ -118,7 +118,7 @@ TEST(ReportedWires, FollowNodesThatComeAndGo) {
     EXPECT_EQ(f.nodes.now, 6.0);
     EXPECT_EQ(f.nodes.least, 6.0);
     EXPECT_EQ(f.nodes.most, 7.0);
-    // Rest lengths change slightly with added and removed nodes, to preserve tensions.
+    // Rest lengths change slightly if a node is inserted or removed, so that tensions stay.
     EXPECT_NEAR(f.length.now, 50.0, 1e-3);
     ASSERT_EQ(f.along.size(), 5U);
     for (std::size_t k = 0; k < 5; ++k) {
@@ -133,8 +133,8 @@ TEST(ReportedWires, FollowNodesThatComeAndGo) {
     EXPECT_EQ(json["wires"]["rope"]["tension_along"]["mean"].size(), 5U);
 }
 
-/// An element carries the weight of the wire below it: in the mean over any number of elements half
-/// of the weight.
+/// An element carries the weight of the wire below it: on average half of the wire, for any number
+/// of elements.
 TEST(ReportedWires, MeansAreOfTheElementsThereAre) {
     HangingWire h;
     const auto elements = h.w.elements(h.wire);
@@ -155,7 +155,7 @@ TEST(ReportedWires, MeansAreOfTheElementsThereAre) {
     const report::CableFigures& f = s.cables.at(0);
     EXPECT_LE(f.min, f.mean);
     EXPECT_LE(f.mean, f.max);
-    // In the mean 25 m of material hang below a point, by its three elements 23 m.
+    // On average 25 m hang below a point of the material, 23 m below its three elements.
     EXPECT_NEAR(f.mean, 24.0 * 4.0 * 9.81, 0.1 * 24.0 * 4.0 * 9.81);
 }
 
@@ -167,7 +167,7 @@ TEST(ReportedWires, AreNoneWhereThereIsNone) {
     EXPECT_EQ(report::wires_in_words({}, {}), "");
 }
 
-/// docs/cli.md has a row for each value of wires in a summary.
+/// docs/cli.md has a row for each key of a summary of wires.
 TEST(WireSummary, EachOfItsKeysIsDocumented) {
     std::ifstream in("docs/cli.md");
     std::string line;

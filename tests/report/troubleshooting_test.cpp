@@ -17,7 +17,7 @@ namespace hawser::test {
 
 namespace {
 
-/// Names in the first column of the table of a section; rows of three filled columns.
+/// Return names in the first column of the table of a section. Rows have three filled columns.
 std::multiset<std::string> rows_of(const std::string& section) {
     std::ifstream in("docs/troubleshooting.md");
     std::string line;

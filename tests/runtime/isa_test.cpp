@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Valid values of HAWSER_ISA.
+/// Values of HAWSER_ISA.
 #include "base/isa.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The worker pool: every task once, batches never mix, and it always shuts down.
+/// The worker pool: every task runs once, batches never mix, and it always shuts down.
 #include "runtime/tasks.h"
 
 #include "support/sanitizer.h"
@@ -16,8 +16,8 @@
 namespace hawser::runtime {
 namespace {
 
-/// Run many batches of varying size and check that each task ran once with a valid thread. `seen`
-/// is plain memory on purpose: the thread sanitizer must see that run() orders it.
+/// Run many batches of changing size and check that each task ran once with a valid thread. `seen`
+/// is plain memory, so that the thread sanitizer checks the order that run() guarantees.
 void stress(Pool& pool, int batches) {
     std::vector<std::int64_t> seen(257, 0);
     std::vector<std::int64_t> want(257, 0);
@@ -50,7 +50,7 @@ TEST(Pool, PausesAndResumesBetweenBatches) {
     constexpr int kRounds = 500;
     for (int round = 0; round < kRounds; ++round) {
         pool.resume();
-        pool.resume();  // twice is once
+        pool.resume();  // a second call has no effect
         pool.for_each(64, task);
         if (round % 3 == 0) std::this_thread::yield();
         pool.pause();
@@ -59,7 +59,7 @@ TEST(Pool, PausesAndResumesBetweenBatches) {
     for (int n : seen) EXPECT_EQ(n, kRounds);
 }
 
-/// Tasks of very different length: a slow one must not be abandoned when the list is empty.
+/// Tasks of very different length: run() waits for a slow one after the list is empty.
 TEST(Pool, WaitsForTheSlowestTask) {
     Pool pool(3);
     pool.resume();
@@ -75,7 +75,7 @@ TEST(Pool, WaitsForTheSlowestTask) {
     }
 }
 
-/// So that loops over the same items find them in the cache of the core that wrote them.
+/// Loops over the same items then find them in the cache of the core that wrote them.
 TEST(Pool, EachThreadBeginsWithItsOwnPart) {
     constexpr int kThreads = 3, kTasks = 10;
     Pool pool(kThreads);
@@ -98,7 +98,7 @@ TEST(Pool, EachThreadBeginsWithItsOwnPart) {
 TEST(Pool, ScratchOfAThreadIsItsOwn) {
     Pool pool(8);
     pool.resume();
-    // One accumulator a thread, not atomic: two threads with one number would race.
+    // One accumulator per thread, not atomic: two threads with one number would race.
     std::vector<std::int64_t> sum(8 * 16, 0);
     for (int round = 0; round < 400; ++round) {
         auto task = [&](int i, int thread) noexcept {
@@ -111,9 +111,9 @@ TEST(Pool, ScratchOfAThreadIsItsOwn) {
     EXPECT_EQ(total, 400 * 4950);
 }
 
-/// A worker that has read the stop flag but does not sleep yet must still wake up when the pool is
-/// destroyed. The progress of the workers differs between the rounds. Without the order of reads in
-/// Pool::work, most runs of 20,000 hang.
+/// A worker may be between its check of the stop flag and its sleep when the pool is destroyed, and
+/// must still wake up. The iterations differ in the progress of the workers. Without the order of
+/// reads in Pool::work a run of 20,000 hangs more often than not.
 TEST(Pool, AlwaysShutsDown) {
     const int rounds = test::kSanitized ? 1'500 : 12'000;
     std::atomic<bool> finished{false};
@@ -130,7 +130,7 @@ TEST(Pool, AlwaysShutsDown) {
         }
         finished = true;
     });
-    // 20,000 thread starts take about a second; with a sanitizer and load about a minute.
+    // 20,000 thread starts take about a second; under a sanitizer and load about a minute.
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(240);
     while (!finished && std::chrono::steady_clock::now() < deadline)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));

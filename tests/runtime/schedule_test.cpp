@@ -17,7 +17,7 @@
 namespace hawser::runtime {
 namespace {
 
-// Sums of a few hundred numbers near 1: rounding only.
+// Rounding of sums of a few hundred numbers near 1.
 constexpr double kRounding = 1e-12;
 
 ProgramTimes one_loop(std::vector<double> task) {
@@ -38,11 +38,11 @@ TEST(Schedule, EqualTasksTakeTheirShareRoundedUp) {
 
 TEST(Schedule, OneLongTaskBoundsTheRest) {
     std::vector<double> task(30, 1.0);
-    task.insert(task.begin(), 20.0);  // started first: the others fit beside it on 4 threads
-    // Two threads: 20 short ones beside the long one, then 5 each.
+    task.insert(task.begin(), 20.0);  // assigned first: the others fit beside it on 4 threads
+    // Two threads: 20 short tasks beside the long one, then 5 on each.
     EXPECT_NEAR(simulate(one_loop(task), 2, {}).seconds, 25.0, kRounding);
     EXPECT_NEAR(simulate(one_loop(task), 4, {}).seconds, 20.0, kRounding);
-    std::rotate(task.begin(), task.begin() + 1, task.end());  // dealt last: starts late
+    std::rotate(task.begin(), task.begin() + 1, task.end());  // assigned last: starts late
     EXPECT_NEAR(simulate(one_loop(task), 2, {}).seconds, 15.0 + 20.0, kRounding);
     EXPECT_NEAR(one_loop(task).critical(), 20.0, kRounding);
 }
@@ -61,23 +61,23 @@ TEST(Schedule, SerialCodeFollowsAmdahl) {
 TEST(Schedule, EveryCostAppearsOnceALoop) {
     ProgramTimes p;
     for (int k = 0; k < 3; ++k) p.loops.push_back({1.0, {1.0, 1.0}});
-    p.loops.push_back({1.0, {1.0}});  // a single task needs no other thread
+    p.loops.push_back({1.0, {1.0}});  // one task wakes no thread
     PoolCosts costs;
     costs.start = 0.25;
     costs.join = 0.5;
-    // The other thread begins 0.25 late and is waited for: 1 + 1.25 + 0.5 a loop.
+    // The other thread starts 0.25 late and the caller waits for it: 1 + 1.25 + 0.5 per loop.
     EXPECT_NEAR(simulate(p, 2, costs).seconds, 3 * 2.75 + 2.0, kRounding);
     EXPECT_NEAR(simulate(p, 1, costs).seconds, p.work(), kRounding);
-    // A sleeping thread takes no task: the caller has done both when the other one wakes.
+    // A sleeping thread starts no task: the caller has completed both when it wakes.
     costs.wake = 3.5;
     EXPECT_NEAR(simulate(p, 2, costs).seconds, (1.0 + 2.0 + 0.5) + 2 * 2.75 + 2.0, kRounding);
-    // Tasks are taken one at a time.
+    // Threads acquire one task at a time.
     costs = {};
     costs.deal = 0.1;
     EXPECT_NEAR(simulate(one_loop(std::vector<double>(10, 0.0)), 4, costs).seconds, 1.0, kRounding);
 }
 
-/// Every task sets its parent free; the rank is the order of the tasks.
+/// Let every task wait for its children; the rank is the order of the tasks.
 TaskWaits towards(const std::vector<std::int32_t>& parent) {
     TaskWaits w;
     w.start.push_back(0);
@@ -102,7 +102,7 @@ TEST(Schedule, ATaskWaitsForItsChildren) {
     EXPECT_NEAR(simulate(p, 16, {}).seconds, kLevels, kRounding);
     EXPECT_NEAR(simulate(p, 1, {}).seconds, 31.0, kRounding);
     EXPECT_NEAR(simulate(p, 4, {}).seconds, 4 + 2 + 1 + 1 + 1, kRounding);
-    // A chain of tasks is not faster.
+    // A chain of tasks gains nothing.
     for (std::size_t i = 0; i < parent.size(); ++i)
         parent[i] = i + 1 < parent.size() ? static_cast<std::int32_t>(i + 1) : -1;
     p.loops[0].waits = towards(parent);
@@ -110,7 +110,7 @@ TEST(Schedule, ATaskWaitsForItsChildren) {
 }
 
 TEST(Schedule, TheMostUrgentReadyTaskGoesFirst) {
-    // Two short tasks, then one with a long one after it; by rank the latter comes first.
+    // Two short tasks, then one followed by a long one. By rank the latter comes first.
     ProgramTimes p = one_loop({1.0, 1.0, 1.0, 5.0});
     p.loops[0].waits = towards({-1, -1, 3, -1});
     EXPECT_NEAR(simulate(p, 2, {}).seconds, 7.0, kRounding);
@@ -119,8 +119,8 @@ TEST(Schedule, TheMostUrgentReadyTaskGoesFirst) {
     EXPECT_NEAR(p.critical(), 6.0, kRounding);
 }
 
-/// One chain of blocks of size s, cut into k parts. A part with one boundary costs 7/3 s³ per
-/// block, one with two boundaries 19/3 s³. With balanced lengths, S(k) = 2 + (k − 2) 7/19.
+/// One chain of blocks of size s, cut into k parts: a part with one boundary costs 7/3 s³ per
+/// block, one with two boundaries 19/3 s³. With balanced lengths S(k) = 2 + (k − 2) 7/19.
 TEST(Schedule, AChainInPartsReachesItsLimit) {
     constexpr double kOne = 7.0 / 3.0, kTwo = 19.0 / 3.0, kBlocks = 100'000.0;
     for (const int k : {2, 4, 8, 16}) {
@@ -131,14 +131,14 @@ TEST(Schedule, AChainInPartsReachesItsLimit) {
         ASSERT_NEAR(2 * end + (k - 2) * middle, kBlocks, 1e-9 * kBlocks);
         const double whole = kBlocks * kOne;
         EXPECT_NEAR(whole / simulate(one_loop(parts), k, {}).seconds, limit, 1e-9) << k;
-        // The chain is long: the k − 1 blocks of the separators hardly show.
+        // The chain is long, so that the k − 1 blocks of the separators have little effect.
         ProgramTimes p = one_loop(parts);
         p.after = (k - 1) * kTwo;
         EXPECT_GT(whole / simulate(p, k, {}).seconds, 0.99 * limit) << k;
     }
 }
 
-/// List scheduling is within a factor of the best (Graham 1966), and never beats the bounds.
+/// List scheduling is within a factor of the optimum (Graham 1966), and never below the bounds.
 TEST(Schedule, RandomLoopsKeepTheBoundsOfLists) {
     test::Random random(test::first_seed(7));
     const int rounds = test::by_tier(300, 1500, 15'000);
@@ -152,7 +152,8 @@ TEST(Schedule, RandomLoopsKeepTheBoundsOfLists) {
             const double share = p.work() / threads, longest = p.critical();
             EXPECT_GE(t * (1.0 + kRounding), std::max(share, longest));
             EXPECT_LE(t, (share + longest) * (1.0 + kRounding));
-            EXPECT_LE(t, last);  // independent tasks in a fixed order: more threads never hurt
+            EXPECT_LE(t, last);  // independent tasks in a fixed order: more threads never take
+                                 // longer
             last = t * (1.0 + kRounding);
         }
     }
@@ -192,7 +193,7 @@ TEST(Schedule, ReadsTheProgramThatAPoolRecorded) {
     pool.record(&trace);
     const double begin = trace.now();
     pool.for_each(30, spin);
-    spin(2, 0);  // serial
+    spin(2, 0);  // serial part
     pool.for_each(0, spin);
     pool.for_each(12, spin);
     const double end = trace.now();
@@ -209,7 +210,7 @@ TEST(Schedule, ReadsTheProgramThatAPoolRecorded) {
     for (const LoopTimes& l : p.loops)
         for (std::size_t i = 0; i < l.task.size(); ++i)
             EXPECT_GE(l.task[i], 2e-6 * static_cast<double>(1 + i % 3));
-    // Clock readings between tasks belong to no task.
+    // Clock readings between tasks are in no task.
     EXPECT_LE(p.work(), end - begin);
     EXPECT_GE(p.work(), 2e-6 * (2 * 30 + 3 + 2 * 12));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The rings of spans: a span for every task, and complete ones after they have wrapped.
+/// Ring buffers of spans: a span for every task, and complete loops after they have wrapped.
 #include "runtime/trace.h"
 #include "runtime/tasks.h"
 
@@ -18,7 +18,8 @@ void work(Pool& pool, int loops) {
     for (int k = 0; k < loops; ++k) pool.for_each((7 * k) % 40, task);
 }
 
-/// Loops of a view that begin at `from` or later must have all their tasks, each once and inside.
+/// Expect that loops of a view which begin at `from` or later have all their tasks, each once and
+/// inside the loop.
 int expect_whole_loops(const TraceView& view, double from) {
     std::map<std::int32_t, std::vector<int>> seen;
     std::map<std::int32_t, TraceSpan> loop;
@@ -53,7 +54,7 @@ TEST(Trace, EveryTaskLeavesOneSpan) {
         work(pool, 300);
         pool.pause();
         pool.record(nullptr);
-        work(pool, 10);  // no longer written down
+        work(pool, 10);  // no longer recorded
         TraceView view;
         trace.copy(0.0, view);
         EXPECT_EQ(view.threads, threads);
@@ -74,7 +75,7 @@ TEST(Trace, WhatIsNotOverwrittenIsWhole) {
         EXPECT_GT(from, 0.0);
         TraceView view;
         trace.copy(from, view);
-        // 200 spans of the calling thread are five loops at least, with all tasks on it.
+        // 200 spans of the calling thread are at least five loops, with all tasks on it.
         EXPECT_GE(expect_whole_loops(view, from), threads == 1 ? 5 : 1);
     }
 }

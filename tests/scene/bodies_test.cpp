@@ -24,7 +24,7 @@ TEST(Bodies, inertia_of_solids) {
 TEST(Bodies, euler_angles_turn_about_x_then_y_then_z) {
     const Description d = flat(
         patched(kSite, R"([{"op":"replace","path":"/bodies/1/euler_deg","value":[90,0,90]}])"));
-    // Roll by 90° turns y to z; yaw by 90° keeps that and turns x to y.
+    // Roll 90° rotates y to z, which yaw 90° does not change; x rotates to y.
     const Quat& q = body(d, "ship").orientation;
     EXPECT_TRUE((q * Vec3::UnitY()).isApprox(Vec3::UnitZ(), 1e-12));
     EXPECT_TRUE((q * Vec3::UnitX()).isApprox(Vec3::UnitY(), 1e-12));
@@ -39,7 +39,7 @@ TEST(Interactions, world_points_and_axes_become_local) {
         const Quat world = d.body(hinge.body[i]).orientation * hinge.frame[i];
         EXPECT_TRUE((world * Vec3::UnitZ()).isApprox(Vec3::UnitX(), 1e-12));
     }
-    // Both frames are one in the world: the angle starts at zero.
+    // Both frames coincide in the world: the angle starts at zero.
     const Quat a = d.body(hinge.body[0]).orientation * hinge.frame[0];
     const Quat b = d.body(hinge.body[1]).orientation * hinge.frame[1];
     EXPECT_LT(a.angularDistance(b), 1e-7);  // acos near 1 halves the digits

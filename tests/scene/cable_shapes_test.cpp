@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Initial positions of the nodes of cables.
+// Positions of the nodes of cables at the start.
 #include "support.h"
 
 #include <cmath>
@@ -7,7 +7,7 @@
 namespace hawser::scene::test {
 namespace {
 
-/// A wire of 20 kg/m in air, 20 elements and more keys.
+/// Return a scene with a wire of 20 kg/m in air, 20 elements and more keys.
 std::string with_wire(const std::string& keys) {
     return R"({"version": 1, "name": "t",
       "line_types": {"wire": {"mass_per_length": 20, "EA": 1e8, "diameter": 0.1}},
@@ -34,7 +34,7 @@ void expect_refused(const std::string& text, const std::string& path, const std:
     EXPECT_NE(said.find(words), std::string::npos) << said;
 }
 
-constexpr double kWeight = 20.0 * 9.81;  // of a metre [N]
+constexpr double kWeight = 20.0 * 9.81;  // weight per metre [N]
 
 TEST(CableShapes, hanging_has_the_tension_it_starts_with) {
     const Description d = flat(with_wire(
@@ -42,14 +42,14 @@ TEST(CableShapes, hanging_has_the_tension_it_starts_with) {
            "shape": "hanging")"));
     // a = 33.82 m: docs/theory/catenary.md.
     EXPECT_NEAR(tension(d, 10), 33.82 * kWeight, 0.01 * 33.82 * kWeight);
-    // Half the weight but half an element.
+    // Half the weight, less half an element.
     const auto p = nodes(d);
     const double up = tension(d, 0) * -(p[1] - p[0]).normalized().z();
     EXPECT_NEAR(up, 47.5 * kWeight, 1.0);
 }
 
 TEST(CableShapes, hanging_where_a_catenary_of_rigid_elements_is_none) {
-    // Shorter than the distance, and between ends on one vertical.
+    // Shorter than the distance, and between ends on one vertical line.
     const Description taut = flat(with_wire(
         R"("from": {"at": [0, 0, 0]}, "to": {"at": [80, 0, 0]}, "length": 79.9,
            "shape": "hanging")"));
@@ -69,10 +69,10 @@ TEST(CableShapes, catenary_lies_on_its_seabed) {
     EXPECT_EQ(nodes(d)[1].z(), -20.0);
     EXPECT_EQ(nodes(d)[5].z(), -20.0);
     EXPECT_GT(nodes(d)[18].z(), -10.0);
-    // Friction reduces the tension by 0.6 of the weight of an element at each node.
+    // Friction reduces the tension by 0.6 of an element's weight at each node.
     EXPECT_NEAR(tension(d, 0), 0.0, 1e-3);
     EXPECT_NEAR(tension(d, 11) - tension(d, 10), 0.6 * 4.5 * kWeight, 1.0);
-    // With a contact radius it lies higher by that radius.
+    // With contact it lies higher by its radius.
     const Description thick = flat(with_wire(keys + R"(, "contact": {"radius": 0.5})"));
     EXPECT_NEAR(nodes(thick)[5].z(), -19.5, 1e-12);
 }
@@ -85,7 +85,7 @@ TEST(CableShapes, laid_is_as_long_as_its_way) {
     EXPECT_LT(d.cables[0].length, 80.0);
     EXPECT_NEAR(nodes(d)[10].z(), -20.0, 1e-12);
     EXPECT_NEAR(nodes(d)[10].y(), 0.0, 1e-3);
-    // With excess length the wire lies in an arc.
+    // Longer: the additional length lies in an arc.
     const Description longer = flat(with_wire(
         R"("from": {"at": [0, 0, -20]}, "to": {"at": [60, 0, 0]}, "length": 100,
            "shape": "laid", "seabed": {"height": -20})"));
@@ -105,10 +105,10 @@ TEST(CableShapes, free_ends_start_where_they_rest) {
     const std::string from = R"("from": {"at": [0, 0, 0]}, "length": 50, "shape": "hanging", )";
     const Description d = flat(with_wire(from + R"("to": {"free": [0, 0, -50]})"));
     EXPECT_NEAR(nodes(d).back().z(), -50.0 - kWeight * 1250.0 / 1e8, 1e-9);
-    EXPECT_NEAR(tension(d, 19), 1.25 * kWeight, 1e-3);  // its last lump has half the mass
+    EXPECT_NEAR(tension(d, 19), 1.25 * kWeight, 1e-3);  // the mass of its last node is half
     expect_refused(with_wire(from + R"("to": {"free": [30, 0, -40]})"), "/cables/0/to/free",
                    "at rest its free end is at [0, 0, -50");
-    // Held by friction alone.
+    // Friction alone keeps it in place.
     const Description lies = flat(with_wire(
         R"("from": {"at": [0, 0, 0]}, "length": 75, "shape": "hanging",
            "to": {"free": [70, 0, -10]}, "seabed": {"height": -10, "friction": 1})"));
@@ -134,8 +134,8 @@ TEST(CableShapes, links_keep_their_length) {
         EXPECT_NEAR(d.body(d.cables[0].nodes[i]).half_size.x(), 2.25, 1e-6);
 }
 
-/// A wire in the sea used to start with its weight in air. Under water it has the shape of the same
-/// wire in air with its weight in water; above the water the shape without a sea.
+/// A wire in the sea once started with its weight in air. Under water it now has the shape of a
+/// wire in air with its weight in water. Above the water its shape is the one without a sea.
 TEST(CableShapes, in_the_sea_lines_have_their_weight_in_water) {
     const auto scene = [](const std::string& type, const std::string& sea, const std::string& shape,
                           double z) {
@@ -146,7 +146,7 @@ TEST(CableShapes, in_the_sea_lines_have_their_weight_in_water) {
                     shape + R"(", "from": {"at": [0, 0, )" + std::to_string(z) +
                     R"(]}, "to": {"at": [80, 0, )" + std::to_string(z - 30.0) + "]}}]}");
     };
-    // 0.007854 m2 of 1,030 kg/m3, less 20 kg/m.
+    // 0.007854 m² of 1,030 kg/m³, less 20 kg/m.
     const double factor = 1.0 - 1030.0 * 0.25 * 3.14159265358979 * 0.01 / 20.0;
     const std::string wet = R"("cd_normal": 1.2)", dry = R"("ca_normal": 1)",
                       light = R"("submerged_factor": )" + std::to_string(factor);
@@ -158,7 +158,7 @@ TEST(CableShapes, in_the_sea_lines_have_their_weight_in_water) {
         const auto in_water = nodes(scene(light, "", "hanging", 1.9)),
                    in_air = nodes(scene(dry, "", "hanging", 90.0));
         for (std::size_t i = 0; i < under.size(); ++i) {
-            // std::to_string keeps six digits of the factor; the nodes hardly move by them.
+            // std::to_string keeps six digits of the factor, which hardly move the nodes.
             EXPECT_LT((under[i] - in_water[i]).norm(), 1e-6) << shape << i;
             EXPECT_LT((over[i] - in_air[i]).norm(), 1e-9) << shape << i;
         }

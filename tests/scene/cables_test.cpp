@@ -28,7 +28,7 @@ TEST(Cables, lumps_between_a_body_and_the_world) {
     ASSERT_EQ(d.bodies.size(), 6U);
     EXPECT_FALSE(d.find_body("c/0").valid());
     EXPECT_EQ(body(d, "c/4").kind, BodyKind::fixed);
-    // Point (5, 0, 0) of a body turned by 90° about z lies at y = 5.
+    // Point (5, 0, 0) of a body rotated by 90° about z is at y = 5.
     EXPECT_TRUE(body(d, "c/1").position.isApprox(Vec3(0, 15, 10), 1e-12));
     const BodyDef& node = body(d, "c/2");
     EXPECT_EQ(node.kind, BodyKind::lump);
@@ -36,7 +36,7 @@ TEST(Cables, lumps_between_a_body_and_the_world) {
     EXPECT_EQ(node.linear_damping, Vec3::Constant(6.0 * 11.0));
     // Weight in water is 0.75 of the weight in air: the rest is an upward force.
     EXPECT_TRUE(node.force.isApprox(Vec3(0, 0, 0.25 * 9.81 * 220.0), 1e-12));
-    // Half way between the attachment, which moves, and the anchor, which does not.
+    // Midway between the attachment, which moves, and the anchor, which does not.
     EXPECT_TRUE(node.velocity.isApprox(Vec3(0.5, 0, 0), 1e-12));
 
     const InteractionDef& first = interaction(d, "c/s0");
@@ -74,7 +74,7 @@ TEST(Cables, free_end_carries_half_an_element) {
     for (const BodyDef& b : d.bodies) {
         mass += b.name.starts_with("c/") ? b.mass : 0.0;
     }
-    // The half element at the fixed end is carried by the world.
+    // The world carries the half element at the fixed end.
     EXPECT_DOUBLE_EQ(mass, 20.0 * 9.0);
 }
 
@@ -110,7 +110,7 @@ TEST(Cables, winch_pays_out_the_first_element) {
     }
 }
 
-/// Version 1 keeps one element, version 2 feeds elements with their own mass.
+/// Version 1 keeps one element. Version 2 feeds elements with their own mass.
 TEST(Cables, winch_feeds_elements_in_version_2) {
     const std::string cable = with_cable(
         R"({"name": "c", "line_type": "wire", "from": {"body": "a", "point": [5, 0, 0]},
@@ -128,7 +128,7 @@ TEST(Cables, winch_feeds_elements_in_version_2) {
     EXPECT_DOUBLE_EQ(body(two, "c/2").mass, 200.0);
 }
 
-/// The element there, from the first end, and no other.
+/// The element at this position, counted from the first end, and no other.
 TEST(Cables, weak_places_and_consistent_mass) {
     const Description d = flat(with_cable(
         R"({"name": "c", "line_type": "wire", "from": {"at": [0, 0, 10]},
@@ -165,7 +165,7 @@ TEST(Cables, links_meet_at_their_joints) {
         EXPECT_EQ(joint.kind, InteractionKind::Ball);
         const Vec3 gap = d.world_point(joint.body[0], joint.point[0]) -
                          d.world_point(joint.body[1], joint.point[1]);
-        // Round-off of coordinates of about 50 m.
+        // Rounding of coordinates of about 50 m.
         EXPECT_LT(gap.norm(), 1e-12) << joint.name;
     }
     EXPECT_EQ(d.cables[0].nodes.size(), 14U);
@@ -174,7 +174,7 @@ TEST(Cables, links_meet_at_their_joints) {
 }
 
 TEST(Cables, links_backwards_along_x) {
-    // The direction opposite to the links' own axis has no shortest arc.
+    // There is no shortest arc to the direction opposite to the links' own axis.
     const Description d = flat(with_cable(
         R"({"name": "c", "line_type": "chain", "as": "links", "radius": 0.05,
             "from": {"at": [10, 0, 0]}, "to": {"free": [0, 0, 0]}, "elements": 4})"));

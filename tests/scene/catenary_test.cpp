@@ -10,8 +10,8 @@ namespace {
 
 const Vec3 kDown(0.0, 0.0, -1.0);
 
-/// Every element has its length, and the pulls of two neighbours on a node between them differ
-/// by the same vertical force everywhere, with the same horizontal one.
+/// Expect that every element has its length. At each node the pulls of both neighbours have equal
+/// horizontal parts, and the difference of their vertical parts is equal at all nodes.
 void expect_at_rest(const std::vector<Vec3>& nodes, double length, const Vec3& down) {
     const std::size_t n = nodes.size() - 1;
     const double l = length / static_cast<double>(n);
@@ -19,14 +19,15 @@ void expect_at_rest(const std::vector<Vec3>& nodes, double length, const Vec3& d
     std::vector<double> slope;
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 d = nodes[i + 1] - nodes[i];
-        // The last element closes the sums that Newton's method solved to 1e-11 a element.
+        // The last element contains the error of the sums, which Newton's method solved to 1e-11
+        // per element.
         EXPECT_NEAR(d.norm(), l, 1e-9 * length);
         slope.push_back(d.dot(up) / (d - d.dot(up) * up).norm());
     }
     for (std::size_t i = 2; i < n; ++i) {
         const double first = slope[1] - slope[0];
         EXPECT_GT(slope[i] - slope[i - 1], 0.0);
-        // The last element closes the sums; at slopes of 150 that shows as 1e-6.
+        // The last element contains the error of the sums; at slopes of 150 it is 1e-6.
         EXPECT_NEAR(slope[i] - slope[i - 1], first, 1e-5 * std::abs(first)) << i;
     }
 }
@@ -37,10 +38,10 @@ TEST(Catenary, hangs_at_rest_in_many_shapes) {
     for (const Vec3& b : ends) {
         for (const double slack : {1.00001, 1.01, 1.25, 2.0}) {
             for (const int n : {2, 3, 10, 101}) {
-                // Two or three long elements incline from the chord by up to acos(1/slack). Beyond
-                // the vertical one of them would have to push: such a shape does not exist.
+                // Two or three long elements deviate from the chord by up to acos(1/slack). Past
+                // the vertical one of them would be in compression: no such shape exists.
                 const double steep = std::asin(std::abs(b.z()) / b.norm());
-                // The same holds if the fold at the bottom is narrower than one element.
+                // Nor does it if the fold at the bottom is narrower than one element.
                 const bool narrow = std::hypot(b.x(), b.y()) < slack * b.norm() / n;
                 if (narrow || (n < 10 && steep + std::acos(1.0 / slack) > 1.4)) {
                     continue;
@@ -82,10 +83,10 @@ TEST(Catenary, is_straight_when_taut) {
 
 TEST(Catenary, refuses_what_does_not_exist) {
     EXPECT_FALSE(hang({0, 0, 0}, {10, 0, 0}, 9.99, 10, kDown));      // too short
-    EXPECT_FALSE(hang({0, 0, 0}, {0, 0, 10}, 20.0, 10, kDown));      // one vertical: folds
+    EXPECT_FALSE(hang({0, 0, 0}, {0, 0, 10}, 20.0, 10, kDown));      // one vertical line: folds
     EXPECT_FALSE(hang({0, 0, 0}, {10, 0, 0}, 20.0, 1, kDown));       // one rigid element
     EXPECT_FALSE(hang({0, 0, 0}, {0.001, 0, 5}, 100.0, 10, kDown));  // nearly folded
-    EXPECT_FALSE(hang({0, 0, 0}, {80, 0, -60}, 200.0, 2, kDown));    // would have to push
+    EXPECT_FALSE(hang({0, 0, 0}, {80, 0, -60}, 200.0, 2, kDown));    // would be in compression
 }
 
 }  // namespace

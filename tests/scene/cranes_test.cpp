@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cranes of a scene: their bodies and interactions, templates and copies, errors, and the bits of
-// the scenes with cranes.
+// Cranes of a scene: their bodies and systems, templates and copies, rejections, and the bits of
+// scenes with cranes.
 #include "support.h"
 
 #include "good_scenes.h"
@@ -27,7 +27,7 @@ TEST(SceneCranes, AreMadeInTemplatesAndCopies) {
         EXPECT_TRUE(w.find_interaction(crane + "/slew/motor").valid()) << crane;
     }
     for (int i = 0; i < 120; ++i) ASSERT_EQ(w.step(), Status::ok);
-    // The crane is mounted at 90 degrees, and slewed by 10 more; it holds the box.
+    // The crane is rotated by 90 degrees, and slewed by 10 more; it carries the box.
     EXPECT_NEAR(w.output(w.find_output("turn")), 0.17453, 1e-4);
     EXPECT_LT(w.pose(w.find_body("knuckle/hook")).position.x(), -2.0);
     EXPECT_EQ(w.system_signal("knuckle.held"), 1.0);
@@ -38,7 +38,7 @@ TEST(SceneCranes, AreMadeInTemplatesAndCopies) {
     EXPECT_NEAR(w.output(w.find_output("big/fall")), 12000.0 * 9.81 / 3.0, 2000.0);
 }
 
-/// Made by an option: "path: message".
+/// Return the message for an option: "path: message".
 std::string refused_with(const std::string& set) {
     Options options;
     options.set = {set};
@@ -111,7 +111,7 @@ TEST(SceneCranes, MistakesOfOneAreNoMistakesOfWhatNamesItsParts) {
     EXPECT_EQ(mistakes[0].path, "/cranes/0/boom_cylinder/max_length");
 }
 
-/// A thousand steps of a scene, in which its crane lifts and slews.
+/// A thousand steps of a scene in which its crane lifts and slews.
 class Shift {
   public:
     Shift(const std::string& file, int threads)

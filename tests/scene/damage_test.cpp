@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random damage: a damaged scene is rejected with a SceneError or is by chance still valid. It
+// Random damage: a damaged scene either is rejected with a SceneError or happens to be valid. It
 // never crashes and never throws another exception.
 #include "good_scenes.h"
 #include "support.h"
@@ -84,7 +84,7 @@ RC_GTEST_PROP(Damage, swapped_values_never_crash, ()) {
     Json damaged = good;
     const auto from = *rc::gen::elementOf(pointers);
     const auto to = *rc::gen::elementOf(pointers);
-    // Do not change sizes: a large number there is a large scene, not a mistake.
+    // Sizes are not changed: a large value is a large scene, not a mistake.
     RC_PRE(!to.ends_with("/copies") && !to.ends_with("/elements"));
     damaged[Json::json_pointer(to)] = flat[from];
     (void)fate_of(damaged.dump());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The examples in docs/scenes.md are valid.
+// Examples of docs/scenes.md are valid.
 #include "scene/format.h"
 
 #include <gtest/gtest.h>

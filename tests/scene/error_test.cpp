@@ -15,7 +15,7 @@ TEST(EditDistance, counts_single_changes) {
     EXPECT_EQ(base::edit_distance("mass", "mas"), 1U);
     EXPECT_EQ(base::edit_distance("mass", "masss"), 1U);
     EXPECT_EQ(base::edit_distance("mass", "moss"), 1U);
-    EXPECT_EQ(base::edit_distance("mass", "msas"), 1U);  // neighbours swapped
+    EXPECT_EQ(base::edit_distance("mass", "msas"), 1U);  // neighbours exchanged
     EXPECT_EQ(base::edit_distance("kitten", "sitting"), 3U);
 }
 

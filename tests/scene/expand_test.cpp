@@ -12,14 +12,14 @@ namespace {
 
 TEST(Templates, stand_on_a_moving_body) {
     const Description d = flat(kSite);
-    // The ship is turned by 90° about z; the template by 90° more, at (0, 5, 4) on it.
+    // The ship is rotated by 90° about z, and the template by 90° more, at (0, 5, 4) on it.
     const BodyDef& ship = body(d, "ship");
     const BodyDef& boom = body(d, "port/boom");
     const Vec3 origin = ship.position + ship.orientation * Vec3(0, 5, 4);
     const Quat turned(Eigen::AngleAxisd(std::acos(-1.0), Vec3::UnitZ()));
     EXPECT_TRUE(boom.position.isApprox(origin + turned * Vec3(12, 0, 5), 1e-12));
     EXPECT_LT(boom.orientation.angularDistance(turned), 1e-7);
-    // It moves with the ship, rotation included.
+    // It moves with the ship, including its rotation.
     EXPECT_TRUE(boom.velocity.isApprox(
         ship.velocity + ship.angular_velocity.cross(boom.position - ship.position), 1e-12));
     EXPECT_EQ(boom.angular_velocity, ship.angular_velocity);
@@ -28,7 +28,7 @@ TEST(Templates, stand_on_a_moving_body) {
     EXPECT_EQ(pivot.body[0], d.find_body("ship"));
     EXPECT_TRUE(d.world_point(pivot.body[0], pivot.point[0])
                     .isApprox(origin + turned * Vec3(0, 0, 5), 1e-12));
-    // The template inside the template.
+    // The template in the template.
     EXPECT_EQ(body(d, "port/w/block").mass, 15000.0);
     EXPECT_EQ(interaction(d, "port/w/rod").body[0], d.find_body("port/tip"));
     EXPECT_TRUE(d.has_cable("port/hoist"));
@@ -51,7 +51,7 @@ TEST(Copies, repeat_everything_and_join) {
         options.scale = scale;
         return flat(kSite, options).bodies.size();
     };
-    // Each copy adds the same number; a join of 5 elements adds 4 nodes. The world is one.
+    // Each copy adds the same number; a join of 5 elements adds 4 nodes. The world exists once.
     const std::size_t step = bodies(4) - bodies(3);
     EXPECT_EQ(bodies(5) - bodies(4), step);
     options.scale = 3;
@@ -65,18 +65,18 @@ TEST(Copies, repeat_everything_and_join) {
     const InteractionDef& last = interaction(d, "1:neighbour/s4");
     EXPECT_EQ(last.body[1], d.find_body("2:rig"));
     EXPECT_TRUE(d.has_cable("1:port/hoist"));
-    // A world point of a copy moves with it: the fixed end of its links, held by "world".
+    // A world point of a copy moves with it: the fixed end of its links, attached to the world.
     const InteractionDef& joint = interaction(d, "2:links/j4");
     EXPECT_EQ(joint.body[1], d.find_body("world"));
     EXPECT_TRUE(joint.point[1].isApprox(Vec3(0, 3135, 0), 1e-12));
     EXPECT_EQ(std::count_if(d.bodies.begin(), d.bodies.end(),
                             [](const BodyDef& b) { return b.name.ends_with("world"); }),
               1);
-    // The maximum number of copies.
+    // The largest number of copies.
     options.scale = 1000;
     EXPECT_EQ(flat(kSite, options).bodies.size(), d.bodies.size() + 997 * step);
     options.scale = 3;
-    // The scale is part of the text.
+    // The text contains the scale.
     const Document document = document_of(kSite, options);
     EXPECT_EQ(document.root["repeat"]["copies"], 3);
 }
@@ -126,10 +126,10 @@ TEST(Includes, bring_line_types_and_templates) {
                      R"({"version": 1, "include": ["deep)" + std::to_string(i + 1) + R"(.json"]})");
     }
     EXPECT_NE(scene_with("\"deep0.json\"").find("more than 8 deep"), std::string::npos);
-    // A link out of the folder is followed and refused.
+    // A link to a file outside the folder is followed and rejected.
     std::filesystem::create_symlink("/etc/hostname", folder.path / "link.json");
     EXPECT_NE(scene_with("\"link.json\"").find("outside"), std::string::npos);
-    // A part may refer to a parent folder within the folder of the scene.
+    // A part may refer to parent folders within the folder of the scene.
     folder.write("parts/up.json", R"({"version": 1, "include": ["../twice.json"]})");
     EXPECT_EQ(scene_with("\"parts/up.json\"").find("outside"), std::string::npos);
     // A mistake in a template of another file is reported there.
@@ -157,12 +157,12 @@ TEST(State, is_stored_and_read_again) {
     EXPECT_TRUE(def.orientation.isApprox(Quat(0.8, 0, 0, 0.6)));
     const BodyDef& same = settled.world.body_def(settled.world.find_body("moor/3"));
     EXPECT_EQ(same.position, first.world.body_def(first.world.find_body("moor/3")).position);
-    // Joints keep the attachment points of the scene as drawn.
+    // Joints keep the attachment points of the scene as written.
     const InteractionId moor = settled.world.find_interaction("moor/s11");
     EXPECT_EQ(settled.world.interaction_def(moor).point[1], Vec3(-35, 0, -5));
     EXPECT_EQ(load_text(settled.text, "x.json").world.state_hash(), settled.world.state_hash());
 
-    // Stored at one copy, loaded at three: the others are shifted.
+    // Stored with one copy, loaded with three: the others are shifted.
     Options options;
     options.scale = 3;
     const Scene three = load_file(file, options);

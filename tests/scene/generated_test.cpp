@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The committed schema and reference page agree with the source. To generate them again:
+// The committed schema and reference page are those that the source generates. To write them anew:
 //   HAWSER_WRITE_GENERATED=1 build/release/bin/hawser_test_scene --gtest_filter='Generated.*'
 #include "scene/schema.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// Valid scenes that between them use every part of the format.
+/// Valid scenes that together use every part of the format.
 
 #include "anchor_scene.h"
 #include "touching_scene.h"
@@ -11,7 +11,7 @@
 
 namespace hawser::scene::test {
 
-/// Cables of every sort, a winch, templates within templates, copies, inputs, pictures.
+/// Cables of every type, a winch, templates in templates, copies, inputs, pictures.
 inline constexpr std::string_view kSite = R"({
   "$schema": "../schema/scene-1.json", "version": 1, "name": "site",
   "description": "A rig, a ship, cables – and a crane.",

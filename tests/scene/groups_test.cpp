@@ -51,11 +51,11 @@ TEST(Groups, come_from_the_partitioner_where_the_scene_has_none) {
 }
 
 TEST(Groups, are_of_both_kinds_where_the_scene_says_so) {
-    // By itself a group by hand leaves the other bodies in one without a name …
+    // Without "parts", the other bodies form one group without a name …
     const std::string own = R"(, "group": "near")";
     const Scene hand = load_text(grouped(R"("coupling": "kinematic")", own, ""), "test.json");
     EXPECT_EQ(hand.world.settings().parts, 0);
-    // … and with "parts" these are distributed.
+    // … and with "parts" they are distributed.
     const Scene both =
         load_text(grouped(R"("coupling": "kinematic", "parts": 3, "regroup_every": 7)", own, ""),
                   "test.json");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes beyond the limits, and files of useless numbers: rejected by their counts, before any
-// object is made.
+// Scenes that request more than the limits, and files of useless numbers: rejected by their counts,
+// before anything is built.
 #include <hawser/scene.h>
 
 #include <gtest/gtest.h>
@@ -11,7 +11,8 @@
 namespace hawser::test {
 namespace {
 
-/// @return the error message; it is thrown before any object is made. @param most  Time [s].
+/// Load a text. @return the message of the rejection, which comes before anything is built. @param
+/// most  Time limit [s].
 std::string refusal_of(const std::string& text, double most = 1.0) {
     const auto start = std::chrono::steady_clock::now();
     std::string said = "taken";
@@ -44,14 +45,15 @@ void expect_part(const std::string& said, const char* part) {
 }
 
 TEST(HostileSize, ElementsAreCountedBeforeTheyAreMade) {
-    // max_bodies of scenes is 2,000,000: the body, the nodes between the ends, and the fixed end.
+    // max_bodies of scenes is 2,000,000. Bodies here: the body, the nodes between the ends, and the
+    // fixed end.
     expect_part(refusal_of(scene_of(cable_of("c", 2'000'000))), "2000001 bodies");
     expect_part(refusal_of(scene_of(cable_of("c", 1'200'000) + "," + cable_of("d", 1'200'000))),
                 "2400001 bodies");
     expect_part(refusal_of(scene_of(cable_of("c", 300'000),
                                     R"(, "repeat": {"copies": 7, "offset": [0, 9, 0]})")),
                 "2100007 bodies");
-    // A stretch an element and a bend a node; their most are 4,000,000 by default.
+    // A stretch per element and a bend per node; the default limit of each is 4,000,000.
     expect_part(refusal_of(scene_of(cable_of("c", 600'000, "stiff"),
                                     R"(, "settings": {"max_interactions": 1000000})")),
                 "1199999 interactions");
@@ -71,7 +73,7 @@ TEST(HostileSize, NumbersUnderAnUnknownKeyAreNotRead) {
     expect_part(refusal_of(scene_of("", ", \"plot\": {\"foo\": [" + numbers + "]}")),
                 "an array of more than 2000000 entries");
     std::string twice = scene_of("", ", \"foo\": [[1, 2, 3]]");
-    expect_part(refusal_of(twice), "foo");  // little is read, and refused as any key
+    expect_part(refusal_of(twice), "foo");  // little is read, and rejected like any unknown key
 }
 
 TEST(HostileSize, ValuesOfAFileAreCounted_full) {
@@ -80,7 +82,7 @@ TEST(HostileSize, ValuesOfAFileAreCounted_full) {
     row += "]";
     std::string rows = row;
     for (int i = 0; i < 10'100; ++i) rows += "," + row;
-    // 10,000,000 values at some 100 ns each, on a busy machine.
+    // 10,000,000 values at about 100 ns each, on a busy machine.
     expect_part(refusal_of(scene_of("", ", \"plot\": {\"foo\": [" + rows + "]}"), 10.0),
                 "more than 10000000 values");
 }

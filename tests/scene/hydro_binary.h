@@ -31,7 +31,8 @@ inline void write_netcdf(const fs::path& path, int mode, bool whole = true) {
     nc_def_var(id, "diffraction_force", NC_DOUBLE, 4, force, &var[5]);
     nc_enddef(id);
     std::vector<double> omega{INFINITY}, a, b, x, half;
-    omega.insert(omega.end(), kOmega.rbegin(), kOmega.rend());  // descending, ∞ and 0 among them
+    omega.insert(omega.end(), kOmega.rbegin(), kOmega.rend());  // descending, with ∞ and 0 among
+                                                                // them
     omega.push_back(0.0);
     const int motions = whole ? 6 : 5;
     for (const double w : omega)
@@ -65,7 +66,7 @@ inline fs::path write_sample_netcdf(const fs::path& path, bool four) {
     return path;
 }
 
-/// Write a file with `values` zeros as frequencies; most of it is a hole.
+/// Write a file with a number of zeros as frequencies; most of it is a hole.
 inline fs::path write_large_netcdf(const fs::path& path, std::size_t values) {
     int id = 0, dim = 0, var = 0;
     nc_create(path.c_str(), NC_64BIT_OFFSET | NC_CLOBBER, &id);

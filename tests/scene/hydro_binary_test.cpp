@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coefficients in netCDF and HDF5: small files, written here, and hostile ones. HAWSER_HYDRO_DATA
-// names a folder of real ones of all formats, which are then read, too.
+// Coefficients in netCDF and HDF5: small files written here, and hostile ones. If HAWSER_HYDRO_DATA
+// names a folder of real files of all formats, they are read too.
 #include <hawser/hydro_files.h>
 
 #include "scene/hydro_binary.h"
@@ -15,7 +15,7 @@
 namespace hawser::test::hydro {
 namespace {
 
-/// Read in this process: sanitized builds of a test have no reader program in their folder.
+/// Read in this process: sanitized builds of a test have no reader program beside them.
 [[maybe_unused]] const ReaderLimits kHere{.in_process = true};
 
 #if HAWSER_HAVE_NETCDF
@@ -57,7 +57,7 @@ TEST(HydroFiles, Bemio) {
 
 #endif
 
-// If a reader is not in the build, the message names the package to install.
+// A format left out of a build is reported, with the package to install.
 #if !HAWSER_HAVE_NETCDF
 TEST(HydroFiles, WithoutNetcdfCapytaineIsRefused) {
     const Folder folder;
@@ -76,7 +76,7 @@ TEST(HydroFiles, RealOnes) {
     if (folder == nullptr) GTEST_SKIP() << "HAWSER_HYDRO_DATA names no folder";
     const fs::path data(folder);
     const WaveCoefficients semi = read_coefficients((data / "semisub.1").string());
-    // In long waves the surge force runs a quarter of a period before the wave, as in all files.
+    // In long waves the surge force leads the wave by a quarter of a period, in all files.
     const auto phase = [](const WaveCoefficients& c, std::size_t w, int k) {
         return std::arg(c.excitation[c.index(0, w, k)]) * 180 / kPi;
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text files of coefficients and meshes by other programs: small ones, written here, and hostile
-// ones.
+// Text files of coefficients and meshes in the formats of other programs: small ones written here,
+// and hostile ones.
 #include <hawser/hull.h>
 #include <hawser/hydro_files.h>
 
@@ -183,7 +183,7 @@ TEST(HydroFiles, MeshesOfGdfAndNemoh) {
         EXPECT_THROW((void)read_hull(folder.write("b.gdf", bad)), DefError) << bad;
 }
 
-/// Files that were cut or changed at random are refused, or read as something finite.
+/// Truncated or randomly changed files are rejected, or read as finite values.
 TEST(HydroFiles, ChangedFilesDoNoHarm) {
     const Folder folder;
     std::uint64_t seed = first_seed(7);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// netCDF and HDF5 files with changed bytes, and readers that misbehave. Each is rejected with a
-// reason, or read as valid coefficients, and this process survives.
+// netCDF and HDF5 files with changed bytes, and faulty readers. Each is rejected with a reason, or
+// read as valid coefficients, and this process survives.
 #include "scene/hydro_binary.h"
 #include "scene/hydro_message.h"
 #include "support/random.h"
@@ -23,14 +23,14 @@ std::string bytes_of(const fs::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Path of the program that the tests start; empty: it is not built.
+/// Return the path of the program that the tests start; empty if it is not built.
 std::string program() {
     const char* folder = std::getenv("HAWSER_BIN_DIR");
     const fs::path path = fs::path(folder ? folder : "") / "hawser";
     return fs::exists(path) ? path.string() : std::string();
 }
 
-/// Change 1 to 4 bytes, words or lengths, often those of headers, as a forger would.
+/// Change 1 to 4 bytes, words or lengths, often in headers, like an attacker.
 std::string forged(std::string bytes, Random& random) {
     const auto place = [&](std::size_t width) {
         const std::size_t last = bytes.size() - width;
@@ -62,7 +62,7 @@ std::string forged(std::string bytes, Random& random) {
     return bytes;
 }
 
-/// Read `count` forged files made from each seed file. Prints how they ended.
+/// Read `count` forged files made from each seed file. Print counts of the results.
 void read_forged(const std::vector<fs::path>& from, int count) {
     if (program().empty()) GTEST_SKIP() << "HAWSER_BIN_DIR has no program";
     const Folder folder;
@@ -92,7 +92,7 @@ void read_forged(const std::vector<fs::path>& from, int count) {
         "%d forged files read, %d refused, of these %d crashed their reader; longest %.2f s\n",
         read, refused, crashed, longest);
     EXPECT_GT(refused, 0);
-    EXPECT_LT(longest, limits.seconds + 2.0);  // the limit, and a busy machine
+    EXPECT_LT(longest, limits.seconds + 2.0);  // the limit, on a busy machine
 }
 
 #if HAWSER_HAVE_NETCDF && HAWSER_HAVE_HDF5
@@ -115,11 +115,11 @@ TEST(HydroForged, FilesAreRefusedOrRead_long) {
     read_forged(good_files(folder), 3400);
 }
 
-/// A reader with less memory than the file needs ends with the remedy, not with this process.
+/// A reader with less memory than the file needs reports the remedy, and this process continues.
 TEST(HydroForged, MemoryOfTheReaderIsLimited) {
     if (program().empty()) GTEST_SKIP() << "HAWSER_BIN_DIR has no program";
     const Folder folder;
-    // 19,000,000 values of 8 bytes: below the most that are read, above 64 MiB.
+    // 19,000,000 values of 8 bytes: below the limit of values, above 64 MiB.
     const std::string file = write_large_netcdf(folder / "large.nc", 19'000'000).string();
     ReaderLimits limits;
     limits.program = program();
@@ -135,7 +135,7 @@ TEST(HydroForged, MemoryOfTheReaderIsLimited) {
 
 #endif
 
-/// A shell script as the reader.
+/// Write a shell script that acts as the reader.
 std::string script(const Folder& folder, const std::string& text) {
     const std::string path = folder.write("reader.sh", "#!/bin/sh\n" + text + "\n");
     fs::permissions(path, fs::perms::owner_all);
@@ -165,7 +165,7 @@ TEST(HydroReader, ReadersThatMisbehaveAreRefused) {
     has(refusal_with(folder, "echo nonsense >&3"), "is no reader of this version");
     const auto start = Clock::now();
     has(refusal_with(folder, "exec sleep 60", 0.3), "takes more than 0.3 s");
-    // The reader closes its output and continues to run.
+    // The script closes its output and continues.
     has(refusal_with(folder, "exec sleep 60 3>&-", 0.3), "takes more than 0.3 s");
     EXPECT_LT(seconds_since(start), 10.0);
     has(refusal_with(folder, "exec head -c 600000000 /dev/zero >&3"), "returned more than");
@@ -220,7 +220,7 @@ TEST(HydroMessage, GoesThroughUnchanged) {
     EXPECT_EQ(error->error, "a?b?[2J");
 }
 
-/// Random counts, lengths and contents: no message, or one with detected faults.
+/// Random counts, lengths and contents: the message is rejected, or its faults are found.
 TEST(HydroMessage, ForgedOnesAreRefused) {
     const std::vector<char> good = scene::message_of(some_coefficients());
     Random random(first_seed(18));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Expected values of small files of coefficients, written by tests in each format.
+// Expected contents of small files of coefficients, which tests write in each format.
 #include <hawser/hydro_files.h>
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using Complex = std::complex<double>;
 inline constexpr double kRho = 1025.0, kG = 9.81, kPi = std::numbers::pi;
 
-/// A folder that is removed with the test.
+/// A folder that the destructor deletes.
 class Folder {
   public:
     Folder() {
@@ -42,7 +42,7 @@ class Folder {
     fs::path path_;
 };
 
-// Expected values for all formats: heave and sway-roll at four frequencies, 0 and 90 degrees.
+// Expected of all formats: heave and sway-roll at four frequencies, 0 and 90 degrees.
 inline double added(int i, int j, double omega) {
     const double a[6] = {1e5, 2e5, 3e5, 4e6, 5e6, 6e6};
     if (i == j) return a[i] * (1.0 + 0.1 / omega);
@@ -91,7 +91,7 @@ inline std::string line(const char* format, auto... values) {
 inline const HydroUnits kUnits{.density = kRho, .gravity = kG};
 
 /// Expect an error that contains `why`. Reads in this process: sanitized builds of a test have no
-/// reader program in their folder.
+/// reader program beside them.
 inline void refuses(const std::string& file, const char* why) {
     try {
         (void)read_coefficients(file, kUnits, {.in_process = true});

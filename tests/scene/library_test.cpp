@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes of the project load, and their resolved text is complete.
+// Shipped scenes load, and their resolved text is complete.
 #include "good_scenes.h"
 #include "support.h"
 
@@ -20,7 +20,7 @@ std::vector<std::string> library() {
     return files;
 }
 
-/// Everything that the interface shows of two worlds is equal, to the bit.
+/// Expect that all data of the interface are equal in two worlds, to the bit.
 void expect_same(const Scene& a, const Scene& b) {
     ASSERT_EQ(a.world.body_count(), b.world.body_count());
     ASSERT_EQ(a.world.interaction_count(), b.world.interaction_count());

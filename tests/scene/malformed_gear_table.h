@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// Mistakes in the deck gear for wires, see malformed_table.h.
+/// Mistakes in deck gear for wires, see malformed_table.h.
 
 #include "good_scenes.h"
 
@@ -47,7 +47,7 @@ inline constexpr Mistake kGearMistakes[] = {
 {kSite, R"([{"op":"add","path":"/cables/1/contact","value":{"to_ends":1}}])", "/cables/1/contact/to_ends", "true or false"},
 {kSite, R"([{"op":"add","path":"/cables/2/contact","value":{"to_ends":true}}])", "/cables/2/contact/to_ends", "leave it out"},
 {kSite, R"([{"op":"replace","path":"/cables/3/line_type","value":{"mass_per_length":23,"EA":2e8}},{"op":"add","path":"/cables/3/contact","value":{"to_ends":true}}])", "/cables/3/contact", "needs \"radius\", or \"diameter\""},
-// --- posts ----------------------------------------------------------------------------------
+// --- bollards --------------------------------------------------------------------------------
 {kPendulum, R"([{"op":"add","path":"/posts","value":[{"name":"pin","on":"bub","from":[0,0,0],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/on", "did you mean \"bob\""},
 {kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","from":[0,0,1],"to":[0,0,1],"radius":0.1}]}])", "/posts/0/to", "no length"},
 {kPendulum, R"([{"op":"add","path":"/bodies/1","value":{"name":"quay","kind":"fixed"}},{"op":"add","path":"/posts","value":[{"name":"pin","on":"quay","to":[0,0,1],"radius":0.1}]}])", "/posts/0", "needs \"from\""},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// Mistakes for which a scene must be rejected. Each is a good scene with one edit (JSON Patch),
-/// the place that the message must name and words that it must contain.
+/// Mistakes for which a scene must be rejected: each is a valid scene with one edit (JSON Patch),
+/// the position that the message must contain, and words of the message.
 
 #include "good_scenes.h"
 #include "malformed_gear_table.h"
@@ -369,7 +369,7 @@ inline constexpr Mistake kSceneMistakes[] = {
 };
 // clang-format on
 
-/// All of them.
+/// All mistakes.
 inline constexpr auto kMistakes = [] {
     std::array<Mistake, std::size(kGearMistakes) + std::size(kSceneMistakes)> all{};
     std::copy_n(kSceneMistakes, std::size(kSceneMistakes), all.begin());

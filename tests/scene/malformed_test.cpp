@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every malformed scene is rejected with the file, the place and the reason, without a crash.
+// Every malformed scene is rejected with file, position and reason; none crashes.
 #include "malformed_table.h"
 
 #include "support.h"
@@ -132,7 +132,7 @@ TEST(Malformed, the_program_refuses_every_one_with_its_code) {
         SCOPED_TRACE(mistake.patch);
         const auto file = folder.write("scene.json", patched(mistake.scene, mistake.patch));
         const Outcome outcome = check_with_program(program, file);
-        // 1 is the documented code for a rejected scene; a crash gives another.
+        // 1 is the documented exit code for a rejected scene; a crash has another.
         EXPECT_EQ(outcome.code, 1) << outcome.output;
         EXPECT_NE(outcome.output.find("scene.json: " + std::string(mistake.path)),
                   std::string::npos)

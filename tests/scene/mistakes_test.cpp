@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All mistakes of a scene are listed at once, without consequences of them.
+// All mistakes of a scene in one pass, without those that only follow from others.
 #include "malformed_table.h"
 
 #include "support.h"
@@ -53,7 +53,7 @@ TEST(Mistakes, the_first_is_the_one_that_loading_throws) {
     }
 }
 
-/// One edit that is one mistake gives one line: references to the omitted part cause none.
+/// One edit with one mistake gives one line: references to the part left out give none.
 TEST(Mistakes, what_follows_from_a_mistake_is_none) {
     const char* patches[] = {
         R"([{"op":"replace","path":"/bodies/0/mass","value":-1}])",
@@ -106,13 +106,14 @@ TEST(Mistakes, every_one_of_many_is_listed) {
     EXPECT_EQ(paths(found), expected) << all_of(found);
 }
 
-/// Two mistakes at unrelated places: both are found.
+/// Two mistakes at unrelated positions: both are found.
 TEST(Mistakes, pairs_of_mistakes_are_both_found) {
     std::vector<const Mistake*> simple;
     for (const Mistake& m : kMistakes) {
         const std::string_view patch = m.patch;
         const bool one = patch.find("},{") == std::string_view::npos;
-        // A separate place below a list or the settings, which does not contain the other one.
+        // A position of its own below a list or the settings, so that it does not contain the other
+        // one.
         if (m.scene == kSite && one && m.path.find('/', 1) != std::string_view::npos &&
             patch.find("\"path\":\"\"") == std::string_view::npos) {
             simple.push_back(&m);
@@ -127,7 +128,7 @@ TEST(Mistakes, pairs_of_mistakes_are_both_found) {
     for (std::size_t i = 0; i < simple.size(); ++i) {
         const Mistake& a = *simple[i];
         const Mistake& b = *simple[(7 * i + 3) % simple.size()];
-        // Mistakes of the shape of the document: those about names may follow from the other.
+        // Mistakes of the document's structure: those of names may follow from another one.
         const auto shape = [](const Mistake& m) {
             return find_problem(Json::parse(patched(m.scene, m.patch)), *format().scene)
                 .has_value();
@@ -155,7 +156,8 @@ TEST(Mistakes, of_templates_are_listed_once_and_name_the_instance) {
                     {"template": "crane", "name": "q", "parameters": {"m": -5}},
                     {"template": "crain", "name": "r"}],
       "interactions": [{"kind": "ball", "bodies": ["p/hook", "r/boom"], "at": [0, 0, 0]}]})");
-    // The hook of the template, once for two instances; the mass of one; the wrong template.
+    // The hook of the template, although two instances have it; the mass of one; the wrong
+    // template.
     EXPECT_EQ(found.size(), 3U) << all_of(found);
     const std::string text = all_of(found);
     EXPECT_NE(text.find("(in the instance \"p\")"), std::string::npos) << text;
@@ -164,7 +166,7 @@ TEST(Mistakes, of_templates_are_listed_once_and_name_the_instance) {
 }
 
 TEST(Mistakes, of_what_the_world_refuses_are_all_listed) {
-    // Both rods connect two bodies at rest, which only the world checks.
+    // Both rods join two bodies at rest, which only the world detects.
     const auto found = mistakes_in(R"({"version": 1, "name": "w", "bodies": [
         {"name": "a", "kind": "fixed"}, {"name": "b", "kind": "fixed", "position": [1, 0, 0]},
         {"name": "c", "kind": "lump", "mass": 1, "position": [2, 0, 0]}], "interactions": [
@@ -174,8 +176,8 @@ TEST(Mistakes, of_what_the_world_refuses_are_all_listed) {
         << all_of(found);
 }
 
-/// A feed requires a fairlead that is not a lump: the message names the key of the cable, and all
-/// are listed.
+/// A feed needs a fairlead that is not a point mass: the message names the key of the cable, and
+/// all are listed.
 TEST(Mistakes, of_drum_feeds_name_their_cable) {
     const auto found = mistakes_in(R"({"version": 2, "name": "f", "bodies": [
         {"name": "spool", "kind": "scalar", "mass": 500, "gravity": false},
@@ -201,8 +203,8 @@ TEST(Mistakes, keys_given_twice_and_options_are_listed) {
     EXPECT_EQ(found.size(), 2U) << all_of(found);
 }
 
-/// Every place of a good scene in turn with a wrong value. Reading continues, and finds mistakes
-/// exactly if loading throws one.
+/// Replace each value of a valid scene in turn by an invalid one: reading continues after all of
+/// them, and finds mistakes exactly where loading throws one.
 TEST(Mistakes, reading_goes_on_past_anything) {
     const Json replacements[] = {nullptr,        -1,       1e300, "text", Json::array(),
                                  Json::object(), {1, 2, 3}};
@@ -219,7 +221,7 @@ TEST(Mistakes, reading_goes_on_past_anything) {
                 places.push_back(at);
             }
         }
-        // A few at once: each leaves something out that others may name.
+        // Several at once: each leaves out a part to which others may refer.
         for (int round = 0; round < rounds; ++round) {
             Json changed = scene;
             for (unsigned k = 0; k < 1 + random() % 4; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs of a scene: their objects, in instances and copies, and in a world.
+// Outputs of a scene: their objects, in instances and copies, and their presence in a world.
 #include "good_scenes.h"
 #include "support.h"
 
@@ -24,7 +24,7 @@ TEST(SceneOutputs, name_what_the_scene_has) {
         ADD_FAILURE() << "no output " << name;
         return d.outputs.front();
     };
-    // 13 of each copy, the statistic once, the instance's one a copy.
+    // 13 of each copy, the statistic once, one of the instance in each copy.
     EXPECT_EQ(d.outputs.size(), 2 * 14 + 1U);
     EXPECT_EQ(find("heading").body, d.find_body("ship"));
     EXPECT_EQ(find("heading").unit, "rad");
@@ -39,7 +39,7 @@ TEST(SceneOutputs, name_what_the_scene_has) {
     EXPECT_EQ(find("1:heading").body, d.find_body("1:ship"));
     EXPECT_EQ(find("1:port/load").line, d.find_cable("1:port/hoist")->stretch);
     EXPECT_EQ(find("1:gap").body_b, d.find_body("1:ship"));
-    // The world does not move along with a copy: its point does.
+    // The world does not move with a copy; the point on it does.
     EXPECT_EQ(find("way").point, Vec3(0, 10, 0));
     EXPECT_EQ(find("1:way").point, Vec3(0, 1510, 0));
     EXPECT_EQ(find("1:way").body, find("way").body);
@@ -55,7 +55,7 @@ TEST(SceneOutputs, are_those_of_the_world) {
     World& world = scene.world;
     ASSERT_EQ(world.step(), Status::ok);
     const OutputId heading = world.find_output("heading");
-    // The ship begins at 90 degrees and turns by 0.01 rad/s, for one step of 1/60 s.
+    // The ship starts at 90 degrees and rotates at 0.01 rad/s for one step of 1/60 s.
     EXPECT_NEAR(world.output(heading), 1.5707963267948966 + 0.01 / 60.0, 1e-5);
     const InteractionId pivot = world.find_interaction("port/pivot");
     EXPECT_EQ(world.output(world.find_output("slew")), world.coordinate(pivot));
@@ -64,8 +64,8 @@ TEST(SceneOutputs, are_those_of_the_world) {
               -world.force(world.find_interaction("fall"))[0]);
 }
 
-/// A winch pays out 10 m of a wire of elements of 2 m and hauls in 16 m. It adds and removes its
-/// own nodes, then those of the start.
+/// A winch pays out 10 m of a wire with elements of 2 m and hauls in 16: new nodes are inserted and
+/// removed, then those of the start.
 const std::string kPayOut = R"({
   "version": 1, "name": "pay_out", "settings": {"step": 0.02},
   "line_types": {"wire": {"mass_per_length": 4.2, "EA": 4.5e7, "diameter": 0.032,
@@ -98,17 +98,17 @@ TEST(SceneOutputs, go_on_where_nodes_of_a_wire_come_and_go) {
         ASSERT_EQ(value("first"), tension(elements.front())) << i;
         ASSERT_EQ(value("last"), tension(elements.back())) << i;
         ASSERT_EQ(value("largest"), largest) << i;
-        // The wire beyond the drum is longer by the paid-out length. A node added or removed
-        // preserves tensions, of some kN over EA: lengths change by rounding of their strain.
+        // The part beyond the drum has become longer by the length paid out. Inserting or removing
+        // a node keeps tensions, of some kN over EA: lengths change by rounding of their strain.
         ASSERT_NEAR(value("paid"), w.length(fall) - start, 1e-6) << i;
         most = std::max(most, elements.size());
         least = std::min(least, elements.size());
     }
     EXPECT_GT(most, 9U);   // 22 m in elements of 2 m
     EXPECT_LT(least, 5U);  // 6 m
-    // Within the delay in which the motor reverses the drum.
+    // Within the lag of the motor that turns the drum.
     EXPECT_NEAR(value("paid"), -6.0, 0.5);
-    // A copy restored to the initial state gives the same value.
+    // A copy that returns to its initial state reports the same value.
     const double paid = value("paid");
     const std::vector<std::byte> saved = w.save();
     World other = w.twin();

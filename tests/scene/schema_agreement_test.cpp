@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The checker and the published schema must agree. valijson is an independent implementation of
-// JSON Schema. Documents are good scenes with one value replaced, removed or added, at all places.
+// JSON Schema. Documents are valid scenes with one value replaced, removed or added, at every
+// position.
 #include "scene/schema.h"
 
 #include "support.h"
@@ -53,7 +54,7 @@ void pointers_of(const Json& value, const std::string& at, std::vector<std::stri
     }
 }
 
-/// Distance between changed values: 1 changes every value.
+/// Return the distance between changed values: 1 changes every value.
 std::size_t stride() {
     return static_cast<std::size_t>(::hawser::test::kSanitized
                                         ? ::hawser::test::by_tier(120, 40, 10)
@@ -113,7 +114,7 @@ TEST_P(Agreement, same_verdict_on_every_single_change) {
         }
     }
     RecordProperty("documents", count.documents);
-    // Both results must be frequent, or the comparison would not be significant.
+    // Neither result may dominate: the comparison would then prove nothing.
     EXPECT_GT(count.refused, count.documents / 10);
     EXPECT_LT(count.refused, count.documents);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cables of several line types: masses and stiffnesses, initial shapes, winches, and places of
-// errors.
+// Cables of several line types: properties of their nodes and elements, positions at rest, their
+// winches, and rejections with their positions.
 #include "support.h"
 
 #include <hawser/catenary.h>
@@ -60,21 +60,21 @@ TEST(Sections, HaveLumpsAndElementsOfTheirOwn) {
     EXPECT_NEAR(element(19).get("length"), 10.0, 1e-12);
     EXPECT_EQ(element(19).get("breaking_load"), 3.7e6);
     EXPECT_EQ(element(25).get("breaking_load"), 4.9e6);
-    // The node between has half of each.
+    // The node between two line types has half of each.
     const auto lump = [&](std::size_t i) -> const BodyDef& { return w.body_def(leg.nodes[i]); };
     EXPECT_NEAR(lump(4).mass, 126.5 * 6.08, 1e-9);
     EXPECT_NEAR(lump(5).mass, 0.5 * (126.5 * 6.08 + 23 * 10), 1e-9);
     EXPECT_NEAR(lump(6).mass, 230.0, 1e-9);
     EXPECT_NEAR(lump(5).linear_damping.x(), 0.5 * (100 * 6.08 + 20 * 10), 1e-9);
     EXPECT_NEAR(lump(20).force.z(), 9.81 * 0.5 * (0.2 * 230 + 0.13 * 126.5 * 6.08), 0.01);
-    // Chain and the nodes at its ends bend freely.
+    // Chain and the nodes at its ends have no bending.
     int bends = 0;
     for (const InteractionId id : w.interactions())
         if (w.interaction_def(id).kind == InteractionKind::Bend) ++bends;
     EXPECT_EQ(bends, 14);
 }
 
-/// They start in the shape of catenary(), and stay there.
+/// They start in the shape of catenary(), and stay at rest.
 TEST(Sections, RestFromTheStart) {
     Scene scene = load_text(kMooring, "mooring.json");
     World& w = scene.world;
@@ -107,7 +107,7 @@ TEST(Sections, WeakPlacesAndPathsGoByLength) {
     EXPECT_LT((scene.world.pose(leg.nodes[5]).position - expected).norm(), 1e-9);
 }
 
-/// A winch hauls the section at its end, and no more of the next one than its element leaves.
+/// A winch hauls the section at its end, and of the next section at most the part in its element.
 TEST(Sections, AWinchStopsAtTheNextLineType) {
     Scene scene = load_text(R"({
       "version": 1, "name": "hoist", "settings": {"step": 0.01},
@@ -131,12 +131,12 @@ TEST(Sections, AWinchStopsAtTheNextLineType) {
     EXPECT_EQ(w.interaction_def(elements[0]).get("EA"), 1e8);
     EXPECT_EQ(w.interaction_def(elements[1]).get("EA"), 3e8);
     EXPECT_NEAR(w.system_signal("hoist.wire_left"), 70.0, 1.0);
-    // The hanging mass: the load, the chain, and the rest of the wire.
+    // The hanging weight: load, chain, and the rest of the wire.
     EXPECT_NEAR(w.system_signal("hoist.pull"), (8000 + 60 * 19.98) * 9.81, 0.02 * 9e4);
 }
 
-/// Elements grow within each line type. The node between two types remains, and each keeps its
-/// material up to rounding.
+/// Elements become longer within each line type. The node between two types stays, and each type
+/// keeps its length to rounding.
 TEST(Sections, HaveAResolutionOfTheirOwn) {
     Scene scene =
         load_text(mooring_with("\"shape\": \"hanging\"",
@@ -170,11 +170,11 @@ TEST(Sections, HaveAResolutionOfTheirOwn) {
         EXPECT_LE(after[k].elements, before[k].elements) << k;
         EXPECT_NEAR(after[k].mass, before[k].mass, 1e-9 * before[k].mass) << "an account";
     }
-    // The heavier chain at the ends is bent too much for less.
+    // The heavier chain is bent too much at its ends for fewer elements.
     EXPECT_LT(after[1].elements, before[1].elements);
     EXPECT_NEAR(w.system_signal("leg/resolution.material"), 216.88, 1e-9);
     EXPECT_TRUE(w.alive(first) && w.alive(second));
-    // Manual removal is rejected too: one element could not replace both.
+    // An edit cannot remove it either: no element could replace both.
     try {
         (void)w.remove_node(first, 3.2);
         FAIL() << "two line types became one";

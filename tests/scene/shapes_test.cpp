@@ -62,7 +62,7 @@ TEST(SceneShapes, posts_lie_in_the_edges_of_boxes) {
     EXPECT_NEAR(std::abs((rim.orientation * Vec3::UnitZ()).y()), 1.0, 1e-15);
 }
 
-/// A wedge and a box on one body: an edge by two points near it, all that are sharp.
+/// A wedge and a box on one body: an edge by two points near it, and all sharp edges.
 const std::string kWedge = R"({
   "version": 1, "name": "quay", "settings": {"step": 0.01, "duration": 1},
   "bodies": [
@@ -82,8 +82,8 @@ TEST(SceneShapes, posts_lie_in_edges_of_hulls) {
     EXPECT_TRUE(d.posts[0].def.slides);
     EXPECT_FALSE(d.posts[1].def.slides);
     EXPECT_EQ(d.posts[2].def.name, "sharp/2");
-    // Slopes of 45 degrees: the axis lies below the ridge by the radius and the additional distance
-    // of the corner.
+    // Slopes of 45 degrees: the axis is below the ridge by the radius and the corner's additional
+    // distance.
     const ShapeDef& ridge = shape(d, "ridge");
     EXPECT_NEAR((ridge.position - Vec3(0, 0, 1.0 - 0.1 * std::sqrt(2.0))).norm(), 0.0, 1e-12);
     EXPECT_NEAR(ridge.half_length, 2.0, 1e-12);
@@ -154,13 +154,13 @@ TEST(SceneShapes, segments_between_lumps_of_ones_own) {
     const ShapeDef& stay = shape(d, "buoy/stay");
     EXPECT_EQ(stay.kind, ShapeKind::capsule);
     EXPECT_EQ(d.body(stay.body).name, "buoy");
-    EXPECT_EQ(d.body(stay.body_b).name, "weight");  // listed after the buoy
+    EXPECT_EQ(d.body(stay.body_b).name, "weight");  // defined after the buoy
     EXPECT_EQ(stay.radius, 0.03);
     EXPECT_EQ(stay.group, shape(d, "tow/c1").group);
     const ShapeDef& copy = shape(d, "1:buoy/stay");
     EXPECT_EQ(d.body(copy.body).name, "1:buoy");
     EXPECT_EQ(d.body(copy.body_b).name, "1:weight");
-    // Nodes of cables and bodies of instances are bodies too, and so is the world.
+    // Nodes of cables, bodies of instances, and the world are bodies too.
     for (const char* other : {"tow/3", "quay", "world"}) {
         const Description more =
             flat(patched(kTouching, R"([{"op":"replace","path":"/bodies/3/shapes/1/to","value":")" +
@@ -170,8 +170,8 @@ TEST(SceneShapes, segments_between_lumps_of_ones_own) {
 }
 
 TEST(SceneShapes, a_segment_of_ones_own_carries) {
-    // A ball dropped on a strut between two fixed ends, with a lump in the middle, stays on it.
-    // Without segments it would fall past the lump.
+    // A ball dropped on a strut between two fixed ends, with a point mass in the middle, stays on
+    // it. Without the segments it would fall past the point mass.
     Scene scene = load_text(R"({"version": 1, "name": "s", "settings": {"step": 0.005},
       "bodies": [
         {"name": "left", "kind": "fixed", "position": [-1, 0, 0],
@@ -187,7 +187,7 @@ TEST(SceneShapes, a_segment_of_ones_own_carries) {
         ASSERT_EQ(scene.world.step(), Status::ok);
     }
     const Vec3 ball = scene.world.pose(scene.world.find_body("ball")).position;
-    // On top, less the deflection of the contact (9.81 N on 1e8 N/m) and of the rods.
+    // On top of it, less the deformation of the contact (9.81 N on 1e8 N/m) and of the rods.
     EXPECT_NEAR(ball.z(), 0.3, 1e-4);
     ASSERT_EQ(scene.world.contacts().size(), 1U);
     EXPECT_NEAR(scene.world.contacts().front().force.norm(), 9.81, 1e-3);
@@ -204,7 +204,7 @@ TEST(SceneShapes, copies_have_shapes_but_one_seabed) {
         planes += s.kind == ShapeKind::plane ? 1 : 0;
     }
     EXPECT_EQ(planes, 1);
-    // Tilted, the copies are planes of their own.
+    // If tilted, each copy is a plane of its own.
     const Description tilted = flat(patched(
         kTouching, R"([{"op":"replace","path":"/bodies/0/shapes/0/normal","value":[0, 0.1, 1]}])"));
     EXPECT_EQ(tilted.shapes.size(), d.shapes.size() + 1);
@@ -266,7 +266,7 @@ TEST(SceneShapes, ground_by_heights_or_by_a_function) {
     EXPECT_EQ(h.heights[4], 4.0);
     const ShapeDef& f = shape(d, "g/f");
     ASSERT_EQ(f.heights.size(), 15U);
-    // Row 2, column 3: x = 1, y = 0.5; the waves are at a quarter along both.
+    // Row 2, column 3: x = 1, y = 0.5; a quarter of both wave lengths.
     EXPECT_NEAR(f.heights[13],
                 0.1 - 0.1 + 2.0 * std::cos(std::numbers::pi / 2) * std::cos(std::numbers::pi / 2),
                 1e-15);

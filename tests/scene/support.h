@@ -17,7 +17,7 @@ inline Document document_of(std::string_view text, const Options& options = {}) 
     return make_document(parse_json(text, "test.json", outermost_keys()), "test.json", options);
 }
 
-/// The flat lists of a scene, without a world.
+/// Return the flat lists of a scene, without a world.
 inline Description flat(std::string_view text, const Options& options = {}) {
     const Document document = document_of(text, options);
     Description out;
@@ -25,7 +25,7 @@ inline Description flat(std::string_view text, const Options& options = {}) {
     return out;
 }
 
-/// A good scene with a JSON Patch (RFC 6902) applied.
+/// Apply a JSON Patch (RFC 6902) to a valid scene.
 inline std::string patched(std::string_view scene, std::string_view patch) {
     return Json::parse(scene).patch(Json::parse(patch)).dump();
 }
@@ -42,7 +42,7 @@ inline const InteractionDef& interaction(const Description& d, const std::string
     return d.interactions[static_cast<std::size_t>(id.index)];
 }
 
-/// Message of the SceneError that the text causes; "" when it is accepted.
+/// Return the message of the SceneError of a text; "" if it is accepted.
 inline std::string refusal(std::string_view text, const Options& options = {}) {
     try {
         (void)load_text(text, "test.json", options);
@@ -55,7 +55,7 @@ inline std::string refusal(std::string_view text, const Options& options = {}) {
     return "";
 }
 
-/// A temporary folder of files, removed at the end.
+/// A folder of files, deleted by the destructor.
 class TempFolder {
   public:
     TempFolder() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// A valid scene that uses every part of the format that has to do with contact.
+/// A valid scene that uses every part of the format for contact.
 
 #include <string_view>
 

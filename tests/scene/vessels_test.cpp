@@ -105,7 +105,7 @@ TEST(SceneVessels, ShippedSceneIsUnderWayAndTurns) {
     w.set_system_signal("osv.port", 1.0);
     w.set_system_signal("osv.starboard", 1.0);
     for (int i = 0; i < 60 * 60; ++i) ASSERT_EQ(w.step(), Status::ok);
-    // As validated in still water, 6.97 m/s, but for the wind and 5 % less cross-flow drag.
+    // As validated in still water, 6.97 m/s, except for the wind and 5 % less cross-flow drag.
     EXPECT_NEAR(w.system_signal("osv.speed"), 6.97, 0.2);
     w.set_system_signal("osv.port_angle", -0.349);
     w.set_system_signal("osv.starboard_angle", -0.349);
@@ -113,7 +113,7 @@ TEST(SceneVessels, ShippedSceneIsUnderWayAndTurns) {
     EXPECT_GT(w.system_signal("osv.turn_rate"), 0.01);  // to starboard
 }
 
-/// The tutorial of docs/vessels.md: its figures are those of its runs.
+/// Tutorial of docs/vessels.md: its figures are those of its runs.
 struct VesselTutorial {
     std::string text;
     std::vector<std::string> blocks;

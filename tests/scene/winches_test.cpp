@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Winches of a scene: their bodies and interactions, in instances and copies, and places of errors.
+// Winches of a scene: their bodies and systems, instances and copies, and rejections with their
+// positions.
 #include "support.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ std::string lift_with(const std::string& from, const std::string& to) {
     return text;
 }
 
-/// With a resolution that divides elements longer than 4 m.
+/// Return a scene with a resolution, which divides elements longer than 4 m.
 std::string fine_with(const std::string& keys) {
     std::string text = lift_with("\"elements\": 3",
                                  "\"elements\": 3, \"consistent_mass\": true, \"resolution\": "
@@ -38,7 +39,7 @@ std::string fine_with(const std::string& keys) {
     return text;
 }
 
-/// "path: message".
+/// Return the message: "path: message".
 std::string refused_at(const std::string& text) {
     try {
         (void)load_text(text, "lift.json");
@@ -57,12 +58,12 @@ TEST(SceneWinches, WindUpTheirCables) {
     EXPECT_EQ(w.interaction_def(element).kind, InteractionKind::WinchStretch);
     EXPECT_EQ(w.interaction_def(element).get("EA"), 4.5e7);
     EXPECT_EQ(w.system_signal("hoist.mode"), 1.0);
-    // 31 wraps a layer of r = 0.316 + 0.032 (k − 1): 61.5, 67.8 and 74 m.
+    // 31 turns per layer of r = 0.316 + 0.032 (k − 1): 61.5, 67.8 and 74 m.
     EXPECT_EQ(w.system_signal("hoist.layer"), 3.0);
     EXPECT_NEAR(w.interaction_def(element).get("radius"), 0.38, 1e-12);
     EXPECT_NEAR(w.system_signal("hoist.inertia"), 500.0 + 4.2 * (200.0 * 0.126), 20.0);
     for (int i = 0; i < 100; ++i) ASSERT_EQ(w.step(), Status::ok);
-    // The weight is more than the tension: wire runs out.
+    // The weight exceeds the tension: wire runs out.
     EXPECT_GT(w.output(w.find_output("paid")), 0.1);
     EXPECT_LT(w.system_signal("hoist.wire_left"), 199.9);
 }
@@ -103,7 +104,7 @@ TEST(SceneWinches, TakeTheParametersOfTemplates) {
     EXPECT_EQ(w.system_signal("a/hoist.mode"), static_cast<double>(WinchMode::tension));
     EXPECT_EQ(w.system_signal("b/hoist.mode"), static_cast<double>(WinchMode::render));
     ASSERT_EQ(w.step(), Status::ok);
-    // 31 wraps a layer: 61.5 m, 67.8 m and 74 m about 0.3 m, but 100.5 m and 106.7 m about 0.5 m.
+    // 31 turns per layer: 61.5 m, 67.8 m and 74 m about 0.3 m, but 100.5 m and 106.7 m about 0.5 m.
     EXPECT_NEAR(w.system_signal("a/hoist.radius"), 0.316 + 2 * 0.032, 1e-12);
     EXPECT_NEAR(w.system_signal("b/hoist.radius"), 0.516 + 0.032, 1e-12);
     for (int i = 0; i < 100; ++i) ASSERT_EQ(w.step(), Status::ok);
@@ -179,12 +180,12 @@ TEST(SceneWinches, AGypsyJumpsUnderItsAnchor) {
     options.scale = 2;
     Scene scene = load_text(kWindlass, "windlass.json", options);
     World& w = scene.world;
-    // The half element at the anchor is carried by no body.
+    // No body carries the half element at the anchor.
     const double weight = (8000 + (20.064 - 0.5 * 3.344) * 126.5) * 9.81, tail = 5 * 126.5 * 9.81;
     EXPECT_GT(weight - tail, 6e4);
     for (int i = 0; i < 400; ++i) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_NEAR(w.system_signal("windlass.radius"), 5 * 0.304 / 3.14159265358979, 1e-12);
-    EXPECT_GE(w.system_signal("1:windlass.tail"), tail);  // and the force on the heap
+    EXPECT_GE(w.system_signal("1:windlass.tail"), tail);  // and the part that the heap carries
     EXPECT_GT(w.event_extremes(EventKind::chain_jump).count, 0);
     EXPECT_EQ(w.system_signal("windlass.jumped"), w.system_signal("1:windlass.jumped"));
     // Below its load it hangs still.
@@ -224,7 +225,7 @@ TEST(SceneWinches, GypsiesAndChainsAreRefusedByTheirPlace) {
     }
 }
 
-/// Values that the timeline can check before the run, and values that a winch rejects.
+/// Faults that the timeline can detect before the run, and rejections of a winch.
 TEST(SceneWinches, LimitsAndTimelinesAreRefusedByTheirPlace) {
     const auto with_timeline = [&](const std::string& entry) {
         return windlass_with("\"repeat\": {\"offset\": [0, 20, 0]}",
@@ -246,7 +247,7 @@ TEST(SceneWinches, LimitsAndTimelinesAreRefusedByTheirPlace) {
               "give a larger drum"},
           Row{lift_with("\"stored\": 200", "\"stored\": 900, \"flange_radius\": 0.6"), "/winches/0",
               "the drum holds"},
-          // Contradictory limits: a brake whose slip torque exceeds its static torque.
+          // Inconsistent limits: a band brake that slips above its holding force.
           Row{lift_with("\"stored\": 200",
                         "\"stored\": 200, \"brake_static\": 10, \"brake_dynamic\": 20"),
               "/winches/0", "brake_dynamic"},
@@ -263,7 +264,7 @@ TEST(SceneWinches, LimitsAndTimelinesAreRefusedByTheirPlace) {
     }
 }
 
-/// An unknown mode would be clamped to an emergency release.
+/// A mode that does not exist would be clamped to an emergency release.
 TEST(SceneWinches, TimelinesKeepToTheRangesOfSignals) {
     const auto set = [](const char* what) {
         return refused_at(
@@ -277,7 +278,7 @@ TEST(SceneWinches, TimelinesKeepToTheRangesOfSignals) {
     EXPECT_EQ(set("\"hoist.mode\": 5, \"hoist.brake\": 1"), "");
 }
 
-/// 12 m hang and 200 m are on the drum: both limit the position of cuts.
+/// 12 m hang and 200 m are on the drum: both bound the part that is cut off.
 TEST(SceneWinches, CutsAreBoundedByWhatIsStored) {
     const auto cuts = [](const char* operations) {
         return refused_at(lift_with("\"repeat\": {\"offset\": [0, 20, 0]}",
@@ -287,7 +288,7 @@ TEST(SceneWinches, CutsAreBoundedByWhatIsStored) {
     EXPECT_TRUE(cuts(R"({"at": 1, "cut": "fall", "s": 5000})")
                     .starts_with("/timeline/0/s: the wire \"fall\" is 212 m long then, with all"))
         << cuts(R"({"at": 1, "cut": "fall", "s": 5000})");
-    // Below a cut at 100 m at most 112 m hang; the part above may still be paid out.
+    // At most 112 m hang below a cut at 100 m; the part above it may still be paid out.
     EXPECT_TRUE(cuts(R"({"at": 1, "cut": "fall", "s": 100}, {"at": 2, "cut": "fall/2", "s": 113})")
                     .starts_with("/timeline/1/s: the wire \"fall/2\" is 112 m long then"));
     EXPECT_EQ(cuts(R"({"at": 1, "cut": "fall", "s": 10}, {"at": 2, "cut": "fall", "s": 50})"), "");

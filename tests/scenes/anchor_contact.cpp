@@ -12,7 +12,7 @@
 namespace hawser {
 namespace {
 
-// Compare the frozen copy with the counts and the hash of its first day (CONTRIBUTING.md).
+// Compare the frozen copy with its original counts and hash (CONTRIBUTING.md).
 TEST(AnchorContact, IsFrozen) {
     scene::Scene scene = scene::load_file("bench/scenes/frozen/anchor_contact.json");
     EXPECT_EQ(scene.hash, 0x0d49d945f0930921U);
@@ -38,7 +38,7 @@ TEST(AnchorContact, StartsSettledAndCertified) {
         violation = std::max(violation, stats.violation_max);
     }
     EXPECT_GE(least, 1000);
-    EXPECT_LE(map, 1e-6);        // the promise of the solver for every step
+    EXPECT_LE(map, 1e-6);        // Guarantee of the solver for every step.
     EXPECT_LE(violation, 1e-3);  // Compliance times force of the joints.
     EXPECT_EQ(world.stats().islands, 1);
     EXPECT_GE(world.stats().equations + 3 * least, 9500);
@@ -48,7 +48,7 @@ TEST(AnchorContact, StartsSettledAndCertified) {
             fastest = std::max(fastest, world.velocity({i}).linear.norm());
         }
     }
-    EXPECT_LT(fastest, 0.05);  // At the start friction takes its load again.
+    EXPECT_LT(fastest, 0.05);  // Friction builds up again at the start.
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ scene::Scene load(int scale = 1) {
     return scene::load_file(kScene, options);
 }
 
-// Compare the frozen copy with the counts and the hash of its first day (CONTRIBUTING.md).
+// Compare the frozen copy with its original counts and hash (CONTRIBUTING.md).
 TEST(AnchorLines, IsFrozenWithTheDesignedSizes) {
     scene::Scene scene = scene::load_file("bench/scenes/frozen/anchor_lines.json");
     EXPECT_EQ(scene.hash, 0x1c1b7aa5303ee24aU);
@@ -28,7 +28,7 @@ TEST(AnchorLines, IsFrozenWithTheDesignedSizes) {
     for (int i = 0; i < scene.world.body_count(); ++i) {
         ++bodies[scene.world.body_def({i}).kind];
     }
-    // As counted by scripts/make_anchor_lines.py from the cables and templates.
+    // Counted by scripts/make_anchor_lines.py from the cables and templates.
     EXPECT_EQ(bodies[BodyKind::rigid], 42);
     EXPECT_EQ(bodies[BodyKind::scalar], 18);
     EXPECT_EQ(bodies[BodyKind::lump], 934);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file anchor_lines_probe.h
-/// Measures the promises of scenes/anchor_lines.json in every step of a run.
+/// Measures a run of scenes/anchor_lines.json in every step, for comparison with the properties
+/// that the scene promises.
 
 #include <hawser/hawser.h>
 #include <hawser/scene.h>
@@ -23,7 +24,7 @@ class AnchorLinesProbe {
         for (int i = 0; i < world.body_count(); ++i) {
             const BodyId id{i};
             const std::string& name = world.body_def(id).name;
-            // Copies of the site carry the prefix "k:".
+            // Copies of the site have the prefix "k:".
             const std::string local = name.substr(name.find(':') + 1);
             if (local == "rig" || local == "ahts1/hull" || local == "ahts2/hull") {
                 vessels_.emplace_back(id, world.pose(id));
@@ -31,7 +32,7 @@ class AnchorLinesProbe {
         }
     }
 
-    /// One step and all measurements. @return false when the world refused to step.
+    /// Step once and measure. @return false if the world rejected the step.
     bool step() {
         World& world = scene_.world;
         if (world.step() != Status::ok) {
@@ -45,8 +46,7 @@ class AnchorLinesProbe {
         return true;
     }
 
-    /// Return the interactions whose force stayed below `threshold` [N or N m] in every row and
-    /// step.
+    /// Return interactions whose force stayed below `threshold` [N or N m] in every row and step.
     [[nodiscard]] std::vector<std::string> idle(double threshold) const {
         std::vector<std::string> names;
         for (std::size_t i = 0; i < force_max_.size(); ++i) {
@@ -71,8 +71,8 @@ class AnchorLinesProbe {
     double stretch_error_max = 0.0;      ///< |l − l₀(1 + T/EA)| / l₀, measured from the poses.
     double tension_min = 1e300;          ///< [N]
     double load_max = 0.0;               ///< Tension / breaking load.
-    double drift_max = 0.0;              ///< Largest drift of a vessel [m].
-    double turn_max = 0.0;               ///< Largest rotation of a vessel [deg].
+    double drift_max = 0.0;              ///< Maximum over the vessels [m].
+    double turn_max = 0.0;               ///< Maximum over the vessels [deg].
 
   private:
     void watch_forces() {

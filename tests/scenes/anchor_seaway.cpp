@@ -39,7 +39,7 @@ TEST(AnchorSeaway, HasWhatTouchesAndASea) {
 }
 
 /// A(ω) − A(∞) = 2/π ∫ (B(x) − B(ω))/(x² − ω²) dx (R. Kronig, 1926; H. A. Kramers, 1927), by the
-/// trapezium rule over the table; beyond it B falls with the square of the frequency.
+/// trapezium rule over the table. Beyond it, B decreases with the square of the frequency.
 TEST(AnchorSeaway, RadiationIsCausal) {
     const scene::Scene scene = scene::load_file(kSeaway);
     for (const WaterHull& hull : find_sea(scene.world)->hulls) {
@@ -53,7 +53,7 @@ TEST(AnchorSeaway, RadiationIsCausal) {
                 const auto part = [&](std::size_t j) {
                     return j == i ? 0.0 : (b(j) - b(i)) / (w[j] * w[j] - w[i] * w[i]);
                 };
-                // At ω itself the middle of its neighbours, from 0 on the first entry's.
+                // At ω itself, the mean of its neighbours; from 0, the first entry's value.
                 const auto value = [&](std::size_t j) {
                     return j == i ? 0.5 * (part(i - 1) + part(i + 1)) : part(j);
                 };
@@ -88,7 +88,7 @@ TEST(AnchorSeaway, StartsAfloatAndCertified) {
         EXPECT_LE(world.stats().natural_map, 1e-6) << "step " << i;
     }
     EXPECT_GE(least, 1000);
-    // Waves of Hs 2.5 m lift a hull by 2.5 m at most; one out of balance falls 5 m in two seconds.
+    // Waves of Hs 2.5 m raise a hull by at most 2.5 m; one out of balance falls 5 m in two seconds.
     for (const Hull& hull : hulls)
         EXPECT_NEAR(world.pose(world.find_body(hull.name)).position.z(), hull.height, 2.5)
             << hull.name;

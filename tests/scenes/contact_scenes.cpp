@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes of contact with known results: bodies stand, hold, or are dragged. Motions in closed form
-// are cases of `hawser validate`.
+// Scenes of contact with known results: bodies that stand, stay or drag. Those with closed forms of
+// a motion are cases of `hawser validate`.
 
 #include <hawser/scene.h>
 
@@ -14,7 +14,7 @@
 namespace hawser {
 namespace {
 
-/// Promise of the solver for every step (WorldDef::contact_tolerance).
+/// Guarantee of the solver for every step (WorldDef::contact_tolerance).
 constexpr double kCertified = 1e-6;
 
 struct Watched {
@@ -29,7 +29,7 @@ struct Watched {
     Vec3 position(const std::string& name) {
         return world().pose(world().find_body(name)).position;
     }
-    /// @return false when a step fails.
+    /// Run to a time. @return false if a step fails.
     bool to(double time) {
         while (world().time() < time - 1e-9) {
             if (world().step() != Status::ok) return false;
@@ -52,12 +52,12 @@ TEST(ContactScenes, ArchStands) {
     EXPECT_LT((run.position("stone6") - crown).norm(), 2e-3);
     const Vec3 settled = run.position("stone6");
     ASSERT_TRUE(run.to(5.0));
-    EXPECT_LT((run.position("stone6") - settled).norm(), 1e-9);  // at rest, without creep
+    EXPECT_LT((run.position("stone6") - settled).norm(), 1e-9);  // At rest: nothing creeps.
     EXPECT_LE(run.worst_map, kCertified);
 }
 
-/// The wall with contacts up to a hundred times as stiff, pushed from the first step on, without an
-/// initial solution.
+/// The wall with contacts up to a hundred times as stiff, pushed from the first step on, before
+/// there are earlier impulses.
 TEST(ContactScenes, StiffContactsStartCold) {
     for (const char* stiffness : {"1e9", "1e10"}) {
         scene::Options options;
@@ -72,9 +72,9 @@ TEST(ContactScenes, StiffContactsStartCold) {
     }
 }
 
-/// Pivoting factors only the changes of its contacts. (Newton's method does so if few of many
-/// contacts change, tests/world/block_test.cpp. On this wall the changes of an iteration have four
-/// fifths of the work at the median, and then the whole is factored.)
+/// Pivoting factors only the blocks that its contacts changed. (Newton's method does so if few of
+/// many contacts change, tests/world/block_test.cpp. On this wall the changes of an iteration take
+/// four fifths of the work at the median, and the whole is factored.)
 TEST(ContactScenes, PivotingOnTheWallFactorsWhatChanged) {
     scene::Options options;
     options.set = {"settings.nonsmooth=pivoting"};
@@ -106,8 +106,8 @@ TEST(ContactScenes, WedgeJams) {
     const double pushed = run.position("wedge").z();
     world.set_input(push, 0.0);
     ASSERT_TRUE(run.to(3.0));
-    // Friction above the half angle keeps it between the walls that it has pressed apart: without
-    // friction the squeeze would return to its initial value.
+    // With friction above the half angle, the wedge stays between the walls that it has pressed
+    // apart. Without friction the squeeze would return to its earlier value.
     EXPECT_GT(squeeze(), 2.0 * before);
     const double let_go = run.position("wedge").z();
     EXPECT_LT(let_go - pushed, 1e-4);
@@ -127,8 +127,7 @@ TEST(ContactScenes, AnchorIsDraggedByItsFriction) {
         sum += -run.world().force(chain.stretch.back())[0];
         ++count;
     }
-    // mu W of the anchor and of the chain but for half an element at either end, which the bodies
-    // there carry.
+    // mu W of the anchor, and of the chain except half an element at each end, which bodies carry.
     const double weight = 0.87 * 9.81;
     const double exact = 0.8 * 15000.0 * weight + 0.7 * 126.5 * (120.0 - 2.0) * weight;
     EXPECT_NEAR(sum / count / exact, 1.0, 0.01);  // The anchor rocks; mean over 8 s.
@@ -148,12 +147,13 @@ TEST(ContactScenes, PileOfChainComesToRest) {
         fastest = std::max(fastest, world.velocity(node).linear.norm());
     }
     EXPECT_LT(highest, 0.2);   // Two thicknesses: one layer across the other.
-    EXPECT_LT(fastest, 1e-3);  // Spans between flakes oscillate by 0.1 mm, undamped.
+    EXPECT_LT(fastest, 1e-3);  // Spans between flakes vibrate by 0.1 mm, undamped.
     EXPECT_LE(run.worst_map, kCertified);
 }
 
-/// Spare lines lie on deck at their rest length, slack and taut by rounding, 1e-7 N. Slides of
-/// guides have 1e-6 of the weight of a lump; relative to it, each such switch took a factorisation.
+/// Spare lines lie on deck at their rest length, slack or taut by rounding, 1e-7 N. Slides of
+/// guides have a millionth of a node's mass. Relative to these, each such switch needed a
+/// factorisation.
 TEST(ContactScenes, LinesThatLieAboutSwitchNothingBesideSlides) {
     Watched run("anchor_adaptive");
     int more = 0;

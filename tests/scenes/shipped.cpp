@@ -24,7 +24,7 @@ TEST(ShippedSites, HaveTheirPinnedHashes) {
     }
 }
 
-/// The cables of windlasses and of anchor handlers feed elements; before, their one element did.
+/// Cables of windlasses and anchor handlers feed elements; earlier, only their one element changed.
 TEST(ShippedSites, FeedTheirWires) {
     const scene::Scene scene = scene::load_file("scenes/anchor_lines.json");
     int fed = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Scenes without a motor, whose mechanical energy may only fall. None counts work as driven, and
-/// none ends good with an unexplained change of energy. Sums of kinetic, gravity and elastic energy
-/// are compared, not the accounts of losses.
+/// Scenes without a motor, whose mechanical energy can only decrease. None gains energy, and none
+/// ends as good with an unexplained change. Compared are sums of kinetic, gravity and elastic
+/// energy, not the accounts that explain them.
 #include <hawser/session.h>
 
 #include <gtest/gtest.h>
@@ -15,13 +15,13 @@ namespace hawser::test {
 
 namespace {
 
-/// Grade and energy change of a run.
+/// End of a run, and changes of its mechanical energy.
 struct EnergyRun {
     Grade grade = Grade::good;
-    double driven = 0.0;  ///< Largest of all steps, without its sign [J].
-    double rise = 0.0;    ///< Largest that lasted for half a second [J].
+    double driven = 0.0;  ///< Largest magnitude in any step [J].
+    double rise = 0.0;    ///< Largest rise that lasted for half a second [J].
     double exchanged =
-        0.0;  ///< Half the changes of kinetic and gravity energy, and the former [J].
+        0.0;  ///< Half the changes of kinetic and gravity energy, and of kinetic energy [J].
     bool refused = false;
 };
 
@@ -39,7 +39,7 @@ EnergyRun run_passive(const std::string& name, bool verify) {
         }
         const Energy e = w.energy();
         out.driven = std::max(out.driven, std::abs(e.driven));
-        // Only applied forces add energy in these scenes.
+        // In these scenes only applied forces add energy.
         sums.push_back(e.mechanical() - e.applied - e.system);
         if (sums.size() > 1)
             moved += 0.5 * (std::abs(e.kinetic - kinetic) + std::abs(e.gravity - gravity));
@@ -76,7 +76,7 @@ TEST(EnergyAccounts, WhatMakesEnergyIsNotGood) {
         EXPECT_FALSE(made && !run.refused && run.grade == Grade::good)
             << name << ": " << run.rise << " J of " << run.exchanged << " J";
     }
-    // The mechanisms dissipate 25 to 557 J and 2 to 431 J without on_diverged.
+    // Without a stop, the mechanisms gain 25 to 557 J and 2 to 431 J.
     for (const char* name : {"fourbar_compliant", "bennett_compliant"}) {
         const EnergyRun run = run_passive(name, false);
         EXPECT_TRUE(run.refused || run.rise < 0.02 * run.exchanged) << name;
@@ -84,8 +84,8 @@ TEST(EnergyAccounts, WhatMakesEnergyIsNotGood) {
 }
 
 TEST(EnergyAccounts, WhatLosesEnergyInJointsIsRefused) {
-    // A boom that turns freely on a platform keeps its energy. It loses 0 of 3.5 kJ, against 44 %
-    // with 1e-12 m/N in both hinges.
+    // A boom that rotates freely on a platform keeps its energy: it loses 0 of 3.5 kJ. It lost 44 %
+    // when both hinges had 1e-12 m/N.
     for (const bool verify : {false, true}) {
         Session session(
             {.scene = "tests/data/energy/slew_two_hinges_c1e-12.json", .verify = verify});
@@ -98,7 +98,7 @@ TEST(EnergyAccounts, WhatLosesEnergyInJointsIsRefused) {
             kinetic = std::max(kinetic, session.world().energy().kinetic);
         }
         const double lost = start - session.world().energy().mechanical();
-        if (lost < 0.1 * kinetic && status == Status::ok) continue;  // right
+        if (lost < 0.1 * kinetic && status == Status::ok) continue;  // correct
         EXPECT_NE(session.world().verdict().grade, Grade::good);
         if (verify) {
             EXPECT_EQ(status, Status::diverged);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A failed step has no effect. The next step gives the same bits as in a world without the
-/// attempt, after any edits by systems, and a replay of the recording agrees.
+/// A failed step has no effect: the next step gives the bits of a world that never tried it,
+/// whatever systems had edited before the failure. A replay of the recording agrees.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -22,7 +22,7 @@
 namespace hawser::test {
 namespace {
 
-/// The last body that moves in space; invalid: none does.
+/// Return the last body that moves in space; invalid if there is none.
 BodyId mover(const World& w) {
     BodyId found{};
     for (const BodyId id : w.bodies()) {
@@ -32,7 +32,7 @@ BodyId mover(const World& w) {
     return found;
 }
 
-/// Last of the systems of a world: fails steps on demand.
+/// Last system of a world: makes steps fail on request.
 class Saboteur final : public System {
   public:
     enum class Means { none, nan_load, bad_input, cancel, refused_edit, late };
@@ -48,7 +48,7 @@ class Saboteur final : public System {
             now.edits.remove_body(BodyId{9999});
         }
         if (means == Means::cancel) world->cancel();
-        // Velocities overflow, once the step is solved.
+        // Velocities overflow after the solution.
         if (means == Means::late) loads.add_force(body, Vec3::Constant(1e300));
     }
     void visit_state(StateVisitor& visitor) override { visitor.visit(calls); }
@@ -69,9 +69,8 @@ struct Trial {
     ShapeId shape{};
 };
 
-/// Attempt a step that fails. @param by_session  With changes of the timeline before it, which
-/// remain.
-/// @return its status.
+/// Try a step that fails. @param by_session  Include changes of the timeline before the step, which
+/// remain. @return its status.
 Status fail(Trial& run, Random& random, bool by_session) {
     run.saboteur->means = static_cast<Saboteur::Means>(random.integer(0, 5));
     if (run.saboteur->means == Saboteur::Means::none) run.world.cancel();
@@ -80,7 +79,7 @@ Status fail(Trial& run, Random& random, bool by_session) {
     return status;
 }
 
-/// Add or remove a shape between steps: the system needs only a small update.
+/// Add or remove a shape between steps: a change after which the system repairs less.
 void change_shape(Trial& run) {
     World& w = run.world;
     if (w.alive(run.shape)) {
@@ -103,7 +102,7 @@ void expect_nothing_left(const std::string& file, int steps, std::uint32_t seed)
     Random random(seed);
     int failed = 0;
     for (int i = 0; i < steps; ++i) {
-        // Before the failing change, and after it.
+        // Before the failed step, and after it.
         const auto change = [&] {
             for (Trial* run : {&tried, &plain}) change_shape(*run);
         };
@@ -158,7 +157,7 @@ TEST(FailedStepOfAScene, AReplayAgrees) {
             run.session.record(file);
             Random random(7);
             for (int i = 0; i < 40; ++i) {
-                // Changes between steps and failing changes, in any order.
+                // Changes between steps and failed steps, in any order.
                 const auto inputs = run.world.inputs();
                 if (!inputs.empty() && random.chance(0.3)) {
                     const InputId id =

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Scenes that are right and that coarse monitors would doubt: all end good, and each step is
-/// verified.
+/// Correct scenes that coarse monitors would suspect: all end as good, and each step is verified.
 #include <hawser/session.h>
 
 #include <fmt/format.h>
@@ -18,7 +17,7 @@ namespace {
 
 constexpr const char* kNoGravity = R"("gravity": [0, 0, 0], )";
 
-/// Runs to the end of the scene.
+/// Run to the end of the scene.
 void expect_good(const std::string& text) {
     Session session({.scene_text = text, .verify = true});
     const double end = session.scene().duration;
@@ -30,7 +29,7 @@ void expect_good(const std::string& text) {
     EXPECT_EQ(v.grade, Grade::good) << to_string(v.judge) << " at " << v.of(v.judge).time;
 }
 
-/// A block that a spring drags along by a body of prescribed velocity.
+/// Return a block that a spring drags, with a body of prescribed velocity at its other end.
 std::string dragged_block(double stiffness, double friction, double speed, double step) {
     return fmt::format(
         R"({{"version": 1, "name": "dragged", "settings": {{"step": {}, "duration": 20}},
@@ -46,7 +45,7 @@ std::string dragged_block(double stiffness, double friction, double speed, doubl
         step, friction, speed, 1.0 / stiffness);
 }
 
-/// The same without friction and without damping: it swings for ever.
+/// Return the block without friction and damping: it oscillates for ever.
 std::string drawn_block(double stiffness, double speed, double step) {
     return fmt::format(
         R"({{"version": 1, "name": "drawn", "settings": {{{}"step": {}, "duration": 20}},
@@ -71,15 +70,15 @@ std::string atwood(double left, double right, double EA, double duration) {
         duration, left, right, EA);
 }
 
-/// Atwood's machine with a wire of lumps over a wheel of 0.5 m, on which nodes run. Both sides lean
-/// outwards by 0.028 m per metre, so that the wire is pulled onto the wheel.
+/// Return Atwood's machine with a wire of point masses over a wheel of 0.5 m: nodes run over it.
+/// Both sides lean outwards by 0.028 m per metre, so that the wire presses on the wheel.
 std::string atwood_by_wire(double step, double element) {
     constexpr double kRadius = 0.5, kLean = 0.028;
-    constexpr int kNodes = 5;  // a side, with the weight
+    constexpr int kNodes = 5;  // per side, with the weight
     std::string nodes;
     double end = 0.0, x = 0.0;
     for (int k = -kNodes; k < kNodes; ++k) {
-        const int i = k < 0 ? -k - 1 : k;  // from the wheel
+        const int i = k < 0 ? -k - 1 : k;  // counted from the wheel
         const double z = -(0.5 * element - 0.5 * 3.14159265 * kRadius) - element * i;
         const double side = (k < 0 ? -1.0 : 1.0) * (kRadius - kLean * z);
         if (i == kNodes - 1) {
@@ -102,7 +101,8 @@ std::string atwood_by_wire(double step, double element) {
         step, -x, end, x, end, element * (2 * kNodes - 1), 2 * kNodes - 1, nodes, kRadius);
 }
 
-/// A barge pulled back and forth around a bollard: its tension follows a hysteresis loop.
+/// Return a barge pulled back and forth around a bollard: the tension before it follows a
+/// hysteresis loop.
 std::string bollard(double friction, int turns, double step) {
     std::string timeline;
     for (int i = 0; i < 3; ++i)
@@ -132,7 +132,7 @@ std::string bollard(double friction, int turns, double step) {
         step, body("left", -1), body("right", 1), friction, turns, timeline);
 }
 
-/// Two legs and a tow line that meet in one lump.
+/// Return two legs and a tow line that meet in one point mass.
 std::string bridle(double step) {
     const auto ship = [](const char* name, double x, double mass, double force) {
         return fmt::format(
@@ -177,8 +177,7 @@ TEST(FalseAlarms, AtwoodsMachineAtATwentieth) {
 }
 
 /// Speed and tension follow the closed form, g/5 t and 2 m₁ m₂ g/(m₁ + m₂), while nodes leave the
-/// wheel. A node that left at less than the speed of the wire caused a jerk of a fifth of the
-/// tension.
+/// wheel. A fault let nodes leave slower than the wire: the jerk was a fifth of the tension.
 TEST(FalseAlarms, AtwoodsMachineByAWireOverAGuide) {
     constexpr double kTension = 2.0 * 1000.0 * 1500.0 * 9.81 / 2500.0;
     for (const double step : {0.05, 0.0125})
@@ -193,14 +192,14 @@ TEST(FalseAlarms, AtwoodsMachineByAWireOverAGuide) {
             while (run.time() < 1.5 - 1e-9) {
                 ASSERT_EQ(run.step(), Status::ok);
                 moved = moved || w.nodes(line).size() != nodes;
-                // The start makes the inclined sides oscillate.
+                // The leaning sides oscillate after the start.
                 if (run.time() < 0.5) continue;
                 for (const InteractionId id : w.elements(line))
                     most = std::max(most, std::abs(w.force(id)[0]) / kTension - 1.0);
             }
             EXPECT_TRUE(moved) << "no node has run over the wheel";
             EXPECT_LT(most, 0.02);
-            // At a time within the last step; the wire of at most 9 kg changes it by 0.4 %.
+            // The time is in the last step; the wire of at most 9 kg changes 0.4 %.
             const double fall = -w.velocity(w.find_body("right")).linear.z();
             constexpr double kSpeedUp = 9.81 / 5.0;
             EXPECT_NEAR(fall, kSpeedUp * (1.5 - 0.5 * step), 0.5 * kSpeedUp * step + 0.01 * fall);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kPull = 1.5e6;  // [N]
 
-/// A wire from a bollard over a roller to a body that is pulled at with 1.5 MN.
+/// Return a wire from a bollard over a roller to a body that is pulled with 1.5 MN.
 std::string over_roller(bool closed, double step, double radius) {
     return fmt::format(
         R"({{"version": 1, "name": "over_roller", "settings": {{"step": {}, "duration": 90}},
@@ -40,7 +40,8 @@ std::string over_roller(bool closed, double step, double radius) {
         step, radius, radius, radius, closed);
 }
 
-/// Pull down until 25 s, up with 1.3 MN from 35 s to 45 s, and down again from 55 s on.
+/// Return the direction of the pull: down until 25 s, up with 1.3 MN from 35 s to 45 s, and down
+/// again from 55 s on.
 double angle_of_pull(double time) {
     constexpr double kDown = -0.45, kUp = 1.05;
     const auto ramp = [&](double begin, double from, double to) {
@@ -65,7 +66,7 @@ struct Pulled {
     }
     [[nodiscard]] std::int64_t count(EventKind kind) const { return w.event_extremes(kind).count; }
     [[nodiscard]] Vec3 end() const { return w.pose(w.find_body("end")).position; }
-    /// Largest distance of a node from the straight line between bollard and end [m].
+    /// Return the largest distance of a node from the straight line between bollard and end [m].
     [[nodiscard]] double off_line(double radius) const {
         const Vec3 from(-30, 0, radius), along = (end() - from).normalized();
         double most = 0.0;
@@ -91,20 +92,21 @@ TEST(OpenGuide, LetsGoOfAWireThatIsPulledUpAndTakesItAgain) {
             ASSERT_EQ(p.count(EventKind::lift_off), 1);
             const Event event = p.w.event_extremes(EventKind::lift_off).first;
             EXPECT_NEAR(event.value, kPull, 0.05 * kPull);
-            // It leaves when its line clears the roller. The end is then at the height of the
-            // bollard. The pull reaches that direction within the ramp, delayed by damping.
+            // It leaves when its line is clear of the roller: the end is then at the height of the
+            // bollard. The pull passes this direction in the ramp, and the end follows it late due
+            // to damping.
             EXPECT_GT(event.time, 27.0);
             EXPECT_LT(event.time, 33.0);
             EXPECT_GT(p.end().z(), 20.0);
-            // Straight but for its weight: w l²/(8 T) of 25 kg/m over 77 m at 1.5 MN is 0.12 m, and
-            // twice that while it swings.
+            // Straight except for its weight: w l²/(8 T) of 25 kg/m over 77 m at 1.5 MN is 0.12 m,
+            // and twice that while it oscillates.
             EXPECT_LT(p.off_line(radius), 0.25);
             EXPECT_EQ(p.w.system_signal("roller.before"), 0.0);
             EXPECT_EQ(p.count(EventKind::lay_on), 0);
             p.run(90.0);
             EXPECT_EQ(p.count(EventKind::lay_on), 1);
             EXPECT_EQ(p.count(EventKind::lift_off), 1);
-            // Without friction the same pull gives the same position.
+            // Without friction, the same pull gives the same position.
             EXPECT_NEAR(p.w.system_signal("roller.angle"), angle, 5e-3);
             EXPECT_LT((p.end() - before).norm(), 0.05);
             EXPECT_EQ(p.w.verdict().grade, Grade::good)

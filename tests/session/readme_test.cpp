@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The scene of README.md is valid, runs, and ends as a first tow should.
+/// The scene of README.md is valid, runs, and ends in the steady state of a tow.
 #include <hawser/scene.h>
 #include <hawser/session.h>
 
@@ -23,10 +23,11 @@ TEST(ReadmeDocument, ItsSceneTowsTheBarge) {
     while (session.time() < 240.0) ASSERT_EQ(session.step(), Status::ok);
     const World& world = session.world();
     EXPECT_EQ(world.verdict().grade, Grade::good);
-    // Steady state: thrust F on drags a and b gives the speed F/(a + b), and the tension is b v.
+    // Steady: thrust F on drags a and b gives the speed F/(a + b), and the tension of the wire is b
+    // v.
     constexpr double kThrust = 3e5, kTug = 3e4, kBarge = 9e4, kSpeed = kThrust / (kTug + kBarge);
     const double speed = world.velocity(world.find_body("tug")).linear.x();
-    // 2 %: e^{-240 s/38 s} of the approach is left, and the wire still sways.
+    // 2 %: e^{-240 s/38 s} of the approach is left, and the wire still oscillates.
     EXPECT_NEAR(speed, kSpeed, 0.02 * kSpeed);
     EXPECT_NEAR(world.output(world.find_output("tension")), kBarge * kSpeed, 0.1 * kBarge * kSpeed);
 }

@@ -13,7 +13,7 @@ namespace hawser::test {
 
 namespace {
 
-/// A box at rest on a spring: z = −m g/k.
+/// Return a box at rest on a spring: z = −m g/k.
 std::string hung_box(double mass, double compliance, const std::string& more = "") {
     return R"({"version": 1, "name": "hung", "settings": {"step": 0.01, "duration": 20},
         "bodies": [{"name": "frame", "kind": "fixed", "position": [0, 0, 0]},
@@ -24,7 +24,7 @@ std::string hung_box(double mass, double compliance, const std::string& more = "
            std::to_string(compliance) + "}" + more + "]}";
 }
 
-/// A file with the state after 10 s of the box of 100 kg.
+/// Write a file with the state of the box of 100 kg after 10 s.
 std::filesystem::path settled_file() {
     const auto file = std::filesystem::path(::testing::TempDir()) / "restore_variant.hws";
     Session session({.scene_text = hung_box(100.0, 1e-4)});
@@ -52,7 +52,7 @@ TEST(RestoreVariant, OtherNumbersGoOnFromTheSameState) {
                 << session.differences()[0];
         }
         while (session.time() < 20.0) ASSERT_EQ(session.step(), Status::ok);
-        // It hangs at rest at the deflection of the spring, m g/k.
+        // At rest: the spring is stretched by its own weight, m g/k.
         EXPECT_NEAR(height_of(session), -1.0 - mass * 9.81 * 1e-4, 1e-5);
         EXPECT_EQ(session.world().verdict().grade, Grade::good);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The frozen scene anchor_run: its size, its first seconds, the same bits on any number of threads
-// and after a restore; as a long test, all that is done in it.
+// and after a restore; as a long test, all its operations.
 
 #include <hawser/session.h>
 
@@ -17,7 +17,8 @@ namespace {
 
 constexpr const char* kRunScene = "scenes/anchor_run.json";
 
-/// Number of steps compared: the first ones release and shackle lines, all of them remove nodes.
+/// Return the number of compared steps: lines are released and shackled in the first, nodes are
+/// removed in all of them.
 int compared_steps() { return test::by_tier(30, 60, 1000); }
 
 SessionDef run_on(int threads) {
@@ -35,7 +36,7 @@ std::vector<std::uint64_t> run_hashes(Session& session, int steps) {
     return out;
 }
 
-// Compare the frozen copy with the counts and the hash of its first day (CONTRIBUTING.md).
+// Compare the frozen copy with its original counts and hash (CONTRIBUTING.md).
 TEST(AnchorRun, IsFrozen) {
     Session session({.scene = "bench/scenes/frozen/anchor_run.json"});
     EXPECT_EQ(session.scene().hash, 0x04bab8e3874bba63U);
@@ -52,7 +53,7 @@ TEST(AnchorRun, StartsCertifiedAsOneIsland) {
     for (int i = 0; i < 120; ++i) {
         ASSERT_EQ(session.step(), Status::ok) << "step " << i;
         const StepStats& stats = session.world().stats();
-        ASSERT_LE(stats.natural_map, 1e-6) << "step " << i;  // the promise of the solver
+        ASSERT_LE(stats.natural_map, 1e-6) << "step " << i;  // Guarantee of the solver.
         ASSERT_EQ(stats.flips_left, 0) << "step " << i;
         ASSERT_EQ(stats.islands, 1) << "step " << i;
     }
@@ -90,7 +91,7 @@ TEST(AnchorRun, TakesTheAnchorChangesToChainAndRunsItOut_long) {
     const BodyId anchor = world.find_body("anchor1"), ship = world.find_body("ahts1/hull");
     const auto on_deck = [&] {
         const Vec3 at = world.local_point(ship, world.pose(anchor).position);
-        // Its centre is half its height, 0.8 m, above the deck at 1.2 m, which deflects by
+        // Its middle is half its height, 0.8 m, above the deck at 1.2 m, which yields by
         // millimetres.
         return at.x() > -33.0 && at.x() < -29.0 && std::abs(at.y() - 1.0) < 0.5 &&
                std::abs(at.z() - 2.0) < 0.02;

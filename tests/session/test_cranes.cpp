@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A crane that takes and releases its load in a session: recorded, repeated, saved.
+/// A crane that takes and releases its load in a session: recorded, replayed, saved.
 #include <hawser/hawser.h>
 #include <hawser/repeater.h>
 #include <hawser/session.h>
@@ -23,7 +23,8 @@ struct CraneFolder {
     [[nodiscard]] std::string file(const char* name) const { return (path / name).string(); }
 };
 
-/// Hook on, lift, and release in the air. @param save  Before step `at`; 0: do not save.
+/// Take the load, lift it, and release it in the air. @param save  File for the state before step
+/// `at`; 0: none.
 std::vector<std::uint64_t> lift(Session& session, int steps, const std::string& save = "",
                                 int at = 0) {
     std::vector<std::uint64_t> hashes;
@@ -55,7 +56,7 @@ TEST(SessionCranes, AreRecordedRepeatedAndSaved) {
         ASSERT_EQ(rest.size(), all.size() - static_cast<std::size_t>(at));
         EXPECT_TRUE(std::equal(rest.begin(), rest.end(), all.begin() + at)) << at;
     }
-    // A replay needs no code of the crane: the recording contains its changes.
+    // A replay needs no code of the crane: its actions are in the recording.
     const record::Recording r = record::Recording::open(folder.file("lift.hwr"));
     EXPECT_EQ(r.damage, "");
     scene::Scene again = scene::load_text(r.scene_text, "lift.hwr");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Deck gear controlled by a timeline: verified while it runs, and repeated from its recording
-/// without the systems that captured and released.
+/// Deck gear that a timeline controls: verified while it runs, and replayed from its recording
+/// without the systems that took and released wires.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -15,8 +15,8 @@
 namespace hawser::test {
 namespace {
 
-/// A wire from a mast over a deck to a load that is hauled sideways. A jaw is below it, a chain
-/// stopper finds no wire, and a pin moves down and up again.
+/// A wire from a mast over a deck to a load that is hauled sideways. Below it are a jaw, a chain
+/// stopper without a chain, and a pin that is lowered and raised again.
 const std::string kDeck = R"({
   "version": 1, "name": "deck", "settings": {"step": 0.016666666666666666},
   "line_types": {"wire": {"mass_per_length": 23, "EA": 2.33e8, "drag": 40, "diameter": 0.076}},

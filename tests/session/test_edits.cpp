@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A run with additions and removals of objects, with all kinds of observers.
+/// A run with additions and removals, and all observers.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -44,7 +44,7 @@ const std::string kYard = R"({
   "inputs": [{"name": "push", "body": "crate", "component": "force_x", "min": -50, "max": 50}]
 })";
 
-/// Make the edits before a step.
+/// Add and remove objects before a step.
 void edit(World& w, int step) {
     const BodyId floor = w.find_body("floor");
     if (step == 30) {
@@ -103,7 +103,7 @@ TEST(SessionEdits, EveryObserverFollowsWhatComesAndGoes) {
     // At rest: contacts are 1e-3 m deep at most and creep.
     EXPECT_LT(session.world().velocity(session.world().find_body("crate")).linear.norm(), 1e-4);
     EXPECT_EQ(session.finish(), record::Ending::finished);
-    // All rows have as many columns as the first one, in spite of removals.
+    // A row has as many columns as the first one, despite removals.
     std::ifstream table(folder.path / "run.csv");
     std::string line;
     std::size_t columns = 0;
@@ -135,7 +135,7 @@ TEST(SessionEdits, TheVerifierStillFindsWhatIsWrong) {
     }
 }
 
-/// Attaches a body to a rod, and removes it again.
+/// Adds a body on a rod, and removes it again.
 struct Builder final : System {
     [[nodiscard]] std::string_view name() const noexcept override { return "builder"; }
     void prestep(Prestep& now, Loads&) noexcept override {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random anchor handling. The winch of a tug runs through its modes. Its wire of any type leads
-// over a guide at the stern to a barge, to an anchor on the bottom or to a hanging weight. Nodes
-// are added and removed by random limits; the wire lies on the bottom, is cut or not. Separate code
-// verifies all steps.
+// Random anchor handling. A tug's winch runs through its modes. Its wire of any type leads over a
+// stern guide to a barge, an anchor on the bed, or a hanging weight. Random limits insert and
+// remove nodes; the wire lies on the bed; it is cut or not. Separate code verifies all steps.
 #include <hawser/hawser.h>
 #include <hawser/scene.h>
 #include <hawser/session.h>
@@ -90,7 +89,7 @@ Json random_orders(Random& random, double length) {
         if (mode == "tension" || mode == "render") set["winch.tension"] = random.uniform(1e4, 6e5);
         out.push_back({{"at", t}, {"set", set}});
     }
-    // Only a lower limit of its length is known then.
+    // The only known property of its length then is that it exceeds this.
     if (random.chance(0.25))
         out.push_back({{"at", random.uniform(5, 12)},
                        {"cut", "line"},
@@ -124,7 +123,7 @@ Json random_wire(Random& random, Far far, double wheel) {
     return out;
 }
 
-/// Return the initial path of the wire, from the winch to the far end.
+/// Return the route of the wire at the start, from the winch to the far end.
 std::vector<XYZ> way_of(Far far, double wheel, const XYZ& end) {
     const double top = kAxis + wheel;
     std::vector<XYZ> out{{kStern + kInboard, 0, top}, {kStern, 0, top}};
@@ -244,7 +243,7 @@ TEST(RandomAnchors, AreVerifiedOverGuides) {
             cut += world.event_extremes(EventKind::cut).count > 0 ? 1 : 0;
             session.finish();
         } catch (const scene::SceneError& error) {
-            ++refused;  // an element that begins within the wheel
+            ++refused;  // an element that starts inside the wheel
             EXPECT_NE(std::string(error.what()).find("closer than their radii"), std::string::npos)
                 << error.what();
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Random lifts: the cranes of the scenes with other falls, losses, loads and steps, driven at
-/// random, with hooks that take and release loads. Separate code verifies all steps. States saved
-/// on the way lead to the same end, and recordings repeat both.
+/// Random lifts: cranes of the scenes with other falls, losses, loads and steps, with random
+/// controls, whose hooks take and release loads. Separate code verifies all steps. States saved in
+/// between continue to the same end, and recordings reproduce both.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -35,7 +35,7 @@ struct LiftFolder {
     [[nodiscard]] std::string file(const char* name) const { return (path / name).string(); }
 };
 
-/// Return the maximum speeds of the motions that the signals of a crane drive.
+/// Return the largest speeds that signals of a crane can set.
 std::vector<std::pair<std::string, double>> motions(const Json& crane) {
     std::vector<std::pair<std::string, double>> out{{"crane.slew", crane["slew"]["speed"]},
                                                     {"crane.hoist", crane["hoist"]["speed"]}};
@@ -84,7 +84,8 @@ Json random_lift(std::uint32_t seed) {
     return scene;
 }
 
-/// @param save  File that gets the state before step `at`; "": none. @return the hash at the end.
+/// Run a lift. @param save  File for the state before step `at`; "": none. @return the hash at the
+/// end.
 std::uint64_t run_lift(const SessionDef& def, const std::string& save = "", std::int64_t at = 0) {
     Session session(def);
     Status status = Status::ok;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random tows in a random sea: two hulls in waves and current, and a wire over a stern roller. The
-// winch runs through its modes; the wire is cut or not. Separate code verifies all steps, and
-// recordings repeat them. Features developed in calm water must hold in a seaway.
+// Random tows in a random sea. Two hulls in waves and current, a wire over a stern roller whose
+// winch runs through its modes, cut or not. Separate code verifies all steps, and recordings
+// reproduce them. Covers waves for functions that were first tested in calm water.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -26,7 +26,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr double kSeconds = 15.0, kWater = 1025.0;
 
-/// A closed box from z = −4 m to 4 m about its body's centre.
+/// Write a closed box from z = −4 m to 4 m about its body's centre.
 void write_box(const std::filesystem::path& file, double length, double beam) {
     std::ofstream out(file);
     for (const double x : {-0.5, 0.5})
@@ -38,7 +38,7 @@ void write_box(const std::filesystem::path& file, double length, double beam) {
         out << "f " << face << '\n';
 }
 
-/// Folder with the scenes and hulls of a test.
+/// Folder of the scenes and hulls of a test.
 class TowFolder {
   public:
     TowFolder() {
@@ -58,7 +58,7 @@ class TowFolder {
                                   ("hawser_random_tows_" + std::to_string(::getpid()));
 };
 
-/// Return scenes/tow_payout.json with ships that float by their displacement instead of springs.
+/// Return scenes/tow_payout.json with hulls that float by displacement instead of springs.
 Json tow_afloat() {
     Json scene = Json::parse(std::ifstream("scenes/tow_payout.json"));
     scene.erase("$schema");
@@ -174,7 +174,7 @@ TEST(RandomTows, InASeaAreVerifiedAndRepeated) {
             cut += session.world().event_extremes(EventKind::cut).count > 0 ? 1 : 0;
             session.finish();
         }
-        // One step less if the last one was rejected: it has no frame.
+        // With one step less if the last one was rejected: it has no frame.
         if (refused == 0) {
             const Repeated again =
                 expect_repeats(record::Recording::open(record), 1 + static_cast<int>(seed % 2));

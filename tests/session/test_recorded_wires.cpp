@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Recordings contain the shapes of wires with added and removed nodes: pictures agree with the
-/// world.
+/// Recordings contain the shape of wires with changing nodes: pictures show the shape of the run.
 #include <hawser/hawser.h>
 #include <hawser/recording.h>
 #include <hawser/scene.h>
@@ -15,7 +14,7 @@
 namespace hawser {
 namespace {
 
-/// Expect that the ends of the elements of a wire, and their tensions, agree in the world and in a
+/// Expect that the ends of the pieces of a wire, and their tensions, agree in the world and a
 /// frame.
 void expect_the_same(const World& w, const record::Recording& r, const record::Frame& f) {
     ASSERT_NE(f.wires, nullptr);
@@ -30,7 +29,7 @@ void expect_the_same(const World& w, const record::Recording& r, const record::F
             for (int end = 0; end < 2; ++end) {
                 const Pose& pose = f.poses[static_cast<std::size_t>(wire.pieces[i].body[end])];
                 const Vec3 at = pose.position + pose.orientation * wire.pieces[i].point[end];
-                // The point at which a line touches a wheel is that of the last edit: it moves by
+                // The touching point on a wheel is the one of the last edit: it moves by
                 // centimetres.
                 EXPECT_LT((at - ends[static_cast<std::size_t>(end)]).norm(), 0.2) << i;
             }
@@ -51,7 +50,7 @@ TEST(RecordedWires, AreThoseOfTheFrame) {
     const record::Recording r = record::Recording::open(file);
     ASSERT_EQ(r.frame_count(), 901u);
     expect_the_same(session.world(), r, r.frame(900));
-    // Nodes have run through: other pieces than at the start.
+    // Nodes have passed: other pieces than at the start.
     ASSERT_NE(r.frame(0).wires, nullptr);
     EXPECT_NE(r.frame(0).wires, r.frame(900).wires);
     const std::vector<bool> inside = record::cable_interior(r);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires with added and removed nodes in a session. Recordings repeat them without the systems that
-/// made the changes, a budget coarsens wires first, and inputs of a scene set signals.
+/// Wires with changing nodes in a session. Recordings reproduce them without the systems that
+/// changed them; a budget makes them coarser first; inputs of a scene set signals.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A wire between a winch and a barge that drifts.
+/// A wire between a winch and a drifting barge.
 const std::string kTow = R"({
   "version": 1, "name": "tow", "settings": {"step": 0.0166666666},
   "line_types": {"wire": {"mass_per_length": 23, "EA": 2.33e8, "diameter": 0.076, "drag": 20}},
@@ -61,7 +61,7 @@ TEST(SessionResolution, IsRepeatedFromARecording) {
               session.world().nodes(session.world().find_wire("line")).size());
 }
 
-/// A budget of work counts the flops of a step, nearly all of which belong to the wire.
+/// A budget of work counts the flops of a step; the wire makes nearly all of them.
 TEST(SessionResolution, BudgetMakesWiresCoarserFirst) {
     const auto flops = [](const World& w) {
         return w.stats().factor_work * static_cast<double>(w.stats().factor_flops);
@@ -94,7 +94,7 @@ TEST(SessionResolution, BudgetMakesWiresCoarserFirst) {
     ASSERT_FALSE(recording.cuts.empty());
     EXPECT_EQ(recording.cuts.front().step, first);
     EXPECT_EQ(recording.cuts.front().left_out, (Degradation{.wires = 1}));
-    // With its systems, a world repeats the degradations.
+    // With its systems, a world gives the same result from the remaining data.
     scene::Scene scene = scene::load_text(kTow, "tow");
     for (int k = 0; k < 900; ++k) {
         for (const record::RecordedCut& cut : recording.cuts)

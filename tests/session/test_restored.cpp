@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Runs that start from a saved state: control file and timeline together, recordings with the
-/// objects that exist by then, verification by separate code; and recordings of failed steps.
+/// Runs that start from a saved state: control file and timeline together, recordings of objects
+/// that exist by then, verification by separate code; and recordings of failed steps.
 #include <hawser/hawser.h>
 #include <hawser/recording.h>
 #include <hawser/session.h>
@@ -28,7 +28,7 @@ struct RestoredFolder {
     [[nodiscard]] std::string file(const char* name) const { return (path / name).string(); }
 };
 
-/// A wire that is cut at 1 s in the sea, and a winch that hauls nodes in.
+/// A wire that is cut at 1 s in the sea, and a winch that hauls in nodes.
 constexpr const char* kCutAtSea = R"({
   "version": 1, "name": "cut_at_sea", "settings": {"step": 0.02},
   "line_types": {"wire": {"mass_per_length": 5, "EA": 5e6, "diameter": 0.04, "cd_normal": 1.5}},
@@ -50,7 +50,7 @@ constexpr const char* kCutAtSea = R"({
 constexpr int kRestoredSteps = 250;
 const SessionDef kUncontrolled{.scene_text = kCutAtSea};
 
-/// @return the hash at the end.
+/// Run to the end. @return the hash at the end.
 std::uint64_t finish_run(Session& session) {
     while (session.world().step_count() < kRestoredSteps)
         if (session.step() != Status::ok) break;
@@ -65,8 +65,8 @@ void save_at(const SessionDef& def, int step, const std::string& file) {
     session.save(file);
 }
 
-/// The values of the control file before the save were set again and replaced later values of the
-/// timeline.
+/// A fault: values of the control file from before the save were set again, over later values of
+/// the timeline.
 TEST(SessionRestored, GoesOnWithControlFileAndTimeline) {
     const RestoredFolder folder;
     std::ofstream(folder.file("c.csv")) << "time,sea.waves,hoist.speed\n"
@@ -84,7 +84,7 @@ TEST(SessionRestored, GoesOnWithControlFileAndTimeline) {
     }
 }
 
-/// Values of a file for earlier times apply if the original run did not have them: another file.
+/// Values of a file for the time before the save apply if the run did not have them: another file.
 TEST(SessionRestored, TakesWhatAnotherControlFileHasByThen) {
     const RestoredFolder folder;
     save_at(kUncontrolled, 100, folder.file("at.hws"));
@@ -93,11 +93,11 @@ TEST(SessionRestored, TakesWhatAnotherControlFileHasByThen) {
     rest.restore = folder.file("at.hws");
     rest.control = folder.file("c.csv");
     const Session again(rest);
-    EXPECT_EQ(again.world().system_signal("sea.waves"), 0.7);  // Of the timeline, at 0.5 s.
+    EXPECT_EQ(again.world().system_signal("sea.waves"), 0.7);  // Set by the timeline at 0.5 s.
     EXPECT_EQ(again.world().system_signal("hoist.speed"), -0.5);
 }
 
-/// Such recordings matched no world, or were rejected if nodes had been removed.
+/// A fault: such recordings belonged to no world, or were rejected if nodes had been removed.
 TEST(SessionRestored, IsRecordedAndRepeated) {
     const RestoredFolder folder;
     Session whole(kUncontrolled);
@@ -118,7 +118,7 @@ TEST(SessionRestored, IsRecordedAndRepeated) {
     }
 }
 
-/// The end of the wire behind the cut was treated as one held by a body from the start.
+/// A fault: the wire's end at the cut was treated like one attached to a body from the start.
 TEST(SessionRestored, IsVerified) {
     const RestoredFolder folder;
     for (const int at : {20, 60, 200}) {
@@ -128,7 +128,7 @@ TEST(SessionRestored, IsVerified) {
         rest.verify = true;
         Session again(rest);
         (void)finish_run(again);
-        // And return to the start of the run.
+        // Back to its start, within the run.
         Session first(kUncontrolled);
         while (first.world().step_count() < at) ASSERT_EQ(first.step(), Status::ok);
         again.restore(first.world().structure(), first.world().save());
@@ -155,7 +155,7 @@ class Pushing final : public System {
     BodyId body_;
 };
 
-/// The input set in the failed step was repeated, although the world had undone it.
+/// A fault: values set in the failed step were replayed, although the world had undone them.
 TEST(SessionRestored, RecordsOfAStepThatFailedWhatStays) {
     const RestoredFolder folder;
     {
@@ -178,7 +178,7 @@ TEST(SessionRestored, RecordsOfAStepThatFailedWhatStays) {
     EXPECT_EQ(expect_repeats(recording, 1).scene.world.step_count(), 30);
 }
 
-/// A replay has no winch, which had the mass of the paid-out wire.
+/// A replay has no winch, which had the mass of the wire paid out.
 TEST(SessionRestored, RecordsWhatComesOffADrum) {
     const RestoredFolder folder;
     std::string text = kCutAtSea;

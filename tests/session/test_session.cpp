@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Sessions compared with worlds stepped by hand, and with the repetition of their recordings.
+/// Sessions against worlds that are stepped by hand, and against replays of their recordings.
 #include <hawser/hawser.h>
 #include <hawser/repeater.h>
 #include <hawser/session.h>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A box on a rod, driven by an input, and a box that falls freely.
+/// A box on a rod, driven by an input, and a box in free fall.
 const std::string kScene = R"({
   "version": 1, "name": "swing", "settings": {"step": 0.01},
   "bodies": [
@@ -31,7 +31,7 @@ const std::string kScene = R"({
              {"name": "push_z", "body": "bob", "component": "force_z", "min": -50, "max": 50}]
 })";
 
-/// Temporary folder of one test.
+/// Folder of one test, deleted by the destructor.
 struct Folder {
     fs::path path = fs::temp_directory_path() / ("hawser_session_" + std::to_string(::getpid()));
     Folder() { fs::create_directories(path); }
@@ -45,7 +45,7 @@ void push(World& driven, int step) {
     if (step % 3 == 0) driven.set_input(InputId{0}, push_at(step));
 }
 
-/// Changes as a client makes them: several in a step, some beyond the range of the input.
+/// Make changes like a client: several in a step, some beyond the range of the input.
 void drive(World& driven, int step) {
     if (step % 3 == 0) driven.set_input(InputId{0}, push_at(step));
     if (step % 7 == 0) driven.set_input(InputId{1}, 100.0 * push_at(step));
@@ -68,8 +68,7 @@ std::uint64_t hash_of_world(int steps) {
     return scene.world.state_hash();
 }
 
-/// Repeat a recording. @return number of frames with the hash of the recording, before the first
-/// other one.
+/// Replay a recording. @return number of frames with its hash, before the first difference.
 std::size_t repeated(const record::Recording& recording, bool with_changes = true) {
     scene::Scene scene = scene::load_text(recording.scene_text, "recorded");
     scene.world.prepare();
@@ -110,7 +109,7 @@ TEST(Session, RecordingRepeatsEveryChange) {
     EXPECT_EQ(recording.ending, record::Ending::finished);
     EXPECT_EQ(recording.end_step, 100);
     EXPECT_EQ(recording.end_hash, hash_of_world(100));
-    // 0, 7, …, 98 and the last state.
+    // Steps 0, 7, …, 98 and the last state.
     ASSERT_EQ(recording.frame_count(), 16U);
     EXPECT_EQ(recording.inputs.size(), 34U + 15U + 1U);
     EXPECT_EQ(repeated(recording), 16U);
@@ -132,7 +131,7 @@ TEST(Session, ControlFileIsAsSettingTheInputs) {
     }
 }
 
-/// Inputs of systems: a file is rejected; values set while it runs are clamped and reported.
+/// Inputs of systems: a file is rejected; values set during the run are clamped and reported.
 TEST(Session, SignalsBeyondTheirRange) {
     std::string text = kScene;
     text.insert(text.rfind("]"), R"(, {"name": "waves", "signal": "sea.waves", "factor": 2,
@@ -210,7 +209,7 @@ TEST(Session, MistakesChangeAndRecordNothing) {
                  record::RecordingError);
 }
 
-/// Counts, and objects to a step.
+/// Counts steps, and rejects a given step.
 struct Judge : Observer {
     int before = 0, after = 0, refused = -1;
     void before_step(const World&) override { ++before; }
@@ -254,7 +253,7 @@ TEST(Session, WorldOfTheCaller) {
     const BodyId ball = world.add_body({.name = "ball", .kind = BodyKind::lump, .mass = 2.0});
     Session session(std::move(world), {.record = folder / "run.hwr", .csv = folder / "run.csv"});
     session.world().set_force(ball, {0.0, 0.0, 2.0 * 9.81},
-                              Vec3::Zero());  // Its weight: it stays in place.
+                              Vec3::Zero());  // its weight keeps it in place
     for (int k = 0; k < 10; ++k) ASSERT_EQ(session.step(), Status::ok);
     session.finish();
     // Twice the rounding of the weight over 0.1 s, with a margin.

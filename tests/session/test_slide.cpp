@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A wire that sweeps along a stern: verified while it slides, repeated from its recording without
-/// the system that had it slide, along an edge of a box, a hull or a mesh.
+/// A wire that slides along a stern: verified while it slides, and replayed from its recording
+/// without the system that moved it. Along an edge of a box, a hull or a mesh.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -46,7 +46,7 @@ void replace(std::string& text, std::string_view from, std::string_view to) {
     text.replace(at, from.size(), to);
 }
 
-/// The scene with the stern's edge as that of a shape, which the wire itself does not touch.
+/// Return the scene with the stern's edge taken from a shape that the wire does not touch.
 std::string with_edge_of(const std::string& kind, const std::string& more) {
     std::ifstream in("scenes/wire_slide.json");
     std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -73,7 +73,7 @@ TEST(SessionSlide, GoesAlongEdgesOfHullsAndMeshesAlike) {
     };
     const double box = place({.scene = "scenes/wire_slide.json"});
     EXPECT_GT(box, 1.0);
-    // The same axis to rounding, which sliding does not amplify.
+    // The axis is equal to rounding, which sliding does not amplify.
     EXPECT_NEAR(place({.scene_text = with_edge_of("hull", "")}), box, 1e-6);
     EXPECT_NEAR(place({.scene_text = with_edge_of("mesh", R"(, "triangles": [
                  [1, 3, 7], [1, 7, 5], [0, 4, 6], [0, 6, 2], [2, 6, 7], [2, 7, 3],

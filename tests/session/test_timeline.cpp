@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Operations of a scene at given times: in sessions, their recordings and saved states.
+/// Timed operations of a scene: in sessions, their recordings and saved states.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -25,7 +25,7 @@ struct TimelineFolder {
     [[nodiscard]] std::string file(const char* name) const { return (path / name).string(); }
 };
 
-/// A tow that is cut, falls, and is picked up by a hook; a winch that hauls.
+/// A tow that is cut, falls, and is taken by a hook; a winch that hauls.
 const std::string kTow = R"({
   "version": 1, "name": "tow", "settings": {"step": 0.02},
   "line_types": {"wire": {"mass_per_length": 5, "EA": 5e6, "drag": 40, "diameter": 0.04}},
@@ -57,7 +57,7 @@ struct Seen {
     std::vector<std::pair<std::string, double>> events;
 };
 
-/// @param save  Step before which the state is saved; 0: none.
+/// Run to a step. @param save  File for the state before step `at`; 0: none.
 Seen run_to(Session& session, int steps, const std::string& save = "", int at = 0) {
     Seen out;
     while (session.world().step_count() < steps) {
@@ -93,7 +93,7 @@ TEST(SessionTimeline, DoesWhatItSaysAtItsTimes) {
     EXPECT_TRUE(w.find_interaction("eye").valid());
 }
 
-/// The verifier observes the world from before the operations of the first step.
+/// The verifier has the state before the operations of the first step.
 TEST(SessionTimeline, IsVerifiedFromItsFirstStepOn) {
     std::string text = kTow;
     const std::string list = "\"timeline\": [";
@@ -104,8 +104,7 @@ TEST(SessionTimeline, IsVerifiedFromItsFirstStepOn) {
     for (int k = 0; k < 50; ++k) ASSERT_EQ(session.step(), Status::ok) << session.objection();
 }
 
-/// Each operation is reported once, after the following step, and again in a run restored to an
-/// earlier state.
+/// Each operation is reported once, after the next step, and again in a run that goes back.
 TEST(SessionTimeline, SaysWhatItDid) {
     Session session({.scene_text = kTow});
     const auto told = [&](double until) {
@@ -127,7 +126,7 @@ TEST(SessionTimeline, SaysWhatItDid) {
     EXPECT_EQ(told(5.0), rest);
 }
 
-/// An input that sets a signal does so from a timeline as well, by its factor and within its range.
+/// An input that sets a signal does so from a timeline too, with its factor and in its range.
 TEST(SessionTimeline, SetsInputsThatSetSignals) {
     const auto with_lever = [](double value) {
         std::string text = kTow;
@@ -151,7 +150,7 @@ TEST(SessionTimeline, SetsInputsThatSetSignals) {
 TEST(SessionTimeline, RecordingsRepeatItAndSavedStatesGoOn) {
     const TimelineFolder folder;
     Session session({.scene_text = kTow, .record = folder.file("run.hwr")});
-    // Saved before each operation's step, just behind it, and between.
+    // Saved before each operation's step, just after it, and between.
     Session plain({.scene_text = kTow});
     const Seen all = run_to(session, 260);
     session.finish();
@@ -182,7 +181,7 @@ TEST(SessionTimeline, ComposesWithControlAndEndsARunThatItCannotGoOnWith) {
     (void)run_to(session, 24);
     EXPECT_EQ(session.world().input(session.world().find_input("push")), 5.0);
     (void)run_to(session, 27);
-    // At the same time the control file has the last word.
+    // At equal times the control file prevails.
     EXPECT_EQ(session.world().input(session.world().find_input("push")), 7.0);
     session.world().remove_wire(session.world().find_wire("tow"));
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The tutorial of docs/winches.md as written there: its figures are those of its runs.
+/// Tutorial of docs/winches.md, run as written: its figures are those of its runs.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Figures of the page have hundredths of a metre.
+/// The page has figures in hundredths of a metre.
 constexpr double kRounded = 0.0051;
 
 struct Tutorial {
@@ -36,7 +36,7 @@ struct Tutorial {
         table = blocks.at(2);
     }
 
-    /// Contents of its blocks of code.
+    /// Return the contents of its code blocks.
     [[nodiscard]] std::vector<std::string> fenced() const {
         std::vector<std::string> out;
         std::size_t at = 0;
@@ -94,7 +94,7 @@ TEST(WinchTutorial, TheControlFileLiftsItByWhatThePageSays) {
     run_to(session, 20.0);
     const double lifted = height(session);
     EXPECT_NEAR(lifted - held, page.figure("lifts the load by # m in 15 s"), kRounded);
-    // The brake stops it: the rest is the stretch of the wire, some centimetres.
+    // The brake stops it; only the stretch of the wire is left, some centimetres.
     run_to(session, 25.0);
     EXPECT_NEAR(height(session), lifted, 0.1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A minute of the frozen scene anchor_lines with only its own loads.
+// A minute of the frozen scene anchor_lines under its own loads.
 
 #include <gtest/gtest.h>
 
@@ -35,8 +35,8 @@ TEST(AnchorLinesMinute, StaysPhysicalAndEveryInteractionCarriesForce_full) {
     scene::Scene scene = scene::load_file("scenes/anchor_lines.json");
     test::AnchorLinesProbe probe(scene);
     expect_physical_minute(scene, probe);
-    // The least loaded interactions are bends of the tow wire, 2-3 N m by design; unloaded ones
-    // have round-off, below 1e-3.
+    // The least loaded interactions are bends of the tow wire, 2-3 N m by design. Unloaded ones
+    // have rounding errors below 1e-3.
     for (const std::string& name : probe.idle(0.1)) {
         ADD_FAILURE() << name << " carries no force";
     }
@@ -52,7 +52,7 @@ TEST(AnchorLinesMinute, ARowOfSitesStaysPhysical_full) {
     expect_physical_minute(scene, probe);
 }
 
-// The exercise of scenes/anchor_lines.control.csv: winch, crane and thrust at work.
+// The exercise of scenes/anchor_lines.control.csv: winch, crane and thrust are used.
 TEST(AnchorLinesMinute, AnExerciseStaysPhysical_full) {
     scene::Scene scene = scene::load_file("scenes/anchor_lines.json");
     World& world = scene.world;
@@ -78,7 +78,7 @@ TEST(AnchorLinesMinute, AnExerciseStaysPhysical_full) {
     EXPECT_GT(probe.tension_min, 0.0);
     EXPECT_LT(probe.load_max, 0.5);
     EXPECT_LE(probe.momentum_residual_max, 1e-10);
-    EXPECT_GT(probe.drift_max, 1.0);  // It did move: ahts2 is pushed aside by some 20 m.
+    EXPECT_GT(probe.drift_max, 1.0);  // It moved: ahts2 is pushed aside by about 20 m.
     EXPECT_LT(probe.drift_max, 50.0);
     for (const Event& event : world.take_events()) {
         EXPECT_NE(event.kind, EventKind::line_break);

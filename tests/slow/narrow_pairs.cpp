@@ -21,8 +21,8 @@ TEST(NarrowPairs, AHundredThousandOfEachAgreeWithTheReference_long) {
         std::printf("    %s\n", test::describe(a, b, score).c_str());
         EXPECT_EQ(score.wrong_verdicts, 0);
         EXPECT_EQ(score.bad_points, 0);
-        // Requirements for collision: 1e-6 m, and 1e-6 if the normal is unique. For hulls and
-        // meshes 1e-4: one pair of hull and mesh in 100,000 has an error of 1.1e-6 m.
+        // Requirement: 1e-6 m and 1e-6 where the normal is unique. For hulls and meshes 1e-4: one
+        // pair of hull and mesh in 100,000 has an error of 1.1e-6 m.
         EXPECT_LE(score.worst_gap, i < exact ? 1e-6 : 1e-5);
         EXPECT_LE(score.worst_normal, 1e-6);
         EXPECT_LE(score.ambiguous, score.pairs / 100);
@@ -39,7 +39,7 @@ TEST(NarrowPairs, AHundredThousandOnGroundAgreeWithTheReference_long) {
             EXPECT_EQ(score.bad_points, 0);
             EXPECT_LE(score.worst_gap, 1e-6);
             EXPECT_LE(score.worst_normal, 1e-6);
-            // Cases without a comparison to the last digit must be the smaller part.
+            // Pairs without an exact comparison remain the smaller part.
             EXPECT_LE(score.ambiguous, 1 + score.pairs / 50);
             EXPECT_LE(score.beside, 2 + score.touching / 3);
             EXPECT_LE(score.left, 2 + score.touching / 15);

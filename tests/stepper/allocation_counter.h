@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file allocation_counter.h
-/// malloc and its relatives are replaced in this executable and count while a guard is on; operator
-/// new ends in them.
+/// This executable replaces malloc and related functions by functions that count while a guard
+/// exists; operator new calls them.
 
 namespace hawser::test {
 
@@ -12,10 +12,10 @@ inline constexpr bool kCountsAllocations = false;  // sanitizers replace malloc 
 inline constexpr bool kCountsAllocations = true;
 #endif
 
-/// Allocations of all threads count from 0 while one of these lives.
+/// Counts allocations of all threads from 0 during its lifetime.
 class AllocationGuard {
   public:
-    /// @param fails_at  The allocation that fails; −1: none.
+    /// Start counting. @param fails_at  Allocation that fails; −1: none.
     explicit AllocationGuard(long fails_at = -1) noexcept;
     ~AllocationGuard();
     AllocationGuard(const AllocationGuard&) = delete;

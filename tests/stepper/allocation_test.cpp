@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A warm step allocates no memory.
+/// A warm step allocates nothing.
 #include "stepper/allocation_counter.h"
 #include "stepper/scenes.h"
 #include "support/recipe.h"
@@ -64,7 +64,7 @@ TEST(Allocation, NoneInAWarmStepOfTwoThreads) {
     expect_none(mixed(4, 30), 2);
 }
 
-/// Reads of a client after each step do not allocate either, once its own memory is large enough.
+/// Nor do calls of a client after each step, once its own memory is large enough.
 TEST(Allocation, NoneInWhatAClientReads) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     World w = mixed(3, 10).make();
@@ -105,7 +105,7 @@ TEST(Allocation, NoneInWhatAClientReads) {
     EXPECT_EQ(seen, 0);
 }
 
-/// A wire in two parts chosen by the world; drag brings it to rest.
+/// Make a wire in two groups chosen by the world; drag brings it to rest.
 Recipe parted_wire(int every) {
     Recipe r = wire(40);
     for (BodyDef& b : r.bodies) b.linear_damping = {50.0, 50.0, 50.0};
@@ -116,11 +116,11 @@ Recipe parted_wire(int every) {
     return r;
 }
 
-/// Checks of groups without a change do not allocate either, after the first one.
+/// Regrouping without changes does not allocate either, after the first one.
 TEST(Allocation, NoneWhereGroupsAreLookedAtAndStay) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     World w = parted_wire(7).make();
-    for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok);  // until it is at rest
+    for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok);  // it comes to rest
     const std::int64_t before = w.stats().regroupings;
     long seen = 0;
     bool ok = true, looked = false;
@@ -138,8 +138,8 @@ TEST(Allocation, NoneWhereGroupsAreLookedAtAndStay) {
     EXPECT_EQ(seen, 0);
 }
 
-/// If any allocation in a change of groups fails, the result is a status and the state of the step
-/// before. The next call continues.
+/// Any allocation of a regrouping may fail: the step returns a status, the state is the earlier
+/// one, and the next call succeeds.
 TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     const Recipe recipe = parted_wire(20);
@@ -163,7 +163,7 @@ TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
             const Guard guard(k);
             status = w.step();
         }
-        if (status == Status::ok) break;  // it makes fewer
+        if (status == Status::ok) break;  // it makes fewer allocations
         ++failed;
         ASSERT_EQ(status, Status::out_of_memory);
         ASSERT_EQ(w.step_count(), round);
@@ -179,11 +179,12 @@ TEST(Allocation, WhereMemoryEndsInARegroupingItIsAStatus) {
 }
 
 TEST(Allocation, NoneInAWarmStepThatIsTraced) {
-    expect_none(mixed(1, 10), 1, 500);  // wraps
+    expect_none(mixed(1, 10), 1, 500);  // ring buffer wraps
     expect_none(mixed(4, 30), 2, 500);
 }
 
-/// A wire on a floor and over a bar: contacts change only in the first steps.
+/// Make a wire that lies on a floor and over a bar: contacts appear and end in the first steps
+/// only.
 World lying_wire(int threads) {
     WorldDef def;
     def.threads = threads;
@@ -248,8 +249,8 @@ TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
             options.threads = threads;
             scene::Scene s = scene::load_file(file, options);
             for (int i = 0; i < 3; ++i) ASSERT_EQ(s.world.step(), Status::ok) << file;
-            // A step with more contacts than ever before, or with a new pair of bodies, grows and
-            // reports it; all others are warm.
+            // A step with more contacts than ever before, or with the first contact of two bodies,
+            // grows and reports it. All others are warm.
             int warm = 0;
             for (int i = 0; i < 20; ++i) {
                 const std::int64_t growths = s.world.stats().growths;
@@ -268,7 +269,7 @@ TEST(Allocation, NoneInAWarmStepOfACommittedScene) {
     }
 }
 
-/// Nor in the warm path of the solver by itself.
+/// Nor does the warm path of the solver alone.
 TEST(Allocation, NoneInAWarmFactorisation) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     constexpr int kNodes = 500;
@@ -295,7 +296,7 @@ TEST(Allocation, NoneInAWarmFactorisation) {
     }
 }
 
-/// Not in a step that fails either.
+/// Nor does a failed step.
 TEST(Allocation, NoneInAFailedStep) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     World w = mixed(2).make();

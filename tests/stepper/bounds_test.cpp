@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rows with a bounded force, by themselves and within the iterations that find contacts.
+/// Rows with a bounded force, alone and within the iterations that find contacts.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ BodyDef block(const Vec3& at, const Vec3& velocity, double mass = 100.0) {
     return d;
 }
 
-/// z of the frame along x of the world.
+/// Return the rotation from z of the frame to x of the world.
 Quat along_x() { return turn_between(Vec3::UnitZ(), Vec3::UnitX()); }
 
 struct Slider {
@@ -33,8 +33,8 @@ struct Slider {
     InteractionId slide, friction;
 };
 
-/// A block on a horizontal slide along x, with friction of a force and of a fraction of the force
-/// of the slide.
+/// Add a block on a horizontal slide along x. Its friction is a constant force plus a fraction of
+/// the slide's force.
 Slider add_slider(World& w, double y, double speed, double force, double share) {
     Slider s;
     BodyDef ground;
@@ -56,7 +56,7 @@ Slider add_slider(World& w, double y, double speed, double force, double share) 
     return s;
 }
 
-/// Boxes that slide on a plane: the same world then is solved by Newton's method.
+/// Add boxes that slide on a plane: Newton's method then solves the world.
 void add_boxes(World& w) {
     const MaterialId rough = w.add_material({.name = "rough", .friction = 0.3});
     BodyDef ground;
@@ -90,7 +90,7 @@ TEST_P(Bounds, FrictionOfASlideStopsAndHolds) {
     EXPECT_NEAR(w.force(s.friction)[0], -slows * 100.0, 1e-3);
     for (int k = 0; k < 60; ++k) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_LT(w.velocity(s.block).linear.norm(), 1e-12);
-    // A pull below the limit does not move it, one above does.
+    // Pulled by less than the bound it stays, by more it moves.
     w.set_force(s.block, {290, 0, 0}, {0, 0, 0});
     const Vec3 at = w.pose(s.block).position;
     for (int k = 0; k < 600; ++k) ASSERT_EQ(w.step(), Status::ok);
@@ -130,7 +130,7 @@ TEST_P(Bounds, ABrakeFollowsItsInput) {
     EXPECT_NEAR(w.velocity(s.block).linear.x(), 5.0, 1e-6);
 }
 
-/// The energy stored in the spring of friction counts as friction, so that the balance closes.
+/// Energy stored in a spring of friction is part of the friction loss, so that the balance closes.
 TEST_P(Bounds, ASoftBrakeBalances) {
     World w;
     const Slider s = add_slider(w, 0, 2.0, 0.0, 0.0);
@@ -175,7 +175,7 @@ TEST_P(Bounds, SnapshotsAndThreadsKeepTheBits) {
     }
 }
 
-/// Methods with sweeps use the same bounds.
+/// Methods with sweeps apply the same bounds.
 TEST_P(Bounds, OtherMethodsKnowThem) {
     for (const Nonsmooth method :
          {Nonsmooth::pivoting, Nonsmooth::split, Nonsmooth::convex, Nonsmooth::pgs}) {
@@ -186,7 +186,7 @@ TEST_P(Bounds, OtherMethodsKnowThem) {
         const Slider s = add_slider(w, 0, 2.0, 300.0, 0.0);
         if (GetParam()) add_boxes(w);
         for (int k = 0; k < 30; ++k) ASSERT_EQ(w.step(), Status::ok);
-        // Sweeps leave a little in the rows.
+        // Sweeps leave a small residual in the rows.
         const double close = method == Nonsmooth::pgs ? 1e-3 : 1e-6;
         EXPECT_NEAR(w.velocity(s.block).linear.x(), 2.0 - 3.0 * (w.time() - 0.5 * kFrame), close);
         for (int k = 0; k < 60; ++k) ASSERT_EQ(w.step(), Status::ok);
@@ -211,7 +211,7 @@ TEST(BoundsOfHinges, FrictionTurnsMoreThanOnce) {
     friction.set("torque", 2.0);
     const InteractionId f = w.add_interaction(friction);
     for (int k = 0; k < 300; ++k) ASSERT_EQ(w.step(), Status::ok);
-    // 5 s at −1 rad/s² : 37.5 rad, six turns.
+    // 5 s at −1 rad/s²: 37.5 rad, six revolutions.
     EXPECT_NEAR(w.velocity(b).angular.z(), 10.0 - (5.0 - 0.5 * kFrame), 1e-9);
     EXPECT_NEAR(w.force(f)[0], -2.0, 1e-12);
     for (int k = 0; k < 600; ++k) ASSERT_EQ(w.step(), Status::ok);
@@ -229,7 +229,7 @@ TEST(BoundsOfDefinitions, LoadsAreChecked) {
     InteractionDef other = w.interaction_def(s.slide);
     other.load[0] = {s.slide, 0.1};
     EXPECT_THROW(w.add_interaction(other), DefError);
-    // Ends that inputs have crossed are no error of the step.
+    // A bound that an input sets below 0 is no error of the step.
     d.load[1] = {};
     InteractionDef motor = between(InteractionKind::SlideMotor, {s.ground, s.block});
     motor.frame[0] = motor.frame[1] = along_x();

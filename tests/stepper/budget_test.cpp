@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of a step's cost, with a clock of the test's own.
+// Limits of a step's cost, with a clock of the test.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace hawser {
 namespace {
 
-/// Every reading advances it by a tick of CPU time.
+/// Every reading costs a tick of CPU time.
 struct TickingClock final : runtime::Stopwatch {
     double tick, now = 0.0;
     int looks = 0;
@@ -24,7 +24,7 @@ struct TickingClock final : runtime::Stopwatch {
     }
 };
 
-/// A leaning pile of boxes pushed sideways: several iterations a step.
+/// Make a leaning pile of boxes pushed sideways: several iterations per step.
 std::unique_ptr<stepper::StepContext> pile(const WorldDef& def) {
     auto ctx = std::make_unique<stepper::StepContext>(def);
     const auto add = [&](const BodyDef& body, ShapeDef shape) {
@@ -49,14 +49,14 @@ std::unique_ptr<stepper::StepContext> pile(const WorldDef& def) {
 TEST(Budget, AssumesThatTheNextIterationCostsWhatTheLastDid) {
     stepper::Budget b;
     b.begin({.seconds = 10.0}, {1.0, 0.0});
-    EXPECT_TRUE(b.another({3.0, 0.0}, 1));   // next: 5
-    EXPECT_TRUE(b.another({6.5, 0.0}, 2));   // next: 10
-    EXPECT_TRUE(b.another({7.0, 0.0}, 3));   // 7.5
-    EXPECT_FALSE(b.another({9.0, 0.0}, 4));  // 11
+    EXPECT_TRUE(b.another({3.0, 0.0}, 1));   // next one ends at 5
+    EXPECT_TRUE(b.another({6.5, 0.0}, 2));   // next one ends at 10
+    EXPECT_TRUE(b.another({7.0, 0.0}, 3));   // at 7.5
+    EXPECT_FALSE(b.another({9.0, 0.0}, 4));  // at 11
     EXPECT_EQ(b.cause(), DegradedBy::clock);
     EXPECT_EQ(b.foreseen(), 11.0);
     EXPECT_TRUE(b.hasty());
-    b.finished(11.0);  // 2 after the last reading: kept for the next step
+    b.finished(11.0);  // 2 after the last reading: stored for the next step
     b.begin({.seconds = 10.0}, {});
     EXPECT_FALSE(b.another({4.5, 0.0}, 1));  // 9 + 2
     b.begin({.work = 100.0}, {});
@@ -69,7 +69,7 @@ TEST(Budget, AssumesThatTheNextIterationCostsWhatTheLastDid) {
     EXPECT_FALSE(b.another({2.0, 1.0}, 2));
     EXPECT_EQ(b.cause(), DegradedBy::prediction);
     EXPECT_EQ(b.foreseen(), 7.0);
-    b.begin({.seconds = 1e-9, .work = 1e-9, .imposed = {3, false}}, {});  // limits do not count
+    b.begin({.seconds = 1e-9, .work = 1e-9, .imposed = {3, false}}, {});  // limits have no effect
     EXPECT_FALSE(b.needs_time());
     EXPECT_FALSE(b.hasty());
     EXPECT_TRUE(b.another({1.0, 1.0}, 2));
@@ -86,17 +86,16 @@ TEST(Budget, CutsWithTheClockAndRepeatsWithoutIt) {
     auto repeated = pile({});
     TickingClock clock(1e-3), never(1e9);
     timed->stopwatch = &clock;
-    repeated->stopwatch = &never;  // Nothing depends on its value.
+    repeated->stopwatch = &never;  // Nothing depends on its reading.
     int cuts = 0;
     for (int i = 0; i < 40; ++i) {
         ASSERT_EQ(stepper::step(*timed), Status::ok);
         const StepStats& s = timed->work.stats;
-        // One reading at the start of the solve, one per iteration, and one at the end. From the
-        // second step on the end is known to take 1 ms, so that a second iteration would end at 3 +
-        // 1 ms.
+        // One reading before the solution, one per iteration, and one at the end. From the second
+        // step on the end is known to take 1 ms, so that a second iteration would end at 3 + 1 ms.
         if (s.cut) {
             EXPECT_EQ(s.newton_iterations, i == 0 ? 2 : 1) << "step " << i;
-            // The first step ends with a solution for its rows: it had no initial solution.
+            // The first step ends with a solution of its rows, as there is no earlier solution.
             EXPECT_EQ(s.degradation, (Degradation{s.newton_iterations, i > 0})) << "step " << i;
             EXPECT_GT(s.foreseen_seconds, 0.95 * def.budget);
         } else {
@@ -128,7 +127,7 @@ TEST(Budget, IterationsThatRunOutLeaveMomentumBalanced) {
         ASSERT_EQ(stepper::step(*ctx), Status::ok);
         const StepStats& s = ctx->work.stats;
         EXPECT_FALSE(s.cut);
-        // A solved step has 1e-13; this leaves a margin for badly conditioned laws.
+        // The residual of a solved step is 1e-13; the margin is for badly conditioned laws.
         EXPECT_LE(s.momentum_residual, 1e-9) << "step " << i;
         open += s.natural_map > def.contact_tolerance ? 1 : 0;
     }
@@ -142,7 +141,7 @@ TEST(Budget, OfWorkIsTheSameForAnyNumberOfThreads) {
     for (const int threads : {1, 2, 4}) {
         WorldDef def;
         def.threads = threads;
-        def.budget_work = 1.0;  // less than any iteration: one is made all the same
+        def.budget_work = 1.0;  // less than any iteration: one is made nevertheless
         auto ctx = pile(def);
         for (int i = 0; i < 40; ++i) {
             ASSERT_EQ(stepper::step(*ctx), Status::ok);

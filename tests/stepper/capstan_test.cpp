@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines with several turns around bollards: bounds that nearly all result from their own friction.
+/// Lines around bollards by several turns: nearly all of their bound comes from their own friction.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using test::between;
 
-/// A weight of 50 kg and one that is heavier by `share` of e^{μδ}, on a line around a bollard.
+/// A weight of 50 kg and a heavier one, by a fraction of e^{μδ}, on a line around a bollard.
 struct Capstan {
     InteractionId light, heavy, friction;
     BodyId weight;
@@ -58,7 +58,7 @@ class Capstans : public testing::TestWithParam<bool> {
         fixed.kind = BodyKind::fixed;
         ground = w.add_body(fixed);
         if (!GetParam()) return;
-        // Boxes that slide: the same world then is solved by Newton's method.
+        // Add sliding boxes: Newton's method then solves the world.
         ShapeDef plane;
         plane.kind = ShapeKind::plane;
         plane.body = ground;
@@ -78,7 +78,7 @@ class Capstans : public testing::TestWithParam<bool> {
 };
 
 /// Half a turn to three turns at μ = 0.3, all at once: ratios of 2.6 to 286. Without acceleration
-/// the last one needs 2,000 iterations a step, and the limit is 100.
+/// the last needs 2,000 iterations per step; the limit is 100.
 TEST_P(Capstans, RunAtEulersRatio) {
     std::vector<std::pair<Capstan, double>> all;
     for (const double turns : {0.5, 1.0, 2.0, 3.0}) {
@@ -95,13 +95,13 @@ TEST_P(Capstans, RunAtEulersRatio) {
         if (k < 30) continue;
         for (const auto& [c, angle] : all) {
             const double ratio = w.force(c.heavy)[0] / w.force(c.light)[0];
-            // The bound is met to 1e-6 of itself, and the lesser tension is a part e^{−μδ} of that.
+            // The bound is met to 1e-6 of itself, and the smaller tension is e^{−μδ} of it.
             EXPECT_NEAR(ratio / std::exp(angle), 1.0, 2e-6 * std::exp(angle)) << angle << " " << k;
         }
     }
     if (GetParam()) {
-        // Four unknowns, changes of status, and contacts, all at once; mostly 3 to 11. The maximum
-        // of a step, 15 to 60, depends on rounding.
+        // Four unknowns, switches and contacts together; mostly 3 to 11. Rounding determines the
+        // worst step, 15 to 60.
         EXPECT_LE(iterations, 60 * 10);
         EXPECT_LE(long_steps, 3);
     }
@@ -119,8 +119,8 @@ TEST_P(Capstans, HoldsBelowIt) {
     EXPECT_NEAR(w.pose(c.weight).position.z(), z, 1e-9) << "it hangs still for 10 s";
 }
 
-/// One iteration cannot switch a line to taut and solve with it. Such a step reports this, although
-/// its contacts, at rest, are solved.
+/// One iteration cannot switch a line that comes taut and solve with it. Such a step reports this,
+/// although its contacts, at rest, are solved.
 TEST(BoundsLeftOpen, AreCountedWhereIterationsEnd) {
     WorldDef def{.on_diverged = OnDiverged::warn};
     def.contact_iterations = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Joints that oscillate too fast for the completion of a step are closed by moving poses
+/// Joints that rotate too fast for the end-of-step iteration are closed by position projection
 /// (step/closing.h).
 #include <gtest/gtest.h>
 
@@ -19,7 +19,8 @@ InteractionDef ball(BodyId a, BodyId b, const Vec3& on_a, const Vec3& on_b) {
     return d;
 }
 
-/// Three light rods in line with a heavy end, released from the horizontal, or floating in a spin.
+/// Make three light rods in line with a heavy end, released from the horizontal, or floating in a
+/// spin.
 World whip(bool floats, double light = 1.0, double step = kStep) {
     World w({.step = step, .gravity = {0, 0, floats ? 0.0 : -9.81}});
     BodyId last = w.add_body({.kind = BodyKind::fixed});
@@ -40,7 +41,7 @@ World whip(bool floats, double light = 1.0, double step = kStep) {
     return w;
 }
 
-/// Fast and light beside heavy: in every step a joint would end open by L (hω)²/2, 2 cm.
+/// Fast light rods and a heavy end: in every step some joint would end open by L (hω)²/2, 2 cm.
 TEST(ClosedJoints, OfAHeavyWhip) {
     World w = whip(false);
     double open = 0.0, least = w.energy().mechanical(), gained = 0.0;
@@ -56,14 +57,14 @@ TEST(ClosedJoints, OfAHeavyWhip) {
         gained = std::max(gained, energy - least);
     }
     EXPECT_TRUE(linearised) << "or nothing had to be closed";
-    EXPECT_LE(open, 1.01e-3);  // threshold of closing
-    // Relative to the energy of a fall of the heavy end by its length.
+    EXPECT_LE(open, 1.01e-3);  // gap at which the projection starts
+    // Fraction of the energy of the heavy end's fall.
     EXPECT_LE(gained, 0.005 * kBob * 9.81 * 4.0 * kLength);
     std::printf("open at most %.1e m, energy gained %.2g J\n", open, gained);
 }
 
-/// Rods with 1e-5 of the mass turn by up to radians in a step, so that the directions at its start
-/// no longer close the joints.
+/// Rods a hundred-thousandth as heavy rotate by up to radians in a step, so that directions at its
+/// start do not close the joints.
 TEST(ClosedJoints, OfRodsThatTurnByRadians) {
     constexpr double kLong = 0.2;
     World w = whip(true, 0.01, kLong);
@@ -80,7 +81,7 @@ TEST(ClosedJoints, OfRodsThatTurnByRadians) {
     std::printf("open at most %.1e m, turned by %.2g rad in a step\n", open, turn);
 }
 
-/// Closing by moving poses does not move the centre of mass.
+/// Position projection does not move the centre of mass.
 TEST(ClosedJoints, LeaveTheCentreOfMassWhereItIs) {
     World w = whip(true);
     const auto centre = [&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// By how much wires are coarser, against the rule of docs/theory/deadlines.md.
+// Coarsening of wires against the rule of docs/theory/deadlines.md.
 #include "budget/coarsening.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(Coarsening, WaitsWhileItActs) {
     Coarsening c;
     c.possible = true;
     EXPECT_EQ(level_after(c, 16, 3.0), 1);
-    // 6 % in 60 steps: from 3 it reaches 1 within a thousand.
+    // 6 % in 60 steps: the level decreases from 3 to 1 within a thousand.
     EXPECT_EQ(level_after(c, 1000, 3.0, 0.999), 1);
 }
 

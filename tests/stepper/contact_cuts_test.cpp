@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Splits of a scene with contacts and friction: uncut rows hold as exactly as in any step, with
-/// any cuts.
+/// Splits of a scene with contacts and friction: uncut joints and contacts are as exact as in any
+/// step, for any cuts.
 #include <hawser/scene.h>
 
 #include "support/sanitizer.h"
@@ -16,11 +16,11 @@
 namespace hawser::test {
 namespace {
 
-/// Kinematic cuts with `forces` reach 70 m/s in 16 steps, those with `hold` 1.3: the checks below
-/// must not depend on that.
+/// Kinematic cuts with `forces` reach 70 m/s in 16 steps, those with `hold` 1.3: no tolerance below
+/// depends on it.
 constexpr int kContactCutSteps = kSanitized ? 8 : 16;
 
-/// @param every  Steps after which groups are chosen again; 0: never.
+/// Make the scene. @param every  Steps between regroupings; 0: groups stay.
 World anchor_contact(const char* coupling, const char* predictor, int threads, int every) {
     scene::Options options;
     options.threads = threads;
@@ -33,7 +33,7 @@ World anchor_contact(const char* coupling, const char* predictor, int threads, i
 struct ContactForces {
     double normal = 0.0, tangential = 0.0;  ///< Sums [N].
     double outside = 0.0;  ///< Largest tangential force beyond μ times the normal one [N].
-    double pull = 0.0;     ///< Largest [N].
+    double pull = 0.0;     ///< Largest pull [N].
     int touching = 0, sliding = 0;
 };
 
@@ -52,7 +52,7 @@ ContactForces contact_forces(const World& world) {
     return f;
 }
 
-/// Largest |g| of stiff rows among these interactions.
+/// Return the largest |g| of stiff rows of these interactions.
 double violation(const World& world, const std::vector<InteractionId>& of) {
     double most = 0.0;
     for (const InteractionId id : of) {
@@ -111,27 +111,28 @@ TEST_P(SplitContacts, LeaveContactsAndUncutRowsExact) {
         ASSERT_GE(s.cuts, 20) << i;
         ASSERT_GE(s.contacts, 1000) << i;
         expect_finite(world);
-        // Rows in the system, including copies of cuts: only rounding of velocities up to 100 m/s.
+        // Rows in the system include duplicated rows of cuts: only rounding of velocities up to 100
+        // m/s.
         EXPECT_LE(s.constraint_residual, 1e-12) << i;
         EXPECT_LE(s.momentum_residual, 1e-12) << i;
-        // Joints that are not cut stay as closed as in the exact run: 6.7 mm is a stop's.
+        // Uncut joints are as closed as in the exact run: 6.7 mm is the gap of a stop.
         EXPECT_LE(violation(world, uncut), 1.01 * violation(exact, uncut) + 1e-5) << i;
         const ContactForces f = contact_forces(world);
         ASSERT_GT(f.touching, 500) << i;
         EXPECT_GT(f.tangential, 0.0) << i;
         EXPECT_LE(s.natural_map, 1e-6) << i;
-        // The law is solved to 1e-6 of the scale of a contact, which is at most some times the
-        // average normal force.
+        // The law is solved to 1e-6 of a contact's own scale, at most some times the average force
+        // of contacts.
         EXPECT_LE(f.outside, 1e-5 * f.normal / f.touching) << i;
         EXPECT_LE(f.pull, 1e-5 * f.normal / f.touching) << i;
         defect = std::max(defect, s.momentum_defect);
         sliding += f.sliding;
         EXPECT_LE(exact.stats().momentum_defect, 1e-12) << i;
     }
-    // The error at cuts is reported, and far exceeds rounding.
+    // The defect of cuts is reported, and is far above rounding.
     EXPECT_GT(defect, 1e-9);
     EXPECT_TRUE(std::isfinite(defect));
-    // Soft cuts let wires sink, so that some contacts are at the limit of friction.
+    // Soft cuts let wires come down: some contacts are at the edge of their cone.
     if (std::string(GetParam().coupling) == "compliant") {
         EXPECT_GT(sliding, 0);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Splits (docs/theory/splits.md): their stability and their errors. They are like all other steps:
+/// Splits (docs/theory/splits.md): their stability, their defects, and properties of all steps:
 /// repeatable, restorable, equal for any number of threads.
 #include <hawser/inspect.h>
 
@@ -12,7 +12,7 @@
 namespace hawser::test {
 namespace {
 
-/// Two lumps along x on a spring of stiffness k, in two groups.
+/// Make two point masses along x on a spring of stiffness k, in two groups.
 Recipe two_bodies(double m1, double m2, double k, double n) {
     Recipe r;
     r.world.step = 1.0 / 60;
@@ -29,7 +29,7 @@ Recipe two_bodies(double m1, double m2, double k, double n) {
     return r;
 }
 
-/// @return true if the relative motion grows.
+/// True if the relative motion grows.
 bool grows(const Recipe& r) {
     World w = r.make();
     auto largest = [&](int steps) {
@@ -47,7 +47,7 @@ bool grows(const Recipe& r) {
     return late >= 1e300 || late > 1.5 * early;
 }
 
-/// Return A(1 + Υ(2 − R)) of docs/theory/splits.md: at most 2 if stable. n: damping time of the
+/// Compute A(1 + Υ(2 − R)) of docs/theory/splits.md: at most 2 if stable. n: damping time of the
 /// spring in steps.
 double criterion(double m1, double m2, double k, double n) {
     const double h = 1.0 / 60, w = 1.0 / m1 + 1.0 / m2, z = h * h * k * w * (n + 0.25);
@@ -69,7 +69,7 @@ TEST(Cuts, TwoBodiesAreStableUpToTheBoundaryOfTheTheory) {
             const double k = std::sqrt(low * high);
             (grows(two_bodies(m1, m2, k, n)) ? high : low) = k;
         }
-        // 1 %: accuracy with which 2,000 steps determine a growth that vanishes at the boundary.
+        // 1 %: resolution of 2,000 steps for growth that vanishes at the boundary.
         EXPECT_NEAR(std::sqrt(low * high) / theory_low, 1.0, 0.01)
             << "m " << m1 << " " << m2 << " n " << n;
     }
@@ -86,7 +86,7 @@ TEST(Cuts, CompliantIsStableHoweverStiffTheCut) {
 
 constexpr int kThird = 8, kLumps = 3 * kThird;
 
-/// A chain of lumps along x with bending, with a group for each third, above the ground.
+/// Make a chain of point masses along x with bending above the ground; each third is a group.
 Recipe chain(Coupling coupling, Predictor predictor, double EA = 1e4) {
     Recipe r;
     r.world.coupling = coupling;
@@ -107,7 +107,7 @@ Recipe chain(Coupling coupling, Predictor predictor, double EA = 1e4) {
     return r;
 }
 
-/// With the ground to fall on.
+/// Add the ground.
 World on_ground(const Recipe& r, int threads = 1) {
     WorldDef def = r.world;
     def.threads = threads;
@@ -121,7 +121,7 @@ World on_ground(const Recipe& r, int threads = 1) {
 struct Way {
     Coupling coupling;
     Predictor predictor;
-    double EA;  ///< Soft enough for the way to be stable.
+    double EA;  ///< Soft enough for a stable split.
 };
 class EachCut : public testing::TestWithParam<Way> {};
 INSTANTIATE_TEST_SUITE_P(Ways, EachCut,
@@ -136,7 +136,7 @@ TEST_P(EachCut, ContinuesBitForBitAfterRestore) {
     World a = on_ground(r);
     for (int round = 0; round < 6; ++round) {
         for (int i = 0; i < 15; ++i) ASSERT_EQ(a.step(), Status::ok);
-        // Two stretch rows and four bends, fewer if balls of two groups touch.
+        // Two stretches and four bends, fewer if balls of two groups touch.
         ASSERT_GE(a.stats().cuts, round == 0 ? 6 : 3);
         World fresh = on_ground(r);
         fresh.restore(a.save());
@@ -161,7 +161,7 @@ TEST_P(EachCut, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.state_hash(), three.state_hash());
 }
 
-/// The momentum reported as created equals the change of momentum of the bodies.
+/// The reported momentum defect equals the gain of the bodies.
 TEST_P(EachCut, MomentumDefectIsWhatBodiesGain) {
     Recipe r = chain(GetParam().coupling, GetParam().predictor, GetParam().EA);
     r.world.gravity = {0, 0, 0};
@@ -225,7 +225,8 @@ TEST(Cuts, CliqueIsStableWhereHoldIsNot) {
 TEST(Cuts, OneInteractionMayBeCoupledInItsOwnWay) {
     World w = chain(Coupling::kinematic, Predictor::hold).make();
     ASSERT_EQ(w.cuts().size(), 6U);
-    // A bend over the first border and its stretch: the rest across it is then no cut either.
+    // A bend over the first border and its stretch: the other interactions across it are then not
+    // cut either.
     w.set_coupling(InteractionId{kThird}, Coupling::exact);
     ASSERT_EQ(w.cuts().size(), 5U);
     int open = 0;

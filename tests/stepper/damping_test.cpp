@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Dampers and drag: the speeds that they use (model/damping.h).
+/// Dampers and drag: the velocities on which they act (model/damping.h).
 #include "model/damping.h"
 #include "support/recipe.h"
 
@@ -16,7 +16,8 @@ TEST(Damping, ShareGoesFromHalfToOne) {
     double last = 0.5;
     for (double z = 1e-6; z < 1e12; z *= 1.5) {
         const double share = model::late_share(z);
-        // Near 1/2 the fraction rises by less than the rounding of 1/z near the change of formula.
+        // Near 1/2 the fraction increases by less than the rounding of 1/z near the change of
+        // formula.
         EXPECT_GE(share, last - 1e-13) << z;
         EXPECT_LE(share, 1.0);
         // A damper alone: w+ = (1 - (1 - share) z)/(1 + share z) w is exp(-z) w.
@@ -44,13 +45,13 @@ TEST(Damping, DragAloneIsExact) {
             EXPECT_NEAR(w.velocity(b).linear.x(), std::exp(-drag * t / 2.0), 1e-14);
             EXPECT_NEAR(w.velocity(b).angular.x(), 5.0 * std::exp(-drag * t), 1e-13);
         }
-        // The lost energy is that of drag, of 1 J and of 12.5 J.
+        // Drag has dissipated the lost part, of a joule and of 12.5.
         const Energy e = w.energy();
         EXPECT_NEAR(e.mechanical() + e.dissipated, 13.5, 1e-12);
     }
 }
 
-/// Two bodies on a damper without a spring to speak of: their difference dies away as it should.
+/// Two bodies on a damper with a negligible spring: their relative velocity decays exactly.
 TEST(Damping, DamperBetweenBodiesIsExact) {
     Recipe r;
     r.world.gravity = {0, 0, 0};
@@ -67,7 +68,7 @@ TEST(Damping, DamperBetweenBodiesIsExact) {
         ASSERT_EQ(w.step(), Status::ok);
         const double rate = kDamper * (1.0 + 1.0 / 3.0), t = k * r.world.step;
         const double apart = w.velocity(b).linear.x() - w.velocity(a).linear.x();
-        // The spring of 1e-6 N/m, 0.05 m long at most, in a second.
+        // The spring of 1e-6 N/m, at most 0.05 m long, in a second.
         EXPECT_NEAR(apart, 0.1 * std::exp(-rate * t), 1e-7);
     }
     // Its damping dissipates the difference; half a step before the start the spring was 0.8 mm
@@ -91,7 +92,7 @@ TEST(Damping, EnergyOfDampersIsAccountedFor) {
         const Energy first = w.energy();
         for (int k = 0; k < 300; ++k) ASSERT_EQ(w.step(), Status::ok);
         const Energy e = w.energy();
-        // One row that does not turn: exact but for rounding, of 20 J.
+        // One row that does not rotate: exact to rounding, of 20 J.
         EXPECT_NEAR(e.mechanical() + e.damped, first.mechanical() + first.damped, 1e-11) << tau;
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts required by a deadline: chosen with a clock set by the test, repeated without one.
+// Cuts requested by a deadline: chosen by a clock of the test, replayed without one.
 #include <hawser/inspect.h>
 
 #include "budget/deadline.h"
@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kSide = 12;
 
-/// A net of lumps, held at its upper edge; its right half is a separate group. The exact
-/// factorisation has a separator across its middle, which a cut avoids.
+/// Make a net of point masses, fixed at its upper edge; its right half is a group. The exact
+/// factorisation has a separator across its middle, which a cut removes.
 Recipe net(double budget) {
     Recipe r;
     r.world.coupling = Coupling::deadline;
@@ -51,7 +51,7 @@ std::unique_ptr<stepper::StepContext> net_context(double budget) {
     return ctx;
 }
 
-/// The solver takes a second for each unit of work of the matrix, times `slow`.
+/// The solver takes a second per unit of work of the matrix, times `slow`.
 struct MatrixClock final : runtime::Stopwatch {
     const stepper::StepContext& ctx;
     double slow = 1.0;
@@ -59,7 +59,7 @@ struct MatrixClock final : runtime::Stopwatch {
     explicit MatrixClock(const stepper::StepContext& c) : ctx(c) {}
     void start() noexcept override { looks = 0; }
     double seconds() noexcept override {
-        // No time has passed at the start of the solve.
+        // 0 at the start of the solution.
         return looks++ == 0
                    ? 0.0
                    : slow * stepper::matrix_work(static_cast<double>(ctx.work.stats.factor_flops),
@@ -74,9 +74,9 @@ TEST(DeadlineCuts, OpenWhileTheMachineIsSlowAndAreRepeatedWithoutAClock) {
     const auto& levels = probe->work.limits.cut_levels.levels();
     ASSERT_EQ(levels.size(), 2U);
     const double exact = levels[0].matrix;
-    ASSERT_LT(levels[1].matrix, 0.9 * exact);  // required for the checks below
+    ASSERT_LT(levels[1].matrix, 0.9 * exact);  // precondition of the test
 
-    // As fast as at first, an exact step has a fifth to spare; 1.3 times slower it does not fit.
+    // At the first speed, an exact step has a margin of a fifth; 1.3 times slower, it does not fit.
     auto ctx = net_context(1.2 * exact);
     auto repeated = net_context(0.0);
     MatrixClock clock(*ctx);
@@ -140,7 +140,7 @@ TEST(DeadlineCuts, AreTakenWithACopiedState) {
                 a.degrade_next_step({0, false, asked});
                 ASSERT_EQ(a.step(), Status::ok);
             }
-            // The other world has them the other way until then.
+            // The other world has them inverted until then.
             ASSERT_NE(open(b) != 0, asked != 0);
             b.copy_state(a);
             EXPECT_EQ(open(b), asked != 0 ? kSide : 0);
@@ -169,24 +169,24 @@ TEST(DeadlineCuts, ChangeNothingWhileTheyAreNotAskedFor) {
 
 TEST(DeadlineCuts, AreNotTakenWhereTheySaveNothing) {
     stepper::Deadline d;
-    const stepper::Load load{1e-9, 1000.0};  // next to no rows
+    const stepper::Load load{1e-9, 1000.0};  // almost no rows
     for (int i = 0; i < 100; ++i) d.learn(load, {0.0, 1.0, 1.0, 1.0, 1, false});
     stepper::CutLevels levels;
     levels.set({{0, 1000.0}, {1, 1100.0}, {3, 980.0}});
-    EXPECT_EQ(levels.choose(d, load, 0.5, 0), 0U);  // 2 % is not worth a cut
+    EXPECT_EQ(levels.choose(d, load, 0.5, 0), 0U);  // 2 % do not justify a cut
     levels.set({{0, 1000.0}, {1, 1100.0}, {3, 700.0}, {7, 500.0}});
     EXPECT_EQ(levels.choose(d, load, 0.8, 0), 3U);  // the first that fits
     levels.set({{0, 1000.0}, {1, 1100.0}, {3, 700.0}, {7, 500.0}});
     EXPECT_EQ(levels.choose(d, load, 0.1, 0), 7U);  // none fits: the cheapest
-    // Back when exact has fitted with a tenth to spare for kStay steps.
+    // Return to exact after it has fitted with a margin of a tenth for kStay steps.
     const stepper::Load cut{1e-9, 500.0};
     for (int i = 0; i + 1 < stepper::CutLevels::kStay; ++i)
         EXPECT_EQ(levels.choose(d, cut, 1.2, 7), 7U);
     EXPECT_EQ(levels.choose(d, cut, 1.2, 7), 0U);
 }
 
-/// A load appears while cuts are open and vanishes again: the costs of levels refer to the present
-/// load.
+/// A load that appears while cuts are open and disappears again: costs of levels are those of the
+/// present load.
 TEST(DeadlineCuts, AreTakenBackWhenALoadThatCameWithThemGoes) {
     stepper::Deadline d;
     const stepper::Load load{1e-9, 1000.0};
@@ -194,7 +194,7 @@ TEST(DeadlineCuts, AreTakenBackWhenALoadThatCameWithThemGoes) {
     stepper::CutLevels levels;
     levels.set({{0, 1000.0}, {1, 700.0}});
     std::uint64_t asked = 0;
-    // Work of a step: 1000 or 700, and 1000 more with the load.
+    // Work of a step: 1000 or 700, and 1000 more during the load.
     const auto step = [&](double more) {
         asked = levels.choose(d, {1e-9, (asked != 0 ? 700.0 : 1000.0) + more}, 1.8, asked);
     };
@@ -215,7 +215,7 @@ TEST(DeadlineCuts, StayAsARestoredWorldHasThemUntilRatesAreKnown) {
     EXPECT_EQ(levels.choose(nothing, {1.0, 500.0}, 0.6, 3), 3U);
 }
 
-/// Reports whether levels of cuts were known when the time of the solver began.
+/// Records whether levels of cuts were known when the solver's time started.
 struct LevelsClock final : runtime::Stopwatch {
     const stepper::StepContext& ctx;
     bool known_at_start = false;
@@ -236,8 +236,8 @@ TEST(DeadlineCuts, TheAnalysisOfLevelsIsPartOfTheSolversTime) {
     EXPECT_TRUE(ctx->work.limits.laps.analysed) << "or rates would be learned from it";
 }
 
-/// One row across the middle is coupled exactly. It connects the halves, so that no cut comes into
-/// force.
+/// One row across the middle is coupled exactly: it joins the halves, so that no requested cut
+/// comes into force.
 TEST(DeadlineCuts, ThatAreHeldShutDegradeNothing) {
     World open = net(0.0).make(), shut = net(0.0).make();
     shut.set_coupling(open.cuts().front().interaction, Coupling::exact);
@@ -250,7 +250,7 @@ TEST(DeadlineCuts, ThatAreHeldShutDegradeNothing) {
     EXPECT_EQ(open.stats().degraded_by, DegradedBy::order);
     EXPECT_GT(open.stats().cut_defect, 0.0);
     EXPECT_GT(open.stats().cuts, 0);
-    EXPECT_EQ(shut.stats().degradation.cuts, 1U);  // required for a replay
+    EXPECT_EQ(shut.stats().degradation.cuts, 1U);  // needed by a replay
     EXPECT_EQ(shut.stats().compliant, 0U);
     EXPECT_EQ(shut.stats().degraded_by, DegradedBy::nothing);
     EXPECT_EQ(shut.stats().cut_defect, 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Deadlines with clocks set by the test: independent of the speed of the machine.
+// Deadlines with clocks of the test: nothing depends on the speed of the machine.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,8 @@ using stepper::Load;
 
 constexpr Load kLoad{1e4, 1e6};
 
-/// A step of 1 ms start, 2 ms for the first iteration, `next` for each further one, 0.5 ms finish.
+/// Return a step with 1 ms start, 2 ms for the first iteration, `next` for each further one, 0.5 ms
+/// finish.
 Laps laps(int iterations, double next, double scale = 1.0) {
     const double last = scale * (3e-3 + (iterations - 1) * next);
     return {scale * 1e-3, scale * 3e-3, last, last + scale * 0.5e-3, iterations, false};
@@ -32,7 +33,7 @@ Deadline taught(double next) {
 
 TEST(Deadline, LearnsStagesAndScalesThemWithWork) {
     const Deadline d = taught(1e-3);
-    // 200 samples without scatter leave (3/4)^200 of the first guess of the deviation.
+    // 200 samples without scatter reduce the first guess of the deviation to (3/4)^200.
     EXPECT_NEAR(d.predict(kLoad, 1), 3.5e-3, 1e-9);
     EXPECT_NEAR(d.predict(kLoad, 4), 6.5e-3, 1e-9);
     EXPECT_NEAR(d.predict({2e4, 1e6}, 1), 4.5e-3, 1e-9);
@@ -46,7 +47,7 @@ TEST(Deadline, LearnsStagesAndScalesThemWithWork) {
 TEST(Deadline, ReckonsWithScatter) {
     Deadline d;
     for (int i = 0; i < 400; ++i) d.learn(kLoad, laps(1, 0.0, i % 2 == 0 ? 0.8 : 1.2));
-    // Mean 3.5 ms, mean deviation 0.7 ms: the slower half is within 2 of these.
+    // Mean 3.5 ms, mean deviation 0.7 ms: the slower half fits within 2 deviations.
     EXPECT_GT(d.predict(kLoad, 1), 1.2 * 3.5e-3);
     EXPECT_LT(d.predict(kLoad, 1), 1.5 * 3.5e-3);
 }
@@ -54,7 +55,8 @@ TEST(Deadline, ReckonsWithScatter) {
 TEST(Deadline, ForgetsOneStepThatTookAHundredTimesAsLong) {
     Deadline d = taught(1e-3);
     d.learn(kLoad, laps(3, 1e-3, 100.0));
-    // Counts as four times the mean: + 3/8 of the mean, and twice 3/4 of it by its deviation.
+    // The sample counts as four times the mean: + 3/8 of the mean, and twice 3/4 of it by its
+    // deviation.
     EXPECT_LT(d.predict(kLoad, 1), 3.0 * 3.5e-3);
     for (int i = 0; i < 30; ++i) d.learn(kLoad, laps(3, 1e-3));
     EXPECT_LT(d.predict(kLoad, 1), 1.05 * 3.5e-3);
@@ -75,7 +77,7 @@ TEST(Deadline, DoesNotLearnFromAnalyses) {
 
 TEST(Deadline, LearnsOfContactsAfterStepsWithoutAny) {
     Deadline d;
-    // All of 4 ms after the start are used by one factorisation, with no iteration.
+    // All 4 ms after the start are one factorisation without an iteration.
     for (int i = 0; i < 100; ++i) d.learn(kLoad, {1e-3, 1e-3, 1e-3, 5e-3, 0, false});
     EXPECT_TRUE(d.settled());
     EXPECT_NEAR(d.predict(kLoad, 1), 5e-3, 1e-9);
@@ -96,10 +98,10 @@ TEST(Deadline, TriesAgainWhatItHasGivenUp) {
     // 3.5 ms + 5 ms 0.99^n ≤ 6 ms: n = 69.
     EXPECT_EQ(refused, 69);
     for (int i = 0; i < 1000; ++i) d.refused();
-    EXPECT_GE(d.predict_next(kLoad), 0.99 * 0.25 * 2e-3);  // and no lower
+    EXPECT_GE(d.predict_next(kLoad), 0.99 * 0.25 * 2e-3);  // its lower bound
 }
 
-/// Returns times of a model of the machine: contacts and iterations take time.
+/// Clock with a model of the machine: contacts and iterations cost time.
 struct ModelClock final : runtime::Stopwatch {
     const stepper::StepContext& ctx;
     double per_contact, per_iteration;
@@ -114,7 +116,7 @@ struct ModelClock final : runtime::Stopwatch {
 
 constexpr int kBoxes = 24;
 
-/// Boxes that slide on a floor that shakes; the second half hangs weightless above it.
+/// Make boxes that slide on a shaking floor; the second half hangs weightless above it.
 std::unique_ptr<stepper::StepContext> floor_with_boxes(const WorldDef& def) {
     auto ctx = std::make_unique<stepper::StepContext>(def);
     ShapeDef plane, box;
@@ -135,7 +137,7 @@ std::unique_ptr<stepper::StepContext> floor_with_boxes(const WorldDef& def) {
     return ctx;
 }
 
-/// Put the parked half down, or remove it.
+/// Put the parked half down, or lift it.
 void put(stepper::StepContext& ctx, bool down) {
     for (std::size_t b = 1 + kBoxes / 2; b <= kBoxes; ++b) {
         ctx.model.bodies.x[3 * b + 2] = down ? 0.2499 : 5.0;
@@ -145,7 +147,7 @@ void put(stepper::StepContext& ctx, bool down) {
     }
 }
 
-/// Move the floor: it begins to slide under the boxes, and reverses.
+/// Move the floor: it starts to slide under the boxes, and reverses.
 void shake(stepper::StepContext& ctx) {
     ctx.model.bodies.v_fixed[0] = std::sin(0.4 * static_cast<double>(ctx.state.step));
     ctx.model.bodies.v_fixed[1] = std::cos(0.3 * static_cast<double>(ctx.state.step));
@@ -153,8 +155,8 @@ void shake(stepper::StepContext& ctx) {
 
 TEST(Deadline, HoldsWhileTheLoadDoublesAndIsExactAgainAfterwards) {
     WorldDef def;
-    // Half of the boxes have 48 contacts: 2 ms a step and 1 ms an iteration, so that five would end
-    // by 7 ms. All of them take 4 ms and 2 ms: one ends by 6 ms, two do not.
+    // Half of the boxes have 48 contacts: 2 ms per step and 1 ms per iteration, so that five would
+    // end by 7 ms. All of them take 4 ms and 2 ms: one ends by 6 ms, two do not.
     def.budget = 7.4e-3;
     auto ctx = floor_with_boxes(def);
     auto replayed = floor_with_boxes({});
@@ -191,7 +193,7 @@ TEST(Deadline, HoldsWhileTheLoadDoublesAndIsExactAgainAfterwards) {
     EXPECT_GT(loaded, 40);
     EXPECT_LE(late, 2);  // of 240: 99 %
     EXPECT_LT(exact_since, 60);
-    // A floor that shakes moves no box through it, nor off it: at most 1 m/s for 4 s.
+    // A shaking floor moves no box through it or off it: at most 1 m/s for 4 s.
     for (std::size_t b = 1; b <= kBoxes / 2; ++b) {
         EXPECT_NEAR(ctx->model.bodies.x[3 * b + 2], 0.25, 1e-3);
         EXPECT_LT(std::fabs(ctx->model.bodies.x[3 * b + 1]), 4.0);

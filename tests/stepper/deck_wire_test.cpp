@@ -16,7 +16,7 @@
 namespace hawser::test {
 namespace {
 
-/// A slack wire from a point of the deck, along it.
+/// A slack wire along the deck, from a point of it.
 struct DeckWire {
     int elements = 100;
     double acceleration = 6.0;  ///< Largest acceleration of the deck [m/s²].
@@ -35,7 +35,7 @@ struct DeckWire {
         if (first) d.point[0] = {0.0, 0.0, kRadius};
         return d;
     }
-    /// Return the inertial force on a lump in the frame of the deck [N].
+    /// Return the inertial force on a node in the deck's frame [N].
     [[nodiscard]] Vec3 force(double t) const {
         return kMass * acceleration * Vec3(std::sin(1.3 * t), 0.7 * std::sin(1.1 * t + 1.0), 0.0);
     }
@@ -63,7 +63,7 @@ World deck_world(const DeckWire& wire, std::vector<BodyId>& lumps) {
     return w;
 }
 
-/// The whole wire begins to slide, comes taut and reverses. One such step used to take 215
+/// The whole wire starts to slide, comes taut and reverses. One such step once took 215
 /// factorisations, and another one ended uncertified.
 TEST(DeckWire, TakesFewFactorisationsWhereItBeginsToSlide) {
     const DeckWire wire;
@@ -79,12 +79,12 @@ TEST(DeckWire, TakesFewFactorisationsWhereItBeginsToSlide) {
         EXPECT_EQ(s.flips_left, 0) << i;
         EXPECT_LE(s.momentum_residual, 1e-9) << i;
     }
-    // Two a step, and a few in steps in which the wire comes taut; the first step starts from soft
-    // tangents.
+    // Two per step, and a few in steps in which the wire comes taut; the first step starts from
+    // soft tangents.
     EXPECT_LE(most, 10);
 }
 
-/// φ* of a contact with a disk of fixed radius: normal and tangential part.
+/// Compute φ* of a contact with a disk of fixed radius: normal and tangential part.
 double held_energy(const nonsmooth::Cone& c, const double u[3], double radius) {
     const double n = std::max(0.0, c.b[0] - u[0]);
     const double t = std::hypot(c.b[1] - u[1], c.b[2] - u[2]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Repeated edits do not allocate once memory has reached its maximum.
+/// Edits allocate nothing once memory is large enough for them.
 #include "stepper/allocation_counter.h"
 #include "stepper/scenes.h"
 #include "support/recipe.h"
@@ -18,8 +18,8 @@ struct Edit {
     std::function<void()> make;
 };
 
-/// Objects added and removed beside two rigid bodies of a world. Names are short: memory of longer
-/// ones belongs to the caller.
+/// Objects added to and removed from a world with two rigid bodies. Names are short: memory of
+/// longer ones belongs to the caller.
 class Coming {
   public:
     explicit Coming(World& w) : w_(w) {
@@ -90,7 +90,8 @@ class Coming {
     WireId id_{};
 };
 
-/// @param most_grown  Steps that may grow, because more touches than ever before.
+/// Expect no allocations. @param most_grown  Number of steps that may grow because of more contacts
+/// than ever before.
 void expect_none(World& w, int warm, int rounds, int most_grown) {
     Coming coming(w);
     const std::vector<Edit> edits = coming.edits();
@@ -127,7 +128,7 @@ void expect_none(World& w, int warm, int rounds, int most_grown) {
     }
 }
 
-/// Two hulls that stand on a floor, rigid links and a wire between them, and a wire that lies.
+/// Make two hulls on a floor, rigid links and a wire between them, and a wire that lies.
 World small_yard(int threads) {
     WorldDef def;
     def.threads = threads;
@@ -196,7 +197,7 @@ TEST(EditAllocation, NoneOnceWarmInACommittedScene) {
     }
 }
 
-/// A wire that carries a load gets nodes and loses them again, as a winch or a resolution does.
+/// A wire with a load gets nodes and loses them again, like by a winch or a resolution.
 TEST(EditAllocation, NoneWhereNodesComeAndGo) {
     if (!kCountsAllocations) GTEST_SKIP() << "a sanitizer owns malloc";
     for (const int threads : {1, 2}) {
@@ -217,9 +218,8 @@ TEST(EditAllocation, NoneWhereNodesComeAndGo) {
                                         .drag = 20.0,
                                         .radius = 0.0,
                                         .consistent_mass = true});
-        for (int i = 0; i < 300; ++i) ASSERT_EQ(w.step(), Status::ok);  // until it hangs
-        // Slots of removed objects are reused after a while: as many rounds are needed until all
-        // are warm.
+        for (int i = 0; i < 300; ++i) ASSERT_EQ(w.step(), Status::ok);  // until it hangs still
+        // Slots of removed objects are reused after some time: this number of rounds is warm.
         constexpr int kWarm = 14, kRounds = 10, kNodes = 5;
         BodyId put[kNodes];
         int grown = 0, edits = 0;
@@ -256,8 +256,8 @@ TEST(EditAllocation, NoneWhereNodesComeAndGo) {
     }
 }
 
-/// Added and removed shapes do not change the system, whether or not their body may touch without
-/// them. A restored world, which repeats the last analysis, gives the same steps to the bit.
+/// Adding and removing shapes does not change the system, whether its body has other shapes or not.
+/// A step gives the bits of a restored world, which repeats the last analysis.
 TEST(EditAllocation, ShapesAloneAnalyseNothing) {
     World w = small_yard(1);
     const BodyId bodies[2] = {w.find_body("hull"), w.find_body("bare")};
@@ -282,7 +282,7 @@ TEST(EditAllocation, ShapesAloneAnalyseNothing) {
             ASSERT_EQ(again.state_hash(), w.state_hash()) << i << ", " << step;
         }
     }
-    // If two bodies touch for the first time, links are added by repair.
+    // If two bodies touch for the first time, links are repaired.
     EXPECT_LE(count(), before + 10);
 }
 

@@ -12,7 +12,7 @@ namespace hawser {
 namespace {
 
 /// Largest velocity and distance from the origin in a world, and the largest difference of
-/// velocities from another's.
+/// velocities to another one.
 struct Comparison {
     double scale = 0.0, extent = 0.0, difference = 0.0;
 };
@@ -33,7 +33,7 @@ TEST(Forms, EveryFormGivesTheSameVelocities) {
     int skip = 0;
     for (const auto& file : test::scene_files()) {
         if (test::kSanitized && skip++ % 3 != 0) continue;
-        // Two ways to the solution of contacts meet to the tolerance of their iterations.
+        // Solutions of contacts in two forms agree to the tolerance of their iterations.
         constexpr double kContacts = 1e-9;
         scene::Options tight;
         tight.set = {"settings.contact_tolerance=1e-10", "settings.solution_tolerance=1e-13"};
@@ -50,17 +50,17 @@ TEST(Forms, EveryFormGivesTheSameVelocities) {
             other.world.restore(made_of, state);
             ASSERT_EQ(other.world.step(), Status::ok) << file;
             const Comparison c = compare(reference.world, other.world);
-            // 1e-12 of the fastest body, or of a step of gravity if all are at rest: below that
-            // only the round-off of h g remains.
+            // 1e-12 of the fastest body, or of h g if all are at rest: smaller values are rounding
+            // errors of h g.
             const double floor = 9.81 * reference.world.settings().step;
-            // The gap of a joint that holds at the end of a step follows from the poses of two
-            // bodies: over a step, their rounding is a velocity.
+            // The gap of a joint iterated at the end of a step is computed from poses of two
+            // bodies: divided by the step, their rounding is a velocity.
             const double joints = reference.world.stats().completion_rounds > 0
                                       ? 2.0 * std::numeric_limits<double>::epsilon() * c.extent /
                                             reference.world.settings().step
                                       : 0.0;
-            // Water forces on ships, 1e7 N, have a rounding that moves lumps of 100 kg by ten times
-            // that.
+            // Forces of water on ships, 1e7 N, have rounding errors that move nodes of 100 kg by
+            // ten times that.
             const double plain = reference.world.find_system("sea") != nullptr ? 1e-11 : 1e-12;
             const double close = reference.world.stats().contacts > 0 ? kContacts : plain;
             EXPECT_LE(c.difference, close * std::max(c.scale, floor) + joints)

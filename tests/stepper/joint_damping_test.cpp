@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Relative-rotation damping of joints: it keeps chains of stiff links together and does not affect
-/// motions that the step resolves.
+/// Relative-rotation damping of joints: it stabilises chains of stiff links, and has no effect on
+/// resolved motions.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace hawser::test {
 namespace {
 
-/// Links along x, alternating by 1 mm to either side of the line, with a pull.
+/// Links along x, 1 mm off the line to either side, and the force on them.
 struct Chain {
     int links = 40;
     double length = 2.0, mass = 50.0;  ///< Length and mass of a link [m, kg].
@@ -36,7 +36,7 @@ Recipe taut_chain(InteractionKind joint, double damping, const Chain& chain = {}
         const Quat q = turn_between(Vec3::UnitX(), b - a);
         const BodyId link = r.rigid(0.5 * (a + b), q, kMass, {0.06, kAcross, kAcross});
         InteractionDef d = r.at(joint, {last, link}, a, about_y);
-        if (joint == InteractionKind::Universal)  // its second axis stands square to the first
+        if (joint == InteractionKind::Universal)  // its second axis is perpendicular to the first
             d.frame[1] = d.frame[1] * Quat(Eigen::AngleAxisd(EIGEN_PI / 2, Vec3::UnitX()));
         r.add(d);
         last = link;
@@ -48,7 +48,7 @@ Recipe taut_chain(InteractionKind joint, double damping, const Chain& chain = {}
     return r;
 }
 
-/// Largest kinetic energy in the last second of 20 s [J].
+/// Return the largest kinetic energy in the last second of 20 s [J].
 double late_energy(World w) {
     double most = 0.0;
     for (int i = 0; i < 1200; ++i) {
@@ -62,7 +62,7 @@ TEST(JointDamping, HoldsTautChainsTogether) {
     for (const InteractionKind kind :
          {InteractionKind::Ball, InteractionKind::Hinge, InteractionKind::Universal}) {
         const std::string name = kind_info(kind).name;
-        // The bow of 5 cm stores about 150 J; a multiple of it would be created energy.
+        // The bow of 5 cm contains about 150 J; many times more is created energy.
         EXPECT_LT(late_energy(taut_chain(kind, 0.1).make()), 5e3) << name;
         // Without damping the energy is above the bound: 9 to 20 kJ, depending on rounding.
         EXPECT_GT(late_energy(taut_chain(kind, 0.0).make()), 6e3) << name << ": damping unneeded";
@@ -70,7 +70,7 @@ TEST(JointDamping, HoldsTautChainsTogether) {
 }
 
 /// Short links under large forces: s (docs/theory/stiffness.md) is 130, 540 and 4300. With half of
-/// the damping explicit at any s they reached megajoules and came apart by metres.
+/// the damping explicit at any s they reached megajoules, with gaps of metres.
 TEST(JointDamping, HoldsTautChainsOfShortLinksTogether) {
     for (const double force : {5e5, 2e6, 1.6e7}) {
         const Chain chain{400, 0.25, 25.0, force, 1e-4};
@@ -81,8 +81,8 @@ TEST(JointDamping, HoldsTautChainsOfShortLinksTogether) {
             if (i >= 540) late = std::max(late, w.energy().kinetic);
             gap = std::max(gap, w.stats().violation_max);
         }
-        // Energy of the bow of 5 cm over the length L: T (A π/L)² L/4; the jolt of the start adds
-        // to it.
+        // Energy of the bow of 5 cm over the length L: T (A π/L)² L/4; the jolt of the start is
+        // added.
         const double slope = 0.05 * EIGEN_PI / (chain.links * chain.length);
         const double bow = 0.25 * force * slope * slope * chain.links * chain.length;
         EXPECT_LT(late, 3.0 * bow) << force;
@@ -91,8 +91,8 @@ TEST(JointDamping, HoldsTautChainsOfShortLinksTogether) {
     }
 }
 
-/// Two hinged bars that swing under gravity, resolved at 60 Hz: the default damping must not affect
-/// their motion. With and without it the results agree to fifth order in the step.
+/// Two hinged bars that swing under gravity: resolved at 60 Hz, so the default damping must be
+/// negligible compared with their motion. Undamped and default agree to fifth order in the step.
 TEST(JointDamping, LeavesAMechanismAlone) {
     auto angle_after = [](double damping, double h) {
         Recipe r;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The account of the energy check: the energy counted as exchanged.
+/// The account of the energy monitor: its measure of exchanged energy.
 #include "monitor/energy_account.h"
 
 #include <gtest/gtest.h>
@@ -7,8 +7,7 @@
 namespace hawser::stepper {
 namespace {
 
-/// Return the energies of a body of 50 J beside a spring at a check, with the spring by three
-/// accounts.
+/// Make a sample of a body of 50 J and a spring, with the spring's energy by three accounts.
 JudgePart shown(double by_rows, double by_length, double by_force) {
     JudgePart p;
     p.kinetic = 50.0;
@@ -19,8 +18,8 @@ JudgePart shown(double by_rows, double by_length, double by_force) {
     return p;
 }
 
-/// Return the energy exchanged after ten steps in which the energy of the spring alternates between
-/// the given value and none.
+/// Return the exchanged energy after ten steps in which the spring alternates between a given
+/// energy and 0.
 double exchanged(const JudgePart& most) {
     constexpr double kStep = 0.01;  // [s]
     JudgeState state;
@@ -30,13 +29,13 @@ double exchanged(const JudgePart& most) {
     return state.exchanged;
 }
 
-/// A spring that swings by all accounts: half the change of 8 J in each of ten steps.
+/// A spring that oscillates in all accounts: half the change of 8 J in each of ten steps.
 TEST(JudgeEnergy, CountsWhatSpringsExchange) {
     EXPECT_NEAR(exchanged(shown(8.0, 8.0, 8.0)), 40.0, 1e-12);
 }
 
-/// By one account, a stiff spring that the step does not resolve has energy that it never
-/// exchanges. If that counted, an error of a hundred joules would be small relative to it.
+/// An under-resolved stiff spring shows, in one account, energy that it never exchanges. If it
+/// counted, an error of a hundred joules would be relatively small.
 TEST(JudgeEnergy, TakesTheAccountByWhichSpringsExchangeLeast) {
     EXPECT_EQ(exchanged(shown(1e6, 0.0, 1e6)), 0.0);
     EXPECT_EQ(exchanged(shown(1e6, 1e6, 0.0)), 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Consecutive links are processed eight at a time, others one at a time: the motion is the same.
+/// Consecutive links run in batches of eight, others one by one: the motion is equal.
 #include "support/random.h"
 #include "support/recipe.h"
 #include "support/tier.h"
@@ -11,7 +11,7 @@
 namespace hawser::test {
 namespace {
 
-/// The same bodies, the last one first: no link stands before the next one of its chain.
+/// Make the same bodies in reverse order: no link precedes the next one of its chain.
 Recipe backwards(const Recipe& r) {
     Recipe b = r;
     std::reverse(b.bodies.begin(), b.bodies.end());
@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, LinkLanes,
                          testing::Combine(testing::Values(Form::condensed, Form::saddle),
                                           testing::Bool()));
 
-/// If some of the links touch the ground, the solution starts at 0, and contacts push.
+/// If some links touch the ground, the solution starts at 0, and contacts push.
 TEST_P(LinkLanes, MoveAsOneByOne) {
     const auto [form, touching] = GetParam();
     for (const std::uint32_t seed : seeds(1, 2, 8, 60)) {
@@ -43,15 +43,15 @@ TEST_P(LinkLanes, MoveAsOneByOne) {
             if (!touching) break;
             auto body = [&](int k) { return w == &row ? BodyId{k} : twin(k); };
             ShapeDef ground{.kind = ShapeKind::plane, .body = body(0)};
-            // The first link is attached to the ground and does not touch it.
+            // A joint connects the first link to the ground, so they do not collide.
             ground.position.z() = row.pose(BodyId{2}).position.z() - 0.15;
             w->add_shape(ground);
             for (int k = 1; k < n; ++k)
                 w->add_shape({.body = body(k), .radius = 0.2, .group = 2, .touches = 1});
         }
-        // The rounding of one step grows with every oscillating joint: 1e-9 in a dozen. Contacts
-        // move links so fast that joints are closed by moving poses, with solutions that are not
-        // refined (step/closing.h). For ways of a centimetre this gives 1e-6 along free directions.
+        // Rounding of one step grows with every rotating joint: 1e-9 in a dozen. Contacts move
+        // links so fast that position projection closes the joints, with unrefined solutions
+        // (step/closing.h): about 1e-6 of moves of a centimetre along free directions.
         const double close = touching ? 1e-6 : 1e-9;
         int contacts = 0;
         for (int step = 0; step < 12; ++step) {
@@ -70,8 +70,8 @@ TEST_P(LinkLanes, MoveAsOneByOne) {
     }
 }
 
-/// If the joints fill their arrays, no memory behind the last one may be read: the address
-/// sanitizer checks it. Bodies behind the chain let its last joints be processed in lanes, too.
+/// If the number of joints equals the capacity, nothing after the last one may be read: the address
+/// sanitizer detects it. Bodies after the chain allow batches for its last joints, too.
 TEST(LinkEnds, AreNotLeft) {
     for (const int links : {8, 16, 32, 64, 128}) {
         World world;
@@ -91,15 +91,15 @@ TEST(LinkEnds, AreNotLeft) {
                                             chain[static_cast<std::size_t>(k) + 1]},
                                    .point = {Vec3(0.5, 0, 0), Vec3(-0.5, 0, 0)}});
         for (int step = 0; step < 3; ++step) ASSERT_EQ(world.step(), Status::ok);
-        // All fall equally.
+        // All have the same fall.
         const Vec3 fall = world.velocity(chain.front()).linear;
         EXPECT_LT(fall.z(), -0.4);
         for (const BodyId b : chain) EXPECT_LE((world.velocity(b).linear - fall).norm(), 1e-12);
     }
 }
 
-/// Inertias not along the axes of their bodies are stored as matrices, others as three moments: the
-/// choice of axes has no effect. Without drag, which acts along axes.
+/// Inertias off their bodies' axes are matrices, others three moments: the choice of axes changes
+/// no motion. Without drag, which acts along axes.
 TEST(LinkAxes, MoveNothing) {
     Random random(7);
     Recipe along = chains(5, 2, 21);
@@ -122,7 +122,7 @@ TEST(LinkAxes, MoveNothing) {
         ASSERT_EQ(one.step(), Status::ok);
         ASSERT_EQ(other.step(), Status::ok);
     }
-    // One step of rounding grows with every joint that swings.
+    // Rounding of one step grows with every rotating joint.
     for (int k = 1; k < one.body_count(); ++k) {
         const Twist v = one.velocity(BodyId{k}), u = other.velocity(BodyId{k});
         EXPECT_LE((one.pose(BodyId{k}).position - other.pose(BodyId{k}).position).norm(), 1e-9)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A wire that breaks at its breaking load, and recoils, allocates no memory.
+/// A wire that breaks at its breaking load, and recoils, allocates nothing.
 #include "stepper/allocation_counter.h"
 
 #include <hawser/hawser.h>
@@ -19,7 +19,7 @@ TEST(Allocation, NoneWhereAWireParts) {
     def.EA = 2.33e8;
     def.mass_per_length = 23.0;
     const WireId wire = w.add_wire(def);
-    // A weak element beside the last one, slack until the wire has been stepped for a while.
+    // A weak element parallel to the last one, slack until the wire has been stepped for some time.
     InteractionDef weak = w.interaction_def(w.elements(wire)[20]);
     weak.name = "weak";
     weak.set("breaking_load", 1e3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Bodies that resist rolling and spinning: against each other, on a deck that moves, in a heap.
+/// Bodies with rolling and spinning resistance: against each other, on a moving deck, in a heap.
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>
@@ -47,12 +47,12 @@ BodyId add_plane(World& w, MaterialId material, BodyKind kind) {
     return id;
 }
 
-/// Two free balls that hit each other, one of them spinning: no torque from outside.
+/// Two free balls that collide, one of them spinning: no external torque.
 TEST(Resistance, BetweenTwoBodiesKeepsMomentum) {
     WorldDef def;
     def.gravity.setZero();
     def.contact_tolerance =
-        1e-11;  // relative to the torque that would stop the spin: bounds hold to 1e-9
+        1e-11;  // of the impulse that would stop the spin: bounds are met to 1e-9
     World w(def);
     const MaterialId felt = w.add_material(resisting(0.05, 0.1));
     const BodyId a = add_ball(w, felt, {0, 0, 0}), b = add_ball(w, felt, {1.02, 0.1, 0}, 0.5, 3.0);
@@ -78,13 +78,13 @@ TEST(Resistance, BetweenTwoBodiesKeepsMomentum) {
         }
         EXPECT_LE(w.stats().natural_map, 1e-6);
     }
-    EXPECT_GT(moment, 1.0);  // [N m]: it has acted.
+    EXPECT_GT(moment, 1.0);  // [N m]: resistance has acted.
     EXPECT_LT(w.energy().kinetic, energy == 0.0 ? 1e300 : energy);
-    // Rounding of some 100 N m s over 60 steps.
+    // Rounding of about 100 N m s over 60 steps.
     EXPECT_LT((momenta() - start).norm(), 1e-11);
 }
 
-/// Bodies at rest on a deck that rolls with the sea keep their position on the deck.
+/// A body at rest on a deck that rolls in a seaway keeps its place on the deck.
 TEST(Resistance, HoldsOnAMovingDeckWithoutCreep) {
     constexpr double kAmplitude = 0.06, kPeriod = 5.0, kStep = 1.0 / 60.0;  // 0.06 < 0.05/0.5
     World w;
@@ -104,7 +104,7 @@ TEST(Resistance, HoldsOnAMovingDeckWithoutCreep) {
     Pose settled;
     double drift = 0.0, turn = 0.0;
     for (int i = 0; i < 22 * cycle; ++i) {
-        // The step turns by the Cayley map: this one by exactly the change of tilt.
+        // The step rotates by the Cayley map: here exactly by the change of tilt.
         const double rate = 2.0 / kStep * std::tan(0.5 * (tilt(i + 1) - tilt(i)));
         w.set_velocity(deck, {Vec3::Zero(), rate * axis});
         ASSERT_EQ(w.step(), Status::ok);
@@ -114,8 +114,8 @@ TEST(Resistance, HoldsOnAMovingDeckWithoutCreep) {
         drift = std::max(drift, (now.position - settled.position).norm());
         turn = std::max(turn, now.orientation.angularDistance(settled.orientation));
     }
-    EXPECT_LT(drift, 1e-9);  // Over 20 cycles, as a box that does not creep.
-    EXPECT_LT(turn, 1e-7);   // angularDistance() computes an arc cosine: √ε near zero.
+    EXPECT_LT(drift, 1e-9);  // Over 20 cycles, like a box without creep.
+    EXPECT_LT(turn, 1e-7);   // angularDistance() takes an arc cosine: √ε near zero.
 }
 
 TEST(Resistance, HeapIsSolvedAndMakesNoEnergy) {
@@ -134,14 +134,14 @@ TEST(Resistance, HeapIsSolvedAndMakesNoEnergy) {
         ASSERT_EQ(w.step(), Status::ok);
         unsolved += w.stats().natural_map > 1e-6 ? 1 : 0;
         const double now = w.energy().mechanical();
-        // The sum excludes contact springs, which return their energy: about (10 kg g)²/2k per
-        // ball, and more at an impact.
+        // The sum leaves out contact springs, which return their energy: about (10 kg g)²/2k per
+        // ball, and more at impacts.
         EXPECT_LT(now, energy + 0.5) << i;
         energy = std::min(energy, now);
         for (const ContactView& c : w.contacts()) moment = std::max(moment, c.moment.norm());
     }
-    // Steps in which balls hit may end without a certificate: of 1,800 of six such heaps 5 with
-    // friction alone, 6 with this.
+    // Steps with impacts may end without a certificate: of 1,800 steps of six such heaps 5 with
+    // friction alone, 6 with resistance.
     EXPECT_LE(unsolved, 3);
     EXPECT_GT(moment, 0.1);
     EXPECT_LT(w.energy().kinetic, 1.0);

@@ -12,7 +12,7 @@
 
 namespace hawser::test {
 
-/// Scene files of the repository, sorted.
+/// Return scene files of the repository, sorted.
 inline std::vector<std::filesystem::path> scene_files() {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator("scenes")) {

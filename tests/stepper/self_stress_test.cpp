@@ -20,7 +20,7 @@ void join(World& world, BodyId a, const Vec3& at_a, BodyId b, const Vec3& at_b) 
     world.add_interaction(ball);
 }
 
-/// Rigid links that hang from a float at the origin to an anchor.
+/// Add rigid links that hang from a float at the origin to an anchor.
 void moor(World& world, BodyId from, BodyId anchor, const Vec3& foot, int links) {
     const Vec3 top = Vec3::Zero();
     const auto nodes = scene::hang(top, foot, links * kLength, links, Vec3(0.0, 0.0, -1.0));
@@ -44,7 +44,7 @@ void moor(World& world, BodyId from, BodyId anchor, const Vec3& foot, int links)
     join(world, before, hold, anchor, foot);
 }
 
-/// Two chains from a heavy float down to the seabed: a loop through every joint, none of them
+/// Add two chains from a heavy float to the seabed: a loop through every joint, none of them
 /// redundant.
 void moor_float(World& world, int links) {
     const BodyId seabed = world.add_body({.kind = BodyKind::fixed});
@@ -58,8 +58,8 @@ void moor_float(World& world, int links) {
         moor(world, held, seabed, Vec3(side * flat, 0.0, -depth), links);
 }
 
-// A few of the 20,000 joints have almost no force, and must not count as redundant. Otherwise each
-// step would take one more substitution than the one after each factorisation.
+// Among 20,000 joints a few have values near 0, and must not count as redundant. Otherwise each
+// step takes one substitution in addition to the one after each factorisation.
 TEST(SelfStress, LongChainsAreNotFilteredForTheFewJointsThatDrawNothing) {
     World world({.refinements = 0});
     moor_float(world, 10'000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines that go slack in the iterations of contacts: the matrix follows both.
+/// Lines that go slack in the iterations that find contacts: the matrix follows both.
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>
@@ -10,8 +10,7 @@
 namespace hawser {
 namespace {
 
-/// Two weightless wires from one point, tight or slack, whose last nodes or elements collide
-/// head-on.
+/// Make two weightless wires from one point, taut or slack, whose last nodes or elements collide.
 World meeting_wires(int elements, bool segments) {
     World w({.on_diverged = OnDiverged::warn});
     BodyDef ground;
@@ -46,7 +45,7 @@ World meeting_wires(int elements, bool segments) {
 }
 
 TEST(SlackContact, LinesThatSwitchDuringTheIterationsStayInTheMatrix) {
-    // Wires collide at a speed at which their law does not hold.
+    // Wires collide, and their lines switch between taut and slack in the iterations.
     for (const auto& [elements, segments] :
          {std::pair(1, false), std::pair(3, true), std::pair(10, false), std::pair(10, true)}) {
         World w = meeting_wires(elements, segments);
@@ -54,9 +53,8 @@ TEST(SlackContact, LinesThatSwitchDuringTheIterationsStayInTheMatrix) {
         for (int i = 0; i < 14; ++i) {
             ASSERT_EQ(w.step(), Status::ok);
             touched = touched || w.stats().contacts > 0;
-            // At rest the residual is relative to a millionth of the impulse of one weight in a
-            // step: 1e-6 of that is no force at all. A matrix without one of the rows gives 1e9 and
-            // more.
+            // At rest the residual is relative to a millionth of one weight's impulse in a step:
+            // 1e-6 of that is negligible. A matrix without a row would give 1e9 and more.
             EXPECT_LT(w.stats().momentum_residual, 1e-5) << elements << ", step " << i;
             for (int b = 1; b < w.body_count(); ++b)
                 EXPECT_LT(w.velocity(BodyId{b}).linear.norm(), 6.0) << elements << ", step " << i;
@@ -65,7 +63,7 @@ TEST(SlackContact, LinesThatSwitchDuringTheIterationsStayInTheMatrix) {
     }
 }
 
-/// A weight on a slack line falls until the line is taut, then bounces or swings.
+/// Make a weight on a slack line, which falls until the line comes taut, and bounces or swings.
 World falling_weight(double stiffness, double aside, bool touching) {
     World w;
     BodyDef ground;
@@ -80,7 +78,7 @@ World falling_weight(double stiffness, double aside, bool touching) {
     line.damping_time[0] = 0.0;
     w.add_interaction(line.set("length", 1.0).set("EA", stiffness).set("tension_only", 1.0));
     if (!touching) return w;
-    // Another one, in touch with a floor: lines then switch in the iterations for contacts.
+    // Another weight in contact with a floor: lines then switch in the iterations for contacts.
     ShapeDef s;
     s.kind = ShapeKind::plane;
     s.body = top;
@@ -109,8 +107,8 @@ TEST(SlackLine, ComingTautMakesNoEnergy) {
                     taut += w.force(InteractionId{0})[0] < 0.0 ? 1 : 0;
                 }
                 EXPECT_GT(taut, 5);
-                // Rounding of the 98 J of the fall. A line that starts with too much damping is
-                // stretched by the energy that it should have dissipated, 76 J to 9e5 J.
+                // Rounding of the 98 J of the fall. A fault started a line with more damping than
+                // its own: the weight that it should have stopped stretched it, 76 J to 9e5 J.
                 EXPECT_LE(most - before, 1e-9) << stiffness << ", " << aside << ", " << touching;
             }
 }

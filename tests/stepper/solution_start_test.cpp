@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Start of the solution of a step, and condition of its refinement.
+/// Start of the solution of a step, and conditions of its refinement.
 #include "stepper/scenes.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@ namespace hawser {
 namespace {
 
 struct Seen {
-    double residual = 0.0;  ///< Largest, from the tenth step on.
-    int refined = 0;        ///< Steps from the 70th on that were.
+    double residual = 0.0;  ///< Largest residual from the tenth step on.
+    int refined = 0;        ///< Number of refined steps from the 70th on.
 };
 
 Seen run(const char* file, const std::vector<std::string>& set) {
@@ -29,9 +29,8 @@ Seen run(const char* file, const std::vector<std::string>& set) {
     return seen;
 }
 
-/// Chains of rigid links are condensed. This leaves an error of 1e-7 of a solution that starts at
-/// rest (heavy_hook) and 2e-9 (mooring). A start from extrapolated velocities leaves a thousandth
-/// of it.
+/// Chains of rigid links are condensed, which leaves 1e-7 of a solution that starts at rest
+/// (heavy_hook) and 2e-9 (mooring). A start at the expected velocities leaves a thousandth of that.
 TEST(SolutionStart, LeavesLittleToRefine) {
     EXPECT_LE(run("heavy_hook", {"settings.refinements=0"}).residual, 1e-9);
     EXPECT_LE(run("mooring", {"settings.refinements=0"}).residual, 1e-10);

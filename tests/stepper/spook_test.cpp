@@ -10,7 +10,7 @@
 namespace hawser::test {
 namespace {
 
-/// A lump on a spring along x between it and the origin, rest length `rest`.
+/// Make a point mass on a spring along x between it and the origin, rest length `rest`.
 Recipe oscillator(double h, double mass, double compliance, double tau, double x, double v) {
     Recipe r;
     r.world.step = h;
@@ -33,19 +33,19 @@ TEST(Spook, StaticDeflectionDoesNotDependOnStepOrDamping) {
         for (double n : {0.5, 2.0, 5.0}) {
             Recipe r = oscillator(h, kMass, kCompliance, n * h, 0.0, 0.0);
             r.world.gravity = {kWeight, 0, 0};
-            // In equilibrium: the static solution must be a fixed point of the scheme.
+            // At rest: the static solution must be a fixed point of the scheme.
             r.bodies[1].position.x() = 10.0 + kCompliance * kMass * kWeight;
             World w = r.make();
             for (int i = 0; i < 500; ++i) ASSERT_EQ(w.step(), Status::ok);
             const double g = w.violation(InteractionId{0})[0];
             const double f = w.force(InteractionId{0})[0];
-            // Positions of 10 m carry 2e-15 m.
+            // Positions of 10 m have rounding errors of 2e-15 m.
             EXPECT_NEAR(g, 0.00981, 1e-12) << "h " << h << " n " << n;
             EXPECT_NEAR(g, -kCompliance * f, 1e-12);
         }
 }
 
-/// A row without compliance already holds at the end of the first step, to a fraction of its Σ.
+/// A row without compliance is closed at the end of the first step already, to a fraction of its Σ.
 TEST(Spook, ARigidRowHoldsAtTheEndOfTheStep) {
     World w = oscillator(1.0 / 60, 1.0, 0.0, 2.0 / 60, 1.0, 0.0).make();
     for (int k = 0; k < 30; ++k) {
@@ -56,7 +56,7 @@ TEST(Spook, ARigidRowHoldsAtTheEndOfTheStep) {
 
 /// 2. Decay of a violation, ε → 0, n = 2: 1, 5/9, 7/27, 1/9, …
 TEST(Spook, ViolationDecaysWithTheDoubleRootOfOneThird) {
-    // A row without compliance holds at the end of the first step (completion.h).
+    // A row without compliance is closed at the end of the first step (completion.h).
     for (double compliance : {1e-12}) {
         const double h = 1.0 / 60;
         World w = oscillator(h, 1.0, compliance, 2 * h, 1.0, 0.0).make();
@@ -65,7 +65,7 @@ TEST(Spook, ViolationDecaysWithTheDoubleRootOfOneThird) {
         for (int k = 0; k < 30; ++k) {
             ASSERT_EQ(w.step(), Status::ok);
             const double g = w.violation(InteractionId{0})[0];
-            // A rigid row has a floor of Σ = 1e-9 G M⁻¹Gᵀ; that of 1e-12 m/N is 1.6e-9.
+            // A rigid row has a floor of Σ = 1e-9 G M⁻¹Gᵀ; Σ of 1e-12 m/N is 1.6e-9.
             if (k < 3) {
                 EXPECT_NEAR(g, want[k], 5e-9) << "step " << k + 1;
             }
@@ -91,15 +91,15 @@ TEST(Spook, UndampedOscillatorKeepsItsInvariant) {
             const double bar = g - 0.5 * h * v;
             const double e = 0.5 * mass * v * v + 0.5 * mass * omega * omega * bar * bar;
             if (k == 0) first = e;
-            // Rounding of x ≈ 10 is 2e-15 m each step, a random walk of 2e4 steps: 1e-13 or so
-            // of 0.3 m, and the energy twice that.
+            // Rounding of x ≈ 10 is 2e-15 m per step, a random walk of 2e4 steps: about 1e-13 of
+            // 0.3 m, and twice that in the energy.
             ASSERT_NEAR(e / first, 1.0, 1e-11) << "step " << k << " Ω " << omega_h;
         }
         EXPECT_NEAR(w.energy().mechanical() / first, 1.0, 1e-11);
     }
 }
 
-/// 4. |z| ≤ 1 for every n and Ω, and the decay is that of the characteristic polynomial.
+/// 4. |z| ≤ 1 for every n and Ω, with the decay of the characteristic polynomial.
 TEST(Spook, LinearOscillatorFollowsItsCharacteristicPolynomial) {
     for (double n : {0.0, 0.5, 2.0, 10.0})
         for (double omega_h : {0.01, 0.3, 2.0, 30.0}) {
@@ -119,7 +119,7 @@ TEST(Spook, LinearOscillatorFollowsItsCharacteristicPolynomial) {
                 const double g = w.pose(BodyId{1}).position.x() - 10.0;
                 ASSERT_NEAR(a * g + b * g1 + c * g0, 0.0, 1e-12 * a)
                     << "n " << n << " Ω " << omega_h;
-                // Without damping, two equal first positions give at most 2/sin θ, tan(θ/2) = Ω/2.
+                // Undamped, two equal first positions give at most 2/sin θ, tan(θ/2) = Ω/2.
                 ASSERT_LE(std::abs(g), 0.02 * (1 + q) / omega_h);
                 g0 = g1;
                 g1 = g;
@@ -150,7 +150,7 @@ TEST(FreeBody, AngularMomentumIsConserved) {
         const Vec3 first = momentum();
         for (int k = 0; k < 2000; ++k) {
             ASSERT_EQ(w.step(), Status::ok);
-            // Random walk of rounding: 2000 steps of 2⁻⁵³ times a few, with a margin.
+            // Random walk of rounding errors: 2000 steps of some 2⁻⁵³, with a margin.
             ASSERT_LE((momentum() - first).norm(), 1e-13 * 20 * first.norm())
                 << "speed " << speed << " step " << k;
         }

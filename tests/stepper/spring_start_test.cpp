@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Springs far too stiff for the step begin with the energy that bodies bring
-/// (step/stagger.cpp).
+/// Springs much too stiff for the step start with the energy of the bodies (step/stagger.cpp).
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>
@@ -13,7 +12,7 @@ namespace {
 
 constexpr double kMass = 2.0, kSpeed = 3.0;
 
-/// A mass on an undamped spring at its rest length, which it stretches at 3 m/s.
+/// Make a mass on an undamped spring at its rest length, which it stretches at 3 m/s.
 World pulled(double stiffness) {
     World w({.step = 1.0 / 60.0, .gravity = {0, 0, 0}});
     const BodyId ground = w.add_body({.kind = BodyKind::fixed});
@@ -31,7 +30,7 @@ World pulled(double stiffness) {
 }
 
 /// (hω/2)² of 3e-5, 0.035, 35 and 3.5e4. If the step resolves the oscillation, the start is of
-/// second order; if not, the invariant of the scheme is the initial energy.
+/// second order; otherwise the invariant of the scheme is the energy of the start.
 TEST(SpringStart, MakesNoEnergy) {
     const double given = 0.5 * kMass * kSpeed * kSpeed;
     for (const double stiffness : {1.0, 1e3, 1e6, 1e9}) {
@@ -44,7 +43,7 @@ TEST(SpringStart, MakesNoEnergy) {
             least = std::min(least, energy);
         }
         const double z = stiffness / (4.0 * 3600.0 * kMass);
-        // The plain start leaves z of it too much; the other one is exact for a spring alone.
+        // The plain start adds z of it; the other one is exact for a spring alone.
         EXPECT_LE(most, given * (z < 0.25 ? 1.0 + 1.01 * z : 1.0 + 1e-9)) << stiffness;
         EXPECT_GE(least, given * (1.0 - 1e-9)) << stiffness;
     }

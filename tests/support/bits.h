@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file bits.h
-/// Runs that must give the same bits: on any number of threads, and continued from a state that
-/// another world has restored.
+/// Runs that must give equal bits: on any number of threads, and continued in another world from a
+/// saved state.
 
 #include <hawser/hawser.h>
 
@@ -16,18 +16,16 @@
 
 namespace hawser::test {
 
-/// Steps at which the bits of a run are compared.
+/// Points at which the bits of a run are compared.
 struct SameBits {
     int steps = 0;
     std::initializer_list<int> restored;  ///< Steps after which another world continues.
     std::initializer_list<int> threads{2, 4};
 };
 
-/// @param make  Function that builds the scene for a number of threads; its member `w` is the
-///        World.
-/// @param before  Change of a deck before step i, from 0 on.
-/// @return state hashes after each step. @param at_end  Called with a deck that has run without
-///        restores.
+/// Expect equal bits. @param make  Makes the scene for a number of threads; its member `w` is the
+/// World. @param before  Changes a deck before step i, from 0 on. @param at_end  Called with a deck
+/// that ran without a restore. @return state hashes after each step.
 template <class Make, class Before, class AtEnd>
 std::vector<std::uint64_t> hashes_of(const Make& make, int steps, const Before& before, int threads,
                                      int restored, const AtEnd& at_end) {
@@ -67,7 +65,7 @@ void expect_same_bits(const SameBits& look, const Make& make, const Before& befo
     for (const int at : look.restored) EXPECT_EQ(hashes(1, at), one) << at;
 }
 
-/// Return the message with which a World rejects a definition; "": it is accepted.
+/// Return the message of a World that rejects a definition; "" if it accepts it.
 template <class Def>
 std::string refusal_of(World& w, const Def& def) {
     try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// Cranes of usual size on a body that stands: a knuckle boom of 25 t, a lattice boom of 500 t.
+/// Cranes of usual size on a fixed body: a knuckle boom of 25 t, a lattice boom of 500 t.
 #include <hawser/crane.h>
 #include <hawser/hawser.h>
 

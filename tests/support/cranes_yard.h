@@ -15,7 +15,7 @@ namespace hawser::test {
 inline constexpr double kYardStep = 1.0 / 60.0;
 inline constexpr double kSling = 1.0;
 
-/// @tparam Def  Its crane hangs the weight from the start.
+/// @tparam Def  Definition of the crane, which carries the weight from the start.
 template <class Def>
 struct CraneYard {
     World w;
@@ -41,7 +41,7 @@ struct CraneYard {
     }
     CraneYard(Def (*make)(BodyId), double mass) : CraneYard(make, mass, [](Def&) {}) {}
 
-    /// Return the initial point of the hook of such a crane.
+    /// Return the position of the hook of such a crane at the start.
     static Vec3 point_of(Def (*make)(BodyId)) {
         World w;
         const Def def = make(w.add_body({.kind = BodyKind::fixed}));
@@ -61,7 +61,7 @@ struct CraneYard {
     }
     [[nodiscard]] double tension(const char* name) const { return -w.force(part(name))[0]; }
     [[nodiscard]] std::int64_t count(EventKind kind) const { return w.event_extremes(kind).count; }
-    /// Return the mean of `read` over a duration.
+    /// Return the mean of `read` over a time.
     double mean(double seconds, const auto& read) {
         const long steps = std::lround(seconds / kYardStep);
         double sum = 0.0;

@@ -14,7 +14,7 @@ namespace {
 using Real = long double;
 using Index = Eigen::Index;
 
-/// Rows of a square matrix, row after row; `at(i, j)`.
+/// Rows of a square matrix in sequence; `at(i, j)`.
 template <class T>
 struct Square {
     explicit Square(Index size) : n(size), entry(static_cast<std::size_t>(size * size)) {}
@@ -38,7 +38,7 @@ void pivot(Square<Real>& a, std::vector<Real>& y, std::vector<Index>& column, In
     std::swap(column[static_cast<std::size_t>(step)], column[static_cast<std::size_t>(col)]);
 }
 
-/// A rotation in the plane of p and q that makes a(p, q) zero.
+/// Rotate in the plane of p and q so that a(p, q) becomes zero.
 void rotate(Square<double>& a, Square<double>& v, Index p, Index q) {
     const double theta = 0.5 * (a(q, q) - a(p, p)) / a(p, q);
     const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(theta, 1.0));
@@ -93,7 +93,7 @@ Eigen::VectorXd solve_dense(const Eigen::MatrixXd& k, const Eigen::VectorXd& b) 
 }
 
 Spectrum spectrum(const Eigen::MatrixXd& symmetric) {
-    constexpr int kSweeps = 60;  // converges quadratically: about ten do
+    constexpr int kSweeps = 60;  // converges quadratically: about ten are sufficient
     const Index n = symmetric.rows();
     Square<double> a(n), v(n);
     for (Index i = 0; i < n; ++i) {
@@ -106,7 +106,7 @@ Spectrum spectrum(const Eigen::MatrixXd& symmetric) {
         changed = false;
         for (Index p = 0; p < n; ++p)
             for (Index q = p + 1; q < n; ++q) {
-                // A rotation would not change an eigenvalue or its vector.
+                // A rotation would change neither eigenvalue nor its vector.
                 const double small = 1e-18 * (std::abs(a(p, p)) + std::abs(a(q, q)));
                 if (std::abs(a(p, q)) <= small) continue;
                 rotate(a, v, p, q);

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file dense_reference.h
-/// Slow and simple dense linear algebra as a reference. Compiled once: Eigen's own solvers of
+/// Slow and direct dense linear algebra as a reference. Compiled once: Eigen's own solvers of
 /// dynamic size take seconds to compile in each source that uses them.
 
 #include <hawser/math.h>
 
 namespace hawser::test {
 
-/// K x = b in long double with complete pivoting. Unknowns past the rank of K are 0.
+/// Solve K x = b in long double with complete pivoting. Unknowns past the rank of K are 0.
 [[nodiscard]] Eigen::VectorXd solve_dense(const Eigen::MatrixXd& k, const Eigen::VectorXd& b);
 
-/// A = V diag(values) Vᵀ, values in no order.
+/// A = V diag(values) Vᵀ, values unsorted.
 struct Spectrum {
     Eigen::VectorXd values;
-    Eigen::MatrixXd vectors;  ///< Orthonormal, one a column.
+    Eigen::MatrixXd vectors;  ///< Orthonormal columns.
 };
 
-/// Compute the spectrum of a symmetric matrix by Jacobi's rotations until all entries off the
-/// diagonal vanish. It is as exact as the rounding of A (Golub and Van Loan, Matrix Computations,
-/// section 8.5).
+/// Decompose a symmetric matrix by Jacobi's rotations until it is diagonal: as exact as the
+/// rounding of A (Golub and Van Loan, Matrix Computations, section 8.5).
 [[nodiscard]] Spectrum spectrum(const Eigen::MatrixXd& symmetric);
 
 }  // namespace hawser::test

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostBodies = 60, kMostInteractions = 80;
 constexpr int kMostSystems = 4;
-constexpr double kFar = 30.0;  ///< Beyond this distance thrown bodies are joined to nothing [m].
+constexpr double kFar = 30.0;  ///< Distance beyond which no new joints are made [m].
 
 }  // namespace
 
@@ -56,7 +56,7 @@ bool Editor::add_box() {
     return true;
 }
 
-/// Mostly a box.
+/// Add a body, mostly a box.
 bool Editor::add_body() {
     const double which = random_.unit();
     if (which < 0.7) return add_box();
@@ -74,7 +74,7 @@ bool Editor::add_body() {
     return true;
 }
 
-/// A joint half-way between two bodies, or a rod.
+/// Add a joint midway between two bodies, or a rod.
 bool Editor::add_joint() {
     const BodyId a = any_body(), b = any_body();
     const auto rigid = [&](BodyId id) {
@@ -109,7 +109,7 @@ bool Editor::add_shape() {
     return true;
 }
 
-/// Add an input of the length of a rod, or of a force on a body.
+/// Add an input for a rod's length, or for a force on a body.
 bool Editor::add_input() {
     InputDef def{.name = "input " + std::to_string(names_++)};
     const auto all = first().interactions();
@@ -135,7 +135,7 @@ bool Editor::add_input() {
     return true;
 }
 
-/// Changes a length a little, or pushes.
+/// Change a length slightly, or a force.
 bool Editor::set_input() {
     std::erase_if(inputs_, [&](InputId id) { return !first().alive(id); });
     if (inputs_.empty()) return false;
@@ -186,7 +186,7 @@ void Editor::edit() {
                           first().interactions().size() > kMostInteractions;
         auto kind = static_cast<Edit>(random_.integer(0, static_cast<int>(Edit::count) + 2));
         if (kind >= Edit::count || (full && kind < Edit::input)) kind = Edit::remove;
-        if (!act(kind)) continue;  // no effect
+        if (!act(kind)) continue;  // nothing to do
         ++edits_;
         ++done_[static_cast<std::size_t>(kind)];
         return;

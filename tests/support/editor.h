@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file editor.h
-/// Random edits of several worlds at once, the same in each. They add and remove bodies, joints,
-/// wires, shapes, inputs and systems.
+/// Random edits applied equally to several worlds: bodies, joints, wires, shapes, inputs and
+/// systems are added and removed.
 
 #include <hawser/world.h>
 
@@ -22,21 +22,21 @@ enum class Edit { body, joint, wire, shape, input, system, part, remove, set, co
 
 class Editor {
   public:
-    /// Each world gets a floor and some boxes. They may differ in threads only.
+    /// Add a floor and some boxes to each world. Worlds may differ only in threads.
     Editor(std::uint64_t seed, std::vector<World*> worlds);
 
-    /// One edit that does something, of each world.
+    /// Apply one effective edit to each world.
     void edit();
-    /// So far.
+    /// Return the number of edits since the start.
     [[nodiscard]] int edits() const noexcept { return edits_; }
-    /// Kinds and how many of each, in one line.
+    /// Return the kinds and counts of edits in one line.
     [[nodiscard]] std::string summary() const;
-    /// Bodies that were removed.
+    /// Return the removed bodies.
     [[nodiscard]] const std::vector<BodyId>& gone() const noexcept { return gone_.bodies; }
-    /// Ids of all that was removed, and how many of them a world does not refuse.
+    /// Return the number of removed ids, and the number of these that a world still accepts.
     [[nodiscard]] std::size_t gone_count() const noexcept;
     [[nodiscard]] std::size_t not_refused(World& world) const;
-    /// Replace one of the worlds by another one.
+    /// Replace one of the worlds.
     void replace(std::size_t index, World& world) noexcept { worlds_[index] = &world; }
 
   private:
@@ -48,9 +48,9 @@ class Editor {
     T any(std::span<const T> ids) {
         return ids[static_cast<std::size_t>(random_.integer(0, static_cast<int>(ids.size()) - 1))];
     }
-    /// The floor included.
+    /// Return any body, including the floor.
     BodyId any_body() { return any(first().bodies()); }
-    // Each returns true if it made a change.
+    // Apply an edit of a kind. @return true if it had an effect.
     bool act(Edit kind);
     bool add_box();
     bool add_body();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires and systems of an Editor, and its removals.
+/// Wires, systems and removals of an Editor.
 #include "support/editor.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace hawser::test {
 namespace {
 
-/// Pulls a body and sets an input, while they exist.
+/// Pulls a body and sets an input, as long as they exist.
 class Tug final : public System {
   public:
     Tug(std::string name, BodyId body, InputId input)
@@ -44,8 +44,8 @@ class Tug final : public System {
 
 }  // namespace
 
-/// Add a chain from above piece by piece: lumps, stretch rows between them, and segments that
-/// touch.
+/// Add a chain above the others, piece by piece: point masses, stretches between them, and touching
+/// segments.
 bool Editor::add_chain() {
     const Vec3 top(random_.uniform(-4, 4), random_.uniform(-4, 4), 4.0);
     BodyId last = add(BodyDef{.kind = BodyKind::fixed, .position = top});
@@ -62,7 +62,7 @@ bool Editor::add_chain() {
     return true;
 }
 
-/// Between two bodies, or with a free end.
+/// Add a wire between two bodies, or with a free end.
 bool Editor::add_wire() {
     const BodyId from = any_body(), to = any_body();
     const auto holds = [&](BodyId id) { return first().body_def(id).kind != BodyKind::scalar; };
@@ -88,7 +88,7 @@ bool Editor::add_wire() {
     return true;
 }
 
-/// At a material coordinate, or an element of any wire.
+/// Cut at a material coordinate, or break an element of any wire.
 bool Editor::part_wire() {
     const auto wires = first().wires();
     if (wires.empty()) return false;
@@ -121,7 +121,7 @@ bool Editor::remove_system() {
     return true;
 }
 
-/// `call` removes an object of one world and returns the removed parts.
+/// Remove from all worlds; `call` returns the removed objects of one world.
 template <class Id, class F>
 bool Editor::remove(Id id, F&& call) {
     for (World* w : worlds_) {
@@ -148,7 +148,7 @@ bool Editor::remove(Id id, F&& call) {
     return true;
 }
 
-/// Rather one that has been thrown far away.
+/// Remove a body, preferably one that has moved far away.
 bool Editor::remove_body() {
     const auto all = first().bodies();
     const auto far = std::find_if(all.begin(), all.end(),

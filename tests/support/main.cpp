@@ -14,7 +14,7 @@
 
 namespace {
 
-/// Processor time of this process and its ended children [s].
+/// Return the processor time of this process and its ended children [s].
 double processor_time() {
     double sum = 0.0;
     for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file post.h
-/// Two weights on a line over a post, for tests.
+/// Two weights on a line over a bollard.
 
 #include <hawser/hawser.h>
 #include <hawser/route.h>
@@ -11,8 +11,8 @@
 
 namespace hawser::test {
 
-/// The second weight is `share` of the maximum that friction at these turning points, in turn
-/// around the post, can hold with the first one.
+/// The second weight is a fraction `share` of the one that friction can hold against the first one,
+/// with a given number of touching points and turns around the bollard.
 struct Post {
     static constexpr double kRub = 0.3, kLight = 50.0;
     World w;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random.h
-/// Numbers that are the same on every machine (std::uniform_real_distribution is not).
+/// Random numbers that are equal on every machine (std::uniform_real_distribution is not).
 
 #include <hawser/math.h>
 
@@ -14,10 +14,10 @@ namespace hawser::test {
 class Random {
   public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
-    /// In [0, 1).
+    /// Return a number in [0, 1).
     double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
     double uniform(double low, double high) { return low + (high - low) * unit(); }
-    /// In [low, high], both included.
+    /// Return an integer from low to high, both included.
     int integer(int low, int high) {
         return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
     }

@@ -9,7 +9,7 @@ constexpr InteractionKind kJoints[] = {InteractionKind::Ball,      InteractionKi
                                        InteractionKind::Universal, InteractionKind::Lock,
                                        InteractionKind::Distance};
 
-/// Frame 1 of a universal joint has its z square to that of frame 0.
+/// Set z of frame 1 of a universal joint perpendicular to z of frame 0.
 void square_axes(InteractionDef& d) {
     if (d.kind == InteractionKind::Universal)
         d.frame[1] = d.frame[1] * Quat(Eigen::AngleAxisd(EIGEN_PI / 2, Vec3::UnitX()));
@@ -31,7 +31,7 @@ BodyId random_rigid(Recipe& r, Random& random, const Vec3& x) {
     return id;
 }
 
-/// Joints between a random earlier body and each new one, drives on some of them.
+/// Add joints between a random earlier body and each new one, drives on some of them.
 std::vector<BodyId> add_links(Recipe& r, Random& random, int links, BodyId root) {
     std::vector<BodyId> tree{root};
     for (int i = 0; i < links; ++i) {
@@ -65,7 +65,7 @@ std::vector<BodyId> add_links(Recipe& r, Random& random, int links, BodyId root)
     return tree;
 }
 
-/// A wire from `end` that a scalar drum pays out, with bending stiffness.
+/// Add a wire from `end`, paid out by a scalar drum, with bending stiffness.
 void add_wire(Recipe& r, Random& random, BodyId end) {
     const Vec3 from = r.bodies[static_cast<std::size_t>(end.index)].position;
     std::vector<BodyId> node{end};

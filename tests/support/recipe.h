@@ -16,7 +16,7 @@
 
 namespace hawser::test {
 
-/// A definition of a kind between these bodies.
+/// Make a definition of a kind between these bodies.
 inline InteractionDef between(InteractionKind kind, const std::vector<BodyId>& ids) {
     InteractionDef d;
     d.kind = kind;
@@ -25,7 +25,7 @@ inline InteractionDef between(InteractionKind kind, const std::vector<BodyId>& i
 }
 
 struct Recipe {
-    /// Random worlds are torn and overlap: most tests do not check the consequences.
+    /// Random worlds tear and overlap, which does not matter in most tests.
     WorldDef world{.on_diverged = OnDiverged::warn};
     std::vector<BodyDef> bodies;
     std::vector<InteractionDef> interactions;
@@ -73,7 +73,7 @@ struct Recipe {
         for (const InteractionDef& i : interactions) w.add_interaction(i);
         return w;
     }
-    /// The bodies and interactions without a World around them, prepared.
+    /// Prepare a context with the bodies and interactions, without a World.
     [[nodiscard]] std::unique_ptr<stepper::StepContext> context() const {
         auto ctx = std::make_unique<stepper::StepContext>(world);
         for (const BodyDef& b : bodies) ctx->model.bodies.add(b);
@@ -95,7 +95,7 @@ struct Recipe {
     }
 };
 
-/// A lump on a rod, at x = length from the fixed point.
+/// Make a point mass on a rod, at x = length from the fixed point.
 inline Recipe pendulum(double length = 1.0, double mass = 1.0) {
     Recipe r;
     const BodyId g = r.ground(), b = r.lump({length, 0, 0}, mass);
@@ -104,7 +104,7 @@ inline Recipe pendulum(double length = 1.0, double mass = 1.0) {
     return r;
 }
 
-/// Rigid links 1 m long with ball joints, hanging out along x.
+/// Make rigid links of 1 m with ball joints, extended along x.
 inline Recipe link_chain(int links, double mass = 10.0) {
     Recipe r;
     BodyId last = r.ground();
@@ -117,7 +117,7 @@ inline Recipe link_chain(int links, double mass = 10.0) {
     return r;
 }
 
-/// A wire of lumps with stretch and bend between two fixed points, sagging.
+/// Make a sagging wire of point masses with stretch and bend between two fixed points.
 inline Recipe wire(int elements, double length = 20.0) {
     Recipe r;
     std::vector<BodyId> node{r.ground()};
@@ -136,11 +136,11 @@ inline Recipe wire(int elements, double length = 20.0) {
     return r;
 }
 
-/// Every kind of body and interaction in one island, drawn from a seed.
+/// Make one island with every kind of body and interaction, drawn from a seed.
 Recipe mixed(std::uint64_t seed, int links = 6);
 
-/// Return chains of random rigid links from the ground to one hull, each numbered from end to end.
-/// The joints of every other chain name their bodies in reverse order.
+/// Make chains of random rigid links from the ground to one hull, numbered from end to end. The
+/// joints of every other chain have their bodies in the opposite order.
 Recipe chains(std::uint64_t seed, int count, int links);
 
 }  // namespace hawser::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file repeat.h
-/// A recording's run once more by its changes alone, as `hawser replay` does it.
+/// Replay the run of a recording from its changes alone, like `hawser replay`.
 
 #include <hawser/hawser.h>
 #include <hawser/repeater.h>
@@ -15,12 +15,12 @@
 namespace hawser::test {
 
 struct Repeated {
-    scene::Scene scene;  ///< As it ends.
+    scene::Scene scene;  ///< Scene in its final state.
     std::int64_t steps = 0;
 };
 
-/// Every frame and the end have the motion that was recorded, on `threads` threads, without the
-/// systems that made the changes; what was gone back to is repeated, too.
+/// Expect the recorded motion in every frame and at the end, on `threads` threads, without the
+/// systems that made the changes. Returns to earlier states are replayed, too.
 inline Repeated expect_repeats(const record::Recording& recording, int threads) {
     scene::Options options;
     options.threads = threads;

@@ -2,7 +2,7 @@
 #pragma once
 /// @file sanitizer.h
 /// True in a build with a sanitizer. Code then runs 5 to 50 times slower. A test that repeats the
-/// same code may repeat it less: a sanitizer needs each access only once.
+/// same code may repeat it less: a sanitizer needs to check each access once.
 
 namespace hawser::test {
 

@@ -12,8 +12,8 @@
 
 namespace hawser::test {
 
-/// A stack of three boxes, a ball that resists rolling, a wire that hangs, a slide with a brake on
-/// a slope: four islands.
+/// Four islands: a stack of three boxes, a ball with rolling resistance, a hanging wire, a slide
+/// with a brake on a slope.
 struct SleepYard {
     World w;
     BodyId ground{}, box[3], ball{}, node[4], slide{}, anchor{};
@@ -97,7 +97,7 @@ struct SleepYard {
         p.kind = InteractionKind::Prismatic;
         p.body = {ground, slide};
         p.point[0] = d.position;
-        // z of the frames leans by 45 degrees.
+        // z of the frames is tilted by 45 degrees.
         p.frame[0] = p.frame[1] = Quat(Eigen::AngleAxisd(0.785398163, Vec3::UnitY()));
         w.add_interaction(p);
         InteractionDef f = p;

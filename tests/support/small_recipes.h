@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file small_recipes.h
-/// Worlds of a few bodies, one of each sort, for properties that every world must have.
+/// Worlds of a few bodies, one of each type, for properties that every world must have.
 
 #include "support/recipe.h"
 

@@ -39,7 +39,7 @@ std::uint32_t first_seed(std::uint32_t fixed) {
     const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
     std::printf("%s.%s: seed %u\n", test != nullptr ? test->test_suite_name() : "?",
                 test != nullptr ? test->name() : "?", seed);
-    std::fflush(stdout);  // before a crash
+    std::fflush(stdout);  // in case of a crash
     return seed;
 }
 

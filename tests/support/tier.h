@@ -20,20 +20,20 @@ namespace hawser::test {
 
 enum class Tier { quick, full, long_runs };
 
-/// Tier that the environment names; quick by default.
+/// Return the tier that the environment names; quick by default.
 Tier tier();
 
-/// Value for the running tier.
+/// Return the value for the running tier.
 int by_tier(int quick, int full, int long_runs);
 
-/// Read the seed given by HAWSER_SEED. @return false if there is none.
+/// Read the seed in HAWSER_SEED. @return false if there is none.
 bool given_seed(std::uint32_t& seed);
 
-/// First seed of a random suite: HAWSER_SEED, or `fixed` in the quick tier, or a fresh one, which
-/// is printed with the name of the running test. Fresh seeds lie in [0, 2^31).
+/// Return the first seed of a random suite: HAWSER_SEED, or `fixed` in the quick tier. Otherwise a
+/// fresh one, which is printed with the name of the running test. Fresh seeds are in [0, 2^31).
 std::uint32_t first_seed(std::uint32_t fixed);
 
-/// Return the number of seeds from first_seed() on: 1 if HAWSER_SEED is given, else by_tier().
+/// Return the number of seeds from first_seed() on: 1 if HAWSER_SEED is given, otherwise by_tier().
 int seed_count(int quick, int full, int long_runs);
 
 /// Return the seeds of a suite that draws each case from its own seed: seed_count() from

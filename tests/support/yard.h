@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file yard.h
-/// A world with shapes, made by short calls; and its invariants.
+/// A world with shapes, made by short calls, and checks that hold for every world.
 
 #include <hawser/world.h>
 
@@ -9,46 +9,46 @@
 
 namespace hawser::test {
 
-/// Inertia of a solid box of uniform density [kg m²].
+/// Return the inertia of a solid box of uniform density [kg m²].
 [[nodiscard]] Mat3 box_inertia(double mass, const Vec3& half_size);
 
 struct Yard {
     World world;
-    MaterialId material{};  ///< Material of shapes added from here on.
+    MaterialId material{};  ///< Material of shapes added later.
 
     explicit Yard(const WorldDef& def = {}) : world(def) {}
 
-    /// Shapes from now on have these values.
+    /// Set the material of shapes added later.
     void use(const MaterialDef& def);
     void friction(double mu);
 
     BodyId fixed(const Vec3& at = Vec3::Zero());
-    /// A body of the inertia of a box, without shapes.
+    /// Add a body with the inertia of a box, without shapes.
     BodyId body(const Vec3& at, double mass, const Vec3& half_size,
                 const Quat& turn = Quat::Identity());
     BodyId lump(const Vec3& at, double mass);
 
     void plane(BodyId on);
     void add(ShapeDef shape, BodyId on);
-    /// Body and shape in one.
+    /// Add a body with a shape.
     BodyId box(const Vec3& at, double mass, const Vec3& half_size,
                const Quat& turn = Quat::Identity());
     BodyId ball(const Vec3& at, double mass, double radius);
-    /// One of each kind that may move, of about this half size.
+    /// Add a body with a shape of a kind that may move, of about this half size.
     BodyId any(ShapeKind kind, const Vec3& at, double mass, double half_size);
     void segment(BodyId a, BodyId b, double radius);
 
-    int names = 0;  ///< Materials so far.
+    int names = 0;  ///< Number of materials.
 };
 
-/// A shape of a kind that may move, of about this half size.
+/// Return a shape of a kind that may move, of about this half size.
 [[nodiscard]] ShapeDef shape_of(ShapeKind kind, double half_size);
 
-/// Return the name of the first value that is not finite among poses, velocities, energy, contacts
-/// and figures; "" if all are finite.
+/// Return the name of the first value that is not finite, of poses, velocities, energy, contacts
+/// and statistics; "" if all are finite.
 [[nodiscard]] std::string not_finite(const World& world);
 
-/// Greatest speed of a body [m/s].
+/// Return the largest speed of a body [m/s].
 [[nodiscard]] double fastest(const World& world);
 
 }  // namespace hawser::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file acting.h
-/// Systems for tests: their action is a function.
+/// Systems for tests whose actions are a function.
 
 #include <hawser/hawser.h>
 
@@ -14,7 +14,7 @@
 
 namespace hawser::test {
 
-/// Calls a function; its state is a list of numbers and a counter.
+/// Calls a function in each step; its state is a list of numbers and a counter.
 class Acting final : public System {
   public:
     using Act = std::function<void(Acting&, Prestep&, Loads&)>;
@@ -57,7 +57,7 @@ inline Vec6 motion(const World& w, BodyId body) {
     return out;
 }
 
-/// A rigid body without weight.
+/// Return a rigid body without weight.
 inline BodyDef floating(const Vec3& x, double mass, const Vec3& inertia) {
     BodyDef def;
     def.position = x;
@@ -67,7 +67,7 @@ inline BodyDef floating(const Vec3& x, double mass, const Vec3& inertia) {
     return def;
 }
 
-/// G Gᵀ of a matrix drawn from a seed, with full coupling.
+/// Return G Gᵀ of a matrix drawn from a seed, with full coupling.
 inline Mat6 coupled(unsigned seed, double scale) {
     Mat6 g;
     for (int i = 0; i < 36; ++i) {

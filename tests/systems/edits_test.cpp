@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Edits requested by systems, and the objects that they hold.
+/// Additions and removals requested by systems, and objects that they keep from removal.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// Executes given functions.
+/// Calls a given function.
 struct Doer final : System {
     std::string called = "doer";
     std::function<void(Prestep&, Loads&)> act;
@@ -188,7 +188,7 @@ TEST(Forces, OfUserInputsAndSystemsAddUp) {
     w.set_force(apart.bob, {1, 0, 0}, Vec3::Zero());
     w.set_input(one, 2.0);
     w.set_input(two, 4.0);
-    w.set_force(apart.bob, {16, 0, 0}, Vec3::Zero());  // replaces the user's own alone
+    w.set_force(apart.bob, {16, 0, 0}, Vec3::Zero());  // replaces only the user's own force
     together.w.set_force(together.bob, {30, 0, 0}, Vec3::Zero());
     const std::vector<std::byte> saved = w.save();
     double speed = 0.0;
@@ -205,7 +205,7 @@ TEST(Forces, OfUserInputsAndSystemsAddUp) {
     // Loads are added to the right-hand side separately: another order of a few sums.
     EXPECT_NEAR(speed, together.w.velocity(together.bob).linear.x(), 1e-12);
     EXPECT_NEAR(speed, 15.0 * (20 - 0.5) * 0.01, 1e-12);
-    // A force set by an input remains when the input is removed.
+    // Values set by an input remain after its removal.
     w.remove_input(two);
     EXPECT_EQ(w.body_def(apart.bob).force.x(), 20.0);
 }

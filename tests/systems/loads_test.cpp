@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Loads of systems against closed forms: added mass that couples, springs, dampers, their energy.
+/// Loads of systems against closed forms: coupled added mass, springs, dampers, their energy.
 #include "systems/acting.h"
 
 #include "support/recipe.h"
@@ -12,7 +12,7 @@
 namespace hawser::test {
 namespace {
 
-/// Added mass of a hull as in sway and roll: y and the turn about x push each other.
+/// Return the added mass of a hull in sway and roll: y and the rotation about x are coupled.
 Mat6 sway_roll(double sway, double roll, double both) {
     Mat6 a = Mat6::Zero();
     a(1, 1) = sway;
@@ -21,12 +21,12 @@ Mat6 sway_roll(double sway, double roll, double both) {
     return a;
 }
 
-/// (M + A) v̇ = f has v = (M + A)⁻¹ f t for any step; velocities are those half a step ago. A
-/// rotation about a principal axis of a body causes no gyroscopic torque.
+/// (M + A) v̇ = f has v = (M + A)⁻¹ f t for any step; velocities are those half a step before.
+/// Rotation about a principal axis of a body has no gyroscopic torque.
 TEST(Loads, CoupledAddedMassMovesABodyAsTheClosedFormSays) {
     const Mat6 a = sway_roll(5.0, 4.0, 3.0);
     const Vec3 force(0, 7, 0), torque(1.5, 0, 0);
-    for (const int bodies : {1, 24}) {  // alone, and eight at a time
+    for (const int bodies : {1, 24}) {  // one by one, and in batches of eight
         World w({.gravity = Vec3::Zero()});
         for (int i = 0; i < bodies; ++i) w.add_body(floating({0, 0, 9.0 * i}, 2.0, {3, 4, 5}));
         act(w, "water", [&](Acting&, Prestep& now, Loads& loads) {
@@ -51,8 +51,8 @@ TEST(Loads, CoupledAddedMassMovesABodyAsTheClosedFormSays) {
     }
 }
 
-/// The matrix of the step and its residual use the loads independently: if one of them did not,
-/// refinement would not reduce the residual. Chains have their own kernels.
+/// Matrix and residual of the step use the loads independently: without them in one, no refinement
+/// would reduce the residual. Chains have kernels of their own.
 TEST(Loads, ResidualsOfChainsWithLoadsAreThoseOfRounding) {
     for (const Form form : {Form::automatic, Form::saddle, Form::condensed}) {
         Recipe r = chains(3, 4, 24);
@@ -70,7 +70,7 @@ TEST(Loads, ResidualsOfChainsWithLoadsAreThoseOfRounding) {
             ASSERT_EQ(w.step(), Status::ok);
             ASSERT_LT(w.stats().momentum_residual, 1e-10) << "form " << static_cast<int>(form);
             ASSERT_LT(w.stats().constraint_residual, 1e-10);
-            // One factorisation and its refinement: the matrix is that of the residual.
+            // One factorisation and its refinement: matrix and residual agree.
             ASSERT_LE(w.stats().refinements, 1);
         }
     }
@@ -89,11 +89,11 @@ TEST(Loads, FormsOfTheEquationsAgree) {
         for (int i = 0; i < 10; ++i) ASSERT_EQ(w.step(), Status::ok);
         for (int b = 1; b < w.body_count(); ++b) v[saddle ? 1 : 0].push_back(motion(w, BodyId{b}));
     }
-    // Ten steps of rounding in velocities of some m/s.
+    // Ten steps of rounding of velocities of some m/s.
     for (std::size_t b = 0; b < v[0].size(); ++b) EXPECT_LT((v[0][b] - v[1][b]).norm(), 1e-7);
 }
 
-/// A spring given as force and stiffness equals the spring of an interaction, up to rounding.
+/// A spring given as force and stiffness equals the spring of an interaction, to rounding.
 TEST(Loads, ASpringIsThatOfAnInteraction) {
     const double k = 4e3, start = 0.3;
     World loaded({.gravity = Vec3::Zero()}), bound({.gravity = Vec3::Zero()});
@@ -110,12 +110,12 @@ TEST(Loads, ASpringIsThatOfAnInteraction) {
     for (int i = 0; i < 600; ++i) {
         ASSERT_EQ(loaded.step(), Status::ok);
         ASSERT_EQ(bound.step(), Status::ok);
-        // 600 steps of rounding of 6 m/s; both start from the acceleration of the force.
+        // 600 steps of rounding of 6 m/s; both start with the acceleration of the force.
         ASSERT_NEAR(motion(loaded, BodyId{0})[2], motion(bound, BodyId{0})[2], 1e-10) << i;
     }
 }
 
-/// m ẍ + c ẋ + k x = 0 from x₀ at rest.
+/// Solve m ẍ + c ẋ + k x = 0 from x₀ at rest.
 double damped(double m, double c, double k, double x0, double t) {
     const double g = 0.5 * c / m, w = std::sqrt(k / m - g * g);
     return x0 * std::exp(-g * t) * (std::cos(w * t) + g / w * std::sin(w * t));
@@ -149,12 +149,12 @@ TEST(Loads, ASpringWithDamperIsOfSecondOrder) {
     const double first = std::log2(error[0] / error[1]), second = std::log2(error[1] / error[2]);
     std::printf("errors %.3g %.3g %.3g m, orders %.3f %.3f\n", error[0], error[1], error[2], first,
                 second);
-    // Order 2, up to the next term at these steps.
+    // Order 2, except for the next term at these steps.
     EXPECT_NEAR(first, 2.0, 0.1);
     EXPECT_NEAR(second, 2.0, 0.1);
 }
 
-/// With θ of the whole mass, added mass included, a damper alone is exact at any step.
+/// With θ of the whole mass, including added mass, a damper alone is exact for any step.
 TEST(Loads, ADamperAloneIsExactAtAnyStep) {
     World w({.step = 0.1, .gravity = Vec3::Zero(), .staggered_start = false});
     BodyDef slide;
@@ -173,14 +173,14 @@ TEST(Loads, ADamperAloneIsExactAtAnyStep) {
     }
 }
 
-/// Return the unexplained part of the energy balance [J].
+/// Return the unexplained energy of the account [J].
 double left(const Energy& a, const Energy& b) {
     return b.mechanical() - a.mechanical() - (b.applied - a.applied) - (b.system - a.system) +
            (b.dissipated - a.dissipated) + (b.damped - a.damped);
 }
 
-/// A coupled hull in sway and roll with all three matrices and a variable added mass, under an
-/// oscillating force. T + ½ vᵀA v less the work of systems and forces is constant up to rounding.
+/// A hull coupled in sway and roll with all three matrices, of which the added mass changes, under
+/// an oscillating force. T + ½ vᵀA v less the work of systems and forces is constant to rounding.
 TEST(Loads, EnergyClosesOverAThousandSteps) {
     World w;
     BodyDef def = floating({0, 0, 0}, 2.0, {3, 4, 5});
@@ -212,11 +212,11 @@ TEST(Loads, EnergyClosesOverAThousandSteps) {
     EXPECT_LT(worst, 1e-10 * most);
     EXPECT_GT(w.energy().added, 0.0);
     EXPECT_GT(w.energy().dissipated, 0.1);
-    // The energy check accepts the balance as explained.
+    // Monitors use the explained energy of the account.
     EXPECT_EQ(w.verdict().grade, Grade::good);
 }
 
-/// The energy of a removed added mass is removed with it, and is in the balance.
+/// Removing added mass removes its energy, which the account contains.
 TEST(Loads, RemovedAddedMassTakesItsEnergy) {
     World w({.gravity = Vec3::Zero()});
     BodyDef def = floating({0, 0, 0}, 2.0, {3, 4, 5});
@@ -236,8 +236,8 @@ TEST(Loads, RemovedAddedMassTakesItsEnergy) {
     EXPECT_EQ(w.velocity(hull).linear.x(), 3.0);
 }
 
-/// A box that slides under a force: (m + A) v̇ = F − μ m g. Added mass coupled to rolling does not
-/// overturn it here, but is in the matrix of each Newton iteration.
+/// A box slides under a force: (m + A) v̇ = F − μ m g. Added mass coupled to rolling does not tip
+/// it, but is part of the matrix of each Newton iteration.
 TEST(Loads, ALoadedBodySlidesAsCoulombSays) {
     World w;
     BodyDef ground;

@@ -16,8 +16,8 @@ namespace hawser::test {
 namespace {
 
 constexpr double kLength = 20.0, kEA = 1e6, kRadius = 0.5;
-/// Motion of the barge: kSpeed cos(kRate t) [m/s, rad/s].
-constexpr double kSpeed = 0.5, kRate = 0.6;
+constexpr double kSpeed = 0.5, kRate = 0.6;  ///< Motion of the barge: kSpeed cos(kRate t) [m/s,
+                                             ///< rad/s].
 constexpr double kGain = 4e-4, kReset = 0.3, kTarget = 20e3;
 
 struct Tow {
@@ -40,7 +40,7 @@ struct Tow {
         speed = w.add_input({.name = "winch speed", .interaction = motor, .param = "speed"});
     }
     void control() {
-        // The drum pays out when it turns forwards: more tension requires less speed.
+        // The drum pays out if it rotates forwards: higher tension requires less speed.
         w.add_system(std::make_unique<Pid>(PidDef{.name = "tension",
                                                   .measured = line,
                                                   .driven = speed,
@@ -56,7 +56,7 @@ struct Tow {
         w.set_velocity(barge, t);
         ASSERT_EQ(w.step(), Status::ok);
     }
-    /// Largest distance of the tension from the target, from 10 s on over two periods.
+    /// Return the largest error of the tension from 10 s on, over two periods.
     double worst() {
         double most = 0.0;
         while (w.time() < 10.0 + 4.0 * M_PI / kRate) {
@@ -76,10 +76,10 @@ TEST(PidSystem, HoldsTheTensionOfAWinchAsTheClosedLoopSays) {
     const double k = kEA / kLength, loop = k * kRadius * kGain;
     const double theory = std::abs(k * kSpeed * s / (s * s + loop * s + loop / kReset));
     std::printf("tension off by %.0f N of %.0f N, by theory %.0f N\n", worst, kTarget, theory);
-    // The line's stiffness follows its length, within 5 %; the loop is a step late.
+    // The line's stiffness depends on its length, within 5 %; the loop is late by a step.
     EXPECT_NEAR(worst, theory, 0.1 * theory);
     EXPECT_NEAR(held.w.system_signal("tension.measured"), kTarget, 1.1 * theory);
-    // With a stationary winch the tension oscillates by k × 0.83 m, and the line goes slack.
+    // With a stopped winch the tension varies by k × 0.83 m, and the line goes slack.
     Tow still;
     EXPECT_GT(still.worst(), 15e3);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Matrices allowed as loads of a system: a direction without mass is accepted, one of negative
-/// mass is not.
+/// Valid load matrices of systems: a direction without mass is accepted, one of negative mass is
+/// rejected.
 #include "assembly/load_matrix.h"
 
 #include "support/random.h"
@@ -14,7 +14,7 @@
 namespace hawser::test {
 namespace {
 
-/// Return a direction with components that differ by up to eight powers of ten.
+/// Return a direction whose components differ by up to eight powers of ten.
 Vec3 any_direction(Random& random) {
     Vec3 t;
     for (int k = 0; k < 3; ++k)
@@ -33,8 +33,8 @@ std::vector<double> across(const Vec3& t, double c, double beyond) {
             c * (t.x() * t.x() + t.y() * t.y()) - c * beyond * t.z() * t.z()};
 }
 
-/// In the order of its rows the last pivot of such a matrix was up to 1e-12 below 0. The step ended
-/// with Status::bad_load if a wire in the sea had a free end.
+/// A fault: in the order of its rows the last pivot of such a matrix was down to −1e-12. The step
+/// ended with Status::bad_load if a wire in the sea had a free end.
 TEST(Semidefinite, TakesAPieceOfWireOfAnyDirection) {
     Random random(first_seed(1));
     const int cases = by_tier(10'000, 200'000, 2'000'000);
@@ -55,8 +55,8 @@ TEST(Semidefinite, TakesWhatUnderflowsBesideNothing) {
     EXPECT_FALSE(stepper::semidefinite(n, 3));
 }
 
-/// Chain along x in still water has a transverse component that decays by rounding, to any size.
-/// Its squares are numbers with few digits: a load was refused in the second step.
+/// Chain along x in still water has a transverse component that decays by rounding to any size. Its
+/// squares have few digits: a fault rejected a load in the second step.
 TEST(Semidefinite, TakesComponentsWhoseSquaresUnderflow) {
     Random random(first_seed(3));
     const int cases = by_tier(10'000, 200'000, 2'000'000);
@@ -68,7 +68,7 @@ TEST(Semidefinite, TakesComponentsWhoseSquaresUnderflow) {
         const double c = std::pow(10.0, random.uniform(-6, 6));
         ASSERT_TRUE(stepper::semidefinite(across(t, c, 0.0).data(), 3))
             << i << ' ' << t.transpose();
-        // The part of a lump that is only just wet makes all entries equally small.
+        // Any fraction of a node that is barely wet makes all entries this small.
         const double small = std::pow(10.0, random.uniform(-323, -290));
         ASSERT_TRUE(stepper::semidefinite(across(t, small, 0.0).data(), 3)) << i;
         ASSERT_FALSE(stepper::semidefinite(across(Vec3(1.0, 1.0, t.x()), c, 1e-9).data(), 3)) << i;

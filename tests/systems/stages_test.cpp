@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Loads of systems in the stages that solve in addition to the step: impacts, and the velocities
-/// that the sides of a cut assume for each other.
+/// Loads of systems in stages with solutions of their own: impacts, and predicted velocities on
+/// both sides of a cut.
 #include "systems/acting.h"
 
 #include "support/recipe.h"
@@ -12,8 +12,8 @@
 namespace hawser::test {
 namespace {
 
-/// A ball that falls on a plane returns at e times its speed for any added mass. The energy lost by
-/// ball and added mass in the impact is in the balance.
+/// A ball that falls onto a plane returns with e times its speed, for any added mass. The energy
+/// that the impact takes from ball and added mass is the value in the account.
 TEST(LoadStages, AnImpactReflectsAddedMass) {
     World w;
     BodyDef ground;
@@ -42,7 +42,7 @@ TEST(LoadStages, AnImpactReflectsAddedMass) {
     for (int i = 0; i < 60 && w.velocity(BodyId{1}).linear.z() < 0.0; ++i)
         ASSERT_EQ(w.step(), Status::ok);
     EXPECT_EQ(w.stats().impacts, 1);
-    // The contact deflects slightly within the step of the impact, which is not part of the law.
+    // The contact yields slightly within the step of the impact, and is not part of the law.
     EXPECT_NEAR(w.velocity(BodyId{1}).linear.z(), 0.5 * 4.0, 1e-3);
     const Energy end = w.energy();
     // Three quarters of ½ (2 + 6) kg (4 m/s)².
@@ -52,8 +52,8 @@ TEST(LoadStages, AnImpactReflectsAddedMass) {
     EXPECT_NEAR(open, 0.0, 1e-9);
 }
 
-/// Hulls and lumps side by side under equal acceleration by loads: their connections carry no
-/// force, and a predictor with the loads leaves no error at the cut.
+/// Hulls and point masses side by side with equal accelerations by loads: the interactions between
+/// them carry no force. A predictor that uses the loads leaves no defect of the cut.
 TEST(LoadStages, PredictorsOfCutsKnowLoads) {
     for (const Predictor predictor : {Predictor::forces, Predictor::clique, Predictor::hold}) {
         World w({.gravity = Vec3::Zero(), .coupling = Coupling::kinematic, .predictor = predictor});
@@ -77,7 +77,7 @@ TEST(LoadStages, PredictorsOfCutsKnowLoads) {
         for (int i = 0; i < 30; ++i) ASSERT_EQ(w.step(), Status::ok);
         EXPECT_EQ(w.stats().cuts, 1);
         const double ahead = w.settings().step * 0.5;
-        if (predictor == Predictor::hold) {  // it does not know forces, which causes an error
+        if (predictor == Predictor::hold) {  // it uses no forces: its error is theirs
             EXPECT_GT(w.stats().cut_residual, 1e-6);
         } else {
             EXPECT_LT(w.stats().cut_residual, 1e-12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Systems as part of a world: their order, state, failures and names.
+/// Systems as part of a world: their order, their state, their failures and the names in messages.
 #include "systems/acting.h"
 
 #include "support/recipe.h"
@@ -26,7 +26,7 @@ std::string refusal(F&& f) {
     return "";
 }
 
-/// Hulls in swell, loaded by all threads at once; their water remembers.
+/// Make hulls in swell, loaded by all threads at once; their water has a memory.
 World fleet(int threads) {
     WorldDef def;
     def.threads = threads;
@@ -72,7 +72,7 @@ TEST(Systems, GiveTheSameBitsOnAnyNumberOfThreadsAndAfterRestore) {
     EXPECT_EQ(one.state_hash(), two.state_hash());
     EXPECT_EQ(one.state_hash(), four.state_hash());
     EXPECT_EQ(one.energy().system, four.energy().system);
-    // In a world that has been elsewhere, and in a new one.
+    // In a world with another state, and in a new one.
     two.restore(saved);
     run(two, 40);
     EXPECT_EQ(one.state_hash(), two.state_hash());
@@ -92,7 +92,7 @@ TEST(Systems, GiveTheSameBitsOnAnyNumberOfThreadsAndAfterRestore) {
     EXPECT_EQ(one.state_hash(), fresh.state_hash());
 }
 
-/// Counts, sets an input beyond its range, applies loads, and cancels the step on request.
+/// Counts, drives an input beyond its range, adds loads, and cancels the step on request.
 struct Driven {
     World w{WorldDef{}};
     BodyId body{};
@@ -139,7 +139,7 @@ TEST(Systems, AStepThatFailsTakesBackWhatTheyDid) {
         ASSERT_EQ(well.w.step(), Status::ok);
         ASSERT_EQ(failing.w.state_hash(), well.w.state_hash()) << i;
     }
-    // Each successful step with a value out of range has reported it once.
+    // Each successful step with an excessive value reported it once.
     const auto clamped = failing.w.event_extremes(EventKind::input_clamped);
     EXPECT_GT(clamped.count, 0);
     EXPECT_EQ(clamped.count, well.w.event_extremes(EventKind::input_clamped).count);
@@ -215,7 +215,8 @@ TEST(Systems, BadLoadsEndTheStepAndNameSystemAndBody) {
     }
 }
 
-/// All events of systems are reported, for any number.
+/// Matrices that are semi-definite up to rounding are accepted: of rank one, with very different
+/// units.
 TEST(Systems, TellAllTheirEventsHoweverMany) {
     World w;
     const BodyId drum = w.add_body({.name = "drum", .kind = BodyKind::scalar, .mass = 1.0});
@@ -308,7 +309,7 @@ TEST(Systems, ShowTheirSignalsByName) {
     EXPECT_NE(refusal([&] { w.set_system_signal("fixed.seen", 1.0); }).find("output"),
               std::string::npos);
     EXPECT_NE(refusal([&] { (void)w.twin(); }).find("'fixed'"), std::string::npos);
-    // They belong to the state.
+    // Events belong to the state.
     const auto saved = w.save();
     w.set_system_signal("fixed.target", 1.0);
     w.restore(saved);
@@ -349,7 +350,7 @@ TEST(Systems, ThatDoNothingChangeNothingAndCostNothing) {
     run(with, 50);
     run(without, 50);
     EXPECT_EQ(with.state_hash(), without.state_hash());
-    // The stage itself, least of many steps of a small world.
+    // Time of the stage itself, least of many steps of a small world.
     World a, b;
     for (World* w : {&a, &b}) w->add_body(floating({0, 0, 0}, 1.0, {1, 1, 1}));
     constexpr int kMany = 1000;

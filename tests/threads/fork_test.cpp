@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Worlds in a forked child, which has none of their worker threads, and worlds that were moved
-/// from.
+/// Worlds in a forked child, which has none of their worker threads, and moved-from worlds.
 #include <hawser/hawser.h>
 
 #include "support/recipe.h"
@@ -19,7 +18,7 @@
 namespace hawser::test {
 namespace {
 
-/// How a child ended; −1: it has not within some seconds, and is ended.
+/// Return the exit of a child; −1: it did not end within some seconds, and was killed.
 int ended(pid_t child) {
     for (int i = 0; i < 500; ++i) {
         int status = 0;
@@ -61,7 +60,7 @@ TEST(MovedWorld, MayBeAssignedToAndDestroyed) {
     first = std::move(other);
     ASSERT_EQ(first.step(), Status::ok);
     EXPECT_EQ(first.state_hash(), second.state_hash());
-    World third = std::move(first);  // `first` goes out of scope unchanged
+    World third = std::move(first);  // `first` is destroyed in its moved-from state
     EXPECT_EQ(third.step_count(), 1);
 }
 

@@ -23,7 +23,7 @@ TEST_P(EachRecipe, SameHashForAnyNumberOfThreads) {
     }
 }
 
-/// Large enough for several tasks and chunks a thread.
+/// Large enough for several tasks and chunks per thread.
 TEST(Threads, SameHashForALargeIsland) {
     Recipe recipe = mixed(11, 150);
     World one = recipe.make();

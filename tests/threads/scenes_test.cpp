@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The number of threads has no effect on results.
+/// The number of threads changes the distribution of the work, but no result.
 #include "stepper/scenes.h"
 #include "support/sanitizer.h"
 
@@ -30,7 +30,7 @@ TEST(Threads, StateHashDoesNotDependOnThreads) {
     }
 }
 
-/// Collider, contacts and their iterations: two chunks of contacts and more.
+/// Collider, contacts and their iterations: two or more chunks of contacts.
 TEST(Threads, StateHashDoesNotDependOnThreadsWithContacts) {
     const int steps = test::kSanitized ? 3 : 20;
     for (const char* name : {"wall_648.json", "chain_pile.json"}) {

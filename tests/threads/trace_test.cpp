@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Traces of whole steps: they have no effect, are nested, and agree with the times in the
-/// statistics.
+/// Traces of whole steps: they have no effect, nest, and agree with the times of the statistics.
 #include "support/small_recipes.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +16,8 @@ namespace {
 class EachTracedRecipe : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Recipes, EachTracedRecipe, testing::ValuesIn(kSmallRecipes), name_of);
 
-/// Expect spans of the calling thread nested or apart; tasks of other threads apart.
+/// Expect that spans of the calling thread are nested or disjoint; tasks of other threads are
+/// disjoint.
 void expect_nested(const TraceView& view) {
     std::vector<TraceSpan> open;
     std::vector<double> busy_until(static_cast<std::size_t>(view.threads), 0.0);
@@ -46,7 +46,7 @@ void expect_nested(const TraceView& view) {
     }
 }
 
-/// Return the time of each stage in a step, without inner stages, from the spans.
+/// Return the time of each stage in a step, without its inner stages, from the spans.
 std::array<double, kStageCount> stage_seconds(const TraceView& view, std::int64_t step) {
     std::array<double, kStageCount> own{};
     std::vector<TraceSpan> open;
@@ -116,7 +116,7 @@ TEST(Trace, KeepsTheLastStepsWhole) {
     }
 }
 
-/// The program of a step of one thread is complete, with graphs for tasks that wait for each other.
+/// The program of a step on one thread: complete, with graphs for tasks that wait for each other.
 TEST(Trace, AStepIsAProgramForTheSimulator) {
     Recipe recipe = mixed(11, 150);
     World w = recipe.make();

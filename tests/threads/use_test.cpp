@@ -43,8 +43,8 @@ TEST(Use, OneThreadAtATimeAndNoneWithinAStep) {
     }
 }
 
-/// Rejected forces do not act, rejected steps are not taken, and accepted calls are complete: the
-/// state is that of as many steps by one thread.
+/// Rejected forces do not act, rejected steps are not made, and accepted ones are complete: the
+/// state equals that of as many steps by one thread.
 TEST(Use, ASecondThreadIsRefusedAndLeavesNoTrace) {
     const Recipe recipe = link_chain(40);
     World world = recipe.make(), alone = recipe.make();
@@ -62,7 +62,7 @@ TEST(Use, ASecondThreadIsRefusedAndLeavesNoTrace) {
     });
     int steps = 0;
     long in_use = 0;
-    // Until both have collided: on one core that takes a while.
+    // Until both threads have met: on one core that takes some time.
     for (int i = 0; i < 200'000 && (steps < 50 || refused + in_use == 0); ++i) {
         const Status status = world.step();
         in_use += status == Status::in_use ? 1 : 0;

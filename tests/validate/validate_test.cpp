@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs `hawser validate` as a user does and reads its JSON.
+// Run `hawser validate` like a user and read its JSON.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -20,7 +20,7 @@ std::string program() {
     return (fs::path(folder != nullptr ? folder : "build/release/bin") / "hawser").string();
 }
 
-/// A separate folder, removed at the end.
+/// A folder, removed by the destructor.
 struct Scratch {
     fs::path path = fs::temp_directory_path() / fmt::format("hawser_validate_{}", ::getpid());
     Scratch() { fs::create_directories(path); }
@@ -113,7 +113,7 @@ TEST(Validate, damping_orders) { expect_pass("damping_orders", 3); }
 
 TEST(Validate, unknown_case_is_refused) { EXPECT_EQ(validate("no_such_case").code, 1); }
 
-// A scene that differs from the description of the case must be detected: the rod is 1 % too long.
+// A scene that differs from the description of its case must be detected: the rod is 1 % too long.
 TEST(Validate, notices_a_wrong_scene) {
     const fs::path folder = fs::temp_directory_path() / fmt::format("hawser_wrong_{}", ::getpid());
     fs::create_directories(folder);

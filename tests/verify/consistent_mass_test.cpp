@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Elements that move as straight pieces between their lumps: momentum, energy and frequencies are
+/// Elements that move as straight pieces between their nodes: momentum, energy and frequencies are
 /// those of the consistent mass matrix.
 #include "verify/certificate.h"
 
@@ -16,16 +16,15 @@ namespace hawser::test {
 namespace {
 
 constexpr double kDensity = 23.0, kEA = 2.33e8;  // kg/m, N
-constexpr double kAnchor = 1e10;                 // Mass of a body that holds an end [kg].
+constexpr double kAnchor = 1e10;                 // kg: fixes an end
 
 struct Account {
     double kinetic = 0.0;
     Vec3 linear{0, 0, 0}, angular{0, 0, 0};
 };
 
-/// Compute the account by the integral over straight pieces, (m/6)(2 a·b + …) for linear functions
-/// along them. It refers to the half step before the poses, to which the energy of the scheme
-/// belongs.
+/// Integrate over straight pieces, linear along them: (m/6)(2 a·b + …). At the half step before the
+/// poses, to which the energy of the scheme belongs.
 Account account_of(const World& w) {
     Account out;
     for (const InteractionId id : w.interactions()) {
@@ -58,9 +57,8 @@ struct Straight {
             const double s = l * i;
             b.position =
                 Vec3(s - 0.5 * length, 0.0, wave * std::sin(std::numbers::pi * s / length));
-            // An end on a body other than a lump would keep the mass of its element in the other
-            // end. The wire would then pull them together, by 2 mm with half of its tension in 40
-            // s.
+            // An end on a rigid body would leave the mass of its element in the other node. The
+            // wire would then pull both together, by 2 mm and half of its tension in 40 s.
             if (fixed && end) b.force = Vec3(i == 0 ? -tension : tension, 0.0, 0.0);
             b.mass = fixed && end ? kAnchor : kDensity * l * (end ? 0.5 : 1.0);
             lumps.push_back(w.add_body(b));
@@ -86,14 +84,14 @@ TEST(ConsistentMass, FreeWireKeepsItsMomenta) {
     for (int i = 0; i < 600; ++i) ASSERT_EQ(s.w.step(), Status::ok);
     const Account after = account_of(s.w);
     EXPECT_LE((after.linear - before.linear).norm(), 1e-11 * before.linear.norm());
-    // The direction of a row turns within a step, which is second order in it.
+    // The direction of a row rotates within a step: second order in the rotation.
     EXPECT_LE((after.angular - before.angular).norm(), 1e-4 * before.angular.norm());
     EXPECT_NEAR(s.w.energy().kinetic, after.kinetic, 1e-12 * after.kinetic);
     EXPECT_EQ(s.w.verdict().grade, Grade::good);
 }
 
-/// ω = (2c/l) sin(kl/2)/√(1 − ⅔ sin²(kl/2)) of linear elements with consistent masses, c = √(T/ρ).
-/// For lumps the root is absent: 3 % less for ten elements in the third mode.
+/// Linear elements with consistent masses: ω = (2c/l) sin(kl/2)/√(1 − ⅔ sin²(kl/2)), c = √(T/ρ).
+/// Point masses have no root: 3 % less with ten elements in the third mode.
 TEST(ConsistentMass, SwaysAtTheFrequencyOfLinearElements) {
     constexpr int kElements = 6;
     constexpr double kLength = 60.0, kPull = 2e4;
@@ -114,7 +112,7 @@ TEST(ConsistentMass, SwaysAtTheFrequencyOfLinearElements) {
         last = now;
     }
     const double measured = std::numbers::pi * 20.0 / (crossings.back() - crossings.front());
-    // The step makes a period longer by (hω)²/24 to (hω)²/12, here 1e-4 at most.
+    // The step lengthens a period by (hω)²/24 to (hω)²/12, here at most 1e-4.
     EXPECT_NEAR(measured / right, 1.0, 3e-4);
     EXPECT_GT(std::abs(measured / lumped - 1.0), 1e-2);
 }
@@ -129,7 +127,7 @@ TEST(ConsistentMass, IsWhatTheVerifierComputes) {
     }
 }
 
-/// Lumps of a broken element move independently: their gain of energy is driven.
+/// Nodes of a broken element continue separately: their energy gain is counted as driven.
 TEST(ConsistentMass, PartingIsAccountedFor) {
     Straight s(8, 80.0, true, 1e6, 0.0);
     for (int i = 0; i < 5; ++i) ASSERT_EQ(s.w.step(), Status::ok);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate code verifies contacts of capsules held by a body: at a point, at a drum, and where the
-// wire leaves a guide.
+// Separate code verifies contacts of capsules attached to a body: at a point, at a drum, and where
+// the wire leaves a guide.
 #include <hawser/hawser.h>
 
 #include "verify/certificate.h"
@@ -99,8 +99,8 @@ TEST(EndCapsulesVerified, SeparateCodeAgrees) {
     EXPECT_LE(verifier.result().rejected_steps, 2);
 }
 
-// The lowest point of a capsule is at the body that holds it, and the body turns. The part of such
-// a contact on the lump counts with the velocity that the body would have at the lump.
+// The lowest point of a capsule is at its attachment to a body that rotates. The node's part of
+// such a contact acts with the velocity that the body would have at the node.
 TEST(EndCapsulesVerified, SeparateCodeAgreesBeyondTheHeldPoint) {
     World w({.step = 1.0 / 60.0, .contact_margin = 0.1});
     const BodyId ground = w.add_body({.kind = BodyKind::fixed});

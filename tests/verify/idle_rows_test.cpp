@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate code and steps ended early by a budget. The reported tensions of elements of a wire are
-// those that moved their lumps, also for elements that went slack meanwhile.
+// Verification of steps that a budget ends early: reported tensions of wire elements are those that
+// moved their nodes, also for elements that went slack in the iterations.
 #include <hawser/scene.h>
 
 #include "verify/certificate.h"
@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-/// A wire of 30 elements, held at one end, falls on three balls and a deck.
+/// A wire of 30 elements, fixed at one end, falls on three balls and a deck.
 constexpr const char* kFallingWire = R"({
   "version": 1, "name": "falling_wire", "settings": {"step": 0.016666666666666666},
   "materials": {"m": {"friction": 0.6}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate code finds ranges that do not hold and bodies that lie in each other.
+// Separate code detects ranges that are violated and bodies that overlap.
 #include <hawser/hawser.h>
 
 #include "verify/certificate_state.h"
@@ -23,7 +23,7 @@ std::string first_objection(World& w, int steps) {
     return {};
 }
 
-/// A box on a lock that an end of a range pushes at: 0.5 rad over 1e-10 rad/(N m), 5 GN m.
+/// Make a box on a lock, pushed by the end of a range: 0.5 rad over 1e-10 rad/(N m), 5 GN m.
 World locked_box() {
     World w({.step = 1.0 / 60.0, .on_diverged = OnDiverged::warn});
     const BodyId ground = w.add_body({.kind = BodyKind::fixed});
@@ -55,7 +55,7 @@ TEST(LastingFaultsVerified, ARangeThatNeverHolds) {
         << wrong;
 }
 
-/// The same push turns the lock of 1e-12 rad/(N m) by 5 mrad: 25 MJ of work that moves nothing.
+/// The same push rotates the lock of 1e-12 rad/(N m) by 5 mrad: 25 MJ of work without motion.
 TEST(LastingFaultsVerified, TheWorkOfARangeAgainstALockIsMissedBefore) {
     World w = locked_box();
     const std::string wrong = first_objection(w, 6);

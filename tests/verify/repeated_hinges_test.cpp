@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Joints that repeat each other, in a mechanism that turns.
+/// Redundant joints in a rotating mechanism.
 #include <hawser/scene.h>
 
 #include "verify/certificate.h"
@@ -9,7 +9,7 @@
 namespace hawser {
 namespace {
 
-/// A platform that slews, with a boom on two hinges of one axis that falls from the horizontal.
+/// A platform that slews, with a boom on two hinges of one axis that falls from horizontal.
 const char* const kSlew = R"({
   "version": 1, "name": "slew", "settings": {"step": 0.016666666666666666},
   "bodies": [
@@ -37,7 +37,7 @@ TEST(RepeatedHinges, AreVerified) {
 }
 
 TEST(RepeatedHinges, AreFoundToBeWrong) {
-    // A millionth of a radian per second of the boom is more than rounding.
+    // A millionth of a radian per second of the boom is above rounding.
     scene::Scene scene = scene::load_text(kSlew, "slew");
     verify::Verifier verifier(scene.world);
     const BodyId boom = scene.world.find_body("boom");

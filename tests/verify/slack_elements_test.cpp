@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate code and elements whose ends separate while they are slack: their damper pulls before
-// they are taut, in successive steps, which is allowed by the law.
+// Verification of elements whose ends move apart while slack: their damper pulls in step after step
+// before they are taut, which violates no law.
 #include "verify/certificate.h"
 
 #include <hawser/hawser.h>
@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-/// Two lumps of 2 kg, 185 mm apart, on an element of 293 mm, separate at 1.46 m/s.
+/// Two point masses of 2 kg, 185 mm apart, on an element of 293 mm, move apart at 1.46 m/s.
 struct Apart {
     World w{WorldDef{.gravity = Vec3::Zero()}};
     InteractionId line{};
@@ -44,7 +44,7 @@ TEST(SlackElements, ThatComeApartAreNotOffTheirLaw) {
         ASSERT_EQ(verifier.after_step(a.w), "") << "step " << i;
         pulled += slack && a.w.force(a.line)[0] < 0.0 ? 1 : 0;
     }
-    // Long enough for an oscillation: three successive steps.
+    // Long enough to be taken for an element that rings: three steps in sequence.
     EXPECT_GE(pulled, 3);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sizes of the frozen scene anchor_sea, and the first 20 s of the scene as shipped. The tests of
-// bench check, for all scenes, that hashes depend neither on threads nor on restoring.
+// Sizes of the frozen scene anchor_sea, and the first 20 s of the shipped scene. Tests of bench
+// check for all scenes that hashes do not depend on threads or restores.
 #include <hawser/scene.h>
 #include <hawser/sea_accuracy.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kScene = "scenes/anchor_sea.json";
 
-// Compare the frozen copy with the counts and the hash of its first day (CONTRIBUTING.md).
+// Compare the frozen copy with its original counts and hash (CONTRIBUTING.md).
 TEST(AnchorSea, IsFrozen) {
     scene::Scene scene = scene::load_file("bench/scenes/frozen/anchor_sea.json");
     EXPECT_EQ(scene.hash, 0xb3acf07d23fe3d65U);
@@ -44,12 +44,12 @@ TEST(AnchorSea, SeparateCodeAgrees) {
     }
     std::printf("loads of the sea differ by %.2g\n", verifier.result().sea);
     EXPECT_GT(verifier.result().sea, 0.0) << "some load was compared";
-    // Tolerance of kinematics in single precision (docs/theory/waves.md), of which loads have a
+    // Tolerance of kinematics in single precision (docs/theory/waves.md), of which loads contain a
     // part.
     EXPECT_LT(verifier.result().sea, 1e-5);
 }
 
-/// Clusters of points are those of the state, for any threads and any restored run.
+/// Clusters of points belong to the state: they are equal on any threads and after any restore.
 TEST(AnchorSea, HasTheSameBitsOnAnyThreadsAndAfterRestoring) {
     const auto world_of = [](int threads) {
         scene::Options options;
@@ -98,7 +98,7 @@ TEST(AnchorSea, ReportsTheErrorOfItsKinematics) {
     EXPECT_LT(sea.error, sea.tolerance);
 }
 
-/// Mean and standard deviation of a quantity from 5 s to 20 s.
+/// Mean and standard deviation of samples from 5 s to 20 s.
 struct Series {
     const char* what;
     std::function<double()> now;
@@ -154,8 +154,8 @@ TEST(AnchorSea, MovesAndPullsAsItDid) {
         if (i >= 300)
             for (Series& s : all) s.values.push_back(s.now());
     }
-    // The numbers are those of waves summed in double precision. Kinematics of single precision
-    // have a tolerance of 1e-5 (docs/theory/waves.md); the scene is not chaotic within 20 s.
+    // The numbers are from waves summed in double precision. Kinematics of single precision have a
+    // tolerance of 1e-5 (docs/theory/waves.md); the scene is not chaotic within 20 s.
     constexpr double kKinematics = 1e-5;
     for (const Series& s : all) {
         std::printf("        {\"%s\", %.12g, %.12g}\n", s.what, s.mean_of(), s.deviation_of());

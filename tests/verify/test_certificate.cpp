@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate code agrees with the solver and finds faults, and the energy of contacts adds up.
+// Separate code agrees with the solver and detects errors, and the energy of contacts is balanced.
 #include <hawser/scene.h>
 
 #include "report/summary.h"
@@ -35,8 +35,8 @@ TEST(Certificate, FindsWrongVelocities) {
     EXPECT_NE(verifier.after_step(scene.world), "");
 }
 
-/// Return the verifier's message for a sixth step of the belt, with a change made secretly before
-/// or after it.
+/// Return the verifier's report on a sixth step of the belt, before or after which data have been
+/// changed without notice.
 template <class Before, class After>
 std::string said_of_belt(const Before& before, const After& after) {
     scene::Scene scene = contact_scene("belt");
@@ -56,7 +56,7 @@ std::string said_of_belt(const Before& before, const After& after) {
 TEST(Certificate, FindsLawsThatAreNotThoseOfTheMaterials) {
     const auto nothing = [](World&) {};
     EXPECT_EQ(said_of_belt(nothing, nothing), "");
-    // The pair of the scene, and one set after the step is solved.
+    // The pair of the scene; values are changed after the solution of the step.
     const scene::Scene scene = contact_scene("belt");
     ASSERT_EQ(scene.world.material_pairs().size(), 1U);
     const MaterialPairDef pair = scene.world.material_pairs().front();
@@ -71,7 +71,7 @@ TEST(Certificate, FindsLawsThatAreNotThoseOfTheMaterials) {
     EXPECT_NE(with(&MaterialDef::friction, 1.0001).find("friction"), std::string::npos);
     EXPECT_NE(with(&MaterialDef::stiffness, 1.0001).find("softness"), std::string::npos);
     EXPECT_NE(with(&MaterialDef::tangential, 1.0001).find("tangential"), std::string::npos);
-    // A separating contact keeps a part of its speed: the target follows the velocity before the
+    // A departing body keeps a part of its speed: the target depends on the velocity before the
     // step.
     const std::string lifted = said_of_belt(
         [](World& world) {
@@ -84,8 +84,8 @@ TEST(Certificate, FindsLawsThatAreNotThoseOfTheMaterials) {
 }
 
 TEST(Certificate, HoldsForStepsThatABudgetCuts) {
-    // About seven factorisations a step, too few for the arch as it settles. The natural map is
-    // large, as the step reports, and the momentum of the stones is balanced.
+    // About seven factorisations per step, too few for the settling arch: the natural map is large,
+    // but equals the reported one, and the momentum of the stones is balanced.
     scene::Options options;
     options.budget_work = 85e3;
     scene::Scene scene = scene::load_file("scenes/arch.json", options);
@@ -105,18 +105,17 @@ TEST(Certificate, HoldsForStepsThatABudgetCuts) {
 }
 
 TEST(Certificate, FrictionTakesWhatSlidingLoses) {
-    // 100 kg boxes, μ = 0.4, a belt at 2 m/s. Velocities belong half a step before positions:
-    // sliding begins at −h/2 at v = 2 + μ g h/2. Friction dissipates ½ m v² of each of four boxes,
-    // and the work of the belt is m v times its speed.
+    // 100 kg boxes, μ = 0.4, a belt at 2 m/s. Velocities belong to half a step before positions:
+    //     sliding starts at −h/2 with v = 2 + μ g h/2 to lose. Friction dissipates ½ m v² of each
+    //     of four boxes, and the belt does the work m v times its speed.
     scene::Scene scene = contact_scene("belt");
     const double belt = 2.0, v = belt + 0.5 * 0.4 * 9.81 * scene.world.settings().step;
     while (scene.world.time() < 1.5) ASSERT_EQ(scene.world.step(), Status::ok);
     const Energy e = scene.world.energy();
     EXPECT_NEAR(e.kinetic, 4.0 * 50.0 * belt * belt, 1e-3 * 800.0);
-    // The stack is not a point: when the belt catches its foot it rocks on its soft contacts. The
-    // velocities at −h/2 are then below μ g h/2 = 0.033 m/s (the top box has 0.020 m/s after the
-    // first step). This is 1.7 N s in all, 3.3 J at the speed of the belt. Normal impulses
-    // dissipate another 1 J.
+    // The stack is not rigid: as the belt catches its foot it rocks on its soft contacts. The
+    // velocities at −h/2 are below μ g h/2 = 0.033 m/s (the top box has 0.020 m/s after the first
+    // step): in sum 1.7 N s, 3.3 J at the belt's speed. Normal impulses dissipate another 1 J.
     EXPECT_NEAR(e.friction + e.contact, 4.0 * 50.0 * v * v, 4.0);
     EXPECT_NEAR(e.driven, 4.0 * 100.0 * v * belt, 4.0);
     EXPECT_LT(std::abs(e.contact), 1.5);
@@ -131,8 +130,8 @@ TEST(Certificate, SummaryBalancesEnergyAndCountsContacts) {
         collector.after_step(scene.world, scene.world.take_events());
     }
     const report::Summary summary = collector.result(scene.world);
-    // The energy dissipated by contacts is the exact change that the scheme makes: only round-off
-    // of sums of 1e5 J remains.
+    // Losses of contacts are the exact changes of the scheme: only rounding of sums of 1e5 J
+    // remains.
     EXPECT_LT(std::abs(summary.energy_drift()), 1e-6 * summary.energy_scale);
     EXPECT_GT(summary.energy_end.friction, 0.1 * summary.energy_scale);
     const auto json = nlohmann::json::parse(report::to_json(summary));
@@ -140,7 +139,7 @@ TEST(Certificate, SummaryBalancesEnergyAndCountsContacts) {
     EXPECT_EQ(json["friction"]["uncertified_steps"], 0);
     EXPECT_EQ(json["friction"]["flips_left"], 0);
     EXPECT_GE(json["friction"]["factorisations"]["median"].get<double>(), 0.5);
-    EXPECT_EQ(json["contacts"]["median"], 32.0);  // Four a box.
+    EXPECT_EQ(json["contacts"]["median"], 32.0);  // four per box
     EXPECT_EQ(json["equations_with_contacts"]["median"], 8 * 6 + 3 * 32.0);
     EXPECT_FALSE(json.contains("budget"));
     EXPECT_NE(report::to_text(summary).find("natural map"), std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Momentum of bodies in joints, wires and chains, and bounds of rows, by the separate code.
+// Momentum of bodies in joints, wires and chains, and bounds of rows, by separate code.
 #include <hawser/scene.h>
 
 #include "verify/certificate.h"
@@ -12,12 +12,12 @@
 namespace hawser {
 namespace {
 
-/// Change a reported force, as in a faulty step.
+/// Change a force, so that the verifier reads a wrong one after the step.
 void tamper(const World& world, InteractionId id, std::size_t row, double change) {
     const_cast<double&>(world.force(id)[row]) += change;
 }
 
-/// Return values for parameters without a default, such that every kind has a force: ranges are
+/// Return values of parameters without a default, so that every kind carries a force: ranges are
 /// exceeded, motors and friction are at a bound.
 double value_of(const std::string& param) {
     static const std::map<std::string, double> kValues{
@@ -44,7 +44,7 @@ BodyDef tilted(const char* name, const Vec3& place, double angle) {
     return def;
 }
 
-/// Build rigid bodies with slightly displaced points and frames, under gravity; drums.
+/// Add rigid bodies whose points and frames are slightly apart, under gravity; and drums.
 InteractionId build(World& world, InteractionKind kind) {
     const KindInfo& info = kind_info(kind);
     const BodyId rigid[3] = {world.add_body(tilted("a", {0, 0, 0}, 0.4)),
@@ -67,7 +67,7 @@ InteractionId build(World& world, InteractionKind kind) {
                                 : Vec3(0.2, 0.4, 0.3);
         def.point[slot] = pose.orientation.conjugate() * (shared - pose.position);
         def.frame[slot] = pose.orientation.conjugate() * frame;
-        // Not quite as they should be, and the axes of a cardan joint are square.
+        // Slightly off their reference poses; the axes of a cardan joint are perpendicular.
         if (b == 1)
             def.frame[slot] = def.frame[slot] * Quat(Eigen::AngleAxisd(0.02, Vec3::UnitY()));
         if (b == 1 && kind == InteractionKind::Universal)
@@ -78,7 +78,8 @@ InteractionId build(World& world, InteractionKind kind) {
     return world.add_interaction(def);
 }
 
-/// @return the final message of the verifier. @param row  Row to be changed after the last step.
+/// Run the kind. @return final report of the verifier. @param row  Row to change after the last
+/// step.
 std::string outcome(InteractionKind kind, int row, verify::Verification& result) {
     World world;
     const InteractionId id = build(world, kind);
@@ -86,7 +87,7 @@ std::string outcome(InteractionKind kind, int row, verify::Verification& result)
     for (int i = 0; i < 6; ++i) {
         verifier.before_step(world);
         EXPECT_EQ(world.step(), Status::ok);
-        // In N or N m: the impulses of gravity on the bodies are 0.5 N s.
+        // In newtons or newton metres: the impulses of gravity on the bodies are 0.5 N s.
         if (i == 5 && row >= 0) tamper(world, id, static_cast<std::size_t>(row), 1e-6);
         const std::string wrong = verifier.after_step(world);
         result = verifier.result();
@@ -101,7 +102,7 @@ TEST(CertificateRows, EveryKindIsCoveredAndAWrongForceFound) {
         verify::Verification result;
         EXPECT_EQ(outcome(info.kind, -1, result), "") << info.name;
         EXPECT_EQ(result.covered_bodies, info.scalars == 2 ? 5 : 4) << info.name;
-        // Round-off of sums of a few terms.
+        // Rounding of sums of a few terms.
         EXPECT_LE(result.momentum, 1e-12) << info.name;
         for (int row = 0; row < info.rows; ++row)
             EXPECT_NE(outcome(info.kind, row, result), "") << info.name << ", row " << row;
@@ -109,11 +110,11 @@ TEST(CertificateRows, EveryKindIsCoveredAndAWrongForceFound) {
 }
 
 TEST(CertificateRows, ChainsAndWiresOfScenes) {
-    // Links, ropes with bending and twist on a drum, wires with lumps and rigid ends on a cylinder,
-    // mechanisms, limits, motors.
+    // Links, ropes with bending and twist on a drum, wires with point masses and rigid ends on a
+    // cylinder, mechanisms, limits, motors.
     for (const char* name : {"hanging_chain", "anchor_lines", "heavy_hook", "cable_spin",
                              "wire_cylinder", "bricard", "joint_limits", "motor_limits"}) {
-        // The remaining error of completed joints is not checked.
+        // Residuals of the end-of-step iteration are not checked.
         scene::Options tight;
         tight.set = {"settings.solution_tolerance=1e-13"};
         scene::Scene scene = scene::load_file(std::string("scenes/") + name + ".json", tight);
@@ -130,7 +131,7 @@ TEST(CertificateRows, ChainsAndWiresOfScenes) {
 }
 
 TEST(CertificateRows, StiffnessBesideTheRowsCounts) {
-    // With the links' stiffness and damping left out of the sum, momentum of this chain is off.
+    // Without the links' stiffness and damping in the sum, momentum of this chain is not balanced.
     scene::Scene scene = scene::load_file("scenes/hanging_chain.json");
     double largest = 0.0;
     std::vector<Pose> pose(static_cast<std::size_t>(scene.world.body_count()));
@@ -155,12 +156,12 @@ TEST(CertificateRows, StiffnessBesideTheRowsCounts) {
                      .on)
                 largest = std::max(largest, w.torque.norm() + w.force.norm());
     }
-    // A thousand times the tolerance of the verifier, relative to the weight of one link.
+    // A thousand times the verifier's tolerance, which is relative to the weight of one link.
     const double weight = scene.world.settings().step * 9.81 * scene.world.body_def(last).mass;
     EXPECT_GT(largest, 1e-6 * weight);
 }
 
-/// Step a scene three times, and a fourth time with this force of a row.
+/// Return the report on a scene after three steps, and a fourth one whose row has this force.
 std::string with_force(const char* name, const char* interaction, double force) {
     scene::Scene scene = scene::load_file(std::string("scenes/") + name + ".json");
     const InteractionId id = scene.world.find_interaction(interaction);
@@ -181,19 +182,19 @@ TEST(CertificateRows, FindsForcesBeyondTheirBounds) {
     const auto beyond = [](const std::string& said) {
         return said.find("beyond its bound") != std::string::npos;
     };
-    // A line that pushes: the threshold is a millionth of the weight of a lump.
+    // A line that pushes: the smallest detected force is a millionth of a node's weight.
     EXPECT_TRUE(beyond(with_force("joint_friction", "grips_light_end", 1e-3)));
     // Motors of 150 N and 6 N m, exceeded by slightly more than a millionth of the weight of 20 kg.
     EXPECT_TRUE(beyond(with_force("motor_limits", "starts_slide_motor", 150.0005)));
     EXPECT_FALSE(beyond(with_force("motor_limits", "starts_slide_motor", 150.0)));
     EXPECT_TRUE(beyond(with_force("motor_limits", "spins_hinge_motor", -6.1)));
-    // Friction: bounds of 300 N, of 12 N m, and of 0.3 times 100 kg 9.81 m/s² 0.93, which its own
-    // slide carries (274 N), to either side.
+    // Friction bounds of 300 N, of 12 N m, and of 0.3 times 100 kg 9.81 m/s² 0.93 carried by the
+    // slide itself (274 N), in both directions.
     EXPECT_TRUE(beyond(with_force("joint_friction", "stops_slide_friction", -300.01)));
     EXPECT_TRUE(beyond(with_force("joint_friction", "coasts_hinge_friction", 12.001)));
     EXPECT_TRUE(beyond(with_force("joint_friction", "slips_slide_friction", 274.0)));
     EXPECT_FALSE(beyond(with_force("joint_friction", "slips_slide_friction", 273.0)));
-    // A limit pushes only if it is reached.
+    // A limit pushes only when it is reached.
     EXPECT_TRUE(beyond(with_force("joint_limits", "door_hinge_range", -0.1)));
     EXPECT_TRUE(beyond(with_force("joint_limits", "block_slide_range", 0.1)));
 }

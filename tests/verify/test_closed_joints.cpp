@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate code verifies steps that close joints by moving poses, along with which angular
-// velocities turn. It used to treat these as the velocities of the equations of the step. Contacts
-// and joints then had errors as large as the rotations of bodies.
+// Separate code verifies steps with position projection, whose angular velocities include its
+// rotation. A fault took them for velocities of the step's equations: contacts and joints then had
+// errors of the size of the rotation.
 #include <hawser/scene.h>
 
 #include "verify/certificate.h"
@@ -11,10 +11,10 @@
 namespace hawser {
 namespace {
 
-/// Two bodies on a hinge fall on a deck; the impact turns them more than a step of 0.2 s resolves.
-/// Such a step loses motion, which the monitor of the world reports and --verify rejects: 39 % of
-/// the energy exchanged, 3 % at 0.05 s and 0.002 % at 0.01 s. Here only laws and momentum of the
-/// steps are verified (on_diverged warn).
+/// Two bodies on a hinge fall on a deck; after the impact they rotate farther than a step of 0.2 s
+/// resolves. Such a step loses energy, which the monitor reports and --verify rejects: 39 % of the
+/// exchanged energy, 3 % at 0.05 s and 0.002 % at 0.01 s. Here only laws and momentum of the steps
+/// are verified (on_diverged warn).
 constexpr const char* kFall = R"({"version": 1, "name": "fall",
 "settings": {"step": 0.2, "on_diverged": "warn"},
 "bodies": [{"name": "quay", "kind": "fixed", "shapes": [
@@ -39,7 +39,7 @@ TEST(ClosedJoints, AreVerified) {
         verifier.before_step(world);
         ASSERT_EQ(world.step(), Status::ok) << "step " << i;
         EXPECT_EQ(verifier.after_step(world), "") << "step " << i;
-        // A rotation about the angular velocity alone does not change it in the frame of the body.
+        // A rotation about the angular velocity leaves it constant in the body's frame.
         const Pose now = world.pose(world.find_body("b1"));
         const Vec3 spin = world.velocity(world.find_body("b1")).angular;
         const Vec3 back = before.orientation * (now.orientation.conjugate() * spin);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate code verifies the step in which a wire under tension is cut. Its new ends are bodies
-// with a velocity that does not follow from an earlier step.
+// Separate code verifies the step in which a wire under tension is cut: its new ends are bodies
+// whose velocity is in no earlier step.
 #include <hawser/scene.h>
 
 #include "verify/certificate.h"
@@ -25,7 +25,7 @@ TEST_P(CutVerified, SeparateCodeAgrees) {
         ASSERT_EQ(world.step(), Status::ok) << "step " << i;
         ASSERT_EQ(verifier.after_step(world), "") << "step " << i;
     }
-    // All except the bodies near the ends, a body or two, that the guard of wires may exclude.
+    // All bodies except those that the wire guard may hide, one or two at the ends.
     EXPECT_GE(verifier.result().covered_bodies, verifier.result().moving_bodies - 2);
     EXPECT_EQ(verifier.result().steps, 240);
 }
@@ -46,7 +46,8 @@ WinchDef small_winch(WireId wire, double stored) {
             .torque_pay = 3e6};
 }
 
-/// A light wire along x under 100 kN, bent alternately: no step of 1/60 s resolves its oscillation.
+/// A light wire along x under 100 kN, bent to alternate sides: a step of 1/60 s does not resolve
+/// its transverse vibration.
 struct Lively {
     World w{WorldDef{.gravity = Vec3::Zero(), .on_diverged = OnDiverged::warn}};
     BodyId end{};
@@ -77,7 +78,7 @@ struct Lively {
 };
 
 TEST(CutsVerified, AWireWhoseSwingsAreDamped) {
-    // Only the step knows the part that the new ends take over.
+    // Only the step has the data that the new ends receive.
     Lively l;
     verify::Verifier verifier(l.w);
     for (int i = 0; i < 200; ++i) {
@@ -89,7 +90,7 @@ TEST(CutsVerified, AWireWhoseSwingsAreDamped) {
         verifier.before_step(l.w);
         ASSERT_EQ(l.w.step(), Status::ok) << "step " << i;
         ASSERT_EQ(verifier.after_step(l.w), "") << "step " << i;
-        // Not repeated again: the verifier would then have less data.
+        // Not rejected again, after which the verifier would have fewer data.
         if (i == 6) {
             EXPECT_EQ(l.w.stats().wire_repeats, 0);
         }
@@ -97,8 +98,8 @@ TEST(CutsVerified, AWireWhoseSwingsAreDamped) {
 }
 
 TEST(CutsVerified, AWeakLinkThatPartsAsAStepBegins) {
-    // A load swings on a wire whose last half metre lies on the drum. Then its weight exceeds the
-    // strength of its end there. The tension before has no effect across the element any more.
+    // A load swings on a wire whose last half metre is on the drum; then the load exceeds the
+    // strength of the fastening. The tension before the release no longer acts through the element.
     World w(WorldDef{.step = 1.0 / 120.0});
     const BodyId deck = w.add_body({.kind = BodyKind::fixed});
     const BodyId load = w.add_body(

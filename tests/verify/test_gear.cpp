@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Gears against closed forms: ratio, energy, and the reaction on the carrier.
+/// Gears against closed forms: ratio, energy, and the reaction on their carrier.
 #include <hawser/hawser.h>
 
 #include "verify/certificate.h"
@@ -15,7 +15,7 @@ namespace {
 constexpr double kStep = 1e-3;
 constexpr double kFirst = 0.2, kSecond = 1.5;  // Moments of inertia about the axes [kg m²].
 
-/// Two wheels on a carrier, in empty space.
+/// Two wheels on a carrier, without gravity.
 struct Train {
     World w{{.step = kStep, .gravity = Vec3::Zero()}};
     BodyId carrier, first, second;
@@ -63,27 +63,27 @@ TEST(Gear, TurnsAsTheTeethSayUnderATorque) {
             ASSERT_EQ(t.w.step(), Status::ok);
             ASSERT_EQ(verifier.after_step(t.w), "") << "step " << i;
         }
-        // One turn of inertia I₁ + ratio² I₂; velocities are half a step behind.
+        // One rotation with inertia I₁ + ratio² I₂; velocities belong to half a step before.
         const double inertia = kFirst + ratio * ratio * kSecond;
         const double speed = torque / inertia * (kSteps - 0.5) * kStep;
-        // The row constrains angles, and a body at ω turns by 2 atan(h ω/2) in a step: speeds have
-        // a relative error of (h ω)²/12.
+        // The row constrains angles, and a body at ω rotates by 2 atan(h ω/2) in a step: speeds
+        // have a relative error of (h ω)²/12.
         const double off = speed * kStep * speed * kStep / 12.0;
         EXPECT_NEAR(t.spin(t.first), speed, 1.1 * off * speed);
         EXPECT_NEAR(t.spin(t.second), -ratio * speed, 1.1 * off * ratio * ratio * 3.0 * speed);
-        EXPECT_GT(0.5 * speed * kSteps * kStep, 10.0);  // several turns
+        EXPECT_GT(0.5 * speed * kSteps * kStep, 10.0);  // several revolutions
         EXPECT_NEAR(t.w.energy().kinetic, 0.5 * inertia * speed * speed,
                     2.2 * off * t.w.energy().kinetic);
-        // The teeth transmit the torque of the second wheel, counted about the first: −I₂ α₂ ratio.
-        // The fraction above grows by 2 (h ω)²/12 while the speed doubles.
+        // The teeth accelerate the second wheel, relative to the first: −I₂ α₂ ratio. The relative
+        // error above grows by 2 (h ω)²/12 as the speed doubles.
         const double teeth = -ratio * ratio * kSecond * torque / inertia;
         EXPECT_NEAR(t.w.force(t.gear)[0], teeth, 3.3 * off / (ratio * ratio) * std::abs(teeth));
     }
 }
 
 TEST(Gear, PushesTheCarrierBack) {
-    // No external torque: a motor between the carrier and the first wheel turns all three such that
-    // their angular momentum, including the orbit of the wheels, stays 0.
+    // No external torque: a motor between the carrier and the first wheel rotates all three so that
+    // their angular momentum stays 0, including the orbit of the wheels.
     Train t(false, 20, 50);
     InteractionDef motor = t.w.interaction_def(t.hinge[0].joint);
     motor.kind = InteractionKind::HingeMotor;
@@ -102,14 +102,14 @@ TEST(Gear, PushesTheCarrierBack) {
     for (const auto& [body, about] :
          {std::pair(t.carrier, 4.0), std::pair(t.first, kFirst), std::pair(t.second, kSecond)}) {
         const BodyDef& def = t.w.body_def(body);
-        // The way of a body's centre by the middle of its step.
+        // Move a body's centre to the middle of its step.
         const Vec3 v = t.w.velocity(body).linear, x = t.w.pose(body).position - 0.5 * kStep * v;
         const double one = def.mass * x.cross(v).z() + about * t.spin(body);
         total += one;
         size += std::abs(one);
     }
     EXPECT_GT(size, 0.5);
-    // Hinges that turn their arms within a step keep it to second order.
+    // Hinges whose arms rotate within a step conserve it to second order.
     EXPECT_LT(std::abs(total), 1e-3 * size);
     const double slip = 20.0 * (t.spin(t.first) - t.spin(t.carrier)) +
                         50.0 * (t.spin(t.second) - t.spin(t.carrier));
@@ -140,7 +140,7 @@ TEST(Gear, RefusesTeethThatAreNone) {
 }
 
 TEST(Gear, SaysThatATeethWasJumped) {
-    // Turned manually by a third of a tooth: the check of joints names the gear.
+    // Rotated by a third of a tooth by hand: the monitor of joints names the gear.
     Train t(true, 8, 8);
     ASSERT_EQ(t.w.step(), Status::ok);
     Pose pose = t.w.pose(t.second);

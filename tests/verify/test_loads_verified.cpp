@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads of systems by separate code: momentum and energy of scenes in which systems act.
+// Verification of system loads by separate code: momentum and energy of scenes with systems.
 #include <hawser/scene.h>
 
 #include "systems/acting.h"
@@ -14,8 +14,8 @@
 namespace hawser {
 namespace {
 
-/// Add water loads to every third moving body: coupled added mass, damping, and a spring to its
-/// present position, with an oscillating force.
+/// Add water to every third moving body: coupled added mass, damping, a spring to its present
+/// position, and an oscillating force.
 void add_water(World& w, double scale) {
     test::act(w, "water", [scale](test::Acting&, Prestep& now, Loads& loads) {
         for (int b = 0; b < now.world.body_count(); b += 3) {
@@ -41,8 +41,8 @@ TEST(LoadsVerified, ScenesWithWaterHoldByIndependentCode) {
             ASSERT_EQ(scene.world.step(), Status::ok) << name;
             ASSERT_EQ(verifier.after_step(scene.world), "") << name << ", step " << i;
         }
-        // They are significant relative to the scale of the residual: 1e-9 of the impulse of
-        // gravity.
+        // The loads are relevant compared with the scale of the residual, 1e-9 of gravity's
+        // impulse.
         double pushed = 0.0, weight = 0.0;
         for (const LoadView& load : scene.world.loads()) {
             pushed += std::abs(load.force[0]);
@@ -55,10 +55,10 @@ TEST(LoadsVerified, ScenesWithWaterHoldByIndependentCode) {
     }
 }
 
-/// A body at rest that is pushed up by more than its weight, as a hull that starts too deep.
+/// A body at rest pushed up by more than its weight, like a hull that starts too deep.
 TEST(LoadsVerified, AStartThatIsPushedUpMakesNoEnergy) {
-    // Velocities start half a step before the start, where the body is higher by a h²/4: at 0.2 s
-    // by 10 cm, for which the push has done the work.
+    // Velocities start half a step before the poses, at a position higher by a h²/4: 10 cm at 0.2
+    // s, for which the push has done the work.
     for (const bool by_system : {false, true})
         for (const double step : {0.2, 0.05, 1.0 / 60.0}) {
             World w(WorldDef{.step = step});
@@ -77,7 +77,7 @@ TEST(LoadsVerified, AStartThatIsPushedUpMakesNoEnergy) {
                 ASSERT_EQ(verifier.after_step(w), "") << step << " step " << i;
             }
             EXPECT_EQ(w.verdict().grade, Grade::good) << step << " by system: " << by_system;
-            // v = a t, exactly in this scheme, at the half step before.
+            // v = a t at the half step before, exact in this scheme.
             EXPECT_NEAR(w.velocity(hull).linear.z(), 9.81 * 39.5 * step, 1e-9);
         }
 }

@@ -51,7 +51,7 @@ TEST(RodsVerified, AThousandthOfADiameterIsSeen) {
     const std::string leg = "\"diameter\": 4,";
     thicker.replace(thicker.find(leg), leg.size(), "\"diameter\": 4.004,");
     const scene::Scene other = scene::load_text(thicker, "rig");
-    // The same bodies and positions, but the verifier has a different sea.
+    // Equal bodies and positions; only the sea given to the verifier differs.
     verify::Verifier verifier(other.world);
     verifier.before_step(scene.world);
     ASSERT_EQ(scene.world.step(), Status::ok);

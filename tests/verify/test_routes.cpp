@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines over posts and sheaves in the verifier, which finds tangents by another method.
+/// Lines over bollards and sheaves in the verifier, which finds tangents by another method.
 #include "support/post.h"
 
 #include "verify/certificate.h"
@@ -29,7 +29,7 @@ TEST(RoutesVerified, SlidingAndHolding) {
         }
 }
 
-/// A block that turns on three falls between two wheels. @param spin  [rad/s]
+/// Verify a block that rotates on three falls between two wheels. @param spin  [rad/s]
 void verify_tackle(const Vec3& spin, const Quat& turned) {
     World w;
     const BodyId boom = w.add_body({.kind = BodyKind::fixed, .position = {0, 0, 20}});
@@ -66,7 +66,7 @@ TEST(RoutesVerified, ATackleWhoseBlockYawsAndSwings) {
 }
 
 TEST(RoutesVerified, AWeightHauledIntoItsSheave) {
-    // Near the wheel there is no tangent; its substitute is part of the law, too.
+    // Inside the wheel's radius there is no tangent; its replacement is a law, too.
     World w(WorldDef{.step = 1.0 / 240.0});
     const BodyId boom = w.add_body({.kind = BodyKind::fixed}),
                  mast = w.add_body({.kind = BodyKind::fixed});
@@ -92,15 +92,15 @@ TEST(RoutesVerified, AWeightHauledIntoItsSheave) {
 }
 
 TEST(RoutesVerified, ATackleOfWhichAFallParts) {
-    // Behind it only friction holds: the next falls pull through until they are slack, and the
-    // broken part never exerts a pull.
+    // After it only friction acts: the next falls run through until they are slack, and the broken
+    // one stays without tension.
     World w(WorldDef{.step = 0.2});
     const BodyId boom = w.add_body({.kind = BodyKind::kinematic,
                                     .position = {0, 0, 17},
                                     .velocity = {-0.45, -0.35, -0.25},
                                     .angular_velocity = {0.06, 0.1, 0.08}}),
                  mast = w.add_body({.kind = BodyKind::fixed});
-    // As the scene reader has a box of half sizes 3.1, 2.8 and 3.1 m.
+    // Inertia of a box of half sizes 3.1, 2.8 and 3.1 m, like the scene reader's.
     const BodyId load =
         w.add_body({.name = "load",
                     .position = {0, 0, 4},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate code verifies the first seconds of every scene in which something touches: laws of
-// contacts, momentum of bodies, bounds of rows.
+// Separate code verifies the first seconds of every scene with contacts: laws of contacts, momentum
+// of bodies, bounds of rows.
 #include <hawser/scene.h>
 
 #include "support/sanitizer.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kVerifiedSteps = test::kSanitized ? 12 : 120;
 
-// A fixed list: finding the names requires reading all scenes.
+// A list: finding the names would require reading all scenes.
 const std::vector<std::string> kTouchingScenes = {"anchor_adaptive",
                                                   "anchor_contact",
                                                   "anchor_drag",
@@ -67,7 +67,7 @@ TEST(SceneVerified, IsEverySceneWithShapes) {
     EXPECT_EQ(names, kTouchingScenes);
 }
 
-/// Scenes of more than 1,000 bodies whose kinds of bodies and wires also occur in others.
+/// Scenes of more than 1,000 bodies whose kinds of bodies and wires are in other scenes as well.
 const std::vector<std::string> kLargeScenes = {"anchor_adaptive", "anchor_run_fine",
                                                "anchor_seaway"};
 
@@ -96,14 +96,14 @@ TEST_P(VerifiedScene, SeparateCodeAgrees) {
         const bool solved = stats.natural_map <= scene.world.settings().contact_tolerance;
         open_steps += solved && stats.flips_left == 0 ? 0 : 1;
     }
-    // Promises of the solver for every step. The friction of Painlevé's rod is beyond the paradox:
-    // when its sliding stops, the problem of a step may have no solution (`hawser validate
-    // painleve` allows as many).
+    // Guarantee of the solver for every step. Friction of Painlevé's rod is beyond the paradox:
+    // when it stops sliding, a step may have no solution (`hawser validate painleve` allows the
+    // same number).
     EXPECT_LE(open_steps, GetParam() == "painleve" ? 2 : 0);
     EXPECT_EQ(verifier.result().steps, kVerifiedSteps);
-    // Both figures are sums of a few terms in different order.
+    // Both figures are sums of a few terms in different orders.
     EXPECT_LE(verifier.result().difference, 1e-9);
-    // It may omit a body in a step in which rounding decides the direction of a row, but not often.
+    // It may leave out a body for a step if rounding determines a row's direction; not many.
     EXPECT_GE(10 * verifier.result().covered_bodies, 9 * verifier.result().moving_bodies);
     EXPECT_LE(verifier.result().rejected_steps, 2);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hull forces as functions against separately written formulas.
+/// Hull forces as functions, against formulas written separately.
 #include <hawser/vessel_hull.h>
 #include <hawser/vessel_ships.h>
 
@@ -27,7 +27,7 @@ Flow flow_of(double u, double v, double r, double rudder = 0.0, double rps = 0.0
     return f;
 }
 
-// The table of MSS, linear between its points.
+// Table of MSS, linear between its points.
 TEST(Hull, HoernerDrag) {
     EXPECT_NEAR(hoerner_drag(1.8), 0.666411, 1e-5);
     EXPECT_NEAR(hoerner_drag(1.0), 0.82585, 1e-5);
@@ -45,7 +45,7 @@ TEST(Hull, CrossFlowDragMeetsTheIntegral) {
     EXPECT_NEAR(cross_flow_force(def, flow_of(0, 0, r))[5], -0.995 * yaw, 1e-3 * yaw);
     // Steady yaw of a moment of 5 MNm: r = sqrt(64 N/(rho T C_d L^4)) = 0.04443 rad/s.
     EXPECT_NEAR(-cross_flow_force(def, flow_of(0, 0, 4.4432e-2))[5], 5e6, 0.006 * 5e6);
-    // The sum of MSS has one strip more.
+    // The sum of MSS has one more strip.
     CrossFlow ends = def;
     ends.end_strips = true;
     EXPECT_NEAR(cross_flow_force(ends, flow_of(0, 2.0, 0))[1], -1.05 * c * 83.0 * 4.0,
@@ -68,7 +68,7 @@ TEST(Hull, ResistanceIsOddAndContinuous) {
     def.linear = def.quadratic = 0.0;
     def.curve = {{0.0, 0.0}, {5.0, 1e5}, {10.0, 6e5}};
     EXPECT_NEAR(vessel::surge_force(def, 7.0), -3e5, 1e-6);
-    EXPECT_NEAR(vessel::surge_force(def, 20.0), -24e5, 1e-6);  // quadratic beyond the last
+    EXPECT_NEAR(vessel::surge_force(def, 20.0), -24e5, 1e-6);  // quadratic beyond the last point
 }
 
 // Equation of the MMG standard method at one state, written out.
@@ -109,7 +109,7 @@ TEST(Hull, MmgPolynomialAndSternMeetTheFormula) {
 TEST(Hull, EssoPolynomialMeetsTheFormula) {
     const PublishedShip ship = esso_190k(25.0);
     const double L = 304.8, z = 18.46 / (25.0 - 18.46), u = 5.0, v = -0.8, r = 0.006;
-    const double n = 80.0 / 60.0, d = -0.2;  // the source's angle
+    const double n = 80.0 / 60.0, d = -0.2;  // angle with the sign of the source
     const double c2 = 0.605 * u * n + 38.2 * n * n, b = std::atan(v / u);
     const double lg = -0.00695 * u * u - 0.00063 * L * u * n + 0.0000354 * L * L * n * n;
     const double x = (-0.0377 * u * u + 2.020 * L * v * r + 0.3 * v * v - 0.093 * c2 * d * d +
@@ -135,7 +135,7 @@ TEST(Hull, EssoPolynomialMeetsTheFormula) {
     EXPECT_NEAR(f[5], m * L * L * nn, 1e-9 * m * L);
 }
 
-// Coefficients describe ships that move ahead: at rest and astern forces stay finite, and the hull
+// Coefficients describe ships that go ahead. At rest and astern forces stay finite, and the hull
 // dissipates energy.
 TEST(Hull, PolynomialsAreFiniteAtRestAndBrakeAstern) {
     for (const char* name : kPublishedShips) {
@@ -144,7 +144,7 @@ TEST(Hull, PolynomialsAreFiniteAtRestAndBrakeAstern) {
         const vessel::Polynomial p(ship.vessel.polynomial, ship.body.mass);
         const double speed = ship.speed, length = ship.length;
         EXPECT_TRUE(p.force(flow_of(0, 0, 0)).allFinite()) << name;
-        // A rate of turn at rest meets resistance; the terms of Mariner and tanker have none there.
+        // Rotation at rest is resisted; the terms of Mariner and tanker have no resistance there.
         const double r = 0.3 * speed / length;
         if (ship.vessel.mmg.diameter > 0.0 || ship.vessel.son_nomoto.diameter > 0.0) {
             EXPECT_LT(p.force(flow_of(0, 0, r))[5] * r, 0.0) << name;
@@ -152,7 +152,7 @@ TEST(Hull, PolynomialsAreFiniteAtRestAndBrakeAstern) {
         // Astern, the hull alone pushes ahead.
         EXPECT_GT(p.force(flow_of(-0.5 * speed, 0, 0))[0], 0.0) << name;
         EXPECT_LT(p.force(flow_of(0, 0.3 * speed, 0))[1], 0.0) << name;
-        // Between ahead and astern forces are continuous.
+        // Forces are continuous between ahead and astern.
         Wrench before = p.force(flow_of(0.2 * speed, 0.5 * speed, 0));
         const double size = before.head<2>().norm();
         for (int i = 1; i <= 400; ++i) {
@@ -191,7 +191,8 @@ TEST(Wind, BlendermannMeetsTheFormula) {
     const double pi = std::numbers::pi;
     EXPECT_NEAR(wind_coefficients(load, 0.0).x, -0.55, 1e-12);
     EXPECT_NEAR(wind_coefficients(load, pi).x, 0.80, 1e-12);
-    EXPECT_NEAR(wind_coefficients(load, 0.5 * pi).y, -0.90, 1e-12);  // from starboard: to port
+    EXPECT_NEAR(wind_coefficients(load, 0.5 * pi).y, -0.90,
+                1e-12);  // from starboard: force to port
     const double e = 0.25 * pi, lateral = 0.55 * 200.0 / 500.0;
     const double share = 1.0 - 0.5 * 0.55 * (1.0 - lateral / 0.90);
     const WindCoefficients c = wind_coefficients(load, e);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Propeller series against tables computed separately from the published coefficients, and against
-/// the tests of another program.
+/// Propeller series against tables computed independently from the published coefficients, and
+/// against tests of another program.
 #include <hawser/vessel_propeller.h>
 
 #include <gtest/gtest.h>
@@ -70,12 +70,12 @@ TEST(Propeller, Ka470MeetsTheTable) {
     }
 }
 
-// The pull that a classification society expects of a ducted propeller: 1250 N (kW m)^(-2/3).
+// Pull that a classification society expects of a ducted propeller: 1250 N (kW m)^(-2/3).
 TEST(Propeller, DuctedPullAtRestMeetsTheRule) {
     for (const PropellerSeries series : {PropellerSeries::ka4_70, PropellerSeries::ka5_75}) {
         const PropellerDef p{.series = series, .diameter = 4.0, .pitch = 1.2};
         const double rule = 1250.0 * std::pow(5000.0 * 4.0, 2.0 / 3.0);
-        // Series of different nozzles and pitches lie within 5 % of the rule of thumb.
+        // Series of different nozzles and pitches are within 5 % of the rule of thumb.
         EXPECT_NEAR(at_power(p, 5e6, 0.0, 1025.0).thrust / rule, 1.0, 0.05) << to_string(series);
     }
 }
@@ -121,7 +121,7 @@ TEST(Propeller, ForceIsContinuousAndOfTheRightSign) {
     for (const PropellerSeries series :
          {PropellerSeries::wageningen_b, PropellerSeries::ka4_70, PropellerSeries::ka5_75}) {
         const PropellerDef p{.series = series, .diameter = 3.0, .pitch = 1.0};
-        // Around the circle of speeds and revolutions no step is larger than a smooth curve's.
+        // Along a circle of speeds and revolutions no difference exceeds that of a smooth curve.
         const double size = propeller_force(p, 1.0, 2.0, 0.0, 1025.0).thrust;
         double before = size;
         for (int i = 1; i <= 3600; ++i) {
@@ -131,11 +131,11 @@ TEST(Propeller, ForceIsContinuousAndOfTheRightSign) {
             EXPECT_LT(std::abs(t - before), 0.02 * size) << to_string(series) << " " << i;
             before = t;
         }
-        // Ahead it pushes, backing it pulls; dragged without turning it brakes.
+        // It pushes ahead, pulls in reverse, and brakes if dragged without rotation.
         EXPECT_GT(propeller_force(p, 1.0, 2.0, 3.0, 1025.0).thrust, 0.0);
         EXPECT_LT(propeller_force(p, 1.0, -2.0, 3.0, 1025.0).thrust, 0.0);
         EXPECT_LT(propeller_force(p, 1.0, 0.0, 3.0, 1025.0).thrust, 0.0);
-        // Pitch astern mirrors; no pitch has no thrust but some torque.
+        // Negative pitch mirrors; zero pitch has no thrust but some torque.
         EXPECT_EQ(propeller_force(p, -1.0, 2.0, -3.0, 1025.0).thrust,
                   -propeller_force(p, 1.0, 2.0, 3.0, 1025.0).thrust);
         EXPECT_EQ(propeller_force(p, 0.0, 2.0, 3.0, 1025.0).thrust, 0.0);

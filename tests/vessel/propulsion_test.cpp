@@ -21,7 +21,7 @@ TEST(Actuators, FollowIsLimitedInRateThenExponential) {
     // Rate 2, time constant 0.5: constant rate down to an error of 1, then e^(-t/0.5).
     EXPECT_TRUE(vessel::follow(x, 5.0, 2.0, 0.5, 1.0));
     EXPECT_DOUBLE_EQ(x, 2.0);
-    EXPECT_FALSE(vessel::follow(x, 5.0, 2.0, 0.5, 1.5));  // 1 s to the error of 1, 0.5 s on
+    EXPECT_FALSE(vessel::follow(x, 5.0, 2.0, 0.5, 1.5));  // 1 s to an error of 1, and 0.5 s more
     EXPECT_NEAR(x, 5.0 - std::exp(-1.0), 1e-12);
     double y = 0.0;
     for (int i = 0; i < 250; ++i) (void)vessel::follow(y, 5.0, 2.0, 0.5, 0.01);
@@ -91,7 +91,7 @@ TEST(Actuators, RudderInTheSlipstreamMeetsMomentumTheory) {
     const vessel::Wrench f = rudder.force(s, flow, thrust, d);
     EXPECT_NEAR(f[0], -normal * std::sin(0.25), 1e-6 * normal);
     EXPECT_NEAR(f[1], -normal * std::cos(0.25), 1e-6 * normal);
-    // At rest only the propeller makes it effective; without both there is no force.
+    // At rest only the slipstream of the propeller makes a rudder force; without both it is 0.
     flow.motion[0] = 0.0;
     EXPECT_LT(rudder.force(s, flow, thrust, d)[1], 0.0);
     EXPECT_EQ(rudder.force(s, flow, 0.0, 0.0)[1], 0.0);
@@ -107,7 +107,7 @@ struct Tug {
         body.velocity = {speed, 0, 0};
         def.name = "tug";
         def.body = world.add_body(body);
-        def.resistance.linear = resistance;  // at rest it stays
+        def.resistance.linear = resistance;  // stays at rest
         def.resistance.blend = 100.0;
         PropulsorDef p;
         p.name = "main";
@@ -152,7 +152,7 @@ TEST(Propulsors, ShaftFollowsItsOrderWithinItsLimits) {
     EXPECT_EQ(t.world.event_extremes(EventKind::saturation).count, 0);
 }
 
-// The water turns a light shaft whose motor gives no torque: stable at any inertia.
+// The water turns a light shaft without motor torque: stable for any inertia.
 TEST(Propulsors, WindmillsAndStopsWithoutNoise) {
     for (const double inertia : {1.0, 1e3, 1e6}) {
         Tug t(0.0, 5.0, 0.0);
@@ -187,7 +187,7 @@ TEST(Propulsors, ControllablePitchReversesThrust) {
     EXPECT_NEAR(t.get("main_set"), 0.0, 1e-6);
     EXPECT_NEAR(t.get("main_thrust"), 0.0, 0.01 * ahead);
     t.run(11.0);
-    EXPECT_NEAR(t.get("main_thrust"), -ahead, 1e-3 * ahead);  // the mirror image at rest
+    EXPECT_NEAR(t.get("main_thrust"), -ahead, 1e-3 * ahead);  // mirror image at rest
 }
 
 TEST(Propulsors, AzimuthTurnsTheShorterWayAndReportsItsRate) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Vessels in a world: tracks, current, state, refusals.
+/// Vessels in a world: tracks, current, state, rejected definitions.
 #include <hawser/hawser.h>
 #include <hawser/vessel_ships.h>
 #include <hawser/vessel_trials.h>
@@ -41,7 +41,7 @@ struct Sailing {
     }
 };
 
-// Figures of the published equations (docs/vessels.md); the validation has all of them.
+// Figures of the published equations (docs/vessels.md); `hawser validate` has all of them.
 TEST(Vessel, TurnsLikeItsReference) {
     const PublishedShip ship = kvlcc2(KvlccScale::l7);
     Sailing s(ship);
@@ -71,7 +71,7 @@ TEST(Vessel, PositiveRudderTurnsEveryShipToStarboard) {
     }
 }
 
-// Forces are of the velocity through the water: in a uniform current a track is carried along.
+// Forces depend on the velocity through the water: a uniform current moves the track with it.
 TEST(Vessel, CurrentCarriesTheTrack) {
     const Vec3 flow{0.4, -0.7, 0.0};
     SeaDef still{.depth = 100.0}, sea{.depth = 100.0};
@@ -114,7 +114,7 @@ TEST(Vessel, StepIsOfSecondOrder) {
     EXPECT_LT(third, 1e-3 * ship.length);
 }
 
-// Long steps: no load of the vessel is unstable at 5 Hz.
+// Long steps: vessels are stable at 5 Hz.
 TEST(Vessel, LongStepsAreStable) {
     for (const char* name : kPublishedShips) {
         const PublishedShip ship = published_ship(name);
@@ -160,7 +160,7 @@ TEST(Vessel, StateIsSavedRestoredCopiedAndRepeatsForAnyThreads) {
     }
 }
 
-/// Sets number `at` of a state's doubles or integers.
+/// Set number `at` of a state's doubles or integers.
 class Spoiler final : public StateVisitor {
   public:
     Spoiler(int at, double value, std::int32_t flag) : at_(at), value_(value), flag_(flag) {}
@@ -181,8 +181,8 @@ class Spoiler final : public StateVisitor {
     std::int32_t flag_;
 };
 
-// Values that control a step are rejected out of range. Outputs and inputs may have any value here,
-// since the next step computes them or the world checks their range.
+// State values that determine a step are rejected if out of range. Outputs and inputs may have any
+// value here: the next step computes them, or the world checks their range.
 TEST(Vessel, RestoredStateIsChecked) {
     Sailing s(kvlcc2(KvlccScale::full));
     System* system = s.world.find_system("kvlcc2");
@@ -300,7 +300,7 @@ TEST(Vessel, NamesWeightThatNothingOrTwoThingsCarry) {
     };
     EXPECT_EQ(warnings(false, false), 0u);
     EXPECT_EQ(warnings(true, false), 1u);
-    EXPECT_EQ(warnings(true, true), 1u);  // the sea's hull and `restoring`
+    EXPECT_EQ(warnings(true, true), 1u);  // hull of the sea and `restoring`
 }
 
 TEST(Trials, ImoLimitsFollowLengthOverSpeed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wires with random ends, lengths, weights, stiffnesses and seabeds. The forces on each node are
-// summed here, from the positions of nodes alone.
+// Wires of random ends, lengths, weights, stiffnesses and seabeds. The forces on each node are
+// computed here from the positions of the nodes alone.
 #include "support/sanitizer.h"
 #include "support/tier.h"
 
@@ -59,7 +59,7 @@ CatenaryDef random_wire(Draw& draw) {
         const double height = draw.one_in(2) ? lower : lower - draw.between(0.0, size);
         def.seabed = FlatSeabed{height, draw.one_in(3) ? 0.0 : draw.between(0.0, 1.5)};
         if (draw.one_in(4)) def.from.z() = def.to.z() = height;
-        // An anchor below the nodes.
+        // An anchor: below the possible positions of nodes.
         if (draw.one_in(3)) {
             const double l = def.sections[0].length / def.sections[0].elements;
             def.from.z() = height - draw.between(0.0, 0.5) * l;
@@ -76,7 +76,7 @@ struct Load {
     std::vector<double> weight, compliance, length;
 };
 
-/// Loads of a wire with the nodes of its sections.
+/// Compute the loads of a wire whose nodes are those of its sections.
 Load loads(const CatenaryDef& def) {
     Load out;
     out.weight.push_back(0.0);
@@ -102,7 +102,7 @@ void expect_in_balance(const CatenaryDef& def, const Catenary& c, int number) {
     far = std::max(far, c.s.back());
     for (const double k : load.compliance) stiffest = std::max(stiffest, 1.0 / k);
     for (const double w : load.weight) weight = std::max(weight, std::abs(w));
-    // The last digits of a position, times the stiffness of an element, are round-off.
+    // Rounding of positions times the stiffness of an element.
     const double digits = 16.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
     const double allowed = 1e-6 * weight + digits;
     std::vector<Vec3> pull;
@@ -120,7 +120,7 @@ void expect_in_balance(const CatenaryDef& def, const Catenary& c, int number) {
         if (def.seabed) {
             const double over = c.nodes[i].z() - def.seabed->height;
             ASSERT_GE(over, -1e-9 * far) << number << " node " << i;
-            if (over <= 1e-12 * far) {  // the bottom pushes, and friction acts
+            if (over <= 1e-12 * far) {  // the bottom pushes, and friction holds
                 const double push = std::max(0.0, -force.z());
                 const double level = std::hypot(force.x(), force.y());
                 const double held = std::min(level, def.seabed->friction * push);
@@ -151,7 +151,7 @@ TEST(CatenaryRandom, every_node_is_in_balance) {
     EXPECT_GT(slack, most / 10);
 }
 
-/// For meaningless input the result is finite, and its status says whether it is valid.
+/// Absurd numbers: results are finite, with a status of their accuracy.
 TEST(CatenaryRandom, nothing_is_nan_whatever_it_is_asked_for) {
     Draw draw(test::first_seed(7));
     const int most = wires();

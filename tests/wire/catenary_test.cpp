@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes of wires at rest against closed forms, and in cases without bending.
+// Shapes of wires at rest against closed forms, and limits without a bent shape.
 #include <gtest/gtest.h>
 #include <hawser/catenary.h>
 #include <hawser/def.h>
@@ -16,10 +16,11 @@ CatenaryDef wire(const Vec3& to, double length, int elements) {
     return def;
 }
 
-/// Largest sideways or vertical distance of an element's middle from a straight line is of the
-/// order 1/n²: the pulls of n elements tend to those of the smooth wire.
+/// The largest sideways or vertical distance of an element's middle from a straight line is of
+/// order 1/n²: the pulls of n elements converge to those of the smooth wire.
 TEST(Catenary, tends_to_the_smooth_one) {
-    // Inextensible: a = 33.820188 m, sag 26.543751 m, end tension 60.363939 w; EA makes 1e-4.
+    // Inextensible: a = 33.820188 m, sag 26.543751 m, end tension 60.363939 w. The effect of EA is
+    // 1e-4.
     for (const auto& [n, limit] :
          {std::pair(20, 1.5e-3), {40, 5e-4}, {100, 2e-4}, {1000, 1.5e-4}}) {
         const Catenary c = catenary(wire({80, 0, 0}, 100.0, n));
@@ -33,8 +34,9 @@ TEST(Catenary, tends_to_the_smooth_one) {
     }
 }
 
-/// MoorPy's and others' closed form of a chain of 410 m on a bottom without friction: 1001.7 and
-/// 835.6 kN at its ends (M. Jonkman's line of 2007, w = 3323.25 N/m, EA = 1.674e9 N).
+/// Closed form used by MoorPy and others for a chain of 410 m on a bottom without friction.
+/// Tensions at its ends are 1001.7 and 835.6 kN (M. Jonkman's line of 2007, w = 3323.25 N/m, EA =
+/// 1.674e9 N).
 TEST(Catenary, lies_on_the_seabed) {
     CatenaryDef def;
     def.from = {0, 0, -50};
@@ -46,7 +48,7 @@ TEST(Catenary, lies_on_the_seabed) {
     EXPECT_NEAR((free.pull_to - Vec3(0, 0, free.weight_to)).norm(), 1001.7e3, 200.0);
     EXPECT_NEAR(free.pull_from.norm(), 835.6e3, 200.0);
     EXPECT_DOUBLE_EQ(free.laid_from, 0.0);
-    // Friction reduces the tension by μ w per metre that lies on the bottom.
+    // Friction reduces the tension by μ w per metre on the bottom.
     def.seabed->friction = 0.7;
     const Catenary held = catenary(def);
     ASSERT_EQ(held.status, CatenaryStatus::balanced);
@@ -90,7 +92,7 @@ TEST(Catenary, folds_between_ends_on_one_vertical) {
     }
     EXPECT_NEAR(lowest, -20.0, 0.01);
     EXPECT_NEAR(c.pull_from.z() + c.pull_to.z() - c.weight_from - c.weight_to, -30.0 * 98.1, 1e-6);
-    // With an odd number of elements the lowest one has no tension.
+    // With an odd number, the element at the bottom has no tension.
     EXPECT_EQ(catenary(wire({0.2, 0, 0}, 31.0, 31)).status, CatenaryStatus::slack);
     // A loop from a point to itself.
     EXPECT_NE(catenary(wire({0, 0, 0}, 31.0, 30)).status, CatenaryStatus::unbalanced);
@@ -101,7 +103,7 @@ TEST(Catenary, hangs_free_and_lies_where_it_reaches) {
     def.free = true;
     const Catenary hung = catenary(def);
     ASSERT_EQ(hung.status, CatenaryStatus::balanced);
-    // Elongation w L²/2EA of a wire that hangs.
+    // Elongation w L²/2EA of a hanging wire.
     EXPECT_NEAR(hung.nodes.back().z(), -40.0 - 98.1 * 800.0 / 1e8, 1e-9);
     EXPECT_NEAR(hung.pull_from.z() - hung.weight_from, -98.1 * 40.0, 1e-6);
     def.seabed = FlatSeabed{-30.25, 0.0};
@@ -123,7 +125,7 @@ TEST(Catenary, lies_in_an_arc_where_it_is_too_long) {
         EXPECT_NEAR((flat.nodes[i + 1] - flat.nodes[i]).norm(), 2.0, 1e-9);
         EXPECT_EQ(flat.tension[i], 0.0);
     }
-    // Both ends lifted: it drops, lies, and rises.
+    // Both ends are above the bottom: it drops, lies, and rises.
     def.seabed->height = -10.0;
     const Catenary lifted = catenary(def);
     EXPECT_EQ(lifted.status, CatenaryStatus::slack);
@@ -132,7 +134,8 @@ TEST(Catenary, lies_in_an_arc_where_it_is_too_long) {
 }
 
 TEST(Catenary, has_sections_of_several_line_types) {
-    // A chain between two wires: the tension at the top carries all below the lowest point.
+    // A chain between two wires: the tension at the top carries the weight below it, up to the
+    // lowest point.
     CatenaryDef def;
     def.to = {300, 0, -80};
     def.sections = {{120.0, 200.0, 3e8, 24}, {100.0, 1100.0, 6e8, 25}, {160.0, 200.0, 3e8, 16}};
@@ -142,7 +145,7 @@ TEST(Catenary, has_sections_of_several_line_types) {
     const double weight = 120.0 * 200.0 + 100.0 * 1100.0 + 160.0 * 200.0;
     EXPECT_NEAR(c.pull_from.z() + c.pull_to.z() - c.weight_from - c.weight_to, -weight, 1e-4);
     EXPECT_NEAR(c.pull_from.x() + c.pull_to.x(), 0.0, 1e-4);
-    // The same nodes by their material coordinates.
+    // The same nodes, given by their material coordinates.
     CatenaryDef listed = def;
     for (CatenarySection& part : listed.sections) part.elements = 1;
     listed.nodes.assign(c.s.begin() + 1, c.s.end() - 1);
@@ -168,7 +171,7 @@ TEST(Catenary, says_what_it_cannot_do) {
     CatenaryDef def = wire({80, 0, 0}, 100.0, 40);
     def.seabed = FlatSeabed{10.0, 0.5};  // above its ends
     EXPECT_EQ(catenary(def).status, CatenaryStatus::below_seabed);
-    // A float on the line of an anchor, pulled down onto the bottom by the rest.
+    // A float on the line of an anchor, pulled down to the bottom by the heavier parts.
     def.sections = {{40.0, 500.0, 1e8, 20}, {20.0, -100.0, 1e8, 10}, {60.0, 500.0, 1e8, 20}};
     def.seabed = FlatSeabed{-5.0, 0.5};
     const Catenary c = catenary(def);

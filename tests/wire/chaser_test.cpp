@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A ring that is put around a mooring chain, hauled along it to the anchor, brought back and
-/// removed: stops, Euler's ratio, balances, bits, errors.
+/// A ring put around a mooring chain, hauled along it to the anchor, brought back and removed:
+/// stops, Euler's ratio, accounts, bits, rejected definitions.
 #include <hawser/catenary.h>
 #include <hawser/hawser.h>
 
@@ -20,8 +20,8 @@ namespace {
 constexpr double kChain = 126.0, kChainEA = 5.8e8, kDeep = 60.0, kPitchOfChain = 5.0;
 constexpr double kRub = 0.3;
 
-/// Chain from a fairlead to an anchor on the bottom, a ring beside it, and a boat above that hauls
-/// the ring by a wire.
+/// Chain from a fairlead down to an anchor on the bottom, a ring beside it, and a boat above that
+/// hauls the ring by a wire.
 struct Mooring {
     World w;
     BodyId anchor{}, ring{}, boat{};
@@ -81,7 +81,7 @@ struct Mooring {
             ASSERT_EQ(w.step(), Status::ok) << w.time() << " " << to_string(w.bad_load(), w);
         w.set_velocity(boat, {});
     }
-    /// Return the mass of the chain, including the part carried by the ring [kg].
+    /// Return the mass of the chain, including the part in the ring [kg].
     [[nodiscard]] double mass() {
         double sum = 0.0;
         for (const BodyId id : w.nodes(chain))
@@ -105,7 +105,7 @@ TEST(Chasers, RunAlongAChainToItsAnchorAndBack) {
     EXPECT_EQ(d.count(EventKind::join), 1);
     EXPECT_NEAR(d.get("at"), 17.5, 1.5);
     EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
-    // Out along the chain: it slides at Euler's ratio.
+    // Outwards along the chain: it slides at Euler's ratio.
     int slid = 0;
     double worst = 0.0;
     for (int i = 0; i < 200 && d.get("arrived") == 0.0; ++i) {
@@ -121,12 +121,12 @@ TEST(Chasers, RunAlongAChainToItsAnchorAndBack) {
     EXPECT_EQ(d.count(EventKind::range), 1);
     EXPECT_LT(d.get("left"), 2.0);
     EXPECT_GT(slid, 20);
-    // Rest lengths preserve tensions when nodes are added or removed; the mass of the material is
-    // constant.
+    // Inserted and removed nodes keep tensions by changing rest lengths. The material, by its mass,
+    // is conserved.
     EXPECT_NEAR(d.get("at") + d.get("left"), length, 0.5);
     EXPECT_LT((d.w.pose(d.ring).position - d.w.pose(d.anchor).position).norm(), 2.0);
     EXPECT_NE(d.w.verdict().grade, Grade::wrong);
-    // And back.
+    // Inwards.
     d.haul(Vec3(-20.0 - d.w.pose(d.boat).position.x(), 0, 0), 150.0);
     EXPECT_LT(d.get("at"), 120.0);
     EXPECT_EQ(d.get("arrived"), 0.0);

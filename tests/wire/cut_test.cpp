@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that are cut, joined, held and released while a world runs.
+/// Wires that are cut, joined, attached and released while a world runs.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ double mass_of(const World& w) {
     return sum;
 }
 
-/// Momentum and energy of the lumps of wires at the half step before their poses.
+/// Momentum and energy of the nodes of wires at the half step before their poses.
 struct WireAccount {
     Vec3 linear{0, 0, 0}, angular{0, 0, 0};
     double mass = 0.0;
@@ -109,13 +109,13 @@ TEST(WireCut, KeepsMassesMomentaAndEnergy) {
         EXPECT_EQ(f.w.find_wire("tow/2"), second);
         const double first = f.w.length(f.wire);
         EXPECT_NEAR(first + f.w.length(second), length, 1e-6 * length);
-        // Exactly there if nodes can be inserted, else at the nearest node.
+        // Exactly there if nodes fit, otherwise at the nearest node.
         EXPECT_NEAR(first, consistent ? 6.7 : 6.0, 1e-4);
         EXPECT_EQ(f.w.nodes(f.wire).size(), f.w.elements(f.wire).size() + 1);
         EXPECT_EQ(f.w.nodes(second).size(), f.w.elements(second).size() + 1);
         run(f.w, 300);
         EXPECT_EQ(f.w.verdict().grade, Grade::good);
-        // Both hang from their ends.
+        // Both parts hang from their ends.
         EXPECT_NEAR(f.w.pose(f.w.nodes(f.wire).back()).position.z(), 10.0 - first, 1.5);
         EXPECT_EQ(f.w.event_extremes(EventKind::cut).count, 1);
         const WireId third = f.w.cut(second, 3.0);
@@ -155,7 +155,7 @@ TEST(WireCut, PiecesAreJoinedAnyWayRound) {
         const int a = ends & 1, b = ends >> 1;
         if (a == 0) w.detach(wire, 0);
         if (b == 1) w.detach(second, 1);
-        // The ends that are to meet are put there.
+        // Move the ends to join to one position.
         const BodyId one = a == 0 ? w.nodes(wire).front() : w.nodes(wire).back();
         const BodyId other = b == 0 ? w.nodes(second).front() : w.nodes(second).back();
         w.set_pose(other, {w.pose(one).position + Vec3(0, 0, 0.01), Quat::Identity()});
@@ -171,7 +171,7 @@ TEST(WireCut, PiecesAreJoinedAnyWayRound) {
             EXPECT_EQ(d.body[0], nodes[k]) << ends << " " << k;
             EXPECT_EQ(d.body[1], nodes[k + 1]) << ends << " " << k;
         }
-        // Nodes are removed where two elements meet end to end, with their bends and capsules.
+        // Nodes between two elements can be removed with their bends and capsules.
         ASSERT_TRUE(w.remove_node(nodes[5], 3.2) || w.remove_node(nodes[7], 3.2));
     }
 }
@@ -192,7 +192,7 @@ TEST(WireCut, GearHoldsWeighsBreaksAndReleases) {
             .name = "link", .gear = gear, .mass = 12.0, .length = 0.3, .breaking_load = 5e3};
         const Joint joint = w.join(upper, 1, lower, 0, how);
         run(w, 1500);
-        // The weight below: half of the link, and the lower wire with the half element at its first
+        // Weight below: half the link and the lower wire, including the half element at its first
         // end.
         const double below = (6.0 + 20.0 * kDensity) * 9.81;
         EXPECT_NEAR(-w.force(joint.held[0])[0], below, 1e-4 * below);
@@ -220,10 +220,10 @@ TEST(WireCut, TriplateSharesALoadByItsHoles) {
     World w({.step = 0.01});
     const BodyId left = fixed_at(w, "left", {0, 0, 10}), right = fixed_at(w, "right", {19, 0, 10});
     WireDef span = line("tow", left, right, true);
-    span.drag = 200.0;  // for coming to rest without a jerk
+    span.drag = 200.0;  // comes to rest without a jerk
     const WireId wire = w.add_wire(span);
     const WireId second = w.cut(wire, 10.0);
-    // Links are as long as the distance from the ends to the holes, so that there is no jerk.
+    // Links are as long as the distance from the ends to the holes, to avoid a jerk.
     const JoinDef how{
         .name = "plate", .gear = Gear::triplate, .mass = 400.0, .length = 0.01, .reach = 0.5};
     const double mass = mass_of(w);
@@ -236,7 +236,7 @@ TEST(WireCut, TriplateSharesALoadByItsHoles) {
     def.drag = 200.0;
     (void)w.add_wire(def);
     run(w, 6000);
-    // At rest, the vertical components of the links carry plate and pennant.
+    // At rest, the vertical forces of the links carry plate and pennant.
     Vec3 sum{0, 0, 0};
     for (const InteractionId id : joint.held) {
         const InteractionDef& d = w.interaction_def(id);
@@ -246,7 +246,7 @@ TEST(WireCut, TriplateSharesALoadByItsHoles) {
         EXPECT_GT(pull, 0.0);
         sum += pull * (d.body[1] == joint.plate ? Vec3(a - b) : Vec3(b - a)).normalized();
     }
-    const double pennant = (5.0 - 0.25) * kDensity;  // its half element at the plate is left out
+    const double pennant = (5.0 - 0.25) * kDensity;  // without its half element at the plate
     EXPECT_NEAR(sum.z(), (400.0 + pennant) * 9.81, 1e-3 * (400.0 + pennant) * 9.81);
     EXPECT_NEAR(sum.x(), 0.0, 1.0);
     EXPECT_LT(w.world_point(joint.plate, triplate_hole(how, 2)).z(),
@@ -278,7 +278,7 @@ TEST(WireCut, EndsAreAttachedWhereTheyAreAndLetGo) {
     EXPECT_FALSE(w.find_interaction("eye").valid());
     run(w, 100);
     EXPECT_LT(w.pose(load).position.z(), 17.0);
-    // Detached from its first body, the wire gets the half element that the body had.
+    // Released from the body at its start, it gets the half element that the body carried.
     w.detach(wire, 0);
     EXPECT_NEAR(account(w).mass, 10.0 * kDensity, 1e-6);
     EXPECT_EQ(w.event_extremes(EventKind::detach).count, 2);
@@ -286,10 +286,10 @@ TEST(WireCut, EndsAreAttachedWhereTheyAreAndLetGo) {
     EXPECT_EQ(w.verdict().grade, Grade::good);
 }
 
-/// A piece of one short element between a lump and a body, joined to the same body by gear. Off the
-/// body the new end has half of the element, like the lump. Distribution by lengths, including that
-/// of the link, gave 1/15 of that. A straight piece cannot move with it: the step ended as
-/// wrong_pivot.
+/// A piece of one short element between a point mass and a body, which gear connects to the same
+/// body. Released from the body, the new end has half of the element, like the other one. A fault
+/// divided the mass by lengths, including the link's: a fifteenth of half, less than a straight
+/// piece can move with. The step ended as wrong_pivot.
 TEST(WireCut, AnEndBesideGearHasHalfOfItsElement) {
     World w({.step = 0.01});
     const BodyId left = fixed_at(w, "left", {0, 0, 0}), right = fixed_at(w, "right", {20, 0, 0});

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kLine = 23.0, kWeight = 13e3, kG = 9.81, kRadius = 0.5, kInertia = 4e3;
 
-/// A load on a wire over a fixed fairlead; the drum is turned by a motor.
+/// A load on a wire over a fixed fairlead; a motor turns the drum.
 struct BareDrum {
     World w;
     WireId wire{};
@@ -65,7 +65,7 @@ struct BareDrum {
         }
     }
     [[nodiscard]] double at_drum() const { return w.system_signal("feed.at_drum"); }
-    /// Unstretched length of all elements by their masses [m].
+    /// Return the unstretched length of all elements, from their masses [m].
     [[nodiscard]] double material() const {
         double sum = at_drum();
         for (const InteractionId id : w.elements(wire))
@@ -81,7 +81,7 @@ struct BareDrum {
     }
 };
 
-/// Statics: the torque of the motor is r (m + ρ L) g, for wire that was paid out and hauled in.
+/// Statics: the torque of the motor is r (m + ρ L) g, for wire paid out and hauled in.
 TEST(DrumFeed, CarriesTheWeightOfLoadAndWire) {
     for (const int end : {0, 1}) {
         BareDrum d(4, kDefault, 1e6, end);
@@ -92,8 +92,8 @@ TEST(DrumFeed, CarriesTheWeightOfLoadAndWire) {
             const double paid = kRadius * d.w.pose(d.drum).position.x();
             const double length = 10.0 + paid;
             const double torque = -d.w.force(d.parts.motor)[0];
-            // The half of the last element at the load counts as part of the load's mass. 1e-5: the
-            // load still moves up and down a little.
+            // Half of the last element is part of the load's mass. 1e-5: the load still moves up
+            // and down slightly.
             const double mass = kWeight + kLine * (length - 0.5 * 2.5);
             EXPECT_NEAR(torque, kRadius * kG * mass, 1e-5 * torque);
             EXPECT_NEAR(d.material(), length, 1e-9);
@@ -111,7 +111,8 @@ TEST(DrumFeed, InsertsAndRemovesNodes) {
     EXPECT_LE(d.w.elements(d.wire).size(), 3U);
 }
 
-/// The drum stops when the load is at the fairlead; the motor's torque turns it by Q h/(1000 J).
+/// The drum stops when the load is at the fairlead; the motor's torque changes its speed by Q
+/// h/(1000 J).
 TEST(DrumFeed, StopsAtTheFairlead) {
     for (const double element : {0.0, 2.5}) {
         constexpr double kTorque = 3e5;
@@ -124,7 +125,7 @@ TEST(DrumFeed, StopsAtTheFairlead) {
         const double creep = kTorque / (60.0 * 1000.0 * kInertia);
         EXPECT_GE(d.rest(), kLeastOfDrumElement * length - 30.0 * kRadius * creep - 0.02);
         EXPECT_LE(std::abs(d.w.velocity(d.drum).linear.x()), 1.01 * creep);
-        // Energy is not created: the work of the motor is at most torque times angle.
+        // No energy is created: the work of the motor is at most torque times angle.
         EXPECT_LE(d.w.energy().driven, kTorque * std::abs(d.w.pose(d.drum).position.x()));
         d.run(8.0, 1.0);
         EXPECT_NEAR(d.w.pose(d.load).position.z(), -7.5, 0.3) << "pays out at once";
@@ -133,8 +134,8 @@ TEST(DrumFeed, StopsAtTheFairlead) {
     }
 }
 
-/// Random speeds: the status is always ok, the verdict good, material constant. The work of the
-/// motor equals the change of energy plus the losses.
+/// Random speeds: every status is ok, monitors report nothing, material is conserved, and the
+/// motor's work is the change of energy plus losses.
 TEST(DrumFeed, KeepsAccountsAtRandomSpeeds) {
     for (const std::uint32_t seed : seeds(7, 4, 60, 600)) {
         std::mt19937 random(seed);
@@ -143,7 +144,7 @@ TEST(DrumFeed, KeepsAccountsAtRandomSpeeds) {
         BareDrum d(elements, random() % 2 == 0 ? kDefault : 2.0);
         for (int i = 0; i < 8; ++i) {
             d.run(seconds(random), speed(random));
-            // Accounts are kept when a step starts: the angle is one step older.
+            // Accounts are taken at the start of a step: the angle is one step older.
             const double paid =
                 kRadius * (d.w.pose(d.drum).position.x() - d.w.velocity(d.drum).linear.x() / 60.0);
             EXPECT_NEAR(d.material(), 2.5 * elements + paid, 1e-9) << seed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wire on a drum against sums written out wrap by wrap.
+/// Wire on a drum against sums over its turns.
 #include "wire/drum_geometry.h"
 #include "wire/band_brake.h"
 
@@ -12,14 +12,15 @@ namespace {
 
 using wire::DrumGeometry;
 
-/// Anchor handler's drum: 31 wraps a layer.
+/// Drum of an anchor handler: 31 turns per layer.
 constexpr DrumGeometry kDrum{.core_radius = 0.6,
                              .width = 2.4,
                              .wire_diameter = 0.076,
                              .layer_pitch = 0.076,
                              .flange_radius = 1.4};
 
-/// Lengths beyond any drum end in a valid layer, at once: a state from bytes may have any length.
+/// Lengths beyond any drum end in a numbered layer without a long loop: a state from bytes may
+/// contain any length.
 TEST(DrumGeometry, AnyLengthEndsInALayer) {
     const double none = std::nan(""), inf = HUGE_VAL;
     for (const double length :
@@ -41,7 +42,7 @@ TEST(DrumGeometry, AnyLengthEndsInALayer) {
 }
 
 TEST(DrumGeometry, CountsLayersAsASumWrapByWrap) {
-    // One wrap after another, until the wire ends.
+    // One turn after another, to the end of the wire.
     const double length = 1500.0;
     double left = length, inertia = 0.0;
     int layer = 1, wraps = 0;
@@ -67,7 +68,7 @@ TEST(DrumGeometry, CountsLayersAsASumWrapByWrap) {
 TEST(DrumGeometry, AnglesAndLengthsAreEachOthersInverse) {
     for (double l = 0.0; l < 1800.0; l += 0.37)
         ASSERT_NEAR(kDrum.length(kDrum.angle(l)), l, 1e-9 * (1.0 + l));
-    // Along the wire the angle grows by 1/r.
+    // Along the wire the angle increases by 1/r.
     for (double l = 1.0; l < 1700.0; l += 7.3) {
         const double d = 1e-6, r = kDrum.place(l).radius;
         if (kDrum.place(l + d).layer != kDrum.place(l).layer) continue;
@@ -80,7 +81,7 @@ TEST(DrumGeometry, LayersEndWhereTheyAreFull) {
         const double full = kDrum.length_of(k);
         EXPECT_EQ(kDrum.place(full * (1.0 - 1e-12)).layer, k);
         EXPECT_EQ(kDrum.place(full * (1.0 + 1e-12)).layer, k + 1);
-        // There and back: the first layer ends at one flange, the second at the other.
+        // Back and forth: the first layer ends at one flange, the second at the other.
         EXPECT_NEAR(kDrum.place(full * (1.0 - 1e-12)).across, k % 2 == 1 ? 1.162 : -1.162, 1e-6);
     }
     EXPECT_EQ(kDrum.place(0.0).layer, 1);
@@ -97,7 +98,7 @@ TEST(DrumGeometry, NothingFitsBelowAFlangeThatIsTooLow) {
     EXPECT_GT(low.capacity(), 0.0);
 }
 
-/// Tension along a band cut into pieces, each in balance with its friction.
+/// Tension along a band divided into pieces, each in balance with its friction.
 TEST(BandBrake, RatioIsThatOfTheTensionAlongTheBand) {
     const double mu = 0.35, angle = 4.7;
     double tension = 1.0;

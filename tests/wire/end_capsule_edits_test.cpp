@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Capsules at the ends of wires while elements are added, removed or transferred at drums, guides
-/// and ends; bits.
+/// Capsules of wires that extend to the attachments, while elements are inserted, removed and
+/// exchanged at drums, guides and ends; bits.
 #include <hawser/hawser.h>
 
 #include "support/bits.h"
@@ -15,7 +15,8 @@
 namespace hawser::test {
 namespace {
 
-/// Check the segments of a wire: one for each element with a lump, at its ends.
+/// Expect that the segments of a wire are those of its elements with a node, each once, at their
+/// attachments.
 void expect_capsules(const World& w, WireId wire, const std::string& what) {
     std::size_t wanted = 0;
     for (const InteractionId id : w.elements(wire)) {
@@ -124,7 +125,7 @@ TEST(EndCapsuleEdits, FollowElementsAtDrumsAndGuides) {
         }
         EXPECT_TRUE(changed) << "elements came or went";
     }
-    // A wire across the element at the drum presses on it.
+    // The wire across the element at the drum presses on it.
     double force = 0.0;
     for (const ContactView& c : d.w.contacts())
         for (const ShapeId s : c.shape)
@@ -155,7 +156,7 @@ TEST(EndCapsuleEdits, FollowWhatIsCutJoinedHeldAndLetGo) {
     (void)d.w.join(d.across, 1, piece, 0, {.reach = 5.0});
     expect_capsules(d.w, d.across, "spliced");
     d.run(10);
-    // Join two ends of the same kind: one wire is reversed.
+    // Join two first or two last ends: one wire is reversed.
     const WireId other = d.w.cut(d.across, 5.0);
     (void)d.w.detach(other, 1);
     (void)d.w.join(d.across, 1, other, 1, {.reach = 50.0});

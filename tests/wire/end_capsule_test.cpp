@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Capsules of wires up to their ends: no body passes through an element next to a fairlead. Also
-/// momentum and energy, posts, unaffected wires, errors.
+/// Capsules of wires that extend to the attachments. No wire passes through an element next to a
+/// fairlead; momentum and energy; bollards; pairs without contact; rejected definitions.
 #include <hawser/hawser.h>
 
 #include "support/random.h"
@@ -27,8 +27,8 @@ constexpr double kTick = 1.0 / 60.0;
 /// Ends of a straight piece before and after a step [m].
 using Swept = std::array<std::array<Vec3, 2>, 2>;
 
-/// @return true if two pieces passed through each other. By bisection, find a time at which they
-///        lie in a plane, and check whether they cross.
+/// True if two pieces passed through each other: by bisection, the moment at which they are
+/// coplanar and cross.
 bool went_through(const Swept& a, const Swept& b) {
     const auto at = [](const Swept& s, double t) {
         return std::array<Vec3, 2>{s[0][0] + t * (s[1][0] - s[0][0]),
@@ -54,7 +54,7 @@ bool went_through(const Swept& a, const Swept& b) {
     return false;
 }
 
-/// A wire of two elements from a fairlead off the centre of a free hull to a buoy. Another one
+/// A wire of two elements from a fairlead off the middle of a free hull to a buoy. Another one
 /// between two weights is thrown at the element next to the fairlead. No gravity.
 struct Thrown {
     World w{WorldDef{.step = kTick, .gravity = Vec3::Zero(), .contact_margin = 0.1}};
@@ -80,7 +80,7 @@ struct Thrown {
         def.elements = 4;
         def.length = 20.0 / (1.0 + pull / kCapsuleEA);
         still = w.add_wire(def);
-        // Its middle meets the first element, anywhere but at the very hull, from any side.
+        // Its middle hits the first element anywhere except at the hull, from any side.
         const Vec3 aim(random.uniform(0.3, 4.7), 0, 0);
         const double round = random.uniform(0.0, 6.283), lean = random.uniform(-0.5, 0.5);
         const Vec3 way = Vec3(0, std::cos(round), std::sin(round));
@@ -106,7 +106,7 @@ struct Thrown {
         for (const InteractionId id : w.elements(wire)) out.push_back(w.ends(id));
         return out;
     }
-    /// Return the kinetic energy plus the elastic energy, computed from forces [J].
+    /// Return the kinetic and elastic energy, by forces [J].
     [[nodiscard]] double energy() const {
         double sum = w.energy().kinetic;
         for (const WireId wire : {still, thrown})
@@ -126,7 +126,7 @@ TEST(EndCapsules, LetNothingThroughBesideAFairlead) {
     for (int k = 0; k < throws; ++k) {
         Thrown d(random);
         bool hit = false;
-        // Half a second: weights at the ends have not yet turned around.
+        // Half a second, before the weights at the ends have come around.
         double first = 0.0;
         for (int i = 0; i < 30; ++i) {
             const auto before = std::pair(d.pieces(d.still), d.pieces(d.thrown));
@@ -139,7 +139,7 @@ TEST(EndCapsules, LetNothingThroughBesideAFairlead) {
                                    ? 1
                                    : 0;
             for (const ContactView& c : d.w.contacts()) hit = hit || c.force.norm() > 0.0;
-            // The first step finds the forces of the tension that the wire starts with.
+            // The first step finds the forces of the initial tension.
             if (i == 0) first = d.energy();
             made = std::max(made, d.energy() / first - 1.0);
         }
@@ -150,11 +150,11 @@ TEST(EndCapsules, LetNothingThroughBesideAFairlead) {
                 throws, through, made);
     EXPECT_EQ(touched, throws);
     EXPECT_EQ(through, 0);
-    // The same limit as that of the energy check for single steps (docs/limits.md).
+    // Limit of the monitors for single steps (docs/limits.md).
     EXPECT_LT(made, 0.01);
 }
 
-/// An element attached to a hull passes the momentum of a ball on to lump and hull, in full and at
+/// The momentum that a ball transfers to an element at a hull goes to node and hull: all of it, at
 /// its lever arm.
 TEST(EndCapsules, ShareMomentumBetweenLumpAndBody) {
     for (const double along : {0.1, 1.5, 4.9}) {
@@ -175,7 +175,7 @@ TEST(EndCapsules, ShareMomentumBetweenLumpAndBody) {
         def.elements = 2;
         def.length = 12.0;  // slack: only the contact acts
         def.path = {{5, 0, 0}};
-        def.consistent_mass = false;  // lumps have all of the mass
+        def.consistent_mass = false;  // the whole mass is in the nodes
         def.radius = 0.05;
         (void)w.add_wire(def);
         const BodyId ball = w.add_body({.name = "ball",
@@ -205,20 +205,20 @@ TEST(EndCapsules, ShareMomentumBetweenLumpAndBody) {
         for (const ContactView& c : w.contacts()) force += c.force.norm();
         EXPECT_GT(force, 1.0) << along;
         const auto after = sums(at);
-        // Angular momentum: from the changes of angular velocity of hull and ball about their
-        // centres, at the attitudes at the start of the step; the hull was at rest.
+        // Angular momentum: from the change of the angular velocities of hull and ball about their
+        // centres, at the attitudes at the start of the step. The hull was at rest.
         const Mat3 turn = Quat(0.9, 0.1, -0.3, 0.2).normalized().toRotationMatrix();
         const Vec3 spin = turn * inertia * turn.transpose() * w.velocity(hull).angular +
                           4.0 * (w.velocity(ball).angular - spun);
         const Vec3 lost = after.second + spin - before.second;
         EXPECT_LT((after.first - before.first).norm(), 1e-9 * 600.0) << along;
-        // Within the step the hull turns by a thousandth of its change.
+        // Rotation of the hull within the step changes its angular momentum by a thousandth.
         EXPECT_LT(lost.norm(), 2e-3 * spin.norm()) << along;
         EXPECT_GT(w.velocity(hull).angular.norm(), 1e-6) << along;
     }
 }
 
-/// A post on which the last element of the wire, before the anchor, comes to lie.
+/// A bollard on which the wire's last element comes to lie: the element before the anchor.
 TEST(EndCapsules, LayTheElementBeforeAnAnchorOverAPost) {
     World w({.step = kTick});
     const BodyId ground = w.add_body({.name = "ground", .kind = BodyKind::fixed});
@@ -264,14 +264,14 @@ TEST(EndCapsules, LayTheElementBeforeAnAnchorOverAPost) {
     EXPECT_EQ(w.system_signal("post.held"), 1.0);
     run(300, -0.5);
     std::printf("anchor over a post: %.4f m into it at most\n", deepest);
-    // Compression of a contact of 1e8 N/m under a wire that falls on it, and the sagitta of the
-    // straight parts of a contact node.
+    // Compression of a contact of 1e8 N/m by the falling wire, and the sagitta that the straight
+    // parts at a contact node cut off.
     EXPECT_LT(deepest, 0.02);
     EXPECT_LT(w.pose(anchor).position.z(), 0.0) << "it hangs";
     EXPECT_GT(w.pose(anchor).position.x(), 0.0) << "on its side of the post";
 }
 
-/// Two wires that end at one point of a hull do not push each other off, nor do they touch it.
+/// Two wires that end at one point of a hull have no contact with each other or with the hull.
 TEST(EndCapsules, LeaveAloneWhatHoldsThem) {
     World w({.step = kTick, .gravity = Vec3::Zero()});
     const BodyId hull = w.add_body(

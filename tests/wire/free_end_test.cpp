@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Free ends that reach a guide run off it; cuts do not leave an element at an end that is too
-/// short.
+/// Free ends that reach a guide run off it. Cuts leave no element at an end that is too short.
 #include <hawser/guide.h>
 #include <hawser/hawser.h>
 
@@ -21,7 +20,7 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kStep = 1.0 / 120.0, kRadius = 0.8, kDensity = 10.0, kElement = 2.0;
 constexpr double kHanging = 2000.0;
 
-/// A wire of 30 m made fast on a deck runs 18 m to a roller and down to a weight.
+/// A wire of 30 m attached to a deck runs 18 m to a roller and down to a weight.
 struct OverEdge {
     World w{{.step = kStep}};
     BodyId deck{}, weight{};
@@ -31,7 +30,8 @@ struct OverEdge {
     explicit OverEdge(double friction = 0.1, int threads = 1)
         : w({.step = kStep, .threads = threads}) {
         deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
-        // As long as the way over the roller, so that it begins with next to no tension.
+        // Equal to the length of the path over the roller, so that it starts with almost no
+        // tension.
         constexpr double kOver = 0.3, kDown = kElement - kOver - 0.5 * kPi * kRadius;
         WireDef def{.name = "wire", .from = deck};
         std::vector<Vec3> path;
@@ -84,7 +84,7 @@ TEST(FreeEnds, RunOffARollerAndFallWithWhatTheyHoldUp) {
         EXPECT_EQ(r.w.interaction_def(id).kind, InteractionKind::Stretch);
     EXPECT_EQ(r.w.system_signal("roller.speed"), 0.0);
     EXPECT_NEAR(r.w.length(piece), 22.0, 0.2) << "what lay round the roller";
-    // It falls freely from then on, all of it.
+    // From then on, all of it falls freely.
     const double fell = r.w.velocity(r.weight).linear.z();
     for (int i = 0; i < 60; ++i) ASSERT_EQ(r.w.step(), Status::ok);
     double momentum = 0.0, mass = 0.0;
@@ -119,7 +119,7 @@ TEST(FreeEnds, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
         }
     }
     ASSERT_GT(after, 10);
-    // A state fits only a world with the same parts: save it just after the end has run off.
+    // A state belongs to a world of equal parts: start after the end has run off.
     two.w.restore(saved);
     for (int i = 0; i < after; ++i) ASSERT_EQ(two.w.step(), Status::ok);
     EXPECT_EQ(one.w.state_hash(), two.w.state_hash());
@@ -149,17 +149,18 @@ TEST(FreeEnds, CutsAnywhereLeaveNoShortElements) {
         };
         const double had = mass(), whole = w.length(wire), s = anywhere(random) * (whole - 0.02);
         const WireId piece = w.cut(wire, s);
-        // Within a thousandth of an element a cut moves to its node. A removed node preserves
-        // tensions: lengths change with the difference of strains.
+        // Within a thousandth of an element, a cut is at the node. Removing a node keeps tensions:
+        // lengths change by the difference of strains.
         EXPECT_NEAR(w.length(wire), s, 1.1e-3 * kElement) << k;
         EXPECT_NEAR(w.length(wire) + w.length(piece), whole, 2e-4) << k;
-        // The post has half of the adjacent element, which grows if its node is removed.
+        // The post carries half of the element beside it, which becomes longer if a node is
+        // removed.
         if (s > 1.3 * kElement) {
             EXPECT_NEAR(mass(), had, 1e-9 * had) << k;
         }
         for (const WireId id : {wire, piece}) {
             const auto elements = w.elements(id);
-            // Next to a fixed body a node is removed only if energy does not grow.
+            // Beside a body, a node is removed only if energy does not increase.
             if (elements.size() < 3) continue;
             for (const InteractionId e : elements)
                 EXPECT_GE(w.interaction_def(e).get("length"), 0.2 * kElement) << k << " s " << s;

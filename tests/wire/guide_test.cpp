@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires of lumps over guides: Euler's ratio, nodes that run through, stops, bits, errors.
+/// Wires of point masses over guides: Euler's ratio, nodes that pass, stops, bits, rejected
+/// definitions.
 #include <hawser/guide.h>
 #include <hawser/hawser.h>
 
@@ -19,7 +20,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDensity = 23.0, kEA = 2.33e8, kWeight = 13e3;  // kg/m, N, kg
 
-/// Wire from a winch along a deck, over a roller and down to a weight.
+/// A wire from a winch along a deck, over a roller and down to a weight.
 struct OverRoller {
     World w;
     BodyId deck{}, anchor{};
@@ -77,7 +78,7 @@ struct OverRoller {
             ASSERT_EQ(w.step(), Status::ok) << i << ": " << to_string(w.bad_load(), w);
         }
     }
-    /// Return the total length of wire, from its mass [m].
+    /// Return the length of all wire, from its mass [m].
     [[nodiscard]] double material() const {
         double sum = get("winch.wire_left") + get("winch.at_drum") + get("roller.wire_before") +
                      get("roller.wire_behind");
@@ -101,7 +102,7 @@ TEST(Guides, NodesRunThroughAtEulersRatio) {
         d.run(60.0, 1.0);
         EXPECT_GE(d.nodes_behind(), before + 10);
         EXPECT_NEAR(d.material(), whole, 1e-10 * whole);
-        // Half of the weight of an element acts beside the point of its tension: 0.1 %.
+        // The weight of half an element is not at the point of its tension: 0.1 %.
         EXPECT_NEAR(d.get("roller.behind") / d.get("roller.before") / d.euler(), 1.0, 2e-3);
         d.run(70.0, -1.0);
         EXPECT_LE(d.nodes_behind(), before + 3);
@@ -118,7 +119,7 @@ TEST(Guides, TensionIsTheWeightOfWhatHangs) {
     // From the point at which the wire leaves the roller to the weight.
     const double hangs = -d.w.pose(d.anchor).position.z();
     const double weight = 9.81 * (kWeight + kDensity * hangs);
-    EXPECT_NEAR(d.get("roller.behind") / weight, 1.0, 2e-3);  // strain, and a remaining oscillation
+    EXPECT_NEAR(d.get("roller.behind") / weight, 1.0, 2e-3);  // strain, and remaining oscillation
     EXPECT_NEAR(d.get("roller.before") / d.get("roller.behind"), 1.0, 1e-3);
 }
 
@@ -147,8 +148,8 @@ TEST(Guides, WhatCannotRunThroughStops) {
     EXPECT_NE(d.w.verdict().grade, Grade::wrong);
 }
 
-// Without friction the row that stops the slide had a bound of 0 before the stop: it must start
-// again at each stop.
+// Without friction, the row that stops the slide had a bound of 0 before: it must restart at each
+// stop.
 TEST(Guides, StopAgainAfterTheWireWasPaidOut) {
     OverRoller d({.radius = 1.0});
     const double whole = d.material();
@@ -165,8 +166,8 @@ TEST(Guides, StopAgainAfterTheWireWasPaidOut) {
     EXPECT_NEAR(d.material(), whole, 1e-10 * whole);
 }
 
-// If a wire breaks behind a guide, the part before the guide keeps its length: the slide is
-// unbalanced.
+// A wire that breaks after a guide keeps its length before it: no force acts on the slide from the
+// other side.
 TEST(Guides, HoldAWireThatPartsAtThem) {
     OverRoller d({.radius = 1.0});
     const InteractionId behind = d.roller.behind;
@@ -209,8 +210,8 @@ TEST(Guides, EqualBitsForAnyThreadsAndAfterARestore) {
 }
 
 TEST(Guides, OnAMovingBodyMomentumStays) {
-    // A free frame with a wire between two of its own points over a post on it: no external force
-    // acts.
+    // A free frame with a wire between two of its points over a post of its own: no external forces
+    // act.
     World w(WorldDef{.step = 1.0 / 120.0, .gravity = Vec3::Zero()});
     BodyDef body{.name = "frame"};
     body.mass = 2e4;
@@ -227,7 +228,7 @@ TEST(Guides, OnAMovingBodyMomentumStays) {
     def.mass_per_length = 10.0;
     def.consistent_mass = true;
     const WireId wire = w.add_wire(def);
-    // Past the middle of an element: the wire runs through while it is pulled straight.
+    // Past the middle of an element, so that the wire passes while it is drawn straight.
     w.add(GuideDef{.name = "post",
                    .wire = wire,
                    .body = frame,
@@ -241,18 +242,19 @@ TEST(Guides, OnAMovingBodyMomentumStays) {
             const BodyDef& b = w.body_def(id);
             if (b.kind != BodyKind::scalar) sum += b.mass * w.velocity(id).linear;
         }
-        // The mass of elements at the post that no lump has moves with the lumps and the frame.
+        // Mass of the elements at the post that is in no node moves with nodes and frame.
         return sum;
     };
     ASSERT_EQ(w.step(), Status::ok);
     const Vec3 start = momentum();
     for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok) << i;
-    // Speeds of the halves that lumps have as a load differ by less than 1 m/s: 20 kg.
+    // The half elements that nodes have as a load have speeds within 1 m/s of each other: 20 kg.
     EXPECT_LT((momentum() - start).norm(), 40.0);
     EXPECT_EQ(w.verdict().grade, Grade::good);
 }
 
-/// Return the error of plan_guide() for an element from (−1, 0, 0) to `last` and a wheel; "": none.
+/// Return the message of plan_guide() for an element from (−1, 0, 0) to `last` and a wheel; "" if
+/// it touches.
 std::string plan_refused(const Vec3& last, const Vec3& wheel, double radius) {
     const std::array<Vec3, 3> at{Vec3(-1, 0, 0), last, wheel};
     InteractionDef element;
@@ -272,8 +274,8 @@ std::string plan_refused(const Vec3& last, const Vec3& wheel, double radius) {
     return {};
 }
 
-/// The part of a wire at a guide lies between lumps without mass to divide. Such a cut was rejected
-/// as that of an incomplete element.
+/// The part of a wire in a guide is between nodes without mass to share. A fault rejected a cut
+/// there, as if the element were not whole.
 TEST(Guides, ACutAtOneGoesIntoTheElementBeyond) {
     for (const std::size_t part : {0U, 1U}) {
         OverRoller d;
@@ -285,7 +287,7 @@ TEST(Guides, ACutAtOneGoesIntoTheElementBeyond) {
             s += d.w.interaction_def(elements[k]).get("length");
         const double whole = d.w.length(d.wire);
         const WireId second = d.w.cut(d.wire, s + (part == 0 ? 0.1 : 1.0));
-        // It lies on the roller, or hangs from it.
+        // True if it lies on the roller, or hangs from it.
         const auto has = [&](WireId wire) {
             const auto of = d.w.elements(wire);
             return std::find(of.begin(), of.end(), d.roller.before) != of.end();
@@ -297,8 +299,8 @@ TEST(Guides, ACutAtOneGoesIntoTheElementBeyond) {
     }
 }
 
-/// The other sign is recommended only if the wire then lies on the wheel: around a corner. With
-/// both ends on one side of the wheel, the wire would turn back by more than π with either sign.
+/// The other sign is suggested only if the wire would touch with it: around a corner. With both
+/// ends on one side of the wheel the wire would turn back by more than π with either sign.
 TEST(Guides, AdviseTheOtherSignOnlyWhereItHelps) {
     const Vec3 down(0, 0, -1);
     int lies = 0;

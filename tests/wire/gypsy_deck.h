@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// A windlass with chain of 76 mm at the fairlead of a deck, and an end with a prescribed motion.
+/// A windlass with chain of 76 mm at the fairlead of a deck, and an end whose motion is prescribed.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ struct ChainDeck {
         def.wire = wire;
         ids = w.add(def);
     }
-    /// Move the end away from the deck at a speed [m/s].
+    /// Step once; the end moves away from the deck at a speed [m/s].
     void step(double speed) {
         Twist t;
         t.linear.z() = -speed;
@@ -68,7 +68,7 @@ struct ChainDeck {
     double tension() { return std::max(0.0, -w.force(ids.line)[0]); }
     double drum() { return w.pose(ids.drum).position.x(); }
     double chain() { return w.pose(ids.chain).position.x(); }
-    /// Way of the chain over its wheel [m].
+    /// Return the length of chain that slipped over its wheel [m].
     double jumped() { return gypsy_radius(def) * (chain() - drum()); }
     std::int64_t count(EventKind kind) { return w.event_extremes(kind).count; }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Chain on a gypsy: its radius, when and how far it jumps, its locker and its end.
+/// Chain on a gypsy: its radius, the condition and length of its jumps, its locker and its end.
 #include "wire/gypsy_deck.h"
 
 namespace hawser::test {
@@ -19,10 +19,10 @@ TEST(Gypsy, PaysOutWholeLinksATurnAtOneRadius) {
     EXPECT_GT(turned, 15.0);
     EXPECT_EQ(d.get("radius"), gypsy_radius(def));
     EXPECT_EQ(d.get("layer"), 1.0);
-    // Chain and wheel are one, to the compliance of the grip.
+    // Chain and wheel move together, up to the compliance of the grip.
     EXPECT_NEAR(d.jumped(), 0.0, 1e-9);
     EXPECT_NEAR(d.w.length(d.wire), 40.0 + gypsy_radius(def) * d.chain(), 1e-9);
-    // The chain out of the locker equals the chain paid out, except in the last step.
+    // The length that left the locker is the length paid out, except in the last step.
     EXPECT_NEAR(300.0 - d.get("wire_left"),
                 gypsy_radius(def) *
                     (d.chain() - d.w.velocity(d.ids.chain).linear.x() * d.w.settings().step),
@@ -52,7 +52,7 @@ TEST(Gypsy, HoldsBelowItsLoad) {
     EXPECT_LT(std::abs(d.jumped()), 1e-8);
 }
 
-/// A weight above the jump load would continue past the next pocket. The slowly hauled end lets the
+/// A weight above the jump load would continue past a pocket. The end hauled off slowly lets the
 /// chain fall into the next pocket each time.
 TEST(Gypsy, JumpsByWholePocketsWithTheWheelStanding) {
     ChainDeck d(windlass());
@@ -71,7 +71,7 @@ TEST(Gypsy, JumpsByWholePocketsWithTheWheelStanding) {
     EXPECT_LE(d.count(EventKind::chain_jump), std::lround(std::ceil(farthest)));
 }
 
-/// Gravity and a fall: the tension at which it jumps has the weight of the fall more.
+/// Gravity and a fall: the jump tension is higher by the weight of the fall.
 TEST(Gypsy, TheFallIntoTheLockerHoldsBack) {
     WinchDef def = windlass();
     def.gypsy.locker_fall = 30.0;
@@ -84,13 +84,13 @@ TEST(Gypsy, TheFallIntoTheLockerHoldsBack) {
         most = std::max(most, d.get("pull"));
         d.step(0.01);
     }
-    // `pull` is at the fairlead, half the weight of an element above the tension at the wheel: both
-    // agree there.
+    // `pull` is at the fairlead, half an element's weight above the tension at the wheel: both add
+    // equally there.
     EXPECT_NEAR(most, 1.2e6 + tail, 0.005 * 1.2e6);
 }
 
-/// Chain released with only its own weight outboard gains speed until the force on the heap, ρ v²,
-/// equals the rest of the weight (Cayley): v² = g (L − fall).
+/// Chain released without a load accelerates until the momentum of the heap, ρ v², equals the
+/// remaining weight (Cayley): v² = g (L − fall).
 TEST(Gypsy, ChainFromTheHeapTakesMomentum) {
     WinchDef def = windlass();
     def.mode = WinchMode::speed;
@@ -100,7 +100,7 @@ TEST(Gypsy, ChainFromTheHeapTakesMomentum) {
     d.run(10.0, 4.0);
     const double rho = def.mass_per_length;
     EXPECT_NEAR(d.get("tail"), rho * (kGravity * 5.0 + 16.0), 1e-3 * rho * 16.0);
-    // The motor balances the excess weight of the outboard part.
+    // The motor carries the weight of the outboard part above that.
     const double torque = d.w.force(d.ids.motor)[0];
     EXPECT_NEAR(-torque / gypsy_radius(def), d.get("pull") - d.get("tail"), 0.01 * d.get("pull"));
 }
@@ -113,7 +113,7 @@ TEST(Gypsy, BitterEndPartsAtItsLoadOnce) {
         def.weak_link = link;
         ChainDeck d(def);
         d.run(19.0, 0.1);
-        // Slowly: the wheel behind the chain reaches the end with v sqrt(k J/r^2).
+        // Slowly: the wheel reaches the end with v sqrt(k J/r^2).
         d.run(20.0, 0.01);
         EXPECT_EQ(d.count(EventKind::drum_empty), 1) << link;
         EXPECT_EQ(d.count(EventKind::weak_link), link == 3e5 ? 1 : 0) << link;
@@ -122,7 +122,7 @@ TEST(Gypsy, BitterEndPartsAtItsLoadOnce) {
         if (link == 3e5) {
             EXPECT_NEAR(d.w.event_extremes(EventKind::weak_link).first.value, 3e5, 0.02 * 3e5);
         } else if (link == 1e7) {
-            EXPECT_GT(d.get("wire_left"), -0.01);  // the stretch behind the wheel at 1.4 MN
+            EXPECT_GT(d.get("wire_left"), -0.01);  // stretch of the part after the wheel at 1.4 MN
         }
     }
 }
@@ -146,7 +146,7 @@ TEST(Gypsy, MotorStopsAtTheLockersEnds) {
     EXPECT_NEAR(in.get("wire_left"), 25.0, 0.02);
 }
 
-/// State: snapshots within a jump, threads and twins.
+/// State: snapshots during a jump, threads and twins.
 TEST(Gypsy, GoesOnBitForBitFromWithinAJump) {
     ChainDeck d(windlass());
     while (d.state() != WinchState::jumping && d.w.time() < 60.0) d.step(0.02);
@@ -168,7 +168,8 @@ TEST(Gypsy, GoesOnBitForBitFromWithinAJump) {
 }
 
 /// A weight on light chain falls by a pocket against the friction of the links: s = a t²/2, a = (W
-/// − F)/(M + m), m the chain on the wheel. The work F s of the grip counts as driven.
+/// − F)/(M + m), with m the chain on the wheel. The grip dissipates F s, which is counted as
+/// driven.
 TEST(Gypsy, FallsByAPocketAgainstItsFriction) {
     constexpr double kMass = 1e4, kWeight = kMass * kGravity, kFriction = 0.3 * kWeight;
     World w(WorldDef{.step = 1.0 / 960.0, .gravity = Vec3(0, 0, -kGravity)});
@@ -202,14 +203,14 @@ TEST(Gypsy, FallsByAPocketAgainstItsFriction) {
     }
     const double reached = way();
     const double a = (kWeight - kFriction) / (kMass + gypsy_chain_inertia(def) / (r * r));
-    // It begins in the first step, in which the chain loses the stretch of W − F, 3 mm.
+    // It starts in the first step, in which the chain loses the stretch of W − F, 3 mm.
     EXPECT_NEAR(w.time(), std::sqrt(2.0 * reached / a), 0.02 * w.time());
     EXPECT_NEAR(before, -kFriction * reached, 0.03 * kFriction * reached);
     EXPECT_EQ(w.event_extremes(EventKind::chain_jump).count, 1);
     EXPECT_LT(std::abs(w.pose(ids.drum).position.x()), 1e-5);
     while (way() < 0.9999 * kPocket && w.time() < 2.0) ASSERT_EQ(w.step(), Status::ok);
-    // It falls into the next pocket. The weight continues to fall: the chain tension exceeds the
-    // jump load and passes that pocket, too.
+    // It falls into the next pocket. The falling weight brings the chain above its jump load, so
+    // that it passes this pocket, too.
     EXPECT_NEAR(way(), kPocket, 1e-6);
     ASSERT_EQ(w.step(), Status::ok);
     EXPECT_EQ(w.event_extremes(EventKind::chain_jump).count, 2);
@@ -232,7 +233,7 @@ TEST(Gypsy, JumpsInwardsWhereTheFallIsHeavier) {
     EXPECT_LT(std::abs(d.drum()), 1e-5);
 }
 
-/// Jumps do not create energy.
+/// Jumps create no energy.
 TEST(Gypsy, JumpsMakeNoEnergy) {
     ChainDeck d(windlass());
     d.run(120.0, 0.02);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Posts and guides within two elements of each other. Wires lie on all of them, slide at Euler's
-/// ratio, lift off, and never pass through one.
+/// Bollards and guides within two elements of each other: wires come to lie on all of them, slide
+/// over them at Euler's ratio, and lift off; none is passed through.
 #include <hawser/catenary.h>
 #include <hawser/hawser.h>
 
@@ -21,7 +21,7 @@ namespace {
 constexpr double kLinear = 23.0, kRowEA = 2.33e8, kThick = 0.038;  // kg/m, N, m
 constexpr double kPostRadius = 0.3, kRowFriction = 0.2;            // m
 
-/// A wire of elements of 3 m that hangs between two carriers, above posts across it.
+/// A wire of elements of 3 m that hangs between two carriers, above bollards across it.
 struct PostRow {
     World w;
     BodyId ground{}, left{}, right{};
@@ -73,7 +73,7 @@ struct PostRow {
         for (std::size_t k = 0; k < names.size(); ++k) sum += get(k, signal);
         return sum;
     }
-    /// How deep the wire's middle is under the surface that it would lie on, at the worst post [m].
+    /// Return the largest depth of the wire's middle under the surface of a bollard [m].
     [[nodiscard]] double sunk() const {
         double out = 0.0;
         for (const InteractionId id : w.elements(wire)) {
@@ -86,7 +86,7 @@ struct PostRow {
         }
         return out;
     }
-    /// Both ends move by so much in so long. @return the worst of sunk().
+    /// Move both ends by a distance within a time. @return the largest sunk().
     double move(const Vec3& by, double seconds) {
         double worst = 0.0;
         const auto steps = static_cast<int>(std::lround(60.0 * seconds));
@@ -99,7 +99,7 @@ struct PostRow {
         for (const BodyId id : {left, right}) w.set_velocity(id, {});
         return worst;
     }
-    /// Return the mass of lumps plus the additional mass of their elements [kg].
+    /// Return the mass of nodes and of loads of their elements [kg].
     [[nodiscard]] double mass() {
         double sum = 0.0;
         for (const BodyId id : w.nodes(wire))
@@ -124,13 +124,13 @@ TEST(NearPosts, TakeOneWireEachAndLetItGo) {
         EXPECT_EQ(d.all("held"), static_cast<double>(posts.size())) << distance;
         EXPECT_LE(d.all("taken"), static_cast<double>(posts.size()) + 1.0) << distance;
         EXPECT_NEAR(d.mass(), mass, 1e-9 * mass) << distance;
-        // Pulled along it slides over all of them, and nodes run through.
+        // Pulled along, it slides over all of them, and nodes pass.
         sunk = std::max(sunk, d.move({6, 0, 0}, 24.0));
         double angle = 0.0;
         for (std::size_t k = 0; k < posts.size(); ++k) {
             angle += d.get(k, "angle");
             EXPECT_GT(d.get(k, "slide"), 2.0) << distance;
-            // As at guides: half of the weight of an element acts beside the point of its tension.
+            // As at guides: the weight of half an element is not at the point of its tension.
             EXPECT_NEAR(d.get(k, "behind") / d.get(k, "before") /
                             std::exp(kRowFriction * d.get(k, "angle")),
                         1.0, 5e-3)
@@ -141,14 +141,14 @@ TEST(NearPosts, TakeOneWireEachAndLetItGo) {
             1.0, 2e-2)
             << "and of what hangs between them";
         EXPECT_NEAR(d.mass(), mass, 1e-9 * mass) << distance;
-        // If one element touches several posts, an inserted lump hangs below it by m g l/4T: 0.05 m
-        // for 40 kg over 3 m at 6 kN. Contacts lift it again.
+        // If one element touches several bollards, a node inserted between them hangs under it by m
+        // g l/4T: 0.05 m of 40 kg over 3 m at 6 kN. Contacts lift it again.
         EXPECT_LT(sunk, posts.size() > 2 ? 0.06 : 5e-3) << distance;
         d.move({-6, 0, 4}, 12.0);
         d.move({0, 0, 0}, 10.0);
         EXPECT_EQ(d.all("held"), 0.0) << distance;
         EXPECT_NEAR(d.mass(), mass, 1e-9 * mass) << distance;
-        // Lumps inserted between posts remain.
+        // Nodes inserted between bollards remain.
         EXPECT_LE(d.w.elements(d.wire).size(), had + 2 * posts.size()) << distance;
         for (const InteractionId id : d.w.elements(d.wire))
             EXPECT_EQ(d.w.interaction_def(id).kind, InteractionKind::Stretch);
@@ -171,10 +171,11 @@ TEST(NearPosts, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
         [](const PostRow& d) { EXPECT_NE(d.w.verdict().grade, Grade::wrong); });
 }
 
-/// Guides have a lump between them: without it, wire would be transferred from another element.
+/// Guides have a node between them: without one, the wire would be pulled over from another
+/// element.
 TEST(NearGuides, ShareNoElement) {
     PostRow d({});
-    // The middle of an element, and a point beside it.
+    // The middle of an element, and beside it.
     const InteractionId element = d.w.elements(d.wire)[5];
     const std::array<Vec3, 2> ends = d.w.ends(element);
     const auto at = [&](double share) { return Vec3(ends[0] + share * (ends[1] - ends[0])); };
@@ -189,7 +190,7 @@ TEST(NearGuides, ShareNoElement) {
     EXPECT_EQ(add("one", 0.4), "");
     EXPECT_NE(add("two", 0.6).find("an element that another guide has"), std::string::npos)
         << add("two", 0.6);
-    // In the next element there is a lump between them.
+    // In the next element, there is a node between them.
     EXPECT_EQ(add("two", 1.4), "");
 }
 

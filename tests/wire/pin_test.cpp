@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Guide pins that move down and up: contacts, holding, lifting; errors.
+/// Guide pins that are lowered and raised: their contacts, wires held and lifted, rejected
+/// definitions.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double kDeckEA = 2.33e8, kDeckDensity = 23.0;  // N, kg/m: wire of 76 mm
 
-/// A wire under 50 kN between two carriers that are moved, over a deck with a pin.
+/// A wire under 50 kN between two moving carriers, over a deck with a pin.
 struct PinDeck {
     World w;
     BodyId ship{}, left{}, right{};
@@ -60,7 +61,7 @@ TEST(Pins, LoweredTouchNothingAndRaisedHoldAWireOnItsSide) {
     EXPECT_EQ(d.w.system_signal("pin/post.taken"), 0.0) << "passes over a lowered pin";
     EXPECT_LT(d.middle(), -0.8);
     d.w.set_system_signal("pin.up", 1.0);
-    d.move({0, 0, 0}, 30.0);  // 2 m at 0.1 m/s, and then some
+    d.move({0, 0, 0}, 30.0);  // 2 m at 0.1 m/s, and some time more
     EXPECT_NEAR(d.w.system_signal("pin.height"), 1.0, 1e-3);
     d.move({0, 2.0, 0}, 10.0);
     d.move({0, 0, 0}, 10.0);
@@ -74,7 +75,7 @@ TEST(Pins, LoweredTouchNothingAndRaisedHoldAWireOnItsSide) {
     EXPECT_NE(d.w.verdict().grade, Grade::wrong);
 }
 
-/// A pull above the force of its motor, as from a wire that climbs along it: its stops hold it.
+/// A force above that of its motor, like that of a wire climbing along it: its stops hold it.
 TEST(Pins, StayBetweenTheirStops) {
     PinDeck d(true, 1.0, 1.2);
     const BodyId pin = d.w.find_body("pin");
@@ -90,7 +91,7 @@ TEST(Pins, StayBetweenTheirStops) {
     }
 }
 
-/// Directly above it: lifted, not captured.
+/// Directly above it: lifted, not taken.
 TEST(Pins, LiftAWireThatLiesAcrossTheirTop) {
     PinDeck d(false, 0.0, 1.2);
     d.move({0, 0, 0}, 5.0);

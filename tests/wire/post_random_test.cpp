@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Random wires between a drum and a swinging load, past pins on a fixed and on a moving body, with
-/// cuts. A run that ends ok is correct; material and bits are preserved.
+/// Random wires between a drum and a swinging load, past pins on a fixed and a moving body, cut in
+/// between. A run that ends as ok is correct, material is conserved, and bits are equal.
 #include <hawser/hawser.h>
 #include <hawser/winch.h>
 
@@ -23,11 +23,11 @@ namespace {
 
 constexpr double kDensity = 23.0, kEA = 2.33e8, kHalf = 0.038;  // kg/m, N, m
 constexpr int kSteps = 1000;
-/// Minimum mass of a lump [kg]. Between two guides it keeps a hundredth of half an element. Posts
-/// divide no element shorter than their turn of wire: some centimetres.
+/// A node between two guides keeps a hundredth of half an element. Bollards divide no element
+/// shorter than their turn of wire: some centimetres [kg].
 constexpr double kLightest = 1e-3;
 
-/// Values drawn once for a seed: worlds of the same seed are equal.
+/// Values drawn for a seed: worlds of a seed are equal.
 struct Wiring {
     int elements, end, pins;
     double length, slack, friction[3], bend, aside;
@@ -43,8 +43,8 @@ struct Wiring {
     };
     std::vector<Order> orders;
 
-    /// @param near  Pins stand close together, within two elements of each other. @param sliding
-    /// Wires slide along them.
+    /// Draw the values. @param near  Pins stand close together, within two elements of each other.
+    /// @param sliding  Wires slide along them.
     Wiring(std::uint32_t seed, bool near, bool sliding = false) : slides(sliding) {
         Random random(seed);
         elements = random.integer(8, 20);
@@ -58,7 +58,7 @@ struct Wiring {
             const double share = 0.25 * static_cast<double>(k + 1) + random.uniform(-0.08, 0.08);
             upright[k] = random.chance(0.5);
             moving[k] = random.chance(0.4);
-            // Off the wire's line by a little more than both radii, to any side.
+            // Off the wire's line by slightly more than both radii, to any side.
             const double off = (random.chance(0.5) ? 1.0 : -1.0) * random.uniform(0.4, 1.5);
             place[k] = Vec3(share * length, upright[k] ? off : 0.0, upright[k] ? 0.0 : off);
             friction[k] = random.uniform(0.0, 0.4);
@@ -138,7 +138,7 @@ struct Yard {
                 PostDef{.name = name, .shape = pin, .friction = x.friction[k], .slides = x.slides});
         }
     }
-    /// Return the minimum over all lumps [kg].
+    /// Return the mass of the lightest node [kg].
     [[nodiscard]] double lightest() const {
         double least = HUGE_VAL;
         for (const BodyId id : w.bodies())
@@ -151,7 +151,7 @@ struct Yard {
                 return false;
         return true;
     }
-    /// Return an interaction that has a body twice; else empty.
+    /// Return the name of an interaction with one body twice; empty if there is none.
     [[nodiscard]] std::string twice() const {
         for (const InteractionId id : w.interactions()) {
             const InteractionDef& d = w.interaction_def(id);
@@ -168,7 +168,7 @@ struct Yard {
             sum += w.system_signal("pin" + std::to_string(k) + "." + signal);
         return sum;
     }
-    /// Cut the wire at a fraction of its length; a point on the drum is rejected.
+    /// Cut the wire at a fraction of its length; a position on the drum is rejected.
     void cut_at_share(double share) {
         try {
             (void)w.cut(wire, share * w.length(wire));
@@ -176,7 +176,7 @@ struct Yard {
             EXPECT_NE(std::string(refused.what()), "");
         }
     }
-    /// Take one step after its commands.
+    /// Apply the commands of a step and step.
     Status step(const Wiring& x, int number) {
         for (const Wiring::Order& o : x.orders) {
             if (o.step != number) continue;
@@ -191,11 +191,11 @@ struct Yard {
 
 struct Tally {
     int worlds = 0, ended = 0, doubtful = 0, cuts = 0, restores = 0;
-    int alone = 0;  ///< Runs that ended early, but not with wires fixed along pins.
+    int alone = 0;  ///< Worlds that end early, but not if wires do not slide.
     double taken = 0.0, slid = 0.0;
 };
 
-/// @return true if a seed also ends early with wires fixed along pins.
+/// True if a seed ends early with wires that do not slide along pins.
 bool ends_without_sliding(std::uint32_t seed) {
     const Wiring x(seed, false);
     Yard d(x, 2);
@@ -272,14 +272,14 @@ void run_all(bool near) {
     std::printf("%d wires: %.0f times on a pin, %d cut, %d restored; %d ended early, %d doubtful\n",
                 tally.worlds, tally.taken, tally.cuts, tally.restores, tally.ended, tally.doubtful);
     EXPECT_GT(tally.taken, 0.0);
-    // A failed run is not an incorrect one, but must be rare: 2 of 500 fail.
+    // A wire without a result is valid, but must be rare: 2 of 500 are.
     EXPECT_LE(50 * tally.ended, tally.worlds);
 }
 
-/// The missing length of a slack element at a drum or on a pin is not stretch (33, 443). A short
-/// element that turns far within a step stores energy by its length that it cannot return (106).
-/// Removed nodes and lift-off there counted megajoules of it as driven, and steps were rejected as
-/// creating energy.
+/// Two faults. The shortfall of a slack element at a drum or pin counted as stretch (33, 443). A
+/// short element that rotates far within a step has, by its length, energy that it never returns
+/// (106). Megajoules of both counted as driven when nodes were removed or the wire lifted off, and
+/// steps were rejected for created energy.
 TEST(PostRandom, ElementsAtDrumsAndPinsHoldWhatTheyCanGiveBack) {
     for (const std::uint32_t seed : {33U, 106U, 443U}) {
         const Wiring x(seed, false);
@@ -294,8 +294,8 @@ TEST(PostRandom, WiresWithDrumsPinsAndCutsKeepTheirBits) { run_all(false); }
 
 TEST(PostRandom, WiresOverPinsCloseTogetherKeepTheirBits) { run_all(true); }
 
-/// A post captures the wire that pressed on it in the last step. Here the step after a restore does
-/// so: the snapshot must contain the contact.
+/// A bollard takes the wire that pressed on it in the last step. Here this is the step after a
+/// restore: the snapshot must contain the contact.
 TEST(PostRandom, AStepAfterARestoreTakesWhatPressed) {
     Tally tally;
     constexpr std::uint32_t kSeed = 214;
@@ -303,7 +303,7 @@ TEST(PostRandom, AStepAfterARestoreTakesWhatPressed) {
     EXPECT_EQ(tally.restores, 1);
 }
 
-/// The lump between two elements that posts captured one after the other had half of the second one
+/// A fault: the node between two elements that bollards took in sequence had half of the second one
 /// and 1e-15 kg of rounding, which it kept.
 TEST(PostRandom, ALumpBetweenTwoPostsKeepsMassOfItsOwn) {
     Tally tally;
@@ -312,7 +312,7 @@ TEST(PostRandom, ALumpBetweenTwoPostsKeepsMassOfItsOwn) {
     EXPECT_EQ(tally.restores, 1);
 }
 
-/// Wires slide along pins that let them, with the seeds above.
+/// Wires slide along pins that allow it, with the seeds above.
 TEST(PostRandom, WiresThatSlideAlongPinsKeepTheirBits) {
     const std::uint32_t first = first_seed(1);
     const std::uint32_t end = first + static_cast<std::uint32_t>(seed_count(4, 20, 200));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that come to lie on posts and lift off: no tunnelling at 50 m/s, Euler's ratio, balances,
-/// bits, errors.
+/// Wires that come to lie on bollards and lift off: no tunnelling at 50 m/s, Euler's ratio,
+/// accounts, bits, rejected definitions.
 #include <hawser/catenary.h>
 #include <hawser/hawser.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kPostDensity = 23.0, kPostEA = 2.33e8, kPostHalf = 0.038;  // kg/m, N, m
 
-/// A wire that hangs between two carriers, above a post across it.
+/// A wire that hangs between two carriers, above a bollard across it.
 struct AbovePost {
     World w;
     BodyId ground{}, left{}, right{};
@@ -59,7 +59,7 @@ struct AbovePost {
         w.add(PostDef{.name = "post", .shape = pin, .friction = friction});
     }
     [[nodiscard]] double get(const char* signal) const { return w.system_signal(signal); }
-    /// Both ends move by so much in so long.
+    /// Move both ends by a distance within a time.
     void move(const Vec3& by, double seconds) {
         const auto steps = static_cast<int>(std::lround(60.0 * seconds));
         for (const BodyId id : {left, right}) w.set_velocity(id, {by / seconds, Vec3::Zero()});
@@ -70,7 +70,7 @@ struct AbovePost {
         for (const BodyId id : {left, right}) w.set_velocity(id, {});
     }
     void rest(double seconds) { move(Vec3::Zero(), seconds); }
-    /// Return the mass of lumps plus the additional mass of their elements [kg].
+    /// Return the mass of nodes and of loads of their elements [kg].
     [[nodiscard]] double mass() {
         double sum = 0.0;
         for (const BodyId id : w.nodes(wire))
@@ -86,7 +86,7 @@ struct AbovePost {
 };
 
 TEST(Posts, TakeAWireThatComesToLieAndLetItGo) {
-    // An element over the post, and a lump; both directions of its axis.
+    // An element over the bollard, and a node; in the direction of its axis, and opposite.
     for (const auto& [elements, way] : {std::pair(13, 1.0), {14, 1.0}, {13, -1.0}, {14, -1.0}}) {
         AbovePost d(elements, 0.2, 1, way);
         const double mass = d.mass();
@@ -108,7 +108,7 @@ TEST(Posts, TakeAWireThatComesToLieAndLetItGo) {
         for (const InteractionId id : d.w.elements(d.wire))
             EXPECT_EQ(d.w.interaction_def(id).kind, InteractionKind::Stretch);
         EXPECT_EQ(d.w.verdict().grade, Grade::good) << elements;
-        // It hangs as it did: its weight, from both ends.
+        // It hangs as before: its weight is carried by both ends.
         const double weight = 9.81 * kPostDensity * 42.0;
         const double pulls[] = {d.w.tension(d.wire, 0.0), d.w.tension(d.wire, d.w.length(d.wire))};
         EXPECT_NEAR(pulls[0] / pulls[1], 1.0, 0.02);
@@ -116,7 +116,7 @@ TEST(Posts, TakeAWireThatComesToLieAndLetItGo) {
     }
 }
 
-/// A second capture reuses the slots of the released wire, and none of its data.
+/// A wire taken again uses the slots of the released one, without its data.
 TEST(Posts, TakeAWireAgain) {
     AbovePost d(14);
     for (int k = 0; k < 3; ++k) {
@@ -128,7 +128,7 @@ TEST(Posts, TakeAWireAgain) {
     }
 }
 
-/// If pulled along, the wire slides when its tensions reach Euler's ratio.
+/// Pulled along, the wire slides when its tensions reach Euler's ratio.
 TEST(Posts, RubAtEulersRatio) {
     AbovePost d(13, 0.25);
     d.move({0, 0, -4}, 8.0);
@@ -136,13 +136,13 @@ TEST(Posts, RubAtEulersRatio) {
     d.move({3, 0, 0}, 12.0);
     const double ratio = d.get("post.behind") / d.get("post.before");
     EXPECT_GT(d.get("post.slide"), 1.0);
-    // As at guides: half of the weight of an element acts beside the point of its tension.
+    // As at guides: the weight of half an element is not at the point of its tension.
     EXPECT_NEAR(ratio / std::exp(0.25 * d.get("post.angle")), 1.0, 5e-3);
     EXPECT_EQ(d.w.verdict().grade, Grade::good);
 }
 
-/// A wire that just touches, with its ends moving up and down by 1 mm in 5 s: it makes contact and
-/// lifts off at most once a period.
+/// A wire that barely touches, with ends moving up and down by a millimetre in 5 s: it comes to lie
+/// and lifts off at most once per period.
 TEST(Posts, DoNotChatter) {
     AbovePost d;
     const double sag = d.w.pose(d.w.nodes(d.wire)[6]).position.z();
@@ -172,8 +172,8 @@ TEST(Posts, GiveTheSameBitsOnAnyThreadsAndAfterRestoring) {
         [](const AbovePost& d) { EXPECT_EQ(d.get("post.let_go"), 1.0); });
 }
 
-/// @return true if the axis of a pin passed through a piece of wire within a step. The piece then
-///        changes its side of the axis while the two cross within both.
+/// True if the axis of a pin passed through a piece of wire within a step: the side of the piece
+/// changes while both cross within their lengths.
 bool passed(const Vec3& axis_at, double half, const std::array<Vec3, 2>& was,
             const std::array<Vec3, 2>& now) {
     constexpr int kParts = 64;
@@ -195,7 +195,8 @@ bool passed(const Vec3& axis_at, double half, const std::array<Vec3, 2>& was,
     return false;
 }
 
-/// A wire thrown at a pin; passed() checks each element that exists before and after a step.
+/// A wire that flies at a pin; passed() is checked for each element that exists before and after a
+/// step.
 struct Thrown {
     World w{WorldDef{.step = 1.0 / 60.0, .gravity = Vec3::Zero()}};
     WireId wire{};
@@ -211,7 +212,7 @@ struct Thrown {
                                          .margin = 1.0});
         constexpr int kElements = 8;
         constexpr double kElement = 5.0, kPull = 10.0;
-        // Aimed at the pin, which meets the wire at `offset` from the middle.
+        // Aimed at the pin: its position on the wire is `offset` from the middle at the impact.
         const Vec3 start = -0.12 * velocity;
         const double apart = kElement * (1.0 + kPull / kPostEA);
         const auto at = [&](int k) {
@@ -234,7 +235,7 @@ struct Thrown {
         wire = w.add_wire(def);
         w.add(PostDef{.name = "pin", .shape = pin, .friction = 0.15});
     }
-    /// @return number of steps in which the pin passed through an element.
+    /// Run for a time. @return number of steps in which an element passed through.
     int run(double seconds) {
         int through = 0;
         const auto steps = static_cast<int>(std::lround(60.0 * seconds));
@@ -243,7 +244,7 @@ struct Thrown {
             now.clear();
             for (const InteractionId id : w.elements(wire)) {
                 const InteractionDef& d = w.interaction_def(id);
-                // The element at the attached body has no capsule (WireDef::radius).
+                // The element at the body at the wire's start has no capsule (WireDef::radius).
                 if (d.kind == InteractionKind::Stretch && d.body[0] != first)
                     now.emplace_back(
                         id, std::array{w.pose(d.body[0]).position, w.pose(d.body[1]).position});
@@ -268,7 +269,7 @@ TEST(Posts, StopAWireAt50MetresASecond) {
     const int throws = test::by_tier(10, 100, 1000);
     int taken = 0, through = 0, doubtful = 0;
     for (int k = 0; k < throws; ++k) {
-        // Within 60 degrees of the plane across the pin, from any side of that plane.
+        // Within 60 degrees of the plane across the pin, from any side of this plane.
         const double up = std::sin(random.uniform(-1.0, 1.0) * 1.0471975512),
                      turn = random.uniform(-0.6, 0.6);
         const double flat = std::sqrt(1.0 - up * up);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires whose resolution follows tension, curvature and contact: limits, hysteresis, balances,
-/// threads, restored states, errors. `hawser validate wire_resolution` tests tensions at edits.
+/// Wires whose resolution follows tension, curvature and contact: limits, hysteresis, accounts,
+/// threads, restored states, rejected definitions. Tensions at edits are checked by `hawser
+/// validate wire_resolution`.
 #include <hawser/catenary.h>
 #include <hawser/hawser.h>
 
@@ -60,14 +61,14 @@ struct Hung {
         return w.system_signal(std::string("nodes.") + signal);
     }
     [[nodiscard]] double edits() const { return get("inserted") + get("removed"); }
-    /// Lengths of elements by their mass [m].
+    /// Return the lengths of elements, from their mass [m].
     [[nodiscard]] std::vector<double> lengths() const {
         std::vector<double> out;
         for (const InteractionId id : w.elements(wire))
             out.push_back(w.interaction_def(id).get("mass") / kPerMetre);
         return out;
     }
-    /// Return the mass of lumps and of the half elements at ends [kg].
+    /// Return the mass of nodes and of half elements at the ends [kg].
     [[nodiscard]] double mass() const {
         double sum = 0.5 * kPerMetre * (lengths().front() + lengths().back());
         for (const BodyId id : w.nodes(wire))
@@ -108,7 +109,7 @@ TEST(WireResolution, MakesShortElementsOne) {
     EXPECT_EQ(h.get("removed"), 161.0 - h.get("nodes"));
 }
 
-/// The limits of sag, angle and waves, one at a time, on a wire of known curvature w/H and tension.
+/// Bounds of sag, angle and waves, each alone, on a wire with known curvature w/H and tension.
 TEST(WireResolution, KeepsToEachBound) {
     constexpr double kPull = 41e3, kCurvature = kPerMetre * 9.81 / kPull;
     const double sag = std::sqrt(8.0 * 0.05 / kCurvature), angle = 0.06 / kCurvature,
@@ -131,9 +132,9 @@ TEST(WireResolution, KeepsToEachBound) {
             Hung h(200.0, elements, kPull);
             h.with(row.def);
             h.run(60.0);
-            // Tension and curvature differ along the wire: T = H + w z, 16 % here. From above
-            // elements stop within the bound; from below at a node that would be beyond a bound
-            // over the hysteresis.
+            // Tension and curvature differ along the wire: T = H + w z, 16 % here. Coarsening stops
+            // within the bound; refinement stops at a node that would exceed the bound over the
+            // hysteresis.
             EXPECT_LE(longest(h), 1.1 * row.bound) << elements;
             const auto all = h.lengths();
             for (std::size_t i = 0; i + 1 < all.size(); ++i)
@@ -153,7 +154,7 @@ TEST(WireResolution, DoesNotChatter) {
         }
 }
 
-/// The end oscillates, so that limits by waves and sag alternate.
+/// The end oscillates, so that bounds by waves and sag apply in turn.
 ResolutionDef lively() {
     return {.min_length = 1.5,
             .max_length = 12.0,
@@ -184,7 +185,7 @@ TEST(WireResolution, IsTheSameOnAnyThreads) {
     }
 }
 
-/// From steps at random, and from those before and behind an edit, in a twin made there.
+/// From random steps, and from those before and after an edit, in a twin made at that step.
 TEST(WireResolution, GoesOnAfterRestore) {
     constexpr int kSteps = test::kSanitized ? 400 : 1000;
     std::mt19937 random(first_seed(7));

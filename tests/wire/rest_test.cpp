@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wires in still water, with bending stiffness and floating sections. Forces on each node are
-// summed here from the positions of nodes, by the formulas of sea.h and by differences of an
+// Wires in still water, with bending stiffness and buoyant sections. The forces on each node are
+// computed here from the positions of nodes, by the formulas of sea.h and by differences of an
 // energy.
 #include "support/random.h"
 #include "support/tier.h"
@@ -25,7 +25,7 @@ double bend_energy(const std::vector<Vec3>& x, std::size_t i, double k) {
     return k * (1.0 - a.dot(b) / (a.norm() * b.norm()));
 }
 
-/// Largest force left at a node, over the heaviest node. One section of equal elements.
+/// Return the largest force left at a node, over the heaviest node. One section of equal elements.
 double left(const CatenaryDef& def, const Catenary& c) {
     const CatenarySection& s = def.sections[0];
     const std::size_t n = c.nodes.size() - 1;
@@ -107,7 +107,7 @@ TEST(Rest, EveryNodeOfAStiffWireIsInBalance) {
     for (int i = 0; i < cases; ++i) {
         CatenaryDef def = random_line(random);
         CatenarySection& s = def.sections[0];
-        // Stiffer lines push, and elements that only pull have no such balance.
+        // Stiffer lines push, and elements that only pull then have no balance.
         s.EI = std::pow(10.0, random.uniform(-5.0, -2.7)) * s.weight * std::pow(s.length, 3.0);
         s.EI = std::min(s.EI, 1e-3 * s.EA * s.length * s.length);
         const Catenary c = catenary(def);
@@ -117,7 +117,7 @@ TEST(Rest, EveryNodeOfAStiffWireIsInBalance) {
     EXPECT_GT(balanced, cases * 8 / 10);
 }
 
-/// Sections that float, of a riser in the form of a lazy wave, were refused over a seabed.
+/// A fault: buoyant sections of a riser in the form of a lazy wave were rejected over a seabed.
 TEST(Rest, SectionsThatFloatOverASeabed) {
     CatenaryDef def;
     def.to = {160.0, 0.0, -99.9};
@@ -143,8 +143,8 @@ TEST(Rest, SectionsThatFloatOverASeabed) {
     EXPECT_GT(top, lowest_before + 1.0) << "the floating section makes a crest";
 }
 
-/// A pipe between level ends, as far apart as its length, has the sag of a pinned beam, 5 w l^4/384
-/// EI.
+/// A pipe between ends at one height, as far apart as it is long, has the sag of a pinned beam, 5 w
+/// l^4/384 EI.
 TEST(Rest, APinnedBeamSagsByFiveOver384) {
     CatenaryDef def;
     def.to = {10.0, 0.0, 0.0};

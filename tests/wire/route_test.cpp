@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines over posts and sheaves: Euler's ratio for any number of turning points, bits, errors.
+/// Lines over bollards and sheaves: Euler's ratio for any number of places, bits, rejected
+/// definitions.
 #include "support/post.h"
 #include "support/tier.h"
 
@@ -29,7 +30,7 @@ TEST_P(Posts, SlideAtEulersRatio) {
             EXPECT_LE(p.w.stats().factorisations, 8) << turns << " step " << i;
             EXPECT_EQ(p.w.stats().flips_left, 0) << turns << " step " << i;
         }
-        // Slides have a millionth of the lightest mass, and up to 64 of them are sped up.
+        // Slides have a millionth of the lightest mass, and up to 64 of them are accelerated.
         EXPECT_NEAR(p.tensions() / p.ratio, 1.0, 1e-5) << turns;
         EXPECT_EQ(p.w.verdict().grade, Grade::good) << turns;
         const double before = p.w.velocity(p.second).linear.z();
@@ -49,7 +50,7 @@ TEST_P(Posts, HoldBelowItWithoutCreeping) {
 }
 
 TEST(Routes, TensionsPointTheWayTheyHaveTo) {
-    // Friction opposes hauling in both directions.
+    // Hauled in either direction, friction opposes the motion.
     for (const double v : {0.5, -0.5}) {
         World w;
         const BodyId top = w.add_body({.kind = BodyKind::fixed});
@@ -71,7 +72,7 @@ TEST(Routes, TensionsPointTheWayTheyHaveTo) {
 }
 
 TEST(Routes, AWheelIsAWheelWhereverItTurns) {
-    // A weight swings on a line that rolls on and off a cylinder: it keeps its energy.
+    // A weight swings on a line that rolls on and off a cylinder: its energy is conserved.
     World w(WorldDef{.step = 1.0 / 960.0});
     const BodyId post = w.add_body({.kind = BodyKind::fixed});
     const BodyId bob = w.add_body({.kind = BodyKind::lump,
@@ -91,7 +92,7 @@ TEST(Routes, AWheelIsAWheelWhereverItTurns) {
         ASSERT_EQ(w.step(), Status::ok);
         const Vec3 x = w.pose(bob).position;
         widest = std::max(widest, std::abs(x.x() - 0.5));
-        // Straight length and arc: l + R φ = l₀ without sliding; φ at the point where the line
+        // Straight length and arc: l + R φ = l₀ without sliding. φ is the angle at which the line
         // leaves.
         const double d = std::hypot(x.x(), x.z());
         const double straight = std::sqrt(d * d - 0.25);
@@ -104,8 +105,7 @@ TEST(Routes, AWheelIsAWheelWhereverItTurns) {
     EXPECT_GT(widest, 1.5);
 }
 
-/// A block of 2 t under a wheel, both of radius R, on two falls of length L; suspended with an
-/// offset.
+/// A block of 2 t under a wheel, both of radius R, on two falls of length L.
 struct TwoFalls {
     static constexpr double kRadius = 0.4, kFalls = 10.0, kInertia = 300.0;
     World w;
@@ -133,8 +133,8 @@ struct TwoFalls {
 };
 
 TEST(Routes, TwoFallsOverWheelsHoldABlockInItsPlane) {
-    // Each fall, at R from the axis, inclines by R θ/L, so that both turn the block back by W R²
-    // θ/L. This includes the fall between two wheels, whose axes are then not parallel.
+    // Each fall at R from the axis leans by R θ/L, so that both rotate the block back by W R² θ/L.
+    // This includes the fall between two wheels, whose axes are then not parallel.
     constexpr double kYaw = 0.05;
     TwoFalls t(kYaw);
     const double rate = 2000.0 * 9.81 * TwoFalls::kRadius * TwoFalls::kRadius /
@@ -147,7 +147,7 @@ TEST(Routes, TwoFallsOverWheelsHoldABlockInItsPlane) {
         if (now <= 0.0) first = (i - now / (now - before)) / 240.0;
         before = now;
     }
-    // A quarter of a period. The block rises by R² θ²/L as it turns, and inclines: parts in 1e3.
+    // A quarter of a period. The block rises by R² θ²/L as it rotates, and tilts: errors of 1e-3.
     EXPECT_NEAR(first, 0.25 * period, 0.01 * period);
 }
 
@@ -218,8 +218,8 @@ TEST(Routes, ThatAreWrongAreRefusedAndLeaveNothing) {
     EXPECT_EQ(w.add(good).parts.size(), 2u);
 }
 
-/// The light side is pulled up to its eye and stops there: the heavy side hangs still from then on,
-/// with its weight in the line, and never lower than the line lets it.
+/// The light side is pulled up to its eye and stops there. The heavy side then hangs still with its
+/// weight on the line, never lower than the line allows.
 TEST(Routes, EndsStopAtTheirEye) {
     for (const std::uint32_t seed : test::seeds(3, 6, 60, 600)) {
         std::mt19937 random(seed);
@@ -247,19 +247,19 @@ TEST(Routes, EndsStopAtTheirEye) {
         const double length = left + right;
         for (int i = 0; i < 2400; ++i) {
             ASSERT_EQ(w.step(), Status::ok) << seed << " step " << i;
-            // 3 %: 1 % of the part is left, and the line stretches by the impact.
+            // 3 %: 1 % of the part is left, and the impact stretches the line.
             ASSERT_GE(w.pose(b).position.z(), -1.03 * length - 0.05) << seed << " step " << i;
         }
         EXPECT_GE(w.event_extremes(EventKind::hauled_in).count, 1) << seed;
         EXPECT_EQ(w.event_extremes(EventKind::energy_created).count, 0) << seed;
         EXPECT_LE(w.pose(a).position.norm(), 0.03 * left + 0.02) << seed;
         EXPECT_NEAR(-w.force(r.parts.back())[0], 9.81 * heavy, 0.02 * 9.81 * heavy) << seed;
-        // 1e-3 m/s: the remaining oscillation after 40 s.
+        // 1e-3 m/s: rest of the oscillation after 40 s.
         EXPECT_LE(std::abs(w.velocity(b).linear.z()), 1e-3) << seed;
     }
 }
 
-/// e^{μδ} from 10⁵ to 10⁹: a bollard that can hold a load does not lift it.
+/// e^{μδ} of 10⁵ to 10⁹: a bollard that can hold a load does not lift it.
 TEST(Routes, MuchFrictionLiftsNothing) {
     for (const std::uint32_t seed : test::seeds(5, 6, 60, 600)) {
         std::mt19937 random(seed);
@@ -289,7 +289,7 @@ TEST(Routes, MuchFrictionLiftsNothing) {
         for (int i = 0; i < 900; ++i) ASSERT_EQ(w.step(), Status::ok) << seed;
         const double before = w.pose(b).position.z();
         for (int i = 0; i < 900; ++i) ASSERT_EQ(w.step(), Status::ok) << seed;
-        // 1e-4 m in 15 s: an error of rounding moved loads by 0.2 m.
+        // 1e-4 m in 15 s: a fault of rounding moved loads by 0.2 m.
         EXPECT_LE(w.pose(b).position.z(), before + 1e-4) << seed;
     }
 }

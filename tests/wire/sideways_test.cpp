@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rest positions of a wire along a surface under friction, and exchange between its parts, as
-/// separate functions.
+/// Functions for friction along the axis of a guide: position at which a wire comes to rest, and
+/// lengths that its parts exchange.
 #include "wire/sideways.h"
 
 #include "support/random.h"
@@ -24,13 +24,14 @@ void expect_at_bound(test::Random& random, bool inside) {
         EXPECT_EQ(way, 0.0);
         return;
     }
-    double low = -1e3, high = 1e3;  // f grows from −∞ to ∞
+    double low = -1e3, high = 1e3;  // f increases from −∞ to ∞
     for (int i = 0; i < 200; ++i) {
         const double s = 0.5 * (low + high);
         (wire::lean(c, s) > (now > 0.0 ? bound : -bound) ? high : low) = s;
     }
     const double most = 0.25 * std::min(c.across[0], c.across[1]);
-    // Within 1e-9 of the way, which remains inside the bound; shorter ways are not moved.
+    // Within a billionth of the distance, which keeps it inside the bound; smaller moves are not
+    // made.
     const double wanted = std::clamp(low, -most, most);
     if (std::abs(wanted) < 1e-7) return;
     EXPECT_NEAR(way, wanted, 1e-7 + 2e-9 * (5.0 + std::abs(wanted)));
@@ -39,8 +40,8 @@ void expect_at_bound(test::Random& random, bool inside) {
     }
 }
 
-/// The solver ends within 1e-13 of both parts. They may exceed the bound by more than rounding, but
-/// not for the fixed seed.
+/// The solver ends within 1e-13 of both parts, which may exceed the bound by more than rounding;
+/// cases of the fixed seed do not.
 TEST(Sideways, GoToTheBoundOfFriction) {
     test::Random fixed(7), fresh(test::first_seed(8));
     for (int k = 0; k < 2000; ++k) expect_at_bound(fixed, true);
@@ -55,7 +56,7 @@ TEST(Sideways, KeepTheRatioOfTensions) {
     const double path[2] = {5.01 + 0.2, 3.003 - 0.203};
     EXPECT_NEAR(strain(path[0], 5.0 + fed) / strain(path[1], 3.0 - fed), 2.0, 1e-9);
     EXPECT_LT(strain(path[0], 5.0 + fed), 2e-3);
-    // If the parts get too short to be taut, both have the same fraction of slack.
+    // If they become too short to be taut, both are slack by equal fractions.
     p.changes[1] = -0.3;
     const double slack = wire::fed_between(p);
     EXPECT_NEAR(strain(5.21, 5.0 + slack), strain(2.703, 3.0 - slack), 1e-12);

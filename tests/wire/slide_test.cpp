@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that slide along surfaces. They stay, bit for bit, while friction holds, and lie at
-/// Coulomb's angle beyond. Without friction they take the shortest way, and they come off at an
-/// end. Energy, bits.
+/// Wires that slide sideways along a guide. With sufficient friction they stay to the bit; beyond
+/// it they lie at Coulomb's angle; without friction they take the shortest path; they leave at an
+/// end; energy, bits.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace hawser {
 namespace {
 
-/// A wire without weight from a ship over its stern, an edge along y, to a body that is pulled.
+/// A weightless wire from a ship over its stern, an edge along y, to a body that is pulled.
 struct Stern {
     static constexpr double kDensity = 4.2, kEA = 4.5e7, kHalf = 0.016;  // kg/m, N, m
     static constexpr double kFore = 20.0, kRadius = 0.2;                 // m
@@ -63,7 +63,7 @@ struct Stern {
         for (int i = 0; i < std::lround(60.0 * seconds); ++i)
             ASSERT_EQ(w.step(), Status::ok) << w.time();
     }
-    /// Over the edge, straight aft.
+    /// Lower the end over the edge, straight aft.
     void lower(double down = 6e4) {
         for (int i = 0; i < 600; ++i) {
             pull({1e5, 0, -down * i / 600.0});
@@ -73,7 +73,7 @@ struct Stern {
         run(50.0);
         ASSERT_EQ(get("held"), 1.0);
     }
-    /// Return the angles of the incoming and outgoing part to the edge.
+    /// Return the angles between the edge and the wire on both sides.
     [[nodiscard]] std::array<double, 2> angles() const {
         std::array<double, 2> out{};
         std::size_t k = 0;
@@ -85,13 +85,13 @@ struct Stern {
         EXPECT_EQ(k, 2U);
         return out;
     }
-    /// ln tan(β₂/2) − ln tan(β₁/2).
+    /// Return ln tan(β₂/2) − ln tan(β₁/2).
     [[nodiscard]] double leaning() const {
         const auto b = angles();
         return std::log(std::tan(0.5 * b[1])) - std::log(std::tan(0.5 * b[0]));
     }
-    /// Return the force of the wire on the edge relative to the normal force: across the axis, and
-    /// across the wire in the surface.
+    /// Return the force of the wire on the edge over the normal force: across the axis, and across
+    /// the wire in the surface.
     [[nodiscard]] double rub() const {
         Vec3 sum = Vec3::Zero(), along = Vec3::Zero();
         double sign = -1.0, pull = 0.0;
@@ -116,8 +116,8 @@ TEST(Slides, StayToTheBitBelowTheBound) {
     Stern d(0.3);
     d.lower();
     const double bound = 0.3 * d.get("angle"), at = d.get("along"), slid = d.get("slid");
-    // Pulled back and forth for 100 s. It would slide from rest; in motion it reaches about 90 % of
-    // that.
+    // Pulled back and forth for 100 s; at rest it would slide, in motion it reaches about 90 % of
+    // this.
     const double least = std::acos(std::tanh(1.05 * bound));
     double most = 0.0;
     for (int i = 0; i < 6000; ++i) {
@@ -134,8 +134,7 @@ TEST(Slides, StayToTheBitBelowTheBound) {
 }
 
 TEST(Slides, LieAtCoulombsAngle) {
-    // Around half a radian, where the force of a node differs from that of an arc, and around an
-    // eighth.
+    // Around half a radian, where a node's force differs from that of an arc, and around an eighth.
     for (const auto& [down, side] : {std::pair(6e4, 4e4), {6e4, -4e4}, {1.3e4, -2e4}})
         for (const double friction : {0.1, 0.3}) {
             Stern d(friction);
@@ -151,16 +150,16 @@ TEST(Slides, LieAtCoulombsAngle) {
                 "phi, %.6f of mu by forces\n",
                 friction, arc, d.get("along"), b[0], b[1], std::abs(d.leaning()) / bound,
                 d.rub() / friction);
-            // It stopped when φ was that of the last oscillation, within 1e-5.
+            // It came to rest at the φ of the last oscillation, about 1e-5 of it earlier.
             EXPECT_NEAR(std::abs(d.leaning()) / bound, 1.0, 1e-4);
-            // The wire behind the edge has the direction of the pull. The post and the offset of
-            // the body are some centimetres of 60 m.
+            // The wire after the edge has the direction of the load's pull; the bollard and the
+            // position of the body add some centimetres in 60 m.
             const double aft = std::acos(side / force.norm());
             EXPECT_NEAR(b[1], aft, 1e-3);
             const double fore = std::log(std::tan(0.5 * aft)) + (side > 0.0 ? bound : -bound);
             EXPECT_NEAR(b[0], 2.0 * std::atan(std::exp(fore)), 1e-3);
-            // A node of an arc φ presses with T 2 sin(φ/2) instead of Tφ. It is held across its
-            // mean direction by the law of each small piece. Both differences are of second order.
+            // A node of an arc φ presses with T 2 sin(φ/2) instead of Tφ, and is held across its
+            // mean direction, not by the law of each small piece. Both errors are of second order.
             EXPECT_NEAR(d.rub() / friction, 1.0, arc * arc / 12.0);
         }
 }
@@ -174,7 +173,7 @@ TEST(Slides, GoTheShortestWayWithoutFriction) {
     std::printf("angles to the edge: %.9f and %.9f rad\n", b[0], b[1]);
     EXPECT_NEAR(b[0], b[1], 1e-6);
     EXPECT_NEAR(d.get("along"), Stern::kFore / std::tan(b[0]), 0.05);
-    // Among all positions along the edge, this gives the shortest way from lump to lump.
+    // This position has the shortest path between the nodes of all along the edge.
     EXPECT_EQ(d.w.verdict().grade, Grade::good);
 }
 
@@ -203,9 +202,9 @@ TEST(Slides, ComeOffAtTheEnd) {
     EXPECT_EQ(d.w.verdict().grade, Grade::good);
 }
 
-/// A body oscillates from quarter to quarter. Energy lost in sliding counts as friction, and the
-/// balance closes. The sticking row of friction along the wire stores F²ε/2 with 1e-12 m/N. This is
-/// part of friction and is returned as the pull decreases.
+/// A body that swings from quarter to quarter: losses of sliding count as friction, and the account
+/// is balanced. The row of friction along the wire stores F²ε/2 with 1e-12 m/N while it sticks,
+/// which is part of it and returns as the pull decreases.
 TEST(Slides, TakeEnergyAndMakeNone) {
     for (const double friction : {0.0, 0.15, 0.3}) {
         Stern d(friction);
@@ -268,7 +267,7 @@ TEST(Slides, MoveByTheWorldsOwnFunctionAndRefuse) {
     EXPECT_THROW((void)d.w.move_along(parts[0], parts[1], 0.1, 1e3), DefError) << "so much length";
     EXPECT_THROW((void)d.w.move_along(parts[0], parts[1], std::nan(""), 0.0), DefError);
     EXPECT_THROW((void)d.w.move_along(parts[0], d.w.elements(d.wire)[0], 0.1, 0.0), DefError);
-    // The shortest way is here: farther off both would be longer.
+    // The shortest path is here: on both sides it is longer.
     const auto hash = d.w.state_hash();
     const Vec3 at = d.w.interaction_def(parts[0]).point[1];
     EXPECT_FALSE(d.w.move_along(parts[0], parts[1], 0.5, 0.0));

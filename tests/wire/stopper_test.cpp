@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shark jaws and chain stoppers: capture, hold, release, loads against the pull, bits, errors.
+/// Shark jaws and chain stoppers: take, hold, release; their loads against the pulls; bits,
+/// rejected definitions.
 #include <hawser/hawser.h>
 
 #include "support/bits.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr double kDeckEA = 2.33e8, kDeckDensity = 23.0;  // N, kg/m: wire of 76 mm
 constexpr double kDeckElement = 5.0;                     // m
 
-/// A wire without weight along x over a deck at z = 0, pulled at both ends.
+/// A weightless wire along x over a deck at z = 0, pulled at both ends.
 struct Deck {
     World w;
     BodyId ship{}, inboard{}, outboard{};
@@ -62,7 +63,7 @@ struct Deck {
             ASSERT_LT(w.stats().momentum_residual, 1e-8) << w.time();
         }
     }
-    /// Return the mass of lumps other than the two weights [kg].
+    /// Return the mass of nodes other than the two weights [kg].
     [[nodiscard]] double mass() const {
         double sum = 0.0;
         for (const BodyId id : w.nodes(wire))
@@ -80,14 +81,14 @@ TEST(Stoppers, AJawTakesTheNearestPlaceHoldsBothWaysAndLetsGo) {
     d.run(0.1);
     EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::holding));
     EXPECT_EQ(d.get("jaw.held"), 1.0);
-    // The point next to the jaw, 38.2 m from the inboard end where the wire is unstretched.
+    // The position next to the jaw, 38.2 m of unstretched wire from the inboard end.
     EXPECT_NEAR(d.get("jaw.at"), 38.2, 0.1);
     ASSERT_EQ(d.count(EventKind::join), 1);
     const Event taken = d.w.event_extremes(EventKind::join).first;
     EXPECT_EQ(taken.interaction, d.w.find_interaction("jaw/hold"));
     EXPECT_NEAR(taken.value, 0.2, 1e-3) << "the wire lies 0.2 m beside the point";
     EXPECT_NEAR(d.mass(), mass, 1e-9 * mass);
-    // 500 kN outboard against 200 kN, then inboard: the jaw holds the difference.
+    // Outboard 500 kN against 200 kN, then inboard: the jaw holds the difference.
     for (const auto& [in, out] : {std::pair(2e5, 5e5), {6e5, 1e5}}) {
         d.pull(in, out);
         d.run(30.0);
@@ -113,7 +114,7 @@ TEST(Stoppers, OpenAboveTheirRatedLoad) {
     d.run(10.0);
     d.w.set_system_signal("jaw.close", 1.0);
     d.run(1.0);
-    for (int k = 1; k <= 39; ++k) {  // gradually: a sudden pull would overshoot
+    for (int k = 1; k <= 39; ++k) {  // gradually: a sudden pull would make the wire overshoot
         d.pull(1e5, 1e5 + 1e4 * k);
         d.run(0.5);
     }
@@ -123,7 +124,7 @@ TEST(Stoppers, OpenAboveTheirRatedLoad) {
     ASSERT_EQ(d.count(EventKind::overload), 1);
     EXPECT_GT(d.w.event_extremes(EventKind::overload).first.value, 4e5);
     EXPECT_EQ(d.get("jaw.state"), static_cast<double>(StopperState::tripped));
-    // While closed it captures no wire; opened and closed again it does.
+    // Still closed, it takes nothing; opened and closed again, it does.
     d.pull(1e5, 1e5);
     d.run(1.0);
     EXPECT_EQ(d.count(EventKind::join), 1);
@@ -145,7 +146,7 @@ TEST(Stoppers, SayWhereNothingIsWithinReach) {
     EXPECT_EQ(d.get("jaw.held"), 0.0);
 }
 
-/// It holds against paying out; while hauling in, the pawl falls behind each link.
+/// It holds against paying out; when hauled in, the pawl falls behind each link.
 TEST(Stoppers, AChainStopperLetsChainInAndNotOut) {
     Deck d({.pitch = 0.6});
     d.pull(1e5, 3e5);
@@ -203,7 +204,7 @@ TEST(Stoppers, RefuseWhatCannotBe) {
     }
 }
 
-/// A node has one stopper: a second one waits until the first has released it.
+/// A node has one stopper: the second one waits until the first has released it.
 TEST(Stoppers, DoNotHoldOneNodeTogether) {
     Deck d;
     d.pull(2e5, 2e5);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// A winch at the fairlead of a deck; the end of its wire has a prescribed motion.
+/// A winch at the fairlead of a deck, with prescribed motion of the end of its wire.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace hawser::test {
 
-/// 31 wraps a layer, 9 layers of 1,500 m.
+/// 31 turns per layer, 9 layers of 1,500 m.
 inline WinchDef big_winch() {
     return {.name = "winch",
             .core_radius = 0.6,
@@ -38,7 +38,7 @@ struct Deck {
         wire = w.add_wire({.name = "wire",
                            .from = deck,
                            .to = end,
-                           .elements = 2,  // one of their nodes can move
+                           .elements = 2,  // one node can move
                            .EA = 3e8,
                            .mass_per_length = 25.0,
                            .axial_damping = 5.0});

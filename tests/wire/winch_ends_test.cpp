@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Release and stop of a winch: emergency release, empty drum, weak link, last wraps, full drum.
+/// Release and stops of winches: emergency release, empty drum, weak link, last turns, full drum.
 #include "wire/winch_deck.h"
 
 #include <utility>
@@ -52,7 +52,7 @@ TEST(WinchEnds, LetsGoWhenItsDrumIsEmpty) {
     EXPECT_FALSE(d.w.intact(d.ids.line));
     EXPECT_EQ(d.count(EventKind::drum_empty), 1);
     EXPECT_EQ(d.count(EventKind::weak_link), 0);
-    // The jerk of the start makes it run ahead, as fast again at most.
+    // The jerk of the start makes it run ahead, at most at twice the speed.
     EXPECT_GT(d.w.event_extremes(EventKind::drum_empty).first.time, 30.0);
     EXPECT_LT(d.w.event_extremes(EventKind::drum_empty).first.time, 61.0);
 }
@@ -70,7 +70,7 @@ TEST(WinchEnds, WeakLinkPartsOnceBehindTheLastWrap) {
     EXPECT_FALSE(d.w.intact(d.ids.line));
     const double value = d.w.event_extremes(EventKind::weak_link).first.value;
     EXPECT_GT(value, 3e5);
-    EXPECT_LT(value, 4e5);  // found after the step that reached it
+    EXPECT_LT(value, 4e5);  // detected after the step that reached it
 }
 
 TEST(WinchEnds, MotorStopsAtDeadWrapsAndWhenTheDrumIsFull) {
@@ -88,26 +88,26 @@ TEST(WinchEnds, MotorStopsAtDeadWrapsAndWhenTheDrumIsFull) {
 TEST(WinchEnds, HaulsInNoMoreThanTheElementAtItHas) {
     for (const WinchMode mode : {WinchMode::speed, WinchMode::tension}) {
         WinchDef def = big_winch();
-        def.stored = 1420.0;  // the drum has space
+        def.stored = 1420.0;  // of the drum's capacity
         def.mode = mode;
         def.speed = -1.0;
         def.tension = 2e5;
         def.max_speed = 1.0;
         Deck d(def);
-        // The end follows at the speed of the winch until 20 m are in, except the minimum of 40 cm.
+        // The end follows at the speed of the winch until 20 m are in, except for 40 cm.
         d.run(25.0, -1.0);
         EXPECT_EQ(d.state(), WinchState::full);
         EXPECT_GE(d.w.length(d.wire), 20.0 + 0.01 * 20.0);
         EXPECT_LE(d.w.length(d.wire), 20.0 + 0.03 * 20.0);
         EXPECT_LT(std::abs(d.w.velocity(d.ids.drum).linear.x()), 1e-3);
-        // The verdict is doubtful only at the start, where the end gets 1 m/s within one step.
+        // Only the start is suspect, at which the end reaches 1 m/s in one step.
         EXPECT_NE(d.w.verdict().grade, Grade::wrong);
         EXPECT_LT(d.w.verdict().of(Judge::energy).time, 0.1);
     }
 }
 
-/// A wire whose elements allow no node (their compliance does not match their length). The winch
-/// reports this once and continues with the element that it has.
+/// A wire whose elements accept no node (their compliance is not that of their length): the winch
+/// reports it once, and continues with its element.
 TEST(WinchEnds, NoRoomForANodeIsAnEvent) {
     World w(WorldDef{.step = 0.01, .gravity = Vec3::Zero()});
     const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
@@ -137,8 +137,8 @@ TEST(WinchEnds, NoRoomForANodeIsAnEvent) {
     EXPECT_GT(w.system_signal("winch.at_drum"), 30.0);
 }
 
-/// The element that a drum has paid out is heavier than the next one, whose lump gets half of it.
-/// Release used to be rejected.
+/// The element paid out by a drum is heavier than the next one, whose node gets half of it: a fault
+/// rejected its release.
 TEST(WinchEnds, ALongElementComesOffTheDrum) {
     World w(WorldDef{.step = 0.01});
     const BodyId deck =
@@ -156,16 +156,16 @@ TEST(WinchEnds, ALongElementComesOffTheDrum) {
     w.set_system_signal("winch.speed", 0.5);
     const BodyId next = w.nodes(def.wire)[1];
     while (w.system_signal("winch.at_drum") < 2.8) ASSERT_EQ(w.step(), Status::ok);
-    ASSERT_EQ(w.nodes(def.wire)[1], next);  // Before the next node is added, at 3 m.
+    ASSERT_EQ(w.nodes(def.wire)[1], next);  // Before the next node is inserted, at 3 m.
     const double before = w.body_def(next).mass;
     const double half = 0.5 * 25.0 * w.system_signal("winch.at_drum");
     EXPECT_LT(before, half);
     w.detach(def.wire, 0);
-    // The signal is that of the last step's begin, 5 mm of wire ago.
+    // The signal is from the start of the last step, 5 mm of wire ago.
     EXPECT_NEAR(w.body_def(w.nodes(def.wire).front()).mass, half, 0.1);
     EXPECT_NEAR(w.body_def(next).mass - before, half, 0.1);
     for (int i = 0; i < 100; ++i) ASSERT_EQ(w.step(), Status::ok);
-    // The verdict is doubtful only at the start, where the drum gets its speed within one step.
+    // Only the start is suspect, at which the drum reaches its speed in one step.
     EXPECT_NE(w.verdict().grade, Grade::wrong);
     EXPECT_LT(w.verdict().of(Judge::energy).time, 0.1);
 }

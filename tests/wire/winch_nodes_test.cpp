@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Nodes added and removed at a drum: balances, threads, both ends, contacts, errors. `hawser
-/// validate payout` tests the tension at the fairlead.
+/// Nodes inserted and removed at a drum: accounts, threads, both ends, contacts, rejected
+/// definitions. The tension at the fairlead is checked by `hawser validate payout`.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ struct Hoist {
         winch.mode = WinchMode::speed;
         ids = w.add(winch);
     }
-    /// Speeds up within a second.
+    /// Run the winch; it accelerates within a second.
     void run(double seconds, double speed) {
         const double before = w.system_signal("winch.speed");
         for (long i = 0; i < std::lround(60.0 * seconds); ++i) {
@@ -59,7 +59,7 @@ struct Hoist {
     [[nodiscard]] double get(const char* signal) const {
         return w.system_signal(std::string("winch.") + signal);
     }
-    /// On the drum and off it [m].
+    /// Return the length on the drum and off it [m].
     [[nodiscard]] double material() const {
         double sum = get("wire_left") + get("at_drum");
         for (const InteractionId id : w.elements(wire))
@@ -84,8 +84,8 @@ TEST(WinchNodes, ComeWithMassBendsAndContacts) {
         }
         EXPECT_EQ(h.w.shapes().size(), 10U) << "between all lumps";
         EXPECT_NEAR(h.material(), whole, 1e-11) << "an account";
-        // The lump next to the drum has no part of the element there; all others have the mass of
-        // one element.
+        // The node next to the drum has no part of the drum's element; all others have a whole
+        // element.
         for (std::size_t i = 2; i + 2 < nodes.size(); ++i)
             EXPECT_NEAR(h.w.body_def(nodes[i]).mass, 2.5 * kMass, 1e-9);
         EXPECT_NEAR(h.w.body_def(end == 0 ? nodes[1] : nodes[nodes.size() - 2]).mass, 1.25 * kMass,
@@ -112,7 +112,7 @@ TEST(WinchNodes, AreTheSameOnAnyThreadsAndAfterRestore) {
     for (const int threads : {1, 2, 4, 8}) {
         Hoist h(4, 0, kDefault, true, threads);
         h.run(3.0, 1.0);
-        // From a state between two nodes, and from the step before the next one is added.
+        // From between two insertions, and from the step before the next one.
         while (h.get("at_drum") + 1.0 / 60.0 < 1.5 * 2.5) h.run(1.0 / 60.0, 1.0);
         const auto saved = h.w.save();
         World twin = h.w.twin();
@@ -137,8 +137,8 @@ TEST(WinchNodes, AWireOfOneElementRunsOut) {
     EXPECT_LE(h.w.elements(h.wire).size(), 2U);
 }
 
-/// In mode render the motor continued to pull, so that the length at the drum became negative. A
-/// free drum continued to turn by itself.
+/// A fault in mode render: the motor pulled on, the length at the drum became negative, and a free
+/// drum continued.
 TEST(WinchNodes, AFreeEndIsHauledInUpToTheFairleadInAnyMode) {
     for (const WinchMode mode :
          {WinchMode::speed, WinchMode::tension, WinchMode::render, WinchMode::free}) {
@@ -152,7 +152,7 @@ TEST(WinchNodes, AFreeEndIsHauledInUpToTheFairleadInAnyMode) {
             ASSERT_EQ(d.w.step(), Status::ok) << to_string(d.w.bad_load(), d.w);
             least = std::min(least, d.get("at_drum"));
         }
-        // The step that uses it up ends a little beyond.
+        // The step that reaches the end exceeds it slightly.
         EXPECT_GT(least, -1.5 / 60.0) << static_cast<int>(mode);
         EXPECT_LT(least, 0.1) << static_cast<int>(mode);
         EXPECT_NE(d.w.verdict().grade, Grade::wrong) << static_cast<int>(mode);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Winches with random commands while their wires are cut, joined and released and get nodes. No
-/// material is lost, and bits do not depend on threads. Structure and state continue in another
-/// world. HAWSER_OPERATIONS is the number of operations (make test-long: 100,000).
+/// Winches with random commands while their wires are cut, joined, released and given nodes.
+/// Material is conserved, bits do not depend on threads, and structure and state continue in
+/// another world. HAWSER_OPERATIONS gives the number of operations (make test-long: 100,000).
 #include <hawser/hawser.h>
 
 #include "support/sanitizer.h"
@@ -29,7 +29,7 @@ long operations() {
     return kSanitized ? by_tier(300, 1000, 20'000) : by_tier(1000, 5000, 20'000);
 }
 
-/// Two winches, one at the first end of its wire, one at the last.
+/// Make two winches, one at the first end of its wire, one at the last.
 World deck(int threads) {
     World w(WorldDef{.step = 1.0 / 60.0, .threads = threads, .on_diverged = OnDiverged::warn});
     const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
@@ -75,7 +75,7 @@ InteractionId line_of(const World& w, int winch) {
     return {};
 }
 
-/// Return the mass of all wire except that on broken elements [kg].
+/// Return the mass except for parts that hang on broken elements [kg].
 double material(const World& w) {
     double sum = 0.0;
     for (const BodyId id : w.bodies())
@@ -109,8 +109,8 @@ bool finite(const World& w) {
     return true;
 }
 
-/// Return the additional mass of a lump that was between two drums, which it keeps
-/// (docs/theory/guides.md) [kg].
+/// Return the mass that a node has in addition to its half elements and keeps, if it was between
+/// two drums (docs/theory/guides.md) [kg].
 double kept_mass(const World& w, BodyId node) {
     if (w.body_def(node).kind != BodyKind::lump) return 0.0;
     double own = 0.0;
@@ -121,16 +121,16 @@ double kept_mass(const World& w, BodyId node) {
             own += 0.5 * d.get("mass");
     }
     const double more = w.body_def(node).mass - own;
-    return more > 1e-6 * own ? more : 0.0;  // else rounding
+    return more > 1e-6 * own ? more : 0.0;  // otherwise rounding
 }
 
 struct Operation {
     std::string what;
     std::function<void(World&)> work;
-    double adds = 0.0;  ///< Mass of gear added, less that removed [kg].
+    double adds = 0.0;  ///< Mass of gear minus mass removed [kg].
 };
 
-/// Also such as the world has to refuse.
+/// Draw any operation, including ones that the world must reject.
 Operation any(std::mt19937& dice, const World& w) {
     const auto pick = [&](auto list) { return list[dice() % list.size()]; };
     const double share = static_cast<double>(dice() % 1000) / 999.0;
@@ -191,7 +191,7 @@ std::string outcome(World& w, const Operation& op) {
 struct Tally {
     std::map<std::string, int> done;
     long operations = 0, failed = 0, restores = 0;
-    double worst = 0.0;  ///< Largest relative error of material.
+    double worst = 0.0;  ///< Relative error of material.
 };
 
 /// Run a world until it ends, or for a number of operations.
@@ -210,15 +210,15 @@ void sequence(std::uint32_t seed, long most, Tally& tally) {
         ++tally.operations;
         if (said == "done") {
             ++tally.done[op.what];
-            if (owed > 0.0) owed += op.adds;  // else unknown from here on
+            if (owed > 0.0) owed += op.adds;  // otherwise it is unknown
             ASSERT_NEAR(material(w), had + op.adds, 1e-11 * had) << op.what << " " << seed;
         } else {
             ASSERT_EQ(w.state_hash(), hash) << op.what << ": " << said;
         }
         for (int step = 0; step < 3; ++step) {
             const Status status = w.step();
-            // After repeated cuts a wire has lumps of milligrams beside loads of 4 t. Elements of
-            // micrometres are then 1e13 times stiffer than their weight: an error status is
+            // After many cuts and divisions a wire has nodes of milligrams beside loads of 4 t.
+            // Elements of micrometres are 1e13 times as stiff per weight: a failed status is
             // allowed.
             ASSERT_TRUE(status == Status::ok || status == Status::diverged || lightest(w) < 1e-4)
                 << to_string(status) << " " << to_string(w.bad_load(), w) << " after " << op.what
@@ -263,8 +263,8 @@ TEST(WinchRandom, OperationsKeepMaterialAndBits) {
         EXPECT_GT(tally.done[what], 1) << what;
 }
 
-/// Drums that had hauled in more than their element. In 332 other edits removed its node, and its
-/// mass was lost; in 766 its end was released with additional mass.
+/// Two faults of drums that had hauled in more than their element. In 332 others removed its node,
+/// and its mass was lost. In 766 its end was released with created mass.
 TEST(WinchRandom, DrumsThatHaveHauledInAllOfAnElementKeepItsAccount) {
     for (const std::uint32_t seed : {332U, 766U}) {
         Tally tally;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Winches in all modes, at the fairlead of a deck, with an end of prescribed motion.
+/// Winches in all modes, at the fairlead of a deck, with prescribed motion of the end.
 #include "wire/winch_deck.h"
 
 #include <utility>
@@ -35,7 +35,7 @@ TEST(Winch, PullsAtAConstantTensionButForItsInertia) {
         most = std::max(most, std::abs(d.tension() - 4e5));
     }
     EXPECT_LT(worst, 1e-3);
-    EXPECT_GT(most, 5e4);  // the inertia is felt
+    EXPECT_GT(most, 5e4);  // inertia acts
     EXPECT_EQ(d.count(EventKind::brake_slip), 0);
 }
 
@@ -54,7 +54,7 @@ TEST(Winch, BrakeSlipsAtItsTorqueAndHeatIsItsWork) {
         peak = std::max(peak, std::abs(d.w.force(d.ids.brake)[0]));
         work += std::abs(d.w.force(d.ids.brake)[0]) * (d.w.pose(d.ids.drum).position.x() - angle);
     }
-    d.step(0.5);  // which counts events of the last step
+    d.step(0.5);  // includes the last step
     EXPECT_NEAR(peak, 1.2e6, 1.0);
     EXPECT_NEAR(d.tension() * d.get("radius"), 1.0e6, 5e3);
     EXPECT_NEAR(d.get("heat"), work, 1e-3 * work);
@@ -71,11 +71,11 @@ TEST(Winch, BandHoldsLessAsWireRunsIn) {
     def.band_angle = 4.0;
     Deck d(def);
     d.run(0.1, 0.0);
-    // A torque on the drum as of an engine that is tested against the brake.
+    // A torque on the drum, like that of a motor tested against the brake.
     const auto moves = [&](double torque) {
         d.w.set_force(d.ids.drum, {torque, 0, 0}, Vec3::Zero());
         const double before = d.w.pose(d.ids.drum).position.x();
-        d.run(0.5, -1.0);  // slack: no other force
+        d.run(0.5, -1.0);  // slack: no other pull
         return std::abs(d.w.pose(d.ids.drum).position.x() - before) > 1e-4;
     };
     const double back = 1e6 * std::exp(-1.2);
@@ -108,7 +108,7 @@ TEST(Winch, RendersAboveItsBandAndTakesInBelow) {
     def.tension = 4e5;
     def.deadband = 1e5;
     Deck d(def);
-    // Hauled in from slack, it stops with a tension within the band.
+    // Hauled in from slack it comes to rest with a tension within the band.
     d.run(30.0, 0.0);
     EXPECT_EQ(d.state(), WinchState::standing);
     EXPECT_GE(d.tension(), 3e5 - 1.0);
@@ -123,7 +123,7 @@ TEST(Winch, RendersAboveItsBandAndTakesInBelow) {
         return sum;
     };
     EXPECT_EQ(d.count(EventKind::render), 0);
-    // When pulled out it renders at the upper tension; when slackened it hauls in at the lower one.
+    // Pulled out it pays out at the upper tension, slackened it hauls in at the lower one.
     EXPECT_NEAR(mean(0.3), 5e5, 5e3);
     EXPECT_EQ(d.state(), WinchState::paying);
     EXPECT_GE(d.count(EventKind::render), 1);
@@ -134,7 +134,7 @@ TEST(Winch, RendersAboveItsBandAndTakesInBelow) {
 
 TEST(Winch, LayersChangeWithoutAJumpOfTheRestLength) {
     WinchDef def = big_winch();
-    def.stored = 1420.0;  // 9th layer begins at 1,408 m
+    def.stored = 1420.0;  // layer 9 begins at 1,408 m
     def.mode = WinchMode::tension;
     def.tension = 1e5;
     def.max_speed = 3.0;
@@ -153,13 +153,13 @@ TEST(Winch, LayersChangeWithoutAJumpOfTheRestLength) {
             highest = std::max(highest, radius);
             lowest = std::min(lowest, radius);
         }
-    EXPECT_NEAR(radius, first, 2e-4);  // the ways differ by a step
-    // It climbs by the wire's diameter over the wire of one wrap, 7.5 m, evenly.
+    EXPECT_NEAR(radius, first, 2e-4);  // both directions differ by a step
+    // It climbs by the wire's diameter over the wire of one turn, 7.5 m, at a constant rate.
     EXPECT_NEAR(highest - lowest, 0.076, 1e-9);
     EXPECT_LT(climb, 0.076 / 7.5 * 3.0 / 240.0);  // at 3 m/s
     EXPECT_EQ(d.count(EventKind::layer), 2);
     EXPECT_LT(jump, 1e-9);
-    EXPECT_NEAR(d.get("wire_left") + began, 1460.0, 1e-9);  // where the last step began
+    EXPECT_NEAR(d.get("wire_left") + began, 1460.0, 1e-9);  // at the start of the last step
 }
 
 TEST(Winch, ClutchTakesAlongAMotorThatStood) {
@@ -169,7 +169,7 @@ TEST(Winch, ClutchTakesAlongAMotorThatStood) {
     Deck d(def);
     d.set("clutch", 0.0);
     d.step(0.0);
-    d.w.set_velocity(d.ids.drum, {.linear = {1.0, 0, 0}});  // slack is paid out, no pull
+    d.w.set_velocity(d.ids.drum, {.linear = {1.0, 0, 0}});  // slack wire runs out without a pull
     d.step(0.0);
     EXPECT_NEAR(d.w.velocity(d.ids.drum).linear.x(), 1.0, 1e-4);
     const double bare = d.get("inertia"), omega = d.w.velocity(d.ids.drum).linear.x();
@@ -229,7 +229,7 @@ TEST(Winch, RefusesWhatIsNoWinch) {
     EXPECT_THROW((void)sweeping.add(def), DefError);
     EXPECT_EQ(sweeping.interactions().size(), 2U);
     EXPECT_TRUE(sweeping.intact(sweeping.elements(def.wire).front()));
-    // Two on one end.
+    // Two winches on one end.
     Deck d(big_winch());
     def = big_winch();
     def.name = "second";
@@ -241,8 +241,8 @@ TEST(Winch, RefusesWhatIsNoWinch) {
     EXPECT_LE(d.w.body_count(), bodies + 1);
 }
 
-/// A winch lifts m with the power P: v = P/(m g) at the end, and never more power than P, at any
-/// step. The drum is light: without a bound inside the solve, one step crosses the whole curve.
+/// A winch lifts m with the power P: v = P/(m g) at the end, and at most P at any step. The drum is
+/// light: without a bound inside the solver, one step crosses the whole curve.
 TEST(WinchPower, IsTheLimitOfTorqueTimesSpeed) {
     constexpr double kPower = 1e5, kLoad = 2e4, kG = 9.81;
     for (const double step : {1.0 / 240.0, 1.0 / 60.0, 1.0 / 30.0}) {
@@ -283,13 +283,14 @@ TEST(WinchPower, IsTheLimitOfTorqueTimesSpeed) {
             }
         };
         run(30.0);
-        // 1e-5: the solver's tolerance of 1e-6 for bounds that move, and rounding.
+        // 1e-5: the solver's tolerance of 1e-6 for variable bounds, and rounding.
         EXPECT_LE(most, kPower * (1.0 + 1e-5)) << step;
         EXPECT_GE(lowest, -61.0) << "the load is not lost, step " << step;
         const double hangs = kLoad - 4.0 * w.pose(load).position.z();
-        // 2 %: the load still oscillates on its wire, and the weight of the wire decreases.
+        // 2 %: the load still oscillates on its wire, and the wire's weight decreases as it is
+        //   hauled in.
         EXPECT_NEAR(w.velocity(load).linear.z(), kPower / (hangs * kG), 0.02) << step;
-        // Only the torque limits braking: the winch holds the load while it pays out fast.
+        // Only the torque limits braking: the winch controls the load while it pays out fast.
         w.set_system_signal("winch.speed", 2.0);
         run(6.0);
         const double radius = w.system_signal("winch.radius");
@@ -297,8 +298,8 @@ TEST(WinchPower, IsTheLimitOfTorqueTimesSpeed) {
     }
 }
 
-/// A winch that renders at about the weight of the load hauls with at most its power, although both
-/// tensions require more: the load rises with v = P/T.
+/// A winch that renders around the load's weight hauls with at most its power, although both of its
+/// tensions require more: the load rises at v = P/T.
 TEST(WinchPower, HoldsWhileAWinchRenders) {
     constexpr double kPower = 4e3, kLoad = 3400.0, kG = 9.81;
     for (const double step : {1.0 / 240.0, 1.0 / 60.0, 1.0 / 30.0}) {
@@ -333,10 +334,10 @@ TEST(WinchPower, HoldsWhileAWinchRenders) {
             ASSERT_EQ(w.step(), Status::ok) << step;
             most = std::max(most, w.force(ids.motor)[0] * w.velocity(ids.drum).linear.x());
         }
-        // As above: the solver's tolerance and rounding.
+        // The solver's tolerance and rounding, as above.
         EXPECT_LE(most, kPower * (1.0 + 1e-5)) << step;
         const double hangs = kLoad - 1.1 * w.pose(load).position.z();
-        // 5 %: the load still swings on its wire.
+        // 5 %: the load still oscillates on its wire.
         EXPECT_NEAR(w.velocity(load).linear.z() * hangs * kG / kPower, 1.0, 0.05) << step;
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that wind onto a post, and rollers that turn under a wire, by more than half a turn. The
-/// length of the wire includes the arc on the wheel with its whole turns, in copies and restored
-/// worlds too.
+/// Wires that wind on a bollard, and rollers that rotate under a wire, by more than half a
+/// revolution. The wire's length includes the arc on the wheel with its whole turns, also in copies
+/// and restored worlds.
 #include <hawser/guide.h>
 #include <hawser/hawser.h>
 
@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// A ball that flies around a post on a wire, from 22.5 m; the wire ends 22.5 m on the other side.
+/// A ball that flies around a bollard on a wire, from 22.5 m; the wire ends 22.5 m on the other
+/// side.
 struct Tether {
     static constexpr double kLength = 45.0;
     double radius;
@@ -23,7 +24,8 @@ struct Tether {
     WireId wire{};
     Guide post{};
 
-    /// @param through  Nodes run through; otherwise the elements are long enough.
+    /// Make the scene. @param through  True if nodes pass; otherwise elements are long enough that
+    /// none has to.
     explicit Tether(bool through) : radius(through ? 1.0 : 0.5) {
         const BodyId quay = w.add_body({.kind = BodyKind::fixed});
         const Vec3 end(0.5 * kLength, -radius, 0.0);
@@ -48,7 +50,7 @@ struct Tether {
     [[nodiscard]] double angle() const {
         return w.wrapped(post.before)[1] + w.wrapped(post.behind)[0];
     }
-    /// Return the length from end to end, including the arc on the post [m].
+    /// Return the length from end to end, including the part on the bollard [m].
     [[nodiscard]] double way() const {
         double sum = radius * angle();
         for (const InteractionId id : w.elements(wire)) {
@@ -68,14 +70,14 @@ TEST(Wraps, ALineGoesOnRoundItsPost) {
     for (const bool through : {false, true}) {
         Tether t(through);
         ASSERT_TRUE(t.to(52.0));
-        // 3 m/s on the rest of 22.5 m. Uncounted turns would be 6.3 m of wire.
+        // 3 m/s on the remaining part of 22.5 m. A missed revolution would be 6.3 m of wire.
         EXPECT_GT(t.angle(), 2.0 * kPi) << through;
-        // Between its lumps it is straight except for oscillations: chords of an element.
+        // Between its nodes it is straight except for oscillations: chords of elements.
         EXPECT_NEAR(t.way(), Tether::kLength, 0.5) << through;
-        // Signals refer to the start of the step, 2.5e-3 rad earlier.
+        // Signals are from the start of the step, 2.5e-3 rad before.
         EXPECT_NEAR(t.w.system_signal("post.angle"), t.angle(), 1e-2) << through;
         EXPECT_EQ(t.w.verdict().grade, Grade::good) << through;
-        // Without friction only the damping of oscillating elements dissipates energy.
+        // Without friction only the damping of oscillating elements takes energy.
         EXPECT_NEAR(t.w.energy().kinetic, 0.5 * 2000.0 * 9.0, 0.1 * 9000.0) << through;
     }
 }
@@ -101,9 +103,9 @@ TEST(Wraps, TurnsArePartOfTheState) {
     EXPECT_EQ(fresh.angle(), t.angle());
 }
 
-/// Two weights on a wire over a roller that turns in a hinge: the marks of the guide turn with it.
-/// Let x be the difference of their ways, with 0.5 kg/m of wire and I/R² of the roller. Then M x''
-/// = g (D + 2 · 0.5 x), x = (D/1)(cosh(t √(g/M)) − 1).
+/// Two weights on a wire over a roller that rotates in a hinge; the marks of the guide rotate with
+/// it. With the difference x of their paths, 0.5 kg/m of wire and I/R² of the roller: M x'' = g (D
+/// + 2 · 0.5 x), x = (D/1)(cosh(t √(g/M)) − 1).
 TEST(Wraps, ARollerTurnsUnderItsLine) {
     constexpr double kRadius = 0.4, kDensity = 0.5, kLength = 45.0, kShort = 6.87;
     World w(WorldDef{.step = 1.0 / 60.0});
@@ -141,9 +143,9 @@ TEST(Wraps, ARollerTurnsUnderItsLine) {
     const double more = 200.0 + kDensity * (kShort - hangs);
     const double way =
         more / (2.0 * kDensity) * (std::cosh(6.0 * std::sqrt(9.81 * 2.0 * kDensity / all)) - 1.0);
-    // 0.1 m of the way is stretch and oscillation of the wire.
+    // 0.1 m of the whole path is the wire's stretch and its oscillation.
     EXPECT_NEAR(fallen, way, 0.02 * way);
-    EXPECT_GT(fallen, 2.0 * kPi * 2.0 * kRadius);            // two turns and more
+    EXPECT_GT(fallen, 2.0 * kPi * 2.0 * kRadius);            // more than two revolutions
     EXPECT_NEAR(w.system_signal("guide.slide"), 0.0, 1e-6);  // it sticks
     EXPECT_EQ(w.verdict().grade, Grade::good);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One block on a floor: contact forces are not unique, and friction is at its limit.
+/// One block on a floor: more points than needed to determine the forces, and friction at its
+/// limit.
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double kBlockMass = 100.0, kBlockFriction = 0.5, kBlockHalfHeight = 0.25;
 
-/// Blocks in a row, far apart.
+/// Make blocks in a row, far apart.
 World blocks_on_floor(int count, std::vector<BodyId>& blocks) {
     World w;
     MaterialDef material;
@@ -52,14 +53,14 @@ TEST(Block, FourPointsOfAFaceShareItsWeightEqually) {
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
     ASSERT_EQ(w.contacts().size(), 4U);
     const double quarter = kBlockMass * 9.81 / 4.0;
-    // Three forces would do: it is the compliance of the points that makes the four equal.
+    // Three forces would suffice: the compliance of the points makes the four equal.
     for (const ContactView& c : w.contacts()) {
         EXPECT_NEAR(std::abs(c.force.z()), quarter, 1e-6 * quarter);
         EXPECT_LT(c.force.head<2>().norm(), 1e-6 * quarter);
     }
 }
 
-/// Push with μ m g times `share`, at the height of its centre. @return way in 2 s [m].
+/// Push with μ m g times `share`, at the height of its centre. @return distance in 2 s [m].
 double pushed_way(double share, double& speed) {
     BodyId block;
     World w = block_on_floor(block);
@@ -78,22 +79,22 @@ double pushed_way(double share, double& speed) {
 TEST(Block, ExactlyAtTheLimitOfFrictionItNeitherFailsNorRunsAway) {
     double speed = 0.0;
     const double h = 1.0 / 60.0, limit = kBlockFriction * 9.81;
-    // Below the limit the tangential springs deflect: F/(4 k_t), k_t = 0.7 × 5e7 N/m.
+    // Below the limit the bristles deform: F/(4 k_t), k_t = 0.7 × 5e7 N/m.
     const double give = limit * kBlockMass / (4.0 * 0.7 * 5e7);
     EXPECT_LT(pushed_way(0.9, speed), 4.0 * give);
     EXPECT_NEAR(speed, 0.0, 1e-9);
-    // At the limit only the tangential springs of one step can slow it down.
+    // At the limit only the bristles of one step slow it down.
     for (const double share : {1.0 - 1e-12, 1.0, 1.0 + 1e-12}) {
         EXPECT_LT(pushed_way(share, speed), 1e-3) << share;
         EXPECT_LT(std::abs(speed), limit * h) << share;  // one step without friction
     }
-    // Above: the difference accelerates it, from half a step before 0 on.
+    // Above the limit the difference accelerates it, from half a step before 0 on.
     (void)pushed_way(1.1, speed);
     EXPECT_NEAR(speed, 0.1 * limit * 2.0, 0.1 * limit * h);
 }
 
-/// One of eight blocks is pushed. The second factorisation of the step covers its contacts alone
-/// and has the same result as for a single block.
+/// One of eight blocks is pushed: the step's second factorisation includes only its contacts, and
+/// gives the result of a single block.
 TEST(Block, IterationsFactorWhatChangedOnly) {
     const Vec3 push(2.0 * kBlockFriction * kBlockMass * 9.81, 0.0, 0.0);
     BodyId single;
@@ -114,7 +115,7 @@ TEST(Block, IterationsFactorWhatChangedOnly) {
     EXPECT_LE(w.stats().natural_map, w.settings().contact_tolerance);
     const Twist expected = alone.velocity(single), pushed = w.velocity(blocks[3]);
     EXPECT_GT(expected.linear.x(), 0.01);
-    // Differences come from the tolerance of the iterations.
+    // The same equations with other numbers around them: the tolerance of the iterations.
     EXPECT_LT((pushed.linear - expected.linear).norm(), 1e-6 * expected.linear.norm());
     EXPECT_LT((pushed.angular - expected.angular).norm(), 1e-6 * expected.linear.norm());
     for (std::size_t i = 0; i < blocks.size(); ++i) {

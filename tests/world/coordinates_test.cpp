@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// World::coordinate(), speed() and motor_force(). Poses with known angles and ways, and
-/// differences of coordinates in steps, are the references.
+/// World::coordinate(), speed() and motor_force(): for poses made by hand with known angles and
+/// distances, and for steps, against differences of coordinates.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ Quat turn_about(const Vec3& axis, double angle) {
     return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
 }
 
-/// Two free bodies, the second turned by `angle` about and moved by `way` along the z axis of a
-/// frame that leans in the world, with one interaction of a kind between them.
+/// Two free bodies with one interaction between them. The second one is rotated by `angle` about,
+/// and moved by `way` along, the z axis of a frame that is tilted in the world.
 struct JointPair {
     World world{WorldDef{.gravity = {0, 0, 0}}};
     BodyId a, b;
@@ -53,10 +53,10 @@ TEST(Coordinates, AnglesAreThoseOfTheFrames) {
     for (const InteractionKind kind : {Hinge, HingeMotor, HingeRange, HingeFriction, Twist})
         for (const double angle : {-3.0, -0.6, 0.0, 0.1, 1.0, 3.1}) {
             const JointPair pair(kind, angle, 0.0);
-            // Rounding of a handful of rotations.
+            // Rounding of a few rotations.
             EXPECT_NEAR(pair.world.coordinate(pair.id), angle, 1e-14) << kind_info(kind).name;
         }
-    // Beyond half a turn it continues from the other side.
+    // Beyond half a revolution it continues from the other end.
     EXPECT_NEAR(JointPair(Hinge, 3.3, 0.0).world.coordinate({0}), 3.3 - 2.0 * std::numbers::pi,
                 1e-14);
 }
@@ -95,8 +95,8 @@ TEST(Coordinates, OfAClutchItIsThatOfTheSecondBodyAgainstTheFirst) {
     EXPECT_EQ(world.speed(id), 0.4);
 }
 
-/// The speed is the derivative of the coordinate along the motion given by the velocities.
-/// Reference: central differences of poses, with an error of order e².
+/// The speed is the derivative of the coordinate along the velocities: by central differences of
+/// poses moved by hand, with an error of order e².
 TEST(Coordinates, SpeedsAreTheirDerivatives) {
     using enum InteractionKind;
     for (const InteractionKind kind : {Hinge, HingeMotor, HingeRange, HingeFriction, Prismatic,
@@ -138,7 +138,7 @@ TEST(Coordinates, AMotorTurnsAtItsSpeed) {
     EXPECT_NEAR(world.speed(motor), 0.5, 1e-9);
     // From rest, the staggered start loses half a step of motion.
     EXPECT_NEAR(world.coordinate(motor), 0.5, 0.5 / 100.0 + 1e-9);
-    EXPECT_NEAR(world.motor_force(motor), 3.0, 1e-8);  // it balances −3 N m
+    EXPECT_NEAR(world.motor_force(motor), 3.0, 1e-8);  // it holds against −3 N m
 }
 
 std::string coordinate_refusal(const auto& call) {

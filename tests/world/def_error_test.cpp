@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Each bad definition is rejected with a DefError that names the field, and changes nothing.
+/// Each bad definition is rejected with a DefError that names the field, and has no effect.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 const double kNan = std::nan("");
 
-/// Run f and return the message of its DefError; "" if none is thrown.
+/// Run f and return the message of its DefError; "" if it throws nothing.
 std::string refused(const std::function<void()>& f) {
     try {
         f();
@@ -119,7 +119,7 @@ TEST(DefError, TooManyBodiesAndInteractions) {
 class BadInteractions : public testing::Test {
   protected:
     BadInteractions() : w(r.make()) {}
-    /// Check that the message contains `word`, and that no object is added.
+    /// Expect a message that contains `word`, and no addition.
     void expect_refused(const InteractionDef& d, const std::string& word) {
         const std::string message = refused([&] { w.add_interaction(d); });
         EXPECT_NE(message.find(word), std::string::npos) << "wanted '" << word << "': " << message;
@@ -186,7 +186,7 @@ TEST_F(BadInteractions, Values) {
     expect_refused(d.set("force_min", -1.0).set("force_max", 1.0).set("speed", 1e9), "speed");
 }
 
-/// Every parameter of every kind: below its minimum, above its maximum, NaN without a default.
+/// Every parameter of every kind: below its minimum, above its maximum, NaN if it has no default.
 TEST_F(BadInteractions, EveryParameterIsChecked) {
     for (const KindInfo& info : interaction_kinds()) {
         std::vector<BodyId> ids;

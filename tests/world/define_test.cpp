@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Typed definitions of joints. They start closed for any poses of their bodies, at the requested
+/// Typed definitions: joints start closed for any poses of their bodies, at the requested
 /// coordinate, with the requested parts and defaults of the table; all or nothing.
 #include <hawser/hawser.h>
 
@@ -18,7 +18,7 @@ Quat leaning_turn(double x, double y, double z) {
     return Quat(Eigen::AngleAxisd(Vec3(x, y, z).norm(), Vec3(x, y, z).normalized()));
 }
 
-/// Two inclined bodies, and a lump, a drum and the ground beside them.
+/// Two bodies that are tilted in the world, a point mass, a drum and the ground.
 struct JointYard {
     World world{WorldDef{.gravity = {0, 0, 0}}};
     BodyId a, b, lump, drum, ground;
@@ -43,7 +43,7 @@ struct JointYard {
         for (const double g : world.violation(id)) most = std::max(most, std::abs(g));
         return most;
     }
-    /// Return a direction fixed in a body, in world axes.
+    /// Return a direction fixed in a body, in the world frame.
     [[nodiscard]] Vec3 axis_of(InteractionId id, std::size_t slot) const {
         const InteractionDef& d = world.interaction_def(id);
         return world.pose(d.body[slot]).orientation * (d.frame[slot] * Vec3::UnitZ());
@@ -111,7 +111,7 @@ TEST(Define, PlacesInTheFrameOfTheFirstBodyAreThoseOfTheWorld) {
     EXPECT_LT((in_world.axis_of(one.joint, 1) - in_a.axis_of(two.joint, 1)).norm(), kPoseRounding);
 }
 
-/// b turns about the axis by the right-hand rule as the coordinate grows.
+/// b rotates about the axis by the right-hand rule if the coordinate increases.
 TEST(Define, TheCoordinateGrowsByTheRightHand) {
     JointYard y;
     const JointIds hinge =
@@ -148,7 +148,7 @@ TEST(Define, PartsHaveNamesParametersAndDefaultsOfTheTable) {
     EXPECT_EQ(friction.load[0].interaction, ids.joint);
     EXPECT_EQ(friction.load[0].factor, 0.02);
     EXPECT_FALSE(friction.load[1].interaction.valid());
-    // The same joint by hand, with defaults: compliances, damping and other parameters agree.
+    // The same joint by hand without options: compliances, damping and the other parameters agree.
     const InteractionDef motor = y.world.interaction_def(ids.motor);
     InteractionDef plain = between(InteractionKind::HingeMotor, {y.a, y.b});
     plain.point = motor.point;
@@ -157,7 +157,7 @@ TEST(Define, PartsHaveNamesParametersAndDefaultsOfTheTable) {
     const InteractionDef& by_hand = y.world.interaction_def(y.world.add_interaction(plain));
     EXPECT_EQ(std::memcmp(&by_hand.params, &motor.params, sizeof motor.params), 0);
     EXPECT_EQ(std::memcmp(&by_hand.compliance, &motor.compliance, sizeof motor.compliance), 0);
-    // Without a name of the joint its parts have none.
+    // Without a name, no part has one.
     const JointIds nameless = y.world.add(HingeDef{
         .a = y.a, .b = y.b, .point = kJointPoint, .axis = kJointAxis, .motor = AxisMotor{}});
     EXPECT_EQ(y.world.interaction_def(nameless.motor).name, "");
@@ -195,7 +195,7 @@ TEST(Define, AllPartsOrNone) {
     EXPECT_NE(define_refusal(y.world, def).find("factor"), std::string::npos);
     def.friction = AxisFriction{.bound = 1.0, .load = {.factor = 0.1}};
     EXPECT_NE(define_refusal(y.world, def).find("own_load"), std::string::npos);
-    // A name of a part that exists already.
+    // One of its parts' names is used already.
     InteractionDef other = between(InteractionKind::Hold, {y.drum});
     other.name = "boom/motor";
     JointYard taken;
@@ -204,7 +204,7 @@ TEST(Define, AllPartsOrNone) {
     EXPECT_NE(define_refusal(taken.world, def).find("taken"), std::string::npos);
     EXPECT_FALSE(taken.world.find_interaction("boom").valid());
     EXPECT_FALSE(taken.world.find_interaction("boom/limit").valid());
-    // The world is unchanged: the state can be restored and the joint added.
+    // Nothing has changed: the state is restored, and the joint can be added.
     y.world.restore(before);
     EXPECT_TRUE(y.world.add(def).motor.valid());
 }
@@ -265,7 +265,7 @@ TEST(Define, LinesTakeTheirLengthFromThePosesAndTheRestFromTheTable) {
     EXPECT_EQ(y.world.interaction_def(drum.friction).get("force"), 3.0);
 }
 
-/// A boom is driven against its own weight, to its limit, and held there by friction.
+/// A boom is driven against its weight to its limit, where friction holds it.
 TEST(Define, ACraneJointDoesWhatItsPartsSay) {
     World world;
     const BodyId ship = world.add_body({.kind = BodyKind::fixed});
@@ -290,7 +290,7 @@ TEST(Define, ACraneJointDoesWhatItsPartsSay) {
     for (int i = 0; i < 240; ++i) ASSERT_EQ(world.step(), Status::ok);
     // Its weight, 100 · 9.81 · 2 · cos 0.5 = 1722 N m, is less than the friction of 3000 N m.
     EXPECT_NEAR(world.coordinate(ids.joint), 0.5, 1e-8);
-    // Friction and stop act against each other as before; their sum is the weight.
+    // Friction and stop keep the force between them; their sum carries the weight.
     EXPECT_NEAR(world.force(ids.friction)[0] + world.force(ids.limit)[0],
                 100 * 9.81 * 2 * std::cos(0.5), 0.01);
     EXPECT_GT(world.force(ids.friction)[0], 1700.0);

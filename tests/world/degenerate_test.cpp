@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Input at the edge of sense: each step ends with a status, and the state stays finite.
+/// Degenerate input: each step ends with a status, and the state stays finite.
 #include "support/degenerate/cases.h"
 #include "support/sanitizer.h"
 #include "support/tier.h"
@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// Result of a method on a case.
+/// Result of a method for a case.
 struct Fate {
     int failed = 0, uncertified = 0;
     double worst_map = 0.0, fastest = 0.0;
@@ -56,9 +56,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Group{"materials", materials}, Group{"steps_and_gravity", steps_and_gravity}),
     [](const auto& each) { return each.param.name; });
 
-/// The rotation's equation is solved by a few iterations, which far above h|ω| = 1 do not end.
+/// A few iterations solve the rotation's equation; far above h|ω| = 1 they do not converge.
 TEST(Degenerate, SpinFarAboveTheStepGainsNoEnergy) {
-    for (double spin = 1.0; spin <= 1e5; spin *= 10.0) {  // higher speeds are rejected
+    for (double spin = 1.0; spin <= 1e5; spin *= 10.0) {  // faster rotation is rejected
         WorldDef def{.on_diverged = OnDiverged::warn};
         def.gravity.setZero();
         Yard y(def);
@@ -71,7 +71,7 @@ TEST(Degenerate, SpinFarAboveTheStepGainsNoEnergy) {
             ASSERT_EQ(y.world.step(), Status::ok);
             most = std::max(most, y.world.energy().mechanical());
         }
-        // Its solutions gain and lose energy: by 1.26 at h|ω| = 17.
+        // Its solutions gain and lose energy: by a factor of 1.26 at h|ω| = 17.
         EXPECT_LE(most, 1.5 * before) << spin << " rad/s";
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Motors, winches and driven lengths: the energy balance closes, forces beyond a motor's range
-/// are logged, the stiffness of a line follows its length.
+/// Motors, winches and driven lengths: the energy balance closes, forces beyond a motor's range are
+/// logged, the stiffness of a line depends on its length.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace hawser::test {
 namespace {
 
-/// Return the unexplained part of the energy balance between two states [J].
+/// Return the energy between two states that the balance leaves unexplained [J].
 double unexplained(const Energy& a, const Energy& b) {
     return b.mechanical() - a.mechanical() - (b.applied - a.applied) - (b.driven - a.driven) +
            (b.dissipated - a.dissipated);
@@ -24,7 +24,7 @@ InputId drive(World& w, InteractionId interaction, const char* param) {
     return w.add_input(def);
 }
 
-/// A mass hangs below a fairlead on a line from a drum, which a motor turns.
+/// A mass that hangs below a fairlead on a line from a drum, which a motor turns.
 struct Winch {
     Recipe recipe;
     BodyId drum, load;
@@ -46,8 +46,8 @@ Winch winch(double damping_time) {
     return w;
 }
 
-/// Vertical hauling is linear: without damping the scheme keeps energy exactly (A.2.3), so that
-/// the work of the motor must account for all of it.
+/// Vertical hauling is linear: without damping the scheme conserves energy exactly (A.2.3), so that
+/// the work of the motor must equal the change.
 TEST(Drives, AWinchThatHaulsAMassBalances) {
     const Winch parts = winch(0.0);
     World w = parts.recipe.make();
@@ -66,13 +66,12 @@ TEST(Drives, AWinchThatHaulsAMassBalances) {
     EXPECT_NEAR(end.driven - start.driven, Winch::kMass * 9.81 * lift, 1e3) << "of 25 kJ";
     EXPECT_EQ(end.applied, 0.0);
     EXPECT_EQ(end.dissipated, 0.0);
-    // Two parts remain. The compliance of the motor, 1e-12 rad/s/(N m), dissipates λ²γ/h. The
-    // strain energy on the drum changes with the stiffness once a step: 3e-4 of the work measured.
+    // The rest is the loss in the motor's compliance, 1e-12 rad/s/(N m), of λ²γ/h, and the change
+    // of strain energy as the stiffness changes once per step. Measured: 3e-4 of the work.
     EXPECT_LT(std::abs(unexplained(start, end)), 1e-3 * (end.driven - start.driven));
 }
 
-/// A winch hauls in a line with damping: only the damping of the line remains, and it is
-/// dissipative.
+/// A winch hauls in a line with damping: only the loss of the line's damping is left.
 TEST(Drives, TheLinesDampingIsWhatIsLeft) {
     const Winch parts = winch(0.05);
     World w = parts.recipe.make();
@@ -86,7 +85,7 @@ TEST(Drives, TheLinesDampingIsWhatIsLeft) {
     const double left = unexplained(still, w.energy());
     EXPECT_LT(left, 0.0);
     // A jerk of 500 kg to 0.8 m/s: at most 160 J can oscillate and be damped, twice that with the
-    // work of the motor during the jerk.
+    // motor's work during the jerk.
     EXPECT_GT(left, -330.0);
 }
 
@@ -103,7 +102,7 @@ TEST(Drives, AHingeMotorThatLiftsABarBalances) {
     const Energy start = w.energy();
     for (int i = 0; i < 120; ++i) ASSERT_EQ(w.step(), Status::ok);
     const Energy end = w.energy();
-    const double angle = 0.5 * 120 / 60.0;  // of a turn that began at 0.25 rad
+    const double angle = 0.5 * 120 / 60.0;  // rotation from 0.25 rad on
     const double lift = 3.0 * 9.81 * 0.5 * (std::sin(0.25 + angle) - std::sin(0.25));
     EXPECT_NEAR(end.driven - start.driven, lift, 0.02 * lift)
         << "steady speed: all goes into height";
@@ -112,7 +111,7 @@ TEST(Drives, AHingeMotorThatLiftsABarBalances) {
     (void)id;
 }
 
-/// A length that an input shortens step by step lifts the mass as a winch does.
+/// A length that an input shortens in each step lifts the mass like a winch.
 TEST(Drives, AShortenedLineBalancesAndKeepsItsStiffness) {
     Recipe r;
     const BodyId g = r.ground(), load = r.lump({0, 0, -20}, 500.0);
@@ -132,17 +131,15 @@ TEST(Drives, AShortenedLineBalancesAndKeepsItsStiffness) {
     const Energy end = w.energy();
     const double weight = 500.0 * 9.81;
     EXPECT_NEAR(-w.force(line)[0], weight, 1e-6);
-    // T L/EA with the remaining length: 5 m give 24.5 mm; the initial 20 m gave 98.1 mm.
+    // T L/EA with the remaining length: 5 m give 24.5 mm; the 20 m of the start gave 98.1 mm.
     EXPECT_NEAR(w.violation(line)[0], weight * 5.0 / 1e6, 1e-9);
     EXPECT_LE(w.stats().stretch_error_max, 1e-9);
     const double left = unexplained(start, end), work = end.driven - start.driven;
-    // Lifted by 15 m less the decrease of stretch, which also reduces the strain energy of the
-    // line.
+    // Lifted by 15 m less the change of stretch; the strain energy of the line decreases with it.
     const double stored = weight * (15.0 + 0.0981 - 0.0245) - 0.5 * weight * (0.0981 - 0.0245);
     EXPECT_NEAR(work + left, stored, 50.0);
-    // Lengths change in steps, which the damper of the row, τ EA/L, does not see. It works against
-    // the whole shortening at w = 1 m/s. The integral is τ w EA ln(20/5); the jerks add some per
-    // cent.
+    // Lengths change in jumps that are not in the rate of the row's damper τ EA/L: it works against
+    // the whole shortening at w = 1 m/s. Integrated, τ w EA ln(20/5); the jerks add some per cent.
     EXPECT_NEAR(left, -0.02 * 1e6 * std::log(4.0), 0.05 * 0.02 * 1e6 * std::log(4.0));
 }
 
@@ -162,7 +159,7 @@ TEST(Drives, AWinchLineIsAsStiffAsWhatIsPaidOut) {
     }
 }
 
-/// A carrier that rises steadily lifts the load that hangs on it.
+/// A carrier that rises at constant speed lifts the hanging load.
 TEST(Drives, ACarrierDoesTheWork) {
     Recipe r;
     const BodyId cart =
@@ -196,14 +193,16 @@ TEST(Drives, AppliedForceAndDragBalanceExactly) {
     (void)b;
 }
 
-/// A motor with less torque than the load requires lowers it at (m g r − T) / (J + m r²).
+/// A motor weaker than the load lowers it at (m g r − T) / (J + m r²).
 TEST(Drives, AMotorAtTheEndOfItsRangeGivesWay) {
-    constexpr double kTorque = 1500.0;  // holding 500 kg takes 1962 N m
+    constexpr double kTorque = 1500.0;  // 500 kg need 1962 N m
     Winch parts = winch(0.05);
     parts.recipe.interactions[1].set("force_min", -kTorque).set("force_max", kTorque);
     World w = parts.recipe.make();
     const InputId speed = drive(w, parts.motor, "speed");
-    for (int i = 0; i < 120; ++i) ASSERT_EQ(w.step(), Status::ok);  // the line's ringing dies out
+    for (int i = 0; i < 120; ++i)
+        ASSERT_EQ(w.step(), Status::ok);  // the vibration of the line
+                                          // decays
     auto saturations = [&] {
         std::vector<Event> out;
         for (const Event& e : w.take_events())
@@ -220,14 +219,15 @@ TEST(Drives, AMotorAtTheEndOfItsRangeGivesWay) {
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_TRUE(saturations().empty()) << "it goes on, it does not begin";
     constexpr double m = Winch::kMass, r = Winch::kRadius;
-    // The paid-out line stretches by T/EA, 0.4 %.
+    // The length paid out is stretched by T/EA, 0.4 %.
     const double strain = m * (9.81 - 4.2 * r) / Winch::kEA;
     const double exact = (m * 9.81 * r - kTorque) / (30.0 + m * r * r * (1.0 + strain));
     EXPECT_NEAR(w.velocity(parts.drum).linear.x() - before, exact, 1e-4 * exact);
     EXPECT_NEAR(std::abs(w.force(parts.motor)[0]), kTorque, 1e-9);
     const Energy end = w.energy();
     EXPECT_NEAR(unexplained(start, end) / (end.driven - start.driven), 0.0, 1e-3);
-    // A lighter load is held: the motor brings the drum to the requested speed at full torque.
+    // A lighter load is held: the motor accelerates the drum to the requested speed with its full
+    // torque.
     w.set_force(parts.load, {0, 0, 3000}, {0, 0, 0});
     w.set_input(speed, 0.5);
     for (int i = 0; i < 600; ++i) ASSERT_EQ(w.step(), Status::ok);
@@ -236,7 +236,7 @@ TEST(Drives, AMotorAtTheEndOfItsRangeGivesWay) {
     w.set_force(parts.load, {0, 0, 0}, {0, 0, 0});
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_GE(saturations().size(), 1U) << "it began anew";
-    // A restored world does not repeat events that began before the save, and continues equally.
+    // A restored world does not report an earlier event again, and continues equally.
     World again = parts.recipe.make();
     (void)drive(again, parts.motor, "speed");
     again.restore(w.save());

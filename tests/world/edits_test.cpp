@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Additions and removals between steps: ids, attached objects, energy, sleep, equal bits.
+/// Additions and removals between steps: ids, dependent objects, energy, sleep, equal bits.
 #include <hawser/hawser.h>
 
 #include "support/recipe.h"
@@ -35,7 +35,7 @@ TEST(Edits, AnIdOfWhatIsGoneNamesNothingElse) {
     EXPECT_FALSE(w.alive(b));
     EXPECT_FALSE(w.find_body("b").valid());
     EXPECT_EQ(w.bodies().size(), 2U);
-    const BodyId d = w.add_body(stone("b", 3));  // the name is free again
+    const BodyId d = w.add_body(stone("b", 3));  // the name can be used again
     EXPECT_EQ(d.index, b.index);
     EXPECT_EQ(d.generation, b.generation + 1);
     EXPECT_NE(d, b);
@@ -55,7 +55,7 @@ TEST(Edits, AnIdOfWhatIsGoneNamesNothingElse) {
     }
     EXPECT_TRUE(w.alive(a));
     EXPECT_TRUE(w.alive(c));
-    // Another kind of body does not reuse its index.
+    // Another kind of body does not reuse its slot.
     (void)w.remove_body(d);
     const BodyId drum = w.add_body({.kind = BodyKind::scalar, .mass = 1.0});
     EXPECT_EQ(drum.index, 3);
@@ -98,8 +98,9 @@ TEST(Edits, WhatHangsOnABodyGoesWithIt) {
     EXPECT_NEAR(w.velocity(c).linear.z() - before, -9.81 * h, 1e-12);
 }
 
-/// An object added and removed again leaves no trace, except where the analysis depends on poses:
-/// the floors of rigid rows, 1e-9 of their mobility, in a whipping chain.
+/// An addition and its removal have no effect except on data that the analysis chooses by the poses
+/// of its step. These are floors of rigid rows, a billionth of their mobility, in a chain that
+/// whips.
 TEST(Edits, WhatCameAndWentChangesNothing) {
     const Recipe chain = link_chain(6);
     World plain = chain.make(), edited = chain.make();
@@ -119,7 +120,7 @@ TEST(Edits, WhatCameAndWentChangesNothing) {
     EXPECT_EQ(edited.stats().equations, plain.stats().equations);
 }
 
-/// Energy of edits is accounted for, so that the balance closes.
+/// Energy of additions and removals is counted, so that the balance closes.
 TEST(Edits, TheEnergyBalanceClosesOverEdits) {
     World w({.on_diverged = OnDiverged::warn});
     const BodyId g = w.add_body({.name = "ground", .kind = BodyKind::fixed});
@@ -152,7 +153,7 @@ TEST(Edits, TheEnergyBalanceClosesOverEdits) {
     InteractionDef d;
     d.kind = InteractionKind::Stretch;
     d.body = {node[3], h};
-    (void)w.add_interaction(d.set("EA", 2e4).set("length", 0.98));  // added with stretch
+    (void)w.add_interaction(d.set("EA", 2e4).set("length", 0.98));  // starts stretched
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
     EXPECT_NEAR(sum(), start, 2e-2 * std::max(scale, w.energy().kinetic)) << "a stretched one";
     EXPECT_EQ(w.verdict().grade, Grade::good);
@@ -165,7 +166,7 @@ TEST(Edits, OnlyWhatAnEditTouchesWakes) {
     y.run(600);
     ASSERT_EQ(y.asleep(), "zzzzzzzzz");
     const std::uint64_t hash = y.w.state_hash();
-    // Far away, without interactions.
+    // Far away, without joints.
     const BodyId far = y.w.add_body(
         {.name = "far", .kind = BodyKind::lump, .position = {500, 0, 50}, .mass = 1.0});
     ASSERT_EQ(y.w.step(), Status::ok);
@@ -176,8 +177,8 @@ TEST(Edits, OnlyWhatAnEditTouchesWakes) {
     EXPECT_EQ(y.asleep().substr(0, 9), "zzzzzzzzz");
 }
 
-/// A new shape wakes bodies that are near it now, independent of earlier steps: a twin has no such
-/// past.
+/// A new shape wakes bodies that are near now, not those that were near before the last step: a
+/// twin has no data of that step.
 TEST(Edits, WhatIsNearDoesNotDependOnStepsBefore) {
     WorldDef def;
     def.sleep_after = 0.2;
@@ -196,7 +197,7 @@ TEST(Edits, WhatIsNearDoesNotDependOnStepsBefore) {
     const BodyId body = w.add_body(drifting);
     w.add_shape({.kind = ShapeKind::sphere, .body = body, .radius = radius});
     for (int i = 0; i < 5; ++i) ASSERT_EQ(w.step(), Status::ok);
-    // Positions at which the boxes meet, with some steps before and after.
+    // Contact positions of the boxes, some steps before and after.
     const double way = slow * def.step,
                  meets = w.pose(body).position.x() + way + 2.0 * radius + def.contact_margin;
     for (int k = -10; k <= 10; ++k) {
@@ -212,8 +213,8 @@ TEST(Edits, WhatIsNearDoesNotDependOnStepsBefore) {
     }
 }
 
-/// Repeated additions and removals reuse memory, and the order of elimination is repaired, not
-/// computed anew.
+/// Repeated additions and removals reuse their memory, and the order of elimination is repaired,
+/// not made again.
 TEST(Edits, GrowNothingOnceWarm) {
     World w = wire(120).make();
     for (int i = 0; i < 3; ++i) ASSERT_EQ(w.step(), Status::ok);

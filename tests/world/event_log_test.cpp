@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Thousands of events of lines do not displace other events from the log.
+/// Thousands of events of lines do not displace other events in the log.
 #include "context/events.h"
 
 #include "support/recipe.h"

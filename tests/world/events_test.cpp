@@ -40,7 +40,7 @@ TEST(Events, ALineBreaksAboveItsLoadAndStaysBroken) {
     EXPECT_EQ(w.stats().event_count[static_cast<std::size_t>(EventKind::line_break)], 1);
 }
 
-/// Thrown upwards on a rope: slack on the way, taut on return. The rope never pushes.
+/// Thrown up on a rope: slack on the way, taut on return. It never pushes.
 TEST(Events, ARopeGoesSlackAndTaut) {
     Recipe r;
     const BodyId g = r.ground(), b = r.lump({0, 0, -1}, 10.0);
@@ -61,13 +61,13 @@ TEST(Events, ARopeGoesSlackAndTaut) {
     ASSERT_EQ(events.count(EventKind::slack), 1U);
     ASSERT_EQ(events.count(EventKind::taut), 1U);
     EXPECT_LT(events.at(EventKind::slack)[0].time, events.at(EventKind::taut)[0].time);
-    // Up 1 m at 3 m/s: the rope is slack for 2·3/9.81 s or until it is pulled from the other
-    // side; the first return lies between.
+    // Up 1 m at 3 m/s: the rope is slack for 2·3/9.81 s, or until it is pulled from the other side;
+    // the first return is between both.
     EXPECT_LE(events.at(EventKind::taut)[0].time, 1.0 + 6.0 / 9.81 + 0.05);
     EXPECT_GT(events.at(EventKind::taut)[0].value, 0.0);
 }
 
-/// With tension_only = 0 the same element pushes, and no event is reported.
+/// Made a strut: with tension_only = 0 the element pushes and no event is reported.
 TEST(Events, AnElementThatMayPushReportsNothing) {
     Recipe r;
     const BodyId g = r.ground(), b = r.lump({0, 0, 1}, 10.0);
@@ -99,7 +99,7 @@ TEST(Events, ARangeStopsAHinge) {
         const Quat q = w.pose(b).orientation;
         most = std::max(most, 2 * std::atan2(q.z(), q.w()));
     }
-    // One step of travel past the end, 1/60 rad, until the row acts.
+    // One step past the end, 1/60 rad, until the row acts.
     EXPECT_GT(most, 0.49);
     EXPECT_LT(most, 0.5 + 1.5 / 60);
     const auto events = by_kind(w);
@@ -136,7 +136,7 @@ TEST(Inputs, AreClampedWithAnEvent) {
     EXPECT_FALSE(w.find_input("pull").valid());
 }
 
-/// A value that the physics cannot follow is an error by name, value, range and unit.
+/// A value that physics cannot follow is rejected with name, value, range and unit.
 TEST(Inputs, RefuseWhatPhysicsCannotFollow) {
     World w = pendulum().make();
     const InputId in = w.add_input({.name = "push", .body = BodyId{1}, .component = 2});
@@ -154,7 +154,7 @@ TEST(Inputs, RefuseWhatPhysicsCannotFollow) {
     EXPECT_EQ(w.input(in), 0.0);
 }
 
-/// A motor with a minimum force above its maximum is rejected by add_interaction().
+/// add_interaction() rejects a motor whose smallest force is above its largest one.
 TEST(Inputs, RefuseAnEmptyRangeOfForces) {
     Recipe r;
     const BodyId a = r.add({.name = "a", .kind = BodyKind::fixed});
@@ -174,7 +174,7 @@ TEST(Inputs, RefuseAnEmptyRangeOfForces) {
     EXPECT_EQ(w.step(), Status::ok);
 }
 
-/// An input must not set a value that add_interaction() rejects.
+/// An input never sets a value that add_interaction() rejects.
 TEST(Inputs, KeepToTheRangeOfTheParameter) {
     World w = pendulum().make();
     InputDef def;
@@ -205,13 +205,13 @@ TEST(Kinematic, MovesAsPrescribedWhateverPulls) {
     EXPECT_LE((w.pose(cart).position - Vec3(10, 0, 5)).norm(), 1e-12);
     const Quat want(Eigen::AngleAxisd(7.0, Vec3::UnitZ()));
     EXPECT_LE(w.pose(cart).orientation.angularDistance(want), 1e-12);
-    // The load is dragged along: after 10 s it is some metres along x.
+    // The load is dragged along: after 10 s it has moved some metres along x.
     EXPECT_GT(w.pose(load).position.x(), 1.0);
     EXPECT_NEAR(w.velocity(cart).linear.x(), 1.0, 0.0);
 }
 
-/// A mass hangs in equilibrium on a steadily rising carrier. The spring energy at the half step
-/// must not include the motion of the carrier.
+/// A mass hangs in equilibrium on a carrier that rises at constant speed: the spring energy at the
+/// half step must not contain the carrier's own motion.
 TEST(Kinematic, EnergyIsTakenAtTheHalfStepOfTheCarrierToo) {
     Recipe r;
     const BodyId cart =

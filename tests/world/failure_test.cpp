@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A step that fails returns a status and leaves the state of the last good step.
+/// A failed step returns a status and keeps the state of the last successful step.
 #include "support/recipe.h"
 #include "support/tier.h"
 
@@ -79,8 +79,8 @@ TEST(FailedStep, ReportsASingularModel) {
     EXPECT_TRUE(w.pose(a).position.allFinite());
 }
 
-/// Such a bend has no direction: its Jacobian overflowed, and steps ended as wrong_pivot. Twelve of
-/// them are evaluated eight at a time, and the last few on their own.
+/// Such a bend has no direction. A fault let its Jacobian overflow, and steps ended as wrong_pivot.
+/// Twelve of them are evaluated in a batch of eight and the last ones one by one.
 TEST(FailedStep, NodesOfAWireMayCoincide) {
     const double EI = 1e3, length = 1.0;
     for (const int wires : {1, 12}) {
@@ -98,7 +98,7 @@ TEST(FailedStep, NodesOfAWireMayCoincide) {
         }
         World w = r.make();
         for (int i = 0; i < 100; ++i) ASSERT_EQ(w.step(), Status::ok) << wires;
-        // A unit vector changes by 2 at most.
+        // A unit vector changes by at most 2.
         for (const InteractionId bend : bends)
             for (const double moment : w.force(bend))
                 EXPECT_LE(std::abs(moment), 2.0 * EI / length) << wires;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Continuous detection in a world: a body that would be far beyond a thin obstacle after one step
-/// remains on its side (docs/collision.md).
+/// Continuous collision detection in a world: a body that would be far beyond a thin obstacle after
+/// one step stays on its side (docs/collision.md).
 #include "support/sanitizer.h"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ namespace {
 constexpr int kFastSteps = 10;
 constexpr double kWireRadius = 0.0025, kElement = 0.5;
 
-/// Add lumps of 0.1 kg from `from` on, with distance `apart`, joined by elements; ends fixed or
-/// free.
+/// Add point masses of 0.1 kg from `from` on, at intervals of `apart`, joined by elements; with
+/// fixed or free ends.
 std::vector<BodyId> add_fast_wire(World& w, int nodes, const Vec3& from, const Vec3& apart,
                                   const Vec3& velocity, double length, bool held) {
     std::vector<BodyId> wire;
@@ -46,8 +46,8 @@ std::vector<BodyId> add_fast_wire(World& w, int nodes, const Vec3& from, const V
     return wire;
 }
 
-/// Return the height of the middle element of `upper` over `lower` at their crossing, from above;
-/// NaN: they do not cross.
+/// Return the height of the middle element of `upper` over `lower` at their crossing, seen from
+/// above; NaN if they do not cross.
 double height_at_crossing(const World& w, const std::vector<BodyId>& upper,
                           const std::vector<BodyId>& lower) {
     const std::size_t middle = upper.size() / 2;
@@ -62,8 +62,8 @@ double height_at_crossing(const World& w, const std::vector<BodyId>& upper,
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A free wire falls across a taut one of 4 m, `aside` of the middle of their elements, and touches
-/// it for `least` steps.
+/// Expect that a free wire falls across a taut one of 4 m, `aside` of the middle of their elements,
+/// and touches it for at least `least` steps.
 void expect_held(double speed, double step, const Eigen::Vector2d& aside, double height,
                  int least = 6) {
     SCOPED_TRACE(std::to_string(speed) + " m/s, aside " + std::to_string(aside.x()) + ", " +
@@ -80,16 +80,16 @@ void expect_held(double speed, double step, const Eigen::Vector2d& aside, double
         ASSERT_EQ(w.step(), Status::ok) << i;
         ASSERT_LE(w.stats().natural_map, def.contact_tolerance) << i;
         touching += w.stats().contacts > 0 ? 1 : 0;
-        // Two radii, less two reductions. The spring of 5e7 N/m deflects: 50 kN at 300 m/s, 1 mm.
-        // An element that turns reduces the height over the point of contact.
+        // Two radii, less the compression of the spring of 5e7 N/m: 50 kN at 300 m/s, a millimetre.
+        // Rotation of an element also reduces its height over the contact point.
         ASSERT_GT(height_at_crossing(w, falling, taut), 0.0) << i;
     }
-    EXPECT_GE(touching, least);  // they meet, and part
+    EXPECT_GE(touching, least);  // they collide and separate
 }
 
 TEST(FastContact, WiresHoldEachOtherAtTwentyFiveThicknessesAStepAndMore) {
     for (const double speed : {50.0, 300.0})
-        for (const double way : {0.13, 0.2})  // m a step; an element is 0.5 m
+        for (const double way : {0.13, 0.2})  // m per step; an element is 0.5 m
             for (const double x : {0.0, 0.2})
                 for (const double y : {0.0, 0.1}) {
                     if (kSanitized && (x == 0.0 || y == 0.0)) continue;
@@ -98,10 +98,10 @@ TEST(FastContact, WiresHoldEachOtherAtTwentyFiveThicknessesAStepAndMore) {
                 }
 }
 
-/// At 60 Hz they would be 0.8 and 5 m apart after a step. A body struck off its centre turns by
-/// more than 1 rad in the next step and may then pass.
+/// At 60 Hz they would be 0.8 and 5 m apart after a step. An element hit off its middle rotates by
+/// more than a radian in the next step and may then pass.
 TEST(FastContact, WiresHoldEachOtherAtSixtyHertz) {
-    // 50 ms: three times the duration at 50 m/s with resolved steps.
+    // 50 ms, three times the duration at 50 m/s with resolved steps.
     constexpr int kSteps = 3;
     for (const double height : {0.02, 0.3}) {
         expect_held(50.0, 1.0 / 60.0, {0.0, 0.0}, height, kSteps);
@@ -111,7 +111,7 @@ TEST(FastContact, WiresHoldEachOtherAtSixtyHertz) {
     expect_held(300.0, 1.0 / 60.0, {0.0, 0.0}, 0.3, kSteps);
 }
 
-/// A floor at z = 0: a plate of 2 mm, two triangles, a field of heights.
+/// Make a floor at z = 0: a plate of 2 mm, two triangles, a heightfield.
 ShapeDef thin_floor(ShapeKind kind) {
     ShapeDef s;
     s.kind = kind;

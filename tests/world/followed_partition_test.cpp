@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Partitions that start from an earlier one.
+/// Partitions that continue from an earlier one.
 #include "world/three_cables.h"
 
 #include <utility>
@@ -27,15 +27,14 @@ TEST(FollowedPartition, GoesOnFromTheOneBefore) {
             if (first.part_of_body[b] != second.part_of_body[b])
                 moved.emplace(first.part_of_body[b], second.part_of_body[b]);
         EXPECT_LE(moved.size(), use == PartitionUse::cuts ? 1U : 0U);
-        request.parts = 2;  // other parts cannot be kept
+        request.parts = 2;  // with another number of parts none can be kept
         EXPECT_FALSE(w.partition(request).followed);
         request.use = use == PartitionUse::cuts ? PartitionUse::separators : PartitionUse::cuts;
         EXPECT_THROW((void)w.partition(request), DefError);
     }
 }
 
-/// The earlier partition comes from the caller. One with part numbers that do not exist is not
-/// used: a new one is made.
+/// The earlier partition comes from the caller: invalid parts are rejected.
 TEST(FollowedPartition, ADamagedOneIsMadeAnew) {
     const Cables t(0);
     World w = t.recipe.make();
@@ -58,8 +57,8 @@ TEST(FollowedPartition, ADamagedOneIsMadeAnew) {
     }
 }
 
-/// A ball touches a cable of another part and then one of a third. Separators keep them apart,
-/// bodies no longer touched return, and all others stay.
+/// A ball touches a cable of another part and then one of a third. Separators keep them apart.
+/// Nodes without a contact return to a part, and the others stay.
 TEST(FollowedPartition, SeparatorsFollowContacts) {
     Cables t(0);
     const BodyId ball = t.recipe.lump({0, 0, 100}, 10.0);
@@ -70,7 +69,7 @@ TEST(FollowedPartition, SeparatorsFollowContacts) {
     const auto part = [](const PartitionView& v, BodyId x) {
         return v.part_of_body[static_cast<std::size_t>(x.index)];
     };
-    // One of each other part, with its neighbours in the same part.
+    // One of each other part, with neighbours in its part.
     std::vector<BodyId> others;
     for (std::int32_t p = 0; p < 3; ++p) {
         if (p == part(first, ball)) continue;
@@ -96,7 +95,7 @@ TEST(FollowedPartition, SeparatorsFollowContacts) {
         run(w, 1);
         ASSERT_EQ(w.contacts().size(), 1U);
     };
-    // Separators may return to a part; of the other bodies only touching ones change.
+    // Nodes of separators may return to a part; of the others only touching ones change.
     const auto expect_rest_stays = [&](const PartitionView& v) {
         for (std::int32_t b = 0; b < w.body_count(); ++b) {
             const BodyId x{b};
@@ -111,7 +110,7 @@ TEST(FollowedPartition, SeparatorsFollowContacts) {
     EXPECT_TRUE(part(second, ball) == -2 || part(second, others[0]) == -2);
     expect_rest_stays(second);
     w.set_pose(ball, {Vec3(0, 0, 100), Quat::Identity()});
-    run(w, 130);  // the pair is removed when another one appears
+    run(w, 130);  // the pair is forgotten when another one appears
     touch(others[1]);
     request.before = &second;
     const PartitionView third = w.partition(request);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A slender rod strikes a floor with one end. Newton's law of restitution with friction can create
-/// energy (T. R. Kane, 1984); the impact stage must reject such a bounce.
+/// A slender rod hits a floor with one end. Newton's law of restitution with friction can create
+/// energy (T. R. Kane, 1984), and the impact stage must not apply such a bounce.
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>
@@ -14,7 +14,7 @@ namespace {
 constexpr double kHalfLength = 0.5, kRodRadius = 0.01, kInertia = kHalfLength * kHalfLength / 3.0;
 
 struct Strike {
-    double angle;  ///< Angle of the rod from the vertical [rad].
+    double angle;  ///< Angle between the rod and the vertical [rad].
     double along;  ///< Speed along the floor [m/s]; it falls at 1 m/s.
     double friction, restitution;
 };
@@ -24,12 +24,12 @@ std::ostream& operator<<(std::ostream& out, const Strike& s) {
                << ", restitution " << s.restitution;
 }
 
-/// (v_x, v_z, ω_y) of a rod of 1 kg.
+/// Return the energy of (v_x, v_z, ω_y) of a rod of 1 kg.
 double rod_energy(const Vec3& v) {
     return 0.5 * (v[0] * v[0] + v[1] * v[1] + kInertia * v[2] * v[2]);
 }
 
-/// Velocities after the strike by hand: two rows, normal and tangent, that stick or slide.
+/// Compute velocities after the impact by hand: two rows, normal and tangent, that stick or slide.
 Vec3 struck(const Strike& s, double restitution) {
     const Vec3 before(s.along, -1.0, 0.0);
     const double x = -kHalfLength * std::sin(s.angle);
@@ -49,7 +49,7 @@ Vec3 struck(const Strike& s, double restitution) {
     return before + jt * impulse;
 }
 
-/// The rod's end is a nanometre in the floor, or `gap` above it.
+/// Make a rod whose end is a nanometre inside the floor, or `gap` above it.
 World make_rod(const Strike& s, double gap, BodyId& rod) {
     WorldDef def;
     def.gravity.setZero();
@@ -105,7 +105,7 @@ TEST(ImpactEnergy, ABounceThatWouldGainEnergyIsDoneAgainWithoutRestitution) {
                     EXPECT_EQ(w.stats().impact_retries, gains ? 1 : 0);
                     const Vec3 after = plane_motion(w, rod);
                     EXPECT_LE(rod_energy(after), before);
-                    // The stage's rows are soft by a millionth.
+                    // The rows of the stage have a relative compliance of a millionth.
                     EXPECT_LT((after - (gains ? struck(s, 0.0) : bounced)).norm(), 1e-5);
                 }
     EXPECT_GE(gaining, 3);
@@ -114,7 +114,7 @@ TEST(ImpactEnergy, ABounceThatWouldGainEnergyIsDoneAgainWithoutRestitution) {
 
 TEST(ImpactEnergy, NothingGainsInTheStepsRoundAStrikeFromAbove) {
     BodyId rod;
-    World w = make_rod({0.4, 0.5, 1.0, 1.0}, 2.5e-3, rod);  // it would touch in the third step
+    World w = make_rod({0.4, 0.5, 1.0, 1.0}, 2.5e-3, rod);  // would touch in the third step
     double energy = rod_energy(plane_motion(w, rod));
     for (int i = 0; i < 20; ++i) {
         ASSERT_EQ(w.step(), Status::ok);
@@ -122,7 +122,7 @@ TEST(ImpactEnergy, NothingGainsInTheStepsRoundAStrikeFromAbove) {
         EXPECT_LE(now, energy * (1.0 + 1e-12)) << i;  // free flight: rounding
         energy = now;
     }
-    // Stopped a little above the floor, it may strike once more.
+    // Stopped slightly above the floor, it may collide once more.
     EXPECT_GE(w.stats().impacts, 1);
     EXPECT_EQ(w.stats().impact_retries, w.stats().impacts);
     EXPECT_LT(energy, 0.9 * rod_energy({0.5, -1.0, 0.0}));

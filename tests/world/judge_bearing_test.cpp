@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lines in impossible states, overstretched or hauled in beyond their end, and the energy balances
+/// Physically impossible lines: overstretched, or hauled in beyond their end; and energy accounts
 /// of edits and friction.
 #include "support/recipe.h"
 
@@ -10,7 +10,7 @@
 namespace hawser::test {
 namespace {
 
-/// A lump of 1,000 kg that leaves an element of 1 m at a given speed.
+/// Make a point mass of 1,000 kg that moves away from an element of 1 m at a speed.
 World shot(double speed, double bears) {
     Recipe r;
     r.world.gravity = Vec3::Zero();
@@ -40,14 +40,14 @@ TEST(JudgeBearing, AnElementFarBeyondItsStrengthFailsAlthoughItPartsInThatStep) 
 }
 
 TEST(JudgeBearing, ALineThatPartsUnderABlowIsGood) {
-    // 2 m/s: T = v √(EA m/l) = 200 kN at most, 2 % strain, 40 times the breaking load.
+    // 2 m/s: T = v √(EA m/l) = 200 kN at most, 2 % of strain, 40 times its breaking load.
     World w = shot(2.0, 5e3);
     EXPECT_EQ(run_steps(w, 60), Status::ok);
     EXPECT_EQ(w.stats().event_count[static_cast<std::size_t>(EventKind::line_break)], 1);
     EXPECT_EQ(w.verdict().grade, Grade::good) << to_string(w.verdict().judge);
 }
 
-/// 2 m of line to a load that a drum, or the slide of a turning point, hauls in at 0.8 m/s.
+/// Make 2 m of line to a load that a drum, or the slide of a route, hauls in at 0.8 m/s.
 World wound(InteractionKind kind) {
     Recipe r;
     r.world.on_diverged = OnDiverged::stop;
@@ -66,8 +66,8 @@ TEST(JudgeBearing, ADrumKeepsTheLeastOfItsElement) {
     World w = wound(InteractionKind::WinchStretch);
     EXPECT_EQ(run_steps(w, 300), Status::ok);
     EXPECT_EQ(w.verdict().grade, Grade::good) << to_string(w.verdict().judge);
-    // 2 % of 2 m, and the stretch at 4.9 kN: W l/EA = 0.2 mm. It arrived with 0.8 m/s, which lifts
-    // it by v²/2g = 33 mm while the line is slack.
+    // 2 % of 2 m, and its stretch under 4.9 kN: W l/EA = 0.2 mm. It arrived at 0.8 m/s, which lifts
+    //   it by v²/2g = 33 mm while the line is slack.
     for (int i = 0; i < 120; ++i) {
         ASSERT_EQ(w.step(), Status::ok);
         EXPECT_LT(w.pose(w.bodies()[2]).position.norm(), 0.02 * 2.0 + 0.033);
@@ -83,7 +83,7 @@ TEST(JudgeBearing, ASlideThatTakesInMoreThanThereIsFails) {
 }
 
 TEST(EnergyAccounts, FrictionOfJointsIsNotDriven) {
-    // A block slides to rest on a slide with friction: v²/2µg without any motor.
+    // A block slides to rest on a slide with friction: v²/2µg without a motor.
     Recipe r;
     r.world.gravity = Vec3::Zero();
     const BodyId g = r.ground(), b = r.rigid({0, 0, 0}, Quat::Identity(), 10.0, {1, 1, 1});
@@ -99,13 +99,13 @@ TEST(EnergyAccounts, FrictionOfJointsIsNotDriven) {
     const Energy e = w.energy();
     EXPECT_EQ(e.driven, 0.0);
     EXPECT_EQ(e.edited, 0.0);
-    // All of ½ m v², with half a step's way at the start.
+    // All of ½ m v², less half a step at the start.
     EXPECT_NEAR(e.friction, 45.0, 0.02 * 45.0);
     EXPECT_LT(e.kinetic, 1e-6);
 }
 
 TEST(EnergyAccounts, EditsAreNotDriven) {
-    // A swinging row of lumps loses one: its energy counts as edited.
+    // A swinging row of nodes loses one: its energy is counted as edited.
     Recipe r;
     const BodyId g = r.ground(), a = r.lump({1, 0, 0}, 5.0), b = r.lump({2, 0, 0}, 5.0);
     InteractionDef d = between(InteractionKind::Stretch, {g, a});
@@ -120,13 +120,12 @@ TEST(EnergyAccounts, EditsAreNotDriven) {
     ASSERT_EQ(w.step(), Status::ok);
     const Energy e = w.energy();
     EXPECT_EQ(e.driven, 0.0);
-    // Kinetic and potential energy, within the elastic energy of its element of 1e-5 m/N at up to
-    // 250 N.
+    // Its motion and weight, except for the energy of its element of 1e-5 m/N under up to 250 N.
     EXPECT_NEAR(e.edited, -(2.5 * v.squaredNorm() + 5.0 * 9.81 * height), 0.35);
 }
 
 TEST(JudgeStart, ASpringThatMovesAtTheStartMakesNoEnergy) {
-    // (ωh)² = 0.14: half a step before the start the spring stores ½ k (v h/2)², 3.5 % of ½ m v².
+    // (ωh)² = 0.14: half a step before the start the spring has ½ k (v h/2)², 3.5 % of ½ m v².
     for (const bool carried : {false, true}) {
         Recipe r;
         r.world.gravity = Vec3::Zero();

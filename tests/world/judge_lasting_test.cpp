@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Ranges that do not hold and bodies that overlap end a run. A body that hits the end of a range,
-/// or falls, does not.
+/// Violated ranges and overlapping bodies end a run; impacts at the end of a range, and falls, do
+/// not.
 #include <hawser/hawser.h>
 #include <hawser/limits.h>
 
@@ -60,7 +60,7 @@ TEST(JudgeLasting, AMotorThatPushesBeyondARangeEndsTheRun) {
 }
 
 TEST(JudgeLasting, WhatStrikesTheEndOfItsRangeIsGood) {
-    // In a step it moves 0.033 rad beyond, 14 mm at its edge: more than the limit for doubtful.
+    // In a step it moves 0.033 rad beyond, 14 mm at its edge: above the limit of suspect.
     Wheel m(2.0);
     m.range("stop", -0.3, 0.3);
     ASSERT_EQ(run(m.world, 240), Status::ok);
@@ -68,7 +68,7 @@ TEST(JudgeLasting, WhatStrikesTheEndOfItsRangeIsGood) {
     EXPECT_GT(m.world.stats().event_count[static_cast<std::size_t>(EventKind::range)], 0);
 }
 
-/// A ball on a plate that is thinner than it.
+/// Make a ball on a plate that is thinner than the ball.
 World ball_on_plate(double mass, double height) {
     World w({.step = 1.0 / 60.0});
     const BodyId plate = w.add_body({.name = "plate", .kind = BodyKind::fixed});

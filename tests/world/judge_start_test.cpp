@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A motion from rest, or any motion, under constant forces creates no energy. The account of the
-/// energy check begins half a step after the velocities.
+/// Bodies that start at rest, or move, under constant forces create no energy: the monitors'
+/// account starts half a step after the velocities.
 #include <hawser/hawser.h>
 #include <hawser/limits.h>
 
@@ -52,7 +52,7 @@ World make(const Start& s) {
         d.params[0] = 1.9;
         w.add_interaction(d);
     }
-    if (s.motor) {  // its maximum torque, which is therefore constant
+    if (s.motor) {  // always at its full torque, which is constant
         const BodyId wheel = w.add_body({.position = {5, 0, 0},
                                          .mass = s.mass,
                                          .inertia = Mat3::Identity() * s.mass,
@@ -76,7 +76,8 @@ TEST(JudgeStart, ForcesThatStayMakeNoEnergy) {
     for (int i = 0; i < starts; ++i) {
         const Start s = random_start(dice);
         World w = make(s);
-        // The first check: later ones have a larger energy exchanged. Rotations are not checked.
+        // The first checks: later ones compare with more exchanged energy. Rotations are not
+        // monitored.
         for (int k = 0; k < 4; ++k) ASSERT_EQ(w.step(), Status::ok) << i;
         const Finding energy = w.verdict().of(Judge::energy);
         most = std::max(most, energy.doubtful);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Verdict of a world: impossible states end a run, are named, and are the same after a restore.
+/// Physically impossible states end a run, with a message, and equally after a restore.
 #include "support/recipe.h"
 
 #include <hawser/limits.h>
@@ -23,7 +23,7 @@ struct Boxes {
         recipe.add(recipe.at(InteractionKind::Ball, {g, a}, {0, 0, 0}));
         recipe.add(recipe.at(InteractionKind::Ball, {a, b}, {0.5, 0, -1}));
     }
-    /// A second ball joint 0.5 m from the first one in a, 0.9 m in b: no pose closes both.
+    /// Add a second ball joint 0.5 m from the first one in a, 0.9 m in b: no pose can close both.
     Boxes& contradict() {
         InteractionDef d = between(InteractionKind::Ball, {a, b});
         d.name = "other";
@@ -34,8 +34,7 @@ struct Boxes {
     }
 };
 
-/// Step until one is not ok, or the number of steps is reached. @return the status of the last
-/// step.
+/// Step until a step is not ok, at most `steps` times. @return the last status.
 Status run(World& w, int steps) {
     Status status = Status::ok;
     for (int i = 0; i < steps && status == Status::ok; ++i) status = w.step();
@@ -94,16 +93,16 @@ World open_rod(Nonsmooth method) {
     return r.make();
 }
 
-/// A joint that starts open is the scene's own doing: poses that the first step closes are good.
+/// A scene may start with an open joint: poses that the first step closes are good.
 TEST(Judge, AJointThatStartsOpenMayClose) {
     World w = open_rod(Nonsmooth::newton);
     ASSERT_EQ(run(w, 120), Status::ok);
     EXPECT_EQ(w.verdict().grade, Grade::good) << to_string(w.verdict().judge);
 }
 
-/// A joint that takes several steps to close is reported as open but not rejected.
+/// A joint that takes several steps to close is reported as open, but not rejected.
 TEST(Judge, AJointThatStartsOpenAndStaysSoIsDoubtful) {
-    World w = open_rod(Nonsmooth::pivoting);  // which does not correct poses
+    World w = open_rod(Nonsmooth::pivoting);  // without position projection
     ASSERT_EQ(run(w, 120), Status::ok);
     const Verdict v = w.verdict();
     EXPECT_EQ(v.grade, Grade::doubtful);
@@ -112,9 +111,9 @@ TEST(Judge, AJointThatStartsOpenAndStaysSoIsDoubtful) {
     EXPECT_LT(w.stats().violation_max, limit::kOpen.doubtful);
 }
 
-/// A body on a short rod whips around its lowest point within two steps. For these two, energy
-/// oscillates by 3 % of the energy exchanged there; afterwards 0.5 % is lost. Each halving of the
-/// step reduces the oscillation by three quarters.
+/// A body on a short rod whips round its lowest point within two steps. In these two the energy
+/// error is 3 % of the exchanged energy, and half a per cent is lost afterwards. Each halving of
+/// the step reduces the error to a quarter.
 TEST(Judge, EnergyThatSwingsForTwoStepsIsNotCreated) {
     Recipe r;
     r.world.step = 0.01024;
@@ -144,7 +143,7 @@ TEST(Judge, EnergyThatSwingsForTwoStepsIsNotCreated) {
     EXPECT_EQ(w.verdict().grade, Grade::good) << to_string(w.verdict().judge);
 }
 
-/// The sums of the energy check are part of the state: a restored world rejects the same step.
+/// The monitor's sums are part of the state: a restored world rejects the same step.
 TEST(Judge, ARestoredWorldGivesTheSameVerdict) {
     Recipe r = Boxes().contradict().recipe;
     r.world.on_diverged = OnDiverged::stop;
@@ -175,7 +174,7 @@ TEST(Judge, PuttingABodyElsewhereIsNoEnergyOutOfNothing) {
 TEST(Judge, AFastTurnIsToldWithItsBody) {
     Recipe r;
     const BodyId b = r.add({.kind = BodyKind::rigid,
-                            .angular_velocity = {0, 0, 60.0},  // a radian a step
+                            .angular_velocity = {0, 0, 60.0},  // a radian per step
                             .mass = 10.0,
                             .inertia = Mat3::Identity()});
     World w = r.make();

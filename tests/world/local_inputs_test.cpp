@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Inputs whose force turns with the body, and their data for clients.
+/// Inputs whose force rotates with the body, and the declarations of an input for clients.
 #include <hawser/hawser.h>
 
 #include "support/recipe.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kShipMass = 4.0, kThrust = 6.0, kShipStep = 1.0 / 50.0;
 
-/// A free body with turned axes, spinning about z.
+/// Make a free body with rotated axes, spinning about z.
 World spinning_ship(double angle, double rate) {
     World world({.step = kShipStep, .gravity = {0, 0, 0}});
     world.add_body({.name = "ship",
@@ -40,15 +40,15 @@ TEST(LocalInputs, PushWhereTheBodyLooks) {
     world.set_input(along, kThrust);
     world.set_input(turn, 1.5);
     ASSERT_EQ(world.step(), Status::ok);
-    // From rest, at −h/2 of the first step's end: half a step of acceleration, along y.
+    // From rest, at −h/2 before the end of the first step: half a step of acceleration, along y.
     const Twist v = world.velocity({0});
     EXPECT_NEAR(v.linear.x(), 0.0, 1e-15);
     EXPECT_NEAR(v.linear.y(), 0.5 * kShipStep * kThrust / kShipMass, 1e-15);
     EXPECT_NEAR(v.angular.z(), 0.5 * kShipStep * 1.5 / 3.0, 1e-15);
 }
 
-/// Compare with a world whose applied force is set before every step according to the pose. Both
-/// have an additional constant force.
+/// Against a world whose applied force is set before every step from the pose, with a constant
+/// force in both.
 TEST(LocalInputs, TurnWithTheBodyAndAddToWhatElseActs) {
     World ours = spinning_ship(0.3, 1.7), other = spinning_ship(0.3, 1.7);
     const InputId along = ours.add_input(thrust(0)), side = ours.add_input(thrust(1));
@@ -65,7 +65,7 @@ TEST(LocalInputs, TurnWithTheBodyAndAddToWhatElseActs) {
         ASSERT_EQ(ours.step(), Status::ok);
     }
     const Pose a = ours.pose({0}), b = other.pose({0});
-    // Rotations are rounded otherwise, 1e-16 a step, over 300 steps of a body some 10 m away.
+    // Rotations are rounded differently, 1e-16 per step, over 300 steps of a body about 10 m away.
     EXPECT_LT((a.position - b.position).norm(), 1e-11);
     EXPECT_LT(a.orientation.angularDistance(b.orientation), 1e-11);
     EXPECT_GT(a.position.norm(), 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Energy dissipated by rows: the damping of springs, lines that come taut and break.
+/// Energy losses of rows: damping of springs, lines that come taut and break.
 #include "support/recipe.h"
 
 #include <gtest/gtest.h>
@@ -9,14 +9,14 @@
 namespace hawser::test {
 namespace {
 
-/// Return the unexplained part of the energy balance between two states [J].
+/// Return the energy between two states that no account contains [J].
 double not_booked(const Energy& a, const Energy& b) {
     return b.mechanical() - a.mechanical() - (b.applied - a.applied) - (b.driven - a.driven) +
            (b.dissipated - a.dissipated) + (b.damped - a.damped);
 }
 
-// Motions along a line are linear, so that only round-off remains: some hundred steps with sums of
-// 1 kJ.
+// Motions along a line are linear, so that only rounding is left: some hundred steps of sums of 1
+// kJ.
 constexpr double kNothing = 1e-9;
 
 TEST(Losses, ADampedSpringLosesWhatADashpotTakes) {
@@ -30,7 +30,7 @@ TEST(Losses, ADampedSpringLosesWhatADashpotTakes) {
     World w = r.make();
     ASSERT_EQ(w.step(), Status::ok);  // velocities are at half steps from here on
     const Energy start = w.energy();
-    // The rate that it sees, docs/theory/step.md.
+    // Rate of the damper, docs/theory/step.md.
     const double h = w.settings().step, z = h * k / 10.0 * (tau + 0.25 * h);
     const double late = 1.0 / (1.0 - std::exp(-z)) - 1.0 / z;
     double dashpot = 0.0, before = w.velocity(load).linear.z();
@@ -41,7 +41,7 @@ TEST(Losses, ADampedSpringLosesWhatADashpotTakes) {
         before = now;
         ASSERT_NEAR(not_booked(start, w.energy()), 0.0, kNothing);
     }
-    // It was released 0.275 m below equilibrium: 152 J, all dissipated after 3.3 s.
+    // It was released 0.275 m below its rest: 152 J, all of it lost after 3.3 s.
     EXPECT_NEAR(w.energy().damped - start.damped, dashpot, kNothing);
     EXPECT_GT(dashpot, 100.0);
 }
@@ -78,7 +78,7 @@ TEST(Losses, ALineThatPartsLosesWhatItHeld) {
     World w = r.make();
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
     const Energy start = w.energy();
-    EXPECT_GT(start.elastic, 0.04);  // 98 N at 1e5 N/m.
+    EXPECT_GT(start.elastic, 0.04);  // 98 N at 1e5 N/m
     w.set_force(load, {0, 0, -300}, {0, 0, 0});
     for (int i = 0; i < 60; ++i) {
         ASSERT_EQ(w.step(), Status::ok);

@@ -7,8 +7,8 @@
 namespace hawser::test {
 namespace {
 
-/// A motor at one end of its range is reversed. It changes to the other end at once, although its
-/// maximum impulse in a step is far less than the change of momentum.
+/// A motor at one end of its range gets the opposite speed. It passes to the other end at once,
+/// although its force in a step is far less than the required change.
 TEST(MotorRange, IsCrossedFromOneEndToTheOther) {
     Recipe r;
     const BodyId drum = r.scalar(0.0, 30.0);
@@ -30,8 +30,8 @@ TEST(MotorRange, IsCrossedFromOneEndToTheOther) {
     }
 }
 
-/// A clutch accelerates a drum by another one with its torque limit. Then both turn together: J₁ ω
-/// / (J₁ + J₂), for any slip.
+/// A clutch accelerates one drum by another with its holding torque until both rotate together: J₁
+/// ω / (J₁ + J₂), for any slip.
 TEST(MotorRange, AClutchSlipsUntilBothTurnAsOne) {
     Recipe r;
     const BodyId wheel = r.scalar(0.0, 30.0), chain = r.scalar(0.0, 20.0);
@@ -53,8 +53,8 @@ TEST(MotorRange, AClutchSlipsUntilBothTurnAsOne) {
     EXPECT_NEAR(w.velocity(chain).linear.x(), 1.2, 1e-9);
 }
 
-/// The range of the force of a motor need not contain 0: a winch holds between two tensions. It
-/// exerts the limit that opposes its motion, in either direction, and stands in between.
+/// The range of a motor's force need not contain 0: a winch that holds between two tensions. It
+/// exerts the end against its motion, in either direction, and stops between.
 TEST(MotorRange, MayLieOnOneSideOfZero) {
     Recipe r;
     const BodyId drum = r.scalar(0.0, 30.0);
@@ -68,7 +68,7 @@ TEST(MotorRange, MayLieOnOneSideOfZero) {
         w.set_force(drum, {pull, 0, 0}, Vec3::Zero());
         w.set_velocity(drum, {.linear = {speed, 0, 0}});
         ASSERT_EQ(w.step(), Status::ok);
-        // Between its ends it creeps by its compliance, 1e-12 rad/s/(N m).
+        // Between its ends it creeps due to its compliance, 1e-12 rad/s/(N m).
         EXPECT_NEAR(w.force(motor)[0], force, 1e-7) << pull << " N m at " << speed << " rad/s";
         EXPECT_NEAR(w.velocity(drum).linear.x(), speed + h * (pull + force) / 30.0, 1e-9);
     };
@@ -82,7 +82,7 @@ TEST(MotorRange, MayLieOnOneSideOfZero) {
     expect_force(9.0, 0.0, -9.0);
 }
 
-/// A motor with a maximum force of 0 is off, not saturated.
+/// A motor without force is off, not at the end of its range.
 TEST(MotorRange, OfNothingIsNotSaturated) {
     Recipe r;
     const BodyId drum = r.scalar(0.0, 30.0);

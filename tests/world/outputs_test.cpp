@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Outputs: values against known poses and other functions of World, equal bits after a restore and
-/// on two threads, and errors.
+/// Outputs: values for poses made by hand, and compared with other functions of the world; equal
+/// bits after a restore and on two threads; rejected definitions.
 #include <hawser/hawser.h>
 
 #include "support/recipe.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kHullYaw = 0.7, kHullPitch = -0.2, kHullRoll = 0.4;
 
-/// A hull that turns, a boom on a motor, a drum with a line to a load, a wire of three elements.
+/// A rotating hull, a boom on a motor, a drum with a line to a load, a wire of three elements.
 struct OutputCrane {
     World world;
     BodyId ground, hull, boom, drum, load, node[2];
@@ -75,7 +75,7 @@ struct OutputCrane {
         return world.add_output(def);
     }
     double value(OutputDef def) { return world.output(add(std::move(def))); }
-    /// Add outputs of every kind; no measured times.
+    /// Add at least one of every kind, without clock times.
     void add_all() {
         for (const OutputComponent& c : output_kind_info(OutputKind::pose).components)
             add({.kind = OutputKind::pose, .body = hull, .point = {1, 2, 3}, .component = c.name});
@@ -147,7 +147,7 @@ TEST(Outputs, VelocitiesAreOfThePointAndTheAxesAskedFor) {
         }
 }
 
-/// After steps, compare with the functions of World for the same values.
+/// After steps, against functions of World for the same quantities.
 TEST(Outputs, FollowTheSteps) {
     OutputCrane c;
     const OutputId yaw = c.add({.kind = OutputKind::pose, .body = c.hull, .component = "yaw"});
@@ -197,7 +197,7 @@ TEST(Outputs, FollowTheSteps) {
         EXPECT_EQ(c.world.output(whole), e.mechanical());
         highest = std::max(highest, largest);
     }
-    EXPECT_GT(highest, 10.0);  // the wire carried something
+    EXPECT_GT(highest, 10.0);  // the wire carried a load
 }
 
 TEST(Outputs, FollowWhatIsSetBetweenSteps) {
@@ -232,7 +232,7 @@ TEST(Outputs, AreTheSameBitsOnTwoThreadsAndAfterARestore) {
         EXPECT_EQ(
             std::memcmp(bits(one.world).data(), wanted.data(), wanted.size() * sizeof(double)), 0);
     }
-    // The same as in a new world, which has no step either.
+    // The same as in a world without steps.
     one.world.restore(saved);
     OutputCrane fresh;
     fresh.add_all();
@@ -259,7 +259,7 @@ TEST(Outputs, OfWhatHasBeenRemovedAreNoNumbers) {
     const OutputId hull = c.add({.kind = OutputKind::pose, .body = c.hull, .component = "x"});
     (void)c.world.remove_body(c.load);
     (void)c.world.remove_interaction(c.wire[1]);
-    // A new object with its index is not the requested one.
+    // Another object in its slot is not the requested one.
     (void)c.world.add_body({.kind = BodyKind::lump, .position = {5, 0, 0}, .mass = 1});
     ASSERT_EQ(c.world.step(), Status::ok);
     EXPECT_TRUE(std::isnan(c.world.output(x)));

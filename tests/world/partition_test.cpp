@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Parts of a world: effect of forces and velocities on the choice of cuts.
+/// Parts of a world: effects of forces and velocities on the choice of cuts.
 #include "world/three_cables.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 
 enum class Role { accelerating, steady, slack };
 
-/// They differ only in motion and pull. Accelerating: it turns about the hull. Steady: its end is
-/// pulled. Slack: no force.
+/// They differ only in their motion and pull. Accelerating: it rotates about the hull. Steady: its
+/// end is pulled. Slack: neither.
 struct ThreeCables : regrouping::Cables {
     explicit ThreeCables(const std::array<Role, 3>& roles) : Cables(0) {
         recipe.world.coupling = Coupling::exact;
@@ -22,7 +22,7 @@ struct ThreeCables : regrouping::Cables {
             if (roles[c] == Role::accelerating) turn(*world, c);
             if (roles[c] == Role::steady) pull(*world, c);
         }
-        // Oscillations from the start decay: the damping time of the rows is some steps.
+        // Oscillations of the start decay: the damping time of rows is some steps.
         for (int k = 0; k < 120; ++k) EXPECT_EQ(world->step(), Status::ok);
     }
     [[nodiscard]] std::set<std::size_t> cut_cables(const PartitionView& view) const {
@@ -40,13 +40,13 @@ TEST(WorldPartition, TheAcceleratingCableStaysWhole) {
         PartitionRequest request;
         request.use = PartitionUse::cuts;
         request.parts = 2;
-        request.exact_cost = false;  // the same for all three
+        request.exact_cost = false;  // equal for all three
         const PartitionView view = t.world->partition(request);
         ASSERT_FALSE(view.cuts.empty());
         EXPECT_LT(view.imbalance, 1.1);
         const std::set<std::size_t> cut = t.cut_cables(view);
         for (const std::size_t c : cut) EXPECT_NE(roles[c], Role::accelerating) << c;
-        // Tension does not count: it is 5 kN in the steady cable.
+        // Tension is no criterion: it is 5 kN in the steady cable.
         for (const CutInteraction& c : view.cuts) EXPECT_LT(c.net_force, 10.0);
         std::rotate(roles.begin(), roles.begin() + 1, roles.end());
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Worlds that are edited at random while they run: equal bits for any number of threads and after
-/// a restore; ids of removed objects are rejected.
+/// Worlds edited at random while they run: equal bits for any number of threads and after a
+/// restore; ids of removed objects are rejected.
 #include <hawser/hawser.h>
 
 #include "support/editor.h"
@@ -19,10 +19,10 @@
 namespace hawser::test {
 namespace {
 
-/// Steps of a world, each after five edits.
+/// Return the number of steps of a world, each after five edits.
 int edited_steps() { return kSanitized ? by_tier(60, 150, 2000) : by_tier(400, 2000, 2000); }
 
-/// Worlds that differ in threads only.
+/// Worlds that differ only in threads.
 struct Fleet {
     explicit Fleet(const std::vector<int>& threads) {
         for (const int n : threads) {
@@ -36,7 +36,7 @@ struct Fleet {
         for (World& w : worlds) out.push_back(&w);
         return out;
     }
-    /// A step of each; the first world's status. The others must agree with it in all bits.
+    /// Step each world. @return status of the first; the others must agree with it in all bits.
     Status step() {
         const Status status = worlds[0].step();
         for (std::size_t k = 1; k < worlds.size(); ++k)
@@ -51,7 +51,7 @@ struct Fleet {
     std::vector<World> worlds;
 };
 
-/// Let a world continue, return, and be replaced by a twin with the same state.
+/// Let one world continue, restore it, and replace it by a twin restored from the same state.
 void restore_one(Fleet& fleet, Editor& editor, std::size_t which) {
     World& w = fleet.worlds[which];
     const auto saved = w.save();

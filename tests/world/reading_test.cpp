@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Bulk reading by clients: state(), contacts and snapshots in the client's memory, events with
-/// cursors.
+/// Reading in blocks: state(), contacts and snapshots in the client's memory, events with cursors.
 #include <hawser/hawser.h>
 
 #include "support/recipe.h"
@@ -73,7 +72,7 @@ TEST(Reading, SnapshotsInTheCallersMemoryAreTheSame) {
     EXPECT_TRUE(contacts.empty());
 }
 
-/// A lump on a short line is thrown upwards repeatedly: the line goes slack and comes taut.
+/// A point mass on a short line, thrown up repeatedly: the line goes slack and comes taut.
 struct Jumping {
     World world;
     BodyId lump;
@@ -84,7 +83,7 @@ struct Jumping {
         InputDef def{.name = "f", .body = lump, .component = 2, .min = -1, .max = 1};
         world.add_input(def);
     }
-    /// Cause an event with a known value: a request beyond the range.
+    /// Make an event of known number: each value exceeds the range.
     void ask(double value) { world.set_input({0}, value); }
 };
 
@@ -108,7 +107,7 @@ TEST(Reading, EachReaderOfEventsHasItsOwnPlace) {
     EXPECT_EQ(events.size(), 3U);
     EXPECT_EQ(early, late);
     EXPECT_EQ(j.world.event_cursor(), late);
-    // Taking events does not affect cursors, nor the reverse.
+    // Taking events does not affect cursors, nor vice versa.
     EXPECT_EQ(j.world.take_events().size(), 3U);
     late = 1;
     EXPECT_EQ(j.world.events_since(late, events), 0U);

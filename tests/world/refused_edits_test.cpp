@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rejected calls of several edits leave the world unchanged: its hash, its energy, and the bits of
-/// later steps, also with cut interactions.
+/// Rejected calls of several edits have no effect: on the hash, the energy, and the bits of later
+/// steps, also with cut interactions.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST(RefusedEdits, LeaveHashEnergyAndMotionAlone) {
             Harbour tried(coupling), plain(coupling);
             for (int i = 0; i < 7; ++i)
                 for (Harbour* h : {&tried, &plain}) ASSERT_EQ(h->w.step(), Status::ok);
-            // Objects added before the rejected call remain: they are separate calls.
+            // Objects that the call adds before the rejection stay: they are calls of the user.
             if (std::string(refused.name) == "a winch whose drum is taken") {
                 (void)plain.w.add_body({.name = "w/drum", .kind = BodyKind::fixed});
                 EXPECT_THROW(refused.call(tried), DefError);
@@ -122,7 +122,7 @@ TEST(RefusedEdits, LeaveHashEnergyAndMotionAlone) {
                 EXPECT_THROW(refused.call(tried), DefError);
                 EXPECT_EQ(tried.w.state_hash(), hash);
                 EXPECT_EQ(tried.w.energy().mechanical(), energy);
-                // Each analysis creates the ghost bodies of cuts again.
+                // Each analysis places ghost bodies anew.
                 if (coupling == Coupling::exact) {
                     EXPECT_EQ(tried.w.save(), saved);
                 }

@@ -8,7 +8,7 @@
 namespace hawser::test::regrouping {
 namespace {
 
-/// Return the sum of the weights of a cut at these interactions in the present state.
+/// Return the sum of the weights of cuts at these interactions, from the state.
 double weight_of_cuts(const World& w) {
     PartitionRequest request{.use = PartitionUse::cuts, .parts = 2, .exact_cost = false};
     request.group = w.groups();
@@ -33,7 +33,7 @@ TEST(Regroup, TheCutOfARunningWorldLeavesTheCableThatAccelerates) {
     }
 }
 
-/// The same cut, by hand at first the only thing that moves: the cable that is cut starts to turn.
+/// With one cut, at first by hand the only cable that moves: the cut cable starts to rotate.
 TEST(Regroup, ACutMovesAlongACableThatStartsToTurn) {
     const Cables t(2);
     World moves = t.recipe.make();
@@ -56,7 +56,7 @@ TEST(Regroup, ACutMovesAlongACableThatStartsToTurn) {
     EXPECT_LT(weight_of_cuts(moves), weight_of_cuts(stays));
 }
 
-/// Oscillations from the pull decay in some seconds.
+/// Oscillations due to the pull decay within some seconds.
 void leave_alone(Coupling coupling, Predictor predictor) {
     Cables t(3);
     t.recipe.world.coupling = coupling;
@@ -89,7 +89,7 @@ TEST(Regroup, GroupsByHandStay) {
         const auto of = [&](BodyId b) { return groups[static_cast<std::size_t>(b.index)]; };
         for (const BodyId b : t.cable[1]) ASSERT_EQ(of(b), of(t.cable[1].front())) << k;
         ASSERT_NE(of(t.cable[2].back()), of(t.cable[1].front())) << k;
-        // Others are shared out all the same.
+        // The others are distributed nevertheless.
         ASSERT_EQ(std::set<std::int32_t>(groups.begin(), groups.end()).size(), 3U) << k;
     }
     w.set_group(t.cable[2].back(), "");
@@ -144,7 +144,7 @@ TEST(Regroup, WhatIsCoupledExactlyIsNotCut) {
     EXPECT_EQ(t.cut_cables(w), std::set<std::size_t>{2});
 }
 
-/// Apply loads by step to a world whose groups change several times.
+/// Act on a world whose groups move several times: the loads of a step.
 void play(const Cables& t, World& w, int step) {
     if (step == kEvery + 3) t.turn(w, *t.cut_cables(w).begin());
     if (step == 3 * kEvery) t.pull(w, 1);
@@ -182,7 +182,7 @@ TEST(Regroup, GoesOnBitForBitFromASnapshotOfAnyStep) {
         hash.push_back(a.state_hash());
     }
     ASSERT_GT(a.stats().regroupings, 1);
-    // In a new world each time, and in one with groups of another time.
+    // In a world that is new each time, and in one whose groups are from another time.
     World again = t.recipe.make();
     run(again, 2 * kEvery + 7);
     Random random(first_seed(5));
@@ -194,13 +194,13 @@ TEST(Regroup, GoesOnBitForBitFromASnapshotOfAnyStep) {
             w->restore(saved[static_cast<std::size_t>(i)]);
             ASSERT_EQ(w->save(), saved[static_cast<std::size_t>(i)]);
             for (int k = i; k < std::min(kSteps, i + kEvery + 12); ++k) {
-                if (k > i) play(t, *w, k);  // the snapshot was saved after it
+                if (k > i) play(t, *w, k);  // the snapshot was taken after it
                 ASSERT_EQ(w->step(), Status::ok);
                 ASSERT_EQ(w->state_hash(), hash[static_cast<std::size_t>(k)]) << "step " << k;
             }
         }
     }
-    // Damaged bytes are rejected with any groups.
+    // Damage is rejected, for any groups.
     const auto& good = saved[kSteps - 1];
     again.restore(saved[1]);
     const std::uint64_t before = again.state_hash();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Save every scene at random steps and restore it in another world of the same file: the
-/// continuation is the same bit for bit.
+/// Save every scene at random steps and restore it in another world of the same file: later steps
+/// are equal bit for bit.
 #include "stepper/scenes.h"
 #include "support/random.h"
 #include "support/sanitizer.h"
@@ -32,14 +32,14 @@ TEST(SceneRestore, ContinuesBitForBitAtRandomSteps) {
     }
 }
 
-/// A request for parts evaluates rows at the present poses: this must not affect the steps.
+/// A request of parts evaluates rows at the present poses, which must not affect steps.
 TEST(SceneRestore, PartitionsLeaveTheStateAlone) {
     for (const auto& file : test::scene_files()) {
         scene::Scene one = scene::load_file(file), other = scene::load_file(file);
         World &a = one.world, &b = other.world;
         a.prepare();
         b.prepare();
-        // Small scenes run long enough for joints to reach their limits and leave them.
+        // Small ones run long enough for joints to reach their limits and leave them.
         const int steps = a.body_count() < 50 ? 200 : 12;
         for (int i = 0; i < (test::kSanitized ? steps / 4 : steps); ++i) {
             for (const PartitionUse use : {PartitionUse::cuts, PartitionUse::separators})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Setters reject values that definitions reject.
+/// Setters reject the values that definitions reject.
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>
@@ -15,7 +15,7 @@ namespace {
 
 const double kNoNumber = std::nan("");
 
-/// Return the message of the DefError of f; "": none is thrown.
+/// Return the message of the DefError of f; "" if it throws nothing.
 std::string refusal_of(const std::function<void()>& f) {
     try {
         f();
@@ -33,7 +33,7 @@ BodyDef setter_block() {
     return d;
 }
 
-/// Values set later have the same ranges as at addition: the message names body and field.
+/// Values set later have the ranges of definitions: the message names body and field.
 TEST(Setters, HaveTheRangesOfDefinitions) {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     World w;
@@ -86,7 +86,7 @@ TEST(Setters, HaveTheRangesOfDefinitions) {
     // Clamped, with an event.
     w.set_input(input, 7.0);
     EXPECT_EQ(w.input(input), 5.0);
-    // Only iterations above 0 shorten a step.
+    // Only a number of iterations above 0 limits a step.
     w.degrade_next_step({.iterations = -3, .hasty = true, .cuts = 0});
     EXPECT_EQ(w.step(), Status::ok);
     EXPECT_FALSE(w.stats().cut);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shapes and materials of a world: errors, lookup, saving.
+/// Shapes and materials of a world: rejected ones, their contacts, snapshots.
 #include "support/random.h"
 
 #include <gtest/gtest.h>
@@ -29,8 +29,8 @@ BodyDef lump_at(const Vec3& x) {
     return d;
 }
 
-/// A wire of lumps that falls past a plane towards which it is pulled, with a ball. At most 14
-/// contacts.
+/// Make a wire of point masses that falls past a plane to which it is drawn, with a ball. At most
+/// 14 contacts.
 World falling_wire(int threads = 1) {
     WorldDef def;
     def.threads = threads;
@@ -175,7 +175,7 @@ TEST(Shapes, ContactsAreSeenFromOutside) {
     for (const ContactView& c : contacts) {
         EXPECT_EQ(c.shape[0].index, 0);
         EXPECT_EQ(c.normal, Vec3::UnitZ());
-        // For each, the contact point is on its side of the gap; the first is at 2 mm.
+        // Each is on its side of the gap; the first is at 2 mm.
         EXPECT_GT(c.gap, 0.0);
         EXPECT_LT(c.gap, 0.02);
     }
@@ -188,7 +188,7 @@ TEST(Shapes, AWorldGoesOnBitForBitAfterRestore) {
     const auto saved = a.save();
     const std::uint64_t hash = a.state_hash();
     World b = falling_wire(2);
-    // Other contacts than at the time of saving.
+    // Other contacts than when saved.
     ASSERT_EQ(b.step(), Status::ok);
     EXPECT_NE(b.state_hash(), hash);
     b.restore(saved);
@@ -201,7 +201,7 @@ TEST(Shapes, AWorldGoesOnBitForBitAfterRestore) {
         ASSERT_EQ(a.state_hash(), b.state_hash()) << i;
         ASSERT_EQ(a.contacts().size(), b.contacts().size());
     }
-    // Restore an earlier state with other numbers of contacts.
+    // Back in time, to another number of contacts.
     a.restore(saved);
     EXPECT_EQ(a.state_hash(), hash);
 }
@@ -222,7 +222,7 @@ TEST(Shapes, ASnapshotOfOtherShapesIsRefused) {
     pair.a = pair.b = MaterialId{0};
     c.add_material_pair(pair);
     EXPECT_NE(refusal([&] { c.restore(saved); }), "");
-    // A number of contacts beyond the length of the bytes.
+    // A count of contacts that exceeds the bytes.
     for (const std::size_t at : {24U, 30U}) {
         auto damaged = saved;
         damaged[at] ^= std::byte{0x55};

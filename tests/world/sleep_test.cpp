@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Islands at rest sleep, keep all bits while they do, and continue from there when they wake.
+/// Islands at rest sleep without changing a bit, and continue from that state when they wake.
 #include "support/sleep_yard.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Sleep, KeepsEveryBitAndLeavesNothingToSolve) {
     EXPECT_EQ(y.w.energy().friction, energy.friction);
     EXPECT_EQ(y.w.stats().matrix_nnz, 0);
     EXPECT_EQ(y.w.stats().islands, 0);
-    // Bodies asleep still show their contact forces: 3 boxes and a ball.
+    // Contacts that carry a load are still reported: 3 boxes and a ball.
     const std::vector<ContactView> now = y.w.contacts();
     ASSERT_EQ(now.size(), contacts.size());
     double weight = 0.0;
@@ -60,7 +60,7 @@ TEST(Sleep, KeepsEveryBitAndLeavesNothingToSolve) {
     EXPECT_NEAR(-y.w.force({0})[0], 8.0 * 9.81, 1e-3);
 }
 
-/// However long the sleep, the step after it is the same.
+/// For any duration of sleep, the step after it is the same.
 TEST(Sleep, EndsWhereItBegan) {
     std::vector<double> after[2];
     for (int k = 0; k < 2; ++k) {
@@ -75,8 +75,8 @@ TEST(Sleep, EndsWhereItBegan) {
     EXPECT_EQ(after[0], after[1]);
 }
 
-/// An island continues as if it had not slept. Compare with one that did not sleep, from the step
-/// in which the other fell asleep, up to the rounding of another order of elimination.
+/// An island continues as if it had not slept. Reference: one that stayed awake, from the step in
+/// which the other fell asleep, to the rounding of another order of elimination.
 TEST(Sleep, IsNotNoticed) {
     SleepYard y(sleepy()), other{WorldDef{}};
     int steps = 0;
@@ -107,7 +107,7 @@ TEST(Sleep, WhatIsTouchedWakes) {
     SleepYard y(sleepy());
     y.run(kSettled);
     ASSERT_EQ(y.asleep(), kAll);
-    y.w.set_input(y.brake, 300.0);  // the previous value
+    y.w.set_input(y.brake, 300.0);  // unchanged value
     y.w.set_force(y.box[0], Vec3::Zero(), Vec3::Zero());
     y.run(1);
     EXPECT_EQ(y.asleep(), kAll);
@@ -183,7 +183,7 @@ TEST(Sleep, CarriersThatMoveKeepAwake) {
     run(240);
     EXPECT_TRUE(w.asleep(box));
     EXPECT_TRUE(w.asleep(bob));
-    // Slower than sleep_speed: the cargo is at rest by speed alone, but its carrier is not.
+    // Slower than sleep_speed: the cargo is at rest by its speed, but its carrier is not.
     w.set_velocity(deck, {{5e-5, 0, 0}, Vec3::Zero()});
     run(1);
     EXPECT_FALSE(w.asleep(box));
@@ -195,7 +195,7 @@ TEST(Sleep, CarriersThatMoveKeepAwake) {
     run(240);
     EXPECT_TRUE(w.asleep(box));
     EXPECT_TRUE(w.asleep(bob));
-    // A pose that is set wakes all bodies that might depend on it.
+    // A new pose wakes all bodies that may depend on it.
     Pose p = w.pose(deck);
     p.position.z() += 0.01;
     w.set_pose(deck, p);
@@ -216,7 +216,7 @@ TEST(Sleep, WhatLosesItsSupportFalls) {
     EXPECT_NEAR(y.w.pose(y.box[2]).position.z(), 1.5, 1e-3);
 }
 
-/// The force of an input and that of the user are separate: their sum may keep a body at rest.
+/// The force of an input and that of the user are separate: together they may balance a body.
 TEST(Sleep, ForcesThatHeldEachOtherWakeWhereOneEnds) {
     SleepYard y(sleepy());
     InputDef in;
@@ -236,7 +236,7 @@ TEST(Sleep, ForcesThatHeldEachOtherWakeWhereOneEnds) {
     EXPECT_GT(y.w.pose(y.ball).position.x(), x + 0.5);
 }
 
-/// A slide held by the load of another one, without a common body.
+/// A slide whose friction depends on the load of another one, without a common body.
 TEST(Sleep, LoadsOfFrictionBelongToIt) {
     World w(sleepy());
     BodyDef d;
@@ -271,7 +271,7 @@ TEST(Sleep, LoadsOfFrictionBelongToIt) {
     EXPECT_LT(w.pose(weight).position.z(), -4.0);
 }
 
-/// Only a step finds limits that are reached: an analysis in between loses no event.
+/// Events of limits belong to a step: an analysis in between loses none.
 TEST(Sleep, LosesNoEvent) {
     std::int64_t met[2] = {};
     int slept = 0;
@@ -297,7 +297,7 @@ TEST(Sleep, LosesNoEvent) {
             w.add_interaction(s);
             InteractionDef range = s;
             range.kind = InteractionKind::SlideRange;
-            // Each is met in another step.
+            // Each is reached in another step.
             range.set("min", -10.0).set("max", 0.3 + k / 60.0);
             w.add_interaction(range);
         }
@@ -363,7 +363,7 @@ class SleepMethods : public testing::TestWithParam<Nonsmooth> {};
 
 TEST_P(SleepMethods, FallAsleepAndWake) {
     WorldDef def = sleepy(GetParam());
-    // The number of sweeps does not depend on it.
+    // Sweeps end without convergence.
     def.sleep_speed = 1e-2;
     SleepYard y(def);
     y.run(kSettled);

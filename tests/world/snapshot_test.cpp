@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Save and restore: the continuation is the same bit for bit, and damage is refused.
+/// Save and restore: later steps are equal bit for bit, and damage is rejected.
 #include <hawser/inspect.h>
 
 #include "support/small_recipes.h"
@@ -32,7 +32,7 @@ TEST_P(EachRecipe, ContinuesBitForBitAfterRestore) {
         }
         ASSERT_EQ(fresh.save(), a.save()) << "the state holds more than the hash";
         ASSERT_EQ(fresh.energy().mechanical(), a.energy().mechanical());
-        // Back in time in the same world as well.
+        // Back in time, also in the same world.
         a.restore(bytes);
         for (int i = 0; i < 5; ++i) ASSERT_EQ(a.step(), Status::ok);
         ASSERT_EQ(fresh.state_hash(), a.state_hash());
@@ -83,8 +83,8 @@ TEST(Snapshot, RefusesDamageAndLeavesTheStateAlone) {
     EXPECT_EQ(w.state_hash(), hash);
 }
 
-/// The applied force is part of the state. The last value of an input that set it must not return
-/// after set_force() has replaced it.
+/// The acting force is part of the state. The last value of an input that drove it before
+/// set_force() replaced it must not return.
 TEST(Snapshot, KeepsAForceThatReplacedAnInput) {
     const Recipe recipe = pendulum();
     auto make = [&] {
@@ -108,8 +108,8 @@ TEST(Snapshot, KeepsAForceThatReplacedAnInput) {
     EXPECT_EQ(a.state_hash(), b.state_hash());
 }
 
-/// The analysis gives rigid rows a small compliance from the mobility of the bodies. A world
-/// analysed at another pose must still continue bit for bit.
+/// Rigid rows get a small compliance from the bodies' mobility at the analysis of the system; a
+/// world analysed at another pose must nevertheless continue bit for bit.
 TEST(Snapshot, DoesNotDependOnThePoseAtWhichTheSystemWasAnalysed) {
     Recipe recipe;
     const BodyId g = recipe.ground();
@@ -119,7 +119,7 @@ TEST(Snapshot, DoesNotDependOnThePoseAtWhichTheSystemWasAnalysed) {
     d.compliance[0] = 0.0;
     recipe.add(d);
     World a = recipe.make();
-    // Not yet analysed: the first step does that, at this pose.
+    // Not yet analysed: the first step does it at this pose.
     a.set_pose(b, {Vec3(0.9, 0.1, 0.2), Quat(0.9, 0.1, 0.3, 0.2).normalized()});
     for (int i = 0; i < 3; ++i) ASSERT_EQ(a.step(), Status::ok);
     World fresh = recipe.make();

@@ -32,7 +32,7 @@ TEST(StateList, ACopySleepsAsItsOriginalDoes) {
     EXPECT_EQ(twin.stats().asleep, y.w.stats().asleep);
     EXPECT_EQ(twin.stats().matrix_nnz, 0) << "what sleeps is solved for";
     EXPECT_EQ(twin.state_hash(), y.w.state_hash());
-    // A world that was awake falls asleep with the copy, and wakes with the next.
+    // A world that was awake falls asleep with the copy, and wakes with the next one.
     SleepYard fresh(sleepy());
     const World awake = fresh.w.twin();
     fresh.w.copy_state(y.w);
@@ -54,7 +54,7 @@ TEST(StateList, ACopyKeepsWhatTheJudgeHasSeen) {
     EXPECT_EQ(twin.energy().mechanical(), y.w.energy().mechanical());
 }
 
-/// Another value of the same setting, within its range.
+/// Return another value of a setting, within its range.
 double other(const SettingInfo& s, double value) {
     if (s.type == SettingType::boolean || s.type == SettingType::word) return value == 0.0 ? 1 : 0;
     if (s.type == SettingType::integer) return value < s.max ? value + 1.0 : value - 1.0;
@@ -75,7 +75,7 @@ TEST(Settings, ThoseThatGiveOtherStatesAreOfTheIdentityOfASnapshot) {
     for (const SettingInfo& s : setting_infos()) {
         WorldDef def;
         s.set(def, 0, other(s, s.get(def, 0)));
-        // Coupling is a property of interactions, and there are none here.
+        // Coupling belongs to interactions, of which there are none here.
         World w = falling(def);
         if (s.identity)
             EXPECT_THROW(w.restore(saved), DefError) << s.name;
@@ -94,7 +94,7 @@ TEST(Settings, HaveDefaultsWithinTheirRangesAndAreRefusedBeyond) {
         const double usual = s.get(WorldDef{}, 0);
         EXPECT_TRUE(usual >= s.min && usual <= s.max) << s.name;
         if (s.type == SettingType::boolean) continue;
-        // The next number beyond the range, or the maximum of a counter.
+        // The next number beyond the range, or the limit of a counter.
         WorldDef def;
         s.set(def, 0, s.type == SettingType::integer ? s.max + 1.0 : std::nextafter(s.max, 1e300));
         try {

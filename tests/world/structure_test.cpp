@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Structure and state together continue in another world with the same set-up with the same bits,
-/// for any earlier edits.
+/// Structure and state together continue in another world of the same set-up with equal bits, after
+/// any additions and removals.
 #include <hawser/hawser.h>
 
 #include "support/tier.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMass = 23.0;
 
-/// An anchor on a winch that pays out, and a wire between two posts.
+/// Make an anchor on a winch that pays out, and a wire between two posts.
 World set_up(int threads) {
     World w(WorldDef{.step = 1.0 / 60.0, .threads = threads});
     const BodyId deck = w.add_body({.name = "deck", .kind = BodyKind::fixed});
@@ -93,7 +93,7 @@ TEST(Structure, GoesOnInAnotherWorldInTheSameBits) {
         EXPECT_EQ(other.output(other.find_output("load.z")), w.output(w.find_output("load.z")));
         EXPECT_EQ(other.find_wire("span"), span);
         EXPECT_EQ(other.take_events().size() > 0, w.take_events().size() > 0);
-        // Return to the original.
+        // Back to its earlier state.
         World third = set_up(1);
         (void)run(third, 3);
         const Structure first = third.structure();
@@ -136,7 +136,7 @@ TEST(Structure, OfAnotherStateLeavesTheWorldAsItWas) {
     bad = made_of;
     bad.bodies.defs[2].mass *= 2.0;
     refuses(bad, state);
-    // And it continues as if there had been no attempt.
+    // It continues as if none of this had been tried.
     World again = set_up(1);
     (void)run(again, 20);
     EXPECT_EQ(run(other, 30), run(again, 30));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-/// Three equal cables on a hull, for tests of the effect of forces and velocities on the choice of
+/// Three equal cables on a hull, for tests of the effects of forces and velocities on the choice of
 /// cuts.
 #include "support/recipe.h"
 
@@ -21,7 +21,8 @@ inline constexpr int kNodes = 40;
 inline constexpr double kApart = 1.0;  // m
 inline constexpr int kEvery = 20;      // steps
 
-/// A hull with three equal cables in a plane, without gravity. They differ only in motion and pull.
+/// A hull with three equal cables that extend in a plane, without gravity: they differ only in
+/// motion and pull.
 struct Cables {
     explicit Cables(int parts, int every = kEvery, int threads = 1) {
         recipe.world.gravity = Vec3::Zero();
@@ -51,23 +52,23 @@ struct Cables {
         cable[c].assign(row.begin() + 1, row.end());
     }
 
-    /// It turns about the hull from now on, so that every node is pulled inwards.
+    /// Rotate it about the hull, so that every node is pulled inwards.
     void turn(World& w, std::size_t c) const {
         const Vec3 across = Vec3(0, 0, 1).cross(direction(c));
         for (int i = 0; i < kNodes; ++i)
             w.set_velocity(cable[c][static_cast<std::size_t>(i)],
                            {across * (1.0 * kApart * (i + 1)), Vec3::Zero()});
     }
-    /// Its end is pulled, so that tension is the same all along.
+    /// Pull its end, so that tension is constant along it.
     void pull(World& w, std::size_t c) const {
         w.set_force(cable[c].back(), direction(c) * 5e3, Vec3::Zero());
     }
 
-    /// Cables with a cut in force.
+    /// Return the cables with a cut in force.
     [[nodiscard]] std::set<std::size_t> cut_cables(const World& w) const {
         return cables_of(w, w.cuts());
     }
-    /// Cables that a partition cuts.
+    /// Return the cables that a partition cuts.
     [[nodiscard]] std::set<std::size_t> cut_cables(const World& w,
                                                    const PartitionView& view) const {
         return cables_of(w, view.cuts);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Nodes added and removed along a wire: conserved quantities, and costs.
+/// Nodes inserted and removed along a wire: conserved quantities and losses.
 #include <hawser/hawser.h>
 
 #include "support/sanitizer.h"
@@ -22,8 +22,8 @@ struct Account {
     Vec3 linear{0, 0, 0}, angular{0, 0, 0};
 };
 
-/// Return the account of the lumps and elements of a wire, including consistent masses, at the half
-/// step before the poses. The energy of the scheme belongs to that time.
+/// Sum over the nodes and elements of a wire, including consistent masses, at the half step before
+/// the poses, to which the energy of the scheme belongs.
 Account account_of(const World& w, WireId wire) {
     Account a;
     const double half = 0.5 * w.settings().step;
@@ -74,7 +74,7 @@ struct Free {
             InteractionDef d;
             d.kind = InteractionKind::Stretch;
             d.body = {lumps[static_cast<std::size_t>(i)], lumps[static_cast<std::size_t>(i) + 1]};
-            // The length of a freely spinning wire: T = ρω²(L²/4 − s²)/2.
+            // As long as in steady rotation: T = ρω²(L²/4 − s²)/2.
             const double s = l * (i + 0.5) - 0.5 * kLength;
             const double pull = kDensity * spin * spin * (0.25 * kLength * kLength - s * s) / 2.0;
             d.set("length", (place(i + 1) - place(i)).norm() / (1.0 + pull / kEA));
@@ -148,7 +148,7 @@ void edit(Free& f, std::mt19937& dice, Sums& sum) {
 }
 
 TEST(WireNodes, KeepMomentaAndMakeNoEnergy) {
-    // The faster it spins, the less its steps keep of its angular momentum; edits do.
+    // The faster it spins, the more angular momentum its steps lose; edits lose none.
     const int edits = by_tier(500, kSanitized ? 500 : 2000, 2000);
     for (const std::uint32_t seed : seeds(7, 1, 2, 25))
         for (const double spin : {0.1, 0.5}) {
@@ -209,7 +209,7 @@ TEST(WireNodes, ComeAndGoTheSameOnAnyNumberOfThreads) {
     }
 }
 
-/// 100 m under its own weight between two bodies that stand, with bending and capsules.
+/// 100 m under its own weight between two fixed bodies, with bending and capsules.
 struct Hung {
     World w;
     WireId wire;
@@ -239,7 +239,7 @@ TEST(WireNodes, TakeBendsAndCapsulesWithThem) {
     for (const std::size_t k : {15U, 10U, 5U, 0U})
         came.push_back(h.w.insert_node(h.w.elements(h.wire)[k], 0.5));
     EXPECT_EQ(h.w.interactions().size(), interactions + 8);
-    EXPECT_EQ(h.w.shapes().size(), shapes + 4);  // all new elements are between lumps
+    EXPECT_EQ(h.w.shapes().size(), shapes + 4);  // all new elements are between nodes
     for (int i = 0; i < 60; ++i) ASSERT_EQ(h.w.step(), Status::ok);
     for (const BodyId id : came) EXPECT_TRUE(h.w.remove_node(id, 3.2));
     EXPECT_EQ(h.w.interactions().size(), interactions);
@@ -270,7 +270,7 @@ TEST(WireNodes, LeaveTheTensionOfAWireAtRest) {
     }
 }
 
-/// No neighbouring body could accept its mass.
+/// No moving body beside it could take its momentum.
 TEST(WireNodes, GoWhereTheyAreTheOnlyOne) {
     World w({.gravity = Vec3::Zero()});
     const BodyId first = w.add_body({.name = "first", .kind = BodyKind::fixed});
@@ -290,7 +290,7 @@ TEST(WireNodes, GoWhereTheyAreTheOnlyOne) {
     EXPECT_TRUE(w.remove_node(lump, 3.2));
     ASSERT_EQ(w.elements(wire).size(), 1U);
     ASSERT_EQ(w.step(), Status::ok);
-    EXPECT_NEAR(w.tension(wire, 2.0), pull, 50.0);  // as of a wire at rest, above
+    EXPECT_NEAR(w.tension(wire, 2.0), pull, 50.0);  // like in the wire at rest, above
 }
 
 TEST(WireNodes, AreRefusedWhereTheyCannotBe) {

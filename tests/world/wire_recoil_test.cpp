@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires that have parted (context/wire_alerts.h, docs/theory/parting.md): numbers beside the
-/// closed form, which `hawser validate wire_parting` compares with.
+/// Broken wires (context/wire_alerts.h, docs/theory/parting.md): checks beside the closed form of
+/// `hawser validate wire_parting`.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kDense = 23.0, kStiff = 2.33e8, kTaut = 1e6;  // kg/m, N, N
 
-/// Wires in one line each, side by side, at 1 MN between fixed ends.
+/// Straight wires side by side, at 1 MN between fixed ends.
 struct Taut {
     World w;
     std::vector<WireId> wire;
@@ -46,7 +46,7 @@ struct Taut {
     }
 };
 
-/// Before the break all is at rest; dampers then have no effect during the recoil.
+/// Nothing moves before the break, and no damper acts during the recoil.
 TEST(WireRecoil, IsTheSameAtAnyDamping) {
     std::vector<double> reference;
     for (const double damping : {0.0, 0.1, 1.0, 10.0, kDefault}) {
@@ -58,7 +58,7 @@ TEST(WireRecoil, IsTheSameAtAnyDamping) {
             t.steps(1);
             for (const int node : {40, 100, 101, 160}) now.push_back(t.speed(0, node));
         }
-        // The wave is not at the other ends yet.
+        // The wave has not reached the other ends yet.
         const double v = kTaut / std::sqrt(kStiff * kDense);
         EXPECT_NEAR(now[4 * 3 + 1], -v, 1e-3 * v);
         EXPECT_NEAR(now[4 * 3 + 2], v, 1e-3 * v);
@@ -68,9 +68,9 @@ TEST(WireRecoil, IsTheSameAtAnyDamping) {
     }
 }
 
-/// The wave extends over some steps, so that the far end releases it gradually: the mean speed of
-/// the piece is less than that of its end. The difference is the loss of a front of that width,
-/// which decreases with shorter steps.
+/// The wave is spread over some steps, so that the far end releases gradually: the piece as a whole
+/// is slower than its end. The difference is the loss of a front of this width, smaller with
+/// shorter steps.
 TEST(WireRecoil, TheWholePieceIsSlowerThanItsEnd) {
     const double v = kTaut / std::sqrt(kStiff * kDense);
     double mean[2];
@@ -86,11 +86,12 @@ TEST(WireRecoil, TheWholePieceIsSlowerThanItsEnd) {
     }
     EXPECT_NEAR(mean[0], 0.746, 2e-3);
     EXPECT_NEAR(mean[1], 0.875, 2e-3);
-    // Half of the difference at a quarter of the step: the width grows with its square root.
+    // Half of the difference at a quarter of the step: the width is proportional to its square
+    // root.
     EXPECT_NEAR((1.0 - mean[1]) / (1.0 - mean[0]), 0.5, 0.02);
 }
 
-/// Elements that part in the first step, or before it, recoil as others.
+/// Elements that break in the first step, or before it, recoil like others.
 TEST(WireRecoil, BeginsBeforeTheFirstStepToo) {
     double speed[2];
     for (const int before : {0, 4}) {
@@ -102,11 +103,11 @@ TEST(WireRecoil, BeginsBeforeTheFirstStepToo) {
     }
     const double v = kTaut / std::sqrt(kStiff * kDense);
     EXPECT_NEAR(speed[1], -v, 1e-3 * v);
-    // The start moves back by half a step first.
+    // The start goes back by half a step first.
     EXPECT_NEAR(speed[0], -v, 2e-2 * v);
 }
 
-/// An intact wire moves as without the broken one, except that a refined solution is refined for
+/// An intact wire is stepped as if it were alone, except for rounding of a solution refined for
 /// all.
 TEST(WireRecoil, LeavesOtherWiresAlone) {
     Taut with(2, 40, 5.0, 0.3, 1.0 / 60), without(2, 40, 5.0, 0.3, 1.0 / 60);
@@ -123,14 +124,14 @@ TEST(WireRecoil, LeavesOtherWiresAlone) {
     }
 }
 
-/// Damping acts again after the recoil: oscillations along the rest of the wire decay as in a wire
+/// Dampers act again after the recoil: vibrations along the remaining wire decay like in a wire
 /// that always had this length.
 TEST(WireRecoil, EndsAndDampersActAgain) {
     double left[2];
     for (const bool parted : {true, false}) {
         Taut t(1, 41, 20.0, 0.02, 1.0 / 960);
         t.steps(2);
-        // The last element breaks: the rest is attached to no body and is held by hand.
+        // The last element breaks: the rest is attached to no body, and is held by hand.
         const auto nodes = t.w.nodes(t.wire[0]);
         if (parted) t.w.part(t.w.elements(t.wire[0])[40]);
         t.steps(960);
@@ -153,7 +154,7 @@ TEST(WireRecoil, EndsAndDampersActAgain) {
     EXPECT_NEAR(left[0] / left[1], 1.0, 0.02);
 }
 
-/// Save at any step of the recoil and continue in another world.
+/// Saved at any step of the recoil, and continued in another world.
 TEST(WireRecoil, IsSavedAndRestored) {
     const auto world = [] { return Taut(2, 60, 4.0, 0.1, 1.0 / 240); };
     Taut t = world();
@@ -178,7 +179,7 @@ TEST(WireRecoil, IsSavedAndRestored) {
     EXPECT_EQ(copy.state_hash(), t.w.state_hash());
 }
 
-/// Edits near it, and of the wire itself, do not end the recoil.
+/// Edits beside it, and of the wire itself, do not end the recoil.
 TEST(WireRecoil, GoesOnThroughEdits) {
     Taut t(1, 201, 5.0, 0.1, 1.0 / 60);
     t.steps(4);

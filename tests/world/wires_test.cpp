@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires as things of a world.
+/// Wires as objects of a world.
 #include <hawser/hawser.h>
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(Wires, HangByTheirWeight) {
     for (const BodyId b : w.bodies()) mass += b == h.top ? 0.0 : w.body_def(b).mass;
     EXPECT_DOUBLE_EQ(mass, 4.0 * 45.0) << "half an element hangs on the body at the top";
     for (int i = 0; i < 240; ++i) ASSERT_EQ(w.step(), Status::ok);
-    // Lumps below the middle of element k: (4 - k) whole ones and a half.
+    // Nodes below the middle of element k: (4 - k) whole ones and a half.
     for (int k = 0; k < 5; ++k) {
         const double weight = 9.81 * 4.0 * 10.0 * (4.5 - k);
         EXPECT_NEAR(w.tension(h.wire, 10.0 * k + 5.0), weight, 1e-3 * weight) << "element " << k;
@@ -74,7 +74,7 @@ TEST(Wires, OfSectionsHangByTheWeightOfEach) {
     EXPECT_DOUBLE_EQ(lump(4).linear_damping.x(), 0.5 * 8.0);
     EXPECT_DOUBLE_EQ(lump(7).mass, 120.0);
     EXPECT_NEAR((lump(4).position - w.body_def(top).position).norm(), 40.0, 1e-12);
-    // A bend about that node: flexibilities in a row, 5 m of 900 and 2 m of 300 N m².
+    // A bend about this node: flexibilities in series, 5 m of 900 and 2 m of 300 N m².
     const InteractionDef bend = w.interaction_def(w.find_interaction("line/b4"));
     EXPECT_DOUBLE_EQ(bend.get("length"), 7.0);
     EXPECT_NEAR(bend.get("EI"), 7.0 / (5.0 / 900.0 + 2.0 / 300.0), 1e-9);
@@ -163,7 +163,7 @@ TEST(Wires, PartWhereTheyAreTold) {
     const double z = w.pose(w.nodes(h.wire)[5]).position.z();
     const double h_step = w.settings().step;
     for (int i = 0; i < 30; ++i) ASSERT_EQ(w.step(), Status::ok);
-    // The lower part falls freely, half a second.
+    // The lower part falls freely for half a second.
     EXPECT_NEAR(w.pose(w.nodes(h.wire)[5]).position.z() - z, -0.5 * 9.81 * 0.25,
                 9.81 * 0.5 * h_step);
     EXPECT_NEAR(w.tension(h.wire, 5.0), 9.81 * 4.0 * 20.0, 0.2 * 9.81 * 4.0 * 20.0);
@@ -171,7 +171,7 @@ TEST(Wires, PartWhereTheyAreTold) {
     EXPECT_THROW(w.part(InteractionId{99}), DefError);
 }
 
-/// Without a breaking load, too: its snapshots are states that a world can have.
+/// Also without a breaking load: snapshots are states that a world can have.
 TEST(Wires, PartedOnesAreSavedAndRestored) {
     Hanging h;
     for (int i = 0; i < 10; ++i) ASSERT_EQ(h.w.step(), Status::ok);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Functions that move or add lanes, against loops over entries. Entries are small integers, so
-/// every sum is exact and results are compared bit for bit.
+/// that every sum is exact and results are compared bit for bit.
 #include "factor/isa/lanes.h"
 
 #include "base/lanes.h"

@@ -4,7 +4,8 @@
 /// Checks of base/lanes.h and base/transpose.h, compiled once for each instruction set.
 
 namespace hawser::sse2 {
-/// @return name of the first function with a wrong result; null: none.
+/// Check all functions. @return name of the first function with a wrong result; null if there is
+/// none.
 [[nodiscard]] const char* wrong_lanes();
 }  // namespace hawser::sse2
 namespace hawser::avx2 {

@@ -23,13 +23,12 @@ Real beyond_edges(const Face& f, Vec p) {
 
 namespace {
 
-/// Normals and points this close to the boundary between two rules may follow either.
+/// Normals and positions this close to the bounds between two rules may follow either.
 constexpr Real kEither = 1e-4L;
 
 enum class Holds { yes, no, either };
 
-/// Return whether m, pointing out of the surface, is an allowed normal at the part of the triangle
-/// that faces it.
+/// Check whether m, out of the surface, is a normal at the part of the triangle that faces it.
 Holds allowed(const Surface& s, const Face& f, Vec m) {
     int top = 0;
     for (int k = 1; k < 3; ++k)
@@ -54,7 +53,7 @@ Holds allowed(const Surface& s, const Face& f, Vec m) {
     return std::fabs(most) < kEither ? Holds::either : (most > 0 ? Holds::no : Holds::yes);
 }
 
-/// The deepest point along the normal of the triangle, on one side.
+/// Add the deepest point along the normal of the triangle, on one side.
 void claim_along(const Body& a, const Face& f, Vec n, bool sure, Claims& out) {
     const Vec p = support(a, -1.0L * n);
     const Real gap = dot(n, p - f.corner[0]) - a.rounding, beyond = beyond_edges(f, p);
@@ -62,7 +61,7 @@ void claim_along(const Body& a, const Face& f, Vec n, bool sure, Claims& out) {
     out.clipped.push_back(&f);
 }
 
-/// Lower bound of the distance: along the normal, and beyond the edges.
+/// Return a lower bound of the distance: along the normal, and beyond the edges.
 Real at_least(const Body& a, const Face& f) {
     Real most = std::max(separation_along(a, f.body, f.normal),
                          separation_along(a, f.body, -1.0L * f.normal));
@@ -74,7 +73,7 @@ Real at_least(const Body& a, const Face& f) {
     return most;
 }
 
-/// Return the overlap of the cell of the triangle (of a heightfield) with the box around the shape.
+/// Return by how much the triangle's cell (of a heightfield) meets the box around the shape.
 Real under_box(const Surface& s, const Body& a, const Face& f) {
     Real least = 1e30L;
     for (int k = 0; k < 2; ++k) {
@@ -107,7 +106,8 @@ void claim(const Surface& s, const Body& a, const Face& f, const Answer& answer,
     const bool either = !s.solid && std::fabs(along) < 0.5L + kEither &&
                         (std::fabs(centre) < kEither || std::fabs(along) > 0.5L - kEither);
     const bool up = s.solid || (std::fabs(along) < 0.5L ? centre > 0 : along > 0);
-    // Cells beyond the box around the shape may be left out, or not: it need not be the least one.
+    // Cells beyond the box around the shape may be left out or not: the depth need not be the
+    // least.
     const bool sure = !unsure && !either && (!s.solid || under_box(s, a, f) > kEither);
     if (up || either) claim_along(a, f, f.normal, sure, out);
     if (!up || either) claim_along(a, f, -1.0L * f.normal, sure, out);
@@ -157,7 +157,7 @@ Claims claims_on(const Surface& s, const Body& a, Vec middle, Real margin) {
             claim(s, a, f, answer, out);
         } else {
             out.truth = std::min(out.truth, bound);
-            // Completely below the triangle: pushed up if it is under it.
+            // Entirely below the triangle: pushed up where it is under it.
             const bool below = separation_along(a, f.body, f.normal) > 0;
             if (s.solid) claim_along(a, f, f.normal, below && under_box(s, a, f) > kEither, out);
         }

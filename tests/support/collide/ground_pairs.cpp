@@ -25,7 +25,8 @@ bool on_triangle(const Face& f, Vec p) {
     return std::fabs(dot(f.normal, p - f.corner[0])) < kBand && beyond_edges(f, p) < 10 * kBand;
 }
 
-/// Distance of a point to the boundary of the shape's core, moved by its rounding along n.
+/// Return the distance of a point to the boundary of the shape's core, moved by its rounding along
+/// n.
 Real off_boundary(Body a, Vec p, Vec n) {
     p = p - a.rounding * n;
     a.rounding = 0;
@@ -69,7 +70,7 @@ void judge_inside(const Claims& claims, const Body& a, const ManifoldPoint& p, s
         if (std::fabs(c.gap - p.gap) > kBand || p.gap > sure + kBand) continue;
         if (length(n - c.n) < error) own = &c, error = length(n - c.n);
     }
-    // The point beside a triangle may be as deep as the claim of another one.
+    // A point beside its triangle may happen to be as deep as the claim of another one.
     for (const Face* f : claims.clipped) {
         if (error < kBand || p.gap > sure + kBand || !on_triangle(*f, on1)) continue;
         if (1 - std::fabs(dot(n, f->normal)) > 1e-13L || off_boundary(a, on0, n) > kBand) continue;

@@ -44,7 +44,7 @@ void add_grid(Surface& s, Random& random) {
         }
 }
 
-/// Nine vertices around, a top and a bottom.
+/// Add a rock: nine vertices around, a top and a bottom.
 void add_rock(Surface& s, Random& random) {
     constexpr int kAround = 9;
     for (int k = 0; k < kAround; ++k) {

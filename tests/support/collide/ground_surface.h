@@ -11,8 +11,8 @@ namespace hawser::test {
 
 enum class Ground {
     heightfield,  ///< 3 × 3 cells of 4 m, heights within ±1 m.
-    terrain,      ///< The heightfield as a mesh; some triangles the other way around.
-    rock,         ///< A closed mesh, about 8 m wide, with edges bent both ways.
+    terrain,      ///< The heightfield as a mesh; some triangles have the opposite orientation.
+    rock,         ///< A closed mesh, about 8 m wide, with convex and concave edges.
 };
 
 struct Face {
@@ -30,12 +30,12 @@ struct Surface {
     std::vector<Vec3> vertices;  ///< In the surface's frame.
     std::vector<Face> faces;
     std::vector<reference::Vec> world;   ///< Vertices in the world.
-    std::vector<std::vector<int>> ring;  ///< Vertices around each.
+    std::vector<std::vector<int>> ring;  ///< Neighbouring vertices of each.
 };
 
-/// Placed anywhere within 5 m.
+/// Make a surface at a random position within 5 m.
 Surface random_surface(Random& random, Ground kind);
-/// Transform a point of the world to the frame, or a direction of the frame to the world.
+/// Transform a position from the world to the frame, or a direction from the frame to the world.
 reference::Vec local(const collide::Placement& p, reference::Vec x);
 reference::Vec turned(const collide::Placement& p, const Vec3& v);
 

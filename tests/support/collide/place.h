@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file place.h
-/// Placements of shapes, in short form.
+/// Placements of shapes in short notation.
 
 #include <hawser/math.h>
 

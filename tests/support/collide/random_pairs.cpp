@@ -31,8 +31,8 @@ Placement random_placement(Random& random, double reach) {
 
 namespace {
 
-/// Faces of the hull of a few points (no four in one plane), and its edges, by trying all; points
-/// inside it are dropped.
+/// Find the faces of the hull of a few points (no four in one plane), and its edges, by trying all;
+/// points inside it are dropped.
 void find_faces(RandomShape& s) {
     const std::size_t count = s.points.size();
     std::vector<std::vector<int>> uses(count, std::vector<int>(count, 0));
@@ -213,7 +213,7 @@ void judge_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
     for (int i = 1; i < m.count; ++i)
         if (m.point[i].gap < deepest->gap) deepest = &m.point[i];
     const Vec n = vec(deepest->normal);
-    // Along any normal the distance is at least this: the scan of the reference may miss a peak.
+    // Along any normal the distance is at least this: the scan of the reference may miss a maximum.
     const Real along = gb.kind == ShapeKind::plane ? truth.gap : separation_along(a, b, n);
     const bool missed = along > truth.gap + 1e-9L;
     truth.gap = std::max(truth.gap, along);
@@ -224,7 +224,7 @@ void judge_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
     if (missed) return void(++score.ambiguous);
     const double normal_error = static_cast<double>(length(n - truth.n));
     if (normal_error <= score.worst_normal || truth.normal_error > 1e-7L) return;
-    // Not unique: another normal, far away, that does as well.
+    // Not unique: a different normal has an equal distance.
     const bool as_good =
         gb.kind != ShapeKind::plane && along > truth.gap - (draw == Draw::aligned ? 1e-8L : 1e-9L);
     if (as_good && (normal_error > 1e-3 || draw == Draw::aligned)) {

@@ -79,7 +79,7 @@ Vec difference(const Body& a, const Body& b, Vec n) {
 }
 Real cores(const Body& a, const Body& b, Vec n) { return dot(n, difference(a, b, n)); }
 
-/// Nearest point to the origin of the affine hull of some points, if it lies within them.
+/// Find the nearest point to the origin of the affine hull of some points, if it lies within them.
 bool inside_nearest(const Vec* w, int count, Vec& out) {
     if (count == 1) return out = w[0], true;
     // Normal equations of the differences from w[0], by elimination with pivoting.
@@ -112,7 +112,7 @@ bool inside_nearest(const Vec* w, int count, Vec& out) {
     return first >= 0;
 }
 
-/// Least |b − a|; `gap`: bound of |v − v*|².
+/// Minimise |b − a|; `gap`: bound of |v − v*|².
 Vec nearest(const Body& a, const Body& b, Real& gap) {
     std::vector<Vec> w;
     Vec v = difference(a, b, unit(b.c - a.c + Vec{1e-30L, 0, 0}));
@@ -152,7 +152,7 @@ Vec nearest(const Body& a, const Body& b, Real& gap) {
     return v;
 }
 
-/// Bound of the distance of the body's points from its centre.
+/// Return a bound of the distance of the body's points from its centre.
 Real reach(const Body& o) {
     Real most = length({o.half[0], o.half[1], o.half[2]}) + o.radius + o.half_length;
     for (const Vec& p : o.points) most = std::max(most, length(p - o.c));
@@ -168,7 +168,7 @@ struct Search {
         const Real s = cores(a, b, m);
         if (s > best) best = s, n = m;
     }
-    /// All local maxima on the circle perpendicular to e.
+    /// Find all local maxima on the circle perpendicular to e.
     void circle(Vec e) {
         const Vec u = unit(cross(e, std::fabs(e.x) < 0.6L ? Vec{1, 0, 0} : Vec{0, 1, 0}));
         const Vec v = cross(e, u);
@@ -187,10 +187,11 @@ struct Search {
         for (int i = 0; i < kScan; ++i) {
             const Real left = scan[(i + kScan - 1) % kScan], right = scan[(i + 1) % kScan];
             if (scan[i] < left || scan[i] < right) continue;
-            // A maximum cannot rise above the scan by more than the slope allows.
+            // A maximum exceeds the scan by at most the slope's bound.
             if (scan[i] + step * steepest < best) continue;
             Real low = (i - 1) * step, high = (i + 1) * step;
-            // Sign of the slope: exact also at kinks, where golden section would stop early.
+            // Bisect by the sign of the slope: exact also at kinks, where golden section would stop
+            // early.
             for (int k = 0; k < 62; ++k) {
                 const Real t = (low + high) / 2;
                 const Vec m = at(t), along = std::cos(t) * v - std::sin(t) * u;
@@ -199,7 +200,7 @@ struct Search {
             propose(at((low + high) / 2));
         }
     }
-    /// Maxima off the circles: between two rims, or a rim and a vertex.
+    /// Find maxima off the circles: between two rims, or a rim and a vertex.
     void sphere() {
         constexpr int kScan = 1500;
         static const std::vector<Vec> kWays = [] {
@@ -247,7 +248,7 @@ struct Search {
         }
         propose(newton(m));
     }
-    /// The slopes of s over the tangent plane at m, shifted by (x, y).
+    /// Return the slopes of s over the tangent plane at m, shifted by (x, y).
     std::array<Real, 2> slopes(Vec m, Vec u, Vec v, Real x, Real y) const {
         const Vec way = m + x * u + y * v;
         const Vec top = unit(way), g = difference(a, b, top);
@@ -285,8 +286,8 @@ Answer signed_distance(const Body& a, const Body& b) {
     Real gap = 0;
     const Vec v = nearest(a, b, gap);
     const Real distance = length(v), rounding = a.rounding + b.rounding;
-    // The distance lies between s along v and |v|. On very thin shapes that overlap the
-    // minimisation may end early: then they differ, and all normals are searched as well.
+    // The distance is between s along v and |v|. For very thin overlapping shapes the minimisation
+    // may end early: both then differ, and all normals are searched as well.
     const bool apart = distance > 1e-12L;
     if (apart && distance - cores(a, b, (1 / distance) * v) < 1e-7L)
         return {distance - rounding, (1 / distance) * v,
@@ -302,7 +303,7 @@ Answer signed_distance(const Body& a, const Body& b) {
             search.propose(unit(m));
             search.propose(-1.0L * unit(m));
         }
-    // Points, and lines along each other, that coincide: any normal across them.
+    // Coincident points, or coincident parallel lines: any perpendicular normal is valid.
     if (a.faces.empty() && b.faces.empty()) {
         const Vec e = a.edges.empty() ? (b.edges.empty() ? Vec{0, 0, 1} : b.edges[0]) : a.edges[0];
         search.propose(unit(cross(e, std::fabs(e.x) < 0.6L ? Vec{1, 0, 0} : Vec{0, 1, 0})));

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file reference.h
-/// Signed distance of two convex shapes in long double, slow and simple, as a reference for the
-/// collision code. They have only the mathematics in common. For a unit normal n from A to B,
+/// Signed distance of two convex shapes in long double, by a slow and direct method, as a reference
+/// for the collision code. It shares no code with it. For a unit normal n from A to B,
 ///     s(n) = min over B of n·b − max over A of n·a
 /// is a lower bound of the signed distance, which is its maximum.
 ///
-/// Apart: minimisation of |b − a| over both sets by corrected Frank-Wolfe steps; the duality gap
-/// bounds the error of the result. Overlapping: all local maxima of s are collected at three kinds
-/// of normals. They are normals of faces; normals perpendicular to each edge, on circles (golden
-/// section from a scan); and, for curved shapes, the sphere (a scan, then a pattern search). For
-/// two boxes these are the 15 axes, in closed form.
+/// Separated: minimisation of |b − a| over both sets by corrected Frank-Wolfe steps; the duality
+/// gap bounds the error of the result.
+///
+/// Overlapping: all local maxima of s are collected. They are at normals of faces; on the circles
+/// of normals perpendicular to each edge (golden section from a scan); and, for curved shapes, on
+/// the sphere (a scan, then a pattern search). For two boxes these are the 15 axes, in closed form.
 
 #include "collide/geometry.h"
 
@@ -34,26 +35,27 @@ inline Vec cross(Vec a, Vec b) {
 inline Real length(Vec a) { return std::sqrt(dot(a, a)); }
 inline Vec unit(Vec a) { return (1 / length(a)) * a; }
 
-/// A convex core in the world, with a rounding.
+/// A convex core in the world, with a rounding radius.
 struct Body {
     ShapeKind kind;
     Vec c, axis[3];
     Real rounding = 0, radius = 0, half_length = 0, half[3] = {0, 0, 0};
-    std::vector<Vec> points;        ///< Hull, triangle: in the world.
-    std::vector<Vec> faces, edges;  ///< Normals (one of each opposite pair does) and directions.
+    std::vector<Vec> points;        ///< Hull or triangle: points in the world.
+    std::vector<Vec> faces, edges;  ///< Normals (one of each opposite pair is sufficient) and
+                                    ///< directions.
 };
 
 Body make_body(const collide::Geometry& shape, const collide::Placement& placed);
-/// Make a body from points in the world; all edges and faces of their hull are tried.
+/// Make a body of points in the world; all edges and faces of their hull are tried.
 Body make_points(const std::vector<Vec>& points, const std::vector<Vec>& faces,
                  const std::vector<Vec>& edges);
 Vec support(const Body& body, Vec n);
-Real separation_along(const Body& a, const Body& b, Vec n);  ///< Roundings included.
+Real separation_along(const Body& a, const Body& b, Vec n);  ///< Includes rounding radii.
 
 struct Answer {
     Real gap;           ///< Signed distance.
     Vec n;              ///< From a to b.
-    Real normal_error;  ///< Bound of the error of n; large if n is uncertain.
+    Real normal_error;  ///< Bound of the error of n; large if n is not well defined.
 };
 Answer signed_distance(const Body& a, const Body& b);
 

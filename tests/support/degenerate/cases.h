@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file cases.h
-/// Worlds at the edge of sense, through the public interface.
+/// Degenerate worlds through the public interface.
 
 #include "support/yard.h"
 
@@ -18,7 +18,7 @@ inline constexpr double kWhatever = 1e300;
 struct Degenerate {
     std::string name;
     std::function<void(Yard&)> build;
-    /// Maximum speed of the centre of a body that the case can explain [m/s].
+    /// Largest plausible speed of a body's centre [m/s].
     double fastest = kWhatever;
     int steps = 60;
     std::function<void(World&, int)> before_step{};
@@ -27,16 +27,16 @@ struct Degenerate {
 using Cases = std::vector<Degenerate>;
 
 // Shapes.
-Cases coincident();  ///< Four bodies at one position, each two kinds.
-Cases faces();       ///< Faces on faces: zero gap, redundant points, no clearance.
+Cases coincident();  ///< Four bodies at one position, two each of two kinds.
+Cases faces();       ///< Faces on faces: zero gap, redundant points, no free space.
 Cases ratios();      ///< Masses and moments of inertia.
 Cases sizes();       ///< 1e-6 m to 1e5 m.
-Cases features();    ///< Segments without length, slivers, flat hulls.
+Cases features();    ///< Segments of zero length, slivers, flat hulls.
 
 // Motions.
 Cases weightless();  ///< Contact without normal force.
 Cases frictions();   ///< μ = 0 and 100.
-Cases teleported();  ///< Set into each other before every step.
+Cases teleported();  ///< Moved into each other before every step.
 Cases fast();        ///< Spinning, shot.
 Cases materials();   ///< Ends of the ranges.
 Cases steps_and_gravity();

@@ -124,8 +124,8 @@ Cases teleported() {
                    },
                    kWhatever, 30,
                    [](World& w, int step) {
-                       // limited to its range
-                       const double far = std::pow(10.0, std::min(step, 7));
+                       const double far =
+                           std::pow(10.0, std::min(step, 7));  // up to the largest distance
                        w.set_pose(BodyId{1}, {{far, -far, 0.5}, Quat::Identity()});
                        if (step > 10) w.set_pose(BodyId{2}, {{far, -far, -far}, Quat::Identity()});
                    }});

@@ -41,7 +41,7 @@ Cases faces() {
              for (int i = 0; i < 10; ++i) y.add(shape_of(ShapeKind::box, 0.5), b);
          },
          0.2},
-        {"between_two_planes",  // fixed, 1 mm too close for it
+        {"between_two_planes",  // fixed planes, 1 mm too close
          [](Yard& y) {
              lay_floor(y);
              const BodyId lid = y.fixed({0, 0, 0.999});
@@ -91,8 +91,8 @@ Cases ratios() {
                            y.box({0, 0, 2.5}, 1.0, {0.5, 0.5, 0.5});
                        },
                        1.0});
-    // Moments of inertia with ratios of up to 1e12, the limit for a body. Not all of their steps
-    // are solved (the smallest moment is 1e-18 kg m²), and the error moves them.
+    // Moments of inertia with ratios of up to 1e12, the limit of a body. Not all of their steps are
+    // solved (the smallest moment is 1e-18 kg m²), and the residual moves them.
     for (const double thin : {1e-3, 1e-6})
         for (const double mass : {1e-6, 1.0, 1e6})
             all.push_back({"needle_of_" + std::to_string(static_cast<int>(1e6 * thin)) + "um_" +
