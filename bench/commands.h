@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// Subcommands of hawser-bench. Each parses its own arguments, with its name in argv[0], and
-/// returns the exit code of the program. To add one: declare it here, add a line to the table in
+/// Subcommands of hawser-bench. Each takes its own arguments, with its name as argv[0], and returns
+/// the exit code of the program. To add one, declare it here and add a line to the table in
 /// main.cpp.
 #pragma once
 
@@ -13,7 +13,7 @@ int step_command(int argc, char** argv);
 /// Time factorisation and solution of a scene's matrix against libraries.
 int factor_command(int argc, char** argv);
 
-/// Compare the factorisation with the limits of the processor.
+/// Compare Hawser's factorisation with the limits of the processor.
 int roofline_command(int argc, char** argv);
 
 /// Time whole steps of a million rigid links.
@@ -24,7 +24,7 @@ int friction_command(int argc, char** argv);
 
 /// Compare parts and orders with those of METIS, Scotch and AMD.
 int partition_command(int argc, char** argv);
-/// Keep a budget while the load of a scene doubles.
+/// Keep to a budget while the load of a scene doubles.
 int deadline_command(int argc, char** argv);
 /// Compare splits with exact coupling.
 int coupling_command(int argc, char** argv);
@@ -32,25 +32,25 @@ int coupling_command(int argc, char** argv);
 /// Compare state hashes between numbers of threads, and after restoring.
 int hashes_command(int argc, char** argv);
 
-/// Run random mechanisms, and check the runs that end ok.
+/// Run random mechanisms, and check those that end ok.
 int random_command(int argc, char** argv);
 
-/// Measure clients of `hawser view` and their cost for the run.
+/// Measure clients of `hawser view` and their cost to the run.
 int view_command(int argc, char** argv);
 
-/// Measure the time in which a client reads a world.
+/// Time a client's calls that read a world.
 int interface_command(int argc, char** argv);
 
-/// Measure the time of waves, hulls and their memory.
+/// Time waves, hulls and their memory.
 int sea_command(int argc, char** argv);
 
-/// Measure the time of adding and removing objects while a world runs.
+/// Time additions and removals in a running world.
 int edits_command(int argc, char** argv);
 
 /// Compare engines on the scenes of peers/scenes.h.
 int peers_command(int argc, char** argv);
 
-/// Compare engines on a wire around a post.
+/// Compare engines on a wire around a bollard.
 int wires_command(int argc, char** argv);
 
 }  // namespace hawser::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench coupling: the splits of the paper compared with exact coupling, on the same cuts
+// hawser-bench coupling: the splits of the paper compared with exact coupling, on equal cuts
 // (docs/theory/splits.md).
 #include "commands.h"
 #include "coupling_chains.h"
@@ -24,8 +24,8 @@ namespace {
 /// Spans of a traced step: some hundreds; 12 MB.
 constexpr std::size_t kSpans = std::size_t{1} << 18;
 
-/// Alternate the worlds, so that other processes affect all of them equally. Turns are shorter than
-/// the time for which another process takes a processor.
+/// Measure in turns, so that other load of the machine affects all modes: turns are shorter than
+/// the time for which it occupies a processor.
 std::vector<ModeFigures> measure_times(const std::string& file, const CouplingOptions& o,
                                        const PoolCosts& costs) {
     std::vector<ModeFigures> out;
@@ -51,7 +51,7 @@ std::vector<ModeFigures> measure_times(const std::string& file, const CouplingOp
     return out;
 }
 
-/// From the state that exact steps reach: a split may have lost it.
+/// Start from the state of exact steps: a split may have diverged from it.
 Stiffness stiffness_of(const std::string& file, const Mode& mode,
                        const std::vector<InteractionId>& cuts, const CouplingOptions& o) {
     fmt::print(stderr, "{}: largest stable stiffness, {}\n", file, mode.name());
@@ -90,7 +90,7 @@ Json compare(const std::string& file, const CouplingOptions& o, const PoolCosts&
     return {{"scene", file}, {"parts", o.parts}, {"modes", rows}, {"exact_over_split", ratios}};
 }
 
-/// Compare the stability boundary of two bodies, found by bisection, with that of the theory.
+/// Compare the stability limit of two bodies, by bisection, with theory.
 Json judge_boundaries(const CouplingOptions& o, Verdict& verdict) {
     Json rows = two_body_boundaries(o.quick ? 2 : 6);
     double most = 0.0;

@@ -17,8 +17,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kStep = 1.0 / 60;
 
-/// Lumps along x, 10 m apart, joined by rods of stiffness k and damping time n h. Those from
-/// `border` on form another group.
+/// Make point masses along x, 10 m apart, joined by rods of stiffness k and damping time n h; those
+/// from `border` on are another group.
 World chain(const std::vector<double>& mass, double k, double n, std::size_t border,
             Coupling coupling, Predictor predictor) {
     WorldDef def;
@@ -49,7 +49,7 @@ World chain(const std::vector<double>& mass, double k, double n, std::size_t bor
     return world;
 }
 
-/// Return A (1 + Υ(2 − R)): at most 2 if stable (docs/theory/splits.md).
+/// Compute A (1 + Υ(2 − R)): at most 2 if stable (docs/theory/splits.md).
 double criterion(double m1, double m2, double k, double n) {
     const double z = k * kStep * kStep * (1.0 / m1 + 1.0 / m2) * (n + 0.25);
     const double late = -1.0 / std::expm1(-z) - 1.0 / z;
@@ -58,7 +58,7 @@ double criterion(double m1, double m2, double k, double n) {
     return (1.0 / (1.0 + m1 * sigma) + 1.0 / (1.0 + m2 * sigma)) * (1.0 + upsilon * (2.0 - recall));
 }
 
-/// Largest k for which `stable(k)`, to 0.1 %.
+/// Find the largest k for which `stable(k)`, to 0.1 %.
 template <class F>
 double largest(F&& stable) {
     double low = 1.0, high = 1e12;
@@ -69,8 +69,8 @@ double largest(F&& stable) {
     return std::sqrt(low * high);
 }
 
-/// @return true if the stretch of the one rod grows in 2,000 steps. At the boundary growth
-///        vanishes, and the spectral radius would not resolve 1 %.
+/// True if the stretch of the one rod grows in 2,000 steps. Growth vanishes at the boundary, where
+/// the spectral radius does not resolve 1 %.
 bool grows(World& world) {
     Twist kick;
     kick.linear = {1e-3, 0, 0};
@@ -90,9 +90,10 @@ bool grows(World& world) {
     return late == HUGE_VAL || late > 1.5 * early;
 }
 
-/// Return the growth per step of a disturbance of 1 nm/s. It is linear about the chain at rest, so
-/// that this is the spectral radius, with the multipliers of the last step. It ends at a growth of
-/// 1e8 or after 2,000 steps, over which a neutral motion changes by less than a thousandth a step.
+/// Return the growth per step after a kick of 1 nm/s. The chain at rest is linear for it, so that
+/// this is the spectral radius, including multipliers of the last step. Measured until it is 1e8
+/// times as large, or for 2,000 steps, over which a neutral motion changes by less than a
+/// thousandth per step.
 double growth(World& world) {
     const int bodies = world.body_count();
     std::vector<double> v(static_cast<std::size_t>(bodies), 0.0);
@@ -159,7 +160,7 @@ Json two_body_boundaries(int cases) {
 Json chain_predictors() {
     struct Case {
         const char* name;
-        std::size_t border, heavy;  ///< heavy: index of a body of 1000 m, or none.
+        std::size_t border, heavy;  ///< heavy: index of a body of 1000 m, or none
     };
     constexpr std::size_t kNone = 99;
     const Case cases[] = {

@@ -10,7 +10,8 @@
 namespace hawser::bench::split {
 namespace {
 
-/// Cut chains of links into sections of equal length. The partitioner cuts only wires of lumps.
+/// Cut a chain of links into stretches of equal length. The partitioner only cuts wires of point
+/// masses.
 void cut_chains(scene::Scene& scene, int parts) {
     for (const scene::Cable& cable : scene.cables)
         for (std::size_t i = 0; i < cable.nodes.size(); ++i)
@@ -19,7 +20,7 @@ void cut_chains(scene::Scene& scene, int parts) {
                 "part " + std::to_string(i * static_cast<std::size_t>(parts) / cable.nodes.size()));
 }
 
-/// @return true if a body is faster than any in these scenes, or a velocity is not finite.
+/// True if a velocity exceeds those of the scenes, or is NaN.
 bool runaway(const World& world) {
     for (std::int32_t b = 0; b < world.body_count(); ++b)
         if (!(world.velocity(BodyId{b}).linear.norm() < 100.0)) return true;
@@ -44,8 +45,8 @@ scene::Scene load_split(const std::string& file, const Mode& mode, int parts, in
     using verify::to_string;
     scene::Options options;
     options.threads = threads;
-    // Make the groups of all modes by the same split. Refine solutions until the remaining error of
-    // momentum comes from the coupling alone.
+    // The same split makes the groups of all modes, which stay. Solutions are refined until the
+    // momentum residual is that of the coupling.
     options.set = {"settings.coupling=kinematic",
                    fmt::format("settings.predictor={}", to_string(mode.predictor)),
                    "settings.parts=0", "settings.solution_tolerance=1e-12"};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file coupling_measure.h
-/// Ways to couple that hawser-bench coupling compares, and runs of scenes under them.
+/// Couplings that hawser-bench coupling compares, and runs of scenes with them.
 
 #include <hawser/scene.h>
 
@@ -36,19 +36,19 @@ struct CouplingOptions {
     std::vector<int> threads{1, 2};
     int parts = 4, steps = 120, rounds = 24;
     bool stiffness = true;
-    double stiffness_seconds = 10.0;  ///< Time for the search of one mode [s].
+    double stiffness_seconds = 10.0;  ///< Time limit of the search of one mode [s].
     bool quick = false;
     std::string json;
 };
 
-/// Load a scene whose splits all have the same cuts: those of the partitioner, or sections of equal
+/// Load a scene with equal cuts for every split: those of the partitioner, or stretches of equal
 /// length if it finds none.
 [[nodiscard]] scene::Scene load_split(const std::string& file, const Mode& mode, int parts,
                                       int threads);
 
 struct Quality {
     verify::CouplingFigures figures;
-    double lost_at = -1.0;  ///< Time at which a step failed or something ran away [s]; −1: none.
+    double lost_at = -1.0;  ///< Time at which a step failed or diverged [s]; −1: none.
     double energy_drift = 0.0, energy_exchanged = 0.0;  ///< [J]
     int islands = 0, cuts = 0;
     [[nodiscard]] bool lost() const noexcept { return lost_at >= 0.0; }
@@ -57,7 +57,7 @@ struct Quality {
 /// Compare every step with an exact one from the same state.
 [[nodiscard]] Quality measure_quality(World& world, int steps);
 
-/// Times of steps, alternating with the steps of other worlds.
+/// Times of steps, in turns with those of other worlds.
 struct Timed {
     World world;
     std::vector<double> wall{}, cpu{};  ///< [ms]

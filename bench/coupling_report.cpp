@@ -19,7 +19,7 @@ std::string printed(double value, bool measured, const char* format = "{:.2g}") 
     return measured ? fmt::format(fmt::runtime(format), value) : "-";
 }
 
-/// Return the index of a number of threads among those timed; their count if it is absent.
+/// Return the index of a number of threads among those timed; their count if it is not.
 std::size_t place(const CouplingOptions& o, int threads) {
     return static_cast<std::size_t>(std::find(o.threads.begin(), o.threads.end(), threads) -
                                     o.threads.begin());

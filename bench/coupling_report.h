@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file coupling_report.h
-/// Printed and stored results of hawser-bench coupling.
+/// Output of hawser-bench coupling.
 
 #include "coupling_measure.h"
 #include "coupling_simulated.h"
@@ -17,23 +17,23 @@ namespace hawser::bench::split {
 
 using Json = nlohmann::ordered_json;
 
-/// Measurements of one way to couple.
+/// Results of one coupling.
 struct ModeFigures {
     Mode mode;
     Quality quality;
-    Stiffness stiffness;  ///< Zeros for exact coupling, which has no cuts, and if not measured.
+    Stiffness stiffness;       ///< Zeros for exact coupling, which has no cuts, and if not
+                               ///< measured.
     std::vector<Timed> timed;  ///< By number of threads.
     SimulatedStep simulated;
 };
 
-/// Return one row of results. Figures that a mode does not have are null: errors at cuts for exact
-/// coupling, the spectral radius of a run that diverged.
+/// Return a row. Missing values are null: defects of exact coupling, the spectral radius of a run
+/// that diverged.
 [[nodiscard]] Json row_of(const ModeFigures& f, const CouplingOptions& o);
 void print_row(const ModeFigures& f);
-/// Print the simulated steps of one thread, and their difference from steps on two threads.
+/// Print the simulation from steps of one thread, and its difference from two threads.
 void print_simulated(const std::vector<ModeFigures>& modes, const CouplingOptions& o);
-/// Compare the first mode, exact, with the fastest split that remained stable. The bar on two
-/// threads is 15 %.
+/// Compare exact, the first mode, with the fastest stable split: the bar on two threads is 15 %.
 Json compare_exact(const std::vector<ModeFigures>& modes, const std::string& scene,
                    const CouplingOptions& o, Verdict& verdict);
 

@@ -8,7 +8,8 @@
 namespace hawser::bench::split {
 namespace {
 
-/// Time of the calling thread in each stage outside loops and stages within it, over all steps.
+/// Sum the time of the calling thread in each stage, outside loops and inner stages, over all
+/// steps.
 std::array<double, kStageCount> serial_by_stage(const TraceView& trace) {
     std::array<double, kStageCount> seconds{};
     struct Open {
@@ -21,8 +22,7 @@ std::array<double, kStageCount> serial_by_stage(const TraceView& trace) {
         open.pop_back();
         if (last.stage >= 0) seconds[static_cast<std::size_t>(last.stage)] += last.rest;
     };
-    // Spans are sorted by begin, longer ones first. An open span encloses the next one or has
-    // ended.
+    // Sorted by start, longer ones first: an open span encloses the next one or has ended.
     for (const TraceSpan& s : trace.spans) {
         if (s.kind == SpanKind::task) continue;
         while (!open.empty() && open.back().end <= s.begin) close();

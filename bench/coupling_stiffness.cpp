@@ -9,7 +9,7 @@
 namespace hawser::bench::split {
 namespace {
 
-/// The same world with cut interactions stiffer by a factor, in the same state.
+/// Make a world with cut interactions stiffer by a factor, in the same state.
 World stiffened(const World& from, const std::vector<InteractionId>& cuts, double factor,
                 const std::vector<Coupling>& coupling) {
     World out(from.settings());

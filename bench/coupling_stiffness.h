@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file coupling_stiffness.h
-/// How stiff cuts may be before a split step is unstable.
+/// Largest stiffness of cuts for which a split step is stable.
 
 #include <hawser/world.h>
 
@@ -12,16 +12,16 @@ namespace hawser::bench::split {
 
 inline constexpr double kGrowth = 1.02;  ///< Spectral radius from which a step counts as unstable.
 
-/// Largest factor, 1e-8 to 1e2, of the stiffness of the cuts at which the step is stable.
+/// Largest stable factor of the stiffness of the cuts, 1e-8 to 1e2.
 struct Stiffness {
-    double stable = 0.0;                ///< Largest factor known to be stable [1].
-    double unstable = 0.0;              ///< Smallest factor known to be unstable; 0: none is [1].
-    [[nodiscard]] bool found() const {  ///< Within a tenth of a decade.
+    double stable = 0.0;                ///< Largest factor found stable [1].
+    double unstable = 0.0;              ///< Smallest factor found unstable; 0: none [1].
+    [[nodiscard]] bool found() const {  ///< True if within a tenth of a decade.
         return unstable <= 0.0 || stable <= 0.0 || unstable <= stable * std::pow(10.0, 0.11);
     }
 };
 
-/// By bisection, until a tenth of a decade is left or the processor time [s] is up.
+/// Find it by bisection, to a tenth of a decade or until the processor time [s] is used.
 [[nodiscard]] Stiffness largest_stable(const World& world, const std::vector<InteractionId>& cuts,
                                        double seconds);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench deadline: a scene whose load doubles temporarily, in full and within a budget.
+// hawser-bench deadline: a scene whose load doubles temporarily, without and with a budget.
 #include "commands.h"
 #include "deadline_load.h"
 #include "deadline_run.h"
@@ -62,10 +62,10 @@ double apart(const DeadlineRun& a, const DeadlineRun& b) {
     return most;
 }
 
-/// Check the quantities of the budgeted run that a budget must not change.
+/// Check properties that a budget may not change.
 void ask_physics(Verdict& verdict, double h, const DeadlineRun& exact, const DeadlineRun& kept) {
     const PhaseFigures &e = exact.phase[1], &k = kept.phase[1];
-    // Use ten times the tolerance of a solved step; solved steps leave 1e-14.
+    // Ten times the tolerance of a solved step; solved steps reach 1e-14.
     verdict.ask(
         "momentum", "", k.momentum <= 1e-9,
         fmt::format("momentum balanced: residual {:.1e} (exact {:.1e})", k.momentum, e.momentum));
@@ -74,9 +74,8 @@ void ask_physics(Verdict& verdict, double h, const DeadlineRun& exact, const Dea
     verdict.ask("penetration", "", k.penetration <= std::max(2.0 * e.penetration, 5e-3),
                 fmt::format("boxes do not sink in: {:.2f} mm (exact {:.2f} mm)",
                             1e3 * k.penetration, 1e3 * e.penetration));
-    // When the deck reverses, one iteration finds the direction of sliding of a box one step late.
-    // The friction of three box weights, on both of its faces, then pushes the lower box for one
-    // step too long.
+    // When the deck reverses, one iteration finds a box's sliding direction a step late. The lower
+    // box is then pushed by the friction of three box weights, on both faces, for one step more.
     const double late = 3.0 * DeckCargo::kFriction * 9.81 * h;
     verdict.ask("speed", "", k.speed <= DeckCargo::kSpeed + late,
                 fmt::format("no box is faster than the deck, {:.3f} m/s, and a step's friction, "

@@ -9,15 +9,16 @@ namespace hawser::bench {
 namespace {
 
 constexpr std::uint32_t kCargoDeck = 1U << 30,
-                        kCargoBox = 1U << 31;  ///< Groups that no scene uses.
-const Vec3 kPlace{5000.0, 0.0, 0.0};           ///< Far from other bodies [m].
+                        kCargoBox = 1U << 31;  ///< collision groups that no scene uses
+const Vec3 kPlace{5000.0, 0.0, 0.0};           ///< far from all other bodies [m]
 
 }  // namespace
 
 DeckCargo::DeckCargo(World& world, int stacks) : first_shape_(world.shape_count()) {
     MaterialDef material{.name = "deck cargo"};
     material.friction = kFriction;
-    material.stiffness = 2.0 * kStiffness;  // two in series
+    material.stiffness = 2.0 * kStiffness;  // At their static depth, the upper ones slightly
+                                            // displaced sideways.
     ShapeDef shape;
     shape.kind = ShapeKind::box;
     shape.material = world.add_material(material);

@@ -16,7 +16,7 @@
 namespace hawser::bench {
 namespace {
 
-/// One run of the scene. @param repeat  Degradations to impose; null: as the budget requires.
+/// A run of the scene. @param repeat  Degradations to impose; null: those of the budget.
 class DeadlineRunner {
   public:
     DeadlineRunner(const DeadlineOptions& options, double budget_ms, const DeadlineRun* repeat)
@@ -85,7 +85,7 @@ class DeadlineRunner {
         f.penetration = std::max(f.penetration, cargo_.penetration(w));
         f.speed = std::max(f.speed, cargo_.speed(w));
         const Energy now = w.energy();
-        // Energy is not conserved when boxes are moved by set_pose().
+        // Boxes moved by hand change the energy without an account.
         if (i % o_.steps > 1) {
             f.drift += std::abs(report::energy_drift(before_, now));
             f.exchanged += std::abs(now.kinetic - before_.kinetic) +

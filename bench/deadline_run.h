@@ -14,8 +14,9 @@
 namespace hawser::bench {
 
 inline constexpr int kDeadlinePhases = 3;
-inline constexpr int kUncountedSteps = 60;  ///< First steps of a run, before caches are warm.
-inline constexpr int kExactRow = 10;        ///< Exact steps in a row that count as exact again.
+inline constexpr int kUncountedSteps = 60;  ///< Steps at the start of a run before memory is warm.
+inline constexpr int kExactRow = 10;        ///< Number of exact steps in sequence that counts as a
+                                            ///< return to exact steps.
 inline constexpr const char* kPhaseNames[kDeadlinePhases] = {"before", "load", "after"};
 
 struct DeadlineOptions {
@@ -39,18 +40,18 @@ struct PhaseFigures {
 
 struct DeadlineRun {
     std::array<PhaseFigures, kDeadlinePhases> phase;
-    std::vector<Degradation> left_out;  ///< By step.
+    std::vector<Degradation> left_out;  ///< Degradation of each step.
     report::Degradations log;
     std::vector<Vec3> at_end_of_load;  ///< Positions of the boxes.
     std::uint64_t hash = 0;
     double step = 0.0;     ///< h [s]
-    int exact_after = -1;  ///< Steps until the first of kExactRow exact ones in a row.
-    /// Steps beyond the budget: in which something was analysed; of one iteration; of more.
+    int exact_after = -1;  ///< Steps until the first of kExactRow exact steps in sequence.
+    /// Steps beyond the budget: with an analysis; with one iteration; with more.
     int late_analysis = 0, late_one = 0, late_more = 0;
 };
 
-/// Run the scene. @param repeat  Degradations to impose; null: as the budget [ms] requires, 0:
-/// none.
+/// Run. @param repeat  Degradations to impose; null: those of the budget. @param budget_ms  0: none
+/// [ms].
 [[nodiscard]] DeadlineRun run_deadline(const DeadlineOptions& options, double budget_ms,
                                        const DeadlineRun* repeat);
 

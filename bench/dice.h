@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file dice.h
-/// Random numbers that are the same with every standard library.
+/// Random numbers that are equal with every standard library.
 
 #include <hawser/math.h>
 
@@ -23,7 +23,7 @@ class Dice {
     double from(double low, double high) {
         return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
     }
-    /// Evenly over powers.
+    /// Draw a number with a uniform logarithm.
     double spread(double low, double high) { return std::exp(from(std::log(low), std::log(high))); }
     int number(int low, int high) {  // both included
         return std::min(high, low + static_cast<int>(from(0.0, high - low + 1.0)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench edits: the time of adding and removing objects while a world runs.
+// hawser-bench edits: cost of additions and removals in a running world.
 #include <hawser/scene.h>
 #include "commands.h"
 #include "linear/timing.h"
@@ -36,10 +36,10 @@ first 10 s). The bar is the same; plans and growths are printed.)";
 struct Coming {
     const char* name;
     std::function<void()> add, remove;
-    std::vector<double> seconds = {};  ///< Times of steps with an addition or a removal.
+    std::vector<double> seconds = {};  ///< Times of steps with an addition or removal.
 };
 
-/// Objects of the edits: two hulls, and the object added last.
+/// Objects of the edits: two hulls, and the last addition.
 struct Edited {
     explicit Edited(World& w) : world(w) {
         for (const BodyId b : w.bodies())
@@ -79,7 +79,7 @@ struct Edited {
 struct EditFigures {
     double plain_ms = 0.0, edit_ms = 0.0;
     std::int64_t plans = 0, repairs = 0, growths = 0;
-    std::size_t bytes = 0;  ///< Memory that the world has gained by the end.
+    std::size_t bytes = 0;  ///< Additional memory of the world at the end.
 };
 
 constexpr double kMostRatio = 1.3;
@@ -121,7 +121,7 @@ EditFigures measure_edits(World& world, std::vector<Coming>& kinds, int warm, in
             s.growths - before.growths, std::max(world.memory_bytes(), held) - held};
 }
 
-/// Measure steps of a scene whose wires edit themselves.
+/// Time steps of a scene whose wires edit themselves.
 EditFigures measure_own(World& world, int steps) {
     std::vector<double> plain, with;
     for (int i = 0; i < steps; ++i) {
@@ -129,8 +129,9 @@ EditFigures measure_own(World& world, int steps) {
         const double seconds = timed_step(world, nullptr);
         const StepStats& now = world.stats();
         const bool edited = now.plans + now.repairs != before.plans + before.repairs;
-        // the first one allocates all arrays
-        if (i > 0) (edited ? with : plain).push_back(seconds);
+        if (i > 0)
+            (edited ? with : plain).push_back(seconds);  // the first step allocates
+                                                         // everything
     }
     if (with.empty()) throw std::runtime_error("no step of the scene had an edit");
     const StepStats& s = world.stats();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench factor: benchmark matrices, factored and solved by us and by libraries in turns.
+// hawser-bench factor: benchmark matrices, factored and solved by Hawser and by libraries in turns.
 #include <hawser/world.h>
 
 #include "commands.h"
@@ -33,7 +33,7 @@ struct FactorOptions {
     TrialOptions trial;
 };
 
-constexpr int kHuge = 3'000'000;  ///< Scalars from which solvers run one after the other.
+constexpr int kHuge = 3'000'000;  ///< Number of scalars from which solvers run one after the other.
 
 std::vector<ProblemSource> choose(const FactorOptions& o) {
     if (!o.matrix.empty()) {
@@ -118,19 +118,19 @@ CLI::App* add_options(CLI::App& app, FactorOptions& o) {
     return &app;
 }
 
-/// Restart the program with a better kernel for OpenBLAS 0.3.21. It treats newer machines as a
-/// Prescott of 2004 and is then several times too slow. It chooses the kernel when it is loaded.
+/// OpenBLAS 0.3.21 takes newer machines for a Prescott of 2004 and is then several times slower. It
+/// selects its kernels when it is loaded: start again with a better selection.
 void insist_on_fast_blas(char** argv) {
     const std::string isa = instruction_set(), core = blas_core();
     if (getenv("OPENBLAS_CORETYPE") != nullptr || core != "OpenBLAS Prescott" || isa == "sse2")
         return;
     setenv("OPENBLAS_CORETYPE", isa == "avx512" ? "SKYLAKEX" : "HASWELL", 1);
-    execv("/proc/self/exe", argv);  // if this fails, continue with the present kernel
+    execv("/proc/self/exe", argv);  // continues with the old one if this fails
 }
 
 int schedules(const std::vector<ProblemSource>& sources, const FactorOptions& o) {
     PoolCosts costs = measure_pool_costs();
-    costs.wake = 0.0;  // the measured call follows one that is not measured
+    costs.wake = 0.0;  // the timed part follows a solution that is not timed
     nlohmann::json all = nlohmann::json::array();
     print_schedule_head(costs);
     std::vector<ScheduleReport> reports;
@@ -176,7 +176,7 @@ int factor_command(int argc, char** argv) {
         }
         return 0;
     }
-    insist_on_fast_blas(argv - 1);  // argv[0] is the subcommand, before it is the program
+    insist_on_fast_blas(argv - 1);  // argv[0] is the subcommand, preceded by the program
     const std::vector<ProblemSource> sources = choose(o);
     if (o.list) {
         for (const ProblemSource& p : sources) fmt::print("{}\n", p.name);

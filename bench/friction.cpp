@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench friction: comparison of the methods for contacts with friction.
+// hawser-bench friction: comparison of methods for contacts with friction.
 #include <hawser/scene.h>
 
 #include "commands.h"
@@ -47,7 +47,7 @@ double share(std::vector<double> v, double p) {
     return v[static_cast<std::size_t>(p * static_cast<double>(v.size() - 1))];
 }
 
-/// Results of one method on one scene.
+/// Results of one method for one scene.
 struct Run {
     std::vector<double> work, map, cpu_ms, iterations;
     std::vector<double> contacts, momentum;
@@ -119,7 +119,7 @@ void print_row(const char* method, const Json& f) {
     std::fflush(stdout);
 }
 
-/// Check and print the limits of `newton` in warm steps. @return true if they are kept.
+/// Check the limits of `newton` in warm steps and print the result. @return true if they are met.
 bool judge(const Json& f) {
     constexpr double kMedian = 5.0, kP90 = 10.0;
     const double median = f["factorisations"]["median"].get<double>();
@@ -140,7 +140,7 @@ void save(const Json& out, const std::string& file) {
     if (!stream) throw std::runtime_error("cannot write " + file);
 }
 
-/// Measure creep and load of each method, add them to `out`, and call `tell` after each.
+/// Measure creep and load of each method into `out`; calls `tell` after each.
 template <class Tell>
 void print_loads(const std::vector<Method>& methods, double duration, Json& out, Tell tell) {
     fmt::print(

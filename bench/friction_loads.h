@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file friction_loads.h
-/// Two loads on which methods for friction and joints differ.
+/// Two loads for which methods for friction and joints differ.
 
 #include <hawser/def.h>
 
@@ -14,12 +14,12 @@ struct Method {
     int sweeps;
 };
 
-/// Return the creep from the first second to the end [m] of a block of 1 t at rest. Its slope is 80
-/// % of the friction limit. NaN: a step failed.
+/// Measure the displacement of a block of 1 t at rest on a slope of 80 % of the friction limit,
+/// from the first second to the end [m]. NaN if a step failed.
 [[nodiscard]] double creep(const Method& method, double duration);
 
-/// A chain of 100 lumps of 1 kg hangs at rest from the ceiling with 10 t at its lower end. It
-/// starts without known forces. Values: force of the top link over the weight below it.
+/// A chain of 100 point masses of 1 kg at rest on the ceiling with 10 t at its lower end, started
+/// from zero forces: force of the top link over the hanging weight.
 struct Carried {
     double first = 0.0;   ///< In the first step.
     double second = 0.0;  ///< In the last step of one second.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file index.h
-/// Signed numbers as indices of standard containers.
+/// Convert signed numbers to indices of standard containers.
 
 #include <cstddef>
 #include <cstdint>

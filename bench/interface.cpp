@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench interface: the time in which a client reads a world: state, outputs, contacts,
-// events, save and restore; and the time of a system that does nothing.
+// hawser-bench interface: cost of reading a world for a client (state, outputs, contacts, events,
+// save and restore), and of a system without actions.
 #include <hawser/scene.h>
 #include "commands.h"
 #include "verdict.h"
@@ -29,7 +29,7 @@ a system that does nothing in 0.1 us a step.)";
 
 using ReadClock = std::chrono::steady_clock;
 
-/// Median time of a call [s]; before each one prepare() runs, which is not timed.
+/// Return the median time of a call [s]; prepare() runs before each one and is not timed.
 template <class Prepare, class Call>
 double median_of_calls(int times, const Prepare& prepare, const Call& call) {
     std::vector<double> seconds;
@@ -57,7 +57,7 @@ void add_outputs(World& world, const std::vector<scene::Cable>& cables, int want
         }
         for (const scene::Cable& cable : cables) {
             if (cable.stretch.empty()) continue;
-            // The largest tension would visit all elements: use those at the ends.
+            // The largest value needs all elements: here those at the ends.
             add({.kind = OutputKind::tension,
                  .line = {cable.stretch.front()},
                  .component = "first"});
@@ -75,7 +75,7 @@ void add_outputs(World& world, const std::vector<scene::Cable>& cables, int want
         return all;
     }();
     for (int n = 0, tried = 0; n < wanted; ++tried) {
-        // Use a stride, so that all kinds occur.
+        // Large strides, so that every kind occurs.
         OutputDef def = kinds[static_cast<std::size_t>(tried) * 37 % kinds.size()];
         def.name = fmt::format("output {}", n);
         try {
@@ -101,7 +101,7 @@ ReadFigures measure(World& world, int rounds) {
     std::vector<std::byte> saved;
     std::uint64_t cursor = 0;
     const auto nothing = [] {};
-    // Mark derived values as outdated.
+    // Mark derived data to be computed again.
     const auto touch = [&] { (void)world.events_since(cursor, events); };
     constexpr int kMany = 10'000;
     const double* seen = world.state().positions.data();
@@ -113,7 +113,7 @@ ReadFigures measure(World& world, int rounds) {
         sum += state.velocities[static_cast<std::size_t>(i) % state.velocities.size()];
     }
     f.state_ns = 1e9 * std::chrono::duration<double>(ReadClock::now() - start).count() / kMany;
-    // A pose set now must be visible in an older view, which refers to the array of the world.
+    // Setting a pose changes an earlier view: it is the world's own array.
     const BodyId first{0};
     const StateView view = world.state();
     const std::vector<std::byte> before = world.save();
@@ -131,7 +131,7 @@ ReadFigures measure(World& world, int rounds) {
     f.events_us = 1e6 * median_of_calls(20 * rounds, nothing, touch);
     f.save_ms = 1e3 * median_of_calls(rounds, nothing, [&] { world.save(saved); });
     f.bytes = saved.size();
-    // Restore after some more steps, as clients do.
+    // Like a client that goes back: some steps later.
     f.restore_ms =
         1e3 * median_of_calls(rounds, [&] { (void)world.step(); }, [&] { world.restore(saved); });
     f.hash_ms =
@@ -139,8 +139,8 @@ ReadFigures measure(World& world, int rounds) {
     return f;
 }
 
-/// Return the time that an idle system adds to a step [s]: of two small worlds, one has 1000 of
-/// them. Use the minimum of many times of the stage prestep.
+/// Return the time that an idle system adds to a step [s]: of two small worlds, one has a thousand
+/// of them. Takes the least of many times of stage prestep.
 double idle_system_seconds() {
     struct Idle final : System {
         std::string own;
@@ -199,7 +199,7 @@ int interface_command(int argc, char** argv) {
     Verdict verdict;
     verdict.ask("state", "", f.no_copy,
                 fmt::format("state() {:.3g} ns, the world's own arrays", f.state_ns));
-    // The bar is of 100 outputs.
+    // The bar is for 100 outputs.
     verdict.ask("outputs", "", f.outputs_us <= 5.0 * outputs / 100.0,
                 fmt::format("{} outputs {:.3g} us, to be 5 us a 100", outputs, f.outputs_us));
     verdict.ask("save", "", f.save_ms <= 1.0,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench links: whole steps of a very large world, a million rigid links by default.
+// hawser-bench links: whole steps of a very large world, by default a million rigid links.
 #include "commands.h"
 #include "scene/catenary.h"
 
@@ -33,20 +33,20 @@ struct LinksOptions {
     std::string json;
 };
 
-/// End of a chain: a point of a body.
+/// Attachment of a chain: a point of a body.
 struct End {
     BodyId body;
     Vec3 local, world;
 };
 
-/// Floats in a line, adjacent ones joined by a chain. All other chains lead to anchors in the
-/// seabed, spread around each float. One island.
+/// Floats in a row, with a chain between neighbours. All other chains lead down to anchors in the
+/// seabed around each float. One island.
 class Moorings {
   public:
     Moorings(World& world, const LinksOptions& options) : world_(world), o_(options) {
         ground_ = world.add_body({.name = "seabed", .kind = BodyKind::fixed});
         count_ = o_.links / o_.chains;
-        const int first = o_.links % o_.chains;  // this many chains have one more link
+        const int first = o_.links % o_.chains;  // number of chains with one link more
         for (int f = 0; f < o_.floats; ++f) add_float(f);
         std::vector<int> of_float(static_cast<std::size_t>(o_.floats), 0);
         for (int c = 0; c < o_.chains; ++c) {
@@ -75,7 +75,7 @@ class Moorings {
         def.inertia = Vec3(4e9, 4e9, 4e9).asDiagonal();
         def.gravity = false;
         floats_.push_back(world_.add_body(def));
-        // Half of each chain's weight hangs on it; water carries that at the height of the start.
+        // Half of each chain's weight hangs on a float; water carries it at the initial height.
         const double chains = static_cast<double>(o_.chains) / o_.floats;
         const double weight = 0.5 * chains * count_ * kMass * kGravity, stiffness = 1e7;
         InteractionDef water{.kind = InteractionKind::Hydrostatic, .body = {floats_.back()}};
@@ -147,7 +147,7 @@ double median_of(std::vector<double> v) {
     return v[v.size() / 2];
 }
 
-/// Run one world from the start. Prints and returns the results.
+/// Run one world from the start. Prints and returns the measurements.
 nlohmann::json run_links(const LinksOptions& o, int refinements) {
     World world({.refinements = refinements, .threads = o.threads});
     Clock::time_point begin = Clock::now();

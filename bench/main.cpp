@@ -44,9 +44,10 @@ constexpr Command kCommands[] = {
      hawser::bench::wires_command},
 };
 
-/// Restart the program with huge pages for all memory, also that of libraries. Debian uses them
-/// everywhere, other systems only on request, as our largest arrays do. Results must not depend on
-/// this. The setting takes effect when the program is loaded. If the restart fails, continue.
+/// Debian gives huge pages to all memory, other systems only on request, which Hawser's largest
+/// arrays make. Results must depend on neither: request them for all memory, including that of
+/// libraries. The setting is read when the program is loaded: start again. Continue without it if
+/// this fails.
 void insist_on_huge_pages(char** argv) {
     constexpr const char* kTunables = "GLIBC_TUNABLES";
     if (std::getenv(kTunables) != nullptr) return;
@@ -63,8 +64,8 @@ int usage(std::FILE* out, int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // If both streams go to one file, progress must not split a line of results. Results must be
-    // readable while the rest runs.
+    // If both go to one file, progress must not interrupt a line of results. Results can be read
+    // while the rest runs.
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
     if (argc < 2) return usage(stderr, 2);
     if (std::strcmp(argv[1], "--help") == 0 || std::strcmp(argv[1], "-h") == 0)

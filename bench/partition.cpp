@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench partition: our parts compared with those of METIS and Scotch, on the same graphs.
+// hawser-bench partition: Hawser's parts compared with those of METIS and Scotch, on equal graphs.
 #include "graph/partition.h"
 #include "commands.h"
 #include "factor/ordering.h"
@@ -36,9 +36,9 @@ struct PartitionFlags {
     std::string json, picture;
 };
 
-/// Rounds of partition and exact cost. Each uses the flops of the one before, and the most balanced
-/// one counts. (A running world has flops of its own order from its last analysis, which these
-/// separators do not change.)
+/// Number of iterations of partition and exact cost: each uses the flops of the one before, and the
+/// most even one counts. (A running world has flops of its own order from its last analysis, which
+/// these separators do not change.)
 constexpr int kPartRounds = 5;
 
 void print_part_heading() {
@@ -70,7 +70,7 @@ nlohmann::json print_part_row(const PartRow& r) {
             {"factor_ms", timed ? nlohmann::json(r.factor_ms) : nlohmann::json()}};
 }
 
-/// Return the row of an order without parts: fill, flops, and the longest path as its makespan.
+/// Measure an order without parts: fill, flops, and the longest path as its makespan.
 PartRow order_row(const std::string& name, const PartCase& c,
                   const std::vector<std::int32_t>& order, double seconds, const FactorCounts& amd) {
     PartRow r;
@@ -90,7 +90,7 @@ struct OurParts {
     std::vector<std::int64_t> exact;
 };
 
-/// Time from the body graph, which METIS gets ready-made as well.
+/// Measure Hawser's parts; time from the body graph, which METIS gets as well.
 PartRow our_row(const std::string& name, const PartCase& c, int parts, const FactorCounts& amd,
                 OurParts& o) {
     const int least = c.bodies() > 20'000 ? 3 : 21;
@@ -104,7 +104,7 @@ PartRow our_row(const std::string& name, const PartCase& c, int parts, const Fac
     return r;
 }
 
-/// Contacts that change: the time of following them, there and back. @return s for one way.
+/// Measure the time of following changed contacts, there and back. @return s for one direction.
 double update_seconds(const PartCase& c, const OurParts& ours) {
     graph::Follower follower;
     follower.start(c.graph(), ours.partitioner.cost.node, ours.partition);
@@ -121,11 +121,11 @@ double update_seconds(const PartCase& c, const OurParts& ours) {
                      101);
 }
 
-/// Largest ratio of the time of two threads to that of one on two idle processors: 0.6 on the
-/// graphs of the paper.
+/// On two idle processors, two threads take less than this fraction of one thread's time: 0.6 on
+/// the paper's graphs.
 constexpr double kFree = 0.8;
 
-/// Check the bars of the paper's graphs for the best of our results.
+/// Check the bars of the paper's graphs for the best of Hawser's results.
 void judge_parts(Verdict& verdict, const std::string& name, const PartRow& best, const Race& r,
                  double update, const std::vector<FactorTimes>& factors) {
     if (r.metis > 0.0) {
@@ -158,7 +158,7 @@ void judge_parts(Verdict& verdict, const std::string& name, const PartRow& best,
     }
 }
 
-/// @param judged  The bars apply to this case.
+/// @param judged  True if the bars apply to this case.
 nlohmann::json compare_parts(const PartCase& c, const PartitionFlags& o, bool judged,
                              Verdict& verdict) {
     const int parts = o.parts;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench peers: searches the smallest number of substeps of each peer that holds. It then
-// runs all engines alternately in blocks of frames and prints the results.
+// hawser-bench peers: searches each peer's smallest number of substeps that holds, then runs all
+// engines alternated in blocks of frames and prints the measurements.
 #include "commands.h"
 #include "peers/make_reference.h"
 #include "peers/report.h"
@@ -78,8 +78,8 @@ Options parse(int argc, char** argv) {
     return o;
 }
 
-/// Run all numbers of substeps of a scene with contacts, on which few peers hold. Print each run at
-/// once.
+/// Run a scene with contacts, in which few peers hold, with increasing numbers of substeps, as each
+/// result is of interest. Prints each result at once.
 std::vector<PeerResult> climb(const Scene& scene, const Reference& reference, const Options& o) {
     std::vector<PeerResult> rows;
     for (const std::string& name : o.engines) {
@@ -98,7 +98,7 @@ std::vector<PeerResult> climb(const Scene& scene, const Reference& reference, co
                     rows.push_back(run_peer(engine, scene, substeps, reference, o.search, false));
                 }).wall;
             print_row(scene, rows.back());
-            // Four times as many substeps take four times as long.
+            // Four times the substeps take four times as long.
             if (engine.ours || o.substeps > 0 || 4.0 * wall > o.search.budget) break;
         }
     }
@@ -138,7 +138,7 @@ std::vector<PeerResult> compare(const Scene& scene, const Options& o) {
     return results;
 }
 
-/// Tensions as a reference file (reference.h). Seven digits: 0.1 N of 500 kN.
+/// Write tensions as a reference file (reference.h). Seven digits: 0.1 N of 500 kN.
 void save_tension(const PeerResult& r, const std::string& folder) {
     const std::string path = folder + "/" + r.scene + ".csv";
     std::ofstream out(path);
@@ -178,7 +178,7 @@ int peers_command(int argc, char** argv) {
             all.push_back(to_json(scene, r));
         }
         met = print_verdict(scene, results) && met;
-        if (!o.json_file.empty()) write_json(all, o.json_file);  // store intermediate results
+        if (!o.json_file.empty()) write_json(all, o.json_file);  // keeps finished results
         if (!o.save_tension.empty() && !results.empty() && !scene.towed.empty())
             save_tension(results.front(), o.save_tension);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench random: random mechanisms, and a check of runs that end ok.
+// hawser-bench random: random mechanisms, and checks of runs that end ok.
 #include <hawser/scene.h>
 
 #include "commands.h"
@@ -144,7 +144,7 @@ int run_all(const RandomOptions& o) {
     return none_wrong && enough ? 0 : 1;
 }
 
-/// Save a case as requested by --save: a number and a file.
+/// Write the case that --save requests by a number and a file.
 void save_case(const RandomOptions& o) {
     std::size_t read = 0;
     std::uint64_t number = 0;

@@ -22,7 +22,7 @@ constexpr double kCaseGravity = 9.81;
 
 CaseJson list(const Vec3& v) { return CaseJson::array({v.x(), v.y(), v.z()}); }
 
-/// A body as far as the next ones need it.
+/// Data of a body for later ones.
 struct Placed {
     std::string name;
     Vec3 position;
@@ -66,7 +66,7 @@ class Maker {
         doc_["settings"] = {{"step", result_.step}, {"duration", 1.0}};
         for (const char* key : {"bodies", "interactions", "cables"}) doc_[key] = CaseJson::array();
         make_bodies();
-        // Later choices depend on existing joints: extra ones go to the two initial ones.
+        // Later choices depend on existing joints: additional ones come last.
         if (result_.loops) close_loops();
         if (result_.repeated) repeat_joints();
         if (result_.contradictory) contradict();
@@ -84,17 +84,17 @@ class Maker {
     std::vector<Placed> bodies_;
     std::vector<Jointed> joints_;
     bool grounded_ = false;  ///< Body 0 is fixed.
-    bool masses_ = false;    ///< A ratio of masses is extreme.
+    bool masses_ = false;    ///< True if the extreme is a ratio of masses.
 
     void make_bodies() {
         grounded_ = dice_.chance(0.7);
         masses_ = result_.extreme && dice_.chance(0.5);
         const int count = dice_.number(masses_ ? 3 : 2, 10);
-        // With large steps bodies are large. A body that swings on an arm of half its size turns by
-        // about 0.15 rad in a step; the links of whipping chains turn more.
+        // Large steps go with large bodies: a body on an arm of half their size rotates by about
+        // 0.15 rad per step, links of whipping chains by more.
         const double least = 1000.0 * result_.step * result_.step;
         const double scale = std::max(dice_.spread(0.3, 3.0), least * dice_.from(1.0, 2.0));
-        // A freely floating tree initially moves as one rigid body, which all joints allow.
+        // A floating tree starts as one rigid body, which all joints allow.
         const Vec3 spin = grounded_ ? Vec3(Vec3::Zero()) : dice_.vector(2.0);
         const Vec3 speed = grounded_ ? Vec3(Vec3::Zero()) : dice_.vector(2.0);
         const double lightest = masses_ ? dice_.spread(0.01, 10.0) : 0.0;
@@ -138,7 +138,7 @@ class Maker {
         doc_["bodies"].push_back(std::move(body));
     }
 
-    /// A joint that fits the pose in which the bodies start.
+    /// Add a joint that fits the initial poses of the bodies.
     void join(int a, int b, const std::string& kind, const Vec3& at) {
         join(Jointed{a, b, kind, at, dice_.direction()});
     }
@@ -146,7 +146,7 @@ class Maker {
         const Placed &a = body(j.a), &b = body(j.b);
         CaseJson joint = start_joint(j.kind, a, b);
         if (j.kind == "distance") {
-            // From the far side of one body to the position of the joint on the other.
+            // From the far side of one body to the joint's position on the other.
             joint["points"] = CaseJson::array({list(-a.local(j.at)), list(b.local(j.at))});
         } else {
             joint["at"] = list(j.at);
@@ -181,7 +181,7 @@ class Maker {
         }
     }
 
-    /// Repeat some joints at the same point or at another point of their axis.
+    /// Add a joint twice, or again at another point of its axis.
     void repeat_joints() {
         const int count = static_cast<int>(joints_.size());
         for (int n = dice_.number(1, 3); n > 0; --n) {
@@ -192,8 +192,8 @@ class Maker {
         }
     }
 
-    /// Add a joint that contradicts another one: a second point at a different distance in each
-    /// body, or two rods of different lengths between the same points.
+    /// Add inconsistent joints: beside a joint at a point another one, at distances that differ
+    /// between both bodies; or two rods of different lengths between the same points.
     void contradict() {
         const int count = static_cast<int>(joints_.size());
         Jointed first = joints_[static_cast<std::size_t>(dice_.number(0, count - 1))];
@@ -239,7 +239,7 @@ class Maker {
                           {"elements", dice_.number(3, 24)}};
             wire["from"] = {{"at", list(end + span * up)}};
             wire["to"] = {{"body", body(i).name}, {"point", list(body(i).local(end))}};
-            // Slack between ends on one vertical it would lie on itself.
+            // A slack wire between ends on one vertical line would lie on itself.
             if (dice_.chance(0.5) && std::hypot(up.x(), up.y()) > 0.6) {
                 wire["length"] = span * dice_.from(1.01, 1.2);
                 wire["shape"] = "catenary";
@@ -251,7 +251,7 @@ class Maker {
         }
     }
 
-    /// Add springs that are stiffer than a soft one by a factor of 1e6 or more.
+    /// Add springs so stiff that a soft one beside them differs by 1e6.
     void stiffen() {
         const double soft = dice_.spread(10.0, 1e3);
         for (const double k : {soft, soft * dice_.spread(1.1e6, 1e8)}) {

@@ -25,11 +25,11 @@
 namespace hawser::bench {
 namespace {
 
-constexpr double kInterval = 0.5;  ///< Interval over which outputs are averaged [s].
+constexpr double kInterval = 0.5;  ///< interval of averages of outputs [s]
 constexpr std::size_t kTensionIntervals = 4;
-constexpr double kPowerExcess = 1e-4;  ///< Tolerance relative to the power of the motor.
+constexpr double kPowerExcess = 1e-4;  ///< relative excess of the motor's power
 
-/// Forwards steps to a verifier and stores its first objection, so that the run continues.
+/// Passes steps to a verifier and keeps its first error, so that the run continues.
 class Witness : public Observer {
   public:
     explicit Witness(const World& world) : verifier_(world) {}
@@ -51,13 +51,13 @@ enum class GearEnd : std::uint8_t { ok, suspect, failed, refused };
 struct GearRun {
     GearEnd end = GearEnd::ok;
     std::string reason;                      ///< Empty if the run ended ok.
-    std::string objection;                   ///< First objection of the full verifier.
-    double power = 0.0;                      ///< Largest of the motor [W].
+    std::string objection;                   ///< First error of the full verifier.
+    double power = 0.0;                      ///< Largest power of the motor [W].
     double parted = 1e300;                   ///< Time at which a wire breaks [s].
     std::vector<std::vector<double>> means;  ///< By probe and interval.
 };
 
-/// Sums outputs over intervals.
+/// Averages outputs over intervals.
 class Averages {
   public:
     Averages(const World& world, const GearCase& c) : sums_(c.probes.size()) {
@@ -88,7 +88,7 @@ class Averages {
     std::vector<int> counts_;
 };
 
-/// Power of the winch's motor at the velocities after a step [W].
+/// Return the power of the winch's motor at the velocities after a step [W].
 double motor_power(const World& world) {
     const InteractionId motor = world.find_interaction("winch/motor");
     const BodyId drum = world.find_body("winch/drum");
@@ -130,7 +130,8 @@ void step_to_the_end(Session& session, const GearCase& c, Observer* witness, Gea
     }
 }
 
-/// @param divide  Divides the step.  @param verify  Check each step by the full verifier.
+/// Run a case. @param divide  Divides the step.  @param verify  Check each step by the full
+/// verifier.
 GearRun run_once(const GearCase& c, int divide, bool verify) {
     GearRun out;
     try {
@@ -159,7 +160,7 @@ GearRun run_once(const GearCase& c, int divide, bool verify) {
     return out;
 }
 
-/// Largest difference of a probe over its allowance.
+/// Largest difference of a probe over its tolerance.
 struct Difference {
     double share = 0.0, value = 0.0, reference = 0.0, at = 0.0;
     std::string output;
@@ -179,9 +180,9 @@ Difference compare(const GearCase& c, const GearRun& run, const GearRun& fine) {
         double scale = 0.0;
         for (const double x : b) scale = std::max(scale, std::abs(p.tension ? x : x - b[0]));
         const double allowed = p.absolute + p.relative * scale;
-        // Tensions oscillate as loads bounce: average them over several intervals.
+        // Tensions vary as loads bounce: average them over several intervals.
         const std::size_t many = p.tension ? kTensionIntervals : 1;
-        // Near its breaking load a wire breaks in one run and not in the other.
+        // A wire near its breaking load breaks in one run and not in the other.
         const double last = std::min({c.duration, run.parted, fine.parted});
         const auto whole = static_cast<std::size_t>(last / kInterval + 1e-9);
         for (std::size_t k = 0; k + many <= std::min({a.size(), b.size(), whole}); k += many) {
@@ -200,7 +201,7 @@ const char* name_of(GearEnd end) {
     return kNames[static_cast<std::size_t>(end)];
 }
 
-/// Counts of a family, and the lines that are printed about single cases.
+/// Counts of a family, and printed lines about single cases.
 struct GearTally {
     int cases = 0, ends[4]{}, wrong_by_verify = 0, wrong_by_step = 0, wrong_by_power = 0,
         no_reference = 0;

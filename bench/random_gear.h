@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_gear.h
-/// Random scenes with winches, guides and hulls (random_gear_cases.h). Each run that ends ok is
-/// checked by the full verifier, and compared with the same scene at a quarter of the step.
+/// Run random scenes with winches, guides and hulls (random_gear_cases.h). Each run that ends ok is
+/// checked by the full verifier, and by the scene at a quarter of the step.
 
 #include "random_gear_cases.h"
 
@@ -15,11 +15,11 @@ struct GearOptions {
     GearFamily family = GearFamily::winches;
     std::uint64_t seed = 1;
     int count = 2000, shown = 20;
-    std::int64_t only = -1;  ///< Run this case alone and print its comparison.
+    std::int64_t only = -1;  ///< Run only this case and print its comparison.
     std::string json;
 };
 
-/// Run the cases. @return exit code: 0 if enough runs ended ok and none of these was wrong.
+/// Run. @return exit code: 0 if no run ended ok with an error, and enough ended ok.
 int run_gear(const GearOptions& options);
 
 }  // namespace hawser::bench

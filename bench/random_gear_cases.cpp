@@ -21,12 +21,12 @@ namespace {
 using GearJson = nlohmann::ordered_json;
 
 constexpr double kGearGravity = 9.81;
-constexpr double kPlace = 0.01;  ///< Tolerance of positions relative to the length of the wire.
+constexpr double kPlace = 0.01;  ///< tolerance of positions over the length of the wire
 constexpr std::array<std::string_view, 4> kFamilies{"winches", "guides", "hulls", "ships"};
 
 GearJson point(double x, double y, double z) { return GearJson::array({x, y, z}); }
 
-/// Steel wire rope of the diameter d [m]: mass, stiffness and breaking load grow with d².
+/// Steel wire rope of diameter d [m]: mass, stiffness and breaking load are proportional to d².
 struct Rope {
     double diameter = 0.0;
     [[nodiscard]] double mass() const { return 3600.0 * diameter * diameter; }   // [kg/m]
@@ -96,7 +96,8 @@ class WinchMaker : public GearMaker {
         return w;
     }
 
-    /// @param length  Length of the wire outside [m]. @param moving  Mass that the wire moves [kg].
+    /// Add a winch. @param length  Length of the wire outside [m]. @param moving  Mass that the
+    /// wire moves [kg].
     void add_winch(const WinchSizes& w, double length, double moving) {
         GearJson winch{{"name", "winch"},
                        {"cable", "wire"},
@@ -117,7 +118,7 @@ class WinchMaker : public GearMaker {
         probe_signal("winch.wire_left", kPlace * length);
     }
 
-    /// The cable "wire", so short that it carries the pull over a way of `length` [m].
+    /// Make the cable "wire", so short that it carries the pull over a distance of `length` [m].
     GearJson taut_wire(const Rope& rope, double length, int elements) {
         return {{"name", "wire"},
                 {"elements", elements},
@@ -126,7 +127,7 @@ class WinchMaker : public GearMaker {
                   {"EA", rope.EA()},
                   {"diameter", rope.diameter},
                   {"breaking_load", rope.breaking()},
-                  // The default would change with the step, and the motion with it.
+                  // The default would change with the step, and with it the motion.
                   {"axial_damping", dice_.from(3.0, 10.0)}}},
                 {"length", length / (1.0 + pull_ / rope.EA())},
                 {"consistent_mass", true}};
@@ -136,7 +137,7 @@ class WinchMaker : public GearMaker {
         result_.probes.push_back({name, absolute, 0.05, false});
     }
 
-    /// Mode and set points, for tensions about the pull.
+    /// Draw mode and set points, for tensions around the pull.
     GearJson order() {
         const double choice = dice_.from(0.0, 1.0);
         if (choice < 0.4) return {{"mode", "speed"}, {"speed", dice_.from(-1.0, 1.0)}};
@@ -191,7 +192,7 @@ class Winches : public WinchMaker {
             {"mass", mass},
             {"box", point(size, size, size)},
             {"position", hangs ? point(0, 0, -length - size) : point(length + size, 0, 0)}};
-        // Damped within seconds: orders by tension would let speeds persist that snaps leave.
+        // Damped within seconds: with orders by tension, speeds due to snap loads would persist.
         load["linear_damping"] = mass * dice_.spread(0.3, 3.0);
         if (!hangs) {
             load["gravity"] = false;
@@ -212,7 +213,7 @@ class Winches : public WinchMaker {
     }
 };
 
-/// A wire from a winch over a roller, or under one, to a float that a force pulls away.
+/// A wire from a winch over or under a roller to a float that a force pulls away.
 class Guides : public WinchMaker {
   public:
     using WinchMaker::WinchMaker;
@@ -222,10 +223,10 @@ class Guides : public WinchMaker {
         pull_ = rope.breaking() * dice_.spread(0.03, 0.2);
         const double side = dice_.chance(0.5) ? 1.0 : -1.0;  // over or under
         const double radius = rope.diameter * dice_.from(4.0, 12.0);
-        // Both parts leave the top of the wheel downwards (under it: upwards) at these angles.
+        // Both parts leave the top of the wheel downwards (the bottom: upwards) at these angles.
         const double left_angle = dice_.from(0.05, 1.2), right_angle = dice_.from(0.05, 1.2);
         constexpr double kDuration = 8.0;
-        // A fifth of the wires is hauled until its end is at the roller.
+        // A fifth of the wires is hauled until the end is at the roller.
         const bool to_end = dice_.chance(0.2);
         const double speed = dice_.from(0.3, 1.2), way = speed * kDuration * dice_.from(0.4, 0.9);
         const double left = dice_.from(8.0, 25.0), right = to_end ? way : dice_.from(8.0, 40.0);
@@ -251,8 +252,7 @@ class Guides : public WinchMaker {
             left + right + 2.0 * radius * std::tan(0.5 * (left_angle + right_angle));
         GearJson wire = taut_wire(rope, length, std::max(6, int(length / dice_.from(1.5, 4.0))));
         wire["shape"] = "path";
-        // The corner where both parts meet, outside the wheel: at most 69° between them and the
-        // top.
+        // Corner at which both parts meet, outside the wheel: at most 69° between them and the top.
         const double middle = 0.5 * (right_angle - left_angle),
                      half = 0.5 * (left_angle + right_angle);
         const double corner = radius / std::cos(half);
@@ -270,7 +270,7 @@ class Guides : public WinchMaker {
             add_orders(kDuration);
         probe_place("float", "x", kPlace * length);
         probe_place("float", "z", kPlace * length);
-        // A float that has arrived at the roller bounces there.
+        // A float at the roller bounces there.
         probe_tension("wire", "last", (to_end ? 1.0 : 0.02) * pull_);
         return finish(step, kDuration);
     }
@@ -287,7 +287,8 @@ class Guides : public WinchMaker {
                               {"friction", dice_.chance(0.7) ? dice_.from(0.0, 0.4) : 0.0}}});
     }
 
-    /// Haul at a moderate speed, at which the wire's end reaches the roller before the run ends.
+    /// Haul at a moderate speed at which the wire's end reaches the roller before the end of the
+    /// run.
     void haul_to_the_end(double speed) {
         GearJson& winch = doc_["winches"][0];
         winch["mode"] = "speed";
@@ -374,7 +375,7 @@ class Hulls : public GearMaker {
             sea["current"] = GearJson::array(
                 {{{"depth", 0}, {"speed", dice_.from(0.1, 1.0)}, {"direction_deg", 180}},
                  {{"depth", depth}, {"speed", 0}, {"direction_deg", 180}}});
-        // Added mass and damping of a box, of the order given by strip theory.
+        // Added mass and damping of a box, of the size that strip theory gives.
         const double l2 = length * length, b2 = beam * beam;
         const double heave = mass * dice_.from(0.7, 1.5), rate = dice_.from(0.2, 0.6);
         const GearJson added = GearJson::array({0.05 * mass, 0.5 * mass, heave, heave * b2 / 14.0,

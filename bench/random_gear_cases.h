@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_gear_cases.h
-/// Random scenes with winches, guides, moored hulls or ships, as scene documents (docs/scenes.md).
-/// Each has the outputs by which two runs of the same scene are compared.
+/// Generate random scenes with winches, guides, moored hulls or ships, as scene documents
+/// (docs/scenes.md), with the outputs by which two runs of a scene are compared.
 
 #include <cstdint>
 #include <optional>
@@ -21,12 +21,12 @@ enum class GearFamily : std::uint8_t {
 };
 
 [[nodiscard]] std::string_view to_string(GearFamily family) noexcept;
-/// @return nullopt if no family has this name.
+/// Return a family by its name. @return nullopt if no family has this name.
 [[nodiscard]] std::optional<GearFamily> gear_family(std::string_view name) noexcept;
 
-/// An output that two runs are compared by. Mean values of intervals may differ by
-/// `absolute + relative × scale`. Scale: largest change of the mean since the start, or for
-/// tensions the largest mean.
+/// An output by which two runs are compared. Mean values of intervals may differ by `absolute +
+/// relative × scale`. Scale: largest change of the mean since the start, or for tensions the
+/// largest mean.
 struct Probe {
     std::string output;
     double absolute = 0.0;  ///< In the unit of the output.
@@ -42,7 +42,7 @@ struct GearCase {
     std::vector<Probe> probes;
 };
 
-/// Generate the case `number` of a seed. Independent of all other cases.
+/// Generate the case `number` of a seed. It does not depend on other cases.
 [[nodiscard]] GearCase make_gear_case(GearFamily family, std::uint64_t seed, std::uint64_t number);
 
 }  // namespace hawser::bench

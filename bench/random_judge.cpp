@@ -10,8 +10,8 @@
 namespace hawser::bench {
 namespace {
 
-constexpr double kLeastViolation = 0.01;  ///< Allowed violation for any size [m].
-constexpr double kViolationShare = 0.01;  ///< Allowed of the size of the smaller body.
+constexpr double kLeastViolation = 0.01;  ///< allowed for any size [m]
+constexpr double kViolationShare = 0.01;  ///< allowed fraction of the size of the smaller body
 
 bool is_joint(InteractionKind kind) {
     using enum InteractionKind;
@@ -83,10 +83,10 @@ RandomJudge::RandomJudge(const World& world) : before_(poses_of(world)) {
         const InteractionDef& d = world.interaction_def(InteractionId{i});
         const bool line = d.kind == InteractionKind::Stretch;
         const double compliance = line ? d.get("length") / d.get("EA") : d.compliance[0];
-        // A connection with a larger compliance is a spring; the others count as rigid.
+        // A larger compliance is a spring; others are meant to be rigid.
         constexpr double kRigid = 1e-10;
         const bool rod = d.kind == InteractionKind::Distance;
-        // Every compliance stores energy, also that of a rod meant to be rigid.
+        // Any compliance stores energy, also that of a rod that is meant to be rigid.
         if (line || (rod && compliance > 0.0))
             springs_.push_back({InteractionId{i}, d.get("length"), compliance,
                                 line && d.get("tension_only") != 0.0});
@@ -107,8 +107,8 @@ void RandomJudge::start(const World& world) {
     const double energy = kinetic_ + gravity_ + elastic_;
     (void)between_.rise(energy);
     (void)by_force_.rise(energy);
-    // The mean of the kinetic energies half a step before and after exceeds the value between them
-    // by m (g h)²/8 if bodies fall.
+    // The mean of the kinetic energies half a step before and after exceeds that between them if
+    // bodies fall: by m (g h)²/8.
     double fall = 0.0;
     const double gained = world.settings().gravity.norm() * world.settings().step;
     for (const BodyId id : moving_) fall += world.body_def(id).mass * gained * gained / 8.0;
@@ -175,15 +175,15 @@ void RandomJudge::look_at_energy(const World& world) {
     for (std::size_t i = 0; i < poses.size(); ++i)
         half[i] = {0.5 * (poses[i].position + before_[i].position),
                    before_[i].orientation.slerp(0.5, poses[i].orientation)};
-    // Energy at the velocity, half-way between the poses.
+    // With the velocity midway between the poses.
     const double moved = kinetic(world);
     const double height = gravity(world, half), spring = elastic(world, half);
     out_.exchanged += 0.5 * (std::abs(moved - kinetic_) + std::abs(height - gravity_) +
                              std::abs(spring - elastic_));
     double rise = std::min(between_.rise(moved + height + spring),
                            by_force_.rise(moved + height + elastic_by_force(world)));
-    // Energy at the pose before, between the velocity before and this one. Before the first step
-    // there is no earlier velocity.
+    // At the pose before, between the velocity before and this one; there is none before the first
+    // step.
     const double at_pose = begun_
                                ? at_poses_.rise(0.5 * (moved + kinetic_) + gravity(world, before_) +
                                                 elastic(world, before_))

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_judge.h
-/// Check of a motion from poses, velocities and definitions alone, without figures of the stepper.
-/// It supports bodies under gravity, joints, rods, springs and lines, but no drives, friction or
-/// contacts.
+/// Check that a motion is possible, from poses, velocities and definitions alone, without figures
+/// of the stepper. It supports bodies under gravity, joints, rods, springs and lines; no drives,
+/// friction or contacts.
 
 #include <hawser/hawser.h>
 
@@ -11,48 +11,51 @@
 
 namespace hawser::bench {
 
-/// Figures of a motion so far.
+/// Figures of a motion.
 struct Judged {
-    double exchanged = 0.0;  ///< ½ Σ of the changes of kinetic, gravity and elastic energy [J].
-    /// Largest rise of mechanical energy above its earlier value, over three successive states [J].
+    double exchanged = 0.0;  ///< ½ Σ of changes of kinetic, gravity and elastic energy [J].
+    /// Largest rise of mechanical energy above its earlier value, in three consecutive states [J].
     double created = 0.0;
-    /// `created` relative to `exchanged` plus the kinetic energy then.
-    double created_share = 0.0;
-    double swing_share = 0.0;  ///< The same of one state: includes oscillations within two steps.
-    double created_at = 0.0;   ///< [s].
-    double violation = 0.0;    ///< Largest of a joint [m]; turns count at half the body's size.
-    /// Largest violation relative to the limit: 1 cm or 1 % of the size.
-    double violation_share = 0.0;
-    double violation_at = 0.0;  ///< [s].
-    InteractionId worst{};      ///< Joint with that violation.
+    double created_share = 0.0;    ///< The same over `exchanged` and the kinetic energy at that
+                                   ///< time.
+    double swing_share = 0.0;      ///< In one state: includes changes that vanish within two steps.
+    double created_at = 0.0;       ///< [s].
+    double violation = 0.0;        ///< Largest of a joint [m]; rotations count at half the body's
+                                   ///< size.
+    double violation_share = 0.0;  ///< Largest over the limit: 1 cm or 1 % of the size.
+    double violation_at = 0.0;     ///< [s].
+    InteractionId worst{};         ///< Joint with this violation.
     bool finite = true;
     [[nodiscard]] bool wrong() const noexcept {
         return !finite || created_share > 0.01 || violation_share > 1.0;
     }
 };
 
-/// Observes a world whose steps all end ok. The energy of a staggered scheme can be evaluated in
-/// two ways: at poses, with the mean of the kinetic energies before and after, or half-way between
-/// two poses. Either may oscillate within a period without creation of energy. A spring that is far
-/// too stiff for the step stores energy by its length, 0.1 mm off, that it never exerts; its force
-/// does not show it. The result is the smallest of the three rises, if it lasts for three
-/// successive states. If a body whips round within two steps, its energy oscillates by some per
-/// cent and returns afterwards. Each halving of the step reduces this by three quarters.
+/// Monitors a world whose steps all succeeded.
+///
+/// The energy of a staggered scheme can be computed at poses, with the mean of the kinetic energies
+/// before and after, or midway between two poses. Either may oscillate within a period without
+/// created energy. A spring that is much too stiff for the step stores energy by its length at a
+/// pose, 0.1 mm off, that it never exerts. Its force does not show this energy.
+///
+/// The smallest of the three rises counts, if it is present in three consecutive states. A body
+/// that whips round within two steps changes its energy by some per cent, which returns afterwards.
+/// Each halving of the step reduces this to a quarter.
 class RandomJudge {
   public:
     explicit RandomJudge(const World& world);
-    /// After each step.
+    /// Check the state after a step.
     void look(const World& world);
     [[nodiscard]] const Judged& figures() const noexcept { return out_; }
 
   private:
-    /// Elastic element between two points: g²/(2 ε) of its length beyond the one at rest.
+    /// Elastic element between two points: g²/(2 ε) of its length beyond the rest length.
     struct Spring {
         InteractionId id{};
         double length = 0.0, compliance = 0.0;
         bool one_sided = false;
     };
-    struct Swing {  ///< Rises for one way to evaluate the energy.
+    struct Swing {  ///< Sums of one definition of the energy.
         double now = 0.0, least = 0.0;
         bool begun = false;
         [[nodiscard]] double rise(double energy);
@@ -71,7 +74,7 @@ class RandomJudge {
     std::vector<InteractionId> joints_;
     std::vector<double> allowed_, size_;  ///< Limit and size of each joint [m].
     std::vector<Pose> before_;
-    double kinetic_ = 0.0, gravity_ = 0.0, elastic_ = 0.0;  ///< Before.
+    double kinetic_ = 0.0, gravity_ = 0.0, elastic_ = 0.0;  ///< Values of the state before.
     double floor_ = 0.0;  ///< Energy of all bodies one centimetre higher [J].
     Swing at_poses_, between_, by_force_;
     std::array<double, 2> risen_{};  ///< Smallest of the three in the last two states [J].

@@ -13,7 +13,7 @@ constexpr std::array<const char*, 4> kOutcomes{"ok", "doubtful", "failed", "refu
 
 const char* name_of(Outcome outcome) { return kOutcomes[static_cast<std::size_t>(outcome)]; }
 
-/// Return a letter for each category, see the legend.
+/// Return a letter for each category, as in the legend.
 std::string letters(const RandomCase& c) {
     return fmt::format("{}{}{}{}{}", c.loops ? 'L' : '-', c.repeated ? 'R' : '-',
                        c.contradictory ? 'C' : '-', c.wires ? 'W' : '-', c.extreme ? 'E' : '-');
@@ -41,7 +41,7 @@ constexpr std::array<Category, kCategoryCount> kCategories{{
     {"0.1 to 0.2 s", [](const RandomCase& c) { return c.step >= 0.1; }},
 }};
 
-/// Return the reason for which a case is not ok.
+/// Return the check that reports that a case is not ok.
 std::string reason_of(const Ended& e) {
     if (e.outcome == Outcome::refused) return "the scene is refused";
     if (e.status != Status::ok && e.status != Status::diverged) return to_string(e.status);
@@ -80,7 +80,7 @@ void Tally::add(const Ended& e) {
     }
     if (e.of.contradictory) return;
     ++consistent;
-    // A wrong run did not end ok, for any status.
+    // A wrong case did not end ok, whatever its status.
     consistent_ok += e.outcome == Outcome::ok && !e.wrong();
 }
 double Tally::share_ok() const {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file random_report.h
-/// Results of random mechanisms: counted by their features, with the reasons of failures.
+/// Results of runs of random mechanisms: counted by the contents of the mechanisms, and reasons of
+/// those that did not end ok.
 
 #include "random_cases.h"
 #include "random_judge.h"
@@ -22,24 +23,24 @@ struct Ended {
     RandomCase of;
     std::uint64_t number = 0;
     Outcome outcome = Outcome::ok;
-    std::string why;    ///< Reason of a failure or a refusal.
-    std::string worst;  ///< Name of the joint that is open furthest.
+    std::string why;    ///< Reason of a failure or a rejection.
+    std::string worst;  ///< Name of the joint with the largest gap.
     Status status = Status::ok;
-    hawser::Verdict verdict;  ///< Verdict of the world.
-    Judged judged;            ///< Result of RandomJudge.
+    hawser::Verdict verdict;  ///< Result of the world's monitors.
+    Judged judged;            ///< Result of this command's monitor.
     double seconds = 0.0;     ///< Wall time.
     [[nodiscard]] bool wrong() const { return outcome == Outcome::ok && judged.wrong(); }
 };
 
-/// A line about a case.
+/// Return a line about a case.
 [[nodiscard]] std::string told(const Ended& ended);
 
 /// Counts of a category.
 struct Tally {
     int cases = 0, ok = 0, doubtful = 0, failed = 0, refused = 0, wrong = 0, energy = 0, open = 0,
         infinite = 0;
-    int consistent = 0, consistent_ok = 0;  ///< Without contradictory joints.
-    int swung = 0;  ///< Runs that ended ok, with an energy oscillation above 1 % in one state.
+    int consistent = 0, consistent_ok = 0;  ///< Cases without inconsistent joints.
+    int swung = 0;  ///< Cases that ended ok with an energy change above 1 % in one state.
     void add(const Ended& ended);
     [[nodiscard]] double share_ok() const;
 };
@@ -47,21 +48,21 @@ struct Tally {
 inline constexpr std::size_t kCategoryCount = 11;
 using Tallies = std::array<Tally, kCategoryCount>;
 
-/// All that is counted.
+/// Counts of all cases.
 class RandomReport {
   public:
     void add(const Ended& ended);
     [[nodiscard]] const Tally& all() const { return tallies_[0]; }
     void print_outcomes() const;
-    /// Print the failures without contradictory joints: the reason, the number in which RandomJudge
-    /// finds no fault, and the features.
+    /// Print the cases without inconsistent joints that did not end ok: the check that reports it,
+    /// the number in which this command's monitor finds no error, and their contents.
     void print_reasons() const;
     /// Write the figures to a file. @throws std::runtime_error.
     void write_json(const std::string& path, std::uint64_t seed, int count) const;
 
   private:
     struct Reason {
-        int unseen = 0;  ///< RandomJudge finds no fault up to there.
+        int unseen = 0;  ///< This command's monitor finds no error up to this time.
         std::array<int, kCategoryCount> cases{};
     };
     Tallies tallies_{};
@@ -72,10 +73,10 @@ class RandomReport {
 /// A table with a line for each case, in comma-separated values.
 class CaseList {
   public:
-    /// @param path  Empty: write no file. @throws std::runtime_error.
+    /// Open a file. @param path  Empty: write no file. @throws std::runtime_error.
     explicit CaseList(const std::string& path);
     void add(const Ended& ended);
-    /// @throws std::runtime_error if a write failed.
+    /// Close the file. @throws std::runtime_error if a line could not be written.
     void close();
 
   private:

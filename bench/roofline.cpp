@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench roofline: factorisation and substitution compared with the limits of the processor.
+// hawser-bench roofline: Hawser's factorisation and substitution compared with the limits of the
+// processor.
 #include <hawser/factor.h>
 #include <hawser/world.h>
 
@@ -22,8 +23,8 @@
 namespace hawser::bench {
 namespace {
 
-/// Pattern of a form as given by users of the library, and values. Any quasi-definite values do,
-/// since they do not change the time.
+/// The pattern of a form through the public interface, and values: times do not depend on them, so
+/// that any quasi-definite ones are sufficient.
 struct Work {
     explicit Work(const ProblemSource& source) {
         const Problem problem(source.system());
@@ -38,7 +39,7 @@ struct Work {
         x.assign(at(factor.info().scalars), 1.0);
     }
 
-    /// Diagonally dominant.
+    /// Make it diagonally dominant.
     void fill() {
         values.assign(at(factor.value_count()), 1e-3);
         for (std::size_t node = 0; node < pattern.size.size(); ++node) {
@@ -59,7 +60,7 @@ struct Row {
     double megabytes = 0.0;            ///< Size of L.
     double factor = 0.0, solve = 0.0;  ///< Medians [s].
     double flops = 0.0, factor_bytes = 0.0, solve_bytes = 0.0;
-    Bandwidth limit{};  ///< For as many bytes as L has.
+    Bandwidth limit{};  ///< Through as many bytes as L has.
 };
 
 double median_time(int rounds, const auto& once) {
@@ -82,7 +83,7 @@ Row measure(const ProblemSource& source, int rounds) {
     const double entries = sizeof(double) * static_cast<double>(info.factor_nnz);
     row.megabytes = 1e-6 * entries;
     row.flops = static_cast<double>(info.flops);
-    // Each value is read, each entry of L written and read at least once; a substitution reads L
+    // Each value is read, each entry of L is written and read at least once; a substitution reads L
     // twice, and its vector.
     row.factor_bytes = sizeof(double) * static_cast<double>(w.values.size()) + 2.0 * entries;
     row.solve_bytes = 2.0 * entries + 4.0 * sizeof(double) * static_cast<double>(info.scalars);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench sea: the time of waves, hulls and their memory by instruction set, and of a step of
+// hawser-bench sea: cost of waves, hulls and their memory by instruction set, and of a step of
 // bench/scenes/frozen/anchor_sea.json.
 #include <hawser/scene.h>
 #include <hawser/sea.h>
@@ -42,7 +42,7 @@ double sea_cpu() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Return the median CPU time of a call over rounds of `repeat` calls [s].
+/// Return the median CPU time of a call, of rounds of `repeat` calls [s].
 template <class Call>
 double time_of(int repeat, Call&& call) {
     std::vector<double> rounds;
@@ -78,7 +78,7 @@ std::vector<Set> sets() {
     return all;
 }
 
-/// [ns] a component and point, kWavePoints at a time, down to 5 m: elevation, velocity,
+/// Measure [ns] per component and point, kWavePoints at a time, down to 5 m: elevation, velocity,
 /// acceleration, pressure.
 double waves_ns(const marine::WaveKernels& by) {
     SeaDef def{.depth = 150.0};
@@ -109,7 +109,7 @@ double waves_ns(const marine::WaveKernels& by) {
     return 1e9 * seconds / (400.0 * kPoints);
 }
 
-/// [us] a step: 60 s at 60 Hz, all 21 pairs of six motions.
+/// Measure [us] per step: 60 s at 60 Hz, all 21 pairs of six motions.
 double memory_us(const marine::MemoryKernels& by) {
     constexpr std::int64_t kSamples = 3599;
     base::Array<double> k(21 * marine::memory_padded(kSamples), 1e-3),
@@ -125,7 +125,7 @@ double memory_us(const marine::MemoryKernels& by) {
     return 1e6 * seconds;
 }
 
-/// A hull that the surface cuts.
+/// A hull partly cut by the surface.
 struct CutHull {
     HullMesh mesh = box_hull({40, 9, 6}, 40, 9, 6);
     std::vector<marine::HullCorner> corners;
@@ -137,7 +137,7 @@ struct CutHull {
     }
 };
 
-/// [ns] a triangle of it, each by itself.
+/// Measure [ns] per triangle, clipped one by one.
 double clipping_ns() {
     const auto [mesh, corners] = CutHull();
     const auto at = [&](std::int32_t i) -> const marine::HullCorner& {
@@ -153,7 +153,7 @@ double clipping_ns() {
     return 1e9 * seconds / static_cast<double>(mesh.triangles.size());
 }
 
-/// Return the time per triangle [ns] as in a step: wet triangles several at a time, cut ones alone.
+/// Measure [ns] per triangle like in a step: wet ones in batches, cut ones one by one.
 double hull_ns(const marine::HullKernels& by) {
     const CutHull hull;
     const auto& triangles = hull.mesh.triangles;

@@ -9,7 +9,7 @@
 
 namespace hawser::bench {
 
-/// Return the quantile for a fraction, such as 0.5 for the median; 0 if there are no values.
+/// Return the quantile of a fraction, such as 0.5 for the median; 0 if empty.
 inline double share_of(std::vector<double> values, double share) {
     if (values.empty()) return 0.0;
     const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // hawser-bench step: median time of a whole step, memory, and their growth with the scene. With
-// --seaway: the distribution of costs over the steps of a run whose hulls are forced.
+// --seaway, the distribution of costs over the steps of a run with forced hulls.
 #include <hawser/scene.h>
 
 #include "commands.h"
@@ -23,7 +23,7 @@ struct Figures {
     std::array<double, kStageCount> stage_ms{};
 
     [[nodiscard]] double us_per_body() const { return 1e3 * median_ms / bodies; }
-    /// Memory of the world once a step: a lower bound of the traffic.
+    /// Return a bandwidth if all memory of the world passes once per step: a lower bound.
     [[nodiscard]] double gb_per_s() const { return 1e-6 * bytes_per_body * bodies / median_ms; }
 };
 
@@ -33,7 +33,7 @@ double step_percentile(std::vector<double> v, double p) {
     return v[static_cast<std::size_t>(p * static_cast<double>(v.size() - 1))];
 }
 
-/// One world that can be timed in turn with others.
+/// A world that is timed in turns with others.
 struct Subject {
     scene::Scene scene;
     int scale;
@@ -68,7 +68,7 @@ struct Subject {
     }
 };
 
-/// Options of --seaway, as parsed.
+/// Options of --seaway, and their parsed values.
 struct SeawayArguments {
     bool on = false;
     SeawayOptions options;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file step_seaway.h
-/// Step a scene whose hulls are forced as in a seaway, for hawser-bench step --seaway.
+/// Step a scene whose hulls are forced like in a seaway, for hawser-bench step --seaway.
 
 #include <string>
 #include <vector>
@@ -23,7 +23,7 @@ struct SeawayOptions {
     std::vector<HullForcing> hulls;  ///< Empty: default_hulls().
 };
 
-/// Forcing of the hulls of the anchor handling site.
+/// Return the forcing of the hulls of the anchor handling site.
 [[nodiscard]] std::vector<HullForcing> default_hulls();
 
 /// Formula of the forcing, for help texts.

@@ -13,8 +13,8 @@ namespace hawser::bench {
 
 class Verdict {
   public:
-    /// @param bar  Name of the bar, the same in every run. @param of  Case or scene; may be empty.
-    ///        @param what  Figures, for a reader.
+    /// Record a bar. @param bar  Name of the bar, equal in every run. @param of  Object: a case, a
+    /// scene; may be empty. @param what  Figures for a reader.
     void ask(std::string bar, std::string of, bool met, std::string what) {
         fmt::print("  {:<6}  {}{}{}\n", met ? "ok" : "MISSED", of, of.empty() ? "" : ": ", what);
         list_.push_back({{"bar", std::move(bar)},

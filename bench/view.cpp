@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench view: a scene in real time, first by `hawser run --realtime`, then by `hawser view`.
-// Some clients read, one never does, and one connects repeatedly. All are processes and sockets as
-// in use; figures of steps and frames come from the frames.
+// hawser-bench view: a scene in real time, first by `hawser run --realtime`, then by `hawser view`
+// with clients. Clients read, never read, or connect and disconnect. All are processes and sockets
+// like those of users; figures of steps and frames are those in the frames.
 #include "commands.h"
 #include "share_of.h"
 #include "verdict.h"
@@ -47,7 +47,7 @@ struct ViewBench {
 
 double wall() {
     timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);  // as in frames
+    clock_gettime(CLOCK_MONOTONIC, &now);  // the clock of the frames
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -91,7 +91,7 @@ class Program {
         std::ifstream in(words_);
         return {std::istreambuf_iterator<char>(in), {}};
     }
-    /// Return the text behind `what` in its output, up to the end of the line.
+    /// Return the text after `what` in its output, up to the end of the line.
     [[nodiscard]] std::string word_behind(const std::string& what) const {
         for (int k = 0; k < 600; ++k) {
             const std::string all = words();
@@ -103,7 +103,7 @@ class Program {
         }
         throw std::runtime_error("the program does not say \"" + what + "\":\n" + words());
     }
-    /// Return the resident memory from /proc/PID/status [kB].
+    /// Return the memory from /proc/PID/status [kB].
     [[nodiscard]] double resident() const {
         std::ifstream in("/proc/" + std::to_string(pid_) + "/status");
         for (std::string line; std::getline(in, line);)
@@ -116,7 +116,7 @@ class Program {
     pid_t pid_ = -1;
 };
 
-/// Results of one client.
+/// Data received by one client.
 struct Reader {
     double begun = 0.0, ended = 0.0;
     std::vector<double> ages, step_ms, frame_us, bytes;
@@ -144,7 +144,7 @@ void read_on(std::uint16_t port, const std::string& token, double until, Reader&
     }
 }
 
-/// Connect and read nothing; reconnect if dropped.
+/// Run a client that never reads, and connects again if it is dropped.
 void stay_deaf(std::uint16_t port, const std::string& token, double until, int& dropped) {
     while (wall() < until) {
         test::LiveClient client(port, token);
@@ -179,7 +179,7 @@ Seen serve(const ViewBench& options, const std::filesystem::path& folder) {
     const std::string token = address.substr(address.find("token=") + 6);
     Seen out;
     out.readers.resize(static_cast<std::size_t>(options.readers));
-    // Start one client first, so that shared data exist.
+    // One client alone first, so that data shared by all exist.
     Reader first;
     read_on(port, token, wall() + 2.0, first);
     out.memory_before = program.resident();
@@ -202,7 +202,7 @@ Seen serve(const ViewBench& options, const std::filesystem::path& folder) {
     return out;
 }
 
-/// Median of step_ms of `hawser run --realtime`.
+/// Return the median of step_ms of `hawser run --realtime`.
 double alone(const ViewBench& options, const std::filesystem::path& folder) {
     const std::string summary = (folder / "run.json").string();
     Program program({"run", options.scene, "--realtime", "--quiet", "--duration",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench wires: a wire around a post, by our methods and other engines.
+// hawser-bench wires: a wire around a bollard, by Hawser's methods and those of other engines.
 #include "commands.h"
 #include "wires/measure.h"
 
@@ -37,7 +37,7 @@ struct WiresOptions {
     WirePlan plan;
 };
 
-/// Return the methods whose names begin with a requested name.
+/// Return the methods whose names begin with one of the requested names.
 std::vector<WireMethod> chosen_methods(const WiresOptions& o) {
     std::vector<WireMethod> out;
     const std::vector<WireMethod> all = wires::methods();
@@ -95,7 +95,7 @@ json figures_json(const WireFigures& f) {
     return j;
 }
 
-/// Ours, exactly: routes have no geometry of their own.
+/// True if the result is exact, for Hawser: routes have no geometry of their own.
 bool is_good(const WireFigures& f) {
     if (f.method.rfind("hawser-route", 0) != 0) return true;
     return f.holds && std::abs(f.error) <= 1e-4 && f.creep <= 1e-9;

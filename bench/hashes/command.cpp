@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hawser-bench hashes: the same bits for any number of threads and after restoring.
+// hawser-bench hashes: equal bits for any number of threads and after a restore.
 #include <hawser/world.h>
 
 #include "commands.h"
@@ -103,7 +103,7 @@ int hashes_command(int argc, char** argv) {
                 rows.push_back(figures_of(c, method));
                 if (!c.equal()) ++different;
             } catch (const std::runtime_error& refused) {
-                // Not every method supports every scene. A scene given by name must be supported.
+                // Not every method accepts every scene; a requested scene must be accepted.
                 if (chosen || method == "newton") throw;
                 fmt::print("{:<18} {:<9} left out: {}\n",
                            std::filesystem::path(file).stem().string(), method, refused.what());

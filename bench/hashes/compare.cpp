@@ -25,7 +25,7 @@ scene::Scene load_for_hashes(const std::string& file, const HashOptions& options
     return scene::load_file(file, o);
 }
 
-/// @return true if a joint has friction, a range, or a motor whose force may be limited.
+/// True if a joint has friction, a range, or a motor with a force limit.
 bool has_bounds(const World& world) {
     for (int i = 0; i < world.interaction_count(); ++i) {
         const std::string kind = kind_info(world.interaction_def(InteractionId{i}).kind).name;
@@ -35,14 +35,14 @@ bool has_bounds(const World& world) {
     return false;
 }
 
-/// Hash of a failed step: its state is that of the step before.
+/// Hash of a failed step, whose state is that of the step before.
 constexpr std::uint64_t kFailed = 0;
-/// Saved states at random steps.
+/// Steps compared after a state at a random step.
 constexpr std::size_t kRestoredSteps = 60;
 
 struct Saved {
     std::vector<std::byte> state;
-    std::optional<Structure> made_of;  ///< Set if the structure differs from that at the start.
+    std::optional<Structure> made_of;  ///< Structure of a world that differs from the start.
 };
 
 /// A scene with its timeline.
@@ -90,7 +90,7 @@ struct Pieces {
     friend bool operator==(const Pieces&, const Pieces&) = default;
 };
 
-/// Do the first run: store hashes of all steps, counts, and states before some steps.
+/// Make the first run: hashes of all steps, counts, and states before some steps.
 std::vector<std::uint64_t> run_first(Run& run, const HashOptions& options, HashComparison& out,
                                      std::map<int, Saved>& saved) {
     std::vector<std::uint64_t> hashes;
@@ -117,7 +117,7 @@ std::vector<std::uint64_t> run_first(Run& run, const HashOptions& options, HashC
     return hashes;
 }
 
-/// Step and compare hashes. @param at  Number of steps so far. Saves after `middle` steps.
+/// Step on and compare. Saves after `middle` steps. `at`: number of steps made before.
 std::int64_t first_difference(Run& run, std::span<const std::uint64_t> hashes, int at, int middle,
                               Saved* saved) {
     for (auto i = static_cast<std::size_t>(at); i < hashes.size(); ++i) {
@@ -127,7 +127,7 @@ std::int64_t first_difference(Run& run, std::span<const std::uint64_t> hashes, i
     return 0;
 }
 
-/// Steps at which states are saved: half way, and random ones.
+/// Return steps at which states are saved: the middle, and random ones.
 std::map<int, Saved> steps_to_save(const HashOptions& options, int middle) {
     std::map<int, Saved> out;
     out[middle];

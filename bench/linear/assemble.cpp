@@ -16,7 +16,7 @@ struct AssembleView {
     double* target;
 };
 
-/// Contributions [k, k + count) of Rows rows each to a block that has `rows` rows.
+/// Add contributions [k, k + count) of Rows rows each to a block of `rows` rows.
 template <int Rows, int Columns, class V>
 HAWSER_BENCH_INLINE void add_rows(const BlockWrite& op, const AssembleView& v, int rows,
                                   std::int32_t& k, V (&sum)[Columns]) {
@@ -34,28 +34,26 @@ HAWSER_BENCH_INLINE void add_rows(const BlockWrite& op, const AssembleView& v, i
     }
 }
 
-/// Add products of rows. Rows: number of rows of the block; 0: any. V: a vector with at least as
-/// many lanes.
+/// Rows: number of rows of the block; 0: not known. V: vector with at least as many lanes.
 template <int Rows, int Columns, class V>
 HAWSER_BENCH_INLINE void run(const BlockWrite& op, const AssembleView& v) {
     V sum[Columns] = {};
     const int rows = Rows > 0 ? Rows : op.row_size;
     if (op.base < 0) {
-        // Starts from zero.
+        // Start from zero.
     } else if (!op.by_rows) {
         HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) load(sum[c], v.values + op.base + c * rows);
-    } else if constexpr (Rows == 1) {  // its only row, a number each
+    } else if constexpr (Rows == 1) {  // only one row of a number per entry
         HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) sum[c] = V4{v.values[op.base + c], 0.0, 0.0, 0.0};
-        // by entries: a vector load after stores of entries would wait
-    } else if constexpr (Rows == 3) {
+    } else if constexpr (Rows == 3) {  // by entries: a vector load after stores of entries is late
         const double* from = v.values + op.base;
         HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c)
             sum[c] = V4{from[c], from[Columns + c], from[2 * Columns + c], 0.0};
     } else {
-        double turned[Columns][8] = {};  // a vector with a lane written by number lives in memory
+        double turned[Columns][8] = {};  // a vector with a lane written by index is in memory
         for (int i = 0; i < rows; ++i) HAWSER_BENCH_UNROLL
         for (int c = 0; c < Columns; ++c) turned[c][i] = v.values[op.base + i * Columns + c];
         HAWSER_BENCH_UNROLL
@@ -66,7 +64,7 @@ HAWSER_BENCH_INLINE void run(const BlockWrite& op, const AssembleView& v) {
     add_rows<2>(op, v, rows, k, sum);
     add_rows<3>(op, v, rows, k, sum);
     double* to = v.target + op.to;
-    // A diagonal block among longer columns may have its upper triangle written too.
+    // The upper triangle of a diagonal block among longer columns may be written too.
     const bool diagonal = op.diagonal, close = op.step == 1 && !(diagonal && op.shrink);
     HAWSER_BENCH_UNROLL
     for (int c = 0; c < Columns; ++c) {
@@ -104,7 +102,7 @@ HAWSER_BENCH_INLINE void run_any(const BlockWrite& op, const AssembleView& v) {
     }
 }
 
-// Blocks follow the order of the target, their operands that of the system.
+// Blocks are in the sequence of the target, their contributions in that of the system.
 constexpr std::int64_t kFar = 12, kNear = 4;  // blocks ahead
 
 HAWSER_BENCH_INLINE void fetch_tables(const BlockWrite& op, const AssembleView& v) {
@@ -113,9 +111,9 @@ HAWSER_BENCH_INLINE void fetch_tables(const BlockWrite& op, const AssembleView& 
     if (op.base >= 0) fetch(v.values + op.base, 1);
 }
 
-/// Prefetch for diagonal blocks, which come first and read all values that the others need.
+/// Prefetch for diagonal blocks, which come first and read all data of the others.
 HAWSER_BENCH_INLINE void fetch_values(const BlockWrite& op, const AssembleView& v) {
-    constexpr int kMost = 16;  // longer blocks leave time to load
+    constexpr int kMost = 16;  // larger ones take long
     const int count = op.count[0] + op.count[1] + op.count[2];
     if (!op.diagonal || count >= kMost) return;
     const int lines = op.row_size > 3 ? 3 : 2;
@@ -161,7 +159,7 @@ HAWSER_BENCH_CLONES void run_ops(const BlockWrite* ops, std::int64_t count, cons
     }
 }
 
-/// @param asked  Number of rows to prefetch: all, or none.
+/// Invert rows. @param asked  Rows to prefetch: all, or none.
 HAWSER_BENCH_CLONES void invert_rows(const SweepTables::Row* rows, std::int64_t count,
                                      std::int64_t asked, const double* values, double* inverse) {
     constexpr std::int64_t kAhead = 16;

@@ -10,7 +10,7 @@
 namespace hawser::bench {
 namespace {
 
-/// With the order applied beforehand: natural order for CHOLMOD. Simplicial LDLᵀ reads the upper
+/// The order is applied before: natural order for CHOLMOD. Simplicial LDLᵀ reads the upper
 /// triangle, supernodal LLᵀ the lower, without a copy. CHOLMOD postorders, which its supernodes
 /// need.
 class CholmodSolver final : public ScalarSolver {
@@ -47,7 +47,7 @@ class CholmodSolver final : public ScalarSolver {
         natural_ = &input.matrix->lower;
         return true;
     }
-    /// With AMD, its first choice; no other order is tried.
+    /// Analyse with AMD, its first choice; no other order is tried.
     void analyse_own() override {
         cholmod_sparse view{};
         view.nrow = view.ncol = static_cast<std::size_t>(natural_->rows());

@@ -8,7 +8,7 @@
 namespace hawser::bench {
 namespace {
 
-/// Eigen makes no copy if the matrix is permuted beforehand and its upper triangle stored.
+/// With the matrix permuted before and its upper triangle stored, Eigen makes no copy.
 class EigenSolver final : public ScalarSolver {
   public:
     explicit EigenSolver(Order order) : ScalarSolver(order, Triangle::upper) {}

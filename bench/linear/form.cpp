@@ -12,7 +12,8 @@
 namespace hawser::bench {
 namespace {
 
-/// A pair of kept nodes, row ≥ column, with one contribution: a block, or an eliminated node.
+/// A pair of kept nodes, row ≥ column, and a contribution to its block: a block, or an eliminated
+/// node.
 struct Piece {
     std::int32_t row, col;
     std::int32_t base;  ///< −1: a contribution.

@@ -2,7 +2,7 @@
 #pragma once
 /// @file kernels.h
 /// Vectors of eight doubles for the loops around the solvers, compiled once for each instruction
-/// set by the compiler and chosen when the program starts.
+/// set by the compiler and selected when the program starts.
 
 #include <cstddef>
 #include <cstring>
@@ -15,15 +15,15 @@
 #define HAWSER_BENCH_CLONES
 #endif
 #define HAWSER_BENCH_INLINE [[gnu::always_inline]] inline
-/// Before loops over an array of vectors, which otherwise stays in memory.
+/// Unroll a loop over an array of vectors, which otherwise stays in memory.
 #define HAWSER_BENCH_UNROLL _Pragma("GCC unroll 8")
 
 namespace hawser::bench {
 
 using V4 = double __attribute__((vector_size(32)));
 using V2 = double __attribute__((vector_size(16)));
-/// Two registers of AVX2. Without registers of 64 bytes g++ would pass such a vector through
-/// memory.
+/// Two registers of AVX2. g++ lowers one vector of 64 bytes through memory if no register has this
+/// size.
 struct V8 {
     V4 low, high;
 };
@@ -63,7 +63,7 @@ inline constexpr double kMask[9][8] = {{},
                                        {1, 1, 1, 1, 1, 1, 1},
                                        {1, 1, 1, 1, 1, 1, 1, 1}};
 
-/// Eight doubles from an address of any alignment; reads past short blocks.
+/// Load eight doubles from an address of any alignment; reads past short blocks.
 HAWSER_BENCH_INLINE void load(V8& v, const double* from) {
     using Anywhere = double __attribute__((vector_size(32), aligned(8), may_alias));
     v.low = *reinterpret_cast<const Anywhere*>(from);
@@ -75,16 +75,16 @@ HAWSER_BENCH_INLINE void load(V4& v, const double* from) {
     v = *reinterpret_cast<const Anywhere*>(from);
 }
 
-/// Sizes, in doubles, from which blocks are prefetched: the first (4 MB) for blocks read in order,
-/// the second (8 MB) for others. Below, prefetching costs more than it saves.
+/// Number of doubles from which blocks are prefetched: for blocks read in sequence (4 MB), and for
+/// others (8 MB). Below it, prefetching costs more than it saves.
 inline constexpr std::size_t kNearSize = 524'288, kNearScattered = 1'048'576;
 
-/// Prefetch cache lines that will be read soon.
+/// Prefetch cache lines.
 HAWSER_BENCH_INLINE void fetch(const double* from, int lines) {
     for (int k = 0; k < lines; ++k) __builtin_prefetch(from + 8 * k);
 }
 
-/// The first N of four doubles.
+/// Load the first N of four doubles.
 template <int N>
 HAWSER_BENCH_INLINE void store(double* to, const V4& v) {
     static_assert(N <= 4);
@@ -98,8 +98,8 @@ HAWSER_BENCH_INLINE void store(double* to, const V4& v) {
     }
 }
 
-/// out = the four sums of the lanes of four vectors. (No vector is returned: without AVX that is
-/// another calling convention.)
+/// Set out to the four sums of the lanes of four vectors. (No vector is returned: without AVX this
+/// has another calling convention.)
 HAWSER_BENCH_INLINE void totals(V4& out, const V4 (&v)[4]) {
     const V4 ab = __builtin_shufflevector(v[0], v[1], 0, 4, 2, 6) +
                   __builtin_shufflevector(v[0], v[1], 1, 5, 3, 7);
@@ -108,7 +108,7 @@ HAWSER_BENCH_INLINE void totals(V4& out, const V4 (&v)[4]) {
     out = __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
-/// The first N of eight doubles.
+/// Load the first N of eight doubles.
 template <int N>
 HAWSER_BENCH_INLINE void store(double* to, const V8& v) {
     const V4& last = N >= 4 ? v.high : v.low;
@@ -121,7 +121,7 @@ HAWSER_BENCH_INLINE void store(double* to, const V8& v) {
     if constexpr (kRest % 2 == 1) to[N - 1] = last[kRest - 1];
 }
 
-/// sum += the lower and the upper half.
+/// Add the lower and the upper half to sum.
 HAWSER_BENCH_INLINE void add_halves(V4& sum, const V8& v) { sum += v.low + v.high; }
 
 }  // namespace hawser::bench

@@ -11,8 +11,8 @@ extern "C" {
 namespace hawser::bench {
 namespace {
 
-/// KLU: LU of the full matrix. Pivots on the diagonal, no scaling, no block triangular form; the
-/// first factorisation finds the structure, klu_refactor repeats it.
+/// KLU: LU of the full matrix. Pivots on the diagonal, no scaling, no block triangular form. The
+/// first factorisation finds the structure, klu_refactor reuses it.
 class KluSolver final : public ScalarSolver {
   public:
     explicit KluSolver(Order order) : ScalarSolver(order, Triangle::full) {
@@ -20,7 +20,7 @@ class KluSolver final : public ScalarSolver {
         common_.btf = 0;
         common_.scale = 0;
         common_.tol = 0.0;
-        common_.ordering = order == Order::library ? 1 : 2;  // COLAMD; 2: given
+        common_.ordering = order == Order::library ? 1 : 2;  // 1: COLAMD; 2: a given order
     }
     ~KluSolver() override {
         klu_free_numeric(&numeric_, &common_);

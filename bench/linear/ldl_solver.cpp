@@ -13,13 +13,12 @@ extern "C" {
 namespace hawser::bench {
 namespace {
 
-/// LDL (T. Davis), up-looking; the matrix is permuted beforehand, its upper triangle is read.
+/// LDL (T. Davis), up-looking; the matrix is permuted before, and its upper triangle is read.
 class LdlSolver final : public ScalarSolver {
   public:
     explicit LdlSolver(Order order) : ScalarSolver(order, Triangle::upper) {}
 
-    /// Permute by AMD, as its examples do: LDL has no order of its own. It needs both triangles
-    /// then.
+    /// It has no order of its own; its examples call AMD. With an order it needs both triangles.
     bool prepare_own(const Input& input) override {
         const Sparse& lower = input.matrix->lower;
         std::vector<std::int32_t> natural(static_cast<std::size_t>(lower.rows()));
@@ -82,7 +81,7 @@ class LdlSolver final : public ScalarSolver {
   private:
     std::vector<int> start_, parent_, count_, pattern_, flag_, row_;
     std::vector<double> value_, d_, y_;
-    // Data of its own analysis.
+    // Matrix of its own analysis.
     Permuted full_;
     std::vector<int> own_order_, own_place_, own_start_, own_parent_, own_count_, own_flag_,
         own_row_;

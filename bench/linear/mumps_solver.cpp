@@ -13,8 +13,8 @@ extern "C" {
 namespace hawser::bench {
 namespace {
 
-/// MUMPS without MPI. SYM = 1 accepts pivots of either sign. This needs the root front outside
-/// ScaLAPACK, which the version without MPI lacks.
+/// MUMPS without MPI. SYM = 1 accepts pivots of either sign in their order. This holds if the root
+/// front is not factored by ScaLAPACK, which the version without MPI lacks.
 class MumpsSolver final : public ScalarSolver {
   public:
     explicit MumpsSolver(Order order) : ScalarSolver(order, Triangle::lower) {
@@ -27,7 +27,8 @@ class MumpsSolver final : public ScalarSolver {
         icntl(6) = 0;                                             // no maximum transversal
         icntl(7) = 1;                                             // the order is given
         icntl(8) = 0;                                             // no scaling
-        icntl(10) = 0;                                            // refinement is ours
+        icntl(10) = 0;                                            // refinement is done by this
+                                                                  // program
         icntl(13) = 1;                                            // no ScaLAPACK
     }
     ~MumpsSolver() override {

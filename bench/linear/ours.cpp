@@ -16,7 +16,7 @@ void check(int wrong) {
     if (wrong != 0) throw std::runtime_error(fmt::format("{} pivots of the wrong sign", wrong));
 }
 
-constexpr std::int64_t kScalars = 4096;  ///< Moved by a task at least.
+constexpr std::int64_t kScalars = 4096;  ///< Least number of scalars moved by a task.
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void Ours::find_places(base::Executor& executor) {
     placer_.place(*form_, analysis_, numeric_.pieces(), ops_, piece_ops_, executor);
     const std::size_t n = at(symbolic_.scalars);
     x_.resize(n + 8, 0.0);
-    // Values written past the end of a node are overwritten by the next node.
+    // Entries written past the end of a node are overwritten by the next one.
     constexpr std::int32_t kWide = 8;
     place_.resize(n + kWide);
     std::int32_t* place = place_.data();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file ours.h
-/// The factorisation of Hawser as one of the solvers compared, in stages that are timed separately.
+/// Hawser's factorisation as one of the compared solvers, and in separate steps for timing.
 
 #include "factor/numeric.h"
 #include "factor/repair.h"
@@ -14,28 +14,29 @@
 
 namespace hawser::bench {
 
-/// Writes the values of a few fronts just before their factorisation. The substitution follows
-/// while they are in the cache, as in a time step.
+/// Writes the values of a few fronts just before it factors them, and continues with the
+/// substitution while they are in cache, like a time step.
 class Ours final : public Solver {
   public:
     explicit Ours(Order order) : analysis_(planner(order)) {}
 
     void analyse(const Input& input, base::Executor& executor) override;
-    /// Update the analysis. Nodes keep their numbers; the pattern contains all changes.
+    /// Nodes keep their numbers; the pattern has all data of the analysis.
     void update(const Input& input, const std::vector<int>& changed,
                 base::Executor& executor) override;
-    /// The two halves of analyse() and update(): order and structure, then the addresses of blocks.
+    /// Compute order and structure: the first part of analyse() and update(). The second part finds
+    /// the address of each block.
     void plan(const Input& input, base::Executor& executor);
     void repair(const Input& input, base::Executor& executor);
     void find_places(base::Executor& executor);
 
-    /// The values are written as the fronts are factored.
+    /// Do nothing: values are written as the fronts are factored.
     void refresh(const Input& input, base::Executor& executor) override;
     void factor(base::Executor& executor) override;
     void factor_and_begin(std::vector<double>& x, base::Executor& executor) override;
     void finish(std::vector<double>& x, base::Executor& executor) override;
     void solve(std::vector<double>& x, base::Executor& executor) override;
-    /// All values by themselves. The factor is lost.
+    /// Write all values separately. The factor is lost.
     void write_values() noexcept;
     [[nodiscard]] double factor_nnz() const override {
         return static_cast<double>(symbolic_.factor_nnz);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Time saved by a partial refactorisation, and the cost of the update matrices stored for it.
+/// Savings of a partial refactorisation, and the cost of keeping update matrices for it.
 #include "factor/analyse.h"
 #include "factor/numeric.h"
 #include "factor/partial.h"
@@ -62,8 +62,8 @@ struct Parts {
 
 constexpr int kSamples = 41;
 
-/// Columns that change with the values of some contacts: blocks of the bodies in condensed form,
-/// of the contacts' own rows in saddle form.
+/// Return the columns that change with the values of some contacts: blocks of the bodies in
+/// condensed form, of the contacts' own rows in saddle form.
 std::vector<std::int32_t> columns_of(const PaperScene& scene, const Parts& parts, int count,
                                      Dice& dice) {
     std::vector<std::int32_t> columns;

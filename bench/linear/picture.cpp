@@ -10,7 +10,7 @@
 namespace hawser::bench {
 namespace {
 
-/// Libraries in the order of their first appearance, without ours.
+/// Return the libraries in order of first appearance, without Hawser.
 std::vector<std::string> libraries_of(const std::vector<ProblemReport>& reports) {
     std::vector<std::string> names;
     for (const ProblemReport& p : reports)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file pieces.h
-/// A loop as tasks.
+/// Run a loop as tasks.
 
 #include "base/executor.h"
 
@@ -10,8 +10,8 @@
 
 namespace hawser::bench {
 
-/// Call work(begin, end) on pieces of [0, count) with at least `least` elements each; one piece for
-/// one thread. Pieces should take microseconds: starting a loop takes one.
+/// Call work(begin, end) on pieces of [0, count) of at least `least` each; one piece with one
+/// thread. Pieces should take microseconds: starting a loop takes one.
 template <class F>
 void in_pieces(std::int64_t count, base::Executor& executor, F work, std::int64_t least = 1) {
     int pieces = executor.threads() == 1 ? 1 : 16 * executor.threads();

@@ -10,7 +10,7 @@
 namespace hawser::bench {
 namespace {
 
-/// Find the rows of a front by node, except its pivots.
+/// Find the rows of a front by node, except for its pivots.
 void find_rows(const BlockForm& form, const factor::Analysis& analysis, const factor::Front& front,
                std::int32_t* row_of) {
     std::int32_t row = front.p;
@@ -36,7 +36,7 @@ void Placer::place(const BlockForm& form, const factor::Analysis& analysis,
     ops.resize(form.ops.size());
     const std::size_t n = s.order.size();
     row_.resize(n * at(executor.threads()));
-    // Groups with nearly equal numbers of blocks, of some microseconds.
+    // Groups of about equal numbers of blocks, of some microseconds each.
     constexpr std::size_t kBlocks = 512;
     const std::size_t count = index_.size();
     const int parts = executor.threads() == 1
@@ -89,7 +89,7 @@ void Placer::place_groups(const BlockForm& form, const factor::Analysis& analysi
     }
 }
 
-/// Collect pieces in the order of their panels, and the data of every node.
+/// Sort pieces by their panels, and collect the data of every node.
 void Placer::find_nodes(const factor::Symbolic& s, const std::vector<factor::Piece>& pieces) {
     by_place_.clear();
     for (const factor::Piece& p : pieces)
@@ -120,7 +120,7 @@ void Placer::find_nodes(const factor::Symbolic& s, const std::vector<factor::Pie
     }
 }
 
-/// Sort twice by counting: by group, to find rows, and by piece, for the addresses of blocks.
+/// Sort by two counting sorts: by group, to find rows, and by piece, for the positions of blocks.
 void Placer::sort(const BlockForm& form, base::Executor& executor) {
     const std::size_t count = form.ops.size();
     start_.assign(rank_.size(), 0);
@@ -129,8 +129,8 @@ void Placer::sort(const BlockForm& form, base::Executor& executor) {
     index_.resize(count);
     to_.resize(count);
     const Place* const places = places_.data();
-    // Successive blocks are of one column often, and their counts wait for each other: the halves
-    // are counted in turns.
+    // Successive blocks often have one column, and their counts wait for each other: count both
+    // halves in turns.
     const std::size_t half = (count + 1) / 2;
     auto in_turns = [&](auto&& f) {
         for (std::size_t i = 0; i < count - half; ++i) {

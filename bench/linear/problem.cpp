@@ -68,7 +68,7 @@ BlockSystem scene_system(const std::string& file, int scale) {
     options.form = hawser::Form::saddle;
     const scene::Scene scene = scene::load_file(file, options);
     const SystemView view = scene.world.inspect();
-    // Bodies first: a row of G is then stored as one piece.
+    // Bodies first: a row of G is then stored contiguously.
     std::vector<int> node(view.nodes.size());
     SystemBuilder builder;
     Dice dice(21);
@@ -91,8 +91,8 @@ BlockSystem scene_system(const std::string& file, int scale) {
         for (std::int32_t k = view.edge_start[a]; k < view.edge_start[a + 1]; ++k) {
             const auto b = at(view.edges[at(k)]);
             if (node[b] > node[a]) continue;
-            const bool both = view.nodes[a].body.valid();  // then b, the lower, is a body too
-            // Bodies: all couplings of a row together stay below half the least mass.
+            const bool both = view.nodes[a].body.valid();  // then b, the lower one, is a body too
+            // Bodies: all couplings of a row sum to less than half the least mass.
             const auto degree = std::max(view.edge_start[a + 1] - view.edge_start[a],
                                          view.edge_start[b + 1] - view.edge_start[b]);
             const double size = both ? 40.0 / degree : 1.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file problem.h
-/// A matrix of the comparison with all that is prepared once for every solver.
+/// A matrix of the comparison with all data that are prepared once for every solver.
 
 #include "linear/reference.h"
 #include "linear/solver.h"
@@ -26,28 +26,28 @@ struct Problem {
     BlockSystem system;
     BlockForm form[2];  ///< Saddle, condensed.
     std::unique_ptr<ScalarMatrix> matrix[2];
-    std::vector<double> inverse;  ///< Scratch of the condensation: 1/Σ.
+    std::vector<double> inverse;  ///< Scratch memory of the condensation: 1/Σ.
     std::optional<ReferenceSolution> reference;
 };
 
-/// A problem by name, made when it is its turn.
+/// A problem by name, made when it is used.
 struct ProblemSource {
     std::string name;
     BlockSystem (*make)(int scale) = nullptr;
     int scale = 1;
-    std::optional<PaperOptions> paper{};  ///< Then contacts can change.
-    std::string file{}, blocks{};         ///< Matrix Market, or a scene.
-    bool named_only = false;              ///< Left out unless named.
+    std::optional<PaperOptions> paper{};  ///< If set, contacts can change.
+    std::string file{}, blocks{};         ///< Matrix Market file, or a scene.
+    bool named_only = false;              ///< Only if the user names it.
 
     [[nodiscard]] BlockSystem system() const;
 };
 
-/// Return the matrices of the benchmark for the given scales of paper and scene.
+/// Return the benchmark's matrices for the given scales of paper and scene.
 [[nodiscard]] std::vector<ProblemSource> standard_problems(const std::vector<int>& scales,
                                                            const std::string& scene);
 
-/// The pattern of a scene's step with bodies and rows, filled with numbers of the size that such
-/// a step has: masses about 1e3 kg, couplings that keep A definite, compliance 1e-6.
+/// Make the pattern of a scene's step with bodies and rows, with values of the size in such a step:
+/// masses about 1e3 kg, couplings that keep A definite, compliance 1e-6.
 [[nodiscard]] BlockSystem scene_system(const std::string& file, int scale);
 
 }  // namespace hawser::bench

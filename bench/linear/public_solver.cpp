@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The solver of Hawser through hawser/factor.h: blocks are written to an array of values, which
-/// factor() copies to the panels.
+/// Hawser through hawser/factor.h: blocks are written to an array of values, which factor() copies.
 #include "index.h"
 #include "linear/solver.h"
 
@@ -58,7 +57,7 @@ class PublicSolver final : public Solver {
     static void check(Status status) {
         if (status != Status::ok) throw std::runtime_error(to_string(status));
     }
-    /// In the form the columns of a block are consecutive. So treat its rows as columns.
+    /// The form stores the columns of a block contiguously, so that its rows are used as columns.
     void find_pattern(const BlockForm& form) {
         pattern_.size = form.pattern.size;
         pattern_.sign = form.pattern.sign;

@@ -14,7 +14,7 @@ namespace {
 
 using Real = long double;
 
-/// L by columns, unit diagonal not stored (Davis, "Algorithm 849: a concise sparse Cholesky
+/// L by columns, without the unit diagonal (Davis, "Algorithm 849: a concise sparse Cholesky
 /// factorization package", 2005).
 struct LongFactor {
     std::vector<std::int64_t> start;
@@ -44,7 +44,7 @@ struct LongFactor {
         y.assign(n, 0);
         path.resize(n);
     }
-    /// Columns that row k of L meets, in the order of the tree: path[top, n).
+    /// Find the columns that row k of L meets, in the order of the tree: path[top, n).
     std::size_t reach(const Permuted& m, std::size_t k) {
         std::size_t top = m.order.size();
         flag[k] = static_cast<std::int32_t>(k);
@@ -93,7 +93,7 @@ struct LongFactor {
     }
 };
 
-/// P (b − K x), from the permuted upper triangle.
+/// Compute P (b − K x) from the permuted upper triangle.
 std::vector<Real> permuted_residual(const Permuted& m, const std::vector<double>& b,
                                     const std::vector<Real>& x) {
     const std::size_t n = m.order.size();

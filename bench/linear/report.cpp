@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Ours with the same number of threads, or null.
+/// Return the result of Hawser with an equal number of threads, or null.
 const Result* ours(const std::vector<Result>& results, int threads) {
     for (const Result& r : results)
         if (r.library == "hawser" && r.threads == threads) return &r;
@@ -159,7 +159,7 @@ void print_thread_gain(const std::vector<ProblemReport>& reports) {
                     one.total / many.total, gain);
                 gains[one.library].emplace_back(p.scalars, gain > 1.1);
             }
-    // The smallest matrix from which on every larger one gains 10 % or more.
+    // Find the smallest matrix from which on every larger one gains 10 % or more.
     for (auto& [library, list] : gains) {
         std::sort(list.begin(), list.end());
         auto from = list.end();

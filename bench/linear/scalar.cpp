@@ -38,7 +38,8 @@ std::vector<std::int32_t> metis(const factor::Pattern& pattern) {
 #endif
 }
 
-/// Convert the block lower triangle to a scalar matrix, with the address of each block.
+/// Convert the block lower triangle to a scalar matrix by columns, and record the address of each
+/// block.
 Sparse block_lower(const BlockForm& f, std::vector<BlockWrite>& writes) {
     std::vector<std::int32_t> height(f.kept.size(), 0);  // rows below the diagonal block
     for (const BlockOp& op : f.ops)
@@ -94,7 +95,7 @@ ScalarMatrix::ScalarMatrix(const BlockSystem& system, const BlockForm& form) {
     if (form.condensed) {
         std::vector<BlockWrite> writes;
         lower = block_lower(form, writes);
-        // Group equal blocks within sections whose values remain in the cache, as in our pieces.
+        // Group equal blocks within stretches whose values stay in cache, like Hawser's pieces.
         constexpr std::size_t kStretch = 512;
         for (std::size_t k = 0; k < writes.size(); k += kStretch) {
             const std::span all(form.ops);
@@ -104,7 +105,7 @@ ScalarMatrix::ScalarMatrix(const BlockSystem& system, const BlockForm& form) {
         }
         return;
     }
-    // Store indices instead of values: exact below 2^53, and none is zero.
+    // Use indices instead of values: exact below 2^53, and none is zero.
     lower = system.lower();
     BlockSystem places = system;
     for (std::size_t k = 0; k < places.values.size(); ++k)

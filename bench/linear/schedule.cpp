@@ -13,7 +13,7 @@
 namespace hawser::bench {
 namespace {
 
-/// Runs the tasks of several threads on one thread.
+/// Runs on one thread the tasks of several threads.
 class Pretend final : public base::Executor {
   public:
     Pretend(runtime::Pool& pool, int threads) : pool_(pool), threads_(threads) {}
@@ -32,7 +32,7 @@ class Pretend final : public base::Executor {
 constexpr int kMarks = 5;
 constexpr const char* kPhase[kMarks - 1] = {"condense", "factor", "backward", "refine"};
 
-/// When each phase of one solution began and the last one ended [s].
+/// Start of each phase of one solution, and end of the last one [s].
 struct Marks {
     double at[kMarks] = {};
     bool disturbed = false;
@@ -47,13 +47,13 @@ class Work {
         base::SerialExecutor serial;
         vectors_.resize(problem_.system);
         solver_->analyse(problem_.input(condensed), serial);
-        // Prepare the second thread; serial executors use the first.
+        // Memory for the second thread; serial executors use the first.
         Pretend two(one_, 2);
         solver_->analyse(problem_.input(condensed), two);
     }
 
-    /// One solution after another that is not counted: threads are awake, and another number of
-    /// threads has left the values in other caches.
+    /// Run one solution after another one that is not counted: threads are awake, but a run with
+    /// another number of threads left the values in other caches.
     Marks run(base::Executor& executor, runtime::Pool& pool) {
         pool.resume();
         (void)solve(executor);
@@ -62,7 +62,7 @@ class Work {
         Marks m = solve(executor);
         processor(pool, after);
         pool.pause();
-        // A switch of threads takes microseconds at least; reading the clocks about one.
+        // Switching a thread takes at least microseconds; reading the clocks about one.
         for (int t = 0; t < pool.threads(); ++t)
             if (m.whole() - (after[t] - before[t]) > 0.01 * m.whole() + 3e-6) m.disturbed = true;
         return m;
@@ -106,8 +106,8 @@ class Work {
     runtime::Trace trace_{1, 1 << 16};
 };
 
-/// Return the median times of several runs of the same program. Another process that uses the
-/// processor for a while lengthens a task in only one of them.
+/// Combine several runs of a program into one with median times: another program that occupies the
+/// processor lengthens a task in only one of them.
 ProgramTimes typical(const std::vector<ProgramTimes>& runs) {
     ProgramTimes p = runs.front();
     std::vector<double> v;
@@ -125,7 +125,7 @@ ProgramTimes typical(const std::vector<ProgramTimes>& runs) {
     return p;
 }
 
-/// Runs of one stretch.
+/// Runs of one part of the work.
 struct Stretch {
     std::vector<double> one, two;
     std::vector<ProgramTimes> program[std::size(kScheduleThreads)];
@@ -147,7 +147,7 @@ struct Stretch {
     }
 };
 
-/// Loops of one phase with the code before them; the code after the last one.
+/// Describe the loops of one phase with the code before them, and the code after the last one.
 void describe_loops(const ProgramTimes& p, const char* phase, const PoolCosts& costs,
                     std::vector<ScheduleLoop>& loops) {
     const Simulated eight = simulate(p, 8, costs);

@@ -15,7 +15,7 @@
 namespace hawser::bench {
 namespace {
 
-/// Times of parts by name, in the order of first occurrence.
+/// Times of parts by name, in order of first use.
 class Laps {
   public:
     struct Part {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file shares.h
-/// Times of the parts of our solution and update. Also the fraction of a solution that is code
-/// which every solver of the comparison runs.
+/// Times of the parts of Hawser's solution and update, and the fraction of code shared by all
+/// solvers of the comparison.
 
 #include "linear/problem.h"
 
 namespace hawser::bench {
 
-/// Condense, factor, solve and refine a system `rounds` times. For the scene of the paper, follow
-/// as many steps with 50 contacts changed in each. Print medians of every part. One thread,
-/// condensed form, wall time.
+/// Condense, factor, solve and refine a system `rounds` times. For the paper's scene, also follow
+/// it for this number of steps with 50 contacts changed in each. Prints medians of every part. One
+/// thread, condensed form, wall time.
 void print_shares(const ProblemSource& source, int rounds);
 
 }  // namespace hawser::bench

@@ -22,7 +22,7 @@ struct SweepView {
     const double *inverse, *b;
     double *x, *r, *s, *folded;
     std::int32_t asked;  ///< Number of columns to prefetch: all, or none.
-    bool distant;        ///< The blocks are several times larger than the cache of a core.
+    bool distant;        ///< True if the blocks are several times larger than a core's own cache.
 };
 
 SweepView view_of(const BlockSystem& s, const BlockForm& f, const std::vector<double>& inverse,
@@ -40,7 +40,7 @@ SweepView view_of(const BlockSystem& s, const BlockForm& f, const std::vector<do
         size > kNearSize};
 }
 
-/// Rows [first, first + 4) of G x, of the N that one row node has.
+/// Compute rows [first, first + 4) of G x, of the N rows of a row node.
 template <int N, int kFirst>
 HAWSER_BENCH_INLINE void row_product(const SweepView& v, std::int64_t e, const double* x, V4& y) {
     constexpr int kRows = N - kFirst < 4 ? N - kFirst : 4;
@@ -76,14 +76,14 @@ HAWSER_BENCH_INLINE void row_product(const SweepView& v, std::int64_t e, const d
 
 enum class Sweep : std::uint8_t { unfold, correct, residual };
 
-/// Blocks of rows are consecutive, in sections too short for the hardware prefetcher.
+/// Blocks of rows are adjacent, in stretches too short for the hardware prefetcher.
 HAWSER_BENCH_INLINE void fetch_row(const SweepView& v, std::int64_t e) {
-    constexpr int kAhead = 320, kLines = 5;  // doubles, of a row node at most
+    constexpr int kAhead = 320, kLines = 5;  // doubles, at most, of a row node
     if (v.distant) fetch(v.values + v.rows[e].sigma + kAhead, kLines);
 }
 
-/// In condensed form: multipliers and residuals from the velocities, or corrections of the
-/// multipliers from those of the velocities, which are in s meanwhile. In saddle form: residuals.
+/// Condensed form: compute multipliers and residuals from the velocities, or corrections of the
+/// multipliers from those of the velocities, which are stored in s. Saddle form: compute residuals.
 template <Sweep kSweep, int N, int kFirst = 0>
 HAWSER_BENCH_INLINE void sweep_row(const SweepView& v, std::int64_t e) {
     constexpr int kRows = N - kFirst < 4 ? N - kFirst : 4;
@@ -122,7 +122,7 @@ HAWSER_BENCH_INLINE void sweep_row(const SweepView& v, std::int64_t e) {
     if constexpr (N - kFirst > 4) sweep_row<kSweep, N, kFirst + 4>(v, e);
 }
 
-/// A x of one body of N scalars: its own block and those of other bodies.
+/// Compute A x of one body of N scalars: its own block and those of other bodies.
 template <int N, class V>
 HAWSER_BENCH_INLINE void body_product(const SweepView& v, std::int64_t a, const double* x, V& sum) {
     const SweepTables::Body& body = v.bodies[a];
@@ -147,7 +147,7 @@ HAWSER_BENCH_INLINE void body_product(const SweepView& v, std::int64_t a, const 
     sum += more;
 }
 
-/// b + Gᵀ s, without A x for a residual.
+/// Compute b + Gᵀ s, minus A x for a residual.
 template <bool kResidual, int N>
 HAWSER_BENCH_INLINE void sweep_body(const SweepView& v, std::int64_t a) {
     const SweepTables::Body& body = v.bodies[a];
@@ -255,7 +255,7 @@ void all_bodies(const BlockForm& f, const SweepView& v, bool residual, base::Exe
               [&](std::int64_t begin, std::int64_t end) { sweep_bodies(v, begin, end, residual); });
 }
 
-/// work(scalar in the system, scalar in the form) for all scalars of the bodies.
+/// Call work(scalar in the system, scalar in the form) for all scalars of the bodies.
 template <class F>
 void all_scalars(const BlockForm& f, base::Executor& executor, F work) {
     constexpr std::int64_t kLeast = 1024;
@@ -271,7 +271,7 @@ void all_scalars(const BlockForm& f, base::Executor& executor, F work) {
         kLeast);
 }
 
-/// Copy scalars of the bodies from the vector of the form to that of the system.
+/// Scatter the scalars of the bodies from the form's vector to the system's.
 void spread(const BlockForm& f, const std::vector<double>& from, std::vector<double>& to,
             base::Executor& executor) {
     all_scalars(f, executor, [&](std::size_t k, std::size_t i) { to[k] = from[i]; });
@@ -291,7 +291,7 @@ void fold(const BlockSystem& s, const BlockForm& f, const std::vector<double>& i
         return;
     }
     const SweepView v = view_of(s, f, inverse, vectors);
-    // Scalars of bodies are scaled by unused values and never read.
+    // Scalars of bodies are multiplied by unset values, which are never read.
     in_pieces(s.scalars(), executor, [&](std::int64_t begin, std::int64_t end) {
         scale(v.inverse, v.b, v.s, begin, end);
     });

@@ -19,7 +19,7 @@ double since(Clock::time_point from) {
     return std::chrono::duration<double>(Clock::now() - from).count();
 }
 
-/// Time of one phase after another.
+/// Times of successive phases.
 class Watch {
   public:
     explicit Watch(bool processor) : processor_(processor), last_(now()) {}
@@ -77,15 +77,16 @@ struct Samples {
     }
 };
 
-/// Take one turn. Uncounted solutions come first, for three reasons. The very first one touches its
-/// memory for the first time. A short one finds the caches and branch predictors filled by another
-/// solver. They also wake the threads, which then stay awake, as in a time step.
+/// Run one turn. Uncounted solutions come first: the first of all touches its memory for the first
+/// time, and a short one finds caches and branch prediction with data of another solver. They also
+/// wake the threads, which stay awake for the turn, like in a time step. @param others  Another
+/// solver had the turn before.
 void take_turn(Candidate& c, Samples& s, bool others) {
     constexpr double kShort = 0.02, kOthers = 0.03;  // [s]
     const bool first_of_all = s.total.empty();
     const Phases p = c.work();
     const bool is_short = p.total() < kShort;
-    // Threads of the BLAS of another library spin for a while before they sleep.
+    // Threads of another library's BLAS wait actively for work before they sleep.
     for (double passed = p.total(); others && is_short && passed < kOthers;)
         passed += c.work().total();
     if (!first_of_all && !is_short) s.add(p);
@@ -101,7 +102,7 @@ void complete(Candidate& c, const Problem& problem, Result& r) {
     if (problem.reference) r.error = relative_error(problem.system, c.x(), problem.reference->x);
 }
 
-/// Try one variant alone. A failure is a result too.
+/// Try one variant alone. A failure is also a result.
 Result try_variant(Problem& problem, const Variant& variant, int threads) {
     Result r;
     try {
@@ -110,7 +111,7 @@ Result try_variant(Problem& problem, const Variant& variant, int threads) {
         Samples s;
         s.analyse.push_back(c.analyse());
         for (int turn = 0; turn < 2; ++turn) take_turn(c, s, turn == 0);
-        // Take more samples of short ones, which are disturbed more.
+        // Short ones are disturbed more, and there is time for more of them.
         constexpr double kShort = 0.005;  // [s]
         const bool is_short = *std::min_element(s.total.begin(), s.total.end()) < kShort;
         for (int turn = 0; is_short && turn < 8; ++turn) take_turn(c, s, false);
@@ -129,8 +130,8 @@ Result try_variant(Problem& problem, const Variant& variant, int threads) {
     return r;
 }
 
-/// The better of two variants of one solver: both in turns, as a single sample of either may be
-/// disturbed. @return true for the second.
+/// Compare two variants of one solver in turns, as a single sample of either may be disturbed.
+/// @return true if the second is faster.
 bool second_is_better(Problem& problem, const Variant& a, const Variant& b, int threads) {
     Candidate first(problem, a, threads), second(problem, b, threads);
     (void)first.analyse();
@@ -144,12 +145,12 @@ bool second_is_better(Problem& problem, const Variant& a, const Variant& b, int 
     return median(of_second.total) < median(of_first.total);
 }
 
-/// Ours twice: one repairs, the other analyses the same systems, first or second by turns, as the
-/// first of the two finds less of them in the caches.
+/// Time Hawser twice: one candidate repairs, the other analyses the same systems. They start in
+/// turns, as the first of the two has less data in the caches.
 void time_updates(Problem& problem, std::vector<std::unique_ptr<Candidate>>& candidates,
                   std::vector<Result>& results, const ProblemSource& source,
                   const TrialOptions& options) {
-    if (!source.paper) return;  // only that scene has contacts to edit
+    if (!source.paper) return;  // only this scene has contacts to edit
     constexpr int kSteps = 4;
     std::vector<std::unique_ptr<Candidate>> anew(candidates.size());
     for (std::size_t k = 0; k < candidates.size(); ++k) {
@@ -211,7 +212,7 @@ void Candidate::wake() {
 void Candidate::sleep() {
     if (pool_) pool_->pause();
 }
-/// Pause the pool: if it spins, it takes a core from a library with its own threads.
+/// A spinning pool would occupy a core of a library with threads of its own.
 void Candidate::rest() {
     if (pool_ && own_ != pool_.get()) pool_->pause();
 }
@@ -277,7 +278,7 @@ Phases Candidate::work() {
 
 std::vector<Result> compare(Problem& problem, const ProblemSource& source, int threads,
                             const TrialOptions& options, std::vector<Result>& all) {
-    // With more threads, only try solvers that can use them.
+    // With more threads, only solvers that use them are tried again.
     using Tried = std::pair<Variant, Result>;
     std::map<std::string, Tried> best, next;
     std::vector<std::string> order;
@@ -297,9 +298,9 @@ std::vector<Result> compare(Problem& problem, const ProblemSource& source, int t
         if (second == next.end() || other.second.total < second->second.second.total)
             next[v.library] = other;
     }
-    // If the two best are close and short, one sample is not decisive.
+    // If the two best are close and short, one sample does not decide.
     for (const auto& [name, other] : next) {
-        constexpr double kClose = 1.5, kShort = 0.02;  // of the times; [s]
+        constexpr double kClose = 1.5, kShort = 0.02;  // ratio of times; [s]
         Tried& first = best[name];
         const double least = first.second.total;
         if (options.alternate && least < kShort && other.second.total < kClose * least &&

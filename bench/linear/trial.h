@@ -17,24 +17,24 @@ namespace hawser::bench {
 
 /// Times of one solution from blocks to refined result [s].
 struct Phases {
-    /// Compute the values from the blocks, condensed if the form is, and its right-hand side.
+    /// Values from the blocks, condensed if the form is, and its right-hand side.
     double refresh = 0.0;
-    /// Ours: includes the values of each part, computed just before its factorisation.
-    double factor = 0.0;
-    double solve = 0.0;   ///< Includes the eliminated rows.
+    double factor = 0.0;  ///< Hawser: including the values of each part, written just before it is
+                          ///< factored.
+    double solve = 0.0;   ///< Includes unfolding of eliminated rows.
     double refine = 0.0;  ///< Saddle residual, second solution, addition.
     [[nodiscard]] double total() const noexcept { return refresh + factor + solve + refine; }
 };
 
-/// Time of the update after contact changes.
+/// Time to follow changed contacts.
 struct UpdateTime {
-    int changed = 0;    ///< Contacts.
-    double time = 0.0;  ///< Median [s].
-    /// A new analysis of the same systems, in turns with it; −1: the solver has no update.
-    double anew = -1.0;
+    int changed = 0;     ///< Number of contacts.
+    double time = 0.0;   ///< Median [s].
+    double anew = -1.0;  ///< Time of a new analysis of the same systems, in turns with it; −1: the
+                         ///< solver has no other method.
 };
 
-/// Results of one solver on one problem with one number of threads.
+/// Reported results of one solver on one problem with one number of threads.
 struct Result {
     std::string library, form, order, failure;
     int threads = 1;
@@ -48,12 +48,12 @@ struct Result {
 };
 
 struct TrialOptions {
-    int rounds = 11;                       ///< Turns of each solver.
-    std::vector<std::string> libraries{};  ///< Substrings of names; empty: all.
-    /// Numbers of contacts changed, if the problem has contacts.
-    std::vector<int> edits{10, 50, 200};
-    bool quick_choice = false;  ///< Try AMD on blocks only, for ours our own order.
-    bool alternate = true;      ///< Keep all solvers in memory and alternate.
+    int rounds = 11;                       ///< Number of turns of each solver.
+    std::vector<std::string> libraries{};  ///< Parts of names; empty: all.
+    std::vector<int> edits{10, 50, 200};   ///< Numbers of changed contacts, if the problem has any.
+    bool quick_choice = false;             ///< Try only AMD on blocks; for Hawser only its own
+                                           ///< order.
+    bool alternate = true;                 ///< Keep all solvers in memory and alternate.
     bool updates = true;
     bool through_public = false;  ///< See all_variants().
 };
@@ -64,14 +64,14 @@ class Candidate {
     Candidate(Problem& problem, const Variant& variant, int threads);
     ~Candidate();
 
-    /// @return time of the analysis [s].
+    /// Analyse. @return time [s].
     double analyse() { return analyse(problem_->input(variant_.condensed)); }
     double analyse(const Input& input);
-    /// The same after contacts changed. @return time [s].
+    /// Analyse after contacts changed. @return time [s].
     double update(const Input& input, const std::vector<int>& changed);
-    /// The library's own analysis of the scalar matrix. @return time [s], −1: it has none.
+    /// Run the library's own analysis of the scalar matrix. @return time [s]; −1: it has none.
     double analyse_own();
-    /// Refresh, factor, solve, refine. Threads are awake afterwards, until sleep().
+    /// Refresh, factor, solve, refine. Threads stay awake afterwards, until sleep().
     Phases work();
     void sleep();
     [[nodiscard]] const Variant& variant() const noexcept { return variant_; }
@@ -82,7 +82,8 @@ class Candidate {
   private:
     [[nodiscard]] base::Executor& executor() noexcept { return pool_ ? *pool_ : serial(); }
     [[nodiscard]] static base::Executor& serial() noexcept;
-    /// @return true if processor time is used, for one thread; else wall time.
+    /// True if the processor time is measured: with one thread. Several threads are timed by wall
+    /// time.
     [[nodiscard]] bool processor_time() const noexcept { return threads_ == 1; }
     void wake();
     void rest();
@@ -92,12 +93,12 @@ class Candidate {
     int threads_;
     std::unique_ptr<Solver> solver_;
     std::unique_ptr<runtime::Pool> pool_;
-    base::Executor* own_;  ///< Executor of the phases of the solver.
+    base::Executor* own_;  ///< Executor of the solver's own phases.
     SweepVectors vectors_;
 };
 
-/// The best variant of every library on this problem, alternated. @param all  Receives the
-/// results of every variant that was tried.
+/// Compare the best variants of every library on this problem, in turns. @param all  Receives the
+/// results of every tried variant.
 [[nodiscard]] std::vector<Result> compare(Problem& problem, const ProblemSource& source,
                                           int threads, const TrialOptions& options,
                                           std::vector<Result>& all);

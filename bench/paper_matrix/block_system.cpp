@@ -11,7 +11,7 @@
 namespace hawser::bench {
 namespace {
 
-/// Address of each adjacency entry, from the list of blocks.
+/// Compute the address of each adjacency entry, from the list of blocks.
 std::vector<std::int64_t> edge_addresses(const factor::Pattern& pattern,
                                          const std::vector<std::int32_t>& high,
                                          const std::vector<std::int32_t>& low,
@@ -142,7 +142,7 @@ void multiply(const BlockSystem& s, std::span<const double> x, std::span<double>
             for (int j = 0; j < na; ++j) ya[i] += d[i * na + j] * xa[j];
         for (int k = s.pattern.start[at(a)]; k < s.pattern.start[at(a) + 1]; ++k) {
             const int b = s.pattern.adjacent[at(k)];
-            if (b > a) break;  // the rest of the ascending list: counted at the other end
+            if (b > a) break;  // the rest of the ascending list is counted at the other end
             const int nb = s.size(b);
             const double* block = s.values.data() + s.edge[at(k)];
             const double* xb = x.data() + s.offset[at(b)];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file dice.h
-/// Random numbers that are the same on every machine and in every release: a counter through
-/// the mixer of Steele, Lea, Flood, "Fast splittable pseudorandom number generators" (2014).
+/// Random numbers that are equal on every machine and in every release: a counter through the mixer
+/// of Steele, Lea, Flood, "Fast splittable pseudorandom number generators" (2014).
 
 #include <cstdint>
 
@@ -18,10 +18,11 @@ class Dice {
         z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
         return z ^ (z >> 31);
     }
-    /// In [0, 1).
+    /// Return a number in [0, 1).
     double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
     double uniform(double low, double high) { return low + (high - low) * unit(); }
-    /// In [0, count). The bias of the remainder is below 1e-13 for the counts used here.
+    /// Return a number in [0, count). The bias of the remainder is below 1e-13 for the counts used
+    /// here.
     int below(int count) { return static_cast<int>(bits() % static_cast<std::uint64_t>(count)); }
 
   private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file matrix_market.h
-/// A quasi-definite matrix from a file, as a block system; read by the code of the example
+/// Read a quasi-definite matrix from a file as a block system, by the code of the example
 /// examples/matrix_market.
 
 #include "matrix_market/market.h"
@@ -15,11 +15,11 @@ namespace hawser::bench {
 using market::indistinguishable_columns;
 using market::parse_matrix_market;
 
-/// The block system of the groups, positive nodes first; block sizes of 1-6.
+/// Make the block system of the groups, positive nodes first; block sizes of 1-6.
 [[nodiscard]] BlockSystem group_blocks(const Sparse& lower,
                                        const std::vector<std::vector<int>>& groups);
 
-/// @param blocks  File of block sizes in the order of the scalars; empty: detect them.
+/// Read a file. @param blocks  File of block sizes in the order of the scalars; empty: detect them.
 [[nodiscard]] BlockSystem read_matrix_market(const std::string& file, const std::string& blocks);
 
 }  // namespace hawser::bench

@@ -25,10 +25,10 @@ std::array<double, 3> hull_place(int copy, int hull) {
     return p;
 }
 
-/// Contacts of cables on a hull, at elements `first`, first + step, … of a cable.
+/// Contacts of cables on a hull: elements `first`, first + step, … of a cable.
 struct DeckZone {
     int hull, cable;
-    bool far_end;  ///< Counted from the last element backwards.
+    bool far_end;  ///< True if counted backwards from the last element.
     int count;
 };
 constexpr DeckZone kDeck[] = {
@@ -36,9 +36,9 @@ constexpr DeckZone kDeck[] = {
     {2, 5, false, 16}, {0, 4, true, 24},  {0, 6, false, 24}, {0, 7, false, 24}, {0, 9, false, 23},
     {1, 5, true, 24},  {1, 6, true, 24},  {1, 8, false, 24}, {1, 9, true, 23}};
 
-/// Pairs of cables that lie side by side for 52 elements, from element 25 on; an element touches
-/// one at most 16 further or nearer on the other. With that much disorder the factors have the
-/// size that was measured for the scene of the paper: 62,000 entries lumped, 206,000 rigid.
+/// Pairs of cables side by side for 52 elements, from element 25 on. An element touches the other
+/// cable up to 16 elements before or after. With this disorder the factors have the measured size
+/// of the paper's scene: 62,000 entries lumped, 206,000 rigid.
 constexpr std::array<std::array<int, 2>, 5> kSideBySide{{{0, 1}, {2, 3}, {4, 5}, {6, 9}, {7, 8}}};
 constexpr int kSide = 52, kSideFrom = 25, kSlip = 16;
 
@@ -108,7 +108,7 @@ void PaperScene::add_cable(int copy, int cable, const CableEnds& ends) {
         const double turn = 0.25 + 0.5 * cable;
         stop = {start[0] + 350.0 * std::cos(turn), start[1] + 350.0 * std::sin(turn), -100.0};
     }
-    if (cable == 0 && copy + 1 < options_.scale) {  // joins this copy to the next
+    if (cable == 0 && copy + 1 < options_.scale) {  // joins this copy to the next one
         to = base + per_copy();
         stop = hull_place(copy + 1, 0);
     }
@@ -154,7 +154,7 @@ void PaperScene::add_contacts(int copy) {
     const int base = copy * per_copy();
     const std::size_t begin = contacts_.size();
     Dice dice(options_.seed + 41 + 1000 * static_cast<std::uint64_t>(copy));
-    // Shorter cables keep all contacts; some then fall on the same elements.
+    // Shorter cables keep all contacts; several are then on one element.
     auto add_element = [&](K kind, int cable, int index, int second) {
         contacts_.push_back({kind, element(copy, cable, index % elements_of(cable)), second});
     };
@@ -173,13 +173,13 @@ void PaperScene::add_contacts(int copy) {
                 (kSideFrom + i + dice.below(2 * kSlip + 1) - kSlip) % elements_of(pair[1]);
             add_element(K::cables, pair[0], kSideFrom + i, element(copy, pair[1], other));
         }
-    for (int i = 0; i < kHulls * kAttached; ++i)  // three points each on the own hull
+    for (int i = 0; i < kHulls * kAttached; ++i)  // three points of each on its own hull
         for (int k = 0; k < 3; ++k)
             contacts_.push_back({K::hull_attached, base + kHulls + i, base + i / kAttached});
     for (int c = 0; c < kMoorings; ++c)
         for (int i = 0; i < 50; ++i)
             add_element(K::ground, c, elements_of(c) - 1 - i % elements_of(c), -1);
-    for (std::size_t i = 0; i < 60; ++i)  // a second point of pairs that touch already
+    for (std::size_t i = 0; i < 60; ++i)  // a second point of touching pairs
         contacts_.push_back(contacts_[begin + 4 * i]);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of the system: inertia, Jacobians, compliance.
+// Values of the system: inertia, Jacobians, compliance.
 #include "paper_matrix/dice.h"
 
 #include "index.h"
@@ -18,7 +18,7 @@ using Mat3 = Eigen::Matrix3d;
 
 constexpr double kStep = 1.0 / 60.0;  ///< [s]
 
-/// Σ of a position row with damping time `steps` steps: 4 ε Υ / h² (SPOOK).
+/// Compute Σ of a position row with damping time `steps` steps: 4 ε Υ / h² (SPOOK).
 double sigma(double compliance, double steps) {
     return 4.0 * compliance / (kStep * kStep) / (1.0 + 4.0 * steps);
 }
@@ -30,7 +30,8 @@ Mat3 cross(const Vec3& v) {
     return m;
 }
 
-/// Return the inertia about the origin of a body with centre of mass c. Symmetric to the last bit.
+/// Compute the inertia about the origin of a body whose centre of mass is at c. Symmetric to the
+/// last bit.
 Eigen::Matrix<double, 6, 6> spatial(double mass, const Vec3& size, const Vec3& c) {
     Eigen::Matrix<double, 6, 6> m;
     const Vec3 s = size.cwiseAbs2();
@@ -43,7 +44,7 @@ Eigen::Matrix<double, 6, 6> spatial(double mass, const Vec3& size, const Vec3& c
     return 0.5 * (m + transposed);
 }
 
-/// Two unit vectors at right angles to u and to each other.
+/// Return two unit vectors perpendicular to u and to each other.
 std::array<Vec3, 2> across(const Vec3& u) {
     const Vec3 helper = std::abs(u.x()) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 p = u.cross(helper).normalized();
@@ -88,7 +89,7 @@ void PaperScene::emit_body(SystemBuilder& builder, int body) const {
         builder.add_body(6, by_rows(spatial(mass, size, centre)));
         return;
     }
-    // A wire of 25 kg/m in water: the added mass acts across it only.
+    // A wire of 25 kg/m in water: the added mass acts only across it.
     const double mass = 25.0 * length_[at(body)], added = 5.0 * length_[at(body)];
     const Vec3 u = vec(along_[at(body)]);
     const Mat3 normal = Mat3::Identity() - u * u.transpose();
@@ -131,7 +132,7 @@ void PaperScene::emit_joint(SystemBuilder& builder, const Joint& j) const {
             });
             break;
         }
-        case Kind::motor: {  // on the velocity, 1e-6 rad/s a N m
+        case Kind::motor: {  // on the velocity, 1e-6 rad/s per N m
             const std::vector<double> s{1e-6 / kStep};
             pair(builder.add_rows(s), [&](int, double f) {
                 std::vector<double> rows;
@@ -178,8 +179,7 @@ void PaperScene::emit_contact(SystemBuilder& builder, const Contact& c, int inde
     const int node = builder.add_rows(s);
     builder.add_block(node, c.first, point_rows(c.first, directions, plain(point), 1.0));
     if (c.second < 0) return;
-    // A cable that touches another is 76 mm away, independent of the drawing; a hull is at its
-    // position.
+    // Two cables are 76 mm apart at a contact, for any drawn positions; a hull keeps its position.
     const Vec3 far = wide(c.second) ? point : Vec3(vec(place_[at(c.second)]) + reach * n);
     builder.add_block(node, c.second, point_rows(c.second, directions, plain(far), -1.0));
 }

@@ -19,9 +19,9 @@ using Vec3 = Eigen::Vector3d;
 
 // Kinematic rows at 60 Hz: 4 ε Υ / h² with ε = 1e-12 m/N, Υ = 1/9. Strings: l / EA = 1e-6 m/N.
 constexpr double kRigid = 1.6e-9, kString = 1.6e-3;
-constexpr double kHalf = 0.5;  ///< Half length of a link [m].
+constexpr double kHalf = 0.5;  ///< half the length of a link [m]
 
-/// A rigid body of the given mass and semi-axes, turned so that its first axis is `u`.
+/// Add a rigid body of the given mass and semi-axes, rotated so that its first axis is `u`.
 int add_rigid(SystemBuilder& builder, double mass, const Vec3& size, const Vec3& u) {
     const Vec3 s = size.cwiseAbs2();
     const Eigen::Matrix3d turn = turn_between(Vec3::UnitX(), u).toRotationMatrix();
@@ -38,7 +38,7 @@ int add_rigid(SystemBuilder& builder, double mass, const Vec3& size, const Vec3&
     return builder.add_body(6, block);
 }
 
-/// A ball joint: body −1 is the ground; arms from the centres.
+/// A side of a ball joint: body −1 is the ground; arms from the centres.
 struct Side {
     int body;
     Vec3 arm;
@@ -64,10 +64,9 @@ void add_ball(SystemBuilder& builder, const Side& a, const Side& b) {
     }
 }
 
-/// Add a chain that starts at `start` and ends at `stop`, if that is a body. Its joints are added
-/// along with its bodies, so that the numbering follows the chain. The directions of links vary a
-/// little.
-/// @return the last link.
+/// Add a chain that starts at `start` and ends at `stop`, if that is a body. Joints are added with
+/// it, so that bodies are numbered along it. The direction of each link varies slightly. @return
+/// the last link.
 int add_chain(SystemBuilder& builder, Dice& dice, const Side& start, int links) {
     Side last = start;
     for (int i = 0; i < links; ++i) {

@@ -55,7 +55,7 @@ PartCase paper_case(bool rigid, int scale, int elements, std::uint64_t seed) {
     PartCase c = make_case(scene.system());
     c.name = std::string(rigid ? "paper rigid" : "paper lumped") +
              (scale == 1 ? "" : " x" + std::to_string(scale));
-    // Bodies come first and keep their numbers; node n is edge n − bodies.
+    // Bodies are first and keep their numbers; the edge of node n is n − bodies.
     const int joints = scene.contact_node(0) - scene.bodies();
     const auto count = static_cast<int>(scene.contacts().size());
     (void)joints;
@@ -74,8 +74,8 @@ PartCase random_case(int bodies, std::uint64_t seed) {
     c.name = "random " + std::to_string(bodies);
     Dice dice(seed);
     for (int b = 0; b < bodies; ++b) c.size.push_back(dice.below(4) == 0 ? 6 : 3);
-    // Add a tree first, so that there is one island. Then add edges between near numbers, as in a
-    // heap of objects, and a few between any.
+    // A tree first, for one island; then edges between near numbers, like those of contacts, and a
+    // few between any.
     for (int b = 1; b < bodies; ++b) c.edge({b - 1 - dice.below(std::min(b, 8)), b});
     for (int e = 0; e < 2 * bodies; ++e) {
         const int a = dice.below(bodies), reach = dice.below(50) == 0 ? bodies : 20;

@@ -20,7 +20,7 @@ struct PartCase {
     std::vector<std::int32_t> begin{0}, members;
     factor::Pattern pattern;              ///< The body graph.
     std::vector<std::int32_t> contacts;   ///< Edges that change from step to step.
-    std::vector<std::int32_t> edited;     ///< Edges that did, …
+    std::vector<std::int32_t> edited;     ///< Edges that changed, …
     std::vector<std::int32_t> edited_to;  ///< … and their two new members, −1: none.
 
     [[nodiscard]] graph::Hypergraph graph(const std::vector<std::int64_t>& cost = {}) const {
@@ -31,18 +31,18 @@ struct PartCase {
         members.insert(members.end(), nodes.begin(), nodes.end());
         begin.push_back(static_cast<std::int32_t>(members.size()));
     }
-    void finish();  ///< The pattern from the edges.
+    void finish();  ///< Make the pattern from the edges.
 };
 
-/// Bodies are the positive nodes, edges the neighbours of each other one.
+/// Make a case: bodies are the positive nodes, and edges the neighbours of each other node.
 [[nodiscard]] PartCase make_case(const BlockSystem& system);
-/// The paper's scene, and 20 contacts of it that change.
+/// Make the paper's scene, with 20 contacts that change.
 [[nodiscard]] PartCase paper_case(bool rigid, int scale, int elements = 94, std::uint64_t seed = 1);
-/// Two- and three-body edges at random, three edges a body, all bodies in one island.
+/// Make random edges of two and three bodies, three edges per body, all bodies in one island.
 [[nodiscard]] PartCase random_case(int bodies, std::uint64_t seed);
-/// Return `wires` wires of `length` lumps on one hull, which touches a fifth of them.
+/// Make `wires` wires of `length` point masses on one hull, which touches a fifth of them.
 [[nodiscard]] PartCase star_case(int wires, int length, std::uint64_t seed);
-/// Return the islands of a case, each as a case.
+/// Split a case into its islands.
 [[nodiscard]] std::vector<PartCase> islands_of(const PartCase& all);
 
 }  // namespace hawser::bench

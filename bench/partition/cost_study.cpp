@@ -89,7 +89,7 @@ std::vector<PartCase> all_islands() {
     return cases;
 }
 
-/// Ranks, ties sharing their mean.
+/// Return ranks; equal values get their mean rank.
 std::vector<double> ranks(const std::vector<double>& v) {
     std::vector<std::size_t> order(v.size());
     std::iota(order.begin(), order.end(), 0);
@@ -118,7 +118,7 @@ double correlation(const std::vector<double>& x, const std::vector<double>& y) {
     return xy / std::sqrt(xx * yy);
 }
 
-/// Time = factor · cost: factor by the geometric mean, then the typical and the largest ratio off.
+/// Time = factor · cost: factor by the geometric mean, and the typical and the largest ratio to it.
 struct Fit {
     double rank = 0.0, factor = 0.0, typical = 0.0, worst = 0.0;
 };

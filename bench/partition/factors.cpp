@@ -48,7 +48,7 @@ struct OrderedFactor {
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count());
         }
     }
-    /// Return the time at the lowest tenth of the samples [s]: disturbances only lengthen them.
+    /// Return the first decile of the samples: disturbances only lengthen them [s].
     [[nodiscard]] double best() const {
         std::vector<double> v = seconds;
         const auto k = static_cast<std::ptrdiff_t>(v.size() / 10);
@@ -57,7 +57,7 @@ struct OrderedFactor {
     }
 };
 
-/// Return our order, balanced by exact flops: the most balanced of five rounds.
+/// Compute Hawser's order, balanced by exact flops: the most even of five iterations.
 std::vector<std::int32_t> our_order(const PartCase& c, int parts, const FactorCounts& amd) {
     graph::Partitioner p;
     graph::Partition out;

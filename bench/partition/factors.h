@@ -11,17 +11,17 @@
 
 namespace hawser::bench {
 
-/// Time of a factorisation and a solution by hawser/factor.h [s]: the lowest tenth of many samples,
-/// taken alternately.
+/// Time of a factorisation and a solution by hawser/factor.h [s]: the first decile of many samples
+/// in turns.
 struct FactorTimes {
     int threads = 1;
-    double ours = 0.0;   ///< With separators of our parts last.
-    double metis = 0.0;  ///< Those of METIS's.
-    double amd = 0.0;    ///< With the order of AMD, without parts.
+    double ours = 0.0;   ///< Separators of Hawser's parts last.
+    double metis = 0.0;  ///< Separators of METIS's parts last.
+    double amd = 0.0;    ///< AMD's order, without parts.
 };
 
-/// Compare and print the times on one thread and two; empty without METIS. @param turns  Number of
-/// turns, each of twenty calls.
+/// Measure and print times for one thread and two; empty without METIS. @param turns  Number of
+/// turns of twenty each.
 [[nodiscard]] std::vector<FactorTimes> compare_factors(const PartCase& c, int parts, int turns);
 [[nodiscard]] nlohmann::json factor_json(const std::vector<FactorTimes>& times);
 

@@ -127,7 +127,7 @@ std::vector<std::int32_t> scotch_order([[maybe_unused]] ForeignGraph& g) {
 void cover_cuts(const factor::Pattern& pattern, std::vector<std::int32_t>& parts) {
     const std::vector<std::int32_t> old = parts;
     std::vector<std::int32_t> open(old.size(), 0);
-    // Sort by uncovered edges per scalar, then by number; skip outdated entries.
+    // Sorted by uncovered edges per scalar, then by number; outdated entries are skipped.
     using Entry = std::tuple<double, std::int32_t, std::int32_t>;
     std::priority_queue<Entry> queue;
     const auto offer = [&](std::int32_t v) {
@@ -160,7 +160,7 @@ std::vector<std::int32_t> order_parts(const factor::Pattern& pattern,
     for (int v = 0; v < n; ++v) last[at(v)] = parts[at(v)] == kSeparator ? 1 : 0;
     double control[CAMD_CONTROL], info[CAMD_INFO];
     camd_defaults(control);
-    control[CAMD_DENSE] = 100.0;  // as factor::order_nodes() has it
+    control[CAMD_DENSE] = 100.0;  // like factor::order_nodes()
     if (camd_order(n, pattern.start.data(), pattern.adjacent.data(), order.data(), control, info,
                    last.data()) < 0)
         throw std::runtime_error("CAMD failed");

@@ -58,7 +58,7 @@ std::vector<std::int64_t> inside_costs(const factor::Pattern& pattern,
 double median_seconds(const std::function<void()>& f, int least) {
     std::vector<double> seconds;
     double sum = 0.0;
-    // Short calls more often: a median of a few microseconds needs many.
+    // Repeat short calls more often: a median of a few microseconds needs many.
     while (static_cast<int>(seconds.size()) < least || (sum < 0.02 && seconds.size() < 1000)) {
         const double from = thread_seconds();
         f();

@@ -26,7 +26,7 @@ Race race(const PartCase& c, int parts, const std::vector<std::int64_t>& exact) 
     ForeignGraph f(c.pattern);
     const graph::Hypergraph g = c.graph(exact);
     graph::Hypergraph weighted = g;
-    // Weights of any size: their values do not change the work.
+    // Weights like those of physics, of any size: their values do not change the work.
     std::vector<std::int32_t> edge(at(g.edges())), node(at(g.nodes()));
     for (std::size_t e = 0; e < edge.size(); ++e)
         edge[e] = static_cast<std::int32_t>(e * 7919 % 1000);
@@ -59,7 +59,7 @@ Race race(const PartCase& c, int parts, const std::vector<std::int64_t>& exact) 
     r.metis_turn = foreign ? median(a) : 0.0;
     r.turn = median(b);
     r.fresh = median(d);
-    // Measure each alone, also alternately, so that both meet the same conditions.
+    // Measure each separately, also in turns, so that both run on an equal machine.
     a.clear();
     b.clear();
     for (int i = 0; i < 15; ++i) {

@@ -20,7 +20,7 @@
 namespace hawser::bench {
 namespace {
 
-constexpr int kStepsFirst = 60;  ///< Forces and velocities are those of a scene under way.
+constexpr int kStepsFirst = 60;  ///< forces and velocities are those of a running scene
 
 double wall_seconds(std::chrono::steady_clock::time_point from) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();

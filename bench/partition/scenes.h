@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file scenes.h
-/// Parts of running scenes by World::partition(), and the body graph for METIS.
+/// Parts of scenes while they run, by World::partition(), and the body graph for METIS.
 
 #include "factor/pattern.h"
 
@@ -14,15 +14,15 @@
 
 namespace hawser::bench {
 
-/// Moving bodies, with an edge for each pair that shares an interaction or touches.
+/// Moving bodies, and pairs that share an interaction or touch.
 struct BodyGraph {
-    std::vector<std::int32_t> node;  ///< Node of each body; −1: fixed.
+    std::vector<std::int32_t> node;  ///< Node of each body; −1: it does not move.
     factor::Pattern pattern;         ///< Sizes: degrees of freedom.
 };
 [[nodiscard]] BodyGraph body_graph(const World& world);
 
-/// Time graph, weights and cuts of scenes after a second. Each alternates with METIS k-way on the
-/// same body graph, which is prepared. Prints the times; missing scenes are omitted.
+/// Measure the time of graph, weights and cuts of scenes after a second, each in turns with METIS
+/// k-way on the same body graph, which METIS gets complete. Prints; missing scenes are left out.
 nlohmann::json time_scenes(int parts, int turns);
 
 }  // namespace hawser::bench

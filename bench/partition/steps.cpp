@@ -27,7 +27,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Group by METIS from the body graph, with interactions and contacts weighted by freedoms.
+/// Make groups by METIS from the body graph: interactions and contacts, weighted by freedoms.
 void group_by_metis(World& world, int parts) {
     const BodyGraph graph = body_graph(world);
     ForeignGraph g(graph.pattern);
@@ -39,7 +39,7 @@ void group_by_metis(World& world, int parts) {
 
 struct SteppedWorld {
     const char* name;
-    World world, traced;                ///< World with two threads; world with one.
+    World world, traced;                ///< With two threads; with one.
     std::vector<double> wall{}, cpu{};  ///< [ms]
     bool lost = false;
     void run(int steps) {
@@ -51,7 +51,7 @@ struct SteppedWorld {
     }
 };
 
-constexpr int kExactFirst = 60;  ///< Exact steps before worlds are split.
+constexpr int kExactFirst = 60;  ///< number of exact steps before worlds are split
 
 World settled(const std::string& scene, const char* predictor, int threads) {
     scene::Options options;

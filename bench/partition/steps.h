@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file steps.h
-/// Time saved by a partition: factorisations with its separators last, and whole steps with its
-/// cuts coupled by compliance. Our parts and those of METIS alternate.
+/// Benefit of a partition in time: factorisations with its separators last, and whole steps with
+/// its cuts coupled by compliance, for Hawser's parts and METIS's in turns.
 
 #include <nlohmann/json_fwd.hpp>
 

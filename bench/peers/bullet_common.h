@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// Common parts of both Bullet runners. Include it before any other header of Bullet. The library
-/// is the double-precision one (libBulletDynamics-float64). Its headers must be read with
-/// BT_USE_DOUBLE_PRECISION, or every structure has the wrong layout.
+/// Code shared by both Bullet runners. Include it before any other header of Bullet. The library
+/// variant in use is the double-precision one (libBulletDynamics-float64): without
+/// BT_USE_DOUBLE_PRECISION every structure of its headers has the wrong layout.
 #pragma once
 
 #ifndef BT_USE_DOUBLE_PRECISION
@@ -22,14 +22,14 @@ inline btQuaternion to_bullet(const Quat& q) { return {q.x(), q.y(), q.z(), q.w(
 inline Vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 inline Quat from_bullet(const btQuaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-/// Parts that every Bullet world needs but that are idle here.
+/// Objects that every Bullet world needs and that have no effect here.
 struct BulletParts {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;
 };
 
-/// A Bullet world that searches for contacts only if the scene has any.
+/// A Bullet world that detects contacts only if the scene has any.
 template <class World>
 class CollidesIfAsked : public World {
   public:
@@ -40,26 +40,26 @@ class CollidesIfAsked : public World {
     bool collides = false;
 };
 
-/// Shape of a body, or null.
+/// Make the shape of a body, or null.
 std::unique_ptr<btCollisionShape> bullet_shape(const BodyShape& shape);
 
-/// Adds floor, surfaces and collision groups to a Bullet world for a scene with contacts.
+/// Additions to a Bullet world for a scene with contacts: the floor, surfaces, collision groups.
 class BulletTouching {
   public:
-    /// @pre scene.touching
+    /// Add them. @pre scene.touching
     BulletTouching(const Scene& scene, btCollisionWorld& world, BulletParts& parts);
     ~BulletTouching();
     BulletTouching(const BulletTouching&) = delete;
     BulletTouching& operator=(const BulletTouching&) = delete;
 
-    /// Friction of an object.
+    /// Set the friction of an object.
     void surface(btCollisionObject& object) const;
 
-    /// Return the collision group of bodies, and the mask of groups that they touch.
+    /// Return the collision group of bodies, and the groups that it touches.
     [[nodiscard]] int group() const;
     [[nodiscard]] int mask() const;
 
-    /// Contact points of the last step.
+    /// Return the contact points of the last step.
     [[nodiscard]] int points() const;
 
   private:

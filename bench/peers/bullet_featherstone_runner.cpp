@@ -25,9 +25,9 @@ constexpr double kFeatherstoneErp = 0.2;
 
 /// A world of multibodies that is one island.
 ///
-/// Bullet finds islands through colliders, and passes on no closures if there are none. So closures
-/// and contacts are given to the solver here. The prediction of poses, which only soft bodies need,
-/// is omitted. Both make the engine faster than its default world.
+/// Bullet finds islands through colliders, and passes on no closures if there are none, so closures
+/// and contacts are given to the solver here. The prediction of poses for soft bodies is left out.
+/// Both make the engine faster than its default world.
 class TreeWorld final : public CollidesIfAsked<btMultiBodyDynamicsWorld> {
   public:
     using CollidesIfAsked::CollidesIfAsked;
@@ -50,7 +50,7 @@ class TreeWorld final : public CollidesIfAsked<btMultiBodyDynamicsWorld> {
     }
 };
 
-/// Tree and link of a body of the scene; −1 for the base.
+/// Place of a body of the scene: a tree and its link, -1 for the base.
 struct Place {
     btMultiBody* tree = nullptr;
     int link = -1;
@@ -69,7 +69,7 @@ class FeatherstoneRunner final : public Runner {
         info.m_erp = info.m_erp2 = kFeatherstoneErp;
         info.m_globalCfm = 0;
         info.m_splitImpulse = 0;
-        // A warm start above 1000 N s makes btDantzigSolver report failure; it needs none.
+        // A warm start above 1000 N s makes btDantzigSolver report failure; it works without.
         info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
         if (scene.touching) {
             touching_.emplace(scene, world_, parts_);
@@ -121,7 +121,7 @@ class FeatherstoneRunner final : public Runner {
             t->compTreeLinkVelocities(omega_.data(), velocity_.data());
             for (const auto& [body, link] : members_.at(t.get())) {
                 BodyState& s = out[static_cast<std::size_t>(body)];
-                const int row = link + 1;  // the base first
+                const int row = link + 1;  // the base is first
                 const auto k = static_cast<std::size_t>(row);
                 if (link < 0) {
                     s.x = from_bullet(t->getBasePos());
@@ -131,7 +131,7 @@ class FeatherstoneRunner final : public Runner {
                     s.x = from_bullet(at.getOrigin());
                     s.q = from_bullet(at.getRotation());
                 }
-                // compTreeLinkVelocities answers in the frame of each link.
+                // compTreeLinkVelocities returns vectors in the frame of each link.
                 s.v = s.q * from_bullet(velocity_[k]);
                 s.w = s.q * from_bullet(omega_[k]);
             }
@@ -203,7 +203,7 @@ class FeatherstoneRunner final : public Runner {
         const btVector3 arm_a = to_bullet(swap ? j.arm_b : j.arm_a);
         const btVector3 arm_b = to_bullet(swap ? j.arm_a : j.arm_b);
         const Place pa = place_[static_cast<std::size_t>(a)];
-        // A null body instead of a tree that stands still makes a closure to the world drift.
+        // A null body instead of a fixed tree makes a closure to the world drift.
         const Place pb = b == kWorld ? Place{&ground(), -1} : place_[static_cast<std::size_t>(b)];
         auto c = std::make_unique<btMultiBodyPoint2Point>(pa.tree, pa.link, pb.tree, pb.link, arm_a,
                                                           arm_b);

@@ -9,9 +9,9 @@
 namespace hawser::bench {
 namespace {
 
-// Chosen for the minimum time to hold on heavy_hook. With ERP 0.2 (the default) it takes more than
+// Chosen for the least time to hold on heavy_hook. With ERP 0.2 (the default) it takes more than
 // twice the time or does not hold. Among 10 (the default), 20, 50, 100 and 200 iterations, 50 and
-// 20 (with twice the substeps) cost least.
+// 20 (at twice the substeps) cost least.
 constexpr double kBulletErp = 0.8;
 constexpr int kIterations = 50;
 

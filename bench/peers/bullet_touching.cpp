@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes and contacts in Bullet, the same for both of its solvers.
+// Shapes and contacts in Bullet, equal for both of its solvers.
 #if HAWSER_HAVE_BULLET
 #include "bullet_common.h"
 
@@ -26,7 +26,7 @@ std::unique_ptr<btCollisionShape> bullet_shape(const BodyShape& shape) {
 
 BulletTouching::BulletTouching(const Scene& scene, btCollisionWorld& world, BulletParts& parts)
     : world_(world), parts_(parts), how_(*scene.touching), plane_(btVector3(0, 0, 1), how_.floor) {
-    // By default a capsule on a plane gets one point a step; this requests both ends.
+    // By default a capsule on a plane gets one point per step; this requests both ends.
     parts.configuration.setPlaneConvexMultipointIterations(3, 3);
     floor_.setCollisionShape(&plane_);
     surface(floor_);
@@ -39,7 +39,7 @@ int BulletTouching::mask() const { return how_.bodies ? kFloorGroup | kBodyGroup
 int BulletTouching::group() const { return kBodyGroup; }
 
 void BulletTouching::surface(btCollisionObject& object) const {
-    object.setFriction(std::sqrt(how_.friction));  // of two surfaces Bullet takes the product
+    object.setFriction(std::sqrt(how_.friction));  // Bullet multiplies the values of two surfaces
     object.setRestitution(0);
 }
 

@@ -8,7 +8,7 @@
 namespace hawser::bench {
 namespace {
 
-/// Breadth-first walk from `tree[0]` over the joints in `use`; marks bodies as `placed`.
+/// Walk breadth-first from `tree[0]` over the joints in `use`; marks bodies as `placed`.
 void grow(const Scene& scene, const std::vector<std::vector<int>>& at, const std::vector<char>& use,
           std::vector<char>& placed, std::vector<TreeNode>& tree) {
     for (std::size_t k = 0; k < tree.size(); ++k) {

@@ -9,7 +9,7 @@
 
 namespace hawser::bench {
 
-/// One body placed in its tree. `parent` is a body, kWorld (hangs on the world by `joint`), or
+/// A body placed in its tree. `parent` is a body, kWorld (attached to the world by `joint`), or
 /// kFree (root of a floating tree, `joint` is -1).
 struct TreeNode {
     int body = 0;
@@ -23,7 +23,7 @@ inline constexpr int kFree = -2;  ///< Parent of a body that floats freely.
 
 /// Return trees in an order in which every parent precedes its children; one entry per tree.
 ///
-/// Joints in `layout.closures` are omitted; the rest must be a forest. A tree that touches the
+/// Joints in `layout.closures` are left out; the rest must be a forest. A tree attached to the
 /// world has its root there, any other at its heaviest body. Throws if a loop remains.
 [[nodiscard]] std::vector<std::vector<TreeNode>> spanning_forest(const Scene& scene,
                                                                  const TreeLayout& layout);

@@ -14,7 +14,7 @@ namespace {
 
 Reference series(const PeerResult& r) { return {r.tension_times, {}, r.tensions}; }
 
-/// Relative rms difference of `a` to `b` after the first second, at the times of `b`.
+/// Return the relative rms difference of `a` to `b` after the first second, at the times of `b`.
 double difference(const Reference& a, const Reference& b) {
     double sum = 0.0;
     int count = 0;
@@ -37,7 +37,7 @@ PeerResult simulate(const Scene& scene, double duration, int substeps) {
     return trial.result();
 }
 
-/// Nine digits: differences of the finest runs are small.
+/// Write nine digits: differences of the finest runs are small.
 void write(const std::string& path, const Reference& fine, const Reference& coarse) {
     std::ofstream out(path);
     out << "t";

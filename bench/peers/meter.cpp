@@ -73,7 +73,7 @@ double Meter::largest_gap(const std::vector<BodyState>& s) const {
 void Meter::substep(const std::vector<BodyState>& before, const std::vector<Load>& loads,
                     const std::vector<BodyState>& after, double h, const std::vector<Vec3>* tow) {
     last_work_ = 0.0;
-    // The velocity that carried the bodies over this substep.
+    // Velocity that moved the bodies over this substep.
     const auto mean = [&](const Vec3& a, const Vec3& b) -> Vec3 {
         return staggered_ ? b : Vec3(0.5 * (a + b));
     };
@@ -111,8 +111,9 @@ std::optional<double> Meter::reference_tension(std::size_t ship, double t) const
 }
 
 void Meter::measure_tension(double t) {
-    // Assign a mean force to the middle of its frame. Staggered velocities lie half a substep
-    // earlier, so that the middle does too.
+    // A mean force belongs to the middle of its frame. With staggered velocities the frame reaches
+    // from half a substep before its start to half a substep before its end: half a substep
+    // earlier.
     const double middle = t - 0.5 * frame_time_ - (staggered_ ? 0.5 * substep_time_ : 0.0);
     if (!scene_.towed.empty()) times_.push_back(middle);
     for (std::size_t k = 0; k < scene_.towed.size(); ++k) {
@@ -145,8 +146,8 @@ void Meter::measure_tension(double t) {
     m_.tension_ripple = std::sqrt(std::max(0.0, sum_t2_ / count_ - mean * mean)) / ref;
 }
 
-/// Compute the amplitude of the first sine mode of the cable from its displacement and velocity:
-/// sqrt(q^2 + (q'/omega)^2). It is constant if the mode is not damped.
+/// Amplitude of the first sine mode of the cable from its displacement and velocity, as sqrt(q^2 +
+/// (q'/omega)^2): constant if the mode is undamped.
 void Meter::measure_mode(const std::vector<BodyState>& s, double t) {
     if (scene_.cable_first < 0 || t < scene_.duration - 1.0) return;
     const int n = scene_.cable_links;
@@ -226,7 +227,7 @@ std::string Meter::why_not(int frames) const {
     if (m_.sideways && !(*m_.sideways <= kMovedLimit))
         return number("moved %.2g m sideways", *m_.sideways);
     if (count_ > 0) {
-        // Divide by the samples of the whole run: the remaining ones could at best be exact.
+        // Divided by the samples of the whole run: the rest could at best be exact.
         const double all = (frames - kSettle / kFrame) * static_cast<double>(scene_.towed.size());
         const double rms = std::sqrt(sum_e2_ / std::max(all, static_cast<double>(count_)));
         if (!(rms <= kTensionLimit))

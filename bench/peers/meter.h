@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// Measures one run of any engine from the states of its bodies: gap, tension, energy, path.
+/// Measure a run of any engine from the states of its bodies: gap, tension, energy, path.
 #pragma once
 
 #include "reference.h"
@@ -12,7 +12,7 @@
 
 namespace hawser::bench {
 
-/// Limits of *holds*: over the whole run, all of them.
+/// Limits of *holds*: all of them, over the whole run.
 inline constexpr double kGapLimit = 1e-3;      ///< Largest joint position error [m].
 inline constexpr double kTensionLimit = 0.02;  ///< Relative rms tension error after 1 s.
 inline constexpr double kEnergyLimit = 0.01;   ///< Largest relative energy drift.
@@ -20,7 +20,7 @@ inline constexpr double kBlockLimit = 0.1;     ///< Largest error of the block's
 inline constexpr double kMovedLimit = 1e-3;    ///< Drop and sideways motion of Scene::top [m].
 inline constexpr double kSettle = 1.0;         ///< Tension counts after this time [s].
 
-/// Measurements so far. An empty optional: no reference.
+/// Measures since the start. An empty optional: no reference.
 struct Measures {
     double gap = 0.0;                      ///< Largest distance between joint ends [m].
     std::optional<double> tension_error;   ///< rms of (T - T_ref) / T_ref, T the mean of a frame.
@@ -28,9 +28,10 @@ struct Measures {
     std::optional<double> tension_mean;    ///< (mean T - mean T_ref) / mean T_ref.
     std::optional<double> tension_ripple;  ///< rms of T about its mean / mean T_ref.
     std::optional<double> tension_worst;   ///< Largest |T - T_ref| / T_ref.
-    /// Largest relative drift with its sign; 0 in a scene with contacts, whose losses are unknown.
+    /// Value of largest size, signed, relative. 0 in a scene with contacts, whose losses are not
+    /// reported.
     double energy_drift = 0.0;
-    double energy_end = 0.0;               ///< Relative drift at the end of the run with its sign.
+    double energy_end = 0.0;               ///< At the end of the run, signed, relative.
     std::optional<double> block_error;     ///< Largest distance to the reference path [m].
     std::optional<double> mode_amplitude;  ///< Sine mode over the last second / its start.
     std::optional<double> drop;            ///< Largest vertical motion of Scene::top [m].
@@ -46,27 +47,29 @@ struct Measures {
 /// substep. Tension: |m dv/dt - other forces| on each towed ship.
 class Meter {
   public:
-    /// @param staggered  velocities belong half a substep before the poses (Runner::staggered).
+    /// Start. @param staggered  Velocities belong to half a substep before the poses
+    /// (Runner::staggered).
     Meter(const Scene& scene, const Reference& reference, bool staggered);
 
-    /// Process one substep of length `h` from `before`, at which `loads` were evaluated, to
-    /// `after`. `tow`: force of the line on each towed ship if the engine returns it, else null.
+    /// Add a substep of length `h` from `before` (where `loads` were evaluated) to `after`. `tow`:
+    /// force of the line on each towed ship if the engine reports it, otherwise null.
     void substep(const std::vector<BodyState>& before, const std::vector<Load>& loads,
                  const std::vector<BodyState>& after, double h, const std::vector<Vec3>* tow);
 
-    /// End of a frame at time `t`, after its substeps.
+    /// End a frame at time `t`, after its substeps.
     void frame(const std::vector<BodyState>& before, const std::vector<BodyState>& now, double t);
 
     [[nodiscard]] const Measures& measures() const { return m_; }
 
-    /// Return the first broken limit; empty: none. `frames` is the length of the whole run: an rms
-    /// that can no longer fall below its limit is detected early.
+    /// Return the first broken limit, or an empty text. `frames` is the length of the whole run, so
+    /// that an rms that cannot recover is detected early.
     [[nodiscard]] std::string why_not(int frames) const;
 
-    /// Mechanical energy without the work of outer forces [J].
+    /// Return the mechanical energy without the work of external forces [J].
     [[nodiscard]] double energy(const std::vector<BodyState>& s) const;
 
-    /// Middle of every frame [s] and the mean tension at each towed ship in that frame [N].
+    /// Return the middle of every frame [s] and the mean tension at each towed ship in that frame
+    /// [N].
     [[nodiscard]] const std::vector<double>& tension_times() const { return times_; }
     [[nodiscard]] const std::vector<std::vector<double>>& tensions() const { return tensions_; }
 
@@ -83,7 +86,7 @@ class Meter {
     const Reference& reference_;
     bool staggered_;
     Measures m_;
-    std::vector<char> loaded_;  ///< Bodies on which anything but gravity can act.
+    std::vector<char> loaded_;  ///< Bodies with possible loads other than gravity.
     double energy_start_ = 0.0, work_ = 0.0, last_work_ = 0.0;
     std::vector<Vec3> impulse_;  ///< Impulse of the tow line in this frame [N s].
     std::vector<std::vector<double>> substep_tension_;

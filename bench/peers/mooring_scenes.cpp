@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rig on mooring lines between two pulling ships, its lines hanging free or lying on the seabed.
+// A rig on mooring lines between two pulling ships, with lines that hang free or lie on the seabed.
 #include "scene_parts.h"
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 namespace hawser::bench {
 namespace {
 
-/// Nodes of `n` rigid links of length `l` hanging between two points at rest.
+/// Compute nodes of `n` rigid links of length `l` hanging at rest between two points.
 ///
 /// Balance of moments makes link i point along (H, V + w (i + 1/2)), w the weight of a link: the
-/// exact equilibrium of rigid links, within 3e-7 l of the smooth catenary of the same length.
-/// Newton on H and V so that the links end at `q`; started from the estimate of Jonkman 2007.
+/// exact equilibrium of rigid links, within 3e-7 l of the smooth catenary of equal length. Newton's
+/// method on H and V makes the links end at `q`; it starts from the estimate of Jonkman 2007.
 std::vector<Vec3> hanging_nodes(const Vec3& p, const Vec3& q, int n, double l, double w) {
     const Vec3 d = q - p;
     const double x = std::hypot(d.x(), d.y()), z = d.z();
@@ -48,9 +48,9 @@ std::vector<Vec3> hanging_nodes(const Vec3& p, const Vec3& q, int n, double l, d
     return nodes;
 }
 
-/// Nodes of `n` links of length `l` from an anchor: the line lies straight on the floor, its axis
-/// at the anchor's height, then hangs as a catenary of a = 100 m up to `q`. Nodes are at equal
-/// lengths of arc; chords of the catenary are shorter than that by up to 0.3 mm.
+/// Compute nodes of `n` links of length `l` from an anchor. The line lies straight on the floor,
+/// its axis at the anchor's height, then hangs as a catenary of a = 100 m up to `q`. Nodes are at
+/// equal lengths of arc; chords of the catenary are shorter by up to 0.3 mm.
 std::vector<Vec3> nodes_on_seabed(const Vec3& p, const Vec3& q, int n, double l) {
     constexpr double kLying = 186.8, kA = 100.0;  // [m]
     const Vec3 d = q - p;
@@ -65,13 +65,13 @@ std::vector<Vec3> nodes_on_seabed(const Vec3& p, const Vec3& q, int n, double l)
     return nodes;
 }
 
-/// Lets the links from body `first` on touch, as capsules.
+/// Give capsules to the links from body `first` on, so that they touch.
 void give_shapes(Scene& s, std::size_t first, double radius, double length) {
     for (std::size_t i = first; i < s.bodies.size(); ++i)
         s.bodies[i].shape = {BodyShape::Kind::capsule, radius, 0.5 * length, Vec3::Zero()};
 }
 
-/// The site, with mooring lines that hang free or lie on the seabed.
+/// Make the site, with mooring lines that hang free or lie on the seabed.
 Scene site(bool seabed) {
     Scene s;
     const int n = 90;
@@ -125,8 +125,8 @@ Scene mooring() {
     s.name = "mooring";
     s.code = "S3";
     s.duration = 20.0;
-    // Potential energy released by the lines while the hulls settle, from a converged run. S1 uses
-    // the same measure. The largest kinetic energy is 2.8e4 J.
+    // Potential energy that the lines lose while the hulls settle, from a converged run; also the
+    // scale of S1. The largest kinetic energy is 2.8e4 J.
     s.energy_scale = 2.1e5;
     return s;
 }

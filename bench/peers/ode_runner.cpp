@@ -11,16 +11,18 @@
 namespace hawser::bench {
 namespace {
 
-// ERP is the fraction of a joint error removed in one step. On heavy_hook at 8 substeps the gap of
-// dWorldStep falls from 1.2e-7 m at 0.1 over 1.5e-8 m at 0.8 to 1.2e-8 m at 1. QuickStep is best at
-// 0.5 to 0.8. CFM is the softness: up to 1e-12 it has no effect, 1e-10 makes the gap ten times
+// ERP is the fraction of a joint error that one step removes. On heavy_hook at 8 substeps the gap
+// of dWorldStep decreases from 1.2e-7 m at 0.1 over 1.5e-8 m at 0.8 to 1.2e-8 m at 1; QuickStep is
+// best at 0.5 to 0.8. CFM is the softness: up to 1e-12 has no effect, 1e-10 makes the gap ten times
 // larger; 0 would leave a closed loop singular.
 constexpr double kOdeErp = 0.8;
 constexpr double kCfm = 1e-14;
-// Default 20. Among 10, 20, 50, 100, 200, this and 20 (with twice the substeps) cost least to hold.
+// Default 20. Among 10, 20, 50, 100 and 200, this and 20 (at twice the substeps) hold at the least
+// cost.
 constexpr int kQuickIterations = 50;
-// Contacts have the softness of the scene, k = ERP / (h CFM). With CFM 1e-14 Dantzig's method fails
-// on four points of a face ("LCP internal error"). Compared with 0.8, 0.2 keeps a stack up longer.
+// Contacts have the compliance of the scene, k = ERP / (h CFM): with CFM 1e-14 Dantzig's method
+// fails for four points of a face ("LCP internal error"). Compared with 0.8, 0.2 keeps a stack up
+// longer.
 constexpr double kContactErp = 0.2;
 constexpr int kPointsPerPair = 8;  // two boxes face to face have four to eight
 
@@ -88,7 +90,8 @@ class OdeRunner final : public Runner {
   private:
     static void ignore_message(int /*number*/, const char* /*text*/, va_list /*values*/) {}
 
-    /// A geometry for each shape and the floor, in no space: only pairs that can touch are tried.
+    /// Make a geometry for each shape and the floor, in no space: only pairs that can touch are
+    /// tested.
     void touch(const Scene& scene) {
         friction_ = scene.touching->friction;
         softness_ = kContactErp * substeps_ / (kFrame * scene.touching->stiffness);
@@ -102,7 +105,7 @@ class OdeRunner final : public Runner {
             dGeomID g = box ? dCreateBox(nullptr, size.x(), size.y(), size.z())
                             : dCreateCapsule(nullptr, s.radius, 2.0 * s.half_length);
             dGeomSetBody(g, bodies_[i]);
-            if (!box) {  // along z there, along x here
+            if (!box) {  // along z in ODE, along x here
                 dMatrix3 turn;
                 dRFromAxisAndAngle(turn, 0.0, 1.0, 0.0, 1.57079632679489662);
                 dGeomSetOffsetRotation(g, turn);
@@ -142,8 +145,8 @@ class OdeRunner final : public Runner {
     void add_body(const Body& b) {
         dBodyID id = dBodyCreate(world_);
         dMass m;
-        // Set principal moments directly: dMassSetBox and dMassSetCylinder expect full lengths and
-        // densities or their own axes.
+        // Set principal moments directly: dMassSetBox and dMassSetCylinder take full lengths and
+        // densities or other axes.
         dMassSetParameters(&m, b.mass, 0, 0, 0, b.inertia.x(), b.inertia.y(), b.inertia.z(), 0, 0,
                            0);
         dBodySetMass(id, &m);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our own engine through its public interface: rigid links, ball joints, contacts.
+// Hawser through its public interface: rigid links, ball joints, contacts.
 #include <hawser/world.h>
 
 #include <stdexcept>

@@ -9,9 +9,9 @@
 namespace hawser::bench {
 namespace {
 
-constexpr std::size_t kWarmUp = 60;  ///< Frames left out of the statistics of time.
+constexpr std::size_t kWarmUp = 60;  ///< Number of frames left out of the statistics of time.
 
-/// Return the sorted times after the warm-up; all of them if the run ended before twice that.
+/// Return sorted times after the warm-up; all of them if the run ended before twice that.
 std::vector<double> settled_times(const std::vector<double>& ms) {
     std::vector<double> t(ms.begin() + (ms.size() >= 2 * kWarmUp ? kWarmUp : 0), ms.end());
     std::sort(t.begin(), t.end());
@@ -24,10 +24,9 @@ double percentile(const std::vector<double>& sorted, double p) {
     return sorted[static_cast<std::size_t>(std::lround(i))];
 }
 
-/// Return layout number `choice` of the scene, counted from 1; 0 selects the fastest one for the
-/// engine. The time of Bullet grows with the length of the trees between closures (use the first
-/// layout), that of Simbody with the number of closures (use the last of those with the fewest).
-/// Unused if neither is in the build.
+/// Return layout number `choice` of the scene, counted from 1; 0: the fastest one for the engine.
+/// Bullet's cost is the length of the trees between closures (the first layout), Simbody's the
+/// number of closures (the last of those with the fewest). Unused if neither is built in.
 [[maybe_unused]] const TreeLayout& layout(const Scene& scene, std::size_t choice,
                                           bool few_closures) {
     const std::vector<TreeLayout>& all = scene.layouts;
@@ -179,7 +178,7 @@ PeerResult smallest_that_holds(const Engine& engine, const Scene& scene, const R
         if (n > options.max_substeps && n > 1) break;
         last = run_peer(engine, scene, n, reference, options, true);
         if (tell) tell(last);
-        // A run that is too slow with n substeps is slower with more.
+        // A run that took too long with n substeps takes longer with more.
         if (last.holds || last.why_not == "too slow to finish" || engine.ours) break;
     }
     return last;

@@ -3,8 +3,8 @@
 /// Comparison of engines on the scenes of scenes.h. It does one run, searches for the smallest
 /// number of substeps that holds, and alternates runs of several engines in blocks of frames.
 ///
-/// *Holds* (meter.h): gap <= 1 mm, tension error <= 2 % rms, energy drift <= 1 %. For a scene with
-/// a given path also path error <= 0.1 m. All limits apply to the whole run.
+/// *Holds* (meter.h): gap <= 1 mm, tension error <= 2 % rms, energy drift <= 1 %. If the scene has
+/// a path to follow, also path error <= 0.1 m. All limits apply to the whole run.
 #pragma once
 
 #include "meter.h"
@@ -16,7 +16,7 @@
 
 namespace hawser::bench {
 
-/// An engine that can be compared.
+/// An engine of the comparison.
 struct Engine {
     std::string name;
     std::string description;
@@ -24,21 +24,22 @@ struct Engine {
     std::function<std::unique_ptr<Runner>(const Scene&, int substeps)> make;  ///< Null: left out.
 };
 
-/// All engines this program was built with.
+/// Return all engines of this build.
 [[nodiscard]] std::vector<Engine> engines();
 
-/// Return the engine with this name; `name@2` selects the second tree layout of the scene for a
+/// Return an engine by name; `name@2` uses the second tree layout of the scene for a
 /// reduced-coordinate engine. Throws std::invalid_argument with the known names.
 [[nodiscard]] Engine engine_by_name(const std::string& name);
 
-/// Outcome of one engine on one scene.
+/// Result of one engine on one scene.
 struct PeerResult {
     std::string engine, scene, settings;
     int substeps = 0;  ///< Per frame of 1/60 s.
     bool holds = false;
     std::string why_not;        ///< First broken limit; empty if it holds.
-    std::string unchecked;      ///< Quantities that *holds* could not check without a reference.
-    double simulated = 0.0;     ///< Time that was simulated [s].
+    std::string unchecked;      ///< Limits of *holds* that were not checked because no reference
+                                ///< exists.
+    double simulated = 0.0;     ///< Simulated time [s].
     double ms_per_frame = 0.0;  ///< Median wall time of frames, the first 60 left out [ms].
     double ms_p99 = 0.0;        ///< 99th percentile wall time of frames, first 60 left out [ms].
     double cpu_ms = 0.0;        ///< Median CPU time of frames, the first 60 left out [ms].
@@ -55,10 +56,10 @@ class Trial {
     Trial(const Engine& engine, const Scene& scene, const Reference& reference, int substeps,
           double duration);
 
-    /// Simulates and measures one frame. False once it is over or no longer finite.
+    /// Simulate and measure one frame. False once it has ended or is no longer finite.
     bool frame();
 
-    /// @return true if all measures so far hold; else `why` is the first broken limit.
+    /// True if the present measures hold; sets `why` to the first broken limit.
     [[nodiscard]] bool holds(std::string* why = nullptr) const;
 
     [[nodiscard]] bool over() const { return frames_ >= total_ || !meter_.measures().finite; }
@@ -80,25 +81,25 @@ class Trial {
 
 /// Limits of a search.
 struct SearchOptions {
-    double duration = 0.0;  ///< Simulated time [s]; 0: that of the scene.
+    double duration = 0.0;  ///< Simulated time [s]; 0: the scene's.
     int max_substeps = 64;  ///< Largest number tried.
     double budget = 60.0;   ///< Wall time of one run, measuring included [s].
 };
 
-/// One run, stopped at the first broken limit if `early_out`, or at the budget.
+/// Make one run, stopped at the first broken limit if `early_out`, or at the budget.
 [[nodiscard]] PeerResult run_peer(const Engine& engine, const Scene& scene, int substeps,
                                   const Reference& reference, const SearchOptions& options,
                                   bool early_out);
 
-/// Return the smallest number of substeps among 1-8, 10, 12, 16, 20, 24, 32, ... that holds. If
-/// none does, return the last attempt with the reason.
+/// Find the smallest number of substeps of 1-8, 10, 12, 16, 20, 24, 32, ... that holds. Otherwise
+/// returns the last attempt with the reason.
 [[nodiscard]] PeerResult smallest_that_holds(const Engine& engine, const Scene& scene,
                                              const Reference& reference,
                                              const SearchOptions& options,
                                              const std::function<void(const PeerResult&)>& tell);
 
-/// Runs all trials to their end, `block` frames of each in turn, so that a disturbance of the
-/// machine falls on all of them.
+/// Run all trials to their end, `block` frames of each in turn, so that a disturbance of the
+/// machine affects all of them.
 void alternate(std::vector<std::unique_ptr<Trial>>& trials, int block = 60);
 
 }  // namespace hawser::bench

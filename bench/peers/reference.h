@@ -10,7 +10,7 @@
 
 namespace hawser::bench {
 
-/// A sampled reference; empty if a scene has none or an exact solution (Scene::tension).
+/// A sampled reference; empty if a scene has none or has an exact solution (Scene::tension).
 ///
 /// File: CSV with a header; column `t` [s], then `x,y,z` of the block [m] or one column per ship of
 /// Scene::towed whose name begins with `tension` [N], both instantaneous at `t`.
@@ -19,17 +19,18 @@ struct Reference {
     std::vector<Vec3> block;                   ///< Empty or one per time [m].
     std::vector<std::vector<double>> tension;  ///< One series per towed ship [N].
 
-    /// True if `time` lies inside the sampled range.
+    /// True if `time` is inside the sampled range.
     [[nodiscard]] bool covers(double time) const;
 
-    /// Block position, linear between samples. @pre covers(time) and `block` is not empty.
+    /// Return the block position, linear between samples. @pre covers(time) and `block` is not
+    /// empty.
     [[nodiscard]] Vec3 block_at(double time) const;
 
-    /// Tension at one ship, linear between samples. @pre covers(time).
+    /// Return the tension at one ship, linear between samples. @pre covers(time).
     [[nodiscard]] double tension_at(std::size_t ship, double time) const;
 };
 
-/// Read `folder`/<scene name>.csv; a missing file gives an empty reference, a malformed one throws
+/// Read `folder`/<scene name>.csv. A missing file gives an empty reference, a malformed one throws
 /// std::runtime_error.
 [[nodiscard]] Reference load_reference(const std::string& folder, const Scene& scene);
 

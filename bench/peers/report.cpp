@@ -22,7 +22,7 @@ json number(const std::optional<double>& v) {
     return v && std::isfinite(*v) ? json(*v) : json(nullptr);
 }
 
-/// Contact points at the end of a frame: the fewest, the median, the most. All 0 without.
+/// Contact points at the end of a frame: minimum, median, maximum. All 0 without contacts.
 struct Points {
     int min = 0, median = 0, max = 0;
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// Interface of every simulator in the comparison, including ours.
+/// Interface of every compared simulator, including Hawser.
 ///
-/// The comparison controls the clock, the loads and all measurements. A runner only builds a scene,
-/// advances it by one substep and returns the poses of bodies. Gap, tension, energy and path are
-/// computed from these states by one code (meter.h), independent of the engine.
+/// The comparison owns the clock, the loads and all measurements: a runner only builds a scene,
+/// advances it by one substep and reports the states of bodies. Gap, tension, energy and path are
+/// computed from those states by the same code (meter.h) for all engines.
 #pragma once
 
 #include "scenes.h"
@@ -21,8 +21,7 @@ namespace hawser::bench {
 /// Time of a call.
 struct Spent {
     double wall = 0.0;  ///< [s]
-    /// Processor time of the calling thread [s]: the wall time on an idle machine.
-    double cpu = 0.0;
+    double cpu = 0.0;   ///< Time of the calling thread [s]: equal to wall time on an idle machine.
 };
 
 /// A simulator with one scene loaded.
@@ -33,42 +32,43 @@ class Runner {
     Runner(const Runner&) = delete;
     Runner& operator=(const Runner&) = delete;
 
-    /// Substeps per frame of kFrame.
+    /// Return the substeps per frame of kFrame.
     [[nodiscard]] virtual int substeps() const = 0;
 
-    /// Settings that a reader needs to repeat the run, in a few words.
+    /// Return the settings that are needed to repeat the run, in a few words.
     [[nodiscard]] virtual std::string settings() const = 0;
 
     /// Advance by kFrame / substeps().
     ///
     /// `loads` has one entry per body, evaluated at the present state (external_loads). A simulator
-    /// with its own load models ignores it. Loads may be passed before the returned time starts.
+    /// with load models of its own ignores it. Transfer of loads may precede the returned time.
     /// @returns time of the simulator.
     virtual Spent substep(const std::vector<Load>& loads) = 0;
 
-    /// Poses and velocities of all bodies, in scene order.
+    /// Read poses and velocities of all bodies, in scene order.
     virtual void read(std::vector<BodyState>& out) const = 0;
 
-    /// @return true if velocities belong half a substep before the poses. The energy is then
-    ///        computed at the mean of the last two poses.
+    /// True if velocities belong to half a substep before the poses: the energy is then that of the
+    /// mean of the last two poses.
     [[nodiscard]] virtual bool staggered() const { return false; }
 
-    /// Force of the tow line on every ship of Scene::towed, mean over the last substep [N].
-    /// Without it the force follows from the momentum balance of the ship.
+    /// Return the force of the tow line on every ship of Scene::towed, mean over the last substep
+    /// [N]. Without it the force follows from the momentum balance of the ship.
     virtual bool tow_force(std::vector<Vec3>& /*out*/) const { return false; }
 
-    /// Return the contact points of the last substep; -1 if the simulator does not return them.
+    /// Return the contact points of the last substep; -1 if the simulator has none or does not
+    /// report them.
     [[nodiscard]] virtual int contacts() const { return -1; }
 };
 
-/// CPU time of this thread so far [s].
+/// Return the CPU time of this thread [s].
 inline double cpu_of_thread() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Time of one call.
+/// Measure the time of one call.
 template <class F>
 Spent spent(F&& f) {
     const auto t0 = std::chrono::steady_clock::now();
@@ -84,8 +84,8 @@ std::unique_ptr<Runner> make_bullet_featherstone(const Scene& scene, int substep
                                                  const TreeLayout& layout);
 std::unique_ptr<Runner> make_simbody(const Scene& scene, int substeps, const TreeLayout& layout);
 
-/// Our own engine; more than one substep serves to make references alone, and solves contacts to
-/// 1e-10.
+/// Make Hawser's runner. More than one substep serves only to make references, and solves contacts
+/// to 1e-10.
 std::unique_ptr<Runner> make_ours(const Scene& scene, int substeps);
 
 }  // namespace hawser::bench

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Simbody 3.7: reduced coordinates, ball mobilizers, ball constraints on loop closures.
 //
-// Stepped by semi-explicit Euler written out (velocities from accelerations, then positions from
-// the new velocities, then projection): one evaluation per substep. Its integrators, also
-// SemiExplicitEulerIntegrator, evaluate at least as often and interpolate on top.
+// Stepped by an explicit loop of semi-explicit Euler (velocities from accelerations, then positions
+// from the new velocities, then projection): one evaluation per substep. Its integrators, including
+// SemiExplicitEulerIntegrator, evaluate at least as often, and also interpolate.
 #include "forest.h"
 #include "runner.h"
 
@@ -12,8 +12,8 @@
 namespace hawser::bench {
 namespace {
 
-// Gap of a closure from which it is projected: a projection costs as much as the rest of a step. A
-// tenth of the limit (1 mm).
+// Gap from which a closure is projected: a projection costs as much as the rest of a step. A tenth
+// of the limit (1 mm).
 constexpr double kProjectAt = 1e-4;  // [m], and [m/s] for velocities
 
 SimTK::Vec3 to_simbody(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -117,7 +117,7 @@ class SimbodyRunner final : public Runner {
         system_.realize(state_, SimTK::Stage::Acceleration);
         const SimTK::Vector u = state_.getU() + h * state_.getUDot();
         matter_.multiplyByN(state_, false, u, qdot_);
-        // Time stands still: no force depends on it, and advancing it invalidates more of the
+        // Time is not advanced: no force depends on it, and advancing it invalidates more of the
         // state.
         state_.updQ() += h * qdot_;
         state_.updU() = u;

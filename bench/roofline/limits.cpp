@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kChains = 10;  // latency of 4 cycles, two units: 8 at least
 
-// Loops for one instruction set. Constants are read from memory, so that the compiler cannot use
+// The loops for one instruction set. Constants come from memory, so that the compiler does not know
 // them.
 #define HAWSER_LOOPS(isa, attribute, width)                                                   \
     namespace isa {                                                                           \
@@ -69,7 +69,7 @@ Loops loops() {
     }
 }
 
-/// Most of something done per second of processor time, of several tries.
+/// Return the largest number per second of processor time, of several tries.
 template <class F>
 double best_rate(double amount, F&& once) {
     constexpr double kTry = 0.01;  // [s]

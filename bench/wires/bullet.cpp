@@ -10,7 +10,7 @@
 namespace hawser::bench::wires {
 namespace {
 
-// As in bench/peers for chains: the default ERP of 0.2 and 10 iterations hold less.
+// Like bench/peers for chains: the default ERP of 0.2 and 10 iterations are worse.
 constexpr double kChainErp = 0.8;
 constexpr int kChainIterations = 200;
 constexpr int kPostGroup = 1, kWireGroup = 2;
@@ -21,10 +21,10 @@ class BulletChain final : public Rig {
         world_.setGravity(btVector3(0, 0, 0));
         world_.getSolverInfo().m_numIterations = kChainIterations;
         world_.getSolverInfo().m_erp = kChainErp;
-        // By default friction has one direction: that of the sliding, or any if there is none.
-        // Along the post as well as along the wire it would not hold.
+        // By default friction has one direction, that of sliding. Without sliding it acts along the
+        // post as well as along the wire, so that it does not hold.
         world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-        post_.setCollisionShape(&post_shape_);  // a btCapsuleShape lies along y
+        post_.setCollisionShape(&post_shape_);  // a btCapsuleShape points along y
         rubs(post_);
         world_.addCollisionObject(&post_, kPostGroup, kWireGroup);
         const auto at = [&](std::size_t i) { return btVector3(s.nodes[i][0], 0, s.nodes[i][1]); };
@@ -72,7 +72,7 @@ class BulletChain final : public Rig {
 
   private:
     static void rubs(btCollisionObject& object) {
-        object.setFriction(std::sqrt(kRub));  // Bullet uses the product of both surfaces
+        object.setFriction(std::sqrt(kRub));  // Bullet multiplies the values of two surfaces
         object.setRestitution(0);
     }
     btRigidBody& add(double mass, btCollisionShape& shape, const btTransform& at, bool touches) {

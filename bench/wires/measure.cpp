@@ -11,23 +11,23 @@
 namespace hawser::bench::wires {
 namespace {
 
-constexpr double kRamp = 1.0;  ///< Duration of the ramp of either force [s].
-constexpr double kLost = 0.2;  ///< Way of the weight at which a run ends [m].
-constexpr double kFar = 0.01;  ///< Way in a wait beyond which it slips [m].
-/// Displacement in half a wait below which there is no slip [m]: 5e-6 too much force causes as
-/// much.
+constexpr double kRamp = 1.0;  ///< Ramp of each force [s].
+constexpr double kLost = 0.2;  ///< Displacement of the weight at which a run ends [m].
+constexpr double kFar = 0.01;  ///< Displacement in a wait beyond which it slips [m].
+/// Displacement in half a wait below which nothing slips [m]: an excess force of 5e-6 gives this
+/// displacement.
 constexpr double kStill = 3e-4;
 constexpr double kApart = 0.05;  ///< Gap at which a chain counts as torn [m].
 
 enum class End : std::uint8_t { stands, ran, failed };
 
-/// Runs one rig frame by frame.
+/// Runs a rig frame by frame.
 class Pulling {
   public:
     Pulling(const WireMethod& method, double turns, int substeps, double exponent)
         : rig_(method.make(turns, substeps)), substeps_(substeps), exponent_(exponent) {}
 
-    /// Run up to `time` [s]. Stops if the weight has run away or the engine failed.
+    /// Run to `time` [s]. Stops if the weight has slipped or the engine failed.
     End run_to(double time) {
         while (t_ < time - 0.5 * kFrame && end_ == End::stands) frame();
         return end_;
@@ -105,7 +105,7 @@ class Search {
     }
 
   private:
-    /// Least substeps with which it stands half-way to slipping.
+    /// Find the least number of substeps with which it holds midway to slipping.
     void find_substeps() {
         const double half = 0.5 * std::min(guess_, euler_);
         const bool given = plan_.substeps > 0 && !m_.ours;
@@ -148,7 +148,7 @@ class Search {
                (std::abs(second) > kStill && std::abs(second) > 2.0 * std::abs(first));
     }
     void find_ratio() {
-        // From the method's own closed form outwards, then halves.
+        // From the method's closed form outwards, then by bisection.
         double low = guess_, high = guess_, reach = 4e-3;
         const double width = m_.ours ? plan_.own_width : plan_.peer_width;
         if (slips(guess_ + reach)) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // MuJoCo 2.2.2: a spatial tendon over a cylinder, and a chain of capsules with ball joints.
 //
-// Settings follow its documentation for low slip (MuJoCo 2.2 documentation, "Modeling", sections
-// "Solver parameters" and "Preventing slip"). They are Newton's solver, elliptic cones, impratio
-// above 1, the noslip solver on request, and contacts as stiff as a step allows. (solref is two
-// steps, solimp up to 0.9999.)
+// Settings follow its documentation for cases in which slip matters (MuJoCo 2.2 documentation,
+// "Modeling", sections "Solver parameters" and "Preventing slip"): Newton's solver, elliptic cones,
+// impratio above 1. Contacts are as stiff as a step allows (solref of two steps, solimp up to
+// 0.9999); the noslip solver is used on request.
 #if HAWSER_HAVE_MUJOCO
 #include "rig.h"
 
@@ -18,7 +18,7 @@
 namespace hawser::bench::wires {
 namespace {
 
-/// A warning was raised. The handler of MuJoCo would end the program.
+/// True after a warning. MuJoCo's own handler ends the program.
 bool mujoco_warned = false;
 
 /// A model from its XML.
@@ -26,7 +26,7 @@ class MujocoModel {
   public:
     explicit MujocoModel(const std::string& xml) {
         mju_user_warning = [](const char* /*what*/) { mujoco_warned = true; };
-        // 2.2.2 reads XML from files alone; a virtual one needs no disk.
+        // 2.2.2 reads XML only from files; a virtual one needs no disk.
         const auto files = std::make_unique<mjVFS>();  // 2 MB
         mj_defaultVFS(files.get());
         mj_makeEmptyFileVFS(files.get(), "post.xml", static_cast<int>(xml.size()));
@@ -68,7 +68,7 @@ class MujocoRig : public Rig {
         f[6 * pulled_ + 2] = pull * out_[1];
     }
     bool substep() override {
-        // With a warning of bad values MuJoCo resets to the start: the run cannot continue.
+        // A warning of bad values resets to the start: the run cannot continue.
         mujoco_warned = false;
         mj_step(m_.model, m_.data);
         return !mujoco_warned;
@@ -94,7 +94,7 @@ class MujocoRig : public Rig {
 std::string tendon_xml(int substeps) {
     const double length = 2.0 * kLeg + kPi * kRadius;
     const double stiffness = kEA / length;
-    // Damped critically as the lighter of the two bodies swings on it.
+    // Critical damping for the oscillation of the lighter body on it.
     const double damping = 2.0 * std::sqrt(stiffness * kPulled);
     return mujoco_head(substeps, false) +
            fmt::format(
@@ -171,7 +171,7 @@ class MujocoChain final : public MujocoRig {
 }  // namespace
 
 std::unique_ptr<Rig> make_mujoco_tendon(double turns, int substeps) {
-    // A tendon uses the shorter way around a cylinder.
+    // A tendon takes the shorter way around a cylinder.
     if (turns > 0.5) return nullptr;
     return std::make_unique<MujocoTendon>(substeps);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our three models of a wire around a post: a route without mass, a guide of a wire of lumps, and a
-// wire of lumps whose capsules touch a cylinder.
+// Hawser's three methods for a wire around a bollard: a route without mass, a guide of a wire of
+// point masses, and a wire of point masses whose capsules touch a cylinder.
 #include "rig.h"
 
 #include <hawser/guide.h>
@@ -11,7 +11,7 @@
 namespace hawser::bench::wires {
 namespace {
 
-/// Post, weight and pull. The weight hangs below (−x, 0) and the wire passes over the top.
+/// Bollard, weight and pull. The weight hangs below (−x, 0) and the wire passes over the top.
 class OwnRig : public Rig {
   public:
     void load(double weight, double pull) override {
@@ -27,7 +27,7 @@ class OwnRig : public Rig {
         : w_(WorldDef{.step = kFrame, .gravity = Vec3::Zero()}),
           post_(w_.add_body({.name = "post", .kind = BodyKind::fixed})) {}
 
-    /// @param extra  Mass of the wire at each of the two [kg].
+    /// Add both end bodies. @param extra  Mass of the wire at each of the two [kg].
     void ends(const Vec3& weight, const Vec3& pulled, const Vec3& out, double extra) {
         out_ = out;
         start_ = weight.z();
@@ -49,7 +49,7 @@ class OwnRig : public Rig {
     double start_ = 0.0;
 };
 
-/// Point of the wire on the post, and its direction there.
+/// Return the point of the wire on the bollard at an angle.
 Vec3 on_post(double angle) { return {-kRadius * std::cos(angle), 0, kRadius * std::sin(angle)}; }
 Vec3 along_post(double angle) { return {std::sin(angle), 0, std::cos(angle)}; }
 
@@ -66,7 +66,7 @@ class RouteRig final : public OwnRig {
                                   .friction = kRub,
                                   .turns = static_cast<int>(std::floor(turns))});
         } else {
-            // Eyes around the post; a single one, if both legs are on one line, is at its side.
+            // Eyes around the bollard; a single one with both legs on one line stands at its side.
             for (int i = 0; i < places; ++i) {
                 const double at = places == 1 ? 0.0 : angle * i / (places - 1);
                 def.places.push_back({.body = post_,
@@ -79,7 +79,7 @@ class RouteRig final : public OwnRig {
     }
 };
 
-/// Three elements; the second one passes the post with half a metre on either side.
+/// Three elements, of which the second passes the bollard with half a metre on either side.
 class GuideRig final : public OwnRig {
   public:
     explicit GuideRig(double turns) {
@@ -95,8 +95,7 @@ class GuideRig final : public OwnRig {
         def.mass_per_length = kDensity;
         def.path = {{-kRadius, 0, -kSide}, last + kSide * out};
         const WireId wire = w_.add_wire(def);
-        // Prevent nodes from running through: displacements here are less than the parts at the
-        // sides.
+        // No node may pass: displacements here are smaller than the length at its sides.
         w_.add(GuideDef{.name = "guide",
                         .wire = wire,
                         .body = post_,

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file rig.h
-/// A wire around a post, as modelled by every engine of `hawser-bench wires`.
+/// A wire around a bollard, as every engine of `hawser-bench wires` builds it.
 ///
 /// ```
-///              ╭───╮            post: radius 0.5 m to the middle of the wire, along y, does not
-///     weight   │   │   pull     turn; μ = 0.25; half a turn, one and a half, three turns
+///              ╭───╮            bollard: radius 0.5 m to the middle of the wire, along y, fixed;
+///     weight   │   │   pull     μ = 0.25; half a turn, one and a half, three turns
 ///       W ◄────╯   ╰────► P
 /// ```
-/// The weight is a body of 1,000 kg on a leg of 2 m with the force W = 1,000 kg g. The pull is the
-/// force P on a body of 100 kg at the other end. No other body has weight. Euler's ratio e^{μθ} (L.
-/// Euler, 1762; J. A. Eytelwein, 1808) is then exact for P/W at slip, also for a wire with mass.
-/// Turns may overlap: the wire does not touch itself.
+/// The weight is a body of 1,000 kg on a leg of 2 m with the force W = 1,000 kg g; the pull is the
+/// force P on a body of 100 kg at the other end. Other bodies have no weight, so that Euler's ratio
+/// e^{μθ} (L. Euler, 1762; J. A. Eytelwein, 1808) is exact also for a wire with mass: it is the
+/// expected P/W at which the wire slips. Turns lie over each other, and wires do not touch
+/// themselves.
 ///
-/// A chain of straight elements surrounds the post as a polygon. Each touching element touches with
-/// its middle; the legs before and behind are free. The elements turn by θ in total.
+/// Chains of straight elements lie around the bollard as a polygon. Each touching element has its
+/// middle on it, and the legs before and after them are free: they turn by θ in all.
 ///
-/// The file must also compile as C++17: the headers of Simbody are not C++20.
+/// Compiled as C++17, too: Simbody's headers are not C++20.
 
 #include <algorithm>
 #include <array>
@@ -29,18 +30,19 @@ namespace hawser::bench::wires {
 
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kFrame = 1.0 / 60.0;  ///< [s]
-inline constexpr double kRadius = 0.5;  ///< Radius of the post, to the middle of the wire [m].
+inline constexpr double kRadius = 0.5;        ///< Radius of the bollard to the middle of the wire
+                                              ///< [m].
 inline constexpr double kWireRadius = 0.027;  ///< Radius of the wire [m]: 54 mm have 2.33e8 N.
-inline constexpr double kDensity = 23.0;      ///< Density of the wire [kg/m].
+inline constexpr double kDensity = 23.0;      ///< Mass per length of the wire [kg/m].
 inline constexpr double kEA = 2.33e8;         ///< [N]
 inline constexpr double kRub = 0.25;          ///< μ
 inline constexpr double kWeight = 1000.0;     ///< Mass of the weight [kg].
 inline constexpr double kW = kWeight * 9.81;  ///< [N]
 inline constexpr double kPulled = 100.0;      ///< Mass of the body that is pulled [kg].
-inline constexpr double kLeg = 2.0;           ///< From the post to either of them [m].
-inline constexpr int kLegElements = 4;        ///< Elements of the leg of a chain.
+inline constexpr double kLeg = 2.0;           ///< Length from the bollard to either body [m].
+inline constexpr int kLegElements = 4;        ///< Number of elements of a chain's leg.
 
-/// A wire around a post in one engine, advanced frame by frame.
+/// A wire around a bollard in one engine, advanced frame by frame.
 class Rig {
   public:
     virtual ~Rig() = default;
@@ -48,26 +50,28 @@ class Rig {
     Rig(const Rig&) = delete;
     Rig& operator=(const Rig&) = delete;
 
-    /// Forces along the legs, away from the post, from the next substep on [N].
+    /// Set the forces along the legs, away from the bollard, from the next substep on [N].
     virtual void load(double weight, double pull) = 0;
-    /// Take one substep. @return false if it failed.
+    /// Advance by a substep. @return false if it failed.
     virtual bool substep() = 0;
-    /// Return the displacement of the weight towards the post since the start [m].
+    /// Return the displacement of the weight towards the bollard since the start [m].
     [[nodiscard]] virtual double way() const = 0;
-    /// Return the largest distance between ends that a joint connects [m]; 0 if there is none.
+    /// Return the largest distance between jointed ends [m]; 0 without joints.
     [[nodiscard]] virtual double gap() const { return 0.0; }
-    /// Return the settings that reproduce the run, in a few words.
+    /// Return the settings that are needed to repeat the run, in a few words.
     [[nodiscard]] virtual std::string settings() const = 0;
 };
 
 /// Shape of a chain: nodes from the weight to the pull [m], in the plane x-z.
 struct ChainShape {
     std::vector<std::array<double, 2>> nodes;
-    std::array<double, 2> out{};  ///< Direction of the pull. That of the weight is (0, −1).
-    int touching = 0;             ///< Elements on the post, after kLegElements of the first leg.
+    std::array<double, 2> out{};  ///< Direction of the pull. The direction of the weight is (0,
+                                  ///< −1).
+    int touching = 0;             ///< Number of elements on the bollard, after kLegElements of the
+                                  ///< first leg.
 };
 
-/// Angle by which each of `n` elements on the post turns the wire [rad].
+/// Return the angle by which each of `n` elements on the bollard turns the wire [rad].
 inline double turn_of_element(double turns, int n) { return 2.0 * kPi * turns / n; }
 
 inline ChainShape chain_shape(double turns, int n) {
@@ -88,10 +92,10 @@ inline ChainShape chain_shape(double turns, int n) {
     return s;
 }
 
-/// Return ln(P/W) at which a polygon of lumps slips. Contacts act in the middles of its elements,
-/// half at each lump. With T and N growing by ρ per lump, k = (ρ − 1)/(ρ + 1) and τ = tan(α/2),
-/// balance of a lump along and across the bisector gives μτk² + (1 + τ²)k = μτ. The result is less
-/// than μθ.
+/// Return ln(P/W) at which a polygon of nodes slips, with contacts in the middles of its elements,
+/// half of each at the adjacent nodes. With T and N increasing by ρ per node, k = (ρ − 1)/(ρ + 1),
+/// τ = tan(α/2), the balance of a node along and across the bisector gives μτk² + (1 + τ²)k = μτ.
+/// Less than μθ.
 inline double lump_exponent(double turns, int n) {
     const double half = std::tan(0.5 * turn_of_element(turns, n));
     const double rub = kRub * half, linear = 1.0 + half * half;
@@ -99,9 +103,9 @@ inline double lump_exponent(double turns, int n) {
     return 2.0 * n * std::atanh(k);
 }
 
-/// Return the start of the search for rigid links, each pulled at half its turn on either side.
-/// There is no closed form: links support each other, and with few links a turn they slip far below
-/// it.
+/// Return the start of the search for rigid links, each pulled at half its turn to its side. There
+/// is no closed form: links lean on their neighbours, and those of few links per turn slip far
+/// below it.
 inline double link_exponent(double turns, int n) {
     return 2.0 * n * std::atanh(std::min(0.99, kRub * std::tan(0.5 * turn_of_element(turns, n))));
 }
@@ -109,7 +113,7 @@ inline double link_exponent(double turns, int n) {
 std::unique_ptr<Rig> make_route(double turns, int places);
 std::unique_ptr<Rig> make_guide(double turns);
 std::unique_ptr<Rig> make_segments(double turns, int elements);
-/// Return the rig; null if the engine is not in this build or does not support the case.
+/// Make a rig. Null if the engine is not in this build, or does not have the case.
 std::unique_ptr<Rig> make_mujoco_tendon(double turns, int substeps);
 std::unique_ptr<Rig> make_mujoco_chain(double turns, int elements, int substeps, bool noslip);
 std::unique_ptr<Rig> make_bullet_chain(double turns, int elements, int substeps);

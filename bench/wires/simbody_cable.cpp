@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Simbody 3.7: CablePath over a cylinder with a CableSpring, which have no friction.
 //
-// Stepped by SemiExplicitEuler2Integrator at a fixed step, Simbody's advice for stiff contact and
-// cables in real time.
+// Stepped by SemiExplicitEuler2Integrator at a fixed step, as Simbody recommends for stiff contact
+// and cables in real time.
 #include "rig.h"
 
 #include <Simbody.h>
@@ -12,7 +12,7 @@
 namespace hawser::bench::wires {
 namespace {
 
-/// Suppresses the output of Debian's build for every step of its search for the path.
+/// Discards output: Debian's build prints every step of its search for the path.
 class Hush {
   public:
     Hush() : before_(std::cout.rdbuf(nullptr)) {}
@@ -44,13 +44,12 @@ class SimbodyCable final : public Rig {
         pulled_ = slider(kPulled, kAside);
         SimTK::CablePath path(cables_, matter_.updMobilizedBody(weight_), Vec3(0),
                               matter_.updMobilizedBody(pulled_), Vec3(0));
-        // Simbody's cylinders lie along their z: turned to the world's y.
+        // Simbody's cylinders point along their z: rotate it to the world's y.
         SimTK::CableObstacle::Surface post(path, matter_.updGround(),
                                            Transform(SimTK::Rotation(0.5 * kPi, SimTK::XAxis)),
                                            SimTK::ContactGeometry::Cylinder(kRadius));
         post.setNearPoint(Vec3(0, kRadius, 0));
-        // Not on the very tangents: between antipodes the search starts with geodesics of no
-        // length.
+        // Not on the tangents: between antipodes the search starts with geodesics of zero length.
         const double side = 0.8 * kRadius, up = 0.6 * kRadius;
         post.setContactPointHints(Vec3(-side, up, 0), Vec3(side, up, 0));
         const double stiffness = kEA / length;
@@ -92,7 +91,7 @@ class SimbodyCable final : public Rig {
   private:
     static constexpr double kDissipation = 0.01;
     /// Legs lean outwards: between antipodes the geodesic of this version ends the program
-    /// (GeodesicIntegrator, h > 0). Without friction the angle does not matter.
+    /// (GeodesicIntegrator, h > 0). Without friction the angle has no effect.
     static constexpr double kAside = 1.2 * kRadius;
 
     /// From (−aside, −leg) over the circle to (aside, −leg) [m].
@@ -102,11 +101,11 @@ class SimbodyCable final : public Rig {
         return 2.0 * std::sqrt(far * far - kRadius * kRadius) + kRadius * round;
     }
 
-    /// A body of the mass that slides along z at (x, −leg).
+    /// Make a body of a mass that slides along z at (x, −leg).
     SimTK::MobilizedBodyIndex slider(double mass, double x) {
         const SimTK::Body::Rigid body(
             SimTK::MassProperties(mass, SimTK::Vec3(0), SimTK::Inertia(mass)));
-        // A slider moves along its frame's x: turned to the world's z.
+        // A slider moves along its frame's x: rotate it to the world's z.
         const SimTK::Rotation up(-0.5 * kPi, SimTK::YAxis);
         return SimTK::MobilizedBody::Slider(matter_.updGround(),
                                             SimTK::Transform(up, SimTK::Vec3(x, 0, -kLeg)), body,
@@ -132,7 +131,7 @@ class SimbodyCable final : public Rig {
 }  // namespace
 
 std::unique_ptr<Rig> make_simbody_cable(double turns, int substeps) {
-    // A path is the geodesic near the straight line: half a turn at most.
+    // A path follows the geodesic near the straight line: at most half a turn.
     if (turns > 0.5) return nullptr;
     return std::make_unique<SimbodyCable>(substeps);
 }

@@ -123,7 +123,7 @@ struct CurrentLoad {
     double length = 0.0;                 ///< L [m].
     double draught = 0.0;                ///< T [m].
 };
-/// Coefficients of water that comes from an angle, positive from starboard [rad].
+/// Return the coefficients of water that comes from an angle, positive from starboard [rad].
 [[nodiscard]] CurrentPoint current_coefficients(const CurrentLoad& load, double angle) noexcept;
 
 /// Ships of W. Blendermann, "Parameter identification of wind loads on ships", 1994.

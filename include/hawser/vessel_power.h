@@ -4,15 +4,15 @@
 /// Power bus of a vessel (vessel.h): switchboards, generators, consumers with priorities.
 ///
 /// Each step the bus reads the power that each consumer would take without it, and grants power by
-/// priority. The propulsor keeps to its grant as to a limit of its motor.
+/// priority. A grant acts on a propulsor like a limit of its motor.
 /// ```
 ///     generators --+-- board A --+-- tie --+-- board B --+-- generators
 ///                  |             |         |             |
 ///             consumers      hotel load            consumers
 /// ```
 /// *Capacity.* Sum of the generators of a board that run; 0 of a failed board. A closed tie joins
-/// all boards that did not fail into one. The fraction `share` of the capacity is for consumers;
-/// the rest is reserve.
+/// all boards that did not fail into one. `share` of the capacity goes to consumers; the rest is
+/// reserve.
 ///
 /// *Grants.* By ascending `priority` (1 first), each consumer gets its demand P/η while capacity
 /// lasts. Consumers of one priority share the remainder in proportion to their demands. Withheld
@@ -46,7 +46,7 @@ struct SwitchboardDef {
 };
 
 struct ConsumerDef {
-    /// Name of a propulsor of the vessel, or of a load, unique in the vessel. Required.
+    /// Name of a propulsor of the vessel; otherwise name of a load, unique in the vessel. Required.
     std::string name{};
     std::string board{};  ///< Required.
     int priority = 1;     ///< 1 is served first.

@@ -21,7 +21,7 @@ using Vector = Eigen::VectorXd;
 struct DenseStep {
     Matrix mass;       ///< M + h θ D.
     Matrix geometric;  ///< (h²/4) K_g; for lines (a + d) h² K_g (assembly/geo.h).
-    Matrix late;       ///< (h²/4) K_g on the velocities before the step; for lines a h² K_g.
+    Matrix late;       ///< (h²/4) K_g on the velocities before the step. Lines: a h² K_g.
     Matrix ahead;      ///< d h² K_g of lines, on the velocities expected after the step.
     Matrix damping;    ///< (1 + u) h C.
     Matrix before;     ///< (1 − u) h C, on the velocities before the step.

@@ -50,7 +50,7 @@ TEST(Check, ContradictoryJointsAreNamedAndRefused) {
     EXPECT_NE(run.err.find("--unchecked"), std::string::npos) << run.err;
     EXPECT_TRUE(run.out.empty());
     EXPECT_FALSE(std::filesystem::exists(folder / "s.json"));
-    // Whatever the result, the scene is not rejected.
+    // The scene is not rejected, for any result.
     const Outcome unchecked = run_program({"run", file, "--unchecked"});
     EXPECT_EQ(unchecked.err.find("--unchecked"), std::string::npos) << unchecked.err;
     EXPECT_NE(unchecked.out.find("contradiction ("), std::string::npos) << unchecked.out;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Snapshots with changed contents and a correct checksum, of scenes with winches, cranes, seas and
-/// other systems. Each is rejected and the world unchanged, or accepted, and the world continues in
-/// bounded time.
+/// Snapshots of scenes with winches, cranes, seas and other systems, with changed contents and a
+/// valid checksum. Each is rejected and leaves the world unchanged, or is accepted and the world
+/// continues in bounded time.
 #include "files/forge_state.h"
 #include "files/watch.h"
 #include "scene/good_scenes.h"
@@ -20,7 +20,8 @@ struct Outcome {
     double longest = 0.0;
 };
 
-/// @param share  Fraction of the inputs that change systems alone; the others change any part.
+/// Attack a scene. @param share  Fraction of the inputs that change only systems; the others change
+/// any part.
 void attack_systems(const std::string& name, int inputs, double share, std::uint64_t seed,
                     Outcome& out, std::string_view text = {}) {
     Random random(seed);
@@ -61,7 +62,7 @@ void attack_systems(const std::string& name, int inputs, double share, std::uint
         }
         try {
             world.restore(good);
-        } catch (const DefError&) {  // a step has added or removed nodes
+        } catch (const DefError&) {  // a step has inserted or removed nodes
             scene.emplace(after_some_steps(name, text));
             scene->world.restore(good);
         }
@@ -102,7 +103,7 @@ TEST(ForgedSystemsOfAScene, Anchors) {
     attack_scene("anchors", of_scene(40, 350, 7000), scene::test::kAnchors);
 }
 
-/// Stoppers, pins, resolution, posts, two winches.
+/// Stoppers, pins, resolution, bollards, two winches.
 TEST(ForgedSystemsOfAScene, AnchorRun_full) { attack_scene("anchor_run", of_scene(20, 60, 1200)); }
 TEST(ForgedSystemsOfAScene, AnchorSea_full) { attack_scene("anchor_sea", of_scene(20, 60, 1200)); }
 

@@ -46,7 +46,7 @@ TEST(MemoryEnds, WhereSystemsActAndLoad) {
                            to.add_system(std::make_unique<Growing>(name));
                        }));
         for (int i = 0; i < 6; ++i) retry.call(w, "step", step_once, i > 0);
-        // Each of both reports 20, 40, … 120 events, whatever allocations failed before.
+        // Each of both reports 20, 40, … 120 events, for any failed allocations before.
         EXPECT_EQ(w.event_extremes(EventKind::layer).count, 2 * 20 * 21);
         retry.call(w, "remove_system",
                    throwing([](World& to) { (void)to.remove_system(to.system(0)); }));

@@ -7,8 +7,8 @@
 
 namespace hawser::test {
 
-/// A requested cut that contacts keep closed is exact and no degradation. Among the cuts in force
-/// the largest defect is kept.
+/// A requested cut that contacts keep closed is exact and no degradation. The
+/// largest defect of the cuts in force is kept.
 TEST(Degradations, CountWhatWasInForceWithItsDefect) {
     report::Degradations d;
     StepStats s;

@@ -71,8 +71,8 @@ class AnchorLinesProbe {
     double stretch_error_max = 0.0;      ///< |l − l₀(1 + T/EA)| / l₀, measured from the poses.
     double tension_min = 1e300;          ///< [N]
     double load_max = 0.0;               ///< Tension / breaking load.
-    double drift_max = 0.0;              ///< Maximum over the vessels [m].
-    double turn_max = 0.0;               ///< Maximum over the vessels [deg].
+    double drift_max = 0.0;              ///< Largest of the vessels [m].
+    double turn_max = 0.0;               ///< Largest of the vessels [deg].
 
   private:
     void watch_forces() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A failed step has no effect: the next step gives the bits of a world that never tried it,
-/// whatever systems had edited before the failure. A replay of the recording agrees.
+/// for any edits of systems before the failure. A replay of the recording agrees.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 

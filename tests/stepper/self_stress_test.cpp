@@ -11,7 +11,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kLength = 0.25, kMass = 25.0;  // of a link [m, kg]
+constexpr double kLength = 0.25, kMass = 25.0;  // a link [m, kg]
 
 void join(World& world, BodyId a, const Vec3& at_a, BodyId b, const Vec3& at_b) {
     InteractionDef ball{.kind = InteractionKind::Ball, .body = {a, b}};
@@ -58,8 +58,8 @@ void moor_float(World& world, int links) {
         moor(world, held, seabed, Vec3(side * flat, 0.0, -depth), links);
 }
 
-// Among 20,000 joints a few have values near 0, and must not count as redundant. Otherwise each
-// step takes one substitution in addition to the one after each factorisation.
+// A few of 20,000 joints draw values near 0, and must not count as redundant. Otherwise each step
+// takes one substitution in addition to the one after each factorisation.
 TEST(SelfStress, LongChainsAreNotFilteredForTheFewJointsThatDrawNothing) {
     World world({.refinements = 0});
     moor_float(world, 10'000);
