@@ -35,8 +35,8 @@ struct Judged {
 ///
 /// The energy of a staggered scheme can be computed at poses, with the mean of the kinetic energies
 /// before and after, or midway between two poses. Either may oscillate within a period without
-/// created energy. A spring that is much too stiff for the step stores energy by its length at a
-/// pose, 0.1 mm off, that it never exerts. Its force does not show this energy.
+/// created energy. The length of a spring that is much too stiff for the step has an error of a
+/// tenth of a millimetre at a pose. Energy by this length is never exerted; energy by the force is.
 ///
 /// The smallest of the three rises counts, if it is present in three consecutive states. A body
 /// that whips round within two steps changes its energy by some per cent, which returns afterwards.

@@ -10,17 +10,18 @@ The change: all commits since COMMIT and the uncommitted files. Without --since 
   3. none: everything counts as changed.
 Everything also counts as changed if files of src/base, src/model or of the build changed.
 
-Folder A uses folder B if the table of layers (docs/architecture.md) permits A to include B, or if A
-includes a public header that B implements. A test folder is reached by a change if it uses a
+Folder A uses folder B if the table of layers (docs/architecture.md) permits A to include B. It also
+does if A includes a public header that B implements. A test folder is reached by a change if it uses a
 changed folder directly or through others.
 
---print  summary   base commit, changed folders, reached test folders (default)
-         base      hash of the base commit, empty if none
-         changed   changed folders; `everything` if all count
-         tests     reached test folders, nearest first
-         sanitized test folders for the sanitizers: those that use a changed folder directly, and
-                   always those of readers of foreign bytes and of base rooms; none that start
-                   the program
+Values of --print:
+- summary: base commit, changed folders, reached test folders (default)
+- base: hash of the base commit, empty if there is none
+- changed: changed folders; `everything` if all count
+- tests: reached test folders, nearest first
+- sanitized: test folders for the sanitizers, without those that start the program. These are
+  folders that use a changed folder directly. Readers of foreign bytes and base rooms are always
+  included.
 """
 from __future__ import annotations
 

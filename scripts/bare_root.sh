@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
 #
-# For scripts that try the project in a bare Debian 12 (test_bare.sh, test_view_bare.sh): sourced in
-# the root of the source tree.
+# Functions for scripts that test the project in a bare Debian 12 (test_bare.sh, test_view_bare.sh).
+# They source this file in the root of the source tree.
 #   MIRROR   (environment) package source; by default the one that this machine uses for Debian 12,
 #            else deb.debian.org.
 
@@ -11,7 +11,7 @@ fail() {
     exit 1
 }
 
-# Whether this machine can make roots; what is mounted from here on is gone with the name space.
+# Check that this machine can make roots. Later mounts end with the name space.
 # usage: enter_name_space "$@"
 enter_name_space() {
     [ "$(id -u)" -eq 0 ] || fail "making a root needs root; try with sudo"
@@ -22,7 +22,7 @@ enter_name_space() {
         exec env HAWSER_BARE_INSIDE=1 unshare --mount --propagation private "$0" "$@"
 }
 
-# A bare Debian 12 with make, where there is none yet, and the way to the network of this machine.
+# Make a bare Debian 12 with make, if there is none yet, with the network settings of this machine.
 # usage: make_root ROOT
 make_root() {
     local root=$1 release=bookworm mirror=${MIRROR:-}
@@ -40,14 +40,14 @@ make_root() {
     apt-config dump 2>/dev/null | grep -i '^Acquire::[a-z]*::Proxy' \
         >"$root/etc/apt/apt.conf.d/90proxy" || true
     cp /etc/resolv.conf "$root/etc/resolv.conf" 2>/dev/null || true
-    # Where the way out goes through a gate that signs by itself.
+    # A gateway of the network may sign certificates itself.
     if ls /usr/local/share/ca-certificates/*.crt >/dev/null 2>&1; then
         cp /usr/local/share/ca-certificates/*.crt "$root/usr/local/share/ca-certificates"
         inside "$root" update-ca-certificates >/dev/null 2>&1
     fi
 }
 
-# The files of the last commit, at a place in a root.   usage: put_sources ROOT [PLACE]
+# Put the files of the last commit into a folder of a root.   usage: put_sources ROOT [PLACE]
 put_sources() {
     git diff --quiet HEAD || echo "$(basename "$0" .sh): what is not committed is not tested" >&2
     local to=$1${2:-/hawser}
@@ -56,8 +56,8 @@ put_sources() {
     git archive HEAD | tar -x -C "$to"
 }
 
-# A command in a root, with nothing of this machine's environment. Node does not look by itself at the
-# certificates that a system trusts.   usage: inside ROOT COMMAND...
+# Run a command in a root, without this machine's environment. Node does not use the system's
+# certificates by default.   usage: inside ROOT COMMAND...
 inside() {
     local root=$1
     shift

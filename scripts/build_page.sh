@@ -3,8 +3,8 @@
 #
 # Build the page of `hawser view` and embed it.  usage: scripts/build_page.sh OUT
 #
-# Installs Debian's nodejs and npm where the machine has none, what package-lock.json says where that
-# is not yet in node_modules, and writes OUT/page_files.cpp. A second run needs no network.
+# Installs Debian's nodejs and npm if they are missing, and packages of package-lock.json that are
+# missing in node_modules. Writes OUT/page_files.cpp. A second run needs no network.
 set -eu
 cd "$(dirname "$0")/.."
 out=$(realpath -m "${1:-build/page}")

@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compare exports of a recording with the recording, by independent code.
+"""Compare exports of a recording with the recording, by separate code.
 
     scripts/check_export.py RUN.hwr [RUN.glb] [RUN.pvd]
 
-Reads the recording by docs/recording.md, the .glb by the glTF 2.0 specification, and the .vtp by VTK's
-own reader (Debian's python3-vtk9). Compares poses of bodies and tensions of wires in every exported
-frame: they must be the numbers of the recording in single precision. Recordings of scenes with added
-or removed bodies or nodes (chunks BODS, WIRE) are rejected.
+- The recording is read by docs/recording.md.
+- The .glb is read by the glTF 2.0 specification.
+- The .vtp is read by VTK's own reader (Debian's python3-vtk9).
+
+Poses of bodies and tensions of wires in every exported frame must equal the recording's numbers in
+single precision. Recordings of scenes whose bodies or nodes change (chunks BODS, WIRE) are rejected.
 """
 import json
 import struct

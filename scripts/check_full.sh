@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Everything that can be checked in one night: all suites of the full tier, all sanitizers over all
+# Run all checks of a night: all suites of the full tier, all sanitizers over all
 # folders, the benchmark libraries.
 #
 # usage: scripts/check_full.sh [--again]

@@ -4,9 +4,9 @@
 
 usage: check_isa_symbols.py ISA OBJECT...
 
-Files in src/*/isa are compiled once per instruction set. If such an object defines
-an inline function of the standard library or of Eigen as a weak symbol, the linker may keep that
-copy for the whole program. A machine without this instruction set would then crash in it.
+Files in src/*/isa are compiled once per instruction set. If such an object defines an inline
+function of the standard library or of Eigen as a weak symbol, the linker may keep this copy for
+the whole program. A machine without the instruction set would then crash in it.
 """
 import re
 import subprocess

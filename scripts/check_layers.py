@@ -3,8 +3,8 @@
 """Check the includes of rooms, and a few rules for every file.
 
 The table of layers is in docs/architecture.md, section "Layers". Each row names folders and the
-rooms (folders of src/, apps/live, apps/validate) that they may include in addition to themselves. A header in place of a room is the
-only header of that room that they may include. Further rules follow.
+rooms (folders of src/, apps/live, apps/validate) that they may include in addition to themselves.
+A header instead of a room is the only header of this room that they may include. Further rules:
   - The folder include/hawser includes the standard library, Eigen and itself only.
   - Rooms of the library include no foreign library except Eigen (and AMD in factor).
   - In rooms, own headers are spelled "room/file.h".

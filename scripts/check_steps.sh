@@ -22,7 +22,7 @@ step() {  # step NAME COMMAND...: run the command, print its wall and processor 
 
 summary() {  # summary: print the counts; fail if a step failed
     local ran broken
-    # Lines such as "100% tests passed, 0 tests failed out of 123".
+    # Sum lines such as "100% tests passed, 0 tests failed out of 123".
     read -r ran broken < <(awk '/tests failed out of/ {n += $NF; f += $4} END {print n + 0, f + 0}' "$log")
     echo
     echo "$((ran - broken)) test processes passed, $broken failed; $passed steps passed," \

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Check the words of comments, documentation and commit subjects against docs/style.md.
 
-Measures for each room (a folder of src/, apps/live, apps/validate, or one of include, apps, bench,
-tests, scripts, docs):
-  what      occurrences of "what" per 10,000 words of comments or text
-  of        sentences that begin with "Of", per 1,000 sentences
-  long      sentences of more than 25 words, in per cent
-  longest   sentences of more than 35 words, in per cent
-  verb      comments of functions that begin with a verb, in per cent (headers of include/)
+A room is a folder of src/, apps/live, apps/validate, or one of include, apps, bench, tests, scripts,
+docs. Measures of a room:
+- what: occurrences of "what" per 10,000 words of comments or text
+- of: sentences that begin with "Of", per 1,000 sentences
+- long: sentences of more than 25 words, in per cent
+- longest: sentences of more than 35 words, in per cent
+- verb: comments of functions that begin with a verb, in per cent (headers of include/)
 
 A room that keeps all LIMITS is done and must stay so. Another room has ratchets in
 scripts/words_ratchet.json: its figures may not get worse. `--update` writes better figures to that
@@ -64,7 +64,7 @@ PREDICATE = re.compile(r"^(true|false) (if|when|where)\b", re.IGNORECASE)
 
 
 def comments_of_cpp(text: str) -> list[str]:
-    """Blocks of consecutive // comments, without member comments' marks and code in ``` fences."""
+    """Return blocks of consecutive // comments, without member comments' marks and code in ``` fences."""
     blocks: list[str] = []
     block: list[str] = []
     fenced = False
@@ -89,7 +89,7 @@ def comments_of_cpp(text: str) -> list[str]:
 
 
 def comments_of_python(text: str) -> list[str]:
-    """Doc strings and # comments."""
+    """Return doc strings and # comments."""
     found = [m.group(1) for m in re.finditer(r'"""(.*?)"""', text, re.DOTALL)]
     found += [m.group(1) for m in re.finditer(r"(?:^|\s)#(?!!) ?(.*)$", text, re.MULTILINE)
               if "SPDX-License-Identifier" not in m.group(1)]
@@ -97,7 +97,7 @@ def comments_of_python(text: str) -> list[str]:
 
 
 def paragraphs_of_markdown(text: str) -> list[str]:
-    """Paragraphs and list items; no code, tables, headings or links' addresses."""
+    """Return paragraphs and list items, without code, tables, headings or links' addresses."""
     text = re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE)
     found: list[str] = []
     for paragraph in re.split(r"\n\s*\n|\n(?=\s*[*-] |\s*\d+\. )", text):
@@ -109,7 +109,7 @@ def paragraphs_of_markdown(text: str) -> list[str]:
 
 
 def sentences(block: str) -> list[str]:
-    """Sentences of a block. Tags such as @param begin one; formulas count as words."""
+    """Return the sentences of a block. Tags such as @param begin one; formulas count as words."""
     block = re.sub(r"\n\s*([-*+]|\d+\.)\s+", " . ", block)  # list items
     block = re.sub(r"\*([^*\n]+)\.\*", r"\1. ", block)  # *Headings.*
     block = re.sub(r"@param\s+\w+", " . ", block)
@@ -124,7 +124,7 @@ def words(text: str) -> list[str]:
 
 
 def functions_of_header(text: str) -> list[str]:
-    """First sentences of the /// comments that stand before a function of a header."""
+    """Return the /// comments before functions of a header."""
     found: list[str] = []
     lines = text.splitlines()
     i = 0
@@ -156,7 +156,7 @@ def begins_with_verb(comment: str) -> bool:
 
 
 def room_of(path: str) -> str | None:
-    """Room of a file, or None if it is not checked."""
+    """Return the room of a file, or None if it is not checked."""
     if path.startswith(("src/", "apps/live/", "apps/validate/")):
         return "/".join(path.split("/")[:2]) if path.count("/") > 1 else "src"
     top = path.split("/")[0]
@@ -176,7 +176,7 @@ def blocks_of(path: str, text: str) -> list[str]:
 
 
 def measure(files: dict[str, str]) -> dict[str, dict[str, float]]:
-    """Figures of each room, from paths and texts."""
+    """Return the figures of each room, from paths and texts."""
     counts: dict[str, dict[str, int]] = {}
     for path, text in files.items():
         room = room_of(path)
@@ -216,7 +216,7 @@ def keeps(rule: str, value: float, limit: float) -> bool:
 
 def faults_of(figures: dict[str, dict[str, float]],
               ratchet: dict[str, dict[str, float]]) -> list[str]:
-    """Figures beyond their limit, or beyond the ratchet where a room has one."""
+    """Return figures beyond their limit, or beyond the ratchet if the room has one."""
     faults = []
     for room, values in sorted(figures.items()):
         for rule, value in values.items():
@@ -234,7 +234,7 @@ def faults_of(figures: dict[str, dict[str, float]],
 
 def improved(figures: dict[str, dict[str, float]],
              ratchet: dict[str, dict[str, float]]) -> dict[str, dict[str, float]]:
-    """Ratchets of the rules that a room does not keep yet, at the better of both figures."""
+    """Return ratchets of rules that a room does not keep yet, at the better of both figures."""
     out: dict[str, dict[str, float]] = {}
     for room, values in sorted(figures.items()):
         for rule, value in values.items():

@@ -4,10 +4,10 @@
 
 usage: scripts/compare_commits.py BEFORE AFTER [--steps N] [--threads N] [--keep] [SCENE...]
 
-Builds both commits in build/compare/<commit>, runs every scene of AFTER that BEFORE can read
-(scenes/*.json but for *.settled.json), and compares the bits of all poses and velocities after
-every step. Prints a line a scene; for one that differs the first step and the body that is off
-most there. Exit codes: 0 all the same, 1 some differ, 2 it could not be told.
+Both commits are built in build/compare/<commit>. Every scene of AFTER that BEFORE can read
+(scenes/*.json except *.settled.json) runs with both. The bits of all poses and velocities are
+compared after every step. Prints a line per scene, with the first different step and the body with
+the largest difference in it. Exit codes: 0 all equal, 1 some differ, 2 not determined.
 
 A change that moves code must give 0. `AFTER` may be `.`: the working tree as it is.
 """
@@ -19,7 +19,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "build/compare"
 
-# Prints for each step a hash of all poses and velocities; with a step to show, the poses there.
+# Print for each step a hash of all poses and velocities, and the poses of a requested step.
 PROGRAM = r"""
 #include <hawser/hawser.h>
 #if __has_include(<hawser/scene.h>)

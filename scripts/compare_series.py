@@ -5,9 +5,8 @@
     scripts/compare_series.py RUN.csv REFERENCE.csv --column "work1 tension at first end" \\
                               [--from 2] [--to 600] [--every 1]
 
-Prints two figures for each column whose name begins with the given text. They are the root mean square
-of the difference relative to that of the reference, and the mean difference. Both use the common times,
-every `--every` seconds.
+Prints, for each column whose name begins with COLUMN, the rms difference over the rms of the
+reference, and the mean difference. Both are taken at common times, every `--every` seconds [s].
 """
 
 import argparse

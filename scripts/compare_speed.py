@@ -5,8 +5,7 @@
 usage: scripts/compare_speed.py BEFORE AFTER [--runs 11] [--duration S] [SCENE...]
 
 BEFORE and AFTER are programs `hawser` of two builds. Prints for each scene the median step of both
-[ms], as the median over the runs, and their ratio. Also prints whether the final states have the same
-hash.
+[ms] (median over the runs), their ratio, and whether the hashes of the final states are equal.
 Exit code 1 if a ratio is above --limit (default 1.03).
 """
 import argparse
@@ -24,7 +23,7 @@ SCENES = ["scenes/heavy_hook", "scenes/tow_zigzag", "bench/scenes/frozen/anchor_
 
 
 def run(program: str, scene: str, duration: float) -> tuple[float, str]:
-    """Median processor time of a step [ms] and hash of the final state."""
+    """Return the median processor time of a step [ms] and the hash of the final state."""
     with tempfile.TemporaryDirectory() as folder:
         summary = pathlib.Path(folder) / "summary.json"
         done = subprocess.run([program, "run", scene, "--duration", str(duration), "--quiet",

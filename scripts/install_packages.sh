@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# Install the Debian packages of the given groups that are missing, and say which.
+# Install missing Debian packages of the given groups, and print their names.
 # usage: scripts/install_packages.sh GROUP...      groups: see scripts/packages.txt
 set -eu
 cd "$(dirname "$0")/.."
@@ -30,7 +30,7 @@ if [ "$(id -u)" -ne 0 ]; then
     fi
     run="sudo"
 fi
-# A foreign package source that does not answer must not stop us: installing decides.
+# A foreign package source without a response is no error: installation decides.
 $run apt-get update -qq || echo "apt-get update failed in part; going on" >&2
 $run env DEBIAN_FRONTEND=noninteractive \
     apt-get install -y -qq --no-install-recommends $missing >/dev/null

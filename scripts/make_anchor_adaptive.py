@@ -3,19 +3,19 @@
 """Write scenes/anchor_adaptive.json: the site of anchor_contact with winches and wires whose
 resolution follows tension, curvature and contact (standard library only).
 
-Tow and work wires lie on winches with layers, which insert nodes as they pay out. Inputs such as
-ahts1/tow_speed still set the speed of their drums. They run over the stern rollers by guides, since a
-polygon of 5 m does not represent a wire on a roller of 1.75 m. All long lines have elements of at
-least 5 m, and nodes are added and removed on moorings, chains, tow and work wires. Spare lines on deck are
-laid again with elements of 5 m. Everything else is anchor_contact and its settled state.
+Tow and work wires are on winches with layers, which insert nodes as wire is paid out. Inputs such as
+ahts1/tow_speed still set the speed of their drums. The wires run over the stern rollers by guides,
+because a polygon of 5 m cannot represent a wire on a roller of 1.75 m. All long lines have elements
+of at least 5 m. Moorings, chains, tow and work wires have a resolution. Spare lines on deck have new
+positions with elements of 5 m. Everything else is anchor_contact and its settled state.
 
-    scripts/make_anchor_adaptive.py                  write the scene
-    scripts/make_anchor_adaptive.py --start FOLDER   write the same without resolutions to FOLDER,
-                                                     with a start, for `hawser settle` to finish
-    scripts/make_anchor_adaptive.py --start FOLDER --element 2.5
-                                                     the same with all lines in elements of 2.5 m,
-                                                     for comparing; --no-guides with wires that touch
-                                                     the rollers instead
+Usage:
+- scripts/make_anchor_adaptive.py: write the scene
+- scripts/make_anchor_adaptive.py --start FOLDER: write it without resolutions to FOLDER, with a
+  start, for `hawser settle` to finish
+- scripts/make_anchor_adaptive.py --start FOLDER --element 2.5: the same with all lines in elements
+  of 2.5 m, for comparisons
+- --no-guides: with wires that touch the rollers instead
 """
 
 import argparse
@@ -29,13 +29,13 @@ import shutil
 ROOT = pathlib.Path(__file__).resolve().parent.parent / "scenes"
 NAME = "anchor_adaptive"
 LEAST = 5.0  # elements [m]
-DRUM_R, CORE_R, STORED = 1.2, 0.94, 600.0  # radius at which a drum's rad/s is meant
+DRUM_R, CORE_R, STORED = 1.2, 0.94, 600.0  # radius to which a drum's rad/s refers
 DECK_ELEMENT, DECK_COUNT, DECK_ROW = 5.0, 25, 0.9
 DECK_X = (-34.0, -10.0)
 G, DECK_Z, DECK_K = 9.81, 1.2, 1e7
 ROLLER = (-40.0, -0.2)  # x and z of the stern roller, on the hull
-ROLLER_R, ROLLER_MU = 1.788, 0.2  # to the middle of a wire [m]; as of wires on rollers in contact
-CLEAR = 0.29  # straight wire from a guide to the next node at least, in elements
+ROLLER_R, ROLLER_MU = 1.788, 0.2  # to the middle of a wire [m]; like wires in contact with rollers
+CLEAR = 0.29  # least straight wire from a guide to the next node, in elements
 GUIDED = 20  # nodes behind a guide; they compensate that a polygon is shorter than the wire
 
 

@@ -29,7 +29,7 @@ from make_anchor_lines import dump, plain
 ROOT = pathlib.Path(__file__).resolve().parent.parent / "scenes"
 STATE = "anchor_contact.settled.json"
 G = 9.81
-WEIGHT = 0.87  # of steel in water over that in air
+WEIGHT = 0.87  # weight of steel in water over that in air
 CHAIN_D, CHAIN_M, CHAIN_EA = 0.137, 126.5, 5.83e8
 ON_BED = 76  # elements of each mooring beyond the anchor point of anchor_lines
 BED_K = 1e5  # stiffness of the bed per area of chain [N/m³]

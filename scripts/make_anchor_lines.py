@@ -10,11 +10,11 @@ for the engine's settled state. Line types, crane, anchor handler and windlass c
 scenes/parts/. The numbers: docs/anchor_lines.md.
 
 Usage:
-    scripts/make_anchor_lines.py            print the design and write the scene
-    scripts/make_anchor_lines.py --check    print the design; compare with the scene as stored
-                                            and with the state that the engine settled to
-    scripts/make_anchor_lines.py --start    also write the static equilibrium as the state, for
-                                            `hawser settle` to finish
+- scripts/make_anchor_lines.py: print the design and write the scene
+- scripts/make_anchor_lines.py --check: print the design; compare it with the stored scene and with
+  the settled state
+- scripts/make_anchor_lines.py --start: also write the static equilibrium as the state, for
+  `hawser settle` to finish
 """
 
 import json
@@ -50,7 +50,7 @@ SHIP_GM = (1.45, 95.0)
 SHIP_CM_Z = SHIP_KG - SHIP_T
 TOW_H, TOW_Y, TOW_N, TOW_SPAN = 3.5e5, -1.75, 64, 440.0
 WORK_H, WORK_Y, WORK_N, CHAIN_LENGTH, CHAIN_N = 6.0e5, 1.0, 26, 340.0, 52
-# Anchors in hand: shackle and pad eye at (∓2.5, 0, 0.6).
+# Anchors on the work wires: shackle and pad eye at (∓2.5, 0, 0.6).
 ANCHOR_MASS, ANCHOR_ARM, ANCHOR_PITCH = 1.5e4, (2.5, 0.0, 0.6), -16.5
 SITE_OFFSET, SITE_TOW_LENGTH, SITE_TOW_N = 1200.0, 1136.0, 60
 
@@ -109,7 +109,7 @@ def design():
     length, d["tow_v"] = solve_line(lambda L: [seg("wire76", L)], TOW_SPAN, end - TOW_POINT[2],
                                     TOW_H, TOW_SPAN, -4e4)
     d["tow_length"] = round(length, 2)
-    # Chain in hand, anchor as a point weight, work wire; rig to roller.
+    # Chain on the work wire, anchor as a point weight, work wire; from rig to roller.
     in_hand = lambda L: [seg("chain76", CHAIN_LENGTH), 0.87 * ANCHOR_MASS * G, seg("wire76", L)]
     length, d["chain_v"] = solve_line(in_hand, TOW_SPAN - 2 * ANCHOR_ARM[0],
                                       end - CHAIN_POINT[2], WORK_H, 150.0, -3e5)
@@ -191,7 +191,7 @@ def cable(name, line, start, to, length, n, drum, radius):
 
 
 def ship_lines(d, i, s):
-    """Return chain in hand, work wire and tow wire of anchor handler i."""
+    """Return the chain on the work wire, the work wire and the tow wire of anchor handler i."""
     chain = cable(f"chain{i}", "chain76", {"body": "rig", "point": mirrored(CHAIN_POINT, s, s)},
                   {"body": f"anchor{i}", "point": mirrored(ANCHOR_ARM, -1, 1)},
                   CHAIN_LENGTH, CHAIN_N, f"windlass{8 + i}/drum", 0.6)
@@ -326,7 +326,7 @@ def main():
     check.report({"rig": rig, "ahts": ship}, d["thrust"], st, index, springs, sc, LINES)
     check.count(sc, TEMPLATES, LINES)
     lay_site_tow(sc["repeat"]["joins"][0], st, index["rig"])
-    for inst in sc["instances"]:  # start the vessels where they will lie
+    for inst in sc["instances"]:  # start the vessels at their equilibrium
         if inst["template"] == "ahts":
             xy = st.bodies[index[inst["name"]]]["x"][:2]
             inst["position"][:2] = [round(float(x), 2) for x in xy]

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Write exercises/anchor_over_roller.scene.json.
 
-An anchor handler of 5,000 t (75 x 18 m, still water by a hydrostatic stiffness) has an anchor of 15 t on
-its work wire, 76 mm, over the stern roller. The anchor is 12 m under water over a seabed at 60 m. The
-wire leads along the deck, over the roller and down. Every element has the tension of the anchor's weight
-in water, so that it starts almost at rest.
+An anchor handler of 5,000 t (75 x 18 m, still water by a hydrostatic stiffness) has an anchor of 15 t
+on its work wire of 76 mm. The anchor hangs over the stern roller, 12 m under water, above a seabed at
+60 m. The wire leads along the deck, over the roller and down. Every element carries the anchor's
+weight in water, so that it starts almost at rest.
 """
 import json
 import math
@@ -32,7 +32,7 @@ scene = {
     "name": "anchor_over_roller",
     "description": " ".join(__doc__.split("\n\n")[1].split()),
     "settings": {"duration": 300},
-    "line_types": {"wire76": WIRE},  # as scenes/parts/lines.json has it
+    "line_types": {"wire76": WIRE},  # like scenes/parts/lines.json
     "materials": {"sand": {}, "steel": {}},
     "material_pairs": [{"between": ["steel", "sand"], "friction": 0.8, "stiffness": 2e6}],
     "bodies": [

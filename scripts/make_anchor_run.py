@@ -1,20 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Write scenes/anchor_run.json (standard library only). An anchor is hauled over the stern roller on
-deck. In the shark jaw its work wire is changed to the chain, and the chain is run out again.
+"""Write scenes/anchor_run.json (standard library only).
 
-The site is that of anchor_adaptive. Ship ahts1 has guide pins that move down, a shark jaw, and an
-anchor that touches its deck and roller. A pendant lies along the anchor from its wire to its chain.
-Ship ahts2 has a second tow wire to the other corner of the rig. It crosses the first one right behind
+An anchor is hauled over the stern roller on deck. The load is transferred from its work wire to the
+chain in the shark jaw, and the chain is paid out again.
+
+The site is that of anchor_adaptive. ahts1 has guide pins that can be lowered, a shark jaw, and an
+anchor that touches its deck and roller. A pendant leads along the anchor from its wire to its chain.
+ahts2 has a second tow wire to the other corner of the rig, which crosses its first one just behind
 the roller. docs/anchor_run.md explains the numbers.
 
-    scripts/make_anchor_run.py                write scenes/anchor_run.json
-    scripts/make_anchor_run.py --fine         the same in elements of 2.5 m without resolutions
-    scripts/make_anchor_run.py --fine --element chain1=1.25 --to DIR
-                                              with elements of that length in that line, into another
-                                              folder: what anchor_run_fine itself is off by
-    scripts/make_anchor_run.py --start DIR    the same without timeline and resolutions into another
-                                              folder, with a start, for `hawser settle` to finish
+Usage:
+- scripts/make_anchor_run.py: write scenes/anchor_run.json
+- scripts/make_anchor_run.py --fine: the same in elements of 2.5 m without resolutions
+- scripts/make_anchor_run.py --fine --element chain1=1.25 --to DIR: with elements of this length in
+  this line, into another folder, to measure the error of anchor_run_fine
+- scripts/make_anchor_run.py --start DIR: without timeline and resolutions into another folder, with
+  a start, for `hawser settle` to finish
 """
 
 import argparse
@@ -27,20 +29,20 @@ import shutil
 from make_anchor_adaptive import ROOT, dump, placed, resampled, rotated
 
 NAME = "anchor_run"
-WIRE_Z, PIN_X, PIN_R = 1.588, -37.0, 0.15  # of anchor_contact: axis of wires on deck, guide pins
+WIRE_Z, PIN_X, PIN_R = 1.588, -37.0, 0.15  # axis of wires on deck and guide pins of anchor_contact
 DECK_Z, PIN_TOP = 1.2, 3.0
 WORK_Y, WORK_ELEMENT = 1.0, 2.5  # [m]
-JAW = [-36.5, WORK_Y, 2.1]  # place of the shark jaw, where chain leads from anchor to roller [m]
+JAW = [-36.5, WORK_Y, 2.1]  # position of the shark jaw, on the path of the chain from anchor to roller [m]
 JAW_LOAD = 7.35e6  # 750 t [N]
 ANCHOR_HALF = [2.5, 1.9, 0.8]  # contact box of the anchor: it passes the pins of the tow wire [m]
 PENDANT_Y, PENDANT, PENDANT_ELEMENTS = -1.9, 6.0, 3  # along the anchor's side [m]
 CROSS_Y, CROSS_END, ABOVE = -2.6, -24.0, 0.12  # second tow wire: fairlead, rig; over the first [m]
-TOW_TENSION, EA = 3.6e5, 2.33e8  # of tow2 at rest [N]
+TOW_TENSION, EA = 3.6e5, 2.33e8  # tension of tow2 at rest [N]
 THRUST2 = 1.31e6  # two tow wires [N]
 SPRINGS = [(25, -5), (-25, 5)]  # lines of the barge: x on ahts1, on the barge [m]
 SPRING_EA = 2.76e7  # polyester of 80 mm, as in parts/lines.json [N]
 STROP = {"EA": 2.76e7, "breaking_load": 1.971e6}  # polyester of 80 mm, too [N]
-# Most of a mooring lies on the bed: elements of its start, 6.2 m, by fours, and waves of 3.5 s.
+# Most of a mooring lies on the bed: four of its first elements of 6.2 m in one, waves of 3.5 s.
 MOORING = {"max_length": 25.0, "wave_period": 3.5}
 FLANGE = 1.5  # free height for incoming wire [m]
 
@@ -206,7 +208,7 @@ def changed_lines(scene):
         if c["name"].startswith("mooring"):
             c["resolution"] |= MOORING
         if c["name"] == "work1":
-            del c["resolution"]  # all of it goes over the roller
+            del c["resolution"]  # the whole wire runs over the roller
         if c["name"] == "chain1":
             c["contact"] = {"material": "chain", "groups": "wires", "touches": "ship"}
 

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Write scenes/anchor_sea.json and its hulls: the site of scenes/anchor_lines.json in a sea.
 
-In anchor_lines each hull has three linear springs, and lines have linear drag. This scene has hulls of
-2,000 triangles, Morison's forces on all lines, and anchors in the water. Waves are 2.5 m and 9 s with
-200 components, and the current is 0.8 m/s. Masses of hulls equal their displacement at the draughts of
-anchor_lines less cranes, drums and the pull of the lines there.
+anchor_lines has three linear springs under each hull and linear drag on its lines. This scene has
+hulls of 2,000 triangles, Morison's forces on all lines, and anchors in the water. Its waves of 2.5 m
+and 9 s have 200 components, its current is 0.8 m/s. Mass of a hull: its displacement at the draught
+of anchor_lines, less cranes, drums and the pull of the lines.
 """
 import copy
 import json
@@ -43,7 +43,7 @@ class Mesh:
         (SCENES / "parts" / name).write_text("\n".join(lines) + "\n")
 
     def volume(self, top=0.0):
-        """Below z = top, by columns; for triangles that top does not cut."""
+        """Return the volume below z = top, by columns; no triangle may cross z = top."""
         sum_ = 0.0
         for t in self.triangles:
             a, b, c = (self.vertices[i - 1] for i in t)
@@ -89,7 +89,7 @@ def rig():
     mesh = Mesh()
     for side in (-1, 1):
         box(mesh, f"p{side}", (0.0, 29.0 * side, -21.0 + 4.25), (40.0, 7.5, 4.25), (16, 5, 2))
-    # Use the area of the circle for the polygon.
+    # A polygon with the area of the circle.
     sides = 32
     radius = 6.5 * math.sqrt(2 * math.pi / sides / math.sin(2 * math.pi / sides))
     for x in (-30.0, 30.0):
@@ -114,9 +114,9 @@ def ship():
             d = math.sin(0.5 * math.pi * j / girth)
             half.append((b * (1.0 - d**k), -SHIP["draught"] * d))
         ring = half + [(0.0, -SHIP["draught"])] + [(-y, z) for y, z in reversed(half)]
-        ring = ring[:20]  # the 21st of 10 + 1 + 10 is left out: see below
+        ring = ring[:20]  # without the last of 10 + 1 + 10: see below
         rings.append([(x, y, z) for y, z in ring])
-    # 20 corners a ring: port side 10, keel 1, starboard 9 and the deck's edge.
+    # 20 corners per ring: port side 10, keel 1, starboard 9 with the deck's edge.
     for i, ring in enumerate(rings):
         ring[19] = (ring[0][0], -ring[0][1], ring[0][2])
         rings[i] = [mesh.vertex("s", *p) for p in ring]
@@ -161,7 +161,7 @@ def spring_force(water, at):
 
 
 def afloat(body, water, volume, at):
-    """The hull's own mass where its springs were."""
+    """Replace the springs of a hull by its own mass."""
     body.pop("gravity")
     body["mass"] = round(RHO * volume - spring_force(water, at) / G)
 

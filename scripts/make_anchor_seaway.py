@@ -3,10 +3,11 @@
 """Write scenes/anchor_seaway.json: the site of anchor_contact in the sea of anchor_sea.
 
 Hulls float by the pressure on their meshes and radiate waves: heave, roll and pitch have a damping
-B(w) and its memory. Waves are 2.5 m and 9 s, the current is 0.8 m/s. Chain lies on the seabed, wires
-run over stern rollers, cargo lies on deck, and a barge moves on its fenders. docs/anchor_seaway.md explains the numbers.
+B(w) and its memory. Waves of 2.5 m and 9 s and a current of 0.8 m/s act on lines, anchors and hulls.
+Chain lies on the seabed, wires run over stern rollers, cargo lies on deck, and a barge moves on its
+fenders. docs/anchor_seaway.md explains the numbers.
 
-    scripts/make_anchor_seaway.py            write the scene
+Usage: scripts/make_anchor_seaway.py
 """
 import copy
 import json
@@ -18,7 +19,7 @@ TYPES = ("chain76", "wire76")
 BARGE_HALF, BARGE_FREEBOARD = (30.0, 7.0), 3.0
 # Frequency at which a hull radiates most [rad/s].
 RADIATES = {"rig": 0.5, "ahts": 0.8, "barge": 1.0}
-MEMORY = 20.0  # after which a hull has forgotten [s]
+MEMORY = 20.0  # length of the memory of a hull [s]
 
 
 def line_types(types):
@@ -37,7 +38,7 @@ def line_types(types):
 def radiation(water, peak):
     """Damping 4 b s^2/(1 + s^2)^2 of heave, roll and pitch, s = w/peak, at most b at the peak. Its
     memory is K = 2 b peak (1 - peak t) e^(-peak t), its added mass -(2 b/peak) (s^2 - 1)/(1 + s^2)^2
-    beside that of infinite frequency, which `added_mass` has."""
+    plus `added_mass`, the one of infinite frequency."""
     steps = [0.1 + 0.1 * i for i in range(20)] + [2.2 + 0.25 * i for i in range(24)]
     pairs = []
     for mode, key in ((3, "heave"), (4, "roll"), (5, "pitch")):

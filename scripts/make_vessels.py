@@ -193,7 +193,7 @@ def part(name, description, template):
 
 
 def dump(value, depth=0):
-    """JSON with short lists on one line."""
+    """Return JSON with short lists on one line."""
     line = json.dumps(value, ensure_ascii=False)
     if len(line) + depth <= 100:
         return line

@@ -1,24 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Measure the share of inserted faults that the quick tests detect (mutation testing).
+"""Measure the fraction of inserted faults that the quick tests detect (mutation testing).
 
 usage: scripts/mutants.py [--seed COMMIT] [--count 60] [--list] [--only ID,...] [--report FILE] ...
 
 A fault is one change of one function body below src. Faults are spread over all folders of src, at
-least one each and the rest by lines of code, in about equal shares of five kinds:
-  sign       + and - exchanged, += and -= exchanged, unary minus removed
-  constant   number changed: n to n + 1, n > 7 to n / 4, x to 2 x, tolerances to 1000 x
-  index      [i] to [i + 1], x() to y(), front() and back() exchanged, loop bound off by one
-  condition  comparison negated, && and || exchanged, condition of if or while negated
-  call       statement removed that consists of one call
+least one each and the rest by lines of code. The five kinds have about equal numbers:
+- sign: + and - exchanged, += and -= exchanged, unary minus removed
+- constant: number changed: n to n + 1, n > 7 to n / 4, x to 2 x, tolerances to 1000 x
+- index: [i] to [i + 1], x() to y(), front() and back() exchanged, loop bound off by one
+- condition: comparison negated, && and || exchanged, condition of if or while negated
+- call: statement removed that consists of one call
 The seed and the sources determine the faults. Sites without observable effect are left out:
 assertions, reservations, traces, hashes, error texts, code for one instruction set. Headers that
 many sources include are used last: their rebuild takes longer than the limit.
 
 Faults are inserted into a copy of the work tree, build/mutants/tree, with its own build folder. For
 each fault, the quick tests of one test folder after another are built and run, nearest first
-(scripts/affected.py), until a test fails, crashes or does not end, at most --limit seconds. A fault
-that does not compile is replaced by the next site of the same folder and kind.
+(scripts/affected.py). This ends when a test fails, crashes or does not end, or after --limit
+seconds. A fault that does not compile is replaced by the next site of the same folder and kind.
 
 Results are JSON lines, by default in build/mutants/SEED.jsonl; a later run with the same seed
 continues there. The file tests/equivalent_faults.txt lists faults without effect as "ID reason", at
@@ -519,7 +519,7 @@ class Builder:
             path.write_bytes(site.text.encode())
         seconds = time.monotonic() - start
         records.add(site, result, test, folders[-1] if result == "caught" else "", seconds)
-        if seconds > 60:  # otherwise the next fault could pay for many objects of this one
+        if seconds > 60:  # otherwise many objects of this fault would count for the next one
             self.require("rebuild", *self.build(folders, NEVER))
 
 

@@ -10,10 +10,10 @@ of a face. With a[k][i] the arm of angle i on the mass centre of body k,
     (A*cos(theta_i - theta_j) + diag(I)) theta'' + (A*sin(theta_i - theta_j)) theta'^2
         + g (a' m) sin(theta) = 0.
 
-No joint can open: it shares neither method nor code with the engines that are compared to it.
+No joint can open: it shares neither method nor code with the compared engines.
 Integrated with the Dormand-Prince 5(4) pair, error-controlled per step (tolerance 1e-10 on every
 angle [rad] and angular velocity scaled by 1 s). The script prints the energy error; run it with
-two tolerances to see how far the trajectory is converged.
+two tolerances to measure the convergence of the trajectory.
 """
 import argparse
 import sys

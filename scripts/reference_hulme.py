@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Added mass and damping of a half-immersed sphere that heaves in deep water, computed anew.
+"""Compute added mass and damping of a half-immersed sphere that heaves in deep water.
 
-A. Hulme, "The wave forces acting on a floating hemisphere undergoing forced periodic
-oscillations", Journal of Fluid Mechanics 121 (1982): a wave source at the centre and wave-free
-potentials, z down, R across, K = omega^2/g, time as e^(-i omega t):
+Source: A. Hulme, "The wave forces acting on a floating hemisphere undergoing forced periodic
+oscillations", Journal of Fluid Mechanics 121 (1982). Potentials are a wave source at the centre and
+wave-free ones. z points down, R across; K = omega^2/g, time as e^(-i omega t):
 
     phi_0 = 1/r + K F + pi i K e^(-Kz) J0(KR),   F = PV int e^(-kz) J0(kR)/(k - K) dk
     phi_n = P_2n(cos)/r^(2n+1) + K/(2n) P_2n-1(cos)/r^2n
@@ -14,8 +14,8 @@ Their sum has the normal velocity cos(theta) on the sphere, by least squares at 
 
     F = -e^(-Kz) [(pi/2) (H0 + Y0)(KR) + int_0^z e^(Ks)/sqrt(R^2 + s^2) ds]
 
-Prints the table of scripts/make_sphere_decay.py, which was typed in, beside it, and the largest
-differences. Needs numpy.
+Prints the results, the typed table of scripts/make_sphere_decay.py, and the largest differences.
+Needs numpy.
 """
 
 import argparse
@@ -27,7 +27,7 @@ from make_sphere_decay import ADDED, DAMPING, KA
 
 
 def bessel(x):
-    """Return J0, J1, Y0, Y1 and Struve's H0, H1 by their power series (x below some 12)."""
+    """Return J0, J1, Y0, Y1 and Struve's H0, H1 by their power series (x below about 12)."""
     q = x * x / 4
     j0 = j1 = y0 = y1 = 0.0
     term, harmonic = 1.0, 0.0  # (-q)^k/(k!)^2, sum of 1/k

@@ -5,9 +5,10 @@
 usage: scripts/run_tests.py [--tier quick|full|long] [--preset PRESET] [--jobs N]
                             [--since COMMIT | --folders NAME...]
 
---tier     a tier includes the smaller ones; HAWSER_SEED=N repeats the seed of a random suite
---since    only tests that the changes since COMMIT can reach (scripts/affected.py)
---folders  only tests/NAME...
+Options:
+- --tier: a tier includes the smaller ones; HAWSER_SEED=N repeats the seed of a random suite
+- --since: only tests that the changes since COMMIT can reach (scripts/affected.py)
+- --folders: only tests/NAME...
 
 The preset must have been configured. Prints wall and processor time of building and running. Exit
 codes: 0 all passed, 1 a test failed, 2 the build failed or there is nothing to run.

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Print a table of step times of the benchmark scenes with nothing acting, on one and two threads.
+"""Print step times of the benchmark scenes without inputs, on one and two threads.
 
     scripts/scene_times.py PROGRAM [--duration 60] [--rounds 3] [SCENE ...]
 
-Columns are wall time and processor time of a step [ms]: median, 99th percentile, worst. The
-row has the lowest median, 99th percentile and worst of several alternating rounds: other processes
-only add time. Measure on an idle machine; the last line states its load.
+Columns are wall time and processor time of a step [ms]: median, 99th percentile, maximum. Each is
+the lowest of several rounds in turns, because other processes only add time. Measure on an idle
+machine; the last line states its load.
 """
 import argparse
 import json
@@ -34,7 +34,7 @@ def figures_of(program, scene, duration, threads):
 
 
 def row_of(rounds):
-    """Lowest of each figure over the rounds."""
+    """Return the lowest of each figure over the rounds."""
     row = []
     for key in ("step_ms", "step_cpu_ms"):
         for part in ("median", "p99", "max"):

@@ -42,7 +42,7 @@ def gather(parts):
 
 
 def joint_friction():
-    """Constant friction, by the force of the joint, by the ends of a line round a bollard."""
+    """Constant friction, by the force of the joint, by the ends of a line around a bollard."""
     slope = math.atan(0.4)
     bodies, joints = gather([
         on_slide("held", 0, slope, loads=[{"interaction": "held_slide", "factor": 0.42}]),

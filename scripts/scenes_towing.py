@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Winches that pay out much wire: an anchor is lowered and heaved, a tug pays out its tow line."""
+"""Scenes of winches that pay out long wires: an anchor is lowered and heaved, a tug pays out its tow line."""
 
 from math import asinh, hypot, sqrt
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Six winches on one deck, each in its own mode, with a weight on its wire, and a windlass
-whose chain jumps."""
+"""Scene of six winches on one deck, each in another mode with a weight on its wire, and a
+windlass whose chain jumps."""
 
 from scene_writer import write
 
@@ -32,7 +32,7 @@ CHAIN = {"mass_per_length": round(21.9e3 * BAR ** 2, 3), "EA": round(1.01e11 * B
 
 
 def chain_gypsy():
-    """A ship that drifts off on 76 mm chain, until it jumps on its windlass."""
+    """A ship drifts on 76 mm chain until the chain jumps on the windlass."""
     links = 12  # an element
     length = 30 * links * CHAIN["link"]
     depth, touch = 30.0, 0.5 * BAR

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# The two first commands of a user, `make demo` and `make test`, on a bare Debian 12: a root made
-# by debootstrap gets the files of the last commit and nothing of this machine but its network.
+# Run the first two commands of a user, `make demo` and `make test`, on a bare Debian 12. A root made
+# by debootstrap gets the files of the last commit and the network of this machine.
 # usage: scripts/test_bare.sh [FOLDER]     needs root, debootstrap, git and about 3 GB
-#   FOLDER   where the root is made, kept afterwards; by default a temporary one, removed.
+#   FOLDER   folder of the root, kept afterwards; by default a temporary one, removed.
 #   MIRROR   (environment) package source: scripts/bare_root.sh.
 set -eu
 cd "$(dirname "$0")/.."

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 #
-# `make view` on a bare Debian 12: what is missing is installed, the page built and served. Then
-# `make view` again with a resolver that fails, and the program that it made in a second bare root,
-# without node and with that resolver: the same page, byte for byte, and a scene over its socket.
+# Test `make view` on a bare Debian 12: it installs missing packages, builds the page and serves it.
+# Then run `make view` again with a resolver that fails. Last, run its program in a second bare root
+# without node and with this resolver. The page must be equal byte for byte, and a scene must run over
+# the socket.
 # usage: scripts/test_view_bare.sh [FOLDER]     needs root, debootstrap, git and about 3 GB
-#   FOLDER   where the roots are made, kept afterwards; by default a temporary one, removed.
+#   FOLDER   folder of the roots, kept afterwards; by default a temporary one, removed.
 #   MIRROR   (environment) package source: scripts/bare_root.sh.
-#   JOBS     (environment) compilers beside each other; by default one a processor.
-#   CCACHE, PLACE  (environment) a folder of ccache that the first root gets a copy of, and where the
-#            sources lie there, by default /hawser: what was compiled at that place before is taken.
+#   JOBS     (environment) number of parallel compilers; by default one per processor.
+#   CCACHE, PLACE  (environment) a folder of ccache, copied to the first root, and the folder of the
+#            sources there, by default /hawser: earlier results for this folder are reused.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/bare_root.sh
@@ -51,7 +52,7 @@ if [ -n "${CCACHE:-}" ]; then
     cp -a "$CCACHE" "$with/root/.cache/ccache"
 fi
 
-# Starts a server and waits for its address.   usage: start_view SECONDS ROOT COMMAND...
+# Start a server and wait for its address.   usage: start_view SECONDS ROOT COMMAND...
 start_view() {
     local left=$1 root=$2
     shift 2
@@ -67,7 +68,7 @@ start_view() {
     done
 }
 
-# Hashes of all that the server has, and a word from its socket.   usage: seen > FILE
+# Write hashes of all files of the server, and a message from its socket.   usage: seen > FILE
 seen() {
     inside "$with" python3 - "$port" <<'PYTHON'
 import base64, hashlib, os, socket, sys, urllib.request
@@ -109,7 +110,7 @@ echo 'nameserver 127.0.0.1' >"$without/etc/resolv.conf"
 rm -rf "$without/opt/hawser"
 mkdir -p "$without/opt/hawser/lib"
 cp -r "$with$place/build/release/bin/hawser" "$with$place/scenes" "$without/opt/hawser"
-# The libraries that it was linked with, which its root may lack: all but the C library's own.
+# Libraries linked by the program that its root may lack: all except those of the C library.
 inside "$with" ldd "$place/build/release/bin/hawser" | awk '$3 ~ /^\// {print $3}' |
     grep -vE '/(libc|libm|ld-linux[^/]*)\.so' | while read -r library; do
         cp -L "$with$library" "$without/opt/hawser/lib"

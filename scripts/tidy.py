@@ -4,11 +4,11 @@
 
 usage: tidy.py [--build DIR] [--base REF] [--all] [--budget SECONDS] [FILE...]
 
-Changed means: since the base commit of scripts/affected.py, and in the work tree; the latest change
-is checked first. A changed header is checked through the sources that carry its name or include it
-directly.
-Kernels (src/*/isa) are left out: they use vector extensions of g++ that clang does not know.
-Files left when the budget is spent are listed and are no error: one large change must not exceed
+Changed files are those since the base commit of scripts/affected.py and those of the work tree. The
+latest change is checked first. A changed header is checked through sources of its name and sources
+that include it directly.
+Kernels (src/*/isa) are left out: they use vector extensions of g++ that clang does not support.
+Files left when the budget is used up are listed and are no error: a large change must not exceed
 the time limit of continuous integration.
 """
 import argparse

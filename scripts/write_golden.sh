@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 #
-# Write the golden files of tests/golden anew: figures of scenes and outputs of the program.
+# Write the golden files of tests/golden: figures of scenes and outputs of the program.
 #
 # Run it only if results are meant to change. Read the diff: each change in it needs a reason. Give
 # the largest difference of the figures in the body of the commit.

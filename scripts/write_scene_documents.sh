@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Writes schema/scene-1.json, schema/exercise-1.json and docs/scenes_reference.md from the source.
+# Write schema/scene-1.json, schema/exercise-1.json and docs/scenes_reference.md from the source.
 # usage: scripts/write_scene_documents.sh [BUILD_DIR]
 set -eu
 cd "$(dirname "$0")/.."

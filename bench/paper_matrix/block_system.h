@@ -3,10 +3,10 @@
 /// @file block_system.h
 /// A quasi-definite linear system K x = b in blocks: the common input of all compared solvers.
 ///
-/// K = [A Gᵀ; G −Σ]: positive nodes (bodies) with their diagonal blocks and couplings A, negative
-/// nodes (rows of interactions) with G and the diagonal Σ. A block is stored once, by rows, for the
-/// pair (higher, lower) of node numbers. Its rows are those of the higher node. Entry (i, j) is at
-/// address + i · size(lower) + j. Thus a row of G is contiguous.
+/// K = [A Gᵀ; G −Σ]. Positive nodes (bodies) have diagonal blocks and couplings A; negative nodes
+/// (rows of interactions) have G and the diagonal Σ. A block is stored once by rows, for the pair
+/// (higher, lower) of node numbers, with the rows of the higher node. Entry (i, j) is at address +
+/// i · size(lower) + j. Thus a row of G is contiguous.
 
 #include "factor/pattern.h"
 

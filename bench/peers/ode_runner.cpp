@@ -21,7 +21,7 @@ constexpr double kCfm = 1e-14;
 // cost.
 constexpr int kQuickIterations = 50;
 // Contacts have the compliance of the scene, k = ERP / (h CFM): with CFM 1e-14 Dantzig's method
-// fails for four points of a face ("LCP internal error"). Compared with 0.8, 0.2 keeps a stack up
+// fails for four points of a face ("LCP internal error"). Compared with 0.8 this keeps a stack up
 // longer.
 constexpr double kContactErp = 0.2;
 constexpr int kPointsPerPair = 8;  // two boxes face to face have four to eight

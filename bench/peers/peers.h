@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// Comparison of engines on the scenes of scenes.h. It does one run, searches for the smallest
-/// number of substeps that holds, and alternates runs of several engines in blocks of frames.
+/// Comparison of engines on the scenes of scenes.h. It runs one engine, searches the smallest
+/// number of substeps that holds, and runs several engines alternated in blocks of frames.
 ///
-/// *Holds* (meter.h): gap <= 1 mm, tension error <= 2 % rms, energy drift <= 1 %. If the scene has
-/// a path to follow, also path error <= 0.1 m. All limits apply to the whole run.
+/// The term *holds* (meter.h) means, over the whole run: gap <= 1 mm, tension error <= 2 % rms,
+/// energy drift
+/// <= 1 %. If the scene has a path to follow, also path error <= 0.1 m.
 #pragma once
 
 #include "meter.h"

@@ -19,10 +19,11 @@
 /// direction. Tunnel thrusters push to starboard (order > 0) or port. Their thrust decreases
 /// linearly with the speed of the ship.
 ///
-/// *Cycloidal* propellers (ideal) push in any direction. The vector (s cos α, s sin α) follows its
-/// ordered value in a straight line at 2/`ramp`: `ramp` is the time from full ahead to full astern.
+/// *Cycloidal propellers.* They are ideal and push in any direction. The vector (s cos α, s sin α)
+/// follows its ordered value in a straight line at 2/`ramp`: `ramp` is the time from full ahead to
+/// full astern.
 ///
-/// Losses multiply thrust and torque of a propulsor at the start of each step:
+/// *Losses.* Factors of thrust and torque of a propulsor, at the start of each step:
 /// - Ventilation (`ventilates`, K. J. Minsaas et al. 1987), with h the depth of the hub below the
 ///   water surface, waves included, and R the radius: β = 1 − 0.675 (1 − 0.769 h/R)^1.258 for
 ///   −0.48 ≤ h/R ≤ 1.3, 0 above the water, 1 below. The torque is multiplied by β^0.85.
@@ -33,7 +34,7 @@
 /// - Hull (`hull_loss` k): the race of an azimuth that points inboard attaches to the hull:
 ///   1 − k max(0, cos ψ), with ψ from the race to the centreline, for the thrust only.
 ///
-/// *Failure* by the input NAME_failed. 1: stopped, without torque; 2: keeps its order, angle and
+/// *Failure.* By the input NAME_failed. 1: stopped, without torque; 2: keeps its order, angle and
 /// pitch; 3: full ahead, keeping its angle. Rudders: 1: keeps its angle; 2: hard to starboard; 3:
 /// hard to port. The event `failure` reports the start.
 ///

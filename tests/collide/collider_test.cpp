@@ -131,7 +131,7 @@ TEST(Collider, NeighboursAlongAWireDoNotTouch) {
         EXPECT_GT(c.shape[1] - c.shape[0], 2);
         pairs.emplace_back(c.shape[0], c.shape[1]);
     }
-    // Among the pairs of five segments, 0-3, 0-4 and 1-4 have no common node.
+    // Pairs of five segments without a common node, not adjacent: 0-3, 0-4 and 1-4.
     EXPECT_GE(pairs.size(), 3U);
 }
 

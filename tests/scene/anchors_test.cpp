@@ -47,7 +47,7 @@ TEST(SceneAnchors, KeysReachTheDefinition) {
     EXPECT_EQ(anchors[1].def.law, AnchorLaw::trajectory);
     EXPECT_NEAR(anchors[1].def.clay.fluke_angle, 50.0 * std::numbers::pi / 180.0, 1e-12);
     for (int i = 0; i < 60; ++i) ASSERT_EQ(w.step(), Status::ok);
-    // g = 0.1 + 0.9 (1 - e^(-20/15)); the line hangs and leads up.
+    // g = 0.1 + 0.9 (1 - e^(-20/15)); the line hangs and leads upwards.
     const double angle = w.system_signal("hold.line_angle");
     EXPECT_GT(angle, 0.0);
     EXPECT_LT(w.system_signal("hold.capacity"), hold.uhc * (1.0 - 0.9 * std::exp(-20.0 / 15.0)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section "pids" of a scene: the same controller as in C++, in templates and copies too, and
-// refusals with their place.
+// The section "pids" of a scene: the same controller as in C++, also in templates and copies, and
+// rejections with their position.
 #include "support.h"
 
 #include <hawser/systems/pid.h>
@@ -13,7 +13,7 @@
 namespace hawser::scene::test {
 namespace {
 
-// A load on a line from a drum, which a motor turns: the controller holds 300 N.
+// A load on a line from a drum, turned by a motor: the controller holds 300 N.
 const std::string kParts = R"("bodies": [
     {"name": "deck", "kind": "fixed"},
     {"name": "load", "kind": "lump", "mass": 20, "position": [0, 0, -3]},
@@ -62,7 +62,7 @@ TEST(PidSection, IsTheControllerOfCpp) {
     }
     EXPECT_EQ(read.world.state_hash(), own.world.state_hash());
     EXPECT_EQ(read.world.system_signal("hold.measured"), own.world.system_signal("hold.measured"));
-    // Without the controller the drum stands, and the line carries the weight of 196 N.
+    // Without the controller the drum stops, and the line carries the weight of 196 N.
     EXPECT_GT(read.world.system_signal("hold.output"), -2.0);
     EXPECT_NE(read.world.system_signal("hold.output"), 0.0);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The library of vessels (scenes/parts/vessel_*.json): each floats upright at its design draught
-/// in still water, on the coefficients that its scene shows.
+/// in still water with the coefficients of its scene.
 #include <hawser/hawser.h>
 #include <hawser/scene.h>
 #include <hawser/sea.h>
@@ -21,7 +21,7 @@ namespace {
 
 using LibraryJson = nlohmann::json;
 
-/// A folder with the parts, where scenes may include them.
+/// A folder with the parts, from which scenes can include them.
 class LibraryFolder {
   public:
     LibraryFolder() {
@@ -35,7 +35,8 @@ class LibraryFolder {
     LibraryFolder(const LibraryFolder&) = delete;
     LibraryFolder& operator=(const LibraryFolder&) = delete;
 
-    /// A shipped scene in still water, without orders and without the cables of the scene itself.
+    /// Return a shipped scene in still water, without orders and without the cables of the scene
+    /// itself.
     [[nodiscard]] scene::Scene still(const char* name) const {
         LibraryJson doc =
             LibraryJson::parse(std::ifstream("scenes/" + std::string(name) + ".json"));
@@ -52,7 +53,8 @@ class LibraryFolder {
         std::filesystem::temp_directory_path() / ("hawser_vessels_" + std::to_string(::getpid()));
 };
 
-/// Draught of a ship, from its definition, and its displacement by the volume of the sea's hull.
+/// Check the draught of a ship against its definition, and its displacement against the volume of
+/// the sea's hull.
 void expect_upright(const World& world, const char* body, double height, double allowed) {
     const Pose pose = world.pose(world.find_body(body));
     const Mat3 axes = pose.orientation.toRotationMatrix();
@@ -90,7 +92,7 @@ TEST(VesselLibrary, PullsWhatItsPageSays) {
         most = std::max(most, w.system_signal("tug/ship.port_thrust"));
     }
     EXPECT_LT(most, 1.03 * 1250.0 * std::pow(1900.0 * 2.6, 2.0 / 3.0));
-    EXPECT_GT(most, 0.75 * 1250.0 * std::pow(1900.0 * 2.6, 2.0 / 3.0));  // it gathers way
+    EXPECT_GT(most, 0.75 * 1250.0 * std::pow(1900.0 * 2.6, 2.0 / 3.0));  // it accelerates
     EXPECT_GT(w.system_signal("tug/ship.speed"), 2.0);
 }
 

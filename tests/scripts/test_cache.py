@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The compiler's cache must not return precompiled headers of other text.
 
-g++ recognises a header under `#pragma once` by its text. A cache that compares preprocessed text
-sees no difference where only a comment changed, and returns a precompiled header for which the
-header counts as another one: everything in it is then defined twice.
+g++ recognises a header with `#pragma once` by its text. A cache that compares preprocessed text
+finds no difference if only a comment changed. It then returns a precompiled header that g++ does not
+match with the header: everything in it is defined twice.
 
 usage: test_cache.py LAUNCHER... COMPILER       as the build starts its compiler
 """
@@ -23,7 +23,7 @@ def build(folder: pathlib.Path, comment: str) -> subprocess.CompletedProcess:
     (folder / "part.h").write_text(f"#pragma once\nstruct Part {{}};  // {comment}\n")
     (folder / "all.h").write_text('#pragma once\n#include "part.h"\n')
     (folder / "empty.cpp").write_text("")
-    # Another name in each text: the object must not come from the cache where the header does not.
+    # Another name in each text: the object must not come from the cache if the header does not.
     (folder / "source.cpp").write_text(f'#include "part.h"\nPart {comment.replace(" ", "_")};\n')
     subprocess.run([*LAUNCHER, "-MD", "-MF", "all.d", "-x", "c++-header", "-include", "all.h",
                     "-o", "all.h.gch", "-c", "empty.cpp"], cwd=folder, check=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The checking scripts must find what they are there to find."""
+"""The checking scripts must find the faults that they check."""
 import importlib.util
 import pathlib
 import unittest

@@ -19,7 +19,7 @@
 namespace hawser::test {
 namespace {
 
-/// Inputs of the vessel, with their ranges.
+/// Return the inputs of the vessel, with their ranges.
 std::vector<SystemSignal> inputs_of(const World& world) {
     std::vector<SystemSignal> out;
     for (const SystemSignal& s : world.system_signals())
@@ -27,7 +27,7 @@ std::vector<SystemSignal> inputs_of(const World& world) {
     return out;
 }
 
-/// Largest coordinate, velocity and turning rate are numbers of a ship.
+/// Expect that the largest coordinate, velocity and turning rate are plausible for a ship.
 void expect_sane(const World& world, BodyId hull) {
     const Pose pose = world.pose(hull);
     const Twist v = world.velocity(hull);
@@ -36,7 +36,7 @@ void expect_sane(const World& world, BodyId hull) {
     ASSERT_LT(v.angular.norm(), 10.0);
 }
 
-/// @return orders that were beyond their range.
+/// Give random orders. @return number of orders beyond their range.
 int give_order(World& world, ShipMaker& chance, const std::vector<SystemSignal>& inputs) {
     if (inputs.empty()) return 0;
     const SystemSignal& one =
@@ -92,7 +92,7 @@ TEST(RandomShips, AreFiniteAndNameTheirEnd) {
     const double seconds = kSanitized ? 2.0 : by_tier(10, 60, 300);
     int good = 0;
     for (int i = 0; i < count; ++i) sail(seed, static_cast<std::uint64_t>(i), seconds, good);
-    // Without a cause none ends other than well.
+    // Without a cause, each run ends as good.
     EXPECT_GE(good, count * 9 / 10);
 }
 

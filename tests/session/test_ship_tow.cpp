@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* kTowScene = "scenes/tow_barge.json";
 
-/// Mechanical energy less all that the accounts of a world explain [J].
+/// Return the mechanical energy less all explained parts [J].
 double unexplained(const Energy& e) {
     return e.mechanical() - e.applied - e.driven - e.system - e.edited + e.dissipated + e.friction +
            e.contact + e.damped;
@@ -35,7 +35,7 @@ struct TowRun {
     std::vector<std::byte> middle;
     double residual = 0.0;  ///< Largest change of unexplained energy [J].
     double work = 0.0;      ///< Work of the main propellers' thrust on the ship [J].
-    double way = 0.0;       ///< Way of the barge over ground [m].
+    double way = 0.0;       ///< Distance of the barge over ground [m].
     Grade grade = Grade::good;
 };
 
@@ -71,11 +71,11 @@ TowRun tow(double seconds, int threads) {
 void expect_tow(double seconds, const std::vector<int>& threads) {
     const TowRun one = tow(seconds, 1);
     EXPECT_EQ(one.grade, Grade::good);
-    EXPECT_GT(one.way, 0.5 * seconds);  // under way, at more than 1 knot
+    EXPECT_GT(one.way, 0.5 * seconds);  // moves at more than 1 knot
     EXPECT_LE(one.residual, 1e-3 * one.work) << one.work;
     std::printf("residual %.3g J of %.4g J, way %.1f m\n", one.residual, one.work, one.way);
     for (const int n : threads) EXPECT_EQ(tow(seconds, n).hash, one.hash) << n << " threads";
-    // On from the middle, in a session that has not sailed.
+    // Continue from the middle in a new session.
     Session again({.scene = kTowScene, .state = one.middle});
     EXPECT_EQ(again.world().state_hash(), one.middle_hash);
     while (again.world().step_count() < static_cast<std::int64_t>(seconds * 60.0))

@@ -22,12 +22,13 @@ class ShipMaker {
   public:
     using Json = nlohmann::ordered_json;
 
-    /// @param root  Folder with `scenes`.
+    /// Start. @param root  Folder with `scenes`.
     ShipMaker(std::uint64_t seed, std::string root) : state_(seed), root_(std::move(root)) {
         for (int i = 0; i < 4; ++i) (void)unit();
     }
 
-    /// @param duration  [s]. @param orders  With random orders within their ranges in a timeline.
+    /// Make a scene. @param duration  [s]. @param orders  Add a timeline of random orders within
+    /// their ranges.
     std::string scene(std::uint64_t number, double duration, bool orders) {
         constexpr const char* kParts[] = {"vessel_ahts", "vessel_tug", "vessel_barge",
                                           "vessel_semi"};
@@ -43,7 +44,7 @@ class ShipMaker {
         body["inertia"] = scaled(own["inertia"], 5.0);
         body["half_size"] = scaled(own["half_size"], 1.0);
         Json vessel = vessel_of(from["vessels"][0]);
-        // The origin of the coefficients lies at the waterline.
+        // The origin of the coefficients is at the waterline.
         body["position"] = {0, 0, -vessel["origin"][2].get<double>()};
         doc["bodies"] = Json::array({body});
         doc["sea"] = sea_of(std::string(kParts[kind]), vessel, body);
@@ -68,7 +69,7 @@ class ShipMaker {
     double between(double a, double b) { return a + (b - a) * unit(); }
 
   private:
-    /// Numbers times s^power.
+    /// Multiply numbers by s^power.
     [[nodiscard]] Json scaled(const Json& json, double power) const {
         if (json.is_number()) return json.get<double>() * std::pow(s_, power);
         Json out = json;
@@ -76,7 +77,7 @@ class ShipMaker {
             for (Json& each : out) each = scaled(each, power);
         return out;
     }
-    /// A coefficient, changed by up to a fifth.
+    /// Change a coefficient by up to a fifth.
     [[nodiscard]] double changed(const Json& json) {
         return json.get<double>() * between(0.8, 1.2);
     }
@@ -84,7 +85,7 @@ class ShipMaker {
         if (json.contains(key)) json[key] = scaled(json[key], power);
     }
 
-    /// Row and column of a mass matrix: three lengths of it are in rotations.
+    /// Scale a mass matrix: entries of rotations contain further lengths.
     [[nodiscard]] Json matrix(const Json& json, double power) const {
         Json out = json;
         for (std::size_t i = 0; i < 6; ++i) {
@@ -160,7 +161,8 @@ class ShipMaker {
         hull["mesh"] = mesh(root_ + "/scenes/parts/" + part + ".obj");
         hull["offset"] = vessel["origin"];
         const double mass = body["mass"].get<double>();
-        // The size that strip theory has; damping of a fifth of the critical one at 1 rad/s.
+        // Strip theory gives the order of magnitude; damping is a fifth of the critical one at 1
+        // rad/s.
         Json added = Json::array({0, 0, mass * between(0.7, 1.5)});
         for (const std::size_t i : {0, 1})
             added.push_back(body["inertia"][i].get<double>() * between(0.2, 1.0));
@@ -174,7 +176,7 @@ class ShipMaker {
         hull["damping"] = damping;
         Json sea{{"depth", 300}, {"density", 1025.0}};
         const double height = between(0.0, 6.0);
-        // A peak period of the steepness that seas of this height have.
+        // A peak period with the steepness of seas of this height.
         if (height > 0.1)
             sea["waves"] = Json::array({{{"kind", "jonswap"},
                                          {"height", height},
@@ -209,7 +211,7 @@ class ShipMaker {
         return out;
     }
 
-    /// Orders on each input of a vessel, by its definition.
+    /// Make orders on each input of a vessel, from its definition.
     Json timeline_of(const Json& v, double duration) {
         struct Input {
             std::string name;
@@ -241,7 +243,7 @@ class ShipMaker {
             const Input& one =
                 inputs[static_cast<std::size_t>(unit() * static_cast<double>(inputs.size()))];
             const bool failure = one.name.ends_with("_failed");
-            // Failures are rare and end.
+            // Failures are rare and are repaired.
             const double value = failure && unit() < 0.7 ? 0.0 : between(one.least, one.most);
             out.push_back({{"at", at}, {"set", {{"ship." + one.name, value}}}});
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The verifier computes the bounds of anchors anew, and finds one that is off.
+/// The verifier computes the bounds of anchors separately, and detects a wrong one.
 #include "verify/anchor_soil.h"
 #include "verify/certificate.h"
 
@@ -13,7 +13,7 @@
 namespace hawser::verify {
 namespace {
 
-/// An anchor that a buoy drags through clay, by line and slantwise.
+/// Make an anchor that a buoy drags through clay by a line, obliquely.
 World dragged_anchor(AnchorLaw law) {
     World w(WorldDef{.step = 1.0 / 60.0});
     const BodyId hook =

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kAnchorTestMass = 15e3, kAnchorTestLine = 100.0, kAnchorTestStiff = 1e9;
 
-/// A set anchor in sand, and a buoy that pulls it by a line of one element.
+/// A set anchor in sand, and a buoy that pulls on it by a line of one element.
 struct HeldBuoy {
     World w{WorldDef{.step = 1.0 / 60.0}};
     BodyId anchor{}, buoy{};
@@ -60,7 +60,7 @@ struct HeldBuoy {
     }
 };
 
-/// UHC g(x), from the text of anchor.h with the numbers above.
+/// Return UHC g(x), from the text of anchor.h with the numbers above.
 double held_capacity(double drag) { return 2e6 * (0.072 + 0.928 * (1.0 - std::exp(-drag / 20.0))); }
 
 TEST(Anchor, PublishedCapacities) {
@@ -96,14 +96,15 @@ TEST(Anchor, DragsUntilItHoldsAndKeepsItsDrag) {
         b.run(1);
     }
     b.run(3000);
-    // The last tenth of a millimetre takes very long: the excess decreases with the way.
+    // The last tenth of a millimetre is approached asymptotically: the excess decreases with the
+    // distance.
     EXPECT_NEAR(b.signal("drag"), expected, 1e-3 * expected);
     EXPECT_NEAR(b.w.pose(b.anchor).position.x() + 10.0, b.signal("drag"), 1e-5);
     EXPECT_GE(b.w.event_extremes(EventKind::render).count, 1);
     const double drag = b.signal("drag");
     b.pull(0.1 * force);
     b.run(300);
-    EXPECT_NEAR(b.signal("drag"), drag, 1e-3);  // it still slid as the force fell
+    EXPECT_NEAR(b.signal("drag"), drag, 1e-3);  // it slid while the force decreased
     EXPECT_EQ(b.signal("set"), 1.0);
 }
 

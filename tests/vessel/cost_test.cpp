@@ -61,7 +61,7 @@ VesselDef full_ship(const PublishedShip& ship) {
     return def;
 }
 
-// Limit of the requirement: 50 us a step. The lower tenth of the steps is little disturbed by other
+// Required limit: 50 us per step. The first decile of the steps is little disturbed by other
 // programs; measured 13 to 20 us on one core of a busy EPYC.
 TEST(VesselCost, FullShipTakesUnderFiftyMicroseconds) {
     if (kSanitized) GTEST_SKIP() << "times of a sanitizer are not those of the program";

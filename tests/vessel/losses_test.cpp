@@ -75,7 +75,7 @@ TEST(Losses, RaceMeetsItsFormula) {
     EXPECT_GT(race_thrust(8.0, 0.5 * kPiLosses), 0.99);
 }
 
-// Two thrusters ahead in line, 16 m and 8 diameters apart: the rear one loses thrust.
+// Two thrusters ahead in line, 16 m and 8 diameters apart: the one behind has a loss.
 TEST(Losses, ThrusterInARaceLoses) {
     Held h;
     h.thruster("fore", 8.0, 0.0);
@@ -88,11 +88,11 @@ TEST(Losses, ThrusterInARaceLoses) {
     EXPECT_NEAR(h.get("fore_thrust"), 1e5, 1e-6);
     EXPECT_NEAR(h.get("aft_thrust"), 1e5 * (1.0 - std::pow(0.75, 4.0)), 1.0);
     EXPECT_NEAR(h.get("aft_loss"), std::pow(0.75, 4.0), 1e-5);
-    // Half the load of the race: √¼ of the loss.
+    // With half the load of the race, √¼ of the loss.
     h.set("fore", 0.5);
     h.run(1.0);
     EXPECT_NEAR(h.get("aft_loss"), 0.5 * std::pow(0.75, 4.0), 1e-5);
-    // Astern the race of the aft one meets the other; abeam none does.
+    // Astern, the race of the aft thruster reaches the other; abeam none does.
     h.set("fore", 1.0);
     h.set("aft", -1.0);
     h.set("fore_angle", 0.5 * kPiLosses);
@@ -115,7 +115,7 @@ TEST(Losses, RaceUnderTheHullLoses) {
     }
 }
 
-// Depth of the hub by the public sea, since the ship stays in place.
+// Depth of the hub from the public sea, as the ship keeps its position.
 TEST(Losses, HubNearTheSurfaceVentilatesInWaves) {
     Held h;
     SeaDef sea{.depth = 100.0};
@@ -214,7 +214,7 @@ TEST(Failures, RuddersJamOrGoHardOver) {
     EXPECT_EQ(h.world.event_extremes(EventKind::failure).count, 3);
 }
 
-// From full ahead to full astern in `ramp`, straight through zero: no side force.
+// From full ahead to full astern in `ramp`, straight through zero, without a sideways component.
 TEST(Cycloidal, VectorGoesStraight) {
     Held h;
     PropulsorDef& p = h.thruster("voith", 0.0, 0.0);
@@ -228,7 +228,7 @@ TEST(Cycloidal, VectorGoesStraight) {
     EXPECT_NEAR(ahead(), 1e5, 1e-6);
     h.set("voith_angle", kPiLosses);
     h.run(1.5);
-    EXPECT_LT(std::abs(h.get("voith_thrust")), 1e5 * 0.02 * 0.02);  // half-way: no thrust
+    EXPECT_LT(std::abs(h.get("voith_thrust")), 1e5 * 0.02 * 0.02);  // midway: no thrust
     for (int i = 0; i < 92; ++i) {
         h.run(1.0 / 60.0);
         EXPECT_NEAR(aside(), 0.0, 1e-6) << i;
@@ -258,7 +258,7 @@ TEST(CurrentLoad, MeetsItsTableOnBothSides) {
     EXPECT_NEAR(port[1], 0.6 * q, 1e-6);
     EXPECT_NEAR(port[5], -0.02 * q * 80.0, 1e-6);
     flow.motion[0] = 1.0;
-    flow.motion[1] = 1.0;  // 45° from starboard: half-way between two points
+    flow.motion[1] = 1.0;  // 45° from starboard: midway between two points
     const vessel::Wrench bow = vessel::current_force(load, flow);
     EXPECT_NEAR(bow[0], -0.02 * q * 2.0, 1e-6);
     EXPECT_NEAR(bow[1], -0.3 * q * 2.0, 1e-6);

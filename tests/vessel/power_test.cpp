@@ -74,7 +74,7 @@ TEST(PowerBus, GrantsByPriorityAndSharesWithinOne) {
     EXPECT_NEAR(b.get("bow1_shed"), (1.0 - 0.5 * left) * kMega, 1.0);
     EXPECT_NEAR(b.get("a_load"), 1.8 * kMega, 1.0);
     EXPECT_NEAR(b.get("a_spare"), 0.0, 1.0);
-    EXPECT_EQ(b.count(EventKind::shed), 2);  // once each, however long it lasts
+    EXPECT_EQ(b.count(EventKind::shed), 2);  // once each, for any duration
     EXPECT_NEAR(b.world.event_extremes(EventKind::shed).worst.value, b.get("bow1_shed"), 1.0);
 
     b.set("a2_failed", 1.0);  // 0.9 MW: hotel, then 0.7 MW for the azimuth
@@ -173,7 +173,7 @@ TEST(PowerBus, StateIsSavedAndRestored) {
     EXPECT_EQ(second.world.state_hash(), first.world.state_hash());
 }
 
-/// Message of a definition that is refused.
+/// Return the message of a rejected definition.
 std::string refusal(Bus& b) {
     try {
         b.add();
