@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file paper_matrix.h
-/// The system of one step of a scene of the paper's size (Lacoursière, Nordfeldth, Linde, "A
-/// partitioning method for parallelization of large systems in realtime"). Two ships and a rig, 20
-/// bodies attached to each, ten cables of 93-94 elements, 1000 contacts.
+/// The system of one step of a scene of the size of the paper (Lacoursière, Nordfeldth, Linde,
+/// "A partitioning method for parallelization of large systems in realtime"). It has two ships and
+/// a rig, 20 bodies attached to each, ten cables of 93-94 elements, and 1000 contacts.
 ///
-/// | a copy has | count | rows |
-/// |---|---|---|
-/// | hulls and attached bodies, 6 DoF each | 3 + 60 | |
-/// | cable elements, 3 DoF (lumped) or 6 (rigid) | 937 | |
-/// | hinge, lock: an attached body on its hull | 48, 12 | 5, 6 |
-/// | motor between the same two | 60 | 1 |
-/// | link of a cable, ends included | 947 | 3 (lumped: 1 between elements) |
-/// | bend of three neighbours | 933 | 2 |
-/// | contact | 1000 | 3 |
+/// ```
+///     a copy has                                  count    rows
+///     hulls and attached bodies, 6 DoF each       3 + 60
+///     cable elements, 3 DoF (lumped) or 6 (rigid) 937
+///     hinge, lock: an attached body on its hull   48, 12   5, 6
+///     motor between the same two                  60       1
+///     link of a cable, ends included              947      3 (lumped: 1 between elements)
+///     bend of three neighbours                    933      2
+///     contact                                     1000     3
+/// ```
 ///
-/// 1000 bodies and 3000 interactions: n = 9414 lumped, 14079 rigid; 2496 pairs of bodies share an
-///      interaction; the rig shares interactions with 132 others. Four cables end in the ground.
-///      Copies are joined to one island: a ground end of each becomes an end at the first ship of
-///      the next, which adds one bend, two rows.
+/// 1000 bodies and 3000 interactions: n = 9414 lumped, 14079 rigid; 2496 pairs of bodies touch
+/// the same interaction; the rig touches 132 others. Four cables end in the ground. Copies are
+/// joined to one island: a ground end of each becomes an end at the first ship of the next. This
+/// adds one bend, two rows.
 
 #include "paper_matrix/block_system.h"
 
@@ -34,8 +35,8 @@ enum class CableForm : std::uint8_t { lumped, rigid };
 
 struct PaperOptions {
     CableForm form = CableForm::lumped;
-    int scale = 1;      ///< Number of copies.
-    int elements = 94;  ///< Largest number of elements per cable; at least 30. 94 = paper.
+    int scale = 1;      ///< Copies.
+    int elements = 94;  ///< Largest number of elements a cable; at least 30. 94 = paper.
     std::uint64_t seed = 1;
 };
 
@@ -55,18 +56,18 @@ class PaperScene {
         return static_cast<int>(joints_.size() + contacts_.size());
     }
     [[nodiscard]] const std::vector<Contact>& contacts() const noexcept { return contacts_; }
-    /// Return the node of contact i in system(). Contacts keep their nodes when they change.
+    /// Node of contact i in system(). Contacts keep their nodes when they change.
     [[nodiscard]] int contact_node(int i) const noexcept {
         const int copy = i / contacts_per_copy();
         return bodies() + joint_end_[static_cast<std::size_t>(copy)] + i;
     }
 
-    /// Replace `count` contacts of every copy by others of the same kind nearby, like from one step
-    /// to the next. Step `step` gives equal changes in each sequence of steps. @return the changed
-    /// contacts, ascending.
+    /// Replace `count` contacts of every copy by others of the same kind nearby, as between steps.
+    /// Step `step` is reproducible within the same sequence of steps. @return the contacts changed,
+    /// ascending.
     std::vector<int> change_contacts(int count, int step);
 
-    /// Return the system. Bodies are the first nodes; then come joints and contacts, copy by copy.
+    /// Bodies are the first nodes; then come joints and contacts, copy by copy.
     [[nodiscard]] BlockSystem system() const;
 
   private:
@@ -76,7 +77,7 @@ class PaperScene {
         Kind kind;
         std::array<int, 3> body{-1, -1, -1};  ///< Bend: previous, middle, next.
         Vec point{};                          ///< Point of a hinge, lock, link or end [m].
-        Vec axis{};                           ///< Axis of a hinge or motor; direction of a cable.
+        Vec axis{};  ///< Axis of a hinge or motor, or direction of a cable.
     };
     struct CableEnds {
         int from, to;  ///< Bodies of the copy; to = −1: the ground.
@@ -88,7 +89,7 @@ class PaperScene {
     [[nodiscard]] Contact moved(const Contact& contact, Dice& dice) const;
     [[nodiscard]] int elements_of(int cable) const noexcept;
     [[nodiscard]] int element(int copy, int cable, int index) const noexcept;
-    [[nodiscard]] bool wide(int body) const noexcept;  ///< True if it has six degrees of freedom.
+    [[nodiscard]] bool wide(int body) const noexcept;  ///< Six degrees of freedom.
     [[nodiscard]] int dof(int body) const noexcept;
     [[nodiscard]] int per_copy() const noexcept;
     [[nodiscard]] int contacts_per_copy() const noexcept {
@@ -98,16 +99,16 @@ class PaperScene {
     void emit_body(SystemBuilder& builder, int body) const;
     void emit_joint(SystemBuilder& builder, const Joint& joint) const;
     void emit_contact(SystemBuilder& builder, const Contact& contact, int index) const;
-    /// Return `rows` rows of G for a body: direction · (velocity of the body at `point`).
+    /// Rows `rows` of G for a body: direction · (velocity of the body at `point`).
     [[nodiscard]] std::vector<double> point_rows(int body, const std::vector<Vec>& directions,
                                                  const Vec& point, double factor) const;
 
     PaperOptions options_;
     std::vector<Vec> place_;      ///< Centre of each body [m].
-    std::vector<Vec> along_;      ///< Direction of cable elements.
-    std::vector<double> length_;  ///< Length of cable elements [m].
+    std::vector<Vec> along_;      ///< Cable elements: direction.
+    std::vector<double> length_;  ///< Cable elements [m].
     std::vector<Joint> joints_;
-    std::vector<int> joint_end_;  ///< End of the joints of each copy.
+    std::vector<int> joint_end_;  ///< Joints of each copy and those before it.
     std::vector<Contact> contacts_;
 };
 

@@ -15,7 +15,7 @@ Scene stack(double top) {
         b.shape = {BodyShape::Kind::box, 0.0, 0.0, half};
         s.top = add(s, b);
     }
-    // Ten layers of four points give 10 m g / (4 k) = 0.25 mm.
+    // Ten layers on four points deflect by 10 m g / (4 k) = 0.25 mm.
     s.touching = Touching{.bodies = true, .friction = 0.5, .stiffness = 1e5 * top};
     s.wanted.moved = 1e-3;
     s.layouts = {{"free bodies", {}}};

@@ -10,16 +10,18 @@
 ///                                .bollard_pull = 1.5e6});
 /// world.system_signal("gauge.permissible");     // [N]
 /// ```
-/// *Heeling lever.* Source: IMO, International Code on Intact Stability, part B, 2.7, MSC.415(97).
-/// For a tension F at the horizontal angle α to the centreline and β below the waterplane:
+/// *Heeling lever.* A tension F has the horizontal angle α to the centreline and β below the
+/// waterplane. Its lever (IMO, International Code on Intact Stability, part B, 2.7, MSC.415(97))
+/// is:
 /// ```
 ///     HM = F (h sin α cos β + y sin β)       HL = HM/Δ cos φ       y = y₀ + x tan α
 /// ```
-/// The height of the pin above the thrust line is h, y₀ the distance of the pin from the
-/// centreline, x the distance of the stern from the pin. Δ is the weight of the ship plus F sin β.
+/// Here h is the height of the pin above the thrust line, and y₀ its distance from the
+/// centreline. The stern is at the distance x from the pin. Δ is the weight of the ship plus F sin
+/// β.
 ///
-/// *Righting lever.* GZ comes from the hull's mesh in the sea, with the added weight F sin β at the
-/// pin's height on the centreline. Without a mesh it is GM sin φ.
+/// *Righting lever.* GZ is that of the mesh of the hull in the sea, with the added weight F sin β
+/// at the height of the pin on the centreline. Without a mesh it is GM sin φ.
 ///
 /// *Criteria.* The permissible tension is the largest F with all of:
 /// 1. first intersection of HL and GZ ≤ the angle with half of the largest GZ, the deck edge in the
@@ -29,16 +31,15 @@
 /// 3. largest GZ − HL ≥ `residual_lever`;
 /// 4. freeboard at the stern ≥ `freeboard` (if `stern` is given).
 ///
-/// Outputs have names of the form "name.signal":
-/// - of the wire: `tension` [N], `alpha`, `beta` [rad];
-/// - of the heeling moment: `moment` [N m], `lever` HM/Δ [m] with Δ the weight of the ship alone,
-///   `worst_beta` [rad] of the largest moment;
-/// - of the ship: `heel_gm` [rad] = atan(lever/GM), `heel` [rad] (positive to starboard), `gz` [m]
-/// at
-///   this heel, `gz_max` [m], `gz_max_angle` [rad];
-/// - of the criteria: `static_heel` [rad], `residual_area` [m rad], `residual_lever` [m],
-///   `permissible` [N], `criterion` (number of the limiting one), `utilisation` [1];
-/// - `alarm`: 0 none, 1 warning, 2 alarm.
+/// Outputs, as "name.signal":
+/// - `tension` [N], `alpha`, `beta` [rad], `moment` [N m];
+/// - `lever` HM/Δ [m] with Δ the weight of the ship alone;
+/// - `worst_beta` [rad] of the largest moment;
+/// - `heel_gm` [rad] = atan(lever/GM), `heel` [rad] (positive to starboard), `gz` [m] at it;
+/// - `gz_max` [m], `gz_max_angle` [rad], `static_heel` [rad];
+/// - `residual_area` [m rad], `residual_lever` [m], `permissible` [N];
+/// - `criterion` (number of the criterion that limits it), `utilisation` [1];
+/// - `alarm` (0 none, 1 warning, 2 alarm).
 ///
 /// Events of the body: `alarm` and `alarm_end`, value: utilisation. Level 1 begins at `warn`, level
 /// 2 at 1 or at |heel| ≥ `most_heel`; a level ends `hysteresis` below.

@@ -4,8 +4,8 @@
 /// Hull forces of ships that manoeuvre: resistance, cross-flow drag, polynomials, wind.
 ///
 /// *Marine frame.* All coefficients hold in the horizontal frame of the ship: origin O, x ahead
-/// in the horizontal projection of the bow, y to starboard, z down. The velocities of O
-/// through the water along and about these axes are u, v, r, p. Forces and moments are X, Y, K, N.
+/// in the horizontal projection of the bow, y to starboard, z down. The velocities u, v, r, p are
+/// those of O through the water along and about these axes. X, Y, K, N are the forces and moments.
 /// Roll φ is positive with starboard down. The rudder angle δ is positive if it turns the ship to
 /// starboard.
 /// ```
@@ -29,15 +29,13 @@
 ///
 /// A term names its variables by letters, a letter for each power: "vvr" is v² r.
 ///
-/// | letter | variable |
-/// |---|---|
-/// | u v r p | velocities, as above |
-/// | f | roll φ [rad] |
-/// | d | rudder angle δ × HullPolynomial::rudder_sign [rad] |
-/// | n | revolutions [1/s], in `mass` alone |
-/// | b | atan(v/u) [rad] |
-/// | V R D N B | magnitudes of v r d n b |
-/// | 0 | a constant, alone |
+/// - u v r p: velocities, as above;
+/// - f: roll φ [rad];
+/// - d: rudder angle δ × HullPolynomial::rudder_sign [rad];
+/// - n: revolutions [1/s], in `mass` alone;
+/// - b: atan(v/u) [rad];
+/// - V R D N B: magnitudes of v r d n b;
+/// - 0: a constant, alone.
 ///
 /// Beyond the published range:
 /// - U in the formulas is at least |r| L/r'_most, so that forces stay finite at rest.

@@ -36,7 +36,7 @@ void System::find_order(const model::Bodies& bodies, const model::Interactions& 
     ordered_ = true;
 }
 
-/// Addresses of everything in the structure.
+/// Compute the addresses of all blocks in the structure, and allocate.
 void System::place(const model::Bodies& bodies, const model::Interactions& interactions,
                    int threads) {
     check_memory(bodies, interactions, threads);

@@ -83,7 +83,7 @@ class System {
     };
     /// @throws std::bad_alloc.
     void keep(Kept& out) const;
-    /// Only analyse() makes the system one again.
+    /// Return to kept data. The system is complete only after the next analyse().
     void go_back(Kept& to) noexcept;
     /// Limit of the memory of the factorisation [B]. @throws LimitError from analyse() and relink()
     /// if more is needed.

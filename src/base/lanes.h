@@ -40,7 +40,7 @@ HAWSER_INLINE V8 bit_lanes(std::uint8_t bits) {
     return load(v);
 #endif
 }
-/// p[0..n), n > 0; zero in other lanes.
+/// Load p[0..n), n > 0; other lanes are zero.
 HAWSER_INLINE V8 load_first(const double* p, int n) {
 #if defined(__AVX512F__)
     return _mm512_maskz_loadu_pd(first_mask(n), p);
@@ -96,7 +96,7 @@ HAWSER_INLINE void store_first(double* p, const V8& v) {
     if constexpr (kRest % 2 == 1) p[N - 1] = lane(v, N - 1);
 #endif
 }
-/// Lane i = x[index[i]] for begin ≤ i < end, 0 elsewhere.
+/// Set lane i to x[index[i]] for begin ≤ i < end, to 0 elsewhere.
 HAWSER_INLINE V8 gather_range(const double* x, const std::int32_t* index, int begin, int end) {
     // Eight loads take half the time of the gather instruction on some processors.
     if (begin <= 0 && end >= kLanes)
@@ -127,7 +127,7 @@ HAWSER_INLINE void add_pair(double* to, const double* from) {
     typedef double V2 __attribute__((vector_size(16), aligned(8), may_alias));
     *reinterpret_cast<V2*>(to) += *reinterpret_cast<const V2*>(from);
 }
-/// to[0..n) += from[0..n), n > 0, at most eight of them.
+/// Add from[0..n) to to[0..n), 0 < n ≤ 8.
 HAWSER_INLINE void add_first(double* to, const double* from, int n) {
 #if defined(__AVX512F__)
     const __mmask8 keep = first_mask(n);

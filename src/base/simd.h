@@ -38,12 +38,12 @@ HAWSER_INLINE V8 first_lanes(const V8& v, int count) {
     return reinterpret_cast<V8>(reinterpret_cast<I8>(v) & keep);
 }
 
-/// Every lane set to lane i of v.
+/// Set every lane to lane i of v.
 HAWSER_INLINE V8 spread_lane(const V8& v, int i) {
     const long long k = i;
     return __builtin_shuffle(v, I8{k, k, k, k, k, k, k, k});
 }
-/// v with the lanes up to and including i set to zero.
+/// Return v with the lanes up to and including i set to zero.
 HAWSER_INLINE V8 after_lane(const V8& v, int i) {
     const I8 index = {0, 1, 2, 3, 4, 5, 6, 7};
     const I8 keep = index > static_cast<long long>(i);
@@ -274,7 +274,7 @@ HAWSER_INLINE double sum(const V8& v) {
     return ((lane(v, 0) + lane(v, 4)) + (lane(v, 2) + lane(v, 6))) +
            ((lane(v, 1) + lane(v, 5)) + (lane(v, 3) + lane(v, 7)));
 }
-/// The largest of the lanes.
+/// Return the largest of the lanes.
 HAWSER_INLINE double largest(const V8& v) {
 #if defined(__AVX512F__)
     const I8 others[] = {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file transpose.h
-/// From records in memory to a record a lane, and back.
+/// Conversion of records in memory to one record per lane, and back.
 
 #include "base/simd.h"
 
@@ -65,7 +65,7 @@ HAWSER_INLINE void transpose(V8 (&v)[kLanes]) {
         }
 #endif
 }
-/// Lanes 1 to 7 of v, then `next`.
+/// Return lanes 1 to 7 of v, then `next`.
 HAWSER_INLINE V8 shift_in(const V8& v, double next) {
 #if defined(__AVX512F__)
     const V8 last = {next, next, next, next, next, next, next, next};
@@ -83,7 +83,7 @@ HAWSER_INLINE V8 shift_in(const V8& v, double next) {
     return o;
 #endif
 }
-/// Lane by lane three consecutive entries: v[k] = p[k], p[3 + k] … p[21 + k].
+/// Load three consecutive entries lane by lane: v[k] = p[k], p[3 + k] … p[21 + k].
 HAWSER_INLINE void load_threes(const double* p, V8 (&v)[3]) {
 #if defined(__AVX512F__)
     const V8 a = load(p), b = load(p + 8), c = load(p + 16);
@@ -113,7 +113,7 @@ HAWSER_INLINE void load_threes(const double* p, V8 (&v)[3]) {
     }
 #endif
 }
-/// Eight threes (x, y, z) one after another: out[r] = their entries from 8 r on.
+/// Arrange eight triples (x, y, z) consecutively: out[r] has the entries from 8 r on.
 HAWSER_INLINE void as_threes(const V8& x, const V8& y, const V8& z, V8 (&out)[3]) {
 #if defined(__AVX512F__)
     out[0] = __builtin_shuffle(__builtin_shuffle(x, y, I8{0, 8, 0, 1, 9, 0, 2, 10}), z,
@@ -214,7 +214,7 @@ template <int N>
     for (int l = 1; l < kLanes; ++l) off |= from[l] - from[0] - N * l;
     return off == 0;
 }
-/// The first three entries of eight records. @param in_a_row  follow_each_other<3>(from).
+/// Load the first three entries of eight records. @param in_a_row  follow_each_other<3>(from).
 HAWSER_INLINE void load_lanes_of_three(const double* base, const std::int32_t* from, bool in_a_row,
                                        V8 (&v)[3]) {
     if (in_a_row) return load_threes(base + from[0], v);

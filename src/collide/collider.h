@@ -50,10 +50,10 @@ class Collider {
     std::int32_t most_contacts = 1'000'000'000;
     double most_bytes = 1e15;  ///< Limit of the memory of the arrays [B].
 
-    /// Add a shape. Its definition has been checked (world/shape_checks.h) and its bodies exist.
+    /// Add a shape. Its definition has been checked (world/shape_checks.cpp) and its bodies exist.
     /// @return its index. @throws DefError for vertices without volume, std::bad_alloc.
     std::int32_t add(const ShapeDef& def, const model::Bodies& bodies);
-    /// So that remove() does not throw. @throws std::bad_alloc.
+    /// Allocate, so that remove() does not throw. @throws std::bad_alloc.
     void make_room() {
         places.make_room();
         base::make_room(new_, shapes_.size() + 2);  // all of them may be removed
@@ -124,7 +124,7 @@ class Collider {
     };
     /// @throws std::bad_alloc.
     void keep(Kept& out) const;
-    /// Back to a copy; prepare() before the next use.
+    /// Return to a copy. Call prepare() before the next use.
     void go_back(Kept& to) noexcept;
 
     /// Return the placement of each shape in the last collide().

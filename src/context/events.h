@@ -31,14 +31,14 @@ class EventLog {
         }
     }
 
-    /// Until release(), events wait: the step that they belong to may fail. Up to `most` of them.
-    /// @throws std::bad_alloc.
+    /// Hold events, at most `most` of them, until release(), since the step that they belong to may
+    /// fail. @throws std::bad_alloc.
     void hold(std::size_t most) {
         held_.clear();
         held_.reserve(most);
         holding_ = true;
     }
-    /// The step is good: log the events that wait; or it failed, and they did not happen.
+    /// Log the held events if the step succeeded, else discard them.
     void release(bool happened) noexcept {
         if (!holding_) return;
         holding_ = false;
@@ -59,7 +59,7 @@ class EventLog {
         if (std::abs(event.value) > std::abs(extremes.worst.value)) extremes.worst = event;
     }
 
-    /// Events since the last call, oldest first.
+    /// Return the events since the last call, oldest first.
     [[nodiscard]] std::vector<Event> take() {
         std::vector<Numbered> found;
         for (Ring& ring : rings_) {
@@ -133,7 +133,7 @@ class EventLog {
         std::vector<Numbered> events;
         EventExtremes extremes;
         std::int64_t taken = 0;
-        /// The i-th of its kind, which is still kept.
+        /// Return the i-th event of its kind, which must still be stored.
         [[nodiscard]] const Numbered& at(std::int64_t i) const noexcept {
             return events[static_cast<std::size_t>(i) % events.size()];
         }

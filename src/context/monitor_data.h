@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file monitor_data.h
-/// Memory and samples of the monitors (judge.h).
+/// Memory and samples of the monitors (monitor/monitor.h).
 
 #include <hawser/limits.h>
 #include <hawser/stats.h>

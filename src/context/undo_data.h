@@ -51,7 +51,7 @@ struct Undo {
         std::array<std::int64_t, kEventKindCount> event_count;
         JudgeState judge;
     };
-    /// The system was kept since.
+    /// True if the system has been kept since.
     [[nodiscard]] bool holds() const noexcept { return depth >= 0; }
 
     bool moved = false;   ///< True if velocities and impulses are saved.

@@ -42,7 +42,7 @@ class Scorer {
     [[nodiscard]] const Result& result() const noexcept { return result_; }
     /// Return the frozen value of an output; NaN if it is not frozen.
     [[nodiscard]] double frozen(std::string_view output) const noexcept;
-    /// Freeze an output that has no channel at a value from its owner.
+    /// Set an output that has no channel at a value from its owner.
     void freeze(const std::string& output, double value) { frozen_[output] = value; }
 
     /// Largest number of entries in a result; later ones are counted in tallies only.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file bearing.h
-/// Checks of the material limits of lines in every step (judge.h). They run before an element
+/// Checks of the material limits of lines in every step (monitor.h). They run before an element
 /// breaks in the step, because broken elements are no longer checked.
 
 #include "context/context.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file energy_account.h
-/// Energy balance of the monitors: sums, their rises and falls, and the exchanged energy (judge.h).
+/// Energy balance of the monitors: sums, their rises and falls, and the exchanged energy
+/// (monitor.h).
 
 #include "context/monitor_data.h"
 

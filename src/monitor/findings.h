@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file findings.h
-/// Findings of each monitor in a state (judge.h): value relative to its limits, and location.
-/// Values come from a sample of the state (judge_look.h). Data that last between samples are in
+/// Findings of each monitor in a state (monitor.h): value relative to its limits, and location.
+/// Values come from a sample of the state (measures.h). Data that last between samples are in
 /// `memory`.
 
 #include "context/context.h"

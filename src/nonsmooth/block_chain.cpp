@@ -6,7 +6,7 @@
 namespace hawser::nonsmooth {
 namespace {
 
-/// a ← a⁻¹ by cofactors. @return false if a is singular.
+/// Compute a ← a⁻¹ by cofactors. @return false if a is singular.
 bool invert_block(double a[9]) noexcept {
     const double c0 = a[4] * a[8] - a[5] * a[7], c1 = a[5] * a[6] - a[3] * a[8],
                  c2 = a[3] * a[7] - a[4] * a[6];
@@ -20,14 +20,14 @@ bool invert_block(double a[9]) noexcept {
     return true;
 }
 
-/// c −= a b.
+/// Compute c −= a b.
 void subtract_product(const double a[9], const double b[9], double c[9]) noexcept {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             c[3 * i + j] -= a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
 }
 
-/// y −= a x.
+/// Compute y −= a x.
 void subtract_image(const double a[9], const double x[3], double y[3]) noexcept {
     for (int i = 0; i < 3; ++i) y[i] -= a[3 * i] * x[0] + a[3 * i + 1] * x[1] + a[3 * i + 2] * x[2];
 }

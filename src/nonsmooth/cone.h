@@ -75,16 +75,16 @@ struct Law {
 /// Linearise about (u, λ).
 [[nodiscard]] Law linearise(const Cone& cone, Touch& touch) noexcept;
 
-/// Nearest impulse within the cone K: λ_n ≥ 0, ‖λ_t‖ ≤ μ λ_n.
+/// Project an impulse to the nearest one in the cone K: λ_n ≥ 0, ‖λ_t‖ ≤ μ λ_n.
 void project(double friction, double lambda[3]) noexcept;
 
-/// The law of sticking, r = 0.
+/// Return the law of sticking, r = 0.
 [[nodiscard]] Law hold_law(const Cone& cone) noexcept;
 
 /// True for two laws of slip with exact coupling whose directions ŷ are more than 90° apart.
 [[nodiscard]] bool turned_round(const Law& before, const Law& after) noexcept;
 
-/// μ y_n about (u, λ), 0 if open: radius of the friction disk [N s].
+/// Return μ y_n about (u, λ), the radius of the friction disk [N s]; 0 if open.
 [[nodiscard]] double disk_radius(const Cone& cone, const double u[3],
                                  const double lambda[3]) noexcept;
 
@@ -92,11 +92,11 @@ void project(double friction, double lambda[3]) noexcept;
 /// shortens λ_t to the disk of radius μ P(y)_n.
 void residual(const Cone& cone, const double u[3], const double lambda[3], double out[3]) noexcept;
 
-/// ‖λ − y‖ / max(‖λ‖, ρ‖q‖, floor), see natural_map().
+/// Return ‖λ − y‖ / max(‖λ‖, ρ‖q‖, floor), see natural_map().
 [[nodiscard]] double relative_distance(const Cone& cone, const double y[3], double rho,
                                        double floor) noexcept;
 
-/// Relative residual of the law, independent of units and of how stiff the contact is:
+/// Return the relative residual of the law, independent of units and of how stiff the contact is:
 /// ‖λ − P_K(λ − ρ ũ)‖ / max(‖λ‖, ρ‖q‖), with ũ = r + (μ‖r_t‖, 0, 0) (G. De Saxcé, Z.-Q. Feng,
 /// 1998) and q the velocity that the point would have without its own impulse.
 /// 0/0 counts as 0. A contact with λ far below `floor` [N s] is measured against floor.

@@ -4,12 +4,12 @@
 namespace hawser::nonsmooth {
 namespace {
 
-/// Entry of M between rows k and k + 1 of n; 0 behind the last one.
+/// Return the entry of M between rows k and k + 1 of n; 0 after the last one.
 double beside(std::size_t n, const ChainRow* rows, std::size_t k) noexcept {
     return k + 1 < n ? rows[k].next : 0.0;
 }
 
-/// Row k of M z₀.
+/// Return row k of M z₀.
 double start_product(std::size_t n, const ChainRow* rows, std::size_t k) noexcept {
     double sum = rows[k].diagonal * rows[k].start;
     if (k > 0) sum += rows[k - 1].next * rows[k - 1].start;

@@ -39,7 +39,7 @@ class ByteWriter {
     void put_bytes(std::span<const std::byte> bytes) {
         bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }
-    /// Length in 4 bytes, then the characters.
+    /// Write the length in 4 bytes, then the characters.
     void put_text(std::string_view text) {
         if (text.size() > std::numeric_limits<std::uint32_t>::max())
             throw BadBytes("a text is longer than 4 GiB");
@@ -97,7 +97,7 @@ class ByteReader {
     std::size_t at_ = 0;
 };
 
-/// CRC-32 as in zlib and PNG (polynomial 0xEDB88320); continue with the previous result.
+/// Compute CRC-32 as in zlib and PNG (polynomial 0xEDB88320). Continue with the previous result.
 [[nodiscard]] std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before = 0);
 
 }  // namespace hawser::record

@@ -13,7 +13,7 @@ namespace hawser::report {
 
 namespace {
 
-/// How much it matters that a user reads of it.
+/// Return the importance of an event for the reader of a report.
 int rank_of(EventKind kind) {
     switch (kind) {
         case EventKind::line_break:
@@ -129,7 +129,7 @@ std::string how_often(const EventFigures& e) {
     return what + plural(e.count, "time", "times");
 }
 
-/// An event and how often it happened, in words.
+/// Return a text with an event and its number of occurrences.
 std::string what_happened(const EventFigures& e) {
     switch (e.kind) {
         case EventKind::line_break:

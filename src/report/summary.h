@@ -190,12 +190,12 @@ class SummaryCollector : public Observer {
 /// Return a page of text for the end of a run: figures for users first, the solver last.
 [[nodiscard]] std::string to_text(const Summary& summary);
 
-/// Lines about --verify; "" without a verified step.
+/// Return the lines about --verify; "" without a verified step.
 [[nodiscard]] std::string to_text(const verify::Verification& verified);
 
-/// First and worst of each kind of event that the world has had (event_figures.cpp).
+/// Return the first and worst event of each kind in the world (event_figures.cpp).
 [[nodiscard]] std::vector<EventFigures> event_figures(const World& world);
-/// The lines of a report about them.
+/// Return the lines of a report about them.
 [[nodiscard]] std::string events_in_words(const Summary& summary);
 
 }  // namespace hawser::report

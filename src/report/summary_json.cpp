@@ -103,7 +103,7 @@ Json energy(const Energy& e) {
             {"elastic", e.elastic}};
 }
 
-/// Error of the kinematics of waves; null: none were summed in single precision.
+/// Return the error of the kinematics of waves; null: no sums in single precision.
 Json sea_figures(const SeaAccuracy& sea) {
     if (sea.points == 0) return {};
     return {{"significant_velocity", sea.significant},

@@ -54,10 +54,10 @@ class Pool final : public base::Executor {
                !shielded_.load(std::memory_order_relaxed);
     }
 
-    /// CPU time that a thread has used since it began [s]; 0: the calling thread.
+    /// Return the CPU time of a thread since its start [s]; 0: the calling thread.
     [[nodiscard]] double cpu_seconds(int thread) noexcept;
 
-    /// From now on loops and tasks are written down there; nullptr: no longer. Between loops only.
+    /// Record loops and tasks there from now on; nullptr ends it. Call between loops only.
     void record(Trace* trace) noexcept { trace_ = trace; }
 
     void run(int count, Task task, void* context) noexcept override;

@@ -214,7 +214,7 @@ class Description {
     [[nodiscard]] const BodyDef& body(BodyId id) const {
         return bodies[static_cast<std::size_t>(id.index)];
     }
-    /// World position of a point of a body.
+    /// Return the world position of a point of a body.
     [[nodiscard]] Vec3 world_point(BodyId id, const Vec3& local) const;
     [[nodiscard]] Frame frame_of(BodyId id) const;
 
@@ -239,7 +239,7 @@ struct Scope {
     std::unordered_map<std::string, std::string> bound;  ///< Local body name -> full name.
 };
 
-/// Body with this local name. @throws SceneError with the nearest name.
+/// Return the body with this local name. @throws SceneError with the nearest name.
 [[nodiscard]] BodyId resolve_body(Description& out, const Scope& scope, const std::string& name,
                                   const Place& place);
 
@@ -254,9 +254,9 @@ void expand(Description& out, const Document& document);
 
 /// Read "settings" and "defaults" of a scene (settings.cpp).
 void read_settings(Description& out, const Json& root);
-/// Bodies of one scope (bodies.cpp).
+/// Read the bodies of one scope (bodies.cpp).
 void expand_bodies(Description& out, const Scope& scope);
-/// Interactions of one scope (interactions.cpp).
+/// Read the interactions of one scope (interactions.cpp).
 void expand_interactions(Description& out, const Scope& scope);
 /// Read one cable (cables.cpp). `to_scope` is the scope of the name of its last end.
 void expand_cable(Description& out, const Scope& scope, const Scope& to_scope, const Json& cable,
@@ -271,13 +271,13 @@ void expand_shapes(Description& out, BodyId body, const Json& list, const Place&
 /// Read the segments between bodies of one scope and others. All bodies must have been read
 /// (shapes.cpp).
 void expand_segments(Description& out, const Scope& scope);
-/// Inputs of one scope (inputs.cpp).
+/// Read the inputs of one scope (inputs.cpp).
 void expand_inputs(Description& out, const Scope& scope);
-/// Winches of one scope, when all cables are there (winches.cpp).
+/// Read the winches of one scope. All cables must have been read (winches.cpp).
 void expand_winches(Description& out, const Scope& scope);
-/// Guides of one scope, when all cables and winches are there (guides.cpp).
+/// Read the guides of one scope. All cables and winches must have been read (guides.cpp).
 void expand_guides(Description& out, const Scope& scope);
-/// Posts of one scope, when all bodies are there (posts.cpp).
+/// Read the posts of one scope. All bodies must have been read (posts.cpp).
 void expand_posts(Description& out, const Scope& scope);
 /// Return the axes of cylinders of a radius [m] within edges of the box, hull or mesh of a body,
 /// for "edge_of" of a post (post_edges.cpp). @throws SceneError if there are none.
@@ -287,9 +287,10 @@ void expand_posts(Description& out, const Scope& scope);
 /// Read the cranes of one scope. All bodies except those of cables must have been read
 /// (cranes.cpp).
 void expand_cranes(Description& out, const Scope& scope);
-/// Lines over posts and sheaves of one scope, when all bodies are there (routes.cpp).
+/// Read the lines over posts and sheaves of one scope. All bodies must have been read (routes.cpp).
 void expand_routes(Description& out, const Scope& scope);
-/// The sea, when all bodies are there (sea.cpp). @param waters  How many are of copy 0.
+/// Read the sea. All bodies must have been read (sea.cpp). @param waters  Number of those in copy
+/// 0.
 void expand_sea(Description& out, const Document& document, std::size_t waters);
 /// Store a cable if a section of it is in water (sea.cpp).
 void keep_water(Description& out, const CableWater& water);
@@ -326,7 +327,7 @@ void read_display(Def& def, const Json& json) {
 }
 /// Name of a group: a text, or a number as one.
 [[nodiscard]] std::string group_of(const Json& value);
-/// "orientation" or "euler_deg" of an object. @throws SceneError for a zero quaternion.
+/// Read "orientation" or "euler_deg" of an object. @throws SceneError for a zero quaternion.
 [[nodiscard]] Quat orientation_of(const Json& object, const Place& place);
 [[nodiscard]] Quat quaternion_of(const Json& value, const Place& place);
 

@@ -83,7 +83,7 @@ ShapePtr body() {
         {{"orientation", "euler_deg"}, {"inertia", "box", "cylinder", "sphere"}});
 }
 
-/// Value of a template's parameter.
+/// Return the shape of the value of a parameter of a template.
 ShapePtr parameter() {
     const ShapePtr any_number = number("a number", -1e30, 1e30);
     return choice("a number, a string, true, false or a list of numbers",

@@ -72,7 +72,7 @@ HAWSER_SCENE_SECTIONS(HAWSER_SECTION_SHAPE)
 #undef HAWSER_SECTION_SHAPE
 
 [[nodiscard]] const Format& format();
-/// Keys of the outermost object of a scene, a part and a state.
+/// Return the keys of the outermost object of a scene, a part and a state.
 [[nodiscard]] const std::set<std::string>& outermost_keys();
 
 /// Return the shape of the settings of a simulation. See format_settings.cpp.
@@ -153,10 +153,10 @@ namespace make {
 [[nodiscard]] ShapePtr object(std::string id, std::string what, std::string doc,
                               std::vector<Field> fields,
                               std::vector<std::vector<std::string>> alternatives = {});
-/// A list of anything up to kMaxElements.
+/// Return a list of any values, at most kMaxElements.
 [[nodiscard]] ShapePtr list_of(std::string what, ShapePtr item);
 [[nodiscard]] ShapePtr body_ref();
-/// A group of bodies, for settings.coupling.
+/// Return the shape of the group of a body, for settings.coupling.
 [[nodiscard]] ShapePtr group();
 [[nodiscard]] ShapePtr literal(const ShapePtr& shape);
 }  // namespace make

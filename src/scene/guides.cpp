@@ -29,7 +29,7 @@ Cable& cable_of(Description& out, const Scope& scope, const std::string& name, c
                    "there is no cable " + in_quotes(name) + suggestion(name, known));
 }
 
-/// Distance of a point from an element [m].
+/// Return the distance of a point from an element [m].
 double apart(const Description& out, const InteractionDef& d, const Vec3& p) {
     const Vec3 a = out.world_point(d.body[0], d.point[0]);
     const Vec3 along = out.world_point(d.body[1], d.point[1]) - a;
@@ -63,7 +63,7 @@ std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def, c
     return best;
 }
 
-/// Section that an element is of.
+/// Return the section of an element.
 CableSection& section_of(Cable& cable, std::size_t element) {
     std::size_t k = 0;
     for (; k + 1 < cable.sections.size() && element >= cable.sections[k].elements; ++k)
@@ -85,7 +85,7 @@ void lighten(BodyDef& lump, double half, const Place& place) {
     lump.force *= scale;
 }
 
-/// Bends about its ends have the guide for a neighbour now.
+/// Make the guide a neighbour in the bends at the ends of the element.
 void turn_bends(Description& out, const InteractionDef& element, const GuidePlan& plan,
                 double radius) {
     // Point at which each part touches the wheel, as marked by its frame there.

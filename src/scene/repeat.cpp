@@ -329,7 +329,7 @@ class Copier {
                std::abs(normal.dot(offset_)) <= 1e-9 * offset_.norm();
     }
 
-    /// Cables from copy `copy` to the next.
+    /// Add the cables from copy `copy` to the next.
     void add_joins(int copy) {
         const auto list = repeat_.find("joins");
         if (list == repeat_.end()) {

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kMaxThreads = 256;
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo).
+/// Compute FNV-1a, 64 bits (Fowler, Noll, Vo).
 std::uint64_t hash_text(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325U;
     for (const char c : text) {
@@ -261,6 +261,7 @@ void check_options(const Options& options, const Place& place) {
     }
 }
 
+/// Make a scene from a document.
 /// @param mistakes  List to which mistakes are added; the result is then empty. Null: they are
 ///        thrown.
 std::optional<Scene> make_scene(Json root, const std::filesystem::path& file,

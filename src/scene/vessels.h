@@ -203,7 +203,7 @@ struct VesselTable<PowerDef> {
          "Of the generators' power that consumers may take; above 0.", 0.0, 1.0}};
 };
 
-/// Vessels of one scope, when all bodies are there (vessels.cpp).
+/// Read the vessels of one scope. All bodies must have been read (vessels.cpp).
 void expand_vessels(Description& out, const Scope& scope);
 /// Add the vessels after the sea. @throws SceneError if the world rejects some.
 void add_vessels(World& world, const Description& from);

@@ -109,8 +109,8 @@ struct Session::Impl {
         }
     }
 
-    /// By its own name, or that of an input of the scene. @return false: no system has such an
-    /// input (any more).
+    /// Set a signal by its own name, or by that of an input of the scene. @return false if no
+    /// system has such an input (any more).
     bool set_signal(std::string name, double value) {
         for (const scene::SignalInput& input : scene.signal_inputs) {
             if (input.name != name) continue;
@@ -183,7 +183,7 @@ std::vector<std::string> input_names(const World& world) {
     return names;
 }
 
-/// Inputs of systems, as "system.signal", and those of the scene that set them.
+/// Return the inputs of systems, as "system.signal", and those of the scene that set them.
 std::vector<std::string> signal_names(const scene::Scene& scene) {
     const World& world = scene.world;
     std::vector<std::string> names;

@@ -15,7 +15,7 @@ struct DriveWork {
     /// Work of motors, rigid rows driven by inputs, and prescribed velocities.
     double driven = 0.0;
     double friction = 0.0;  ///< Energy dissipated by friction in joints, slides and drums.
-    double stopped = 0.0;   ///< Energy dissipated by stops of slides (wire/guide.h).
+    double stopped = 0.0;   ///< Energy dissipated by stops of slides (wire/guide_system.h).
 };
 /// Compute the work before the velocities are overwritten.
 [[nodiscard]] DriveWork drive_work(Model& model) noexcept;

@@ -47,7 +47,7 @@ SoilAt soil_at(const AnchorDef& def, double drag) {
     return {def.uhc * (1.0 - (1.0 - def.first) * left), def.full_depth * (1.0 - left)};
 }
 
-/// f by its table.
+/// Return f by its table.
 double uplift(double angle) {
     const double degrees = std::max(angle, 0.0) / kSoilDegree;
     if (degrees < 5.0) return 1.0 - 0.05 * degrees;

@@ -29,7 +29,8 @@ class SeaVerifier {
     [[nodiscard]] double after_step(const World& world, const std::vector<Pose>& pose,
                                     const std::vector<Twist>& before);
     /// Return the largest difference in a correct step: rounding in double precision, or the
-    /// tolerance of kinematics in single precision (docs/sea.md, "Accuracy of kinematics").
+    /// tolerance of kinematics in single precision (docs/theory/waves.md, "Accuracy of
+    /// kinematics").
     [[nodiscard]] double limit() const noexcept;
 
   private:

@@ -58,7 +58,7 @@ class Laid {
     [[nodiscard]] double sunk(std::size_t e) const {
         return e == 0 ? sunk_first_ : e + 1 == n_ ? sunk_last_ : 0.0;
     }
-    /// Element e on the bottom, pulled by h.
+    /// Return element e on the bottom, under the horizontal force h.
     [[nodiscard]] Rising lying(std::size_t e, double h) const {
         return {chain_.length[e], chain_.compliance[e], h, sunk(e)};
     }

@@ -98,7 +98,7 @@ class WinchSystem final : public System {
         double lost = 0.0, error = 0.0;                         // overload_out, heave_error
         double first = 0.0;               ///< Wire outboard less that paid out since [m].
         double height = 0.0, paid = 0.0;  ///< At the begin of the compensation [m].
-        double pull = 0.0;                ///< Of the step before [N].
+        double pull = 0.0;                ///< Value in the last step [N].
         double speed = 0.0;               ///< Speed of the compensation [m/s].
         std::int32_t begun = 0;           ///< `first` is known.
         std::int32_t guards = 0;          ///< The drive balances the drum's inertia.

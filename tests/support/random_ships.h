@@ -161,7 +161,8 @@ class ShipMaker {
         hull["mesh"] = mesh(root_ + "/scenes/parts/" + part + ".obj");
         hull["offset"] = vessel["origin"];
         const double mass = body["mass"].get<double>();
-        // The size given by strip theory; damping is a fifth of the critical one at 1 rad/s.
+        // Strip theory gives the order of magnitude; damping is a fifth of the critical one at 1
+        // rad/s.
         Json added = Json::array({0, 0, mass * between(0.7, 1.5)});
         for (const std::size_t i : {0, 1})
             added.push_back(body["inertia"][i].get<double>() * between(0.2, 1.0));

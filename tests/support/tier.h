@@ -4,12 +4,13 @@
 /// Size of random suites in the tier of tests that runs: quick, full or long.
 ///
 /// A tier includes the smaller ones. The environment variable HAWSER_TIER names it; `make test`,
-/// `make test-full` and `make test-long` set it. A test of a larger tier has a name that ends in
-/// `_full` or `_long`. All others are quick.
+/// `make test-full` and `make test-long` set it. A test that only a larger tier runs has a name
+/// that ends in `_full` or `_long`. All others are quick.
 ///
 /// A random suite runs in every tier:
-/// - quick: a few cases of a fixed seed, so that a failure is due to the change
-/// - full, long: more cases of a fresh seed, which the test prints
+/// - quick: a few cases of a fixed seed, so that a failure is due to the change;
+/// - full, long: more cases of a fresh seed, which the test prints.
+///
 /// HAWSER_SEED=N repeats a seed in any tier.
 
 #include <cstdint>

@@ -16,14 +16,14 @@ struct Exercise;
 
 namespace hawser::report::start {
 
-/// Masses, sizes and inertias (bodies.cpp); turns in a step.
+/// Check masses, sizes and inertias, and rotations in a step (bodies.cpp).
 void check_bodies(const World& world, Findings& out);
-/// Mass of cables over the volume of their shapes (bodies.cpp).
+/// Check the mass of cables relative to the volume of their shapes (bodies.cpp).
 void check_cable_density(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Cables that are in air although their line type is made for water (dry_lines.cpp).
+/// Find cables that are in air although their line type is for water (dry_lines.cpp).
 void check_dry_lines(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Sea depth and seabeds that differ, wires without drag, hulls in short waves, memories that are
-/// cut too early (sea_scene.cpp).
+/// Check the sea: different depth and seabeds, wires without drag, hulls in short waves, memories
+/// truncated too early (sea_scene.cpp).
 void check_sea_scene(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Check line types and winches of the document for inconsistent numbers (document.cpp).
 void check_document(const record::SceneInfo& scene, Findings& out);
@@ -42,9 +42,11 @@ void check_hulls(const World& world, Findings& out);
 void check_tensions(const record::SceneInfo& scene, const World& world, Findings& out);
 /// Check for shapes inside each other (overlaps.cpp).
 void check_overlaps(const record::SceneInfo& scene, const World& world, Findings& out);
-/// Joints that start open or tearing (joints.cpp). Rows are those of the world.
+/// Find joints that start open or with contradictory velocities (joints.cpp). Rows are those of the
+/// world.
 void check_gaps(const World& world, const JointRows& rows, Findings& out);
-/// Joints, motors and prescribed motions that repeat or contradict each other (repetitions.cpp).
+/// Find joints, motors and prescribed motions that are redundant or contradictory
+/// (repetitions.cpp).
 void check_repetitions(const World& world, JointRows& rows, Findings& out);
 /// Check for ranges that start outside or are disjoint (joints.cpp).
 void check_ranges(const World& world, Findings& out);
