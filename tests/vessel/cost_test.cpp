@@ -62,7 +62,7 @@ VesselDef full_ship(const PublishedShip& ship) {
 }
 
 // Limit of the requirement: 50 us a step. The lower tenth of the steps is little disturbed by other
-// programs; measured 13 to 20 us on one core of a busy EPYC.
+// programs; measured 14 us (one thread, busy machine).
 TEST(VesselCost, FullShipTakesUnderFiftyMicroseconds) {
     if (kSanitized) GTEST_SKIP() << "times of a sanitizer are not those of the program";
     World world{WorldDef{.step = 1.0 / 60.0}};
