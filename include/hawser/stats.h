@@ -97,7 +97,7 @@ enum class EventKind : std::uint8_t {
     /// Iterations of rigid joints failed, so that the step linearised the joints once; once until
     /// limit::kMemory has passed without one. value: StepStats::completion_failures.
     incomplete,
-    // Of vessels (vessel.h), of their body.
+    // Vessels (vessel.h); the body is that of the vessel.
     shed,     ///< A bus withheld power from a consumer; once each time. value: power withheld [W].
     failure,  ///< A part failed by its signal; once each time. value: the signal.
 };

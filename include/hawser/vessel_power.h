@@ -10,18 +10,18 @@
 ///                  |             |         |             |
 ///             consumers      hotel load            consumers
 /// ```
-/// **Capacity.** Sum of the generators of a board that run; 0 of a failed board. A closed tie joins
-/// all boards that did not fail into one. `share` of the capacity goes to consumers; the rest is
+/// Capacity: sum of the generators of a board that run; 0 of a failed board. A closed tie joins
+/// all boards that did not fail into one. Consumers get `share` of the capacity; the rest is
 /// reserve.
 ///
-/// **Grants.** By ascending `priority` (1 first), each consumer gets its demand P/η while capacity
+/// Grants: by ascending `priority` (1 first), each consumer gets its demand P/η while capacity
 /// lasts. Consumers of one priority share the remainder in proportion to their demands. Withheld
 /// power begins with the event `shed` of the body.
 ///
-/// **Demand.** Propeller with a shaft: power of its motor within its own limits. Other propellers:
+/// Demand of a propeller with a shaft: power of its motor within its own limits. Other propellers:
 /// power at the ordered revolutions. Ideal propulsor: `power` times |order|³; a grant limits the
-/// order to the cube root. Load (not a propulsor): the input NAME [W]. Signal: that of another
-/// system in W, such as a winch, which the bus serves and does not limit. Power that a propeller
+/// order to the cube root. Load (not a propulsor): the input NAME [W]. Signal: a signal of another
+/// system in W, such as a winch. The bus serves it and does not limit it. Power that a propeller
 /// gives back does not feed the bus.
 ///
 /// Signals. Inputs: `tie` [0, 1] with two boards or more, GENERATOR_failed, BOARD_failed [0, 1],
@@ -46,11 +46,11 @@ struct SwitchboardDef {
 };
 
 struct ConsumerDef {
-    /// Of a propulsor of the vessel; otherwise that of a load, unique in the vessel. Required.
+    /// Name of a propulsor of the vessel, or of a load, unique in the vessel. Required.
     std::string name{};
-    std::string board{};  ///< Required.
-    int priority = 1;     ///< 1 is served first.
-    double power = 0.0;   ///< Of an ideal propulsor at full order, or of a load at the start [W].
+    std::string board{};      ///< Required.
+    int priority = 1;         ///< 1 is served first.
+    double power = 0.0;       ///< Ideal propulsor: at full order; load: at the start [W].
     double efficiency = 0.9;  ///< η, from the board to the shaft [1].
     std::string signal{};     ///< "SYSTEM.SIGNAL" in W of another system; "": none.
 };
@@ -58,7 +58,7 @@ struct ConsumerDef {
 struct PowerDef {
     std::vector<SwitchboardDef> boards{};  ///< Empty: no bus.
     std::vector<ConsumerDef> consumers{};
-    double share = 0.9;  ///< Of the capacity that consumers may take (DNV-ST-0111) [1].
+    double share = 0.9;  ///< Fraction of the capacity for consumers (DNV-ST-0111) [1].
     bool tied = false;   ///< The tie is closed at the start.
 };
 

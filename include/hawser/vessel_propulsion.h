@@ -18,23 +18,24 @@
 /// **Azimuth** thrusters turn at a rate to the ordered angle, by the shorter way; **tunnels** push
 /// to starboard (order > 0) or port and lose thrust linearly with the speed of the ship.
 ///
-/// **Cycloidal** propellers (ideal) push in any direction. Their vector (s cos α, s sin α) follows
+/// Cycloidal propellers (ideal) push in any direction. Their vector (s cos α, s sin α) follows
 /// that of the orders at 2/`ramp`, without a turn: `ramp` is the time from full ahead to full
 /// astern.
 ///
-/// **Losses** multiply thrust and torque of a propulsor at the begin of each step:
-/// - Ventilation (`ventilates`, K. J. Minsaas et al. 1987), h the depth of the hub below the water
-///   there, waves included, R the radius: β = 1 − 0.675 (1 − 0.769 h/R)^1.258 for
-///   −0.48 ≤ h/R ≤ 1.3, 0 above the water, 1 below. Torque falls with β^0.85.
-/// - Race of another thruster j (VesselDef::thruster_losses; J. Dang and H. Laheij 2004), x behind
-///   it, at φ [deg] from its axis: t = 1 − 0.75^((x/D_j)^(2/3)),
-///   t_φ = t + (1 − t) φ³/(130/t³ + φ³). Loss 1 − t_φ, times √(|T_j|/T_j,most). Thrust alone.
-/// - Hull (`hull_loss` k): the race of an azimuth that runs inboard under the hull clings to it:
-///   1 − k max(0, cos ψ), ψ from the race to the centreline. Thrust alone.
+/// Losses multiply thrust and torque of a propulsor at the begin of each step:
+/// - Ventilation (`ventilates`; K. J. Minsaas et al. 1987): β = 1 − 0.675 (1 − 0.769 h/R)^1.258 for
+///   −0.48 ≤ h/R ≤ 1.3, 0 above the water, 1 below. h is the depth of the hub below the water,
+///   waves included, R the radius. Torque falls with β^0.85.
+/// - Race of another thruster j (VesselDef::thruster_losses; J. Dang and H. Laheij 2004):
+///   t = 1 − 0.75^((x/D_j)^(2/3)), t_φ = t + (1 − t) φ³/(130/t³ + φ³) at x behind it and φ [deg]
+///   from its axis. The loss 1 − t_φ is multiplied by √(|T_j|/T_j,most). Thrust alone.
+/// - Hull (`hull_loss` k): the race of an azimuth that runs inboard under the hull clings to it.
+///   Factor 1 − k max(0, cos ψ), ψ from the race to the centreline. Thrust alone.
 ///
-/// **Failure** by the input NAME_failed, 1: stopped, without torque; 2: keeps its order, angle and
-/// pitch; 3: full ahead, keeping its angle. Of rudders 1: keeps its angle; 2: hard to starboard, 3:
-/// to port. The event `failure` reports the begin.
+/// Failures come by the input NAME_failed, with the event `failure`:
+/// - 1: A propulsor stops, without torque. A rudder keeps its angle.
+/// - 2: A propulsor keeps its order, angle and pitch. A rudder goes hard to starboard.
+/// - 3: A propulsor goes full ahead and keeps its angle. A rudder goes hard to port.
 ///
 /// **Rudder** in the slipstream of a propulsor (momentum theory, as in the MMG method):
 /// ```
@@ -54,12 +55,12 @@ namespace hawser {
 
 enum class PropulsorKind : std::uint8_t { shaft, azimuth, tunnel, cycloidal };
 
-/// Thrust over that of a deeply immersed propeller [1].
+/// Return thrust over that of a deeply immersed propeller [1].
 /// @param ratio  Depth of the hub below the water over the radius.
 [[nodiscard]] double ventilated_thrust(double ratio) noexcept;
-/// Thrust in the race of another thruster over that without it, both at equal load [1].
-/// @param distance  Behind it, over its diameter, ≥ 0. @param angle  From the axis of the race
-/// [rad].
+/// Return thrust in the race of another thruster over that without it, both at equal load [1].
+/// @param distance  Distance behind it, over its diameter, ≥ 0. @param angle  Angle from the axis
+/// of the race [rad].
 [[nodiscard]] double race_thrust(double distance, double angle) noexcept;
 
 struct PropulsorDef {
@@ -87,7 +88,7 @@ struct PropulsorDef {
     // Tunnel.
     double lost_at = 0.0;  ///< Speed through the water without thrust [m/s]; 0: no loss.
     // Losses.
-    double diameter = 0.0;    ///< Of an ideal propulsor with losses [m]; of a propeller its own.
+    double diameter = 0.0;    ///< Ideal propulsor with losses: of its race [m].
     bool ventilates = false;  ///< Loses thrust near the surface; needs a diameter.
     double hull_loss = 0.0;   ///< k of an azimuth, 0.03 for Coanda's effect [1].
 };
