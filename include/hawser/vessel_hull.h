@@ -106,18 +106,19 @@ struct CrossFlow {
 /// Return Hoerner's drag coefficient of a section. @param ratio  Beam over twice the draught [1].
 [[nodiscard]] double hoerner_drag(double ratio) noexcept;
 
-/// Coefficients of a current from an angle off the bow.
+/// Point of a table of current coefficients.
 struct CurrentPoint {
-    double angle = 0.0;  ///< From which the water comes, ascending from 0 (ahead) to π [rad].
+    /// Direction from which the water comes, ascending from 0 (ahead) to π [rad].
+    double angle = 0.0;
     double x = 0.0, y = 0.0, n = 0.0;  ///< C_X C_Y C_N [1].
 };
 /// Loads of a current at low speed by its heading, as in tables of OCIMF and of model tests:
 /// ```
 ///     X = ½ρ V² C_X L T      Y = ½ρ V² C_Y L T      N = ½ρ V² C_N L² T
 /// ```
-/// V the speed of O through the water, the angle that from which the water comes. Linear between
-/// points; from port Y and N change sign. In place of resistance and cross-flow drag, which are
-/// left out then; turning alone needs `damping`.
+/// V is the speed of O through the water. Coefficients are linear between points; from port Y and N
+/// change sign. The load replaces resistance and cross-flow drag: a vessel with both is refused.
+/// Turning at rest needs `damping`.
 struct CurrentLoad {
     std::vector<CurrentPoint> points{};  ///< Empty: none. From starboard.
     double length = 0.0;                 ///< L [m].

@@ -20,8 +20,8 @@
 ///
 /// *Demand.* Propeller with a shaft: power of its motor within its own limits. Other propellers:
 /// power at the ordered revolutions. Ideal propulsor: `power` times |order|³; a grant limits the
-/// order to the cube root. Load (not a propulsor): the input NAME [W]. Signal: that of another
-/// system in W, such as a winch, which the bus serves and does not limit. Power that a propeller
+/// order to the cube root. Load (not a propulsor): the input NAME [W]. Signal: a signal of another
+/// system in W, such as a winch. The bus serves it and does not limit it. Power that a propeller
 /// gives back does not feed the bus.
 ///
 /// Signals. Inputs: `tie` [0, 1] with two boards or more, GENERATOR_failed, BOARD_failed [0, 1],

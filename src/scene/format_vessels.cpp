@@ -95,7 +95,7 @@ ShapePtr current_shape() {
 
 ShapePtr power_shape() {
     const ShapePtr generator = vessel_part<GeneratorDef>(
-        "generator", "a generator", "Of a switchboard.",
+        "generator", "a generator", "Power source of a switchboard.",
         {{"name", name("a name"), true, "", "", "Fails by the signal VESSEL.NAME_failed."}});
     const ShapePtr board =
         object("switchboard", "a switchboard", "Its consumers share its generators.",
@@ -104,7 +104,7 @@ ShapePtr power_shape() {
                  "Its generators."}});
     const ShapePtr consumer = vessel_part<ConsumerDef>(
         "consumer", "a consumer", "A propulsor, a load, or the power of another system.",
-        {{"name", name("a name"), true, "", "", "Of a propulsor, or of a load."},
+        {{"name", name("a name"), true, "", "", "Name of a propulsor or of a load."},
          {"board", name("a switchboard"), true, "", "", "That feeds it."},
          {"priority", integer("a number", 1, 1000), false, "1", "", "1 is served first."},
          {"signal", text("SYSTEM.SIGNAL"), false, "none", "W",

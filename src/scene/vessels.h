@@ -150,7 +150,7 @@ struct VesselTable<PropulsorDef> {
         {"lost_at", &PropulsorDef::lost_at, "m/s", "no loss",
          "Speed ahead at which a tunnel has no thrust.", 0.0, 1e3},
         {"diameter", &PropulsorDef::diameter, "m", "that of the propeller",
-         "Of an ideal propulsor with losses.", 0.0, 100.0},
+         "Diameter of an ideal propulsor with losses.", 0.0, 100.0},
         {"hull_loss", &PropulsorDef::hull_loss, "1", "0",
          "Share lost of a race that runs under the hull; 0.03 for Coanda's effect.", 0.0, 1.0}};
 };
@@ -191,7 +191,7 @@ template <>
 struct VesselTable<ConsumerDef> {
     static constexpr VesselNumber<ConsumerDef> kNumbers[] = {
         {"power", &ConsumerDef::power, "W", "0",
-         "Of an ideal propulsor at full order, or of a load at the start.", 0.0, 1e12},
+         "Ideal propulsor: at full order; load: at the start.", 0.0, 1e12},
         {"efficiency", &ConsumerDef::efficiency, "1", "0.9",
          "From the board to the shaft; above 0.", 0.0, 1.0}};
 };
@@ -200,7 +200,7 @@ template <>
 struct VesselTable<PowerDef> {
     static constexpr VesselNumber<PowerDef> kNumbers[] = {
         {"share", &PowerDef::share, "1", "0.9",
-         "Of the generators' power that consumers may take; above 0.", 0.0, 1.0}};
+         "Fraction of the generators' power for consumers; above 0.", 0.0, 1.0}};
 };
 
 /// Read the vessels of one scope. All bodies must have been read (vessels.cpp).

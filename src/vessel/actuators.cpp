@@ -218,11 +218,17 @@ void Propulsor::turn_vector(PropulsorState& s, double order, double step) const 
 void Propulsor::advance(PropulsorState& s, const Flow& flow, double step, double granted,
                         double demanded, Limit& turning, Limit& power) const noexcept {
     double along = 0.0;
-    s.thrust = open(s, flow, along).thrust;
+    const PropellerForce water = open(s, flow, along);
+    s.thrust = water.thrust;
+    s.torque = water.torque;
     const Failure failure = failure_of(s.failed);
-    if (screw() && def_.controllable && failure != Failure::stopped && failure != Failure::kept)
-        (void)follow(s.pitch, failure == Failure::full ? 1.0 : s.pitch_order,
-                     def_.pitch_time > 0.0 ? 1.0 / def_.pitch_time : 1e30, 0.0, step);
+    if (screw() && def_.controllable && failure != Failure::stopped && failure != Failure::kept) {
+        const double rate = def_.pitch_time > 0.0 ? 1.0 / def_.pitch_time : 1e30;
+        const bool limited =
+            follow(s.pitch, failure == Failure::full ? 1.0 : s.pitch_order, rate, 0.0, step);
+        if (limited && s.pitch_limited == 0) turning = {true, rate};
+        s.pitch_limited = limited ? 1 : 0;
+    }
     if (screw() && def_.shaft_inertia > 0.0) {
         turn_shaft(s, flow, step, granted, power);
     } else {

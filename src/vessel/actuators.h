@@ -37,6 +37,8 @@ struct PropulsorState {
     std::int32_t failed_last = 0;                         ///< Failure of the last step.
     double kept = 1.0, kept_torque = 1.0;  ///< Thrust and torque over those without losses.
     double loss = 0.0;                     ///< Output: 1 − kept.
+    double torque = 0.0;                   ///< Output: of the water on the shaft [N m].
+    std::int32_t pitch_limited = 0;        ///< The pitch was at its rate in the last step.
 };
 
 /// Modes of the inputs NAME_failed.

@@ -25,8 +25,9 @@ void VesselSystem::visit_state(StateVisitor& v) {
             v.visit(*x);
         v.visit(s.turning_limited);
         v.visit(s.power_limited);
-        for (double* x : {&s.failed, &s.kept, &s.kept_torque, &s.loss}) v.visit(*x);
+        for (double* x : {&s.failed, &s.kept, &s.kept_torque, &s.loss, &s.torque}) v.visit(*x);
         v.visit(s.failed_last);
+        v.visit(s.pitch_limited);
     }
     for (RudderState& s : rudder_state_) {
         v.visit(s.order);
@@ -74,6 +75,7 @@ void VesselSystem::check_state(const World& world, StateRules& rules) const {
         rules.flag(s.turning_limited, "whether a propulsor is at its turning rate is no flag");
         rules.flag(s.power_limited, "whether a motor is at its limit is no flag");
         failure(s.failed_last);
+        rules.flag(s.pitch_limited, "whether a pitch is at its rate is no flag");
         rules.range(s.kept, 0.0, kSlack, "the thrust that a propulsor keeps is out of range");
         rules.range(s.kept_torque, 0.0, kSlack,
                     "the torque that a propulsor keeps is out of range");
@@ -110,6 +112,7 @@ void VesselSystem::signals(SignalTable& table) {
         if (propulsors_[i].screw()) {
             table.output(d.name + "_rps", "1/s", s.rps);
             table.output(d.name + "_power", "W", s.power);
+            table.output(d.name + "_torque", "N m", s.torque);
             if (d.controllable) {
                 table.input(d.name + "_pitch", "1", s.pitch_order, -1.0, 1.0);
                 table.output(d.name + "_set", "1", s.pitch);

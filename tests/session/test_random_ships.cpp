@@ -88,7 +88,7 @@ void sail(std::uint32_t seed, std::uint64_t number, double seconds, int& good) {
 
 TEST(RandomShips, AreFiniteAndNameTheirEnd) {
     const std::uint32_t seed = first_seed(71);
-    const int count = by_tier(4, 20, 60);
+    const int count = by_tier(4, 20, 20);
     const double seconds = kSanitized ? 2.0 : by_tier(10, 60, 300);
     int good = 0;
     for (int i = 0; i < count; ++i) sail(seed, static_cast<std::uint64_t>(i), seconds, good);

@@ -193,6 +193,30 @@ TEST(Failures, StoppedShaftRunsDownWithoutPower) {
     EXPECT_NEAR(h.get("main_rps"), n, 0.03 * n);  // first order in the step, largest at the start
 }
 
+// A pitch at its rate is reported once; the torque of the water is that of the published table.
+TEST(Actuators, PitchRateIsReportedAndTorqueIsAnOutput) {
+    Held h;
+    PropulsorDef p;
+    p.name = "main";
+    p.propeller = {.series = PropellerSeries::ka4_70, .diameter = 4.0, .pitch = 1.2};
+    p.most_rps = 2.0;
+    p.controllable = true;
+    p.pitch_time = 4.0;
+    h.def.propulsors.push_back(p);
+    h.world.add(h.def);
+    h.set("main", 1.0);
+    h.run(1.0);
+    EXPECT_NEAR(h.get("main_torque"), 0.066829 * 1025.0 * 4.0 * std::pow(4.0, 5.0), 300.0);
+    EXPECT_EQ(h.world.event_extremes(EventKind::saturation).count, 0);
+    h.set("main_pitch", -1.0);
+    h.run(4.0);
+    EXPECT_NEAR(h.get("main_set"), 0.0, 0.005);
+    h.run(5.0);
+    EXPECT_EQ(h.get("main_set"), -1.0);
+    EXPECT_EQ(h.world.event_extremes(EventKind::saturation).count, 1);
+    EXPECT_NEAR(h.world.event_extremes(EventKind::saturation).worst.value, 0.25, 1e-12);
+}
+
 TEST(Failures, RuddersJamOrGoHardOver) {
     Held h;
     RudderDef r;
