@@ -74,8 +74,8 @@ void hold_winches(World& world) {
         if (!s.input || record::signal_words(world, s).empty()) continue;
         const std::string mode = s.system + ".mode";
         const auto now = static_cast<WinchMode>(std::lround(world.system_signal(mode)));
-        const bool motor =
-            now == WinchMode::speed || now == WinchMode::tension || now == WinchMode::render;
+        const bool motor = now == WinchMode::speed || now == WinchMode::tension ||
+                           now == WinchMode::render || now == WinchMode::heave;
         world.set_system_signal(mode,
                                 static_cast<double>(motor ? WinchMode::speed : WinchMode::brake));
         world.set_system_signal(s.system + (motor ? ".speed" : ".brake"), motor ? 0.0 : 1.0);

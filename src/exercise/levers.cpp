@@ -87,7 +87,8 @@ double Levers::let_through(Lever& l, double now) {
         if (f->kind != FaultKind::motor_loses_force) continue;
         if (!l.mode)
             value *= f->share;
-        else if (value < static_cast<double>(WinchMode::brake) - 0.5)
+        else if (value < static_cast<double>(WinchMode::brake) - 0.5 ||
+                 value > static_cast<double>(WinchMode::release) + 0.5)
             value = static_cast<double>(WinchMode::free);
     }
     for (const Fault* f : l.faults)

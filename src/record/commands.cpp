@@ -32,8 +32,11 @@ std::vector<std::string> signal_words(const World& world, const SystemSignal& si
         });
     };
     if (!has("speed") || !has("tension") || !has("brake") || !has("clutch")) return {};
+    // Mode heave exists with a compensation.
     const auto modes = winch_modes();
-    return {modes.begin(), modes.end()};
+    std::vector<std::string> words{modes.begin(), modes.end()};
+    words.resize(std::min(words.size(), static_cast<std::size_t>(signal.max) + 1));
+    return words;
 }
 
 std::string signal_text(const World& world, std::string_view name, double value, bool& words) {

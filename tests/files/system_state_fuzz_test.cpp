@@ -97,6 +97,11 @@ TEST(ForgedSystemsOfAScene, Gear) {
     attack_scene("gear", of_scene(40, 350, 7000), scene::test::kCranes);
 }
 
+/// Anchors, a stability gauge, a winch that protects and compensates.
+TEST(ForgedSystemsOfAScene, Anchors) {
+    attack_scene("anchors", of_scene(40, 350, 7000), scene::test::kAnchors);
+}
+
 /// Stoppers, pins, resolution, posts, two winches.
 TEST(ForgedSystemsOfAScene, AnchorRun_full) { attack_scene("anchor_run", of_scene(20, 60, 1200)); }
 TEST(ForgedSystemsOfAScene, AnchorSea_full) { attack_scene("anchor_sea", of_scene(20, 60, 1200)); }

@@ -2,6 +2,7 @@
 #pragma once
 /// Valid scenes that between them use every part of the format.
 
+#include "anchor_scene.h"
 #include "touching_scene.h"
 #include "vessel_scene.h"
 
@@ -353,7 +354,7 @@ inline constexpr std::string_view kSea = R"({
   "repeat": {"offset": [200, 0, 0], "copies": 2}
 })";
 
-inline constexpr std::array<std::string_view, 8> kGoodScenes = {
-    kSite, kKinds, kPendulum, kTouching, kShapes, kCranes, kSea, kVessels};
+inline constexpr std::array<std::string_view, 9> kGoodScenes = {
+    kSite, kKinds, kPendulum, kTouching, kShapes, kCranes, kSea, kVessels, kAnchors};
 
 }  // namespace hawser::scene::test
