@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file anchor.h
-/// Drag-embedment anchors: holding capacity that grows with the drag distance and decreases with
+/// Drag-embedment anchors. Their holding capacity grows with the drag distance and decreases with
 /// the line angle.
 ///
 /// ```cpp
@@ -10,7 +10,7 @@
 ///                             .drag = 30.0, .set = true});
 /// world.system_signal("anchor.capacity");      // [N]
 /// ```
-/// *Capacity* along the line at the drag distance x and the line angle θ above the horizontal:
+/// *Capacity* along the line. x is the drag distance and θ the line angle above the horizontal.
 /// ```
 ///     H(x, θ) = max(UHC g(x) f(θ), μ W)        g(x) = g₀ + (1 − g₀)(1 − e^(−x/ℓ))
 ///     f: 1 at 0°, 0.75 at 5°, 0.5 at 15°, 0 at 45°; linear between
@@ -22,26 +22,28 @@
 ///     T = N_e s_u(z) A_f     s_u = s_u0 + k z     dz/dx = tan(θ_f0 − θ_a)
 ///     θ_a = √(2 E_n N_c b z (s_u0 + k z/2)/T)
 /// ```
-/// *Chain in soil* of the bearing width b from the depth z to the seabed multiplies the capacity by
-/// e^(μ_c (θ_a − θ)) for θ < θ_a, with θ_a² = θ² + 2 E_n N_c b z (s_u0 + k z/2)/T (S. R. Neubecker,
-/// M. F. Randolph, "Profile and frictional capacity of embedded anchor chains", J. Geotech. Eng.
-/// 121, 1995).
+/// *Chain in soil* has the bearing width b and runs from the depth z to the seabed. It multiplies
+/// the capacity by e^(μ_c (θ_a − θ)) for θ < θ_a (S. R. Neubecker, M. F. Randolph, "Profile and
+/// frictional capacity of embedded anchor chains", J. Geotech. Eng. 121, 1995):
+/// ```
+///     θ_a² = θ² + 2 E_n N_c b z (s_u0 + k z/2)/T
+/// ```
 ///
-/// *Rows*. The soil acts on the point by three slide_friction interactions, NAME/x, NAME/y and
-/// NAME/z, whose bounds the system sets in each step. An anchor below its capacity therefore does
-/// not creep. Three hinge_friction interactions, NAME/rx, NAME/ry and NAME/rz, keep its attitude.
-/// The drag x increases only while the rows slide at their bounds; unloading keeps it.
+/// *Rows*. The soil acts on the point by the slide_friction interactions NAME/x, NAME/y and NAME/z.
+/// The system sets their bounds in each step, so that an anchor below its capacity does not creep.
+/// The hinge_friction interactions NAME/rx, NAME/ry and NAME/rz keep its attitude. The drag x
+/// increases only while the rows slide at their bounds; unloading keeps it.
 ///
 /// *Free anchor*. On the seabed it has the friction μ W. It becomes set when it has been dragged by
 /// `set_after` at θ ≤ 45°. A set anchor breaks out if the vertical force on it exceeds V_b =
 /// `breakout` UHC g(x), or if θ > 45°. Then x = 0.
 ///
-/// Outputs, as "name.signal": `drag` [m], `capacity` [N], `tension` [N] of the line, `line_angle`
-/// [rad], `set` 0 or 1, `depth` [m] of the point below the seabed by the law, `breakout` [N],
-/// `utilisation` [1].
+/// Outputs, as "name.signal": `drag` [m], `capacity` [N], `tension` [N] and `line_angle` [rad] of
+/// the line, `set` 0 or 1. Further `depth` [m] of the point below the seabed by the law, `breakout`
+/// [N], `utilisation` [1].
 ///
-/// Events of the body: `join` when it is set (value: drag [m]), `render` when it begins to drag
-/// (tension [N]), `detach` when it breaks out (tension [N]).
+/// Events of the body: `join` when it is set, with the drag until then [m]. `render` when it begins
+/// to drag and `detach` when it breaks out, with the tension [N].
 ///
 /// Limits and sources: docs/anchors.md.
 
@@ -123,15 +125,15 @@ struct AnchorDef {
     double full_depth = 0.0;        ///< Depth of the point at full drag, exponential law [m].
     double breakout = kDefault;     ///< V_b over UHC g [1]; default: 0.17 in sand, 0.75 in clay.
     double friction = 0.5;          ///< μ of a free anchor on the seabed [1].
-    double weight = kDefault;       ///< Submerged weight W [N]; default: that of the body less the
-                                    ///< weight of the water that the sea has it displace.
-    double seabed = kDefault;       ///< z of the seabed [m]; default: of the sea, else of the
-                                    ///< initial position of the point.
-    double touch = 0.5;             ///< Largest height of a free anchor on the seabed [m].
-    double set_after = kDefault;    ///< Drag until a free anchor is set [m]; default: 0.5
-                                    ///< fluke_length.
-    double drag = 0.0;              ///< Drag x at the start [m].
-    bool set = false;               ///< True: it is set at the start.
+    double weight = kDefault;  ///< Submerged weight W [N]; default: weight of the body, less that
+                               ///< of the water that it displaces in the sea.
+    double seabed = kDefault;     ///< z of the seabed [m]; default: of the sea, else of the
+                                  ///< initial position of the point.
+    double touch = 0.5;           ///< Largest height of a free anchor on the seabed [m].
+    double set_after = kDefault;  ///< Drag until a free anchor is set [m]; default: 0.5
+                                  ///< fluke_length.
+    double drag = 0.0;            ///< Drag x at the start [m].
+    bool set = false;             ///< True: it is set at the start.
     AnchorClay clay{};
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file stability.h
-/// Stability gauge of a ship with a towline: permissible tension for the present direction of the
-/// wire, heel, righting lever and residual area.
+/// Stability gauge of a ship with a towline. It reports the permissible tension for the present
+/// direction of the wire, the heel, the righting lever and the residual area.
 ///
 /// ```cpp
 /// world.add(hawser::StabilityDef{.name = "gauge", .body = ship, .wire = tow,
@@ -10,16 +10,17 @@
 ///                                .bollard_pull = 1.5e6});
 /// world.system_signal("gauge.permissible");     // [N]
 /// ```
-/// *Heeling lever* (IMO, International Code on Intact Stability, part B, 2.7, MSC.415(97)) of a
-/// tension F with the horizontal angle α to the centreline and β below the waterplane:
+/// *Heeling lever* of a tension F. The wire has the horizontal angle α to the centreline and the
+/// angle β below the waterplane (IMO, International Code on Intact Stability, part B, 2.7,
+/// MSC.415(97)):
 /// ```
 ///     HM = F (h sin α cos β + y sin β)       HL = HM/Δ cos φ       y = y₀ + x tan α
 /// ```
-/// h is the height of the pin above the thrust line, y₀ the distance of the pin from the
-/// centreline, x the distance of the stern from the pin. Δ is the weight of the ship plus F sin β.
+/// h is the height of the pin above the thrust line. The pin has the distance y₀ from the
+/// centreline, the stern the distance x from the pin. Δ is the weight of the ship plus F sin β.
 ///
-/// *Righting lever* GZ: of the hull's mesh in the sea with the added weight F sin β at the pin's
-/// height on the centreline; or GM sin φ without a mesh.
+/// *Righting lever* GZ. It comes from the hull's mesh in the sea, with the weight F sin β added at
+/// the pin's height on the centreline. Without a mesh it is GM sin φ.
 ///
 /// *Criteria*. The permissible tension is the largest F with all of:
 /// 1. first intersection of HL and GZ ≤ the angle with half of the largest GZ, the deck edge in the
@@ -29,12 +30,13 @@
 /// 3. largest GZ − HL ≥ `residual_lever`;
 /// 4. freeboard at the stern ≥ `freeboard` (if `stern` is given).
 ///
-/// Outputs, as "name.signal": `tension` [N], `alpha`, `beta` [rad], `moment` [N m], `lever` HM/Δ
-/// [m] with Δ the weight of the ship alone, `worst_beta` [rad] of the largest moment, `heel_gm`
-/// [rad] = atan(lever/GM), `heel` [rad] (positive to starboard), `gz` [m] at it, `gz_max` [m],
-/// `gz_max_angle` [rad], `static_heel` [rad], `residual_area` [m rad], `residual_lever` [m],
-/// `permissible` [N], `criterion` (number of the criterion that limits it), `utilisation` [1],
-/// `alarm` (0 none, 1 warning, 2 alarm).
+/// Outputs, as "name.signal":
+/// - `tension` [N], `alpha`, `beta` [rad] of the wire;
+/// - `moment` HM [N m], `lever` [m], HM over the weight of the ship alone;
+/// - `worst_beta` [rad] of the largest moment, `heel_gm` [rad] = atan(lever/GM);
+/// - `heel` [rad], positive to starboard, `gz` [m] at it, `gz_max` [m], `gz_max_angle` [rad];
+/// - `static_heel` [rad], `residual_area` [m rad], `residual_lever` [m];
+/// - `permissible` [N], `criterion` that limits it, `utilisation` [1], `alarm` 0, 1 or 2.
 ///
 /// Events of the body: `alarm` and `alarm_end`, value: utilisation. Level 1 begins at `warn`, level
 /// 2 at 1 or at |heel| ≥ `most_heel`; a level ends `hysteresis` below.
@@ -62,12 +64,12 @@ struct StabilityDef {
     WireId wire{};            ///< Towline; its end on the ship's side is found. Required.
     Vec3 pin{0.0, 0.0, 0.0};  ///< Inner side of the towing pin at the highest support of the
                               ///< wire, in the body's frame [m]. Required.
-    double thrust_height = kDefault;  ///< z of the thrust line in the body's frame [m]; default:
-                                      ///< half of the draught of the mesh.
-    double stern_x = kDefault;        ///< x of the stern [m]; default: that of the pin.
-    double bollard_pull = 0.0;        ///< BP [N]; limits the angle β of the largest moment.
-    double mass = kDefault;           ///< Displacement [kg]; default: mass of the body.
-    double gm = kDefault;             ///< Metacentric height [m]; required without a mesh.
+    /// Height z of the thrust line in the body's frame [m]. Default: half of the mesh's draught.
+    double thrust_height = kDefault;
+    double stern_x = kDefault;  ///< Position x of the stern [m]; default: that of the pin.
+    double bollard_pull = 0.0;  ///< BP [N]; limits the angle β of the largest moment.
+    double mass = kDefault;     ///< Displacement [kg]; default: mass of the body.
+    double gm = kDefault;       ///< Metacentric height [m]; required without a mesh.
     double most_heel = 0.2617993877991494;  ///< [rad]; 15°.
     double deck_edge = kDefault;   ///< Heel with the deck edge in the water [rad]; default: none.
     double flooding = kDefault;    ///< Flooding angle [rad]; default: none.

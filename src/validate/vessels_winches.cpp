@@ -83,7 +83,8 @@ void report_heave(Report& report) {
                    {slow > 0.4 ? 1.0 : 0.0}, 0.0, "it lacks two thirds of the speed", 1.0);
 }
 
-/// A winch ashore holds a ship that surges and drifts off. @param slack  Of the wire at first [m].
+/// A winch ashore holds a ship that surges and drifts off. @param slack  Excess length of the wire
+/// at first [m].
 struct Overloaded {
     double worst = 0.0, out = 0.0, peak = 0.0;  ///< |T/limit − 1| while it pays out; [m], [N].
     bool parted = false;
