@@ -70,6 +70,8 @@ struct EventFigures {
     ListedEvent first, worst;  ///< Where they are, in words.
     const char* unit = "";     ///< Of the values.
     bool vessels = false;      ///< Of kind saturation: actuators of vessels are among them.
+    bool anchors =
+        false;  ///< True if the first or worst one is of an anchor: render, join, detach.
 };
 
 struct Summary {
