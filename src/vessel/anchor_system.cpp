@@ -42,6 +42,16 @@ bool pull_of_lines(const World& world, BodyId body, WireId only, Vec3& pull) noe
 
 }  // namespace
 
+AnchorBounds first_bounds(const AnchorDef& def, bool carried, bool grounded) {
+    const AnchorCapacity law(def);
+    const double strength = law.strength(def.drag), drags = def.friction * def.weight;
+    if (def.set)
+        return {law.capacity(def.drag, 0.0), std::max(def.breakout * strength, 2.0 * def.weight),
+                std::max(strength, drags) * def.fluke_length};
+    if (!grounded) return {};
+    return {drags, carried ? 0.0 : def.weight, 0.0};
+}
+
 AnchorSystem::AnchorSystem(AnchorDef def, const AnchorRows& rows)
     : def_(std::move(def)),
       law_(def_),
@@ -50,6 +60,10 @@ AnchorSystem::AnchorSystem(AnchorDef def, const AnchorRows& rows)
       drag_before_(def_.drag),
       set_(def_.set ? 1 : 0),
       grounded_(set_) {
+    const AnchorBounds first = first_bounds(def_, rows_.carried, rows_.grounded);
+    bound_[0] = bound_[1] = first.level;
+    bound_[2] = first.up;
+    turn_bound_ = first.turn;
     set_shown_ = set_;
     depth_ = set_ != 0 ? law_.depth(drag_) : 0.0;
     capacity_ = set_ != 0 ? law_.capacity(drag_, 0.0) : def_.friction * def_.weight;

@@ -28,9 +28,16 @@ namespace hawser::vessel {
 struct AnchorRows {
     std::array<InteractionId, 3> slide{}, turn{};
     std::array<InputId, 3> slide_bound{}, turn_bound{};
-    bool carried = false;  ///< True: the body has shapes, whose contacts bear its weight.
-    double mass = 0.0;     ///< Mass of the body [kg].
+    bool grounded = false;  ///< True: on the seabed at the start.
+    bool carried = false;   ///< True: the body has shapes, whose contacts bear its weight.
+    double mass = 0.0;      ///< Mass of the body [kg].
 };
+
+/// Bounds of the rows before the first step, without a line [N, N m].
+struct AnchorBounds {
+    double level = 0.0, up = 0.0, turn = 0.0;
+};
+[[nodiscard]] AnchorBounds first_bounds(const AnchorDef& def, bool carried, bool grounded);
 
 class AnchorSystem final : public System {
   public:
