@@ -17,9 +17,10 @@ namespace {
 
 constexpr double kHeelStep = 1.0 / 60.0, kHeelDegree = kPi / 180.0;
 // A box of 80 x 18 x 8 m with a draught of 5 m and its centre of mass 6 m above the keel.
-constexpr double kBeam = 18.0, kDepth = 8.0, kDraught = 5.0, kKg = 6.0, kLong = 80.0;
-constexpr double kShipMass = 1025.0 * kLong * kBeam * kDraught;
-constexpr double kUpper = 3.0, kLower = -4.0;  ///< z of the wires at the ship [m].
+constexpr double kHeelBeam = 18.0, kHeelDepth = 8.0, kHeelDraught = 5.0, kHeelKg = 6.0,
+                 kHeelLong = 80.0;
+constexpr double kShipMass = 1025.0 * kHeelLong * kHeelBeam * kHeelDraught;
+constexpr double kUpperWire = 3.0, kLowerWire = -4.0;  ///< z of the wires at the ship [m].
 
 /// A ship between two buoys that pull abeam, the upper wire to starboard, the lower one to port.
 struct Heeled {
@@ -30,14 +31,14 @@ struct Heeled {
     Heeled() {
         constexpr double kFar = 500.0;
         ship = w.add_body({.name = "ship",
-                           .position = {0, 0, kKg - kDraught},
+                           .position = {0, 0, kHeelKg - kHeelDraught},
                            .mass = kShipMass,
                            .inertia = Vec3(40.0, 550.0, 550.0).asDiagonal() * kShipMass});
         for (int k = 0; k < 2; ++k) {
-            const double z = k == 0 ? kUpper : kLower, side = k == 0 ? -1.0 : 1.0;
+            const double z = k == 0 ? kUpperWire : kLowerWire, side = k == 0 ? -1.0 : 1.0;
             buoy[k] = w.add_body({.name = k == 0 ? "upper" : "lower",
                                   .kind = BodyKind::lump,
-                                  .position = {0, side * kFar, z + kKg - kDraught},
+                                  .position = {0, side * kFar, z + kHeelKg - kHeelDraught},
                                   .mass = 1e5,
                                   .linear_damping = Vec3::Constant(1e5),
                                   .gravity = false});
@@ -50,13 +51,14 @@ struct Heeled {
                                   .EA = 1e9,
                                   .mass_per_length = 1.0});
         }
-        HullMesh mesh = box_hull({0.5 * kLong, 0.5 * kBeam, 0.5 * kDepth});
-        for (Vec3& v : mesh.vertices) v.z() += 0.5 * kDepth - kKg;
+        HullMesh mesh = box_hull({0.5 * kHeelLong, 0.5 * kHeelBeam, 0.5 * kHeelDepth});
+        for (Vec3& v : mesh.vertices) v.z() += 0.5 * kHeelDepth - kHeelKg;
         SeaDef sea{.depth = 200.0};
         sea.hulls.push_back(
             {.body = ship, .mesh = mesh, .damping = {1e6, 1e6, 5e6, 1e8, 1e9, 1e9}});
         w.add(sea);
-        w.add(StabilityDef{.name = "gauge", .body = ship, .wire = wire[0], .pin = {0, 0, kUpper}});
+        w.add(StabilityDef{
+            .name = "gauge", .body = ship, .wire = wire[0], .pin = {0, 0, kUpperWire}});
     }
     void pull(double force) {
         w.set_force(buoy[0], {0, -force, 0}, Vec3::Zero());
@@ -82,7 +84,8 @@ struct Heeled {
 
 /// Righting lever of a wall-sided ship, by the formula of text books.
 double wall_sided(double heel) {
-    const double bm = kBeam * kBeam / (12.0 * kDraught), gm = 0.5 * kDraught + bm - kKg;
+    const double bm = kHeelBeam * kHeelBeam / (12.0 * kHeelDraught),
+                 gm = 0.5 * kHeelDraught + bm - kHeelKg;
     return std::sin(heel) * (gm + 0.5 * bm * std::tan(heel) * std::tan(heel));
 }
 
@@ -108,8 +111,8 @@ void report_capsize(Report& report) {
         Heeled h;
         for (const auto& [heel, gz] : gz_curve(h.w, "gauge"))
             if (heel < 70.0 * kHeelDegree)
-                most = std::max(most,
-                                gz * kShipMass * kGravity / ((kUpper - kLower) * std::cos(heel)));
+                most = std::max(
+                    most, gz * kShipMass * kGravity / ((kUpperWire - kLowerWire) * std::cos(heel)));
     }
     for (const double share : {0.97, 1.03}) {
         Heeled h;
@@ -164,10 +167,10 @@ void report_gauge(Report& report) {
 
 /// Criteria of a ship with GZ = GM sin φ, by closed forms.
 void report_permissible(Report& report) {
-    constexpr double kGm = 1.2, kMass = 5e6, kAlpha = 40.0 * kHeelDegree, kHigh = 6.0;
+    constexpr double kGm = 1.2, kGaugeMass = 5e6, kAlpha = 40.0 * kHeelDegree, kHigh = 6.0;
     World w{WorldDef{.step = kHeelStep}};
     const BodyId ship = w.add_body({.name = "ship",
-                                    .mass = kMass,
+                                    .mass = kGaugeMass,
                                     .inertia = Vec3(2e8, 2e9, 2e9).asDiagonal(),
                                     .gravity = false});
     const BodyId far =
@@ -185,7 +188,7 @@ void report_permissible(Report& report) {
     def.name = "heel";
     w.add(def);
     const double k1 = kGm * std::tan(15.0 * kHeelDegree);
-    const double unit = kHigh * std::sin(kAlpha) / (kMass * 9.81);
+    const double unit = kHigh * std::sin(kAlpha) / (kGaugeMass * 9.81);
     report.compare("gauge, level wire: permissible tension by 15 degrees of heel [N]", {k1 / unit},
                    {permissible_tension(w, "heel", kAlpha, 0.0)}, 1e-4,
                    "relative; samples of 0.5 degrees");

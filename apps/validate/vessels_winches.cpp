@@ -32,19 +32,19 @@ WinchDef aided_winch(WireId wire) {
 double load_heave(double frequency, WinchMode mode, double most_speed) {
     constexpr double kHeave = 1.5, kHigh = 60.0;
     World w{WorldDef{.step = kAidStep}};
-    constexpr double kShip = 5e6, kLoad = 20e3;
+    constexpr double kShip = 5e6, kHungLoad = 20e3;
     const BodyId ship = w.add_body({.name = "ship",
                                     .position = {0, 0, kHigh},
                                     .mass = kShip,
                                     .inertia = 1e9 * Mat3::Identity(),
                                     .gravity = false});
-    const BodyId load =
-        w.add_body({.name = "load", .kind = BodyKind::lump, .position = {0, 0, 0}, .mass = kLoad});
+    const BodyId load = w.add_body(
+        {.name = "load", .kind = BodyKind::lump, .position = {0, 0, 0}, .mass = kHungLoad});
     const WireId wire = w.add_wire({.name = "wire",
                                     .from = ship,
                                     .to = load,
                                     .elements = 1,
-                                    .length = kHigh / (1.0 + kLoad * kGravity / 2e8),
+                                    .length = kHigh / (1.0 + kHungLoad * kGravity / 2e8),
                                     .EA = 2e8,
                                     .mass_per_length = 10.0});
     WinchDef def = aided_winch(wire);
@@ -59,7 +59,7 @@ double load_heave(double frequency, WinchMode mode, double most_speed) {
         const double rate = t < 20.0 ? 1.0 / 20.0 : 0.0;
         const double acceleration = kHeave * (2.0 * rate * omega * std::cos(omega * t) -
                                               in * omega * omega * std::sin(omega * t));
-        w.set_force(ship, {0, 0, kShip * acceleration + kLoad * kGravity}, Vec3::Zero());
+        w.set_force(ship, {0, 0, kShip * acceleration + kHungLoad * kGravity}, Vec3::Zero());
         advance(w, 1);
         if (w.time() < 60.0) continue;
         low = std::min(low, w.pose(load).position.z());

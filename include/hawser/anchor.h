@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file anchor.h
-/// Drag-embedment anchors: holding capacity that grows with the drag distance and decreases with
+/// Drag-embedment anchors. Their holding capacity grows with the drag distance and decreases with
 /// the line angle.
 ///
 /// ```cpp
@@ -37,12 +37,12 @@
 /// `set_after` at θ ≤ 45°. A set anchor breaks out if the vertical force on it exceeds V_b =
 /// `breakout` UHC g(x), or if θ > 45°. Then x = 0.
 ///
-/// Outputs, as "name.signal": `drag` [m], `capacity` [N], `tension` [N] of the line, `line_angle`
-/// [rad], `set` 0 or 1, `depth` [m] of the point below the seabed by the law, `breakout` [N],
-/// `utilisation` [1].
+/// Outputs, as "name.signal": `drag` [m], `capacity` [N], `tension` [N] and `line_angle` [rad] of
+/// the line, `set` 0 or 1. Further `depth` [m] of the point below the seabed by the law, `breakout`
+/// [N], `utilisation` [1].
 ///
-/// Events of the body: `join` when it is set (value: drag [m]), `render` when it begins to drag
-/// (tension [N]), `detach` when it breaks out (tension [N]).
+/// Events of the body: `join` when it is set, with the drag until then [m]. `render` when it begins
+/// to drag and `detach` when it breaks out, with the tension [N].
 ///
 /// Limits and sources: docs/anchors.md.
 

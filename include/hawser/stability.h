@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file stability.h
-/// Stability gauge of a ship with a towline: permissible tension for the present direction of the
-/// wire, heel, righting lever and residual area.
+/// Stability gauge of a ship with a towline. It reports the permissible tension for the present
+/// direction of the wire, the heel, the righting lever and the residual area.
 ///
 /// ```cpp
 /// world.add(hawser::StabilityDef{.name = "gauge", .body = ship, .wire = tow,
@@ -67,12 +67,12 @@ struct StabilityDef {
     WireId wire{};            ///< Towline; its end on the ship's side is found. Required.
     Vec3 pin{0.0, 0.0, 0.0};  ///< Inner side of the towing pin at the highest support of the
                               ///< wire, in the body's frame [m]. Required.
-    double thrust_height = kDefault;  ///< z of the thrust line in the body's frame [m]; default:
-                                      ///< half of the draught of the mesh.
-    double stern_x = kDefault;        ///< x of the stern [m]; default: that of the pin.
-    double bollard_pull = 0.0;        ///< BP [N]; limits the angle β of the largest moment.
-    double mass = kDefault;           ///< Displacement [kg]; default: mass of the body.
-    double gm = kDefault;             ///< Metacentric height [m]; required without a mesh.
+    /// Height z of the thrust line in the body's frame [m]. Default: half of the mesh's draught.
+    double thrust_height = kDefault;
+    double stern_x = kDefault;  ///< Position x of the stern [m]; default: that of the pin.
+    double bollard_pull = 0.0;  ///< BP [N]; limits the angle β of the largest moment.
+    double mass = kDefault;     ///< Displacement [kg]; default: mass of the body.
+    double gm = kDefault;       ///< Metacentric height [m]; required without a mesh.
     double most_heel = 0.2617993877991494;  ///< [rad]; 15°.
     double deck_edge = kDefault;   ///< Heel with the deck edge in the water [rad]; default: none.
     double flooding = kDefault;    ///< Flooding angle [rad]; default: none.

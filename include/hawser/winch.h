@@ -35,7 +35,9 @@
 /// the fastening of the chain in the locker.
 ///
 /// *Heave compensation*. In mode heave the motor pays out by the upward motion of a point of the
-/// ship, so that a load below it keeps its height. *Overload protection*. Above `overload_limit`
+/// ship. A load below the point keeps its height.
+///
+/// *Overload protection*. Above `overload_limit`
 /// the winch pays out in every mode: AOPS. The input `mops` reduces its holding force to
 /// `overload_retained` at once: MOPS.
 ///

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <hawser/anchor.h>
+
 #include "record/event_input.h"
 #include "record/units.h"
 #include "report/summary.h"
@@ -131,6 +133,7 @@ std::string how_often(const EventFigures& e) {
 
 /// Return a text with an event and its number of occurrences.
 std::string what_happened(const EventFigures& e) {
+    if (e.anchors) return of_anchors(e);
     switch (e.kind) {
         case EventKind::line_break:
             return plural(e.count, "line parted", "lines parted");
@@ -225,6 +228,16 @@ std::string place_in_words(const World& world, const Event& event) {
     return record::interaction_in_words(world, event.interaction);
 }
 
+/// True if an anchor dragged, was set or broke out.
+bool is_of_anchor(const World& world, const Event& event) {
+    const bool shared = event.kind == EventKind::render || event.kind == EventKind::join ||
+                        event.kind == EventKind::detach;
+    if (!shared || !event.body.valid()) return false;
+    for (const AnchorView& anchor : anchors_of(world))
+        if (anchor.def.body == event.body) return true;
+    return false;
+}
+
 ListedEvent listed(const World& world, const Event& event) {
     return {event.time, to_string(event.kind), place_in_words(world, event), event.value};
 }
@@ -239,8 +252,11 @@ std::vector<EventFigures> event_figures(const World& world) {
         const bool vessels =
             extremes.first.kind == EventKind::saturation &&
             !(extremes.first.interaction.valid() && extremes.worst.interaction.valid());
+        const bool anchors =
+            is_of_anchor(world, extremes.first) || is_of_anchor(world, extremes.worst);
         out.push_back({extremes.first.kind, extremes.count, listed(world, extremes.first),
-                       listed(world, extremes.worst), unit_of(world, extremes.worst), vessels});
+                       listed(world, extremes.worst), unit_of(world, extremes.worst), vessels,
+                       anchors});
     }
     std::stable_sort(out.begin(), out.end(), [](const EventFigures& a, const EventFigures& b) {
         return rank_of(a.kind) < rank_of(b.kind);

@@ -14,7 +14,7 @@ namespace hawser {
 namespace {
 
 constexpr double kKip = 4448.2216152605;  ///< [N].
-constexpr double kStandardGravity = 9.80665;
+constexpr double kAnchorGravity = 9.80665;
 
 constexpr const char* kAnchorSoilNames[] = {"none", "soft_clay", "medium_clay", "sand"};
 constexpr const char* kAnchorTypeNames[] = {
@@ -54,7 +54,7 @@ double anchor_uhc(AnchorType type, AnchorSoil soil, double mass) noexcept {
     const bool sand = soil == AnchorSoil::sand;
     const double at_ten = sand ? line.sand : line.clay;
     if (!(at_ten > 0.0)) return kNone;
-    const double weight = mass * kStandardGravity / (10.0 * kKip);
+    const double weight = mass * kAnchorGravity / (10.0 * kKip);
     return kKip * at_ten * std::pow(weight, sand ? line.sand_power : line.clay_power);
 }
 

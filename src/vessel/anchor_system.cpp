@@ -11,6 +11,8 @@
 namespace hawser::vessel {
 namespace {
 
+constexpr double kRests = 5.0;  ///< Time at rest after which dragging begins anew [s].
+constexpr std::int32_t kMostSteps = 1'000'000;
 constexpr double kAtBound = 1e-9;  ///< Relative distance of a sliding row's force to its bound.
 
 /// Return the force of the wires that end on a body, or of one of them; nothing ends there: false.
@@ -40,6 +42,16 @@ bool pull_of_lines(const World& world, BodyId body, WireId only, Vec3& pull) noe
 
 }  // namespace
 
+AnchorBounds first_bounds(const AnchorDef& def, bool carried, bool grounded) {
+    const AnchorCapacity law(def);
+    const double strength = law.strength(def.drag), drags = def.friction * def.weight;
+    if (def.set)
+        return {law.capacity(def.drag, 0.0), std::max(def.breakout * strength, 2.0 * def.weight),
+                std::max(strength, drags) * def.fluke_length};
+    if (!grounded) return {};
+    return {drags, carried ? 0.0 : def.weight, 0.0};
+}
+
 AnchorSystem::AnchorSystem(AnchorDef def, const AnchorRows& rows)
     : def_(std::move(def)),
       law_(def_),
@@ -48,6 +60,10 @@ AnchorSystem::AnchorSystem(AnchorDef def, const AnchorRows& rows)
       drag_before_(def_.drag),
       set_(def_.set ? 1 : 0),
       grounded_(set_) {
+    const AnchorBounds first = first_bounds(def_, rows_.carried, rows_.grounded);
+    bound_[0] = bound_[1] = first.level;
+    bound_[2] = first.up;
+    turn_bound_ = first.turn;
     set_shown_ = set_;
     depth_ = set_ != 0 ? law_.depth(drag_) : 0.0;
     capacity_ = set_ != 0 ? law_.capacity(drag_, 0.0) : def_.friction * def_.weight;
@@ -59,13 +75,14 @@ void AnchorSystem::visit_state(StateVisitor& v) {
                       &angle_, &set_shown_, &depth_, &breakout_, &used_})
         v.visit(*x);
     for (double* x : {last_, speed_, bound_, pull_}) v.visit(std::span<double>(x, 3));
-    for (std::int32_t* x : {&set_, &begun_, &dragging_, &grounded_}) v.visit(*x);
+    for (std::int32_t* x : {&set_, &begun_, &dragging_, &grounded_, &still_}) v.visit(*x);
 }
 
 void AnchorSystem::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
     for (const std::int32_t x : {set_, begun_, dragging_, grounded_})
         rules.flag(x, "a condition of the anchor is no flag");
+    rules.require(still_ >= 0 && still_ < 2'000'000'000, "the steps of rest are out of range");
     for (const double x : {drag_, drag_before_, scraped_})
         rules.range(x, 0.0, 1e7, "the drag of the anchor is out of range");
     for (const double x : bound_)
@@ -145,7 +162,8 @@ void AnchorSystem::follow_drag(Prestep& now) noexcept {
     if (set_ != 0) {
         if (slides) drag_ += moved_;
         if (slides && dragging_ == 0) now.tell(EventKind::render, def_.body, tension_);
-        dragging_ = slides ? 1 : 0;
+        still_ = slides ? 0 : std::min(still_ + 1, kMostSteps);
+        dragging_ = slides || (dragging_ != 0 && still_ * now.step < kRests) ? 1 : 0;
         return;
     }
     dragging_ = 0;
@@ -189,9 +207,10 @@ void AnchorSystem::set_bounds(Prestep& now) noexcept {
                                  : level * p / across;
         give(now, rows_.slide_bound[i], bound_[i], bound);
     }
-    // What bears a free anchor without contacts gives way to a lift.
+    // Without contacts, the soil bears the weight that no lift bears.
     const double bears = rows_.carried || !grounded ? 0.0 : std::max(def_.weight - lift_, 0.0);
-    give(now, rows_.slide_bound[2], bound_[2], set ? std::max(breakout_, 2.0 * def_.weight) : bears);
+    give(now, rows_.slide_bound[2], bound_[2],
+         set ? std::max(breakout_, 2.0 * def_.weight) : bears);
     const double turn = set ? std::max(law_.strength(drag_), drags) * def_.fluke_length : 0.0;
     if (turn != turn_bound_)
         for (const InputId id : rows_.turn_bound) now.set_input(id, turn);

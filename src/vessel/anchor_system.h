@@ -3,15 +3,14 @@
 /// @file anchor_system.h
 /// Soil on a drag-embedment anchor (hawser/anchor.h).
 ///
-/// Each step computes the bounds of the rows from the force p on the anchor, that of the rows left
-/// out. Both horizontal rows together are to bear H cos θ in the direction of p, and no less below
-/// it:
+/// Each step computes the bounds of the rows from the force p on the anchor. p is the force of the
+/// lines at the anchor. Without lines the equation of motion gives it, p = m Δv/h − F with the
+/// force F of the rows. Both horizontal rows together bear H cos θ in the direction of p:
 /// ```
 ///     bound_i = √(H² − |p|² + p_i²)  if |p| ≤ H        bound_i = H |p_i|/|p|  otherwise
 /// ```
-/// so that a load below the capacity leaves every row below its bound, and a greater one slides in
-/// its own direction. p is that of the lines at the anchor; without lines it follows from the
-/// equation of motion, p = m Δv/h − F.
+/// A load below the capacity leaves every row below its bound. A greater one slides in its own
+/// direction.
 
 #include <hawser/anchor.h>
 #include <hawser/system.h>
@@ -29,9 +28,16 @@ namespace hawser::vessel {
 struct AnchorRows {
     std::array<InteractionId, 3> slide{}, turn{};
     std::array<InputId, 3> slide_bound{}, turn_bound{};
-    bool carried = false;  ///< True: the body has shapes, whose contacts bear its weight.
-    double mass = 0.0;     ///< Mass of the body [kg].
+    bool grounded = false;  ///< True: on the seabed at the start.
+    bool carried = false;   ///< True: the body has shapes, whose contacts bear its weight.
+    double mass = 0.0;      ///< Mass of the body [kg].
 };
+
+/// Bounds of the rows before the first step, without a line [N, N m].
+struct AnchorBounds {
+    double level = 0.0, up = 0.0, turn = 0.0;
+};
+[[nodiscard]] AnchorBounds first_bounds(const AnchorDef& def, bool carried, bool grounded);
 
 class AnchorSystem final : public System {
   public:
@@ -61,6 +67,7 @@ class AnchorSystem final : public System {
     // State.
     double drag_, drag_before_ = 0.0, scraped_ = 0.0;
     std::int32_t set_, begun_ = 0, dragging_ = 0, grounded_ = 0;
+    std::int32_t still_ = 0;   ///< Steps since it slid; at most those of kRests.
     double last_[3] = {};      ///< Position of the point [m].
     double speed_[3] = {};     ///< Velocity of the body in the step before [m/s].
     double bound_[3] = {};     ///< Bounds of the slides [N].
@@ -69,7 +76,7 @@ class AnchorSystem final : public System {
     // Outputs.
     double capacity_ = 0.0, tension_ = 0.0, angle_ = 0.0, set_shown_ = 0.0, depth_ = 0.0;
     double breakout_ = 0.0, used_ = 0.0;
-    // Of the step that begins.
+    // Derived at the begin of a step.
     double lift_ = 0.0;                    ///< Vertical force on the anchor without its weight [N].
     double moved_ = 0.0;                   ///< Horizontal distance of the last step [m].
     bool slides_ = false, lifts_ = false;  ///< At their bounds in the last step.

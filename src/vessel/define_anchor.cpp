@@ -155,7 +155,7 @@ Quat to_axis(int i) {
 
 /// Add one row between the soil and the anchor, with the input of its bound.
 InteractionId add_soil_row(World& world, const AnchorDef& def, BodyId soil, int axis, bool turns,
-                           InputId& bound) {
+                           double first, InputId& bound) {
     constexpr const char* kNames[] = {"/x", "/y", "/z", "/rx", "/ry", "/rz"};
     const char* param = turns ? "torque" : "force";
     InteractionDef row;
@@ -165,7 +165,7 @@ InteractionId add_soil_row(World& world, const AnchorDef& def, BodyId soil, int 
     row.point[1] = def.point;
     row.frame[0] = to_axis(axis);
     row.frame[1] = (world.pose(def.body).orientation.conjugate() * row.frame[0]).normalized();
-    row.set(param, 0.0);
+    row.set(param, first);
     const InteractionId id = world.add_interaction(row);
     bound = world.add_input(
         {.name = row.name + "/" + param, .interaction = id, .param = param, .min = 0.0});
@@ -210,14 +210,18 @@ System* define(World& world, const AnchorDef& given) {
     vessel::AnchorRows rows;
     rows.mass = world.body_def(def.body).mass;
     rows.carried = has_shapes(world, def.body);
+    const double above = world.world_point(def.body, def.point).z() - def.seabed;
+    rows.grounded = def.set || above <= def.touch;
+    const vessel::AnchorBounds first = vessel::first_bounds(def, rows.carried, rows.grounded);
     const BodyId soil = world.add_body({.name = def.name + "/soil",
                                         .kind = BodyKind::fixed,
                                         .position = world.world_point(def.body, def.point)});
     try {
         for (int i = 0; i < 3; ++i) {
             const auto k = static_cast<std::size_t>(i);
-            rows.slide[k] = add_soil_row(world, def, soil, i, false, rows.slide_bound[k]);
-            rows.turn[k] = add_soil_row(world, def, soil, i, true, rows.turn_bound[k]);
+            rows.slide[k] = add_soil_row(world, def, soil, i, false, i < 2 ? first.level : first.up,
+                                         rows.slide_bound[k]);
+            rows.turn[k] = add_soil_row(world, def, soil, i, true, first.turn, rows.turn_bound[k]);
         }
         return &world.add_system(std::make_unique<vessel::AnchorSystem>(def, rows));
     } catch (...) {

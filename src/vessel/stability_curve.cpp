@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kRightAngle = 0.5 * std::numbers::pi;
 constexpr double kHeavier = 1.15;  ///< Second displacement of the table, over the first.
-constexpr int kSamples = 180;      ///< Of the residual area, from 0 to 90°.
+constexpr int kSamples = 180;      ///< Number of samples of the residual area, from 0 to 90°.
 
 /// Return the value of a table from 0 to 90° by cubics through four neighbours.
 template <std::size_t N>

@@ -28,7 +28,7 @@ class StabilityCurve {
     /// Return h [m].
     [[nodiscard]] double height() const noexcept { return def_.pin.z() - def_.thrust_height; }
     [[nodiscard]] StabilityCheck check(double force, double alpha, double beta) const noexcept;
-    /// @param halvings  Of the interval up to the ship's weight.
+    /// @param halvings  Number of bisections of the interval up to the ship's weight.
     [[nodiscard]] double permissible(double alpha, double beta, int halvings) const noexcept;
     [[nodiscard]] const StabilityDef& def() const noexcept { return def_; }
 
@@ -46,7 +46,7 @@ class StabilityCurve {
     Levers light_{}, heavy_{};  ///< GZ of the mesh at the mass and at kHeavier times it.
     bool meshed_ = false;
     std::array<double, 2> most_{};
-    double half_angle_ = 0.0;  ///< Of half of the largest GZ [rad].
+    double half_angle_ = 0.0;  ///< Heel with half of the largest GZ [rad].
     double half_breadth_;      ///< [m]
     double freeboard_ = 0.0;   ///< At the stern, afloat without a tow [m].
     double sinks_ = 0.0;       ///< Change of it per added mass [m/kg].

@@ -11,8 +11,6 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kOverhead = 1e-9;  ///< Below, a tension has no direction [N].
-
 /// Number of the end of a wire on a body; −1: none.
 int end_on(const World& world, WireId wire, BodyId body) noexcept {
     const std::span<const BodyId> nodes = world.nodes(wire);
@@ -82,7 +80,7 @@ void StabilitySystem::read_wire(const World& world) noexcept {
         if ((outer - aboard).norm() <= (pin - aboard).norm()) continue;
         tension_ = std::max(0.0, -world.force(id)[0]);
         const Vec3 along = outer - pin;
-        if (!(tension_ > kOverhead) || !(along.norm() > 0.0)) return;
+        if (!(along.norm() > 0.0)) return;
         const Quat turn = world.pose(def.body).orientation;
         const Vec3 ahead = turn * Vec3::UnitX();
         const double heading = std::atan2(ahead.y(), ahead.x());
