@@ -72,6 +72,8 @@ struct EventFigures {
     ListedEvent first, worst;  ///< Position in words.
     const char* unit = "";     ///< Unit of the values.
     bool vessels = false;      ///< True if events of kind saturation include actuators of vessels.
+    /// True if the first or worst event (render, join, detach) is that of an anchor.
+    bool anchors = false;
 };
 
 struct Summary {
