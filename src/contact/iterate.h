@@ -12,8 +12,15 @@ namespace hawser::stepper {
 /// @param first  All of them.
 void adopt_laws(Model& model, const Newton& newton, runtime::Pool& pool, bool first) noexcept;
 
+/// Adopt the laws of contacts that differ by much from those in the matrix. Other contacts keep S;
+/// their p follows, so that the impulse at the iterate is that of the new law.
+void adopt_far_laws(Model& model, const Newton& newton, runtime::Pool& pool) noexcept;
+
 /// Keep v₊, λ, and u, λ of the contacts, to come back to.
 void keep_iterate(Model& model, Newton& newton) noexcept;
+
+/// Set u and λ of the contacts to those of the iterate kept.
+void recall_contacts(Model& model, const Newton& newton) noexcept;
 
 /// Go back to a share t of the way from the iterate kept. The laws' p follow, so that λ = p − S u.
 void shorten(Model& model, const Newton& newton, double t) noexcept;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/newton.h"
 
+#include "access/view.h"
 #include "base/index.h"
 #include "contact/convex_phase.h"
 #include "contact/iterate.h"
@@ -69,6 +70,7 @@ struct Course {
         false;  ///< When the budget ends them, rows that ask to switch do so after the step.
     bool begun = false;      ///< The matrix holds the laws of an iterate close by, and its factors.
     bool completes = false;  ///< The second iteration is a round of completion as well.
+    bool* strayed = nullptr;  ///< Set to true if an iteration did not descend by a full step.
 };
 
 /// Complete the joints (step/completion.h) about an iterate close to the solution. The next
@@ -113,18 +115,24 @@ Progress begin_iterations(StepContext& ctx, nonsmooth::Coupling coupling,
 Status solve_iteration(StepContext& ctx, const Course& course, const Progress& p) noexcept {
     Newton& newton = ctx.work.newton;
     ++newton.iterations;
-    const bool factors = p.it < kKrylovFrom || p.again || p.slow || newton.convex;
+    // A repeated step starts from its solution (begin_newton_again), which its laws are close to.
+    const bool close = p.it > 0 && p.it < kKrylovFrom && ctx.model.wires.again;
+    const bool tries = p.it >= kKrylovFrom || (close && !course.completes);
+    const bool factors = !tries || p.again || p.slow || newton.convex;
     if (!factors && find_impulses(ctx)) {
         continue_with_factor(ctx);
         return Status::ok;
     }
-    if (p.it > 0) adopt_laws(ctx.model, newton, ctx.pool, false);
+    if (close)
+        adopt_far_laws(ctx.model, newton, ctx.pool);
+    else if (p.it > 0)
+        adopt_laws(ctx.model, newton, ctx.pool, false);
     if (p.it == 1 && course.completes) complete_iterate(ctx);
     return newton_solve(ctx, p.it == 0, p.it == 0);
 }
 
 /// Go on to the solution of the laws, or to a share of the way to it, and keep it.
-Status move_on(StepContext& ctx, Progress& p) noexcept {
+Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
     Newton& newton = ctx.work.newton;
     take_bounds(ctx.model, newton);
     const double given = p.it > kPatience ? p.cycle.leave(p.before) : 0.0;
@@ -135,6 +143,8 @@ Status move_on(StepContext& ctx, Progress& p) noexcept {
     else if (p.it > 0)
         way = search(ctx.model, newton, p.before, given);
     newton.shortened = way.share < 1.0;
+    if (course.strayed != nullptr && p.it > 0 && (newton.shortened || way.merit > p.before))
+        *course.strayed = true;
     if (!std::isfinite(way.merit)) return Status::not_finite;
     p.slow = p.it > kPatience && way.merit > kSlowMerit * p.before;
     if (p.it > 0 && way.merit > p.before && p.before < newton.best)
@@ -192,7 +202,7 @@ Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
             if (!leave_convex(ctx, p)) return s;
             continue;
         }
-        if (const Status s = move_on(ctx, p); s != Status::ok) return s;
+        if (const Status s = move_on(ctx, course, p); s != Status::ok) return s;
         const bool last = p.it + 1 >= ctx.model.def.contact_iterations;
         const double moved = bounds_map(ctx.model, newton);
         const bool stop = course.hasty && !affordable(ctx.work);
@@ -248,6 +258,44 @@ void soften_by(Model& model, double factor) noexcept {
     for (nonsmooth::Resistance& a : model.system.contacts.resistances.laws) a.sigma *= factor;
 }
 
+/// Set lagged coupling and the impulses of the last step, with contacts at rest.
+void begin_lagged(StepContext& ctx) noexcept {
+    go_back_to_last(ctx.model, ctx.work.contact_speed);
+    for (Cone& c : ctx.model.system.contacts.cones) {
+        c.coupling = nonsmooth::Coupling::lagged;
+        std::fill_n(c.u, 3, 0.0);
+    }
+    for (nonsmooth::Resistance& a : ctx.model.system.contacts.resistances.laws)
+        std::fill_n(a.u, 3, 0.0);
+    restart(ctx.model, ctx.work, ctx.pool);
+}
+
+/// End a step whose lagged matrix, positive but for rounding, has wrong pivots: contacts so stiff
+/// that the masses of other bodies are lost. Solve once with contacts softer by powers of 1,024
+/// until the pivots are right. Pivots that stay wrong are not due to contacts.
+Status end_softened(StepContext& ctx) noexcept {
+    constexpr double kSofter = 1024.0;
+    constexpr int kMost = 3;
+    const auto soften = [&](double factor) {
+        soften_by(ctx.model, factor);
+        for (Cone& c : ctx.model.system.contacts.cones) c.sigma_n *= factor;
+    };
+    Status status = Status::wrong_pivot;
+    double softer = 1.0;
+    for (int k = 0; k < kMost && status == Status::wrong_pivot; ++k) {
+        soften(kSofter);  // powers of two: exactly undone
+        softer *= kSofter;
+        begin_lagged(ctx);
+        status = newton_solve(ctx, true, true);
+    }
+    if (status == Status::ok) {
+        project_all(ctx.model);
+        update_contacts(ctx.model, ctx.pool, row_view(ctx.model).v_new);
+    }
+    soften(1.0 / softer);
+    return status;
+}
+
 /// Solve with contacts 1,024 and 32 times softer first, each a start for the next (newton.h).
 Status from_soft(StepContext& ctx) noexcept {
     constexpr double kRough = 1e-2;  // what a softer system needs to be a start for the next
@@ -300,6 +348,19 @@ void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept {
     for (Cone& c : model.system.contacts.cones) c.coupling = nonsmooth::Coupling::exact;
     (void)linearise(model, work, pool, LastLaws::none);
     adopt_laws(model, work.newton, pool, true);
+}
+
+bool keep_solution(Model& model, Work& work) noexcept {
+    if (model.def.nonsmooth != Nonsmooth::newton || model.system.contacts.count() == 0 ||
+        !solved(model, work.stats, Status::ok))
+        return false;
+    keep_iterate(model, work.newton);
+    return true;
+}
+
+void begin_newton_again(StepContext& ctx) noexcept {
+    recall_contacts(ctx.model, ctx.work.newton);
+    restart(ctx.model, ctx.work, ctx.pool);
 }
 
 bool rows_ask(StepContext& ctx) noexcept {
@@ -364,37 +425,32 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
     const bool cold = ctx.state.step == 0;
     const double tolerance = ctx.model.def.contact_tolerance;
     bool hasty = !cold && ctx.work.limits.budget.hasty();
+    bool strayed = false;
     Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance,
-                            {.hasty = hasty, .completes = settled_later});
+                            {.hasty = hasty, .completes = settled_later, .strayed = &strayed});
     hasty = hasty && ctx.work.stats.cut;
-    // Many iterations of a first step, whose contacts have no impulses, depend on rounding.
-    constexpr int kMostCold = 5;
-    const bool wandered = cold && ctx.work.newton.iterations > kMostCold;
-    if ((wandered || !solved(ctx.model, ctx.work.stats, status)) && !ctx.work.stats.cut) {
+    if (((cold && strayed) || !solved(ctx.model, ctx.work.stats, status)) && !ctx.work.stats.cut) {
         go_back_to_last(ctx.model, ctx.work.contact_speed);
         status = from_soft(ctx);
     }
     if (!solved(ctx.model, ctx.work.stats, status) && !ctx.work.stats.cut) {
-        go_back_to_last(ctx.model, ctx.work.contact_speed);
-        for (Cone& c : ctx.model.system.contacts.cones) {
-            c.coupling = nonsmooth::Coupling::lagged;
-            std::fill_n(c.u, 3, 0.0);
-        }
-        for (nonsmooth::Resistance& a : ctx.model.system.contacts.resistances.laws)
-            std::fill_n(a.u, 3, 0.0);
-        restart(ctx.model, ctx.work, ctx.pool);
+        begin_lagged(ctx);
         status = iterate(ctx, nonsmooth::Coupling::lagged, tolerance);
     }
-    const bool early = status == Status::ok && !solved(ctx.model, ctx.work.stats, status);
+    const bool drowned = status == Status::wrong_pivot && !ctx.work.stats.cut;
+    if (drowned) status = end_softened(ctx);
+    const bool early =
+        status == Status::ok && (drowned || !solved(ctx.model, ctx.work.stats, status));
     if (early && hasty)
         end_hastily(ctx.model, ctx.work, ctx.pool);
-    else if (early)
+    else if (early && !drowned)
         status = end_early(ctx);
     if (early) show_held(ctx.model);
     // Bounds follow loads of refined solutions only, and projected impulses need the refinement.
     const bool refines = early || !settled_later || !ctx.work.newton.loaded.empty();
     ctx.work.stats.refinements = 0;
-    if (status == Status::ok && refines) status = refine_iterate(ctx);
+    // The laws of a drowned step are factored with softer contacts alone.
+    if (status == Status::ok && refines) status = drowned ? refine(ctx) : refine_iterate(ctx);
     if (status == Status::ok && !early) status = follow_loads(ctx);
     if (status != Status::ok) return status;
     // Of what the step ends with.

@@ -36,6 +36,11 @@
 /// impulse. Where even the best iterate is poor, the end of the last step takes its place. Limits
 /// of cost are looked at where no tension-only line or range has just switched.
 ///
+/// **First step.** Contacts have no impulses. A path of iterations that are shortened or do not
+/// descend depends on rounding: it is replaced by a start from soft tangents, as below.
+///
+/// **Repeated steps** (step/guard.h) start from the contacts of the rejected solution.
+///
 /// **Safety.** When the iterations do not end, the step is done again with tangents 1024 and 32
 /// times as soft first, roughly; each solution is the start of the next. A sliding contact's S is
 /// unsymmetric and its matrix may be singular where friction is so strong that it jams (Painlevé):
@@ -51,6 +56,13 @@ void reserve_newton(const Model& model, Newton& newton);
 
 /// Linearise about the last step's solution.
 void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept;
+
+/// Keep the contacts of a solved step that will be solved again (step/guard.h).
+/// @return false if the step is not solved: begin_newton_again() must not be called.
+[[nodiscard]] bool keep_solution(Model& model, Work& work) noexcept;
+/// Linearise about the contacts kept instead of those of the last step. Call after
+/// start_contacts().
+void begin_newton_again(StepContext& ctx) noexcept;
 
 /// Stages 6 and 7; the right-hand side is that of assemble_rows().
 /// @param settled_later  settle_newton() is to come, and rounds of completion before it: a solution

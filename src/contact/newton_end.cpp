@@ -20,22 +20,6 @@ namespace {
 using assembly::Contacts;
 using nonsmooth::Cone;
 
-/// Project the impulses of all contacts onto their friction cones.
-void project_all(Model& model) noexcept {
-    for (Cone& c : model.system.contacts.cones) {
-        nonsmooth::project(c.friction, c.lambda);
-        for (int i = 0; i < 3; ++i)  // the law in the matrix goes through it
-            c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
-                     c.s[3 * i + 2] * c.u[2];
-    }
-    assembly::Resistances& resistances = model.system.contacts.resistances;
-    for (std::size_t k = 0; k < resistances.count(); ++k) {
-        const Cone& c = model.system.contacts.cones[at(resistances.rows[k].contact)];
-        nonsmooth::limit(resistances.laws[k], c.lambda[0], resistances.laws[k].lambda);
-        nonsmooth::take_impulse(resistances.laws[k], c.u[0]);
-    }
-}
-
 /// Back to the iterate set aside. Its rows hold as those at hand do: to round-off.
 void take_best(Model& model, Work& work, runtime::Pool& pool) noexcept {
     const assembly::View v = row_view(model);
@@ -57,6 +41,21 @@ void take_best(Model& model, Work& work, runtime::Pool& pool) noexcept {
 }
 
 }  // namespace
+
+void project_all(Model& model) noexcept {
+    for (Cone& c : model.system.contacts.cones) {
+        nonsmooth::project(c.friction, c.lambda);
+        for (int i = 0; i < 3; ++i)  // the law in the matrix goes through it
+            c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
+                     c.s[3 * i + 2] * c.u[2];
+    }
+    assembly::Resistances& resistances = model.system.contacts.resistances;
+    for (std::size_t k = 0; k < resistances.count(); ++k) {
+        const Cone& c = model.system.contacts.cones[at(resistances.rows[k].contact)];
+        nonsmooth::limit(resistances.laws[k], c.lambda[0], resistances.laws[k].lambda);
+        nonsmooth::take_impulse(resistances.laws[k], c.u[0]);
+    }
+}
 
 void forget_best(Newton& newton) noexcept { newton.best = std::numeric_limits<double>::infinity(); }
 

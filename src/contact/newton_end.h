@@ -14,6 +14,9 @@ namespace hawser::stepper {
 /// Ended without: the law in the matrix is moved through the projected impulse.
 void end_hastily(Model& model, Work& work, runtime::Pool& pool) noexcept;
 
+/// Project the impulses of all contacts onto their friction cones; the laws in the matrix follow.
+void project_all(Model& model) noexcept;
+
 /// Velocities and impulses of contacts from where the last step ended.
 void go_back_to_last(Model& model, base::Array<double>& contact_speed) noexcept;
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <hawser/hawser.h>
+#include <hawser/scene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,18 @@ TEST(DeckWire, TakesFewFactorisationsWhereItBeginsToSlide) {
     // Two a step, and a few in steps where the wire comes taut; the first step starts from soft
     // tangents.
     EXPECT_LE(most, 10);
+}
+
+/// 1,080 contacts without impulses at the start. Each iteration descends by a full step: the first
+/// step needs no soft tangents. It took eight factorisations when soft tangents followed five
+/// iterations, those of trial steps included.
+TEST(DeckWire, AFirstStepThatDescendsTakesFewFactorisations) {
+    scene::Scene site = scene::load_file("scenes/anchor_contact.json");
+    ASSERT_EQ(site.world.step(), Status::ok);
+    const StepStats& s = site.world.stats();
+    EXPECT_GT(s.contacts, 1000);
+    EXPECT_LE(s.factorisations, 3);
+    EXPECT_LE(s.natural_map, site.world.settings().contact_tolerance);
 }
 
 /// φ* of a contact with a disk of fixed radius: normal and tangential part.
