@@ -16,11 +16,11 @@ using assembly::Contacts;
 using nonsmooth::Cone;
 using nonsmooth::Resistance;
 
-/// True if a law differs from that in the matrix by so little that a tenth of the defect at most
-/// stays after the iteration, as in krylov.h. A unit of impulse changes u by W + Σ at most, and u_n
-/// by Σ_n if the contact is closed.
+/// True if a law differs from that in the matrix by so little that a hundredth of the defect at
+/// most stays after the iteration. A unit of impulse changes u by W + Σ at most, and u_n by Σ_n if
+/// the contact is closed.
 bool is_close(const Cone& c, const nonsmooth::Law& law) noexcept {
-    constexpr double kClose = 0.1;
+    constexpr double kClose = 0.01;
     double normal = 0.0, tangential = 0.0;
     for (int i = 0; i < 3; ++i) {
         normal = std::max(normal, std::fabs(law.s[3 * i] - c.s[3 * i]));

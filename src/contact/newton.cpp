@@ -115,15 +115,16 @@ Progress begin_iterations(StepContext& ctx, nonsmooth::Coupling coupling,
 Status solve_iteration(StepContext& ctx, const Course& course, const Progress& p) noexcept {
     Newton& newton = ctx.work.newton;
     ++newton.iterations;
+    const bool second = p.it > 0 && p.it < kKrylovFrom;
     // A repeated step starts from its solution (begin_newton_again), which its laws are close to.
-    const bool close = p.it > 0 && p.it < kKrylovFrom && ctx.model.wires.again;
-    const bool tries = p.it >= kKrylovFrom || (close && !course.completes);
+    const bool close = second && ctx.model.wires.again && !course.completes;
+    const bool tries = p.it >= kKrylovFrom || close;
     const bool factors = !tries || p.again || p.slow || newton.convex;
     if (!factors && find_impulses(ctx)) {
         continue_with_factor(ctx);
         return Status::ok;
     }
-    if (close)
+    if (second)
         adopt_far_laws(ctx.model, newton, ctx.pool);
     else if (p.it > 0)
         adopt_laws(ctx.model, newton, ctx.pool, false);

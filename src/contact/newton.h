@@ -14,7 +14,8 @@
 ///
 /// **Matrix.** The first two iterations factor with JᵀS J in the matrix, in part where little of it
 /// changed by contacts and by rows that switched (factor/partial.h), with L D U where contacts
-/// slide (factor/unsymmetric.h). Later ones change few contacts, or all by little: they use the
+/// slide (factor/unsymmetric.h). In the second one, contacts whose law hardly changed keep it
+/// (adopt_far_laws() in iterate.h). Later ones change few contacts, or all by little: they use the
 /// factorisation at hand and find by GMRES the impulses w that make up for the difference, a
 /// handful of substitutions. When those do not suffice, the matrix is factored again.
 ///

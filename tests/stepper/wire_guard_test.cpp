@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Wires of lumps at steps that do not resolve their swing (solve/wires.h, assembly/geo.h).
+#include "support/random.h"
 #include "support/recipe.h"
 #include "support/tier.h"
 
@@ -170,9 +171,9 @@ TEST(WireGuard, SameBitsForAnyThreadsAndAfterRestoring) {
     EXPECT_EQ(again.state_hash(), hashes.front());
 }
 
-/// Boxes that slide into each other beside the wire, which take several iterations a step.
-World wire_and_boxes(double budget_work) {
-    Recipe r = lively().make();
+/// Boxes that slide into each other, which take several iterations a step; beside the wire or
+/// alone.
+World boxes_and(Recipe r, double budget_work) {
     r.world.gravity = {0, 0, -9.81};
     r.world.budget_work = budget_work;
     const BodyId ground = r.ground();
@@ -187,6 +188,48 @@ World wire_and_boxes(double budget_work) {
     for (const BodyId box : boxes)
         w.add_shape({.kind = ShapeKind::box, .body = box, .half_size = {0.5, 0.5, 0.25}});
     return w;
+}
+World wire_and_boxes(double budget_work) { return boxes_and(lively().make(), budget_work); }
+
+/// A step that is solved again starts from the rejected solution. The wire does not touch the
+/// balls, so that the first solve takes as many iterations for them as without a wire, and a repeat
+/// fewer.
+TEST(WireGuard, RepeatsStartFromTheRejectedSolution) {
+    const auto heap = [](Recipe r) {
+        r.world.gravity = {0, 0, -9.81};
+        Random random(5);
+        const BodyId ground = r.ground();
+        std::vector<BodyId> balls;
+        for (int i = 0; i < 60; ++i) {
+            balls.push_back(
+                r.rigid({0.19 * (i % 4), 20.0 + 0.19 * (i / 4 % 4), 0.1 + 0.19 * (i / 16)},
+                        Quat::Identity(), random.uniform(1, 10), {0.04, 0.04, 0.04}));
+            r.bodies.back().velocity = random.vector(2.0);
+            r.bodies.back().angular_velocity = random.vector(10.0);
+        }
+        World w = r.make();
+        w.add_shape({.kind = ShapeKind::plane, .body = ground});
+        for (const BodyId ball : balls)
+            w.add_shape({.kind = ShapeKind::sphere, .body = ball, .radius = 0.1});
+        return w;
+    };
+    Recipe none;
+    none.world = lively().make().world;
+    World w = heap(lively().make()), alone = heap(none);
+    int steps = 0, repeats = 0, first = 0, added = 0;
+    for (int k = 0; k < 40; ++k) {
+        ASSERT_EQ(w.step(), Status::ok);
+        ASSERT_EQ(alone.step(), Status::ok);
+        if (w.stats().wire_repeats == 0) continue;
+        ++steps;
+        repeats += w.stats().wire_repeats;
+        first += alone.stats().newton_iterations;
+        added += w.stats().newton_iterations - alone.stats().newton_iterations;
+    }
+    ASSERT_GT(steps, 10);
+    EXPECT_GT(first, 5 * steps) << "first solves take too few iterations to compare";
+    // Two, as the solution is known to the tolerance: the first has the laws about it.
+    EXPECT_LE(added, 3 * repeats);
 }
 
 /// A budget may end any of the solves of a step that is solved again for wires; what it allowed
