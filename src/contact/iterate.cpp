@@ -7,6 +7,7 @@
 #include "nonsmooth/cone.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hawser::stepper {
 namespace {
@@ -15,17 +16,31 @@ using assembly::Contacts;
 using nonsmooth::Cone;
 using nonsmooth::Resistance;
 
-}  // namespace
-
-void adopt_laws(Model& model, const Newton& newton, runtime::Pool& pool, bool first) noexcept {
-    Contacts& contacts = model.system.contacts;
-    for (std::size_t k = 0; k < contacts.count(); ++k) {
-        Cone& c = contacts.cones[k];
-        const nonsmooth::Law& law = newton.laws[k];
-        contacts.changed[k] = first || !std::equal(law.s, law.s + 9, c.s) ? 1 : 0;
-        std::copy_n(law.s, 9, c.s);
-        std::copy_n(law.p, 3, c.p);
+/// True if a law differs from that in the matrix by so little that a hundredth of the defect at
+/// most stays after the iteration. A unit of impulse changes u by W + Σ at most, and u_n by Σ_n if
+/// the contact is closed.
+bool is_close(const Cone& c, const nonsmooth::Law& law) noexcept {
+    constexpr double kClose = 0.01;
+    double normal = 0.0, tangential = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        normal = std::max(normal, std::fabs(law.s[3 * i] - c.s[3 * i]));
+        for (int j = 1; j < 3; ++j)
+            tangential = std::max(tangential, std::fabs(law.s[3 * i + j] - c.s[3 * i + j]));
     }
+    return normal * c.sigma_n <= kClose && tangential * (c.mobility + c.sigma_t) <= kClose;
+}
+
+/// Keep S of the law in the matrix, through the impulse of another law at the iterate.
+void keep_slope(Cone& c, const nonsmooth::Law& law) noexcept {
+    for (int i = 0; i < 3; ++i) {
+        c.p[i] = law.p[i];
+        for (int j = 0; j < 3; ++j) c.p[i] += (c.s[3 * i + j] - law.s[3 * i + j]) * c.u[j];
+    }
+}
+
+/// Write the laws of resistances, and the blocks of contacts that are marked as changed.
+void adopt_others(Model& model, const Newton& newton, runtime::Pool& pool) noexcept {
+    Contacts& contacts = model.system.contacts;
     assembly::Resistances& resistances = contacts.resistances;
     for (std::size_t k = 0; k < resistances.count(); ++k) {
         nonsmooth::Resistance& a = resistances.laws[k];
@@ -42,6 +57,36 @@ void adopt_laws(Model& model, const Newton& newton, runtime::Pool& pool, bool fi
          [&](std::int32_t a, std::int32_t b) { contacts.write_blocks(a, b); });
 }
 
+}  // namespace
+
+void adopt_laws(Model& model, const Newton& newton, runtime::Pool& pool, bool first) noexcept {
+    Contacts& contacts = model.system.contacts;
+    for (std::size_t k = 0; k < contacts.count(); ++k) {
+        Cone& c = contacts.cones[k];
+        const nonsmooth::Law& law = newton.laws[k];
+        contacts.changed[k] = first || !std::equal(law.s, law.s + 9, c.s) ? 1 : 0;
+        std::copy_n(law.s, 9, c.s);
+        std::copy_n(law.p, 3, c.p);
+    }
+    adopt_others(model, newton, pool);
+}
+
+void adopt_far_laws(Model& model, const Newton& newton, runtime::Pool& pool) noexcept {
+    Contacts& contacts = model.system.contacts;
+    for (std::size_t k = 0; k < contacts.count(); ++k) {
+        Cone& c = contacts.cones[k];
+        const nonsmooth::Law& law = newton.laws[k];
+        contacts.changed[k] = is_close(c, law) ? 0 : 1;
+        if (contacts.changed[k] == 0) {
+            keep_slope(c, law);
+            continue;
+        }
+        std::copy_n(law.s, 9, c.s);
+        std::copy_n(law.p, 3, c.p);
+    }
+    adopt_others(model, newton, pool);
+}
+
 void keep_iterate(Model& model, Newton& newton) noexcept {
     const assembly::View v = row_view(model);
     std::copy_n(v.v_new, v.dof_count, newton.v.begin());
@@ -56,6 +101,17 @@ void keep_iterate(Model& model, Newton& newton) noexcept {
         double* to = &newton.contact[6 * (cones.size() + k)];
         std::copy_n(turns[k].lambda, 3, std::copy_n(turns[k].u, 3, to));
     }
+}
+
+void recall_contacts(Model& model, const Newton& newton) noexcept {
+    const double* from = newton.contact.data();
+    const auto recall = [&](auto& row) {
+        std::copy_n(from, 3, row.u);
+        std::copy_n(from + 3, 3, row.lambda);
+        from += 6;
+    };
+    for (Cone& c : model.system.contacts.cones) recall(c);
+    for (Resistance& a : model.system.contacts.resistances.laws) recall(a);
 }
 
 void shorten(Model& model, const Newton& newton, double t) noexcept {

@@ -2,28 +2,33 @@
 #pragma once
 /// @file iterate.h
 /// Functions shared by the methods that solve the step several times: write the laws into the
-/// matrix, move from one iterate to the next.
+/// matrix, go from one iterate to the next.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Apply Newton::laws to the contacts and to the matrix, in blocks that change.
-/// @param first  True: all blocks.
+/// Newton::laws go into the contacts and into the matrix: blocks that change.
+/// @param first  All of them.
 void adopt_laws(Model& model, const Newton& newton, runtime::Pool& pool, bool first) noexcept;
 
-/// Store v₊, λ, and u, λ of the contacts, for shorten().
+/// Adopt the laws of contacts that differ by much from those in the matrix. Other contacts keep S;
+/// their p follows, so that the impulse at the iterate is that of the new law.
+void adopt_far_laws(Model& model, const Newton& newton, runtime::Pool& pool) noexcept;
+
+/// Keep v₊, λ, and u, λ of the contacts, to come back to.
 void keep_iterate(Model& model, Newton& newton) noexcept;
 
-/// Move to a fraction t of the way from the stored iterate. The laws' p follow, so that λ = p − S
-/// u.
+/// Set u and λ of the contacts to those of the iterate kept.
+void recall_contacts(Model& model, const Newton& newton) noexcept;
+
+/// Go back to a share t of the way from the iterate kept. The laws' p follow, so that λ = p − S u.
 void shorten(Model& model, const Newton& newton, double t) noexcept;
 
-/// Return Σ (W + Σ) ‖λ − P‖² over contacts, at a fraction t of the way: an energy [J].
+/// Σ (W + Σ) ‖λ − P‖² over contacts, a share t of the way: an energy [J].
 [[nodiscard]] double contacts_merit(const Model& model, const Newton& newton, double t) noexcept;
 
-/// Return the largest relative residual of Coulomb's law over contacts, see
-/// nonsmooth::natural_map().
+/// Largest relative residual of Coulomb's law over contacts, see nonsmooth::natural_map().
 [[nodiscard]] double worst(const Model& model, SolveWork& solve, runtime::Pool& pool) noexcept;
 
 }  // namespace hawser::stepper

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/newton.h"
 
+#include "context/view.h"
 #include "base/index.h"
 #include "contact/convex_phase.h"
 #include "contact/iterate.h"
@@ -28,15 +29,15 @@ namespace {
 
 using nonsmooth::Cone;
 
-constexpr int kPatience = 8;  ///< Iterations before slow ones request a factorisation.
+constexpr int kPatience = 8;  ///< Iterations before slow ones ask for a factorisation.
 constexpr double kSlowMerit =
-    0.25;  ///< Fraction of the merit left after an iteration that requests a factorisation.
-constexpr int kKrylovFrom = 2;  ///< First iteration that may omit a factorisation.
+    0.25;                       ///< Merit left after an iteration that asks for a factorisation.
+constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a factorisation.
 constexpr int kExactMost = 10;  ///< Exact iterations before the convex phase.
 /// Natural map below which the convex phase ends. At 1e-2 steps fall back into it.
 constexpr double kConvexEnd = 5e-3;
 
-/// Store the end time of an iteration, from which the time of the next one is predicted.
+/// Note when an iteration ended, from which the time of the next is foreseen.
 void note_lap(StepContext& ctx) noexcept {
     if (!ctx.work.limits.budget.needs_time()) return;
     ctx.work.limits.laps.last = ctx.stopwatch->seconds();
@@ -45,8 +46,9 @@ void note_lap(StepContext& ctx) noexcept {
         ctx.work.limits.laps.first = ctx.work.limits.laps.last;
 }
 
-/// Return true if the budget allows another iteration. No iteration follows a cut, even if the step
-/// is solved again (guard.h): StepStats::cut then describes the whole step.
+/// @return true if the budget allows another iteration. No iteration follows a cut, even if the
+/// step
+///     is solved again (guard.h): StepStats::cut then describes the whole step.
 bool affordable(Work& work) noexcept {
     return !work.stats.cut &&
            work.limits.budget.another(
@@ -54,7 +56,7 @@ bool affordable(Work& work) noexcept {
                work.newton.iterations);
 }
 
-/// Store the data that repeat the step (Degradation): the number of iterations of all its solves.
+/// Keeps what repeats the step (Degradation): the iterations of all solves of the step so far.
 void note_cut(StepContext& ctx) noexcept {
     if (ctx.work.stats.cut) return;
     ctx.work.stats.cut = true;
@@ -62,17 +64,17 @@ void note_cut(StepContext& ctx) noexcept {
     ctx.work.stats.degradation.hasty = ctx.state.step > 0 && ctx.work.limits.budget.hasty();
 }
 
-/// Options of a sequence of Newton iterations.
+/// How Newton iterations go on.
 struct Course {
-    /// True: when the budget ends the iterations, requesting rows switch after the step.
-    bool hasty = false;
-    bool begun = false;      ///< The matrix has the laws and factors of a nearby iterate.
-    bool completes = false;  ///< The second iteration is also an end-of-step constraint iteration.
+    bool hasty =
+        false;  ///< When the budget ends them, rows that ask to switch do so after the step.
+    bool begun = false;      ///< The matrix holds the laws of an iterate close by, and its factors.
+    bool completes = false;  ///< The second iteration is a round of completion as well.
+    bool* strayed = nullptr;  ///< Set to true if an iteration did not descend by a full step.
 };
 
 /// Complete the joints (step/completion.h) about an iterate close to the solution. The next
-/// iteration then serves as an end-of-step constraint iteration, which needs no substitution of its
-/// own.
+/// iteration then serves as the round of completion. That round needs no substitution of its own.
 void complete_iterate(StepContext& ctx) noexcept {
     constexpr double kClose = 1e-2;
     if (!(ctx.work.stats.natural_map <= kClose)) return;
@@ -81,14 +83,14 @@ void complete_iterate(StepContext& ctx) noexcept {
     ++ctx.work.stats.completion_rounds;
 }
 
-/// State of a sequence of Newton iterations.
+/// Newton iterations as they go on.
 struct Progress {
     int it = 0;
     int exact = 0;       ///< Exact iterations since the start, or since the convex phase.
     bool again = false;  ///< Rows have switched.
-    bool slow = false;   ///< The merit decreases too slowly without a factorisation.
+    bool slow = false;   ///< The merit falls too slowly to go on without a factorisation.
     bool may_be_convex = true;
-    double before = 0.0;  ///< Merit of the stored iterate.
+    double before = 0.0;  ///< Merit of the iterate kept.
     Cycle cycle{};
 };
 
@@ -113,18 +115,25 @@ Progress begin_iterations(StepContext& ctx, nonsmooth::Coupling coupling,
 Status solve_iteration(StepContext& ctx, const Course& course, const Progress& p) noexcept {
     Newton& newton = ctx.work.newton;
     ++newton.iterations;
-    const bool factors = p.it < kKrylovFrom || p.again || p.slow || newton.convex;
+    const bool second = p.it > 0 && p.it < kKrylovFrom;
+    // A repeated step starts from its solution (begin_newton_again), which its laws are close to.
+    const bool close = second && ctx.model.wires.again && !course.completes;
+    const bool tries = p.it >= kKrylovFrom || close;
+    const bool factors = !tries || p.again || p.slow || newton.convex;
     if (!factors && find_impulses(ctx)) {
         continue_with_factor(ctx);
         return Status::ok;
     }
-    if (p.it > 0) adopt_laws(ctx.model, newton, ctx.pool, false);
+    if (second)
+        adopt_far_laws(ctx.model, newton, ctx.pool);
+    else if (p.it > 0)
+        adopt_laws(ctx.model, newton, ctx.pool, false);
     if (p.it == 1 && course.completes) complete_iterate(ctx);
     return newton_solve(ctx, p.it == 0, p.it == 0);
 }
 
-/// Move to the solution of the laws, or a fraction of the way to it, and store it.
-Status move_on(StepContext& ctx, Progress& p) noexcept {
+/// Go on to the solution of the laws, or to a share of the way to it, and keep it.
+Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
     Newton& newton = ctx.work.newton;
     take_bounds(ctx.model, newton);
     const double given = p.it > kPatience ? p.cycle.leave(p.before) : 0.0;
@@ -135,6 +144,8 @@ Status move_on(StepContext& ctx, Progress& p) noexcept {
     else if (p.it > 0)
         way = search(ctx.model, newton, p.before, given);
     newton.shortened = way.share < 1.0;
+    if (course.strayed != nullptr && p.it > 0 && (newton.shortened || way.merit > p.before))
+        *course.strayed = true;
     if (!std::isfinite(way.merit)) return Status::not_finite;
     p.slow = p.it > kPatience && way.merit > kSlowMerit * p.before;
     if (p.it > 0 && way.merit > p.before && p.before < newton.best)
@@ -145,9 +156,8 @@ Status move_on(StepContext& ctx, Progress& p) noexcept {
     return Status::ok;
 }
 
-/// Switch rows that request it.
-/// @param stop  The budget allows no other iteration: requesting rows switch after the step.
-/// @return the number of requesting rows.
+/// Switch rows that ask for it. @param stop  The budget allows no other iteration: rows that ask
+/// do so after the step. @return how many ask.
 std::int32_t switch_rows(StepContext& ctx, bool stop, bool last) noexcept {
     const std::int32_t most = last ? 0 : kAnyRows;
     const std::int32_t asking =
@@ -183,7 +193,7 @@ bool leave_convex(StepContext& ctx, Progress& p) noexcept {
     return true;
 }
 
-/// Iterate to the tolerance, or until the limit of iterations or the budget is reached.
+/// Iterate to the tolerance, or until iterations or budget end.
 Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
                       Progress p) noexcept {
     Newton& newton = ctx.work.newton;
@@ -193,7 +203,7 @@ Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
             if (!leave_convex(ctx, p)) return s;
             continue;
         }
-        if (const Status s = move_on(ctx, p); s != Status::ok) return s;
+        if (const Status s = move_on(ctx, course, p); s != Status::ok) return s;
         const bool last = p.it + 1 >= ctx.model.def.contact_iterations;
         const double moved = bounds_map(ctx.model, newton);
         const bool stop = course.hasty && !affordable(ctx.work);
@@ -206,12 +216,11 @@ Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
             stats.flips_left = 0;
             return Status::ok;
         }
-        // Without early exit, do not stop just after lines have switched, because their rows would
-        // be left unsolved.
+        // Without haste not where lines have just switched: their rows would be left unsolved.
         const bool cut = course.hasty ? stop : !p.again && !affordable(ctx.work);
         if (cut) note_cut(ctx);
         if (cut || last) {
-            // Contact statuses follow from the iterate alone.
+            // What contacts do is told by the iterate alone.
             newton.convex = false;
             stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none) + asking;
             return Status::ok;
@@ -223,8 +232,7 @@ Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
     }
 }
 
-/// Run Newton iterations from the current iterate.
-/// @param coupling  Coupling of all contacts.
+/// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
 Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
                Course course = {}) noexcept {
     const Progress begun = begin_iterations(ctx, coupling, course);
@@ -233,7 +241,7 @@ Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
     return status;
 }
 
-/// Restart from the velocities and impulses of the contacts.
+/// Begin again at the velocities and impulses that contacts hold.
 void restart(Model& model, Work& work, runtime::Pool& pool) noexcept {
     (void)linearise(model, work, pool, LastLaws::none);
     adopt_laws(model, work.newton, pool, true);
@@ -251,11 +259,48 @@ void soften_by(Model& model, double factor) noexcept {
     for (nonsmooth::Resistance& a : model.system.contacts.resistances.laws) a.sigma *= factor;
 }
 
-/// Solve with contacts 1,024 and 32 times softer first; each solution is the start of the next
-/// (newton.h).
+/// Set lagged coupling and the impulses of the last step, with contacts at rest.
+void begin_lagged(StepContext& ctx) noexcept {
+    go_back_to_last(ctx.model, ctx.work.contact_speed);
+    for (Cone& c : ctx.model.system.contacts.cones) {
+        c.coupling = nonsmooth::Coupling::lagged;
+        std::fill_n(c.u, 3, 0.0);
+    }
+    for (nonsmooth::Resistance& a : ctx.model.system.contacts.resistances.laws)
+        std::fill_n(a.u, 3, 0.0);
+    restart(ctx.model, ctx.work, ctx.pool);
+}
+
+/// End a step whose lagged matrix, positive but for rounding, has wrong pivots: contacts so stiff
+/// that the masses of other bodies are lost. Solve once with contacts softer by powers of 1,024
+/// until the pivots are right. Pivots that stay wrong are not due to contacts.
+Status end_softened(StepContext& ctx) noexcept {
+    constexpr double kSofter = 1024.0;
+    constexpr int kMost = 3;
+    const auto soften = [&](double factor) {
+        soften_by(ctx.model, factor);
+        for (Cone& c : ctx.model.system.contacts.cones) c.sigma_n *= factor;
+    };
+    Status status = Status::wrong_pivot;
+    double softer = 1.0;
+    for (int k = 0; k < kMost && status == Status::wrong_pivot; ++k) {
+        soften(kSofter);  // powers of two: exactly undone
+        softer *= kSofter;
+        begin_lagged(ctx);
+        status = newton_solve(ctx, true, true);
+    }
+    if (status == Status::ok) {
+        project_all(ctx.model);
+        update_contacts(ctx.model, ctx.pool, row_view(ctx.model).v_new);
+    }
+    soften(1.0 / softer);
+    return status;
+}
+
+/// Solve with contacts 1,024 and 32 times softer first, each a start for the next (newton.h).
 Status from_soft(StepContext& ctx) noexcept {
-    constexpr double kRough = 1e-2;  // tolerance of a softer system as a start for the next
-    for (const double soften : {1024.0, 32.0}) {  // powers of two: undone exactly
+    constexpr double kRough = 1e-2;  // what a softer system needs to be a start for the next
+    for (const double soften : {1024.0, 32.0}) {  // powers of two: exactly undone
         soften_by(ctx.model, soften);
         restart(ctx.model, ctx.work, ctx.pool);
         const Status status = iterate(ctx, nonsmooth::Coupling::exact, kRough);
@@ -270,7 +315,7 @@ Status from_soft(StepContext& ctx) noexcept {
     return iterate(ctx, nonsmooth::Coupling::exact, ctx.model.def.contact_tolerance);
 }
 
-/// Set the certificate of contacts in the statistics.
+/// What the statistics say of contacts that are solved, or not.
 void state_certificate(const Model& model, Work& work, runtime::Pool& pool) noexcept {
     work.stats.natural_map =
         std::max(worst(model, work.solve, pool), bounds_map(model, work.newton));
@@ -306,6 +351,19 @@ void begin_newton(Model& model, Work& work, runtime::Pool& pool) noexcept {
     adopt_laws(model, work.newton, pool, true);
 }
 
+bool keep_solution(Model& model, Work& work) noexcept {
+    if (model.def.nonsmooth != Nonsmooth::newton || model.system.contacts.count() == 0 ||
+        !solved(model, work.stats, Status::ok))
+        return false;
+    keep_iterate(model, work.newton);
+    return true;
+}
+
+void begin_newton_again(StepContext& ctx) noexcept {
+    recall_contacts(ctx.model, ctx.work.newton);
+    restart(ctx.model, ctx.work, ctx.pool);
+}
+
 bool rows_ask(StepContext& ctx) noexcept {
     return solved(ctx.model, ctx.work.stats, Status::ok) && !ctx.work.stats.cut &&
            !ctx.model.system.bounded.empty() &&
@@ -338,13 +396,13 @@ Status certify(StepContext& ctx) noexcept {
         if (status == Status::ok) status = follow_loads(ctx);
         if (status != Status::ok) return status;
         state_certificate(ctx.model, ctx.work, ctx.pool);
-        if (!met) break;  // another iteration would cost as much without progress
+        if (!met) break;  // another round would take as long, and find no more
     }
     return Status::ok;
 }
 
-/// Repeat iterations until no row requests to switch. A line search may have ended the iterations
-/// when no row requested it yet, before the solution was reached.
+/// Repeat iterations until no row asks to switch. A line search may have ended the iterations where
+/// no row asked yet, before the solution was reached.
 Status settle_rows(StepContext& ctx) noexcept {
     constexpr int kMost = 8;
     const double tolerance = ctx.model.def.contact_tolerance;
@@ -368,40 +426,35 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
     const bool cold = ctx.state.step == 0;
     const double tolerance = ctx.model.def.contact_tolerance;
     bool hasty = !cold && ctx.work.limits.budget.hasty();
+    bool strayed = false;
     Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance,
-                            {.hasty = hasty, .completes = settled_later});
+                            {.hasty = hasty, .completes = settled_later, .strayed = &strayed});
     hasty = hasty && ctx.work.stats.cut;
-    // Many iterations of a first step, whose contacts have no impulses, depend on rounding.
-    constexpr int kMostCold = 5;
-    const bool wandered = cold && ctx.work.newton.iterations > kMostCold;
-    if ((wandered || !solved(ctx.model, ctx.work.stats, status)) && !ctx.work.stats.cut) {
+    if (((cold && strayed) || !solved(ctx.model, ctx.work.stats, status)) && !ctx.work.stats.cut) {
         go_back_to_last(ctx.model, ctx.work.contact_speed);
         status = from_soft(ctx);
     }
     if (!solved(ctx.model, ctx.work.stats, status) && !ctx.work.stats.cut) {
-        go_back_to_last(ctx.model, ctx.work.contact_speed);
-        for (Cone& c : ctx.model.system.contacts.cones) {
-            c.coupling = nonsmooth::Coupling::lagged;
-            std::fill_n(c.u, 3, 0.0);
-        }
-        for (nonsmooth::Resistance& a : ctx.model.system.contacts.resistances.laws)
-            std::fill_n(a.u, 3, 0.0);
-        restart(ctx.model, ctx.work, ctx.pool);
+        begin_lagged(ctx);
         status = iterate(ctx, nonsmooth::Coupling::lagged, tolerance);
     }
-    const bool early = status == Status::ok && !solved(ctx.model, ctx.work.stats, status);
+    const bool drowned = status == Status::wrong_pivot && !ctx.work.stats.cut;
+    if (drowned) status = end_softened(ctx);
+    const bool early =
+        status == Status::ok && (drowned || !solved(ctx.model, ctx.work.stats, status));
     if (early && hasty)
         end_hastily(ctx.model, ctx.work, ctx.pool);
-    else if (early)
+    else if (early && !drowned)
         status = end_early(ctx);
     if (early) show_held(ctx.model);
     // Bounds follow loads of refined solutions only, and projected impulses need the refinement.
     const bool refines = early || !settled_later || !ctx.work.newton.loaded.empty();
     ctx.work.stats.refinements = 0;
-    if (status == Status::ok && refines) status = refine_iterate(ctx);
+    // The laws of a drowned step are factored with softer contacts alone.
+    if (status == Status::ok && refines) status = drowned ? refine(ctx) : refine_iterate(ctx);
     if (status == Status::ok && !early) status = follow_loads(ctx);
     if (status != Status::ok) return status;
-    // For the final state of the step.
+    // Of what the step ends with.
     state_certificate(ctx.model, ctx.work, ctx.pool);
     if (early) {
         const std::int32_t asking = asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);

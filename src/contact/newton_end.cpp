@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/newton_end.h"
 
+#include "context/view.h"
 #include "base/index.h"
 #include "contact/iterate.h"
 #include "contact/newton_laws.h"
 #include "context/newton_data.h"
-#include "context/view.h"
 #include "solve/contact_rows.h"
 #include "solve/solve.h"
 
@@ -20,23 +20,7 @@ namespace {
 using assembly::Contacts;
 using nonsmooth::Cone;
 
-/// Project the impulses of all contacts onto their friction cones.
-void project_all(Model& model) noexcept {
-    for (Cone& c : model.system.contacts.cones) {
-        nonsmooth::project(c.friction, c.lambda);
-        for (int i = 0; i < 3; ++i)  // the law in the matrix goes through it
-            c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
-                     c.s[3 * i + 2] * c.u[2];
-    }
-    assembly::Resistances& resistances = model.system.contacts.resistances;
-    for (std::size_t k = 0; k < resistances.count(); ++k) {
-        const Cone& c = model.system.contacts.cones[at(resistances.rows[k].contact)];
-        nonsmooth::limit(resistances.laws[k], c.lambda[0], resistances.laws[k].lambda);
-        nonsmooth::take_impulse(resistances.laws[k], c.u[0]);
-    }
-}
-
-/// Return to the stored best iterate. Its rows hold like the current ones, to rounding.
+/// Back to the iterate set aside. Its rows hold as those at hand do: to round-off.
 void take_best(Model& model, Work& work, runtime::Pool& pool) noexcept {
     const assembly::View v = row_view(model);
     const Newton& n = work.newton;
@@ -57,6 +41,21 @@ void take_best(Model& model, Work& work, runtime::Pool& pool) noexcept {
 }
 
 }  // namespace
+
+void project_all(Model& model) noexcept {
+    for (Cone& c : model.system.contacts.cones) {
+        nonsmooth::project(c.friction, c.lambda);
+        for (int i = 0; i < 3; ++i)  // the law in the matrix goes through it
+            c.p[i] = c.lambda[i] + c.s[3 * i] * c.u[0] + c.s[3 * i + 1] * c.u[1] +
+                     c.s[3 * i + 2] * c.u[2];
+    }
+    assembly::Resistances& resistances = model.system.contacts.resistances;
+    for (std::size_t k = 0; k < resistances.count(); ++k) {
+        const Cone& c = model.system.contacts.cones[at(resistances.rows[k].contact)];
+        nonsmooth::limit(resistances.laws[k], c.lambda[0], resistances.laws[k].lambda);
+        nonsmooth::take_impulse(resistances.laws[k], c.u[0]);
+    }
+}
 
 void forget_best(Newton& newton) noexcept { newton.best = std::numeric_limits<double>::infinity(); }
 
@@ -85,7 +84,7 @@ Status end_early(StepContext& ctx) noexcept {
     Contacts& contacts = ctx.model.system.contacts;
     if (ctx.work.newton.best < merit(ctx.model, ctx.work.newton, 0.0))
         take_best(ctx.model, ctx.work, ctx.pool);
-    constexpr double kPoor = 0.1;  // an iterate above this is worse than the end of the last step
+    constexpr double kPoor = 0.1;  // Worse tells less than how the last step ended.
     for (Cone& c : contacts.cones) c.coupling = nonsmooth::Coupling::lagged;
     if (ctx.work.stats.natural_map > kPoor) go_back_to_last(ctx.model, ctx.work.contact_speed);
     ctx.work.stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none);
@@ -97,7 +96,7 @@ Status end_early(StepContext& ctx) noexcept {
 }
 
 void end_hastily(Model& model, Work& work, runtime::Pool& pool) noexcept {
-    // After a single iteration there is no better iterate, which happens when time is short.
+    // After one iteration there is no other: that is when time is short.
     if (std::isfinite(work.newton.best) && work.newton.best < merit(model, work.newton, 0.0))
         take_best(model, work, pool);
     project_all(model);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/guard.h"
 
-#include "base/index.h"
 #include "context/copies.h"
 #include "context/view.h"
+#include "base/index.h"
+#include "contact/newton.h"
 #include "context/wires_data.h"
 #include "solve/wire_energy.h"
 #include "solve/wire_plan.h"
@@ -29,7 +30,8 @@ bool accepted(const Wires& w, std::size_t wire) noexcept {
 
 /// Restore the initial multipliers, on which the geometric stiffness depends, and the state of
 /// lines. Lines of rejected wires keep their latest state.
-void restore_start(Model& model, Before& kept) noexcept {
+/// @param warm  The repeated solve starts from the rejected solution: lines keep their state.
+void restore_start(Model& model, Before& kept, bool warm) noexcept {
     model::Interactions& in = model.interactions;
     Wires& w = model.wires;
     std::copy(kept.lambda.begin(), kept.lambda.end(), in.lambda.begin());
@@ -37,7 +39,7 @@ void restore_start(Model& model, Before& kept) noexcept {
     for (const std::int32_t id : model.completion.joints)
         std::copy_n(&model.completion.lambda_with[at(in.row_begin[at(id)])], in.rows[at(id)],
                     &in.lambda[at(in.row_begin[at(id)])]);
-    for (std::size_t i = 0; i < kept.active.size(); ++i) {
+    for (std::size_t i = 0; i < kept.active.size() && !warm; ++i) {
         const std::int32_t id = model.system.bounded[i];
         const std::int32_t wire = id < interaction_count(model) ? w.wire_of[at(id)] : -1;
         if (wire < 0 || w.level[at(wire)] == 0) in.active[at(id)] = kept.active[i];
@@ -59,13 +61,16 @@ void replace(Model& model) noexcept {
 
 Status solve_again(StepContext& ctx) noexcept {
     ++ctx.work.stats.wire_repeats;
+    // Few contacts change with the rejected wire: its solution is closer than the last step's.
+    const bool warm = keep_solution(ctx.model, ctx.work);
     release_wires(ctx.model);
-    restore_start(ctx.model, ctx.work.before);
+    restore_start(ctx.model, ctx.work.before, warm);
     replace(ctx.model);
     ctx.model.wires.again = true;
     Status status = Status::ok;
     if (ctx.model.collider.count() > 0) status = start_contacts(ctx, Phase::regular);
     if (status == Status::ok) {
+        if (warm) begin_newton_again(ctx);
         assemble_rows(ctx);
         status = solve_assembled(ctx);
     }
@@ -83,8 +88,7 @@ bool refuse(Model& model, const Before& kept) noexcept {
         const auto wire = static_cast<std::int32_t>(k);
         const bool first = w.level[k] == 0;
         plan_wires(model, kept, wire);
-        // For wires that may touch, the first plan fails about half of the time, so two are applied
-        // at once (guard.h).
+        // Of those that may touch the first plan fails as often as not: 2 at once (guard.h).
         if (first && may_touch(model, wire)) plan_wires(model, kept, wire);
         any = true;
     }
