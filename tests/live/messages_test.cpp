@@ -4,6 +4,7 @@
 ///
 /// Values are from 1e-320 to 1e308. Messages set inputs, drag, part, save, restore and step
 /// (random_messages.h).
+#include "files/mutate.h"
 #include "live/random_messages.h"
 
 #include "support/tier.h"
@@ -27,7 +28,7 @@ std::filesystem::path messages_file(const char* name) {
 }
 
 TEST(LiveMessages, OfAnyKindAndOrderAreReplayed) {
-    const int sessions = by_tier(10, 200, 200);
+    const int sessions = inputs_of(10, 200, 200);
     const int messages = by_tier(100, 250, 5000);
     const std::filesystem::path file = messages_file("messages");
     MessageFigures all;

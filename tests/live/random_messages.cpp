@@ -138,7 +138,7 @@ class Driven {
         if (!live::parse(line, request, reason)) return failed_;
         ++figures.taken;
         for (live::Command& command : request.commands) {
-            command.client = 1;
+            command.client = 1 + static_cast<std::uint32_t>(line.size() % 3);
             (void)hub_.commands.push(std::move(command));
         }
         for (int loops = 0; loops == 0 || (!driver_->paused() && loops < 5); ++loops) loop();
@@ -200,9 +200,18 @@ class Driven {
 SessionDef message_session(int session) {
     constexpr std::array kFiles{"crane_knuckle", "wire_pins", "tow_payout"};
     const auto kind = static_cast<std::size_t>(session) % kMessageScenes;
-    if (kind == 0) return {.scene_text = rangeless_tow()};
-    if (kind == 1) return {.scene_text = kYard};
-    return {.scene = fmt::format("scenes/{}.json", kFiles[kind - 2])};
+    SessionDef def;
+    def.options.threads = 1 + session % 2;
+    // A replay repeats what a step left out for want of time.
+    if (session % 3 == 2) def.options.budget_work = 2e4;
+    if (session % 7 == 3) def.options.budget = 1e-4;
+    if (kind == 0)
+        def.scene_text = rangeless_tow();
+    else if (kind == 1)
+        def.scene_text = kYard;
+    else
+        def.scene = fmt::format("scenes/{}.json", kFiles[kind - 2]);
+    return def;
 }
 
 Sender::Sender(const World& world, std::uint32_t seed)
@@ -276,6 +285,7 @@ std::string Sender::next(bool failed) {
         case 5:
             return R"({"type":"release"})";
         case 6:
+            if (random_.chance(0.2)) return R"({"type":"resume"})";
             if (!random_.chance(0.1)) return R"({"type":"pause"})";
             return fmt::format(R"({{"type":"part","wire":{},"s":{}}})", random_.integer(0, wires_),
                                random_.unit());
