@@ -91,6 +91,8 @@ function(hawser_add_test_executable target folder)
     endif()
     if(folder STREQUAL live)
         list(PREPEND libraries hawser_live)
+        target_sources(${target} PRIVATE
+            "${PROJECT_SOURCE_DIR}/tests/machine/failing.cpp")
     endif()
     hawser_use(${target} ${libraries})
     if(folder STREQUAL scene)  # the schema is checked by valijson; tests write files of these formats

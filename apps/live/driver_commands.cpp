@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::size_t kMostPoints = 17;   // restore points, including the start
 constexpr int kMostCommands = 512;        // performed between two steps
-constexpr double kRestoresShare = 0.2;    // largest fraction of time for saving and restoring
 constexpr double kRestoresAllowed = 0.1;  // [s] time for it that is always allowed
 
 }  // namespace
@@ -152,8 +151,8 @@ void Driver::afford_states(const char* what) const {
 
 void Driver::count_states(double begun) {
     states_took_ = clock_now() - begun;
-    const double from = std::max(states_free_, begun - kRestoresAllowed / kRestoresShare);
-    states_free_ = from + states_took_ / kRestoresShare;
+    const double from = std::max(states_free_, begun - kRestoresAllowed / options_.states_share);
+    states_free_ = from + states_took_ / options_.states_share;
 }
 
 void Driver::save(const std::string& name) {

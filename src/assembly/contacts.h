@@ -89,6 +89,14 @@ class Contacts {
     /// contact of `memory` that stays.
     void forget(const std::vector<std::uint8_t>& stays) noexcept;
 
+    /// Discard the rows of a step that failed before all of them were written.
+    void forget_rows() noexcept {
+        rows.clear();
+        cones.clear();
+        resistances.rows.clear();
+        resistances.laws.clear();
+    }
+
     /// Discard the missing links that connect() found.
     void forget_missing() noexcept { missing_.clear(); }
 

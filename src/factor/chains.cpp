@@ -268,8 +268,11 @@ bool chains_fit(const Pattern& pattern, const Chains& chains,
         const int size = chains.body_size[at(c)], reach = chains.reach[at(c)];
         if ((size != 3 && size != 6) || (reach != 1 && reach != 2)) return false;
         std::int32_t before = -1;
+        // A row of three bodies belongs to its first one and joins the units of the other two.
+        bool spans = false;
         for (std::int32_t u = begin; u < end; ++u) {
-            bool joined = u + 1 == end;
+            bool joined = u + 1 == end || spans;
+            spans = false;
             for (const std::int32_t v : chains.unit(u)) {
                 const bool body = v == chains.unit(u).front();
                 if (pattern.sign[at(v)] != (body ? 1 : -1) || position[at(v)] < before ||
@@ -282,6 +285,7 @@ bool chains_fit(const Pattern& pattern, const Chains& chains,
                                : chain_of[at(w)] >= 0 || position[at(w)] < last)
                         return false;
                     joined |= inside && unit_of[at(w)] == u + 1;
+                    spans |= inside && unit_of[at(w)] == u + 2;
                 }
             }
             if (!joined) return false;

@@ -68,6 +68,10 @@ class ChangeBytes : public ChangeListener {
     [[nodiscard]] bool failed() const noexcept { return failed_; }
     void clear() noexcept;
 
+  protected:
+    /// The change that did not fit was undone.
+    void forget_failure() noexcept { failed_ = false; }
+
   private:
     template <class F>
     void write(F&& fields) noexcept;

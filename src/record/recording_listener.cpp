@@ -17,36 +17,24 @@ void RecordingListener::set(InputId id, double value) noexcept {
     // A later input has no name in the recording, or the index of a removed one.
     if (id.generation != 0 || id.index >= inputs_) return ChangeBytes::set(id, value);
     try {
-        if (!bytes().empty()) close_part();
-        set_.push_back({world_.step_count(), id.index, value});
-    } catch (const std::exception&) {
-        fault_ = std::current_exception();
+        set_.push_back({{world_.step_count(), id.index, value}, bytes().size()});
+    } catch (const std::bad_alloc&) {
+        lost();
     }
-}
-
-void RecordingListener::close_part() {
-    if (set_.empty() && bytes().empty()) return;
-    Part& part = parts_.emplace_back();
-    part.set = set_;
-    part.changes.assign(bytes().begin(), bytes().end());
-    part.other_bodies = other_bodies();
-    set_.clear();
-    clear();
 }
 
 std::size_t RecordingListener::mark() noexcept {
-    try {
-        close_part();
-    } catch (const std::exception&) {
-        fault_ = std::current_exception();
-    }
-    return parts_.size();
+    failed_before_ = failed();
+    return set_.size() + bytes().size();
 }
 
 void RecordingListener::undone(std::size_t mark) noexcept {
-    while (parts_.size() > mark) parts_.pop_back();
-    set_.clear();
-    clear();
+    // Inputs and changes are one sequence: input i is its element i + set_[i].bytes.
+    std::size_t kept = 0;
+    while (kept < set_.size() && kept + set_[kept].bytes < mark) ++kept;
+    set_.resize(kept);
+    ChangeBytes::undone(mark - kept);
+    if (!failed_before_) forget_failure();
 }
 
 void RecordingListener::detached(InteractionId element, int end) noexcept {
@@ -83,14 +71,19 @@ void RecordingListener::flush() { flush(world_.step_count()); }
 
 void RecordingListener::flush(std::int64_t step) {
     if (fault_) std::rethrow_exception(fault_);
-    for (const Part& part : parts_) {
-        writer_.add_inputs(part.set);
-        writer_.add_changes(step, part.changes, part.other_bodies);
+    writer_.check_complete(*this);
+    const std::span<const std::byte> all = bytes();
+    std::size_t written = 0;
+    for (std::size_t i = 0; i < set_.size();) {
+        const std::size_t before = set_[i].bytes;
+        writer_.add_changes(step, all.subspan(written, before - written), other_bodies());
+        written = before;
+        run_.clear();
+        for (; i < set_.size() && set_[i].bytes == before; ++i) run_.push_back(set_[i].input);
+        writer_.add_inputs(run_);
     }
-    parts_.clear();
-    writer_.add_inputs(set_);
+    writer_.add_changes(step, all.subspan(written), other_bodies());
     set_.clear();
-    writer_.add_changes(step, *this);
     clear();
     now_ = world_.step_count();
 }

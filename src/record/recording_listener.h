@@ -33,26 +33,27 @@ class RecordingListener final : public ChangeBytes {
     /// @param step  Number of steps before that one; a replay makes the changes before it.
     /// @throws RecordingError
     void flush(std::int64_t step);
+    /// Return the number of set inputs and of bytes of changes. Allocates nothing, since a step
+    /// must not lose what was set before it.
     std::size_t mark() noexcept override;
     void undone(std::size_t mark) noexcept override;
 
   private:
-    /// Inputs, and then changes, that are not written yet.
-    struct Part {
-        std::vector<RecordedInput> set;
-        std::vector<std::byte> changes;
-        bool other_bodies = false;
+    /// A set input and its position among the changes.
+    struct Set {
+        RecordedInput input;
+        std::size_t bytes = 0;  ///< Size of the changes before it.
     };
-    void close_part();
     template <class F>
     void begin_take(F&& told) noexcept;
 
     RecordingWriter& writer_;
     World& world_;
-    std::vector<Part> parts_;         ///< Closed ones that are not written yet, in order.
-    std::vector<RecordedInput> set_;  ///< Since the last change; not written yet.
-    std::int32_t inputs_;  ///< Number of inputs of the scene: the recording has their names.
-    std::int64_t now_;     ///< Number of steps at the last call.
+    std::vector<Set> set_;            ///< Not written yet; their changes are in bytes().
+    std::vector<RecordedInput> run_;  ///< Scratch: inputs between two changes.
+    std::int32_t inputs_;             ///< Of the scene: the recording has their names.
+    std::int64_t now_;                ///< Steps taken when it looked last.
+    bool failed_before_ = false;      ///< failed() at the last mark.
     std::exception_ptr fault_;
 };
 

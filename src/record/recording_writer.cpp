@@ -131,12 +131,11 @@ void RecordingWriter::write_chunk(const char* kind) {
     payload_.clear();
 }
 
-void RecordingWriter::add_changes(std::int64_t step, const ChangeBytes& changes) {
+void RecordingWriter::check_complete(const ChangeBytes& changes) const {
     if (changes.failed())
         throw RecordingError(file_.string() +
                              ": a change of the world did not fit into memory; the recording ends "
                              "before it");
-    add_changes(step, changes.bytes(), changes.other_bodies());
 }
 
 void RecordingWriter::add_changes(std::int64_t step, std::span<const std::byte> changes,

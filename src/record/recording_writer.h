@@ -29,9 +29,9 @@ class RecordingWriter {
                     const RecordingSettings& settings);
     void add_frame(const World& world);
     void add_inputs(std::span<const RecordedInput> changes);
-    /// Write the changes that a world reported since the last call (changes.h), before the next
-    /// step.
-    void add_changes(std::int64_t step, const ChangeBytes& changes);
+    /// @throws RecordingError if a change is missing for want of memory.
+    void check_complete(const ChangeBytes& changes) const;
+    /// Write changes of the world since the last call (changes.h), before the next step.
     void add_changes(std::int64_t step, std::span<const std::byte> changes, bool other_bodies);
     /// Write the loads of systems in the last step, if any.
     void add_loads(const World& world);

@@ -107,6 +107,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
         }
         ctx.work.solve.columns.reserve(most_columns(ctx.model));
     });
+    if (status != Status::ok) c.forget_rows();
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;
     if (status != Status::ok) return status;
     // u at the velocities of the last step; λ is that of the last step.

@@ -164,11 +164,13 @@ void finish(StepContext& ctx) noexcept {
 /// Run all stages. If it fails, the state may be incomplete.
 Status take_step(StepContext& ctx) noexcept {
     const bool starts = !ctx.state.started;
+    // Solves read figures of the step. A start reads none of an earlier step.
+    clear_figures(ctx.model, ctx.work);
     Status status = starts ? start_world(ctx) : Status::ok;
     if (status != Status::ok) return status;
     const StepTimer timer(ctx);
     const Clock::time_point begin = Clock::now();
-    clear_figures(ctx.model, ctx.work);
+    if (starts) clear_figures(ctx.model, ctx.work);
 
     if (!starts) status = timed(ctx, Stage::prestep, prestep);
     if (status == Status::ok) status = collide(ctx);

@@ -269,6 +269,7 @@ struct World::Impl final : private world::InputDoor {
         const Untold untold(*this);
         return set(id, value, before);
     }
+    [[nodiscard]] bool empties_range(std::int32_t input) const noexcept override;
     [[nodiscard]] InputId id_of(std::int32_t input) const noexcept override {
         return input_places.id<InputId>(input);
     }

@@ -59,13 +59,14 @@ Followed followed(const World& world, const InputDef& def) {
     return {};
 }
 
-/// Reject a value that would leave a range empty, as add_interaction() does.
+constexpr std::pair<const char*, const char*> kRanges[] = {{"min", "max"},
+                                                           {"force_min", "force_max"}};
+
+/// Refuse a range that `value` would leave empty, as add_interaction() does.
 void check_pair(const World& world, const InputDef& def, double value) {
     if (!def.interaction.valid()) return;
-    constexpr std::pair<const char*, const char*> kPairs[] = {{"min", "max"},
-                                                              {"force_min", "force_max"}};
     const InteractionDef& d = world.interaction_def(def.interaction);
-    for (const auto& [low, high] : kPairs) {
+    for (const auto& [low, high] : kRanges) {
         if (def.param != low && def.param != high) continue;
         const char* const other = def.param == low ? high : low;
         const double there = d.get(other);
@@ -195,6 +196,15 @@ void World::set_input(InputId id, double value) {
     impl_->apply_input(i, clamped);
     c.state.ledger.drive += elastic() - before;
     if (impl_->listener != nullptr) impl_->listener->set(id, value);
+}
+
+bool World::Impl::empties_range(std::int32_t input) const noexcept {
+    const InputDef& def = inputs[at(input)];
+    if (!def.interaction.valid()) return false;
+    const InteractionDef& d = ctx.model.interactions.def[at(def.interaction.index)];
+    for (const auto& [low, high] : kRanges)
+        if ((def.param == low || def.param == high) && d.get(low) > d.get(high)) return true;
+    return false;
 }
 
 double World::Impl::applied(const InputDef& input) const {

@@ -133,8 +133,7 @@ std::string to_string(const BadLoad& load, const World& world) {
         const bool there = world.alive(load.input);
         const std::string which = there ? "input '" + world.input_def(load.input).name + "'"
                                         : "input " + std::to_string(load.input.index);
-        return who + ": " + which + ": " + load.reason +
-               "; give a finite value and an id of the world";
+        return who + ": " + which + ": " + load.reason;
     }
     const bool there = world.alive(load.body);
     return who + ": its load" +

@@ -82,7 +82,9 @@ class Systems::Hands final : public Prestep::Hands {
             if (of_.bad.reason[0] != '\0') return;
             of_.bad.of_input = true;
             of_.bad.input = id;
-            of_.bad.reason = std::isfinite(value) ? "there is no such input" : "it is not finite";
+            of_.bad.reason = std::isfinite(value)
+                                 ? "there is no such input; give an id of the world"
+                                 : "it is not finite; give a finite value";
             return;
         }
         for (InputDoor::Before& earlier : of_.set_) {
@@ -208,11 +210,13 @@ Status Systems::act_all(stepper::StepContext& ctx) {
     for (std::size_t i = 0; i < list_.size(); ++i) {
         ctx.state.loads.begin_system(static_cast<int>(i), list_[i]->is_water());
         queue_.begin_system(list_[i]->name());
+        const std::size_t inputs = set_.size();
         list_[i]->prestep(now, loads);
         if (ctx.state.loads.out_of_memory() || queue_.out_of_memory() || untold_)
             return Status::out_of_memory;
         if (bad.reason[0] == '\0' && ctx.state.loads.touched())
             bad = ctx.state.loads.fault(ctx.pool);
+        check_ranges(inputs);
         if (bad.reason[0] == '\0') continue;
         bad.system = list_[i]->name();
         return Status::bad_load;
@@ -220,6 +224,17 @@ Status Systems::act_all(stepper::StepContext& ctx) {
     if (queue_.size() == 0) return Status::ok;
     keep_deed(ctx);
     return Status::bad_edit;
+}
+
+/// Find an input set from entry `first` of set_ on that leaves a range empty.
+void Systems::check_ranges(std::size_t first) noexcept {
+    for (std::size_t i = first; i < set_.size() && bad.reason[0] == '\0'; ++i) {
+        if (!door_.empties_range(set_[i].input)) continue;
+        bad.of_input = true;
+        bad.input = door_.id_of(set_[i].input);
+        bad.reason =
+            "its range would be empty: the minimum is above the maximum; set the other end";
+    }
 }
 
 Status Systems::act(stepper::StepContext& ctx) noexcept {

@@ -39,6 +39,8 @@ class InputDoor {
     virtual bool set(InputId id, double value, Before& before) noexcept = 0;
     /// Set an input without a report to the listener.
     virtual bool set_untold(InputId id, double value, Before& before) noexcept = 0;
+    /// True if the input drives one end of a range whose minimum is above its maximum.
+    [[nodiscard]] virtual bool empties_range(std::int32_t input) const noexcept = 0;
     [[nodiscard]] virtual InputId id_of(std::int32_t input) const noexcept = 0;
     virtual void take_back(const Before& before) noexcept = 0;
     /// Report that a requested value was beyond its range.
@@ -168,6 +170,7 @@ class Systems final : public stepper::Actors {
         std::vector<Event> told;
         bool known = false;
     };
+    void check_ranges(std::size_t first) noexcept;
     Status act_all(stepper::StepContext& ctx);
     void keep_states(std::vector<std::byte>& to) const;
     void take_states(const std::vector<std::byte>& from) const;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Wires are detected, cut into chains that do not touch each other, and assigned to lanes.
 #include "factor/body_graph.h"
+#include "factor/edited_graph.h"
 #include "factor/matrices.h"
+#include "factor/repair.h"
 #include "support/sanitizer.h"
 #include "support/tier.h"
 
@@ -201,6 +203,74 @@ TEST(Chains, StraightAndPinnedStaysSolvable) {
     const Solved got = solve(m, b);
     EXPECT_EQ(got.wrong, 0);
     EXPECT_LE(backward_error(m, got.x, b), 1e-6);  // before refinement: 1e-16 / 1e-9
+}
+
+/// A wire of ten bodies, and a chain of all of them that is eliminated in their order.
+struct OneChain {
+    factor::Pattern pattern;
+    factor::Chains chains;
+    std::vector<std::int32_t> position;
+};
+
+/// Bodies 5 and 6 share one row with body 4 and have no other coupling. @param with_row  False:
+/// the row couples to body 4 alone.
+OneChain chain_with_three_body_row(bool with_row) {
+    constexpr std::int32_t kBodies = 10, kRow = kBodies;
+    std::vector<std::int8_t> size(kBodies, 6), sign(kBodies, 1);
+    std::vector<std::int32_t> from, to;
+    for (std::int32_t b = 1; b < kBodies; ++b) {
+        if (b == 6) continue;
+        from.push_back(b - 1);
+        to.push_back(b);
+    }
+    size.push_back(3);
+    sign.push_back(-1);
+    for (std::int32_t b = 4; b <= (with_row ? 6 : 4); ++b) {
+        from.push_back(kRow);
+        to.push_back(b);
+    }
+    OneChain out;
+    out.pattern = factor::make_pattern(size, sign, from, to);
+    out.position.resize(kBodies + 1);
+    for (std::int32_t b = 0; b < kBodies; ++b) {
+        out.chains.nodes.push_back(b);
+        if (b == 4) out.chains.nodes.push_back(kRow);  // its first body has the row
+        out.chains.unit_begin.push_back(static_cast<std::int32_t>(out.chains.nodes.size()));
+    }
+    for (std::size_t k = 0; k < out.chains.nodes.size(); ++k)
+        out.position[static_cast<std::size_t>(out.chains.nodes[k])] = static_cast<std::int32_t>(k);
+    out.chains.begin.push_back(kBodies);
+    out.chains.body_size.push_back(6);
+    out.chains.reach.push_back(2);
+    return out;
+}
+
+/// ChainFinder makes such chains. A saved state of them was refused.
+TEST(Chains, FitIfARowOfThreeBodiesJoinsTwoUnits) {
+    const OneChain one = chain_with_three_body_row(true);
+    EXPECT_TRUE(factor::chains_fit(one.pattern, one.chains, one.position));
+    const OneChain two = chain_with_three_body_row(false);
+    EXPECT_FALSE(factor::chains_fit(two.pattern, two.chains, two.position));
+}
+
+/// The state of a plan is accepted, whatever was edited before.
+TEST(Chains, OfEditedWiresFit) {
+    int chains = 0;
+    for (const std::uint32_t seed : seeds(1, 20, 400, 4000)) {
+        Random random(seed);
+        EditedGraph graph(wires(random, 10, 30).pattern);
+        std::vector<std::int32_t> old_of_new;
+        for (int i = 0; i < 12; ++i) {
+            edit(graph, random, false);
+            const factor::Pattern p = graph.pattern(old_of_new);
+            factor::Analysis planned, resumed;
+            planned.plan(p);
+            chains += planned.elimination().chains.count();
+            ASSERT_TRUE(resumed.resume(p, planned.state())) << seed << ", " << i;
+            ASSERT_TRUE(resumed.symbolic() == planned.symbolic()) << seed << ", " << i;
+        }
+    }
+    EXPECT_GT(chains, 0);
 }
 
 }  // namespace

@@ -166,7 +166,10 @@ TEST(Repair, EqualsAnAnalysisOfTheNewPattern) {
 }
 
 TEST(Repair, GoesOnAlikeFromItsState) {
-    for (const std::uint32_t seed : seeds(1, kSanitized ? 4 : 10, kSanitized ? 6 : 30, 300)) {
+    auto all = seeds(1, kSanitized ? 4 : 10, kSanitized ? 6 : 30, 300);
+    // Their chains have rows of three bodies, without which two units would not be joined.
+    if (all.size() > 1) all.insert(all.end(), {452772533, 26108896});
+    for (const std::uint32_t seed : all) {
         SCOPED_TRACE(seed);
         Random random(seed);
         const Pattern first = wires(random, 10, 30).pattern;
