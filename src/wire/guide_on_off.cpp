@@ -14,6 +14,7 @@ namespace {
 /// The element that a wire becomes where it is let go is divided by a node when its material is
 /// longer than this times GuideDef::element_length.
 constexpr double kLongLifted = 1.5;
+constexpr double kEndShare = 0.25;  ///< Least share of the element beside that node.
 
 }  // namespace
 
@@ -45,8 +46,12 @@ bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide, const Interactio
     const InteractionId whole = nodes.lift_off(guide.ids(), element);
     if (!whole.valid()) return false;
     if (made != nullptr) *made = whole;
-    if (guide.material()[0] + guide.material()[1] > kLongLifted * guide.def().element_length)
-        (void)nodes.insert_node(whole, 0.5);
+    const double first = guide.material()[0], both = first + guide.material()[1];
+    if (both <= kLongLifted * guide.def().element_length) return true;
+    // A wire that leaves an open guide has a node where the wheel was, if that is not at an end.
+    const double share =
+        guide.def().closed ? 0.5 : std::clamp(first / both, kEndShare, 1.0 - kEndShare);
+    (void)nodes.insert_node(whole, share);
     return true;
 }
 

@@ -108,7 +108,10 @@ class GuideSystem final : public System {
     /// one that comes back.
     void lift(NodeEdits& nodes) noexcept;
     void come_back(NodeEdits& nodes) noexcept;
-    bool lay_back(NodeEdits& nodes, InteractionId element, double along);
+    /// @param along  Speed of the wire [m/s]. @param kept  Rest length beside the element's [m].
+    bool lay_back(NodeEdits& nodes, InteractionId element, double along, double kept);
+    /// Stops what falls on an open guide, where steps do not resolve it.
+    void land(const World& world, Loads& loads) noexcept;
     void stop(Prestep& now) noexcept;
     void look(const World& world) noexcept;
     void weigh(const World& world, Loads& loads) const noexcept;
@@ -124,7 +127,7 @@ class GuideSystem final : public System {
     std::int32_t parted_ = 0;
     static constexpr std::int32_t kRunsOff = 2, kRanOff = 3;
     static constexpr std::int32_t kLifted = 4;  ///< Of an open guide: no wire lies on it.
-    std::int32_t wait_ = 0;                     ///< Steps until a lifted wire is looked for.
+    std::int32_t wait_ = 0;  ///< Steps of landing that are left.
     std::int32_t stopped_ = -1;                 ///< Side that has nothing left to run, −1: none.
     // Outputs.
     double angle_ = 0.0, speed_ = 0.0;
