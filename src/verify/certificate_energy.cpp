@@ -247,9 +247,10 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
         record::with_unit(fall, "J"), record::with_unit(scale, "J"));
 }
 
-/// Check the stretch that edits of wires add. It counts as created energy, over what motion has
-/// exchanged. The world's own monitors have no such account, and rows may take the stretch in the
-/// next steps: a run that they call good is not refused for it, the figure is reported.
+/// Check the stretch that edits of wires add. It counts as created energy, over the energy that
+/// motion exchanged. The monitors of the world have no such account, and rows may absorb the
+/// stretch in the next steps. A run with a good grade is therefore not refused: the figure is
+/// reported.
 std::string StateVerifier::check_edits(const World& world) {
     const double forgotten = std::min(1.0, world.settings().step / limit::kMemory);
     exchanged_ += std::abs(kinetic(world) - kinetic_) - forgotten * exchanged_;

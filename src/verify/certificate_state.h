@@ -54,7 +54,7 @@ class StateVerifier {
     /// Check the state after a step. @return a description of the failure; empty: none.
     [[nodiscard]] std::string after_step(const World& world);
     /// Restart, because the step itself added or removed objects. The next step is treated as the
-    /// first. Of this one the stretch of wires alone is checked. @return as after_step().
+    /// first. Check the stretch of wires alone. @return as after_step().
     [[nodiscard]] std::string begin_anew(const World& world);
     [[nodiscard]] const StateFigures& result() const noexcept { return result_; }
 
@@ -119,7 +119,7 @@ class StateVerifier {
     LastingFaults lasting_;
     EditedStretch stretch_;
     double edited_ = 0.0, least_edited_ = 0.0;  ///< Stretch added by edits, and its minimum [J].
-    double excused_ = 0.0;  ///< Opening of joints at the start.
+    double excused_ = 0.0;                      ///< Opening of joints at the start.
     std::array<double, 2>
         off_before_{};  ///< Deviations of the worst elements in the two previous steps.
     std::int64_t steps_ = 0;

@@ -85,8 +85,8 @@ double EditedStretch::change(const World& world, std::span<const Pose> pose) con
     double sum = 0.0;
     each_element(world, [&](InteractionId id, const InteractionDef& def) {
         const double rest_then = rest_at(world, id, before), rest_now = rest_at(world, id, now);
-        const double gap = world.violation(id)[0] - growth(world, id, before, now) +
-                           (rest_now - rest_then);
+        const double gap =
+            world.violation(id)[0] - growth(world, id, before, now) + (rest_now - rest_then);
         sum += held(def, gap, rest_then);
     });
     return sum - before_;

@@ -8,8 +8,8 @@
 /// ```
 ///     ΔV = Σ V(elements after the edit, at xₙ) − Σ V(elements before, at xₙ)     V = ½ g² EA/l₀
 /// ```
-/// Elements after the edit are known at the end of the step only. Nodes and slides have moved by h v
-/// since, which gives xₙ. The length of an element at xₙ is that between its ends; on a wheel of
+/// Elements after the edit are known at the end of the step only. Nodes and slides have moved by h
+/// v since, which gives xₙ. The length of an element at xₙ is that between its ends; on a wheel of
 /// radius R it also changes by R times the turn of its direction.
 ///
 /// Kinetic energy and gravity of edits are not counted: part of the mass at drums and guides is on

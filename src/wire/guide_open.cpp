@@ -9,8 +9,8 @@
 /// The two parts become one element again, with a node where the wheel was. They keep their rest
 /// length and their momentum (world/wheel_momentum.h).
 ///
-/// *Coming back.* For each element of the wire take the point nearest to the axis, at the distance
-/// d on the side on which the wire lies on the wheel:
+/// *Coming back.* Take the point of each element that is nearest to the axis. Let d be its distance
+/// on the side on which the wire lies on the wheel:
 /// ```
 ///         u ►         d: from the centre, along outward = sgn(R) u × axis
 ///     ────┬────
@@ -18,15 +18,15 @@
 ///     (   c    )
 /// ```
 /// Let g be the gap at the present poses, ġ its rate. The wire is laid on at the first pose with
-/// g ≤ 0, and −g ≤ h|ġ|, beside the guide's point by no more than kBeside R. The path over the wheel
-/// is longer than the wire by about g²/l then, l an element: that is stretch, since the parts keep
-/// the rest length of the element. A wire that passes under the wheel stays there. A node at the
-/// wheel goes first; what its element then lacks of the rest length of the two, the parts get.
+/// g ≤ 0, and −g ≤ h|ġ|, beside the guide's point by no more than kBeside R. The parts keep the
+/// rest length of the element. With elements of length l the path over the wheel is longer than the
+/// wire by about g²/l, which is stretch. A wire that passes under the wheel stays there. A node at
+/// the wheel goes first; the parts get the rest length that its removal took away.
 ///
-/// *Landing.* The wheel stops the wire out to c t after a time t, c = √(T/ρ): inside, a string that
-/// falls across on a pin is at rest. Steps with c h above an element do not resolve that. Lumps
-/// within c h are therefore damped across the wire, with a time of h/kStops, for kLanding steps;
-/// the body of the guide gets what they lose. Steps that resolve it have no lump within c h.
+/// *Landing.* A string that falls across on a pin is at rest out to c t after a time t, c = √(T/ρ).
+/// Steps with c h above an element do not resolve that. Lumps within c h are therefore damped
+/// across the wire, with a time of h/kStops, for kLanding steps. The body of the guide gets their
+/// momentum. Steps that resolve the landing have no lump within c h.
 #include "wire/guide_on_off.h"
 #include "wire/lift.h"
 
@@ -40,21 +40,21 @@
 namespace hawser::wire {
 namespace {
 
-constexpr double kLetGo = 2e-3;            ///< Angle that does not count [rad].
-constexpr double kDeep = 0.1;              ///< Of the element: a gap that is none any more.
-constexpr double kBeside = 2.0;            ///< Of the radius.
-constexpr double kAtNode = 0.06;           ///< Of an element: its node is at the wheel.
-constexpr double kMostBend = 3.2;          ///< A node at the wheel goes however the wire is bent.
-constexpr std::int32_t kLanding = 3;       ///< Steps.
-constexpr double kStops = 3.0;             ///< In a step of landing exp(−kStops) is left of a speed.
+constexpr double kLetGo = 2e-3;       ///< Angle that does not count [rad].
+constexpr double kDeep = 0.1;         ///< Share of the element: deeper wires pass under the wheel.
+constexpr double kBeside = 2.0;       ///< Share of the radius.
+constexpr double kAtNode = 0.06;      ///< Share of an element: its node is at the wheel.
+constexpr double kMostBend = 3.2;     ///< A node at the wheel goes however the wire is bent.
+constexpr std::int32_t kLanding = 3;  ///< Steps.
+constexpr double kStops = 3.0;        ///< In a step of landing exp(−kStops) is left of a speed.
 
 /// Where a piece of a wire passes a wheel.
 struct Passing {
     InteractionId element{};
-    double share = 0.0;   ///< Of the element.
+    double share = 0.0;   ///< Position on the element, 0 to 1.
     double gap = 1e300;   ///< Beyond the wheel's radius, outwards [m].
-    double rate = 0.0;    ///< Of the gap [m/s].
-    double length = 0.0;  ///< Of the element [m].
+    double rate = 0.0;    ///< Rate of the gap [m/s].
+    double length = 0.0;  ///< Length of the element [m].
     double beside = 0.0;  ///< From the guide's point, along the axis [m].
 };
 
@@ -91,16 +91,16 @@ Piece piece_of(const World& world, InteractionId id) {
 /// that of the piece; of its ends, that of the nearer one.
 Passing passing(const Piece& piece, const Wheel& wheel) {
     const Vec3 d = piece.at[1] - piece.at[0], from = piece.at[0] - wheel.centre;
-    const auto flat = [&wheel](const Vec3& x) -> Vec3 { return x - x.dot(wheel.axis) * wheel.axis; };
+    const auto flat = [&wheel](const Vec3& x) -> Vec3 {
+        return x - x.dot(wheel.axis) * wheel.axis;
+    };
     const Vec3 across = flat(d);
     const double share =
         std::clamp(-flat(from).dot(across) / std::max(across.squaredNorm(), 1e-300), 0.0, 1.0);
     const Vec3 at = from + share * d, to = flat(at);
-    const Vec3 outward =
-        (wheel.radius > 0.0 ? 1.0 : -1.0) * across.normalized().cross(wheel.axis);
+    const Vec3 outward = (wheel.radius > 0.0 ? 1.0 : -1.0) * across.normalized().cross(wheel.axis);
     const double side = to.dot(outward) < 0.0 ? -1.0 : 1.0;
-    const Vec3 speed =
-        (1.0 - share) * piece.speed[0] + share * piece.speed[1] - wheel.speed;
+    const Vec3 speed = (1.0 - share) * piece.speed[0] + share * piece.speed[1] - wheel.speed;
     const double far = to.norm();
     const Vec3 away = far > 0.0 ? Vec3(side / far * to) : outward;
     return {.element = {},
@@ -121,8 +121,7 @@ Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wh
         one.element = id;
         if (std::abs(one.beside) > kBeside * std::abs(def.radius)) continue;
         const double radius = std::abs(wheel.radius);
-        if (!best.element.valid() ||
-            std::abs(one.gap + radius) < std::abs(best.gap + radius))
+        if (!best.element.valid() || std::abs(one.gap + radius) < std::abs(best.gap + radius))
             best = one;
     }
     return best;
@@ -192,7 +191,7 @@ void GuideSystem::come_back(NodeEdits& nodes) noexcept {
             if (!at.element.valid()) return;
         }
     }
-    // What removing the node took from the rest length, or gave to it.
+    // Rest length that removing the node took from the wire [m].
     const double kept = length - world.length(def_.wire);
     try {
         (void)lay_back(nodes, at.element, speed_along(world, at, wheel), kept);

@@ -110,7 +110,7 @@ class GuideSystem final : public System {
     void come_back(NodeEdits& nodes) noexcept;
     /// @param along  Speed of the wire [m/s]. @param kept  Rest length beside the element's [m].
     bool lay_back(NodeEdits& nodes, InteractionId element, double along, double kept);
-    /// Stops what falls on an open guide, where steps do not resolve it.
+    /// Damp a wire that lands on an open guide, in steps that do not resolve the landing.
     void land(const World& world, Loads& loads) noexcept;
     void stop(Prestep& now) noexcept;
     void look(const World& world) noexcept;
@@ -127,7 +127,7 @@ class GuideSystem final : public System {
     std::int32_t parted_ = 0;
     static constexpr std::int32_t kRunsOff = 2, kRanOff = 3;
     static constexpr std::int32_t kLifted = 4;  ///< Of an open guide: no wire lies on it.
-    std::int32_t wait_ = 0;  ///< Steps of landing that are left.
+    std::int32_t wait_ = 0;                     ///< Steps of landing that are left.
     std::int32_t stopped_ = -1;                 ///< Side that has nothing left to run, −1: none.
     // Outputs.
     double angle_ = 0.0, speed_ = 0.0;

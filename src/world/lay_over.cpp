@@ -8,8 +8,8 @@
 #include "step/wire_ends.h"
 #include "world/checks.h"
 #include "world/impl.h"
-#include "world/wire_capsule.h"
 #include "world/wheel_momentum.h"
+#include "world/wire_capsule.h"
 #include "world/wire_list.h"
 
 #include <algorithm>
@@ -140,8 +140,7 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
         for (const std::size_t end : {0U, 1U})
             if (given[end] > 0.0)
                 set_mass(old.body[end], body_def(old.body[end]).mass - given[end]);
-        world::stop_across(m.ctx, {out[0].index, out[1].index}, speed,
-                           0.5 * (given[0] + given[1]));
+        world::stop_across(m.ctx, {out[0].index, out[1].index}, speed, 0.5 * (given[0] + given[1]));
     }
     if (m.listener != nullptr) m.listener->laid_over(element, before, behind);
     return out;

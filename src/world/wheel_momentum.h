@@ -13,7 +13,7 @@
 /// ```
 ///     (M_k + (m₁+m₂)/2) v_k' = (M_k + m_k/2) v_k + ((m₁+m₂ − m_k)/2) w_k
 /// ```
-/// *On.* The half moves across the wire with v, as on a straight element, and the wheel stops it:
+/// *On.* The half moves across the wire with v, as on a straight element. The wheel stops it, and
 /// the body of the guide gets the impulse (m₁+m₂)/2 · (v − wheel)⊥.
 
 #include <hawser/id.h>
@@ -28,14 +28,14 @@ struct StepContext;
 
 namespace hawser::world {
 
-/// Mass at a wheel that goes to each end of the wire there [kg], and its speeds: in the last step,
-/// and as predicted for the next one [m/s].
+/// Mass at a wheel that goes to each end of the wire there [kg]. Speeds are those of the last step,
+/// and those predicted for the next one [m/s].
 struct AtWheel {
     std::array<double, 2> mass{};
     std::array<Vec3, 2> speed{Vec3::Zero(), Vec3::Zero()}, ahead{Vec3::Zero(), Vec3::Zero()};
 };
 
-/// Read the mass at the wheel of two parts. @param mass  Of both [kg].
+/// Read the mass at the wheel of two parts. @param mass  Mass of both [kg].
 [[nodiscard]] AtWheel at_wheel(const stepper::StepContext& ctx, std::array<std::int32_t, 2> part,
                                double mass) noexcept;
 /// Set the velocity of a lump that got the mass for an end, and count the energy as edited.
@@ -43,8 +43,8 @@ void share_momentum(stepper::StepContext& ctx, std::int32_t lump, const AtWheel&
                     std::size_t end) noexcept;
 
 /// Give the body of a guide the impulse of the half element that comes to lie on it.
-/// @param part  Parts of the element. @param speed  Of the ends of the element before [m/s].
-/// @param mass  Of the half [kg].
+/// @param part  Parts of the element. @param speed  Speeds of the ends before the edit [m/s].
+/// @param mass  Mass of the half [kg].
 void stop_across(stepper::StepContext& ctx, std::array<std::int32_t, 2> part,
                  const std::array<Vec3, 2>& speed, double mass) noexcept;
 

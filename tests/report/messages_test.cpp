@@ -28,8 +28,8 @@ TEST(MessageNames, OfPartsSayWhoMadeThem) {
     EXPECT_GT(made, 0);
 }
 
-// A loss is no energy "out of nothing": the sentence has the direction, the figure without a sign,
-// the place and, in what clients read, the remedy.
+// The sentence has the direction, the figure without a sign and the place. Events for clients also
+// have the remedy.
 TEST(MessageEnergy, SaysWhetherItWasLostOrGained) {
     const World world;
     const auto said = [&](double value) {

@@ -232,8 +232,8 @@ std::string hauled_to_eye(double light, double heavy, double step) {
         step, light, heavy);
 }
 
-// The slide that the stop holds creeps by 1e-9 m/s, the difference of velocities of 1 m/s: its
-// rounding times the resistance of the stop is more than 1e-9 of the forces.
+// The slide that the stop holds creeps by 1e-9 m/s, the difference of velocities of 1 m/s. Its
+// rounding times the resistance of the stop exceeds 1e-9 of the forces.
 TEST(FalseAlarms, ASlideThatItsStopHolds) {
     for (const double step : {1.0 / 60.0, 1.0 / 120.0})
         for (const double heavy : {2.5, 4.0, 6.0}) {

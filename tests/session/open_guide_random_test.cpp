@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Check that a wire which leaves an open guide and comes back keeps its rest length and its
-/// momentum, on random routes at steps from 1/240 s to 1/20 s.
+/// Check rest length and momentum of a wire that leaves an open guide and comes back. Routes are
+/// random, steps 1/240 s to 1/20 s.
 #include <hawser/hawser.h>
 #include <hawser/session.h>
 
@@ -22,11 +22,11 @@ namespace hawser::test {
 namespace {
 
 constexpr double kMassPerLength = 25.0;  // [kg/m]
-/// Of the wire's length: the node of the lifted element hangs below its chord by w l²/8T, and the
-/// path is longer by 3e-5 m at 300 kN.
+/// Tolerance relative to the length of the wire. The node of the lifted element hangs below its
+/// chord by w l²/8T, which makes the path longer by 3e-5 m at 300 kN.
 constexpr double kLengthKept = 1e-6;
-/// Of the sum of |m v|: parts have the mass of their rest length here, of their material in the
-/// guide, which node edits let drift by 1e-4.
+/// Tolerance relative to the sum of |m v|. Parts have the mass of their rest length here, and of
+/// their material in the guide. Node edits make the two differ by 1e-4.
 constexpr double kMomentumKept = 1e-3;
 /// A wire that bounces off once or twice is right; before, it bounced until the run failed.
 constexpr int kMostReturns = 4;
@@ -38,8 +38,8 @@ struct WireSums {
     double moving = 0.0;  ///< Sum of |m v| of the lumps.
 };
 
-/// Sum up the lumps of a wire, and the elements at its guide: each loads its lump with half of its
-/// mass, and has the other half at the wheel, where it runs through with the slide.
+/// Sum up the lumps of a wire and the elements at its guide. Half of the mass of such an element
+/// moves with its lump, the other half runs over the wheel with the slide.
 WireSums sums_of(const World& w, WireId wire) {
     WireSums out{.length = w.length(wire)};
     const auto add = [&](double mass, const Vec3& v) {

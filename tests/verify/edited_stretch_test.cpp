@@ -21,8 +21,8 @@ struct Straight {
     WireId wire;
     Straight() : w({.step = 0.01, .gravity = Vec3::Zero()}) {
         first = w.add_body({.name = "first", .kind = BodyKind::fixed});
-        last = w.add_body(
-            {.name = "last", .kind = BodyKind::fixed, .position = {kApart, 0.0, 0.0}});
+        last =
+            w.add_body({.name = "last", .kind = BodyKind::fixed, .position = {kApart, 0.0, 0.0}});
         add(0.01);
     }
     void add(double strain) {
