@@ -29,7 +29,7 @@ constexpr std::array<Saying, kEventKindCount> kSayings{{
     {"reached the end of its range, beyond by", ""},
     {"was asked for a value outside its range:", ""},
     {"left a residual of", ""},
-    {"energy came out of nothing:", "J"},
+    {"gained mechanical energy without a cause:", "J"},  // a loss: event_words()
     {"stands open by", ""},
     {"has a tension that is not that of its length, off by", ""},
     {"contacts are not solved, residual", ""},
@@ -81,6 +81,8 @@ std::string status_remedy(Status status) {
 }  // namespace
 
 std::string event_words(const std::string& where, EventKind kind, double value) {
+    if (kind == EventKind::energy_created)
+        return record::energy_change(value, "") + "; take a smaller step (settings.step)";
     const Saying& saying = kSayings[static_cast<std::size_t>(kind)];
     const std::string_view unit = saying.unit;
     std::string out = where.empty() || where == "-" ? std::string(saying.words)

@@ -27,6 +27,11 @@ const char* opening_unit(const World& world, InteractionId id) {
 
 }  // namespace
 
+std::string energy_change(double value, const char* tense) {
+    return fmt::format("the whole world {}{} {} of mechanical energy without a cause", tense,
+                       value < 0.0 ? "lost" : "gained", with_unit(std::abs(value), "J"));
+}
+
 const char* remedy_for(const World& world, Judge judge) {
     const WorldDef& settings = world.settings();
     if (judge == Judge::certificate && settings.budget == 0.0 && settings.budget_work == 0.0)
@@ -40,9 +45,7 @@ std::string sentence(const World& world, Judge judge, const Finding& f, const st
     const std::string at = "'" + where + "'" + origin(world, where);
     switch (judge) {
         case Judge::energy:
-            return fmt::format(
-                "{} of mechanical energy {} {}", with_unit(std::abs(f.value), "J"),
-                f.value < 0.0 ? "had vanished without reason" : "had come out of nothing", when);
+            return energy_change(f.value, "had ") + " " + when;
         case Judge::violation:
             if (of_body)
                 return fmt::format("{} and what it touches lay {} in each other {}", at,

@@ -15,6 +15,10 @@ namespace hawser::record {
 [[nodiscard]] std::string sentence(const World& world, Judge judge, const Finding& finding,
                                    const std::string& where);
 
+/// Return a sentence about a change of mechanical energy that no work explains: lost if below 0.
+/// @param tense  "" or "had ", before the verb.
+[[nodiscard]] std::string energy_change(double value, const char* tense);
+
 /// Return remedy(judge). The budget of a step is included only if the world has one.
 [[nodiscard]] const char* remedy_for(const World& world, Judge judge);
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -154,7 +155,7 @@ std::string what_happened(const EventFigures& e) {
             return "the equations of a step were not solved to 1e-8 " +
                    plural(e.count, "time", "times");
         case EventKind::energy_created:
-            return "energy came out of nothing " + plural(e.count, "time", "times");
+            return "mechanical energy changed without a cause " + plural(e.count, "time", "times");
         case EventKind::joint_open:
             return "joints stood open " + plural(e.count, "time", "times");
         case EventKind::cable_law:
@@ -213,7 +214,10 @@ std::string what_happened(const EventFigures& e) {
 
 std::string told(const EventFigures& e, const ListedEvent& event) {
     std::string value;
-    if (e.kind != EventKind::slack)
+    if (e.kind == EventKind::energy_created)
+        value = fmt::format(", {} {}", event.value < 0.0 ? "lost" : "gained",
+                            record::with_unit(std::abs(event.value), e.unit));
+    else if (e.kind != EventKind::slack)
         value = *e.unit != '\0' ? ", " + record::with_unit(event.value, e.unit)
                                 : fmt::format(", {:.4g}", event.value + 0.0);
     return fmt::format("{:.4g} s, {}{}", event.time, event.where, value);

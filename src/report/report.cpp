@@ -233,6 +233,10 @@ std::string to_text(const verify::Verification& v) {
         v.steps, v.natural_map, v.difference, v.covered_bodies, v.moving_bodies, v.momentum,
         v.bounds, 100.0 * v.states.created, 100.0 * v.states.lost, 100.0 * v.states.open,
         100.0 * v.states.cable, 100.0 * v.states.turn);
+    if (v.states.edited > 0.0)
+        text +=
+            fmt::format("               stretch from edits of wires {:.2g} % of what is wrong\n",
+                        100.0 * v.states.edited);
     if (v.sea > 0.0)
         text += fmt::format("               loads of the sea differ by {:.2e}\n", v.sea);
     return text;

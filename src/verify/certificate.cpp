@@ -77,6 +77,7 @@ void Verifier::follow(const World& world) {
     const auto bodies = slot(world.body_count());
     mobility_.assign(bodies, Mat3::Zero());
     for (std::vector<Vec3>* v : {&change_, &linear_, &angular_}) v->resize(bodies, Vec3::Zero());
+    rounded_.resize(bodies, 0.0);
     pose_.resize(bodies);
     twist_.resize(bodies);
     earlier_.resize(bodies);
@@ -131,6 +132,7 @@ void Verifier::before_step(const World& world) {
             earlier_[b] = {2.0 * now.linear - ahead.linear, 2.0 * now.angular - ahead.angular};
         }
         linear_[b].setZero();
+        rounded_[b] = 0.0;
         angular_[b].setZero();
         slept_[b] = world.asleep(id);
     }
@@ -151,10 +153,11 @@ void Verifier::before_step(const World& world) {
 std::string Verifier::after_step(const World& world) {
     if (!knows(world)) {
         follow(world);
-        if (checks_.states) states_.begin_anew(world);
+        std::string edits = checks_.states ? states_.begin_anew(world) : std::string{};
+        result_.states = states_.result();
         seen_ = 1;  // the change of spin is known from the next step on
         impacts_ = world.stats().impacts;
-        return {};
+        return world.settings().on_diverged == OnDiverged::stop ? edits : std::string{};
     }
     const StepStats& stats = world.stats();
     const double map = step_map(world);

@@ -127,6 +127,7 @@ class Verifier : public Observer {
     std::vector<Vec3>
         change_;  ///< Change of angular velocity by torque in the last step, body frame.
     std::vector<Vec3> linear_, angular_;  ///< Impulses of contacts and interactions on each body.
+    std::vector<double> rounded_;         ///< Rounding of the impulses of loads on each body [N s].
     bool loads_ = false;                  ///< True if friction in joints depends on other forces.
     double within_rounding_ = 0.0;        ///< Largest natural map that counts as rounding.
     double impulse_ = 0.0;       ///< Σ of the squares of these impulses in the norm of M⁻¹.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hawser::verify {
 
@@ -128,6 +129,11 @@ void Verifier::add_loads(const World& world) {
         const std::size_t b = index_of(load.body.index);
         linear_[b] += load.linear;
         angular_[b] += load.angular;
+        // A step solves for the change from a predicted velocity. A stop may cancel nearly all of
+        // that velocity; the rounding of the prediction remains.
+        constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+        rounded_[b] += kRounding * load.resistance *
+                       (2.0 * twist_[b].linear.norm() + earlier_[b].linear.norm());
         impulse_ += load.linear.squaredNorm() / world.body_def(load.body).mass +
                     square_over(mobility_[b], pose_[b].orientation.conjugate() * load.angular);
     }
@@ -186,6 +192,7 @@ double Verifier::momentum_residual(const World& world) {
         Vec3 p = def.mass * (now.linear - twist_[b].linear) - given -
                  drag(def.linear_damping, lightness, old.linear, now.linear) - linear_[b];
         if (scalar) p = Vec3(p.x(), 0.0, 0.0);
+        if (const double size = p.norm(); size > 0.0) p *= std::max(0.0, 1.0 - rounded_[b] / size);
         // Compute it also for omitted bodies, because it stores the change of angular velocity.
         const Vec3 spin = turns ? spin_impulse(b, def.inertia, now) : Vec3::Zero();
         if (unsure_[b]) {

@@ -123,6 +123,7 @@ void StateVerifier::before_step(const World& world) {
     }
     impacts_ = world.stats().impacts;
     kinetic_ = kinetic_now;
+    stretch_.before_step(world);
 }
 
 /// Allow for the opening of new joints, as at the start.
@@ -135,12 +136,14 @@ void StateVerifier::excuse_joints(const World& world, const std::vector<Interact
                                               limit::kOpen.doubtful);
 }
 
-void StateVerifier::begin_anew(const World& world) {
+std::string StateVerifier::begin_anew(const World& world) {
     follow(world);
+    std::string wrong = check_edits(world);
     for (std::vector<Vec3>* v : {&force_, &torque_, &other_, &other_torque_})
         std::fill(v->begin(), v->end(), Vec3::Zero());
     off_before_ = {};
     steps_ = 0;
+    return wrong;
 }
 
 std::string StateVerifier::check_joints(const World& world) {

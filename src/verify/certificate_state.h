@@ -21,6 +21,7 @@
 
 #include <hawser/hawser.h>
 
+#include "verify/edited_stretch.h"
 #include "verify/interaction_forces.h"
 #include "verify/lasting_faults.h"
 
@@ -33,6 +34,7 @@ namespace hawser::verify {
 /// Largest values since the start, relative to the limit of failure.
 struct StateFigures {
     double created = 0.0, lost = 0.0, open = 0.0, cable = 0.0, turn = 0.0;
+    double edited = 0.0;  ///< Stretch that edits of wires add.
 };
 
 /// True if the kind is a line that stretches.
@@ -51,9 +53,9 @@ class StateVerifier {
     void add_impulse(BodyId body, const Wrench& impulse);
     /// Check the state after a step. @return a description of the failure; empty: none.
     [[nodiscard]] std::string after_step(const World& world);
-    /// Restart, because the step itself added or removed objects. It is not checked, and the next
-    /// step is treated as the first.
-    void begin_anew(const World& world);
+    /// Restart, because the step itself added or removed objects. The next step is treated as the
+    /// first. Check the stretch of wires alone. @return as after_step().
+    [[nodiscard]] std::string begin_anew(const World& world);
     [[nodiscard]] const StateFigures& result() const noexcept { return result_; }
 
   private:
@@ -74,6 +76,7 @@ class StateVerifier {
     [[nodiscard]] std::string check_loss(const World& world, double kinetic_now);
     void add_sources(const World& world);
     [[nodiscard]] std::string check_energy(const World& world);
+    [[nodiscard]] std::string check_edits(const World& world);
     [[nodiscard]] std::string check_joints(const World& world);
     [[nodiscard]] double off_law(const World& world, InteractionId id) const;
     [[nodiscard]] std::string check_lines(const World& world);
@@ -114,7 +117,9 @@ class StateVerifier {
     double work_ = 0.0, exchanged_ = 0.0;  ///< Work, and exchanged energy [J].
     double mean_ = 0.0, least_ = 0.0;      ///< Mean and minimum of energy minus work [J].
     LastingFaults lasting_;
-    double excused_ = 0.0;  ///< Opening of joints at the start.
+    EditedStretch stretch_;
+    double edited_ = 0.0, least_edited_ = 0.0;  ///< Stretch added by edits, and its minimum [J].
+    double excused_ = 0.0;                      ///< Opening of joints at the start.
     std::array<double, 2>
         off_before_{};  ///< Deviations of the worst elements in the two previous steps.
     std::int64_t steps_ = 0;

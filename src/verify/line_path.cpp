@@ -5,15 +5,15 @@
 #include <cmath>
 
 namespace hawser::verify {
-namespace {
 
-/// Return the signed radius of the wheel at an end [m].
 double wheel_at(const InteractionDef& def, int slot) {
     if (def.kind == InteractionKind::Span) return def.get(slot == 0 ? "wheel_0" : "wheel_1");
     if (def.kind != InteractionKind::EndSpan) return 0.0;
     const int place = def.get("radius") > 0.0 ? 0 : 1;
     return slot == place ? def.get("wheel") : 0.0;
 }
+
+namespace {
 
 bool has_ends(const World& world, InteractionId id) {
     return id.valid() && world.interaction_def(id).kind != InteractionKind::BodySpan;

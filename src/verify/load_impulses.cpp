@@ -60,10 +60,12 @@ std::vector<LoadImpulse> load_impulses(const World& world, const std::vector<Pos
             d.isZero(0.0) ? 0.5 : late_share_of_load(base::solve_cholesky(whole, fast).trace());
         const Vector v = motion(before[b], n),
                      u = motion(step_velocity(world, load.body, pose[b]), n);
+        const Matrix resistance = a + 0.25 * h * h * k + h * late * d;
         Vector p = -(a + 0.25 * h * h * k) * (u - v) - h * (d * (late * u + (1.0 - late) * v));
         for (int i = 0; i < n; ++i) p[i] += h * load.force[static_cast<std::size_t>(i)];
         LoadImpulse one;
         one.body = load.body;
+        one.resistance = resistance.cwiseAbs().maxCoeff();
         for (int i = 0; i < n; ++i) (i < 3 ? one.linear[i] : one.angular[i - 3]) = p[i];
         out.push_back(one);
     }

@@ -14,6 +14,7 @@ namespace hawser::verify {
 struct LoadImpulse {
     BodyId body{};
     Vec3 linear{0, 0, 0}, angular{0, 0, 0};
+    double resistance = 0.0;  ///< Impulse per velocity after the step: largest entry [kg, kg m²].
 };
 
 /// Return the impulses. @param pose, before  Poses and velocities of all bodies at the start of the

@@ -227,6 +227,16 @@ DrawnWire drawn_wire(const World& world, WireId wire, InteractionId element) {
     return {direction(before ? k - 1 : k), direction(behind ? k + 1 : k)};
 }
 
+/// Scale both parts to a rest length [m] that they have together.
+void set_rest_length(GuidePlan& plan, double length) {
+    const double scale = length / (plan.material[0] + plan.material[1]);
+    for (InteractionDef* part : {&plan.before, &plan.behind}) {
+        part->set("length", scale * part->get("length"));
+        part->damping_time[0] *= scale;
+    }
+    for (double& m : plan.material) m *= scale;
+}
+
 }  // namespace
 
 EndLumps end_lumps(const World& world, const InteractionDef& element) {
@@ -271,6 +281,9 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
                          world.body_def(b).mass};
     };
     GuidePlan plan = plan_guide(def, element, tension, body_of, drawn ? &wire : nullptr);
+    // A wire that comes back to an open guide keeps its rest length, not the tension of a chord.
+    if (!drawn && !def.closed)
+        set_rest_length(plan, mass > 0.0 ? mass / def.mass_per_length : length);
     material = {plan.material[0], plan.material[1]};
     check_room(world, def, id, id, material);
     plan.slide.velocity.x() = speed;

@@ -13,6 +13,7 @@ namespace {
 
 /// Factor of GuideDef::element_length. A released element with more material is divided by a node.
 constexpr double kLongLifted = 1.5;
+constexpr double kEndShare = 0.25;  ///< Least share of the element beside that node.
 
 }  // namespace
 
@@ -44,8 +45,12 @@ bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide, const Interactio
     const InteractionId whole = nodes.lift_off(guide.ids(), element);
     if (!whole.valid()) return false;
     if (made != nullptr) *made = whole;
-    if (guide.material()[0] + guide.material()[1] > kLongLifted * guide.def().element_length)
-        (void)nodes.insert_node(whole, 0.5);
+    const double first = guide.material()[0], both = first + guide.material()[1];
+    if (both <= kLongLifted * guide.def().element_length) return true;
+    // A wire that leaves an open guide has a node where the wheel was, if that is not at an end.
+    const double share =
+        guide.def().closed ? 0.5 : std::clamp(first / both, kEndShare, 1.0 - kEndShare);
+    (void)nodes.insert_node(whole, share);
     return true;
 }
 

@@ -251,6 +251,7 @@ void GuideSystem::prestep(Prestep& now, Loads& loads) noexcept {
     }
     stop(now);
     weigh(now.world, loads);
+    land(now.world, loads);
 }
 
 void GuideSystem::before_step(NodeEdits& nodes) noexcept {

@@ -110,7 +110,10 @@ class GuideSystem final : public System {
     /// (guide_open.cpp).
     void lift(NodeEdits& nodes) noexcept;
     void come_back(NodeEdits& nodes) noexcept;
-    bool lay_back(NodeEdits& nodes, InteractionId element, double along);
+    /// @param along  Speed of the wire [m/s]. @param kept  Rest length beside the element's [m].
+    bool lay_back(NodeEdits& nodes, InteractionId element, double along, double kept);
+    /// Damp a wire that lands on an open guide, in steps that do not resolve the landing.
+    void land(const World& world, Loads& loads) noexcept;
     void stop(Prestep& now) noexcept;
     void look(const World& world) noexcept;
     void weigh(const World& world, Loads& loads) const noexcept;
@@ -125,9 +128,9 @@ class GuideSystem final : public System {
     /// 1: the wire has broken in it. kRunsOff: it has run off, to be reported. kRanOff: reported.
     std::int32_t parted_ = 0;
     static constexpr std::int32_t kRunsOff = 2, kRanOff = 3;
-    static constexpr std::int32_t kLifted = 4;  ///< An open guide without a wire.
-    std::int32_t wait_ = 0;                     ///< Steps until the next search for a lifted wire.
-    std::int32_t stopped_ = -1;                 ///< Side that is used up, −1: none.
+    static constexpr std::int32_t kLifted = 4;  ///< Of an open guide: no wire lies on it.
+    std::int32_t wait_ = 0;                     ///< Steps of landing that are left.
+    std::int32_t stopped_ = -1;                 ///< Side that has nothing left to run, −1: none.
     // Outputs.
     double angle_ = 0.0, speed_ = 0.0;
     std::array<double, 2> tension_{};

@@ -8,6 +8,7 @@
 #include "edit/wire_ends.h"
 #include "world/checks.h"
 #include "world/impl.h"
+#include "world/wheel_momentum.h"
 #include "world/wire_capsule.h"
 #include "world/wire_list.h"
 
@@ -105,6 +106,9 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
     base::make_room(wire->elements, 1);
     base::make_room(wire->nodes, 1);
     base::make_room(wire->shapes, 2);
+    const std::array<Vec3, 2> speed{
+        stepper::speed_of(m.ctx, element.index, 0, m.ctx.model.bodies.v),
+        stepper::speed_of(m.ctx, element.index, 1, m.ctx.model.bodies.v)};
     std::array<InteractionId, 2> out;
     {
         const Impl::Untold untold(m);
@@ -138,6 +142,7 @@ std::array<InteractionId, 2> World::lay_over(InteractionId element, InteractionD
         for (const std::size_t end : {0U, 1U})
             if (given[end] > 0.0)
                 set_mass(old.body[end], body_def(old.body[end]).mass - given[end]);
+        world::stop_across(m.ctx, {out[0].index, out[1].index}, speed, 0.5 * (given[0] + given[1]));
     }
     if (m.listener != nullptr) m.listener->laid_over(element, before, behind);
     return out;
@@ -192,6 +197,7 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
     const double half = std::isnan(element.get("mass")) ? 0.0 : 0.5 * element.get("mass");
     const BodyId ends[2] = {a.body[0], b.body[1]};
     const double had[2] = {body_def(ends[0]).mass, body_def(ends[1]).mass};
+    const world::AtWheel wheel = world::at_wheel(m.ctx, {before.index, behind.index}, 2.0 * half);
     const auto weigh = [&](double more) {
         for (const std::size_t k : {0U, 1U})
             if (half > 0.0 && is_lump(ends[k])) set_mass(ends[k], had[k] + more);
@@ -237,6 +243,9 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
             m.turn_bend(end, a.body[1], far, element.point[1 - side]);
         }
         std::erase_if(wire.bends, [&](InteractionId id) { return !alive(id); });
+        for (const std::size_t end : {0U, 1U})
+            if (half > 0.0 && is_lump(ends[end]))
+                world::share_momentum(m.ctx, ends[end].index, wheel, end);
     }
     element.name = given;
     if (m.listener != nullptr) m.listener->lifted(before, behind, element);

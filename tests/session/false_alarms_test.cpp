@@ -218,4 +218,27 @@ TEST(FalseAlarms, ABridleWhoseLinesMeetInOneNode) {
     for (const double step : {1.0 / 60.0, 0.05}) expect_good(bridle(step));
 }
 
+/// Two weights on a rope over two eyes: the end of the lighter one is hauled to its eye and stops.
+std::string hauled_to_eye(double light, double heavy, double step) {
+    return fmt::format(
+        R"({{"version": 1, "name": "hauled", "settings": {{"step": {}, "duration": 3}},
+        "bodies": [{{"name": "light", "kind": "lump", "mass": {}, "position": [0, 0, -1.5]}},
+          {{"name": "heavy", "kind": "lump", "mass": {}, "position": [1, 0, -0.5]}}],
+        "routes": [{{"name": "rope", "EA": 1e6, "first": {{"body": "light"}},
+          "places": [{{"body": "world", "point": [0, 0, 0]}},
+                     {{"body": "world", "point": [1, 0, 0]}}],
+          "last": {{"body": "heavy"}}}}]}})",
+        step, light, heavy);
+}
+
+// The slide that the stop holds creeps by 1e-9 m/s, the difference of velocities of 1 m/s. Its
+// rounding times the resistance of the stop exceeds 1e-9 of the forces.
+TEST(FalseAlarms, ASlideThatItsStopHolds) {
+    for (const double step : {1.0 / 60.0, 1.0 / 120.0})
+        for (const double heavy : {2.5, 4.0, 6.0}) {
+            SCOPED_TRACE(fmt::format("{} kg, step {}", heavy, step));
+            expect_good(hauled_to_eye(1.0, heavy, step));
+        }
+}
+
 }  // namespace hawser::test

@@ -80,8 +80,8 @@ struct Pulled {
 };
 
 TEST(OpenGuide, LetsGoOfAWireThatIsPulledUpAndTakesItAgain) {
-    for (const double step : {1.0 / 60.0})
-        for (const double radius : {0.5}) {
+    for (const double step : {1.0 / 60.0, 0.05})
+        for (const double radius : {0.3, 1.0}) {
             SCOPED_TRACE(fmt::format("step {}, radius {}", step, radius));
             Pulled p({.scene_text = over_roller(false, step, radius), .verify = true});
             p.run(24.0);
@@ -104,10 +104,12 @@ TEST(OpenGuide, LetsGoOfAWireThatIsPulledUpAndTakesItAgain) {
             EXPECT_EQ(p.w.system_signal("roller.before"), 0.0);
             EXPECT_EQ(p.count(EventKind::lay_on), 0);
             p.run(90.0);
-            EXPECT_EQ(p.count(EventKind::lay_on), 1);
-            EXPECT_EQ(p.count(EventKind::lift_off), 1);
-            // Without friction, the same pull gives the same position.
-            EXPECT_NEAR(p.w.system_signal("roller.angle"), angle, 5e-3);
+            // At 1/20 s it may bounce once.
+            EXPECT_LE(p.count(EventKind::lay_on), step > 0.02 ? 2 : 1);
+            EXPECT_EQ(p.count(EventKind::lift_off), p.count(EventKind::lay_on));
+            // Nothing rubs: the same pull gives the same place. The wire swings across without
+            // damping, by 1e-2 rad at the roller.
+            EXPECT_NEAR(p.w.system_signal("roller.angle"), angle, 1e-2);
             EXPECT_LT((p.end() - before).norm(), 0.05);
             EXPECT_EQ(p.w.verdict().grade, Grade::good)
                 << to_string(p.w.verdict().judge) << " "

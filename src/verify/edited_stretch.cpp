@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/edited_stretch.h"
+
+#include "verify/interaction_forces.h"
+#include "verify/line_path.h"
+
+#include <cmath>
+#include <vector>
+
+namespace hawser::verify {
+
+namespace {
+
+std::size_t at_index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// Call f(element, its definition) for the whole elements of all wires.
+template <class F>
+void each_element(const World& world, F&& f) {
+    for (const WireId wire : world.wires())
+        for (const InteractionId id : world.elements(wire))
+            if (world.alive(id) && world.intact(id)) f(id, world.interaction_def(id));
+}
+
+/// Return the rest length of an element [m]. @param pose  Poses of all bodies, by index.
+double rest_at(const World& world, InteractionId id, std::span<const Pose> pose) {
+    const InteractionDef& def = world.interaction_def(id);
+    const double length = parameter(world, id, "length");
+    if (!kind_info(def.kind).is(kWoundUp)) return length;
+    const double turned = pose[at_index(def.body[2].index)].position.x();
+    return length + parameter(world, id, "radius") * (turned - def.get("drum_zero"));
+}
+
+/// Return ½ g² EA/l₀ [J]. A line that only pulls stores nothing if it is shorter than l₀.
+double held(const InteractionDef& def, double gap, double rest) {
+    if (gap < 0.0 && def.get("tension_only") != 0.0) return 0.0;
+    return rest > 0.0 ? 0.5 * gap * gap * def.get("EA") / rest : 0.0;
+}
+
+/// Return by how much an element gets longer from one state to another [m].
+double growth(const World& world, InteractionId id, std::span<const Pose> from,
+              std::span<const Pose> to) {
+    const Attached first(world, id, from), second(world, id, to);
+    const LineEnds was = line_ends(first), is = line_ends(second);
+    double sum = (is.at[1] - is.at[0]).norm() - (was.at[1] - was.at[0]).norm();
+    for (const int slot : {0, 1}) {
+        const double radius = wheel_at(first.def(), slot);
+        if (radius == 0.0) continue;
+        const Vec3 n = second.axis(slot, 2);
+        const Vec3 u = was.along - was.along.dot(n) * n, v = is.along - is.along.dot(n) * n;
+        const double turn = std::atan2(u.cross(v).dot(n), u.dot(v));
+        sum += (slot == 0 ? radius : -radius) * turn;
+    }
+    return sum;
+}
+
+std::vector<Pose> present_poses(const World& world, std::span<const Pose> known) {
+    std::vector<Pose> out(known.begin(), known.end());
+    for (const BodyId id : world.bodies()) out[at_index(id.index)] = world.pose(id);
+    return out;
+}
+
+}  // namespace
+
+double EditedStretch::energy_now(const World& world) {
+    double sum = 0.0;
+    std::vector<Pose> pose(at_index(world.body_count()));
+    pose = present_poses(world, pose);
+    each_element(world, [&](InteractionId id, const InteractionDef& def) {
+        sum += held(def, world.violation(id)[0], rest_at(world, id, pose));
+    });
+    return sum;
+}
+
+double EditedStretch::change(const World& world, std::span<const Pose> pose) const {
+    std::vector<Pose> before(pose.begin(), pose.end());
+    before.resize(at_index(world.body_count()));
+    const std::vector<Pose> now = present_poses(world, before);
+    for (const BodyId id : world.bodies()) {
+        const BodyKind kind = world.body_def(id).kind;
+        if (kind != BodyKind::lump && kind != BodyKind::scalar) continue;
+        Pose& then = before[at_index(id.index)];
+        then = now[at_index(id.index)];
+        then.position -= world.settings().step * world.velocity(id).linear;
+    }
+    double sum = 0.0;
+    each_element(world, [&](InteractionId id, const InteractionDef& def) {
+        const double rest_then = rest_at(world, id, before), rest_now = rest_at(world, id, now);
+        const double gap =
+            world.violation(id)[0] - growth(world, id, before, now) + (rest_now - rest_then);
+        sum += held(def, gap, rest_then);
+    });
+    return sum - before_;
+}
+
+}  // namespace hawser::verify
