@@ -3,8 +3,8 @@
 
 #include "base/index.h"
 #include "context/context.h"
-#include "step/edits.h"
-#include "step/node_pieces.h"
+#include "edit/edits.h"
+#include "edit/node_pieces.h"
 
 #include <algorithm>
 
