@@ -97,8 +97,13 @@ enum class EventKind : std::uint8_t {
     /// Iterations of rigid joints failed, so that the step linearised the joints once; once until
     /// limit::kMemory has passed without one. value: StepStats::completion_failures.
     incomplete,
+    // Of the control of a vessel (vessel_control.h), of its body.
+    mode_refused,      ///< A mode of control was refused. value: the mode.
+    position_lost,     ///< An offset exceeded its alarm; once each time. value: distance [m].
+    failure_critical,  ///< The worst single failure would lose the position; once each time.
+                       ///< value: shortfall over the force needed [1].
 };
-inline constexpr int kEventKindCount = 32;
+inline constexpr int kEventKindCount = 35;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {

@@ -33,13 +33,16 @@
 /// Limits: forces of calm water and mean wind; those of waves come from a hull in the sea and add
 /// up. Coefficients hold for one loading and depth.
 
+#include <hawser/dp_capability.h>
 #include <hawser/id.h>
 #include <hawser/math.h>
+#include <hawser/vessel_control.h>
 #include <hawser/vessel_hull.h>
 #include <hawser/vessel_propulsion.h>
 #include <hawser/water_hull.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +91,8 @@ struct VesselDef {
     WindLoad wind{};
     std::vector<PropulsorDef> propulsors{};
     std::vector<RudderDef> rudders{};
+    VesselControl control{};
+    std::optional<DpShip> dp_capability{};  ///< Data for dp_capability(); does not act.
 };
 
 /// Non-dimensional values of a vessel outside the range of published ships, one sentence each:

@@ -54,6 +54,9 @@ constexpr std::array<Saying, kEventKindCount> kSayings{{
     {"left its guide at", "N"},
     {"came back onto its guide at", "N"},
     {"joints were linearised; failed steps", ""},
+    {"control refused the mode", ""},
+    {"lost its position, off by", "m"},
+    {"would lose its position by the worst failure, shortfall", ""},
 }};
 static_assert(kSayings.back().words != nullptr, "each kind of event has its words");
 

@@ -83,6 +83,11 @@ struct Format {
 [[nodiscard]] ShapePtr crane_load_shape();
 /// What sails. See format_vessels.cpp.
 [[nodiscard]] ShapePtr vessel_shape();
+/// Control of a vessel. See format_vessel_control.cpp.
+[[nodiscard]] ShapePtr vessel_control_shape();
+/// Data of a ship for DNV-ST-0111, and a file of them. See format_dp_ship.cpp.
+[[nodiscard]] ShapePtr dp_ship_shape();
+[[nodiscard]] ShapePtr dp_file_shape();
 /// The sea, and what a line type says of water. See format_sea.cpp.
 [[nodiscard]] ShapePtr sea_shape();
 /// An entry of "hulls" (format_hulls.cpp).

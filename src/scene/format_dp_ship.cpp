@@ -25,7 +25,7 @@ ShapePtr dp_name_list() { return list("a list of thrusters", name("a thruster"),
 
 ShapePtr dp_thruster_shape() {
     const ShapePtr rudder =
-        object("dp_rudder", "a rudder", "Behind a shaft line, up to 30 degrees.",
+        object("dp_rudder", "a rudder of DNV-ST-0111", "Behind a shaft line, up to 30 degrees.",
                {{"area", positive("an area", 1e4), true, "", "m^2", "Movable area."},
                 {"profile", word("a profile", dp_words<DpRudderProfile>(kDpRudderProfiles)), false,
                  "naca", "", "Its section."}});
@@ -57,17 +57,17 @@ ShapePtr dp_thruster_shape() {
 }  // namespace
 
 ShapePtr dp_ship_shape() {
-    const ShapePtr board =
-        object("dp_switchboard", "a switchboard", "90 % of its power is for thrusters.",
-               {{"name", name("a name"), false, "", "", "Its name."},
-                {"power", positive("a power", 1e10), true, "", "W", "Generated."},
-                {"thrusters", dp_name_list(), true, "", "", "Thrusters that it feeds."}});
+    const ShapePtr board = object(
+        "dp_switchboard", "a switchboard of DNV-ST-0111", "90 % of its power is for thrusters.",
+        {{"name", name("a name"), false, "", "", "Its name."},
+         {"power", positive("a power", 1e10), true, "", "W", "Generated."},
+         {"thrusters", dp_name_list(), true, "", "", "Thrusters that it feeds."}});
     const ShapePtr failure =
-        object("dp_failure", "a single failure", "Thrusters that it stops.",
+        object("dp_failure", "a single failure of DNV-ST-0111", "Thrusters that it stops.",
                {{"name", name("a name"), true, "", "", "Its name."},
                 {"thrusters", dp_name_list(), true, "", "", "Thrusters that stop."}});
     return object(
-        "dp_ship", "data of a ship for DNV-ST-0111",
+        "dp_ship", "a ship of DNV-ST-0111",
         "Level 1 capability, for `hawser inspect --dp-capability`. Origin: half L_pp, centre line, "
         "keel; x ahead, y to port, z up.",
         {{"length", positive("a length", 1e3), true, "", "m", "L_pp."},

@@ -153,6 +153,10 @@ ShapePtr vessel_shape() {
           "Propellers and thrusters."},
          {"rudders", list("a list of rudders", rudder_shape(), 1, 100), false, "none", "",
           "Rudders."},
+         {"control", vessel_control_shape(), false, "none", "",
+          "Joystick, autopilot and dynamic positioning."},
+         {"dp_capability", dp_ship_shape(), false, "none", "",
+          "Data for `hawser inspect --dp-capability`; does not act."},
          {"description", text("a text"), false, "", "", "Source and remarks."}});
 }
 

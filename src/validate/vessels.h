@@ -21,4 +21,9 @@ void case_vessel_mariner(Report& report);
 void case_vessel_s175(Report& report);
 void case_vessel_esso(Report& report);
 
+// vessels_capability.cpp
+void case_vessel_capability(Report& report);
+// vessels_dp.cpp
+void case_vessel_dp(Report& report);
+
 }  // namespace hawser::validate

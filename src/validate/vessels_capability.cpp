@@ -114,10 +114,13 @@ void report_utilisations(Report& report, const DpCapability& c) {
     for (std::size_t k = 0; k < 36; ++k) {
         const DpHeading& h = c.headings[k];
         const Row& r = kRows[k <= 18 ? k : 36 - k];
-        report.compare(fmt::format("DP test ship: number, utilisations from {} deg", 10 * k),
-                       {static_cast<double>(r.number), r.at, r.next},
-                       {static_cast<double>(h.number), h.utilisation, h.next}, 1e-3, "absolute",
-                       1.0);
+        report.compare(fmt::format("DP test ship: number from {} deg", 10 * k),
+                       {static_cast<double>(r.number)}, {static_cast<double>(h.number)}, 0.0,
+                       kTestShip, 1.0);
+        report.compare(fmt::format("DP test ship: utilisation from {} deg", 10 * k), {r.at},
+                       {h.utilisation}, 1e-3, "absolute; inscribed polygons of 5 deg", 1.0);
+        report.compare(fmt::format("DP test ship: utilisation at the next number, {} deg", 10 * k),
+                       {r.next}, {h.next}, 1e-3, "absolute; inscribed polygons of 5 deg", 1.0);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <hawser/world.h>
 
 #include "vessel/checks.h"
+#include "vessel/control_lines.h"
 #include "vessel/vessel_system.h"
 
 #include <memory>
@@ -15,7 +16,8 @@ namespace hawser {
 System* define(World& world, const VesselDef& def) {
     vessel::check_vessel(world, def);
     const BodyDef body = world.body_def(def.body);
-    return &world.add_system(std::make_unique<vessel::VesselSystem>(def, body.mass, body.inertia));
+    return &world.add_system(std::make_unique<vessel::VesselSystem>(def, body.mass, body.inertia,
+                                                                    vessel::fed_lines(world, def)));
 }
 
 namespace {

@@ -31,10 +31,12 @@ void VesselSystem::visit_state(StateVisitor& v) {
         v.visit(s.angle);
         v.visit(s.limited);
     }
+    if (control_ != nullptr) control_->visit(v);
 }
 
 void VesselSystem::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
+    if (control_ != nullptr) control_->check(rules);
     constexpr double kSlack = 1.0 + 1e-12;
     rules.flag(started_, "whether it has started is no flag");
     rules.flag(steering_limited_, "whether the steering gear is at its limit is no flag");
@@ -109,6 +111,7 @@ void VesselSystem::signals(SignalTable& table) {
     table.output("surge_force", "N", surge_);
     table.output("sway_force", "N", sway_);
     table.output("yaw_moment", "N m", yaw_);
+    if (control_ != nullptr) control_->signals(table);
 }
 
 }  // namespace hawser::vessel

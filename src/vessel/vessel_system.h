@@ -19,6 +19,7 @@
 #include <hawser/vessel.h>
 
 #include "vessel/actuators.h"
+#include "vessel/control.h"
 #include "vessel/flow.h"
 #include "vessel/hull_forces.h"
 #include "vessel/stern.h"
@@ -37,7 +38,7 @@ namespace hawser::vessel {
 class VesselSystem final : public System {
   public:
     /// The definition has been checked. @param mass, inertia  Of the body.
-    VesselSystem(VesselDef def, double mass, Mat3 inertia);
+    VesselSystem(VesselDef def, double mass, Mat3 inertia, std::vector<FedLine> lines);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
@@ -74,6 +75,8 @@ class VesselSystem final : public System {
     void add_loads(Loads& loads, const Motion& m, const Wrench& force,
                    const Wrench& damping) const noexcept;
     void advance(Prestep& now, const Flow& flow) noexcept;
+    /// Orders of the control; returns a force that acts directly.
+    [[nodiscard]] Wrench control(Prestep& now, const Motion& m) noexcept;
 
     VesselDef def_;
     double mass_;
@@ -84,6 +87,8 @@ class VesselSystem final : public System {
     Polynomial polynomial_;
     std::vector<Propulsor> propulsors_;
     std::vector<Rudder> rudders_;
+    std::vector<FedLine> lines_;
+    std::unique_ptr<Control> control_;  ///< Null: VesselControl::active is false.
 
     // State.
     Vec3 last_velocity_{0.0, 0.0, 0.0}, last_spin_{0.0, 0.0, 0.0};
