@@ -16,13 +16,13 @@
 ///     Σ B_i f_i = −load,   f_i ∈ U C_i,   Σ_board P_i r_i^1.5 ≤ 0.9 P_board U^1.5
 /// ```
 /// r_i is the fraction |f_i| of the star's radius in the direction of f_i. The ship holds station
-/// if U ≤ 1. Stars are cut into convex sectors (fans); a linear program over the hulls of fans and
-/// a search over the fans of each thruster give the smallest U of the stars themselves. Arcs are
+/// if U ≤ 1. Stars are cut into convex sectors (fans). A linear program solves the hulls of chosen
+/// fans, branch and bound chooses them. Arcs are
 /// inscribed polygons with vertices at multiples of 5°: U is at most 0.1 % too large by that.
 ///
 /// **Result.** The number of a heading is the largest Beaufort number n for which U ≤ 1 at 1 to n.
-/// `DP capability-L1(A, B, C, D)`: smallest number intact within 30° of the bow, intact all round,
-/// both for the worst single failure.
+/// `DP capability-L1(A, B, C, D)` has the smallest numbers: A intact within 30° of the bow, B
+/// intact all round, C and D both for the worst single failure.
 ///
 /// Limits: monohulls. Loads are those of the standard, not of the vessel's coefficients. A thruster
 /// in line with a skeg has no skeg loss. Sections that Level 1 leaves to the ship's own data (other
@@ -45,7 +45,7 @@ enum class DpInlet : std::uint8_t { other, broken, rounded };
 /// Machinery between motor and propeller.
 enum class DpDrive : std::uint8_t { standard, permanent_magnet, rim };
 enum class DpRudderProfile : std::uint8_t { naca, hollow, flat, fish_tail, flap, nozzle, mixed };
-/// "azimuth" and so on.
+/// Return the name: "azimuth" and so on.
 [[nodiscard]] const char* to_string(DpThrusterKind kind) noexcept;
 [[nodiscard]] const char* to_string(DpPropeller propeller) noexcept;
 [[nodiscard]] const char* to_string(DpInlet inlet) noexcept;
@@ -69,13 +69,13 @@ struct DpThruster {
     std::string name{};  ///< Unique in the ship. Required.
     DpThrusterKind kind = DpThrusterKind::azimuth;
     DpPropeller propeller = DpPropeller::open;
-    DpInlet inlet = DpInlet::other;     ///< Of tunnels.
+    DpInlet inlet = DpInlet::other;     ///< Inlet of a tunnel.
     DpDrive drive = DpDrive::standard;  ///< Mechanical efficiency.
     bool controllable = false;          ///< Controllable pitch: thrust astern.
     Vec3 point{0.0, 0.0, 0.0};          ///< Centre of the propeller [m].
     double diameter = 0.0;              ///< D [m]. Required.
     double power = 0.0;                 ///< P_B, brake power [W]. Required.
-    DpRudder rudder{};                  ///< Of a shaft line.
+    DpRudder rudder{};                  ///< Rudder of a shaft line.
     std::vector<DpSector> forbidden{};  ///< Thrust directions from ahead, positive to port.
 };
 
@@ -117,7 +117,7 @@ struct DpShip {
     std::vector<DpFailure> failures{};  ///< Single failures; empty: each thruster alone.
 };
 
-/// @throws DefError "dp_capability: field: reason".
+/// Check the data. @throws DefError "dp_capability: field: reason".
 void check_dp_ship(const DpShip& ship);
 
 /// Wind, sea and current of a number.
@@ -128,7 +128,7 @@ struct DpCondition {
     double current = 0.0;  ///< [m/s].
 };
 inline constexpr int kDpNumbers = 11;
-/// @param number  From 1 to 11; beyond: clamped.
+/// Return the condition of a number. @param number  From 1 to 11; beyond: clamped.
 [[nodiscard]] DpCondition dp_condition(int number) noexcept;
 
 /// Horizontal load at the origin.
@@ -141,26 +141,26 @@ struct DpLoad {
 struct DpLoads {
     DpLoad wind{}, current{}, waves{}, total{};
 };
-/// @param from  Direction [rad].
+/// Compute the loads of a condition. @param from  Direction [rad].
 [[nodiscard]] DpLoads dp_loads(const DpShip& ship, const DpCondition& at, double from) noexcept;
 
-/// Nominal thrust without losses [N]. @param astern  Of reversed propellers.
+/// Compute the nominal thrust without losses [N]. @param astern  True: reversed propeller.
 [[nodiscard]] double dp_nominal_thrust(const DpThruster& thruster, bool astern) noexcept;
-/// Factor of ventilation. @param astern  Of the thrust that counts.
+/// Compute the factor of ventilation. @param astern  True: by the thrust astern.
 [[nodiscard]] double dp_ventilation(const DpShip& ship, const DpThruster& thruster,
                                     const DpCondition& at, double from, bool astern) noexcept;
-/// Propeller load factor [1].
+/// Compute the propeller load factor [1].
 [[nodiscard]] double dp_load_factor(const DpThruster& thruster, bool astern) noexcept;
 
-/// Radius of a star over its circle, by the skegs. @param direction  Of the thrust, from ahead,
-/// positive to port [rad].
+/// Compute the radius of a star over its circle by the skegs. @param direction  Of the thrust, from
+/// ahead, positive to port [rad].
 [[nodiscard]] double dp_skeg_factor(const DpShip& ship, const DpThruster& thruster,
                                     double direction) noexcept;
-/// Sectors in which the wash of a thruster meets working ones. @param failed  By index; empty:
-/// none.
+/// Return the sectors in which the wash of a thruster meets working ones. @param failed  By index;
+/// empty: none.
 [[nodiscard]] std::vector<DpSector> dp_forbidden_zones(const DpShip& ship, std::size_t thruster,
                                                        const std::vector<bool>& failed);
-/// Force of a shaft line with rudder over its thrust ahead. @param angle  Of the rudder [rad].
+/// Force of a shaft line with rudder over its thrust ahead. @param angle  Rudder angle [rad].
 struct DpRudderForce {
     double x = 1.0, y = 0.0;
 };
@@ -169,14 +169,14 @@ struct DpRudderForce {
 /// Force of one thruster in a solution.
 struct DpThrust {
     double x = 0.0, y = 0.0;  ///< [N].
-    double fraction = 0.0;    ///< Of its capacity in this direction [1].
+    double fraction = 0.0;    ///< Fraction of the capacity in this direction [1].
 };
 /// Utilisation and the forces that reach it.
 struct DpUtilisation {
     double value = 0.0;  ///< U; infinite: no forces balance the load.
     std::vector<DpThrust> thrusts{};
 };
-/// @param failed  By index of the thruster; empty: intact.
+/// Compute the smallest utilisation. @param failed  By index of the thruster; empty: intact.
 [[nodiscard]] DpUtilisation dp_utilisation(const DpShip& ship, int number, double from,
                                            const std::vector<bool>& failed = {});
 
@@ -194,10 +194,10 @@ struct DpCapability {
     std::vector<DpHeading> headings{};
     std::vector<DpFailure> failures{};  ///< As in the ship, or each thruster.
     int bow = 0, all = 0, failed_bow = 0, failed_all = 0;
-    /// "DP capability-L1(8, 6, 5, 3)".
+    /// Return the result as "DP capability-L1(8, 6, 5, 3)".
     [[nodiscard]] std::string text() const;
 };
-/// @param step  Between headings, a divisor of 30° [rad].
+/// Compute numbers and result. @param step  Between headings, a divisor of 30° [rad].
 [[nodiscard]] DpCapability dp_capability(const DpShip& ship, double step = 0.17453292519943295);
 
 }  // namespace hawser

@@ -97,7 +97,7 @@ enum class EventKind : std::uint8_t {
     /// Iterations of rigid joints failed, so that the step linearised the joints once; once until
     /// limit::kMemory has passed without one. value: StepStats::completion_failures.
     incomplete,
-    // Of the control of a vessel (vessel_control.h), of its body.
+    // Control of a vessel (vessel_control.h), on its body.
     mode_refused,      ///< A mode of control was refused. value: the mode.
     position_lost,     ///< An offset exceeded its alarm; once each time. value: distance [m].
     failure_critical,  ///< The worst single failure would lose the position; once each time.

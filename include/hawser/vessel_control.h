@@ -73,7 +73,7 @@ namespace hawser {
 
 enum class ControlMode : std::uint8_t { off, joystick, heading, position, follow };
 inline constexpr int kControlModes = 5;
-/// "off", "joystick", "heading", "position", "follow".
+/// Return the name: "off", "joystick", "heading", "position", "follow".
 [[nodiscard]] const char* to_string(ControlMode mode) noexcept;
 
 /// Forbidden thrust directions of an azimuth, clockwise from ahead, from `from` to `to` [rad].
@@ -96,11 +96,11 @@ struct VesselControl {
     double integral = 0.1;                    ///< K_i over ω K_p.
     double filter = 30.0;                     ///< Time constant of orders [s].
     bool observer = true;                     ///< False: control by the measured motion.
-    double wave_period = 8.0;                 ///< Of the waves that are filtered out [s].
+    double wave_period = 8.0;                 ///< Period of the waves that are filtered out [s].
     bool wind = true;                         ///< Wind feed-forward.
     double wind_filter = 5.0;                 ///< Time constant of feed-forward [s].
     std::vector<InteractionId> lines{};       ///< Tension feed-forward of lines at the body.
-    BodyId target{};                          ///< Of the mode follow.
+    BodyId target{};                          ///< Body that the mode follow keeps to.
     bool direct = false;                      ///< τ acts without propulsors, for comparisons.
     double position_alarm = 5.0;              ///< Offset of the event position_lost [m].
     double heading_alarm = 0.17453292519943;  ///< The same of the heading [rad].

@@ -45,7 +45,7 @@ ShapePtr vessel_control_shape() {
          "Forbidden zones of azimuths."},
         {"failures", list("a list of failures", failure, 1, 100), false, "each propulsor alone", "",
          "For the consequence analysis."}};
-    for (const VesselNumber<VesselControl>& n : VesselTable<VesselControl>::kNumbers)
+    for (const ControlNumber& n : ControlTable::kNumbers)
         fields.push_back(
             {n.key, control_number(n.least, n.most), false, n.fallback, n.unit, n.doc});
     return object("vessel_control", "the control of a vessel",

@@ -42,7 +42,7 @@ VesselControl read_vessel_control(Description& out, const Scope& scope, const Js
                                   const Place& place) {
     VesselControl c;
     c.active = true;
-    for (const VesselNumber<VesselControl>& n : VesselTable<VesselControl>::kNumbers) {
+    for (const ControlNumber& n : ControlTable::kNumbers) {
         const auto entry = json.find(n.key);
         if (entry == json.end()) continue;
         const bool degrees = std::string_view(n.key).ends_with("_deg");

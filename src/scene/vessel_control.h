@@ -6,15 +6,22 @@
 #include <hawser/vessel.h>
 
 #include "scene/description.h"
-#include "scene/vessels.h"
 
 #include <vector>
 
 namespace hawser::scene {
 
-template <>
-struct VesselTable<VesselControl> {
-    static constexpr VesselNumber<VesselControl> kNumbers[] = {
+/// A number of the control; keys that end in _deg are degrees in scenes.
+struct ControlNumber {
+    const char* key;
+    double VesselControl::* value;
+    const char* unit;
+    const char* fallback;  ///< Default in words.
+    const char* doc;
+    double least, most;
+};
+struct ControlTable {
+    static constexpr ControlNumber kNumbers[] = {
         {"damping", &VesselControl::damping, "1", "1", "Damping ratio.", 0.01, 10.0},
         {"integral", &VesselControl::integral, "1", "0.1",
          "Integral gain over bandwidth times proportional gain.", 0.0, 1.0},

@@ -15,7 +15,7 @@ namespace {
 constexpr double kMeet = 1e6;         ///< q of X and Y.
 constexpr double kMeetMoment = 4e6;   ///< q of N.
 constexpr double kKeepSector = 0.95;  ///< Cost over that of the present sector to leave it.
-constexpr double kNoForce = 1e-6;     ///< Of the capacity: no direction.
+constexpr double kNoForce = 1e-6;     ///< Fraction of the capacity without direction.
 constexpr double kAllocationPi = std::numbers::pi;
 
 }  // namespace

@@ -42,7 +42,7 @@ struct AllocatedThruster {
     double axis = 0.0;        ///< Direction of thrust ahead of one that does not turn [rad].
     double ahead = 0.0, astern = 0.0;     ///< Capacities ≥ 0 [N].
     double cost = 1.0;                    ///< c_i.
-    std::vector<ThrustSector> sectors{};  ///< Of one that turns; empty: all directions.
+    std::vector<ThrustSector> sectors{};  ///< Allowed directions if it turns; empty: all.
 };
 
 /// Present state of a thruster and its limits in a step.
@@ -86,7 +86,7 @@ class Allocation {
     [[nodiscard]] Vec3 lever(std::size_t i, double x, double y) const noexcept;
     void set_cost(const Vec3& tau, int variables) noexcept;
 
-    static constexpr std::size_t kSides = 32;                ///< Of the polygon of a disc.
+    static constexpr std::size_t kSides = 32;                ///< Sides of the polygon of a disc.
     std::array<std::pair<double, double>, kSides> sides_{};  ///< Normals.
     std::vector<AllocatedThruster> thrusters_;
     std::vector<std::int32_t> first_;  ///< Variable of each thruster.

@@ -9,13 +9,13 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kSmallThrust = 0.02;     ///< Of the capacity: below, an azimuth keeps its angle.
-constexpr double kSmallDemand = 0.01;     ///< Of the capacity: no consequence analysis below.
+constexpr double kSmallThrust = 0.02;     ///< Fraction below which an azimuth keeps its angle.
+constexpr double kSmallDemand = 0.01;     ///< Fraction below which no failure is analysed.
 constexpr double kShort = 1e-3;           ///< Shortfall over the capacity that stops an integral.
-constexpr double kBack = 0.8;             ///< Of an alarm: offset at which it is armed again.
+constexpr double kBack = 0.8;             ///< Offset over the alarm that arms it again.
 constexpr double kRudderSpeed = 1.5;      ///< Least speed at which a rudder steers [m/s].
-constexpr double kMeanTime = 20.0;        ///< Of the demand for the consequence analysis [s].
-constexpr double kSpeedRate = 0.05;       ///< Of the speed control [1/s].
+constexpr double kMeanTime = 20.0;        ///< Time constant of the demand for failures [s].
+constexpr double kSpeedRate = 0.05;       ///< Rate of the speed control [1/s].
 constexpr double kSteerDerivative = 2.0;  ///< Rudder per turn rate, in L/U.
 constexpr double kSteerIntegral = 20.0;   ///< Time constant of the rudder's integral, in L/U.
 

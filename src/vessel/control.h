@@ -103,14 +103,14 @@ class Control {
     Vec3 desired_ = Vec3::Zero();  ///< η_d: north, east, heading.
     Vec3 error_ = Vec3::Zero();    ///< e in axes of the ship.
     Vec3 sum_ = Vec3::Zero();      ///< ∫e dt, north, east, heading.
-    Vec3 offset_ = Vec3::Zero();   ///< Of the target, in the world.
+    Vec3 offset_ = Vec3::Zero();   ///< Distance to the target, in the world.
     Vec3 feed_ = Vec3::Zero();     ///< Filtered feed-forward.
     Vec3 acting_ = Vec3::Zero();   ///< τ of the last step on the ship, for the observer.
     Vec3 mean_ = Vec3::Zero();     ///< Filtered demand, for the consequence analysis.
     double steer_sum_ = 0.0, speed_sum_ = 0.0;
     Observer observer_;
     std::vector<std::int32_t> sectors_;
-    std::vector<double> shortfalls_;  ///< Of each failure.
+    std::vector<double> shortfalls_;  ///< Shortfall of each failure.
     // Outputs.
     double mode_now_ = 0.0, heading_ = 0.0, worst_ = 0.0, worst_failure_ = -1.0;
     Vec3 offsets_ = Vec3::Zero(), demand_ = Vec3::Zero(), allocated_ = Vec3::Zero();

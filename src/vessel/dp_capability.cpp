@@ -13,7 +13,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kBoardShare = 0.9;  ///< Of a switchboard's power, for thrusters.
+constexpr double kBoardShare = 0.9;  ///< Fraction of a switchboard's power for thrusters.
 constexpr double kBowSector = std::numbers::pi / 6.0;
 
 std::string dp_at(const char* list, std::size_t i, const char* field) {

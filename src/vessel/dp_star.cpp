@@ -13,7 +13,7 @@ constexpr double kStarPi = std::numbers::pi, kTurn = 2.0 * std::numbers::pi;
 constexpr double kMiscellaneous = 0.9;  ///< β_misc.
 /// Between vertices of arcs, at multiples of it [rad]; inscribed, at most 0.1 % inside.
 constexpr double kArc = std::numbers::pi / 36;
-constexpr double kWidest = std::numbers::pi;  ///< Of a fan [rad].
+constexpr double kWidest = std::numbers::pi;  ///< Width of a fan [rad].
 
 /// Return the angle in 0 … 2π.
 double positive_angle(double a) noexcept {
@@ -29,7 +29,7 @@ bool works(const std::vector<bool>& failed, std::size_t i) noexcept {
 struct SkegDip {
     bool any = false;
     double first = 0.0, middle = 0.0, last = 0.0, least = 1.0;
-    bool mirrored = false;  ///< Of a thruster to starboard.
+    bool mirrored = false;  ///< True: thruster to starboard.
 };
 
 SkegDip skeg_dip(const DpThruster& t, const DpSkeg& skeg) noexcept {

