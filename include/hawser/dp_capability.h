@@ -17,8 +17,10 @@
 /// ```
 /// r_i is the fraction |f_i| of the star's radius in the direction of f_i. The ship holds station
 /// if U ≤ 1. Stars are cut into convex sectors (fans). A linear program solves the hulls of chosen
-/// fans, branch and bound chooses them. Arcs are
-/// inscribed polygons with vertices at multiples of 5°: U is at most 0.1 % too large by that.
+/// fans, and branch and bound chooses them.
+///
+/// Arcs are inscribed polygons with vertices at multiples of 5°: U is at most 0.1 % too large by
+/// that.
 ///
 /// **Result.** The number of a heading is the largest Beaufort number n for which U ≤ 1 at 1 to n.
 /// `DP capability-L1(A, B, C, D)` has the smallest numbers: A intact within 30° of the bow, B
@@ -152,8 +154,8 @@ struct DpLoads {
 /// Compute the propeller load factor [1].
 [[nodiscard]] double dp_load_factor(const DpThruster& thruster, bool astern) noexcept;
 
-/// Compute the radius of a star over its circle by the skegs. @param direction  Of the thrust, from
-/// ahead, positive to port [rad].
+/// Compute the radius of a star over its circle by the skegs. @param direction  Direction of the
+/// thrust, from ahead, positive to port [rad].
 [[nodiscard]] double dp_skeg_factor(const DpShip& ship, const DpThruster& thruster,
                                     double direction) noexcept;
 /// Return the sectors in which the wash of a thruster meets working ones. @param failed  By index;

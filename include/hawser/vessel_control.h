@@ -12,7 +12,7 @@
 /// ```
 /// Each step runs, in this order: observer, mode, feed-forward, allocation, consequence analysis.
 ///
-/// **Observer** (T. I. Fossen and J. P. Strand, "Passive nonlinear observer design for ships using
+/// Observer (T. I. Fossen and J. P. Strand, "Passive nonlinear observer design for ships using
 /// Lyapunov methods", 1999). Position and heading η, velocities ν, slowly varying force b and a
 /// wave motion ξ of each axis:
 /// ```
@@ -21,7 +21,7 @@
 /// ```
 /// Control uses η̂ and ν̂, from which waves about `wave_period` are removed.
 ///
-/// **DP** in the axes of the ship, with e = η̂ − η_d and the order η_d through a filter of time
+/// DP in the axes of the ship, with e = η̂ − η_d and the order η_d through a filter of time
 /// constant `filter`:
 /// ```
 ///     τ = −K_p Rᵀe − K_d ν̂ − K_i Rᵀ∫e dt − τ_wind − τ_lines
@@ -30,29 +30,28 @@
 /// The integral of an axis stops while the thrust of the axis falls short of τ and the error would
 /// raise it (anti-windup).
 ///
-/// **Allocation** is a quadratic program (src/vessel/allocation.h): least sum of squares of thrust
-/// over capacity, with limits of thrust, thrust rate and angle, and forbidden zones of azimuths.
-/// Azimuths turn towards the result at their rates; thrusts make up for those that still turn.
+/// Allocation is a quadratic program (src/vessel/allocation.h). It minimises the sum of squares of
+/// thrust over capacity, with limits of thrust, rates and angles, and forbidden zones of azimuths.
+/// Azimuths turn towards the result at their rates. Thrusts make up for those that still turn.
 ///
-/// **Consequence analysis** allocates τ without the thrusters of each failure, one failure a step.
-/// The output is the largest shortfall over τ.
+/// Consequence analysis allocates τ without the thrusters of each failure, one failure a step. The
+/// output is the largest shortfall over τ.
 ///
-/// | `mode` | name | acts |
-/// |---|---|---|
-/// | 0 | off | Orders of propulsors and rudders are the inputs. |
-/// | 1 | joystick | joystick_x, _y, _n times the largest force of each axis. |
-/// | 2 | auto heading | Heading by yaw moment or rudder; speed_order, or joystick_x and _y. |
-/// | 3 | auto position | x_order, y_order, heading_order. |
-/// | 4 | follow | Keeps the distance to `target` at the start of the mode; heading_order. |
+/// Values of the input `mode`:
+/// - 0, off: orders of propulsors and rudders are the inputs.
+/// - 1, joystick: joystick_x, _y, _n times the largest force of each axis.
+/// - 2, auto heading: yaw moment or rudder; speed_order, or joystick_x and _y.
+/// - 3, auto position: x_order, y_order, heading_order.
+/// - 4, follow: keeps the distance to `target` at the start of the mode; heading_order.
 ///
 /// Input orders `x_order`, `y_order` are those of O in the world [m], `heading_order` is clockwise
 /// from the world's x axis seen from above [rad]. A change to mode 2, 3 or 4 sets the orders to the
 /// present position and heading, unless they are set in the same step.
 ///
-/// Outputs: `mode_now`; `offset_x` ahead, `offset_y` to starboard [m], `offset_heading` [rad] of
-/// the low-frequency motion from its order (footprint); `heading` [rad]; `demand_x`, `demand_y`
-/// [N], `demand_n` [N m] and `allocated_x`, `_y`, `_n`; `consequence` [1], `consequence_failure`
-/// (index, −1: none).
+/// Outputs of the low-frequency motion from its order (footprint): `offset_x` ahead, `offset_y` to
+/// starboard [m], `offset_heading` [rad]. Others: `mode_now`; `heading` [rad]; `demand_x`,
+/// `demand_y` [N], `demand_n` [N m] and `allocated_x`, `_y`, `_n`; `consequence` [1],
+/// `consequence_failure` (index, −1: none).
 ///
 /// Events of the body: `mode_refused` (value: the mode), `position_lost` (value: distance [m]) and
 /// `failure_critical` (value: shortfall [1]), each once when it begins.
