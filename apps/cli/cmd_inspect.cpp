@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "dp_capability_table.h"
 #include "draw/png.h"
 #include "draw/spy.h"
 #include "hydrostatics.h"
@@ -25,6 +26,7 @@ constexpr const char* kInspectFooter = R"(Examples:
   hawser inspect scenes/anchor_lines.json --form saddle -o pictures   # spy.svg and spy.png
   hawser inspect bench/scenes/frozen/anchor_contact.json --parts 4 --steps 60      # where it would be cut
   hawser inspect scenes/floating_box.json --hydrostatics              # of its hulls
+  hawser inspect scenes/dp_ship.json --dp-capability -o dp.svg        # DNV-ST-0111 Level 1
 
 Exit codes: 0 done, 1 wrong option, scene or file, 2 a step failed.)";
 
@@ -32,7 +34,8 @@ struct InspectOptions {
     SceneOptions scene;
     std::string folder;
     int steps = 1;
-    bool hydrostatics = false;
+    bool hydrostatics = false, capability = false;
+    DpOptions dp;
 };
 
 void print_islands(const SystemView& view) {
@@ -105,6 +108,8 @@ void print_system(const World& world, const SystemView& view) {
 }
 
 int inspect(const InspectOptions& options) {
+    if (options.capability)
+        return print_dp_capability(options.scene, options.dp, options.folder) ? kOk : kUsageError;
     scene::Scene scene = options.scene.load();
     World& world = scene.world;
     if (options.hydrostatics) return print_hydrostatics(world) ? kOk : kUsageError;
@@ -142,13 +147,24 @@ void add_inspect(CLI::App& app, Command& chosen) {
     CLI::App* command = app.add_subcommand("inspect", "Show the system of equations of a scene");
     command->footer(kInspectFooter);
     options->scene.add_to(*command);
-    command->add_option("-o,--output", options->folder, "Folder for spy plots");
+    command->add_option("-o,--output", options->folder,
+                        "Folder for spy plots; SVG file of the polar plot");
     command->add_option("--steps", options->steps, "Steps before the system is shown")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     command->add_flag(
         "--hydrostatics", options->hydrostatics,
         "Show displacement, KB, BM, GM and the curve of levers GZ of its hulls instead");
+    command->add_flag("--dp-capability", options->capability,
+                      "Show the DP capability of its vessels (DNV-ST-0111 Level 1) instead; FILE "
+                      "may be the data of one ship");
+    command
+        ->add_option("--heading-step", options->dp.step_deg,
+                     "Between headings of --dp-capability, a divisor of 30 [deg]")
+        ->check(CLI::Range(0.1, 30.0))
+        ->capture_default_str();
+    command->add_flag("--numbers", options->dp.numbers,
+                      "With --dp-capability: the utilisation at each Beaufort number");
     command->callback([&chosen, options] { chosen = [options] { return inspect(*options); }; });
 }
 

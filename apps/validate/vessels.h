@@ -29,4 +29,9 @@ void case_vessel_stability(Report& report);
 // vessels_winches.cpp
 void case_vessel_winches(Report& report);
 
+// vessels_capability.cpp
+void case_vessel_capability(Report& report);
+// vessels_dp.cpp
+void case_vessel_dp(Report& report);
+
 }  // namespace hawser::validate

@@ -40,14 +40,17 @@
 /// Limits: forces of calm water and mean wind. Wave forces come from a hull in the sea (sea.h) and
 /// are added. Coefficients hold for one loading and depth.
 
+#include <hawser/dp_capability.h>
 #include <hawser/id.h>
 #include <hawser/math.h>
+#include <hawser/vessel_control.h>
 #include <hawser/vessel_hull.h>
 #include <hawser/vessel_power.h>
 #include <hawser/vessel_propulsion.h>
 #include <hawser/water_hull.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -98,8 +101,8 @@ struct VesselDef {
     WindLoad wind{};
     std::vector<PropulsorDef> propulsors{};
     std::vector<RudderDef> rudders{};
-    PowerDef power{};
-    bool thruster_losses = false;  ///< Thrusters lose in the race of others; need diameters.
+    VesselControl control{};
+    std::optional<DpShip> dp_capability{};  ///< Data for dp_capability(); does not act.
 };
 
 /// Return a sentence for each non-dimensional value outside the range of published ships. Such

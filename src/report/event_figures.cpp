@@ -26,6 +26,7 @@ int rank_of(EventKind kind) {
         case EventKind::overload:
         case EventKind::hauled_in:
         case EventKind::lift_off:
+        case EventKind::position_lost:
             return 0;
         case EventKind::energy_created:
         case EventKind::joint_open:
@@ -48,8 +49,8 @@ int rank_of(EventKind kind) {
         case EventKind::alarm:
         case EventKind::missed:
         case EventKind::lay_on:
-        case EventKind::shed:
-        case EventKind::failure:
+        case EventKind::mode_refused:
+        case EventKind::failure_critical:
             return 2;
         case EventKind::range:
             return 3;
@@ -101,6 +102,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::join:
         case EventKind::no_node:
         case EventKind::missed:
+        case EventKind::position_lost:
             return "m";
         case EventKind::fast:
             return "rad";
@@ -114,7 +116,8 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::alarm:
         case EventKind::alarm_end:
         case EventKind::incomplete:
-        case EventKind::failure:
+        case EventKind::mode_refused:
+        case EventKind::failure_critical:
             break;
     }
     return "";
@@ -202,10 +205,12 @@ std::string what_happened(const EventFigures& e) {
         case EventKind::lay_on:
         case EventKind::incomplete:
             return how_often(e);
-        case EventKind::shed:
-            return "consumers of vessels were shed " + plural(e.count, "time", "times");
-        case EventKind::failure:
-            return plural(e.count, "part of a vessel failed", "parts of vessels failed");
+        case EventKind::mode_refused:
+            return "modes of control were refused " + plural(e.count, "time", "times");
+        case EventKind::position_lost:
+            return "vessels lost their position " + plural(e.count, "time", "times");
+        case EventKind::failure_critical:
+            return "a single failure would lose the position " + plural(e.count, "time", "times");
         case EventKind::node_limit:
             return "wires had all the nodes that they may " + plural(e.count, "time", "times");
     }

@@ -191,11 +191,10 @@ ShapePtr vessel_shape() {
           "Propellers and thrusters."},
          {"rudders", list("a list of rudders", rudder_shape(), 1, 100), false, "none", "",
           "Rudders."},
-         {"current", current_shape(), false, "none", "",
-          "At low speed, in place of resistance and cross_flow."},
-         {"power", power_shape(), false, "none", "", "Power bus that sheds load."},
-         {"thruster_losses", boolean("true or false"), false, "false", "",
-          "Thrusters lose thrust in the race of others."},
+         {"control", vessel_control_shape(), false, "none", "",
+          "Joystick, autopilot and dynamic positioning."},
+         {"dp_capability", dp_ship_shape(), false, "none", "",
+          "Data for `hawser inspect --dp-capability`; does not act."},
          {"description", text("a text"), false, "", "", "Source and remarks."}});
 }
 

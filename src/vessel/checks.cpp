@@ -7,7 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/number.h"
-#include "vessel/power.h"
+#include "vessel/control_lines.h"
 #include "vessel/vessel_system.h"
 
 #include <algorithm>
@@ -302,6 +302,8 @@ void check_vessel(const World& world, const VesselDef& def) {
         f.fail(!def.propulsors.empty() ? "propulsors" : "body",
                "the body has no hull: give polynomial, cross_flow, resistance or damping, or a "
                "hull in the sea");
+    check_control(world, def);
+    if (def.dp_capability) check_dp_ship(*def.dp_capability);
 }
 
 }  // namespace hawser::vessel

@@ -4,6 +4,7 @@
 #include <hawser/world.h>
 
 #include "vessel/checks.h"
+#include "vessel/control_lines.h"
 #include "vessel/vessel_system.h"
 
 #include <memory>
@@ -16,7 +17,7 @@ System* define(World& world, const VesselDef& def) {
     vessel::check_vessel(world, def);
     const BodyDef body = world.body_def(def.body);
     return &world.add_system(std::make_unique<vessel::VesselSystem>(def, body.mass, body.inertia,
-                                                                    vessel::Surface(world, def)));
+                                                                    vessel::fed_lines(world, def)));
 }
 
 namespace {

@@ -36,14 +36,12 @@ void VesselSystem::visit_state(StateVisitor& v) {
         v.visit(s.failed);
         v.visit(s.failed_last);
     }
-    for (double* x : {&rudder_failed_, &rps_failed_}) v.visit(*x);
-    v.visit(rudder_failed_last_);
-    v.visit(rps_failed_last_);
-    bus_.visit_state(v);
+    if (control_ != nullptr) control_->visit(v);
 }
 
 void VesselSystem::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
+    if (control_ != nullptr) control_->check(rules);
     constexpr double kSlack = 1.0 + 1e-12;
     rules.flag(started_, "whether it has started is no flag");
     rules.flag(steering_limited_, "whether the steering gear is at its limit is no flag");
@@ -137,6 +135,7 @@ void VesselSystem::signals(SignalTable& table) {
     table.output("surge_force", "N", surge_);
     table.output("sway_force", "N", sway_);
     table.output("yaw_moment", "N m", yaw_);
+    if (control_ != nullptr) control_->signals(table);
 }
 
 }  // namespace hawser::vessel

@@ -7,6 +7,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "vessel/control_lines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -104,16 +106,14 @@ Matrix6 rigid_mass(double mass, const Mat3& inertia, const Vec3& origin) {
     return back.transpose() * rigid * back;
 }
 
-VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface surface)
+VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia, std::vector<FedLine> lines)
     : def_(std::move(def)),
       mass_(mass),
       inertia_(std::move(inertia)),
       added_(part_for_loads(def_.added_mass, std::sqrt(inertia_.trace() / (3.0 * mass)))),
       balance_(Matrix6::Identity()),
       polynomial_(def_.polynomial, mass),
-      surface_(std::move(surface)),
-      lossy_(has_losses(def_)),
-      bus_(def_) {
+      lines_(std::move(lines)) {
     for (const PropulsorDef& p : def_.propulsors) propulsors_.emplace_back(p, def_.origin);
     for (const RudderDef& r : def_.rudders) {
         int behind = -1;
@@ -125,6 +125,10 @@ VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface sur
     propulsor_.resize(propulsors_.size());
     rudder_state_.resize(rudders_.size());
     rps_ = rps_order_ = def_.steering.rps;
+    if (def_.control.active) {
+        const Matrix6 whole = rigid_mass(mass_, inertia_, def_.origin) + def_.added_mass;
+        control_ = std::make_unique<Control>(def_, Vec3(whole(0, 0), whole(1, 1), whole(5, 5)));
+    }
     if (added_ == def_.added_mass) return;
     const Matrix6 rigid = rigid_mass(mass_, inertia_, def_.origin);
     balance_ = (rigid + added_) * Matrix6(rigid + def_.added_mass).inverse();
@@ -141,7 +145,7 @@ bool VesselSystem::has_shaft(const VesselDef& def) noexcept {
 }
 
 std::unique_ptr<System> VesselSystem::clone() const {
-    return std::make_unique<VesselSystem>(def_, mass_, inertia_, surface_);
+    return std::make_unique<VesselSystem>(def_, mass_, inertia_, lines_);
 }
 
 void VesselSystem::read_sea(const World& world, Vec3& current, Vec3& wind,
@@ -372,10 +376,31 @@ void VesselSystem::advance(Prestep& now, const Flow& flow) noexcept {
     }
 }
 
+Wrench VesselSystem::control(Prestep& now, const Motion& m) noexcept {
+    Wrench out = Wrench::Zero();
+    if (control_ == nullptr) return out;
+    const Vec3 origin = now.world.world_point(def_.body, def_.origin);
+    const Wrench wind = wind_force(m);
+    ControlSense sense;
+    sense.measured.place = {origin.x(), -origin.y(), -std::atan2(m.axes(1, 0), m.axes(0, 0))};
+    sense.measured.motion = {m.ground[0], m.ground[1], m.ground[5]};
+    sense.surge = m.flow.u();
+    sense.wind = {wind[0], wind[1], wind[5]};
+    sense.lines = line_load(now.world, def_, lines_, m.axes, origin);
+    if (now.world.alive(def_.control.target)) {
+        sense.target = now.world.pose(def_.control.target).position;
+        sense.target_motion = now.world.velocity(def_.control.target).linear;
+    }
+    const Vec3 direct = control_->step(
+        now, sense, ControlledActuators{propulsor_, rudder_state_, rudder_order_, rps_order_});
+    out << direct[0], direct[1], 0.0, 0.0, 0.0, direct[2];
+    return out;
+}
+
 void VesselSystem::prestep(Prestep& now, Loads& loads) noexcept {
     const Motion m = motion_of(now);
     const Flow& flow = m.flow;
-    update_losses(now, flow.density);
+    const Wrench direct = control(now, m);
     const Wrench water = water_force(flow);
     Wrench damping = Wrench::Zero();
     for (int i = 0; i < 6; ++i) {
@@ -389,8 +414,8 @@ void VesselSystem::prestep(Prestep& now, Loads& loads) noexcept {
     place[2] = m.heave;
     place[3] = flow.roll;
     place[4] = m.pitch;
-    Wrench force =
-        load_of(m, water + wind_force(m) + added_coriolis(m) - Wrench(def_.restoring * place));
+    Wrench force = load_of(
+        m, water + direct + wind_force(m) + added_coriolis(m) - Wrench(def_.restoring * place));
     force += damping.cwiseProduct(m.ground);
     add_loads(loads, m, force, damping);
 

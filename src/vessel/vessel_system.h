@@ -19,6 +19,7 @@
 #include <hawser/vessel.h>
 
 #include "vessel/actuators.h"
+#include "vessel/control.h"
 #include "vessel/flow.h"
 #include "vessel/hull_forces.h"
 #include "vessel/losses.h"
@@ -39,8 +40,7 @@ namespace hawser::vessel {
 class VesselSystem final : public System {
   public:
     /// The definition has been checked. @param mass, inertia  Of the body.
-    /// @param surface  Surface of the water over its propulsors.
-    VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface surface);
+    VesselSystem(VesselDef def, double mass, Mat3 inertia, std::vector<FedLine> lines);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
@@ -77,10 +77,8 @@ class VesselSystem final : public System {
     void add_loads(Loads& loads, const Motion& m, const Wrench& force,
                    const Wrench& damping) const noexcept;
     void advance(Prestep& now, const Flow& flow) noexcept;
-    void advance_steering(Prestep& now) noexcept;
-    void advance_propulsors(Prestep& now, const Flow& flow) noexcept;
-    /// Compute `kept` of all propulsors.
-    void update_losses(const Prestep& now, double density) noexcept;
+    /// Orders of the control; returns a force that acts directly.
+    [[nodiscard]] Wrench control(Prestep& now, const Motion& m) noexcept;
 
     VesselDef def_;
     double mass_;
@@ -91,8 +89,8 @@ class VesselSystem final : public System {
     Polynomial polynomial_;
     std::vector<Propulsor> propulsors_;
     std::vector<Rudder> rudders_;
-    Surface surface_;  ///< Computed anew in each step.
-    bool lossy_ = false;
+    std::vector<FedLine> lines_;
+    std::unique_ptr<Control> control_;  ///< Null: VesselControl::active is false.
 
     // State.
     Vec3 last_velocity_{0.0, 0.0, 0.0}, last_spin_{0.0, 0.0, 0.0};

@@ -67,12 +67,18 @@ const char* to_string(DegradedBy cause) noexcept {
 
 const char* to_string(EventKind kind) noexcept {
     constexpr const char* kNames[kEventKindCount] = {
-        "line_break", "slack",          "taut",       "saturation", "range",       "input_clamped",
-        "warning",    "energy_created", "joint_open", "cable_law",  "uncertified", "fast",
-        "layer",      "brake_slip",     "release",    "weak_link",  "drum_empty",  "cut",
-        "join",       "detach",         "chain_jump", "no_node",    "node_limit",  "render",
-        "alarm",      "alarm_end",      "overload",   "missed",     "hauled_in",   "lift_off",
-        "lay_on",     "incomplete",     "shed",       "failure"};
+        "line_break",    "slack",           "taut",
+        "saturation",    "range",           "input_clamped",
+        "warning",       "energy_created",  "joint_open",
+        "cable_law",     "uncertified",     "fast",
+        "layer",         "brake_slip",      "release",
+        "weak_link",     "drum_empty",      "cut",
+        "join",          "detach",          "chain_jump",
+        "no_node",       "node_limit",      "render",
+        "alarm",         "alarm_end",       "overload",
+        "missed",        "hauled_in",       "lift_off",
+        "lay_on",        "incomplete",      "mode_refused",
+        "position_lost", "failure_critical"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/vessel_control.h"
+
+#include <numbers>
+#include <string>
+#include <string_view>
+
+namespace hawser::scene {
+namespace {
+
+constexpr double kControlDegree = std::numbers::pi / 180.0;
+
+/// Return the name if the vessel has such a propulsor. @throws SceneError.
+std::string propulsor_name(const Json& json, const std::vector<PropulsorDef>& propulsors,
+                           const Place& place) {
+    const std::string name = json.get<std::string>();
+    std::vector<std::string> known;
+    for (const PropulsorDef& p : propulsors) {
+        if (p.name == name) return name;
+        known.push_back(p.name);
+    }
+    refuse(place, "there is no propulsor " + in_quotes(name) + suggestion(name, known));
+}
+
+/// Element of a line at the body: an interaction, or the end of a cable.
+InteractionId line_at(const Description& out, const Scope& scope, const std::string& name,
+                      BodyId body, const Place& place) {
+    if (const Cable* cable = out.find_cable(scope.prefix + name); cable != nullptr) {
+        if (!cable->nodes.empty() && !cable->stretch.empty()) {
+            if (cable->nodes.front() == body) return cable->stretch.front();
+            if (cable->nodes.back() == body) return cable->stretch.back();
+        }
+        refuse(place, "the cable " + in_quotes(name) + " does not end at the vessel");
+    }
+    return resolve_interaction(out, scope, name, place);
+}
+
+}  // namespace
+
+VesselControl read_vessel_control(Description& out, const Scope& scope, const Json& json,
+                                  BodyId body, const std::vector<PropulsorDef>& propulsors,
+                                  const Place& place) {
+    VesselControl c;
+    c.active = true;
+    for (const ControlNumber& n : ControlTable::kNumbers) {
+        const auto entry = json.find(n.key);
+        if (entry == json.end()) continue;
+        const bool degrees = std::string_view(n.key).ends_with("_deg");
+        c.*n.value = entry->get<double>() * (degrees ? kControlDegree : 1.0);
+    }
+    if (const auto mode = json.find("mode"); mode != json.end())
+        for (int i = 0; i < kControlModes; ++i)
+            if (mode->get<std::string>() == to_string(static_cast<ControlMode>(i)))
+                c.mode = static_cast<ControlMode>(i);
+    c.bandwidth = vector_or(json, "bandwidth", c.bandwidth);
+    if (const auto flag = json.find("observer"); flag != json.end()) c.observer = flag->get<bool>();
+    if (const auto flag = json.find("wind"); flag != json.end()) c.wind = flag->get<bool>();
+    if (const auto list = json.find("lines"); list != json.end())
+        for (std::size_t i = 0; i < list->size(); ++i)
+            c.lines.push_back(
+                line_at(out, scope, (*list)[i].get<std::string>(), body, place / "lines" / i));
+    if (const auto target = json.find("target"); target != json.end())
+        c.target = resolve_body(out, scope, target->get<std::string>(), place / "target");
+    if (const auto list = json.find("zones"); list != json.end())
+        for (std::size_t i = 0; i < list->size(); ++i) {
+            const Json& each = (*list)[i];
+            c.zones.push_back(
+                {propulsor_name(each["propulsor"], propulsors, place / "zones" / i / "propulsor"),
+                 each["from_deg"].get<double>() * kControlDegree,
+                 each["to_deg"].get<double>() * kControlDegree});
+        }
+    if (const auto list = json.find("failures"); list != json.end())
+        for (std::size_t i = 0; i < list->size(); ++i) {
+            const Json& each = (*list)[i];
+            ControlFailure f{each["name"].get<std::string>(), {}};
+            const Json& names = each["propulsors"];
+            for (std::size_t k = 0; k < names.size(); ++k)
+                f.propulsors.push_back(propulsor_name(names[k], propulsors,
+                                                      place / "failures" / i / "propulsors" / k));
+            c.failures.push_back(std::move(f));
+        }
+    return c;
+}
+
+}  // namespace hawser::scene

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file allocation.h
+/// Thrust allocation: from a force and moment to thrusts and angles.
+///
+/// ```
+///     minimise  Σ c_i |f_i|²/T_i² + q |S(Σ B_i f_i − τ)|²
+///     subject to  |f_i| ≤ T_i,  f_i in an allowed sector
+/// ```
+/// S divides forces by ΣT and the moment by ΣT times the longest lever; q is large, so that what
+/// is possible of τ is met, the moment first. Discs are polygons of 32 sides. Allowed directions of
+/// an azimuth are cut into sectors of at most 180°; if the program without sectors ends outside of
+/// them, the sectors of these azimuths are tried one azimuth after the other, and the present one
+/// is kept unless another costs less by 5 %.
+///
+/// A second program finds the thrusts at the present angles within the rates of thrust, so that
+/// other thrusters make up for azimuths that still turn.
+///
+/// The solver is the project's own (quadratic_program.h): well-kept ones in Debian (OSQP, qpOASES)
+/// iterate to a tolerance or allocate, and a step needs the same bits and no allocation.
+
+#include <hawser/math.h>
+
+#include "vessel/quadratic_program.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace hawser::vessel {
+
+/// Sector of thrust directions, clockwise from `from`.
+struct ThrustSector {
+    double from = 0.0, width = 0.0;  ///< [rad]; width at most π.
+    bool reversed = false;           ///< Thrust astern: the azimuth points the other way.
+};
+
+struct AllocatedThruster {
+    bool turns = false;
+    double x = 0.0, y = 0.0;  ///< Marine frame, from O [m].
+    double axis = 0.0;        ///< Direction of thrust ahead of one that does not turn [rad].
+    double ahead = 0.0, astern = 0.0;     ///< Capacities ≥ 0 [N].
+    double cost = 1.0;                    ///< c_i.
+    std::vector<ThrustSector> sectors{};  ///< Allowed directions if it turns; empty: all.
+};
+
+/// Present state of a thruster and its limits in a step.
+struct ThrusterNow {
+    double angle = 0.0;              ///< Direction of positive thrust [rad].
+    double least = 0.0, most = 0.0;  ///< Thrust [N].
+};
+
+class Allocation {
+  public:
+    Allocation() = default;
+    explicit Allocation(std::vector<AllocatedThruster> thrusters);
+
+    /// Forces of least cost for τ = (X, Y, N). @param failed  By index; null: none. @param sectors
+    /// In and out: sector that each thruster uses; −1: none yet.
+    void allocate(const Vec3& tau, const std::uint8_t* failed, std::int32_t* sectors) noexcept;
+    /// Force of a thruster after allocate(), marine frame [N].
+    [[nodiscard]] double x(std::size_t i) const noexcept { return forces_[2 * i]; }
+    [[nodiscard]] double y(std::size_t i) const noexcept { return forces_[2 * i + 1]; }
+    /// Sum of B_i f_i after allocate() or reach().
+    [[nodiscard]] const Vec3& total() const noexcept { return total_; }
+
+    /// Thrusts at fixed angles within their limits. @param thrusts  Out [N].
+    void reach(const Vec3& tau, const ThrusterNow* now, double* thrusts) noexcept;
+
+    /// Largest force of each axis alone, without regard to the others [N, N, N m].
+    [[nodiscard]] Vec3 largest() const noexcept;
+    /// Number of axes that thrusters can drive independently, from 0 to 3.
+    [[nodiscard]] int authority() const;
+    /// |S τ|, of the scales of the cost.
+    [[nodiscard]] double scaled_norm(const Vec3& tau) const noexcept;
+    [[nodiscard]] const std::vector<AllocatedThruster>& thrusters() const noexcept {
+        return thrusters_;
+    }
+
+  private:
+    [[nodiscard]] double program(const Vec3& tau, const std::uint8_t* failed,
+                                 const std::int32_t* sectors) noexcept;
+    void add_limits(std::size_t i, bool failed, std::int32_t sector) noexcept;
+    [[nodiscard]] int sector_of(std::size_t i, double x, double y) const noexcept;
+    [[nodiscard]] Vec3 lever(std::size_t i, double x, double y) const noexcept;
+    void set_cost(const Vec3& tau, int variables) noexcept;
+
+    static constexpr std::size_t kSides = 32;                ///< Sides of the polygon of a disc.
+    std::array<std::pair<double, double>, kSides> sides_{};  ///< Normals.
+    std::vector<AllocatedThruster> thrusters_;
+    std::vector<std::int32_t> first_;  ///< Variable of each thruster.
+    std::vector<double> forces_;
+    std::vector<std::int32_t> trial_;
+    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, QuadraticProgram::kMost> effect_;
+    QuadraticProgram program_;
+    double force_ = 1.0, moment_ = 1.0;  ///< Scales.
+    int variables_ = 0;
+    Vec3 total_ = Vec3::Zero();
+};
+
+}  // namespace hawser::vessel

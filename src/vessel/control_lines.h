@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file control_lines.h
+/// Checks of the control of a vessel, and its tension feed-forward.
+
+#include "vessel/control.h"
+
+#include <vector>
+
+namespace hawser::vessel {
+
+/// @throws DefError "vessel 'NAME': control/field: reason".
+void check_control(const World& world, const VesselDef& def);
+/// Ends of the lines of VesselControl::lines. @throws DefError.
+[[nodiscard]] std::vector<FedLine> fed_lines(const World& world, const VesselDef& def);
+/// Sum of their tensions at O. @param axes  Marine axes in the world. @param origin  O in the
+/// world.
+[[nodiscard]] Vec3 line_load(const World& world, const VesselDef& def,
+                             const std::vector<FedLine>& lines, const Mat3& axes,
+                             const Vec3& origin) noexcept;
+
+}  // namespace hawser::vessel

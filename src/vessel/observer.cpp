@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vessel/observer.h"
+
+#include "vessel/actuators.h"
+
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace hawser::vessel {
+namespace {
+
+constexpr double kCutoff = 1.22;        ///< ω_c over the wave frequency.
+constexpr double kWaveDamping = 0.1;    ///< Damping ratio of the wave model.
+constexpr double kNotch = 1.0;          ///< Damping ratio of the notch.
+constexpr double kVelocityGain = 0.15;  ///< K_4 over M ω_c².
+constexpr double kBiasTime = 60.0;      ///< K_4 over K_3 [s].
+
+}  // namespace
+
+Vec3 to_earth(const Vec3& of_ship, double heading) noexcept {
+    const double c = std::cos(heading), s = std::sin(heading);
+    return {c * of_ship[0] - s * of_ship[1], s * of_ship[0] + c * of_ship[1], of_ship[2]};
+}
+
+Vec3 to_ship(const Vec3& of_earth, double heading) noexcept {
+    const double c = std::cos(heading), s = std::sin(heading);
+    return {c * of_earth[0] + s * of_earth[1], -s * of_earth[0] + c * of_earth[1], of_earth[2]};
+}
+
+Observer::Observer(const Vec3& mass, const Vec3& damping, double period)
+    : mass_(mass), damping_(damping), frequency_(2.0 * std::numbers::pi / period) {}
+
+void Observer::start(const Planar& measured) noexcept {
+    low_ = measured;
+    bias_.setZero();
+    swell_.setZero();
+    swell_rate_.setZero();
+}
+
+void Observer::step(const Planar& measured, const Vec3& force, double h) noexcept {
+    const double w = frequency_, cut = kCutoff * w;
+    const double heading = measured.place[2];
+    Vec3 error = measured.place - low_.place - swell_rate_;
+    error[2] = wrapped(measured.place[2] - low_.place[2] - swell_rate_[2]);
+    // Gains of the wave model place a notch at ω_0 (Fossen and Strand).
+    const double k1 = -2.0 * (kNotch - kWaveDamping) * kCutoff;
+    const double k2 = 2.0 * w * (kNotch - kWaveDamping);
+    const Vec3 rate = low_.motion, error_ship = to_ship(error, heading);
+    const Vec3 accelerating = kVelocityGain * cut * cut * error_ship;
+    const Vec3 acceleration =
+        (force + bias_ - damping_.cwiseProduct(rate)).cwiseQuotient(mass_) + accelerating;
+    swell_rate_ += h * (-w * w * swell_ - 2.0 * kWaveDamping * w * swell_rate_ + k2 * error);
+    swell_ += h * (swell_rate_ + k1 * error);
+    low_.motion += h * acceleration;
+    bias_ += h * mass_.cwiseProduct(accelerating) / kBiasTime;
+    low_.place += h * (to_earth(low_.motion, heading) + cut * error);
+    low_.place[2] = wrapped(low_.place[2]);
+}
+
+void Observer::visit(StateVisitor& v) {
+    for (Vec3* x : {&low_.place, &low_.motion, &bias_, &swell_, &swell_rate_})
+        v.visit(std::span<double>(x->data(), 3));
+}
+
+}  // namespace hawser::vessel

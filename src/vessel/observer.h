@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+/// @file observer.h
+/// Nonlinear passive observer with wave filter and bias (hawser/vessel_control.h).
+
+#include <hawser/math.h>
+#include <hawser/state_visitor.h>
+
+#include <array>
+
+namespace hawser::vessel {
+
+/// Position of O: north = x, east = −y of the world [m], heading clockwise [rad].
+struct Planar {
+    Vec3 place = Vec3::Zero();
+    Vec3 motion = Vec3::Zero();  ///< u, v, r over ground, axes of the ship.
+};
+
+class Observer {
+  public:
+    Observer() = default;
+    /// @param mass  Diagonal of M with added mass. @param damping  Diagonal of D. @param period  Of
+    /// the waves [s].
+    Observer(const Vec3& mass, const Vec3& damping, double period);
+    /// Start at a measured motion.
+    void start(const Planar& measured) noexcept;
+    /// One step. @param force  τ that acts on the ship [N, N, N m].
+    void step(const Planar& measured, const Vec3& force, double h) noexcept;
+    /// Low-frequency motion.
+    [[nodiscard]] const Planar& low() const noexcept { return low_; }
+    /// Slowly varying force, axes of the ship.
+    [[nodiscard]] const Vec3& bias() const noexcept { return bias_; }
+    void visit(StateVisitor& visitor);
+
+  private:
+    Vec3 mass_ = Vec3::Ones(), damping_ = Vec3::Zero();
+    double frequency_ = 1.0;
+    Planar low_{};
+    Vec3 bias_ = Vec3::Zero();
+    Vec3 swell_ = Vec3::Zero(), swell_rate_ = Vec3::Zero();  ///< ξ: integral and wave motion.
+};
+
+/// From axes of the ship to north and east, and back.
+[[nodiscard]] Vec3 to_earth(const Vec3& of_ship, double heading) noexcept;
+[[nodiscard]] Vec3 to_ship(const Vec3& of_earth, double heading) noexcept;
+
+}  // namespace hawser::vessel
