@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/newton.h"
 
-#include "context/view.h"
 #include "base/index.h"
 #include "contact/convex_phase.h"
 #include "contact/iterate.h"
@@ -11,6 +10,7 @@
 #include "contact/newton_laws.h"
 #include "contact/wire_newton.h"
 #include "context/newton_data.h"
+#include "context/view.h"
 #include "solve/active_set.h"
 #include "solve/bounds.h"
 #include "solve/contact_rows.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/newton_end.h"
 
-#include "context/view.h"
 #include "base/index.h"
 #include "contact/iterate.h"
 #include "contact/newton_laws.h"
 #include "context/newton_data.h"
+#include "context/view.h"
 #include "solve/contact_rows.h"
 #include "solve/solve.h"
 

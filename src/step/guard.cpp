@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/guard.h"
 
-#include "context/copies.h"
-#include "context/view.h"
 #include "base/index.h"
 #include "contact/newton.h"
+#include "context/copies.h"
+#include "context/view.h"
 #include "context/wires_data.h"
 #include "solve/wire_energy.h"
 #include "solve/wire_plan.h"
