@@ -2,14 +2,14 @@
 #pragma once
 /// @file iterate.h
 /// Functions shared by the methods that solve the step several times: write the laws into the
-/// matrix, go from one iterate to the next.
+/// matrix, move from one iterate to the next.
 
 #include "context/context.h"
 
 namespace hawser::stepper {
 
-/// Newton::laws go into the contacts and into the matrix: blocks that change.
-/// @param first  All of them.
+/// Apply Newton::laws to the contacts and to the matrix, in blocks that change.
+/// @param first  True: all blocks.
 void adopt_laws(Model& model, const Newton& newton, runtime::Pool& pool, bool first) noexcept;
 
 /// Adopt the laws of contacts that differ by much from those in the matrix. Other contacts keep S;
@@ -25,10 +25,11 @@ void recall_contacts(Model& model, const Newton& newton) noexcept;
 /// Go back to a share t of the way from the iterate kept. The laws' p follow, so that λ = p − S u.
 void shorten(Model& model, const Newton& newton, double t) noexcept;
 
-/// Σ (W + Σ) ‖λ − P‖² over contacts, a share t of the way: an energy [J].
+/// Return Σ (W + Σ) ‖λ − P‖² over contacts, at a fraction t of the way: an energy [J].
 [[nodiscard]] double contacts_merit(const Model& model, const Newton& newton, double t) noexcept;
 
-/// Largest relative residual of Coulomb's law over contacts, see nonsmooth::natural_map().
+/// Return the largest relative residual of Coulomb's law over contacts, see
+/// nonsmooth::natural_map().
 [[nodiscard]] double worst(const Model& model, SolveWork& solve, runtime::Pool& pool) noexcept;
 
 }  // namespace hawser::stepper

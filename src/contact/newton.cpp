@@ -29,15 +29,15 @@ namespace {
 
 using nonsmooth::Cone;
 
-constexpr int kPatience = 8;  ///< Iterations before slow ones ask for a factorisation.
+constexpr int kPatience = 8;  ///< Iterations before slow ones request a factorisation.
 constexpr double kSlowMerit =
-    0.25;                       ///< Merit left after an iteration that asks for a factorisation.
-constexpr int kKrylovFrom = 2;  ///< First iteration that may do without a factorisation.
+    0.25;  ///< Fraction of the merit left after an iteration that requests a factorisation.
+constexpr int kKrylovFrom = 2;  ///< First iteration that may omit a factorisation.
 constexpr int kExactMost = 10;  ///< Exact iterations before the convex phase.
 /// Natural map below which the convex phase ends. At 1e-2 steps fall back into it.
 constexpr double kConvexEnd = 5e-3;
 
-/// Note when an iteration ended, from which the time of the next is foreseen.
+/// Store the end time of an iteration, from which the time of the next one is predicted.
 void note_lap(StepContext& ctx) noexcept {
     if (!ctx.work.limits.budget.needs_time()) return;
     ctx.work.limits.laps.last = ctx.stopwatch->seconds();
@@ -46,9 +46,8 @@ void note_lap(StepContext& ctx) noexcept {
         ctx.work.limits.laps.first = ctx.work.limits.laps.last;
 }
 
-/// @return true if the budget allows another iteration. No iteration follows a cut, even if the
-/// step
-///     is solved again (guard.h): StepStats::cut then describes the whole step.
+/// Return true if the budget allows another iteration. No iteration follows a cut, even if the step
+/// is solved again (guard.h): StepStats::cut then describes the whole step.
 bool affordable(Work& work) noexcept {
     return !work.stats.cut &&
            work.limits.budget.another(
@@ -56,7 +55,7 @@ bool affordable(Work& work) noexcept {
                work.newton.iterations);
 }
 
-/// Keeps what repeats the step (Degradation): the iterations of all solves of the step so far.
+/// Store the data that repeat the step (Degradation): the number of iterations of all its solves.
 void note_cut(StepContext& ctx) noexcept {
     if (ctx.work.stats.cut) return;
     ctx.work.stats.cut = true;
@@ -64,7 +63,7 @@ void note_cut(StepContext& ctx) noexcept {
     ctx.work.stats.degradation.hasty = ctx.state.step > 0 && ctx.work.limits.budget.hasty();
 }
 
-/// How Newton iterations go on.
+/// Options of a sequence of Newton iterations.
 struct Course {
     bool hasty =
         false;  ///< When the budget ends them, rows that ask to switch do so after the step.
@@ -74,7 +73,8 @@ struct Course {
 };
 
 /// Complete the joints (step/completion.h) about an iterate close to the solution. The next
-/// iteration then serves as the round of completion. That round needs no substitution of its own.
+/// iteration then serves as an end-of-step constraint iteration, which needs no substitution of its
+/// own.
 void complete_iterate(StepContext& ctx) noexcept {
     constexpr double kClose = 1e-2;
     if (!(ctx.work.stats.natural_map <= kClose)) return;
@@ -83,14 +83,14 @@ void complete_iterate(StepContext& ctx) noexcept {
     ++ctx.work.stats.completion_rounds;
 }
 
-/// Newton iterations as they go on.
+/// State of a sequence of Newton iterations.
 struct Progress {
     int it = 0;
     int exact = 0;       ///< Exact iterations since the start, or since the convex phase.
     bool again = false;  ///< Rows have switched.
-    bool slow = false;   ///< The merit falls too slowly to go on without a factorisation.
+    bool slow = false;   ///< The merit decreases too slowly without a factorisation.
     bool may_be_convex = true;
-    double before = 0.0;  ///< Merit of the iterate kept.
+    double before = 0.0;  ///< Merit of the stored iterate.
     Cycle cycle{};
 };
 
@@ -156,8 +156,9 @@ Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
     return Status::ok;
 }
 
-/// Switch rows that ask for it. @param stop  The budget allows no other iteration: rows that ask
-/// do so after the step. @return how many ask.
+/// Switch rows that request it.
+/// @param stop  The budget allows no other iteration: requesting rows switch after the step.
+/// @return the number of requesting rows.
 std::int32_t switch_rows(StepContext& ctx, bool stop, bool last) noexcept {
     const std::int32_t most = last ? 0 : kAnyRows;
     const std::int32_t asking =
@@ -193,7 +194,7 @@ bool leave_convex(StepContext& ctx, Progress& p) noexcept {
     return true;
 }
 
-/// Iterate to the tolerance, or until iterations or budget end.
+/// Iterate to the tolerance, or until the limit of iterations or the budget is reached.
 Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
                       Progress p) noexcept {
     Newton& newton = ctx.work.newton;
@@ -216,11 +217,12 @@ Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
             stats.flips_left = 0;
             return Status::ok;
         }
-        // Without haste not where lines have just switched: their rows would be left unsolved.
+        // Without early exit, do not stop just after lines have switched, because their rows would
+        // be left unsolved.
         const bool cut = course.hasty ? stop : !p.again && !affordable(ctx.work);
         if (cut) note_cut(ctx);
         if (cut || last) {
-            // What contacts do is told by the iterate alone.
+            // Contact statuses follow from the iterate alone.
             newton.convex = false;
             stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none) + asking;
             return Status::ok;
@@ -232,7 +234,8 @@ Status run_iterations(StepContext& ctx, double tolerance, const Course& course,
     }
 }
 
-/// Newton iterations from the iterate at hand. @param coupling  Of all contacts.
+/// Run Newton iterations from the current iterate.
+/// @param coupling  Coupling of all contacts.
 Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
                Course course = {}) noexcept {
     const Progress begun = begin_iterations(ctx, coupling, course);
@@ -241,7 +244,7 @@ Status iterate(StepContext& ctx, nonsmooth::Coupling coupling, double tolerance,
     return status;
 }
 
-/// Begin again at the velocities and impulses that contacts hold.
+/// Restart from the velocities and impulses of the contacts.
 void restart(Model& model, Work& work, runtime::Pool& pool) noexcept {
     (void)linearise(model, work, pool, LastLaws::none);
     adopt_laws(model, work.newton, pool, true);
@@ -299,8 +302,8 @@ Status end_softened(StepContext& ctx) noexcept {
 
 /// Solve with contacts 1,024 and 32 times softer first, each a start for the next (newton.h).
 Status from_soft(StepContext& ctx) noexcept {
-    constexpr double kRough = 1e-2;  // what a softer system needs to be a start for the next
-    for (const double soften : {1024.0, 32.0}) {  // powers of two: exactly undone
+    constexpr double kRough = 1e-2;  // tolerance of a softer system as a start for the next
+    for (const double soften : {1024.0, 32.0}) {  // powers of two: undone exactly
         soften_by(ctx.model, soften);
         restart(ctx.model, ctx.work, ctx.pool);
         const Status status = iterate(ctx, nonsmooth::Coupling::exact, kRough);
@@ -315,7 +318,7 @@ Status from_soft(StepContext& ctx) noexcept {
     return iterate(ctx, nonsmooth::Coupling::exact, ctx.model.def.contact_tolerance);
 }
 
-/// What the statistics say of contacts that are solved, or not.
+/// Set the certificate of contacts in the statistics.
 void state_certificate(const Model& model, Work& work, runtime::Pool& pool) noexcept {
     work.stats.natural_map =
         std::max(worst(model, work.solve, pool), bounds_map(model, work.newton));
@@ -396,13 +399,13 @@ Status certify(StepContext& ctx) noexcept {
         if (status == Status::ok) status = follow_loads(ctx);
         if (status != Status::ok) return status;
         state_certificate(ctx.model, ctx.work, ctx.pool);
-        if (!met) break;  // another round would take as long, and find no more
+        if (!met) break;  // another iteration would cost as much without progress
     }
     return Status::ok;
 }
 
-/// Repeat iterations until no row asks to switch. A line search may have ended the iterations where
-/// no row asked yet, before the solution was reached.
+/// Repeat iterations until no row requests to switch. A line search may have ended the iterations
+/// when no row requested it yet, before the solution was reached.
 Status settle_rows(StepContext& ctx) noexcept {
     constexpr int kMost = 8;
     const double tolerance = ctx.model.def.contact_tolerance;
@@ -454,7 +457,7 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
     if (status == Status::ok && refines) status = drowned ? refine(ctx) : refine_iterate(ctx);
     if (status == Status::ok && !early) status = follow_loads(ctx);
     if (status != Status::ok) return status;
-    // Of what the step ends with.
+    // For the final state of the step.
     state_certificate(ctx.model, ctx.work, ctx.pool);
     if (early) {
         const std::int32_t asking = asking_rows(ctx.model, ctx.work, ctx.model.contact_floor);

@@ -84,7 +84,7 @@ Status end_early(StepContext& ctx) noexcept {
     Contacts& contacts = ctx.model.system.contacts;
     if (ctx.work.newton.best < merit(ctx.model, ctx.work.newton, 0.0))
         take_best(ctx.model, ctx.work, ctx.pool);
-    constexpr double kPoor = 0.1;  // Worse tells less than how the last step ended.
+    constexpr double kPoor = 0.1;  // an iterate above this is worse than the end of the last step
     for (Cone& c : contacts.cones) c.coupling = nonsmooth::Coupling::lagged;
     if (ctx.work.stats.natural_map > kPoor) go_back_to_last(ctx.model, ctx.work.contact_speed);
     ctx.work.stats.flips_left = linearise(ctx.model, ctx.work, ctx.pool, LastLaws::none);
@@ -96,7 +96,7 @@ Status end_early(StepContext& ctx) noexcept {
 }
 
 void end_hastily(Model& model, Work& work, runtime::Pool& pool) noexcept {
-    // After one iteration there is no other: that is when time is short.
+    // After a single iteration there is no better iterate, which happens when time is short.
     if (std::isfinite(work.newton.best) && work.newton.best < merit(model, work.newton, 0.0))
         take_best(model, work, pool);
     project_all(model);

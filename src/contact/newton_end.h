@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file newton_end.h
-/// Ends of Newton's iterations that come before the step is solved, see newton.h: the best iterate
-/// is taken, impulses are projected onto their cones, and momentum is balanced with them.
+/// Ends of Newton's iterations before the step is solved, see newton.h. The best iterate is used,
+/// impulses are projected onto their cones, and momentum is balanced with them.
 
 #include "context/context.h"
 #include "context/newton_data.h"
 
 namespace hawser::stepper {
 
-/// Ended with time for one more factorisation.
+/// End the iterations with time for one more factorisation.
 [[nodiscard]] Status end_early(StepContext& ctx) noexcept;
-/// Ended without: the law in the matrix is moved through the projected impulse.
+/// End them without: the law in the matrix is shifted through the projected impulse.
 void end_hastily(Model& model, Work& work, runtime::Pool& pool) noexcept;
 
 /// Project the impulses of all contacts onto their friction cones; the laws in the matrix follow.
@@ -20,9 +20,9 @@ void project_all(Model& model) noexcept;
 /// Velocities and impulses of contacts from where the last step ended.
 void go_back_to_last(Model& model, base::Array<double>& contact_speed) noexcept;
 
-/// No iterate is set aside.
+/// Discard the stored best iterate.
 void forget_best(Newton& newton) noexcept;
-/// The iterate kept is the best so far, and the one at hand is worse: set it aside.
+/// Store the previous iterate as the best one, because the current one is worse.
 void set_best_aside(Newton& n, double merit) noexcept;
 
 }  // namespace hawser::stepper

@@ -51,9 +51,9 @@ class RecordingListener final : public ChangeBytes {
     World& world_;
     std::vector<Set> set_;            ///< Not written yet; their changes are in bytes().
     std::vector<RecordedInput> run_;  ///< Scratch: inputs between two changes.
-    std::int32_t inputs_;             ///< Of the scene: the recording has their names.
-    std::int64_t now_;                ///< Steps taken when it looked last.
-    bool failed_before_ = false;      ///< failed() at the last mark.
+    std::int32_t inputs_;         ///< Number of inputs of the scene; the recording has their names.
+    std::int64_t now_;            ///< Steps taken when it looked last.
+    bool failed_before_ = false;  ///< failed() at the last mark.
     std::exception_ptr fault_;
 };
 

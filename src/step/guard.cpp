@@ -88,7 +88,8 @@ bool refuse(Model& model, const Before& kept) noexcept {
         const auto wire = static_cast<std::int32_t>(k);
         const bool first = w.level[k] == 0;
         plan_wires(model, kept, wire);
-        // Of those that may touch the first plan fails as often as not: 2 at once (guard.h).
+        // For wires that may touch, the first plan fails about half of the time, so two are applied
+        // at once (guard.h).
         if (first && may_touch(model, wire)) plan_wires(model, kept, wire);
         any = true;
     }

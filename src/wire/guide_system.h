@@ -128,7 +128,7 @@ class GuideSystem final : public System {
     /// 1: the wire has broken in it. kRunsOff: it has run off, to be reported. kRanOff: reported.
     std::int32_t parted_ = 0;
     static constexpr std::int32_t kRunsOff = 2, kRanOff = 3;
-    static constexpr std::int32_t kLifted = 4;  ///< Of an open guide: no wire lies on it.
+    static constexpr std::int32_t kLifted = 4;  ///< State of an open guide without a wire.
     std::int32_t wait_ = 0;                     ///< Steps of landing that are left.
     std::int32_t stopped_ = -1;                 ///< Side that has nothing left to run, −1: none.
     // Outputs.

@@ -21,10 +21,10 @@ struct EndLumps {
 [[nodiscard]] double kept_by_lumps(const EndLumps& before, const EndLumps& after, double mass);
 
 /// Slide, parts and friction of a guide, all or nothing but for memory that ends. @param def  What
-/// was left to defaults is filled in. @param speed  Of the wire running through [m/s]. @param
-/// material  Of the parts [m]. @param drawn  Compare the side of the wheel with the wire as drawn.
-/// Else, on an open guide, the parts have the rest length of their mass at def.mass_per_length; on
-/// others, that which keeps the tension.
+/// was left to defaults is filled in. @param speed  Speed of the wire along itself [m/s]. @param
+/// material  Lengths of the parts [m]. @param drawn  Compare the side of the wheel with the wire as
+/// drawn. Else, on an open guide, the parts have the rest length of their mass at
+/// def.mass_per_length; on others, that which keeps the tension.
 /// @throws DefError
 [[nodiscard]] Guide lay_on(World& world, GuideDef& def, double speed,
                            std::array<double, 2>& material, bool drawn = false);

@@ -4,7 +4,8 @@
 /// Sessions that random messages drive, with steps that fail, and the replay of their recordings.
 ///
 /// A session is a list of lines. A line is a message of a client, or a cause for which the next
-/// steps fail:
+/// steps fail. The cause lasts for one step.
+/// ```
 ///   !nan        a system loads a body with NaN
 ///   !input      a system sets an input that does not exist
 ///   !edit       a system adds a body and removes one that does not exist
@@ -12,7 +13,7 @@
 ///   !pivot      a load makes the system singular
 ///   !late       velocities overflow after the step was solved
 ///   !memory N   !late, and allocation N of the step fails
-/// The cause lasts for one step.
+/// ```
 
 #include "support/random.h"
 

@@ -17,10 +17,10 @@
 namespace hawser::test {
 namespace {
 
-/// A slack wire from a point of the deck, along it.
+/// A slack wire along the deck, from a point of it.
 struct DeckWire {
     int elements = 100;
-    double acceleration = 6.0;  ///< Of the deck, at most [m/s²].
+    double acceleration = 6.0;  ///< Largest acceleration of the deck [m/s²].
     static constexpr double kMass = 27.6, kLength = 1.2, kRadius = 0.038;
 
     [[nodiscard]] static BodyDef lump(int i) {
@@ -36,7 +36,7 @@ struct DeckWire {
         if (first) d.point[0] = {0.0, 0.0, kRadius};
         return d;
     }
-    /// What the deck's motion does to a lump, seen from the deck [N].
+    /// Return the inertial force on a node in the deck's frame [N].
     [[nodiscard]] Vec3 force(double t) const {
         return kMass * acceleration * Vec3(std::sin(1.3 * t), 0.7 * std::sin(1.1 * t + 1.0), 0.0);
     }
@@ -64,7 +64,7 @@ World deck_world(const DeckWire& wire, std::vector<BodyId>& lumps) {
     return w;
 }
 
-/// The whole wire begins to slide, comes taut and turns round. One such step took 215
+/// The whole wire starts to slide, comes taut and reverses. One such step once took 215
 /// factorisations, and another one ended uncertified.
 TEST(DeckWire, TakesFewFactorisationsWhereItBeginsToSlide) {
     const DeckWire wire;
@@ -80,8 +80,8 @@ TEST(DeckWire, TakesFewFactorisationsWhereItBeginsToSlide) {
         EXPECT_EQ(s.flips_left, 0) << i;
         EXPECT_LE(s.momentum_residual, 1e-9) << i;
     }
-    // Two a step, and a few in steps where the wire comes taut; the first step starts from soft
-    // tangents.
+    // Two per step, and a few in steps in which the wire comes taut; the first step starts from
+    // soft tangents.
     EXPECT_LE(most, 10);
 }
 

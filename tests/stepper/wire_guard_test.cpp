@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// A wire of lumps along x between two fixed ends, or with a free one that a force pulls.
+/// A wire of point masses along x between two fixed ends, or with a free end that a force pulls.
 struct WireRecipe {
     int elements = 20;
     double step = 1.0 / 60, length = 1.0, ratio = 8.0, stiffness = 200.0, bend = 0.1;
@@ -21,7 +21,7 @@ struct WireRecipe {
     bool pulled = true, one_sided = true;
     unsigned seed = 1;
     static constexpr double kPull = 1e5;  ///< [N]
-    /// Of a lump: h √(T l/m)/l is the ratio.
+    /// Mass of a node: the ratio is h √(T l/m)/l.
     [[nodiscard]] double mass() const { return kPull * step * step / (ratio * ratio * length); }
     [[nodiscard]] Recipe make() const {
         Recipe r;
@@ -29,7 +29,8 @@ struct WireRecipe {
         r.world.step = step;
         r.world.gravity = {0, 0, 0};
         r.world.staggered_start = false;  // the energy at the start is that of half a step before
-        r.world.on_diverged = OnDiverged::warn;  // elements that turn by a third in a step: bounded
+        r.world.on_diverged = OnDiverged::warn;  // elements that rotate by a third of a radian in a
+                                                 // step: bounded
         std::vector<BodyId> nodes;
         for (int i = 0; i <= elements; ++i) {
             const bool inner = i > 0 && i < elements;
@@ -62,7 +63,7 @@ struct WireRecipe {
     }
 };
 
-/// Of what was there and came from outside, in a wire that may lose any.
+/// Return the energy created, over the initial and external energy, in a wire that may lose any.
 double created(World& w, int steps) {
     w.prepare();
     const double start = w.energy().mechanical();
@@ -76,7 +77,8 @@ double created(World& w, int steps) {
     return most / scale;
 }
 
-/// A lump between two elements under T, moved aside by 1 um: the recurrence of assembly/geo.h.
+/// A node between two elements under T, displaced sideways by 1 um: the recurrence of
+/// assembly/geo.h.
 TEST(WireGuard, SwingAcrossFollowsItsRecurrence) {
     for (const double ratio : {0.4, 2.0, 20.0}) {
         WireRecipe wire;
@@ -86,8 +88,8 @@ TEST(WireGuard, SwingAcrossFollowsItsRecurrence) {
         wire.pulled = false;
         wire.one_sided = false;
         Recipe r = wire.make();
-        r.world.staggered_start = true;  // finds the tension, and leaves the velocity
-        // Stretched: T in both.
+        r.world.staggered_start = true;  // finds the tension, and keeps the velocity
+        // Stretched: tension T in both.
         r.interactions[0].set("length", 1.0 / (1.0 + 1.0 / wire.stiffness));
         r.interactions[1].set("length", 1.0 / (1.0 + 1.0 / wire.stiffness));
         const double t =
@@ -107,13 +109,13 @@ TEST(WireGuard, SwingAcrossFollowsItsRecurrence) {
             before = v;
             v = next;
             y += h * v;
-            // Second order in the swing's angle of 1e-6, times the stiffness along.
+            // Second order in the angle of 1e-6, times the axial stiffness.
             EXPECT_NEAR(w.pose(BodyId{1}).position.y(), y, 1e-12) << ratio << " step " << k;
         }
     }
 }
 
-/// Slack, taut, thrown about, with any damping: what comes out is what went in.
+/// Slack, taut or moved randomly, with any damping: no energy is created.
 TEST(WireGuard, RandomWiresGainNoEnergy) {
     for (const std::uint32_t seed : seeds(1, 20, 100, 1000)) {
         Random random(seed + 1'000'000);
@@ -130,7 +132,7 @@ TEST(WireGuard, RandomWiresGainNoEnergy) {
         wire.pulled = random.uniform(0, 1) < 0.7;
         wire.one_sided = random.uniform(0, 1) < 0.8;
         World w = wire.make().make();
-        // A thousandth of what is exchanged may come of each step (wires.h); most give none.
+        // Each step may create a thousandth of the exchanged energy (wires.h); most create none.
         EXPECT_LE(created(w, 100), 1e-2) << "seed " << seed << " ratio " << wire.ratio;
     }
 }
@@ -144,7 +146,8 @@ WireRecipe lively() {
     return wire;
 }
 
-/// Bits do not depend on threads, and go on the same from a snapshot while the guard remembers.
+/// Bits do not depend on threads, and are equal after a restored snapshot while the guard has a
+/// memory.
 TEST(WireGuard, SameBitsForAnyThreadsAndAfterRestoring) {
     std::vector<std::uint64_t> hashes;
     std::vector<std::byte> snapshot;
@@ -232,8 +235,8 @@ TEST(WireGuard, RepeatsStartFromTheRejectedSolution) {
     EXPECT_LE(added, 3 * repeats);
 }
 
-/// A budget may end any of the solves of a step that is solved again for wires; what it allowed
-/// says all of them.
+/// A budget may end any of the solutions of a step that is repeated for wires; the stored
+/// degradation contains all of them.
 TEST(WireGuard, StepsThatABudgetCutsAreRepeatedWithoutIt) {
     int cut = 0, later = 0;
     for (const double share : {1.5, 2.5, 3.5, 5.0, 7.0, 10.0}) {
@@ -255,7 +258,7 @@ TEST(WireGuard, StepsThatABudgetCutsAreRepeatedWithoutIt) {
     EXPECT_GT(later, 0) << "none was cut in a repeat";
 }
 
-/// What the step resolves is not looked at, and costs one factorisation.
+/// Resolved vibrations are not checked, and cost one factorisation.
 TEST(WireGuard, ResolvedWiresAreLeftAlone) {
     WireRecipe wire;
     wire.ratio = 0.3;

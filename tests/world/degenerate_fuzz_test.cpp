@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Scenes of extreme numbers drawn by chance: each step ends with a status and a finite state.
+/// Random scenes of extreme numbers: each step ends with a status and a finite state.
 #include "support/random.h"
 #include "support/sanitizer.h"
 #include "support/tier.h"
@@ -13,7 +13,7 @@
 namespace hawser::test {
 namespace {
 
-/// Of the order of 10^low to 10^high.
+/// Draw a number between 10^low and 10^high.
 double magnitude(Random& r, double low, double high) {
     return std::pow(10.0, r.uniform(low, high));
 }
@@ -44,7 +44,7 @@ MaterialDef any_material(Random& r) {
     return m;
 }
 
-/// Proportions from a ball to a needle or a disk.
+/// Draw proportions from a ball to a needle or a disk.
 Vec3 any_sizes(Random& r, double size) {
     Vec3 s = Vec3::Constant(size);
     for (int i = 0; i < 3; ++i)
@@ -107,7 +107,7 @@ void add_wire(Yard& y, Random& r, double size) {
     }
 }
 
-/// @return the bodies that may be moved about.
+/// Make a scene. @return the bodies that may be moved.
 std::vector<BodyId> any_scene(Yard& y, Random& r, double size) {
     std::vector<BodyId> moving;
     const BodyId ground = y.fixed(corner(r, 0.5 * size));
@@ -162,7 +162,7 @@ void try_round(int round, Count& count) {
     }
 }
 
-/// Where the trial step of a start fails, its residual was no number, and was told as it was.
+/// A fault: if the trial step of a start failed, its residual was NaN and reported as such.
 TEST(DegenerateFuzz, AStartThatFailsTellsNumbers) {
     Count count;
     try_round(2974, count);
