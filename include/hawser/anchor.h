@@ -127,9 +127,9 @@ struct AnchorDef {
     double friction = 0.5;          ///< μ of a free anchor on the seabed [1].
     double weight = kDefault;  ///< Submerged weight W [N]; default: weight of the body, less that
                                ///< of the water that it displaces in the sea.
-    double seabed = kDefault;     ///< z of the seabed [m]; default: of the sea, else of the
-                                  ///< initial position of the point.
-    double touch = 0.5;           ///< Largest height of a free anchor on the seabed [m].
+    double seabed = kDefault;  ///< z of the seabed [m]; default: of the sea, else of the
+                               ///< initial position of the point.
+    double touch = 0.5;        ///< Largest height of a free anchor on the seabed [m].
     double set_after = kDefault;  ///< Drag until a free anchor is set [m]; default: 0.5
                                   ///< fluke_length.
     double drag = 0.0;            ///< Drag x at the start [m].

@@ -84,8 +84,8 @@ TEST(WinchAids, ProtectionPaysOutAtItsLimit) {
     // The ship loses limit times wire, and the elastic energy F² L/2EA; the drum has 1e5 J.
     const double speed = held.w.velocity(held.w.find_body("ship")).linear.x();
     const double stretched = kAidsLimit * kAidsLimit * held.signal("wire_out") / 2e8;
-    EXPECT_NEAR(0.5e8 * (1.0 - speed * speed),
-                kAidsLimit * held.signal("overload_out") + stretched, 1.5e5);
+    EXPECT_NEAR(0.5e8 * (1.0 - speed * speed), kAidsLimit * held.signal("overload_out") + stretched,
+                1.5e5);
 }
 
 TEST(WinchAids, InputsDisarmAndReduceIt) {
