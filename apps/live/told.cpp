@@ -54,6 +54,8 @@ constexpr std::array<Saying, kEventKindCount> kSayings{{
     {"left its guide at", "N"},
     {"came back onto its guide at", "N"},
     {"joints were linearised; failed steps", ""},
+    {"sheds load, power withheld", "W"},
+    {"has a part that failed, mode", ""},
     {"control refused the mode", ""},
     {"lost its position, off by", "m"},
     {"would lose its position by the worst failure, shortfall", ""},

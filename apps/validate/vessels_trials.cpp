@@ -218,8 +218,15 @@ std::span<const Case> vessel_cases() {
         {"V.3", "vessel_mariner", "Mariner, polynomials", case_vessel_mariner},
         {"V.4", "vessel_s175", "S175 container ship with roll", case_vessel_s175},
         {"V.5", "vessel_esso", "Esso 190k tanker in water of 1000, 30, 23 m", case_vessel_esso},
-        {"V.6", "vessel_capability", "DNV-ST-0111 Level 1 of a test ship", case_vessel_capability},
-        {"V.7", "vessel_dp", "dynamic positioning of the supply vessel", case_vessel_dp},
+        {"V.6", "vessel_propulsion", "propellers: pull against speed, crash stop",
+         case_vessel_propulsion},
+        {"V.10", "vessel_anchors", "drag-embedment anchors", case_vessel_anchors},
+        {"V.11", "vessel_stability", "static heel by a wire, and the stability gauge",
+         case_vessel_stability},
+        {"V.12", "vessel_winches", "heave compensation and overload protection",
+         case_vessel_winches},
+        {"V.7", "vessel_capability", "DNV-ST-0111 Level 1 of a test ship", case_vessel_capability},
+        {"V.8", "vessel_dp", "dynamic positioning of the supply vessel", case_vessel_dp},
     };
     return kCases;
 }

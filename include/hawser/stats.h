@@ -97,13 +97,16 @@ enum class EventKind : std::uint8_t {
     /// Iterations of rigid joints failed, so the step linearised the joints once. Reported once
     /// until limit::kMemory has passed without a failure. value: StepStats::completion_failures.
     incomplete,
-    // Control of a vessel (vessel_control.h), on its body.
+    // Events of vessels (vessel.h), for their body.
+    shed,     ///< A bus withheld power from a consumer; once each time. value: power withheld [W].
+    failure,  ///< A part failed by its signal; once each time. value: the signal.
+    // Events of the control of a vessel (vessel_control.h), for its body.
     mode_refused,      ///< A mode of control was refused. value: the mode.
     position_lost,     ///< An offset exceeded its alarm; once each time. value: distance [m].
     failure_critical,  ///< The worst single failure would lose the position; once each time.
                        ///< value: shortfall over the force needed [1].
 };
-inline constexpr int kEventKindCount = 35;
+inline constexpr int kEventKindCount = 37;
 [[nodiscard]] const char* to_string(EventKind kind) noexcept;
 
 struct Event {

@@ -101,6 +101,8 @@ struct VesselDef {
     WindLoad wind{};
     std::vector<PropulsorDef> propulsors{};
     std::vector<RudderDef> rudders{};
+    PowerDef power{};
+    bool thruster_losses = false;  ///< Thrusters lose in the race of others; need diameters.
     VesselControl control{};
     std::optional<DpShip> dp_capability{};  ///< Data for dp_capability(); does not act.
 };

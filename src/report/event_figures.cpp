@@ -49,6 +49,8 @@ int rank_of(EventKind kind) {
         case EventKind::alarm:
         case EventKind::missed:
         case EventKind::lay_on:
+        case EventKind::shed:
+        case EventKind::failure:
         case EventKind::mode_refused:
         case EventKind::failure_critical:
             return 2;
@@ -116,6 +118,7 @@ const char* unit_of(const World& world, const Event& event) {
         case EventKind::alarm:
         case EventKind::alarm_end:
         case EventKind::incomplete:
+        case EventKind::failure:
         case EventKind::mode_refused:
         case EventKind::failure_critical:
             break;
@@ -205,6 +208,10 @@ std::string what_happened(const EventFigures& e) {
         case EventKind::lay_on:
         case EventKind::incomplete:
             return how_often(e);
+        case EventKind::shed:
+            return "consumers of vessels were shed " + plural(e.count, "time", "times");
+        case EventKind::failure:
+            return plural(e.count, "part of a vessel failed", "parts of vessels failed");
         case EventKind::mode_refused:
             return "modes of control were refused " + plural(e.count, "time", "times");
         case EventKind::position_lost:

@@ -101,12 +101,16 @@ HAWSER_SCENE_SECTIONS(HAWSER_SECTION_SHAPE)
 [[nodiscard]] ShapePtr crane_load_shape();
 /// Return the shape of a vessel. See format_vessels.cpp.
 [[nodiscard]] ShapePtr vessel_shape();
-/// Control of a vessel. See format_vessel_control.cpp.
+/// Return the shape of the control of a vessel. See format_vessel_control.cpp.
 [[nodiscard]] ShapePtr vessel_control_shape();
-/// Data of a ship for DNV-ST-0111, and a file of them. See format_dp_ship.cpp.
+/// Return the shapes of the data of a ship for DNV-ST-0111, and of a file of them. See
+/// format_dp_ship.cpp.
 [[nodiscard]] ShapePtr dp_ship_shape();
 [[nodiscard]] ShapePtr dp_file_shape();
-/// The sea, and what a line type says of water. See format_sea.cpp.
+/// Return the shapes of anchors in the soil, and of stability gauges. See format_anchors.cpp.
+[[nodiscard]] ShapePtr anchor_shape();
+[[nodiscard]] ShapePtr stability_shape();
+/// Return the shape of the sea. See format_sea.cpp.
 [[nodiscard]] ShapePtr sea_shape();
 /// Return the shape of an entry of "hulls" (format_hulls.cpp).
 [[nodiscard]] ShapePtr water_hull_shape();

@@ -224,6 +224,9 @@ VesselDef read_vessel(Description& out, const Scope& scope, const Json& json, co
     if (const auto list = json.find("rudders"); list != json.end())
         for (std::size_t i = 0; i < list->size(); ++i)
             def.rudders.push_back(read_rudder((*list)[i], def.propulsors, place / "rudders" / i));
+    if (const auto part = json.find("power"); part != json.end())
+        def.power = read_power(*part, place / "power");
+    def.thruster_losses = flag_or(json, "thruster_losses", false);
     if (const auto part = json.find("control"); part != json.end())
         def.control =
             read_vessel_control(out, scope, *part, body, def.propulsors, place / "control");

@@ -8,6 +8,7 @@
 
 #include "base/number.h"
 #include "vessel/control_lines.h"
+#include "vessel/power.h"
 #include "vessel/vessel_system.h"
 
 #include <algorithm>

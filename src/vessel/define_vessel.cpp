@@ -16,8 +16,8 @@ namespace hawser {
 System* define(World& world, const VesselDef& def) {
     vessel::check_vessel(world, def);
     const BodyDef body = world.body_def(def.body);
-    return &world.add_system(std::make_unique<vessel::VesselSystem>(def, body.mass, body.inertia,
-                                                                    vessel::fed_lines(world, def)));
+    return &world.add_system(std::make_unique<vessel::VesselSystem>(
+        def, body.mass, body.inertia, vessel::Surface(world, def), vessel::fed_lines(world, def)));
 }
 
 namespace {

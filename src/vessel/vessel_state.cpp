@@ -36,6 +36,10 @@ void VesselSystem::visit_state(StateVisitor& v) {
         v.visit(s.failed);
         v.visit(s.failed_last);
     }
+    for (double* x : {&rudder_failed_, &rps_failed_}) v.visit(*x);
+    v.visit(rudder_failed_last_);
+    v.visit(rps_failed_last_);
+    bus_.visit_state(v);
     if (control_ != nullptr) control_->visit(v);
 }
 

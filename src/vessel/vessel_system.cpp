@@ -106,14 +106,18 @@ Matrix6 rigid_mass(double mass, const Mat3& inertia, const Vec3& origin) {
     return back.transpose() * rigid * back;
 }
 
-VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia, std::vector<FedLine> lines)
+VesselSystem::VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface surface,
+                           std::vector<FedLine> lines)
     : def_(std::move(def)),
       mass_(mass),
       inertia_(std::move(inertia)),
       added_(part_for_loads(def_.added_mass, std::sqrt(inertia_.trace() / (3.0 * mass)))),
       balance_(Matrix6::Identity()),
       polynomial_(def_.polynomial, mass),
-      lines_(std::move(lines)) {
+      surface_(std::move(surface)),
+      lossy_(has_losses(def_)),
+      lines_(std::move(lines)),
+      bus_(def_) {
     for (const PropulsorDef& p : def_.propulsors) propulsors_.emplace_back(p, def_.origin);
     for (const RudderDef& r : def_.rudders) {
         int behind = -1;
@@ -145,7 +149,7 @@ bool VesselSystem::has_shaft(const VesselDef& def) noexcept {
 }
 
 std::unique_ptr<System> VesselSystem::clone() const {
-    return std::make_unique<VesselSystem>(def_, mass_, inertia_, lines_);
+    return std::make_unique<VesselSystem>(def_, mass_, inertia_, surface_, lines_);
 }
 
 void VesselSystem::read_sea(const World& world, Vec3& current, Vec3& wind,
@@ -400,6 +404,7 @@ Wrench VesselSystem::control(Prestep& now, const Motion& m) noexcept {
 void VesselSystem::prestep(Prestep& now, Loads& loads) noexcept {
     const Motion m = motion_of(now);
     const Flow& flow = m.flow;
+    update_losses(now, flow.density);
     const Wrench direct = control(now, m);
     const Wrench water = water_force(flow);
     Wrench damping = Wrench::Zero();

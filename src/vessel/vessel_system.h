@@ -40,7 +40,10 @@ namespace hawser::vessel {
 class VesselSystem final : public System {
   public:
     /// The definition has been checked. @param mass, inertia  Of the body.
-    VesselSystem(VesselDef def, double mass, Mat3 inertia, std::vector<FedLine> lines);
+    /// @param surface  Surface of the water over its propulsors.
+    /// @param lines  Lines whose tension the control feeds forward.
+    VesselSystem(VesselDef def, double mass, Mat3 inertia, Surface surface,
+                 std::vector<FedLine> lines);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
@@ -77,7 +80,11 @@ class VesselSystem final : public System {
     void add_loads(Loads& loads, const Motion& m, const Wrench& force,
                    const Wrench& damping) const noexcept;
     void advance(Prestep& now, const Flow& flow) noexcept;
-    /// Orders of the control; returns a force that acts directly.
+    void advance_steering(Prestep& now) noexcept;
+    void advance_propulsors(Prestep& now, const Flow& flow) noexcept;
+    /// Compute `kept` of all propulsors.
+    void update_losses(const Prestep& now, double density) noexcept;
+    /// Advance the control. @return a force that acts directly.
     [[nodiscard]] Wrench control(Prestep& now, const Motion& m) noexcept;
 
     VesselDef def_;
@@ -89,6 +96,8 @@ class VesselSystem final : public System {
     Polynomial polynomial_;
     std::vector<Propulsor> propulsors_;
     std::vector<Rudder> rudders_;
+    Surface surface_;  ///< Computed anew in each step.
+    bool lossy_ = false;
     std::vector<FedLine> lines_;
     std::unique_ptr<Control> control_;  ///< Null: VesselControl::active is false.
 
