@@ -3,15 +3,14 @@
 /// @file random_messages.h
 /// Sessions that random messages drive, with steps that fail, and the replay of their recordings.
 ///
-/// A session is a list of lines. A line is a message of a client, or a cause for which the next
-/// steps fail:
-///   !nan        a system loads a body with NaN
-///   !input      a system sets an input that does not exist
-///   !edit       a system adds a body and removes one that does not exist
-///   !cancel     the step is cancelled
-///   !pivot      a load makes the system singular
-///   !late       velocities overflow after the step was solved
-///   !memory N   !late, and allocation N of the step fails
+/// A session is a list of lines. A line is a message of a client, or makes the next step fail.
+///   !nan: A system loads a body with NaN.
+///   !input: A system sets an input that does not exist.
+///   !edit: A system adds a body and removes one that does not exist.
+///   !cancel: The step is cancelled.
+///   !pivot: A load makes the system singular.
+///   !late: Velocities overflow after the step was solved.
+///   !memory N: As !late, and allocation N of the step fails.
 /// The cause lasts for one step.
 
 #include "support/random.h"
