@@ -253,7 +253,7 @@ TEST(Chains, FitIfARowOfThreeBodiesJoinsTwoUnits) {
     EXPECT_FALSE(factor::chains_fit(two.pattern, two.chains, two.position));
 }
 
-/// The state of a plan is accepted, whatever was edited before.
+/// The state of a plan is accepted after any edits.
 TEST(Chains, OfEditedWiresFit) {
     int chains = 0;
     for (const std::uint32_t seed : seeds(1, 20, 400, 4000)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Clients send messages in any order, and steps fail for any cause: the program continues, each
+/// Clients send messages in any order, and steps fail for any cause. The program continues, each
 /// loop ends within a second, and a replay of the recording agrees bit for bit.
 ///
 /// Values are from 1e-320 to 1e308. Messages set inputs, drag, part, save, restore and step

@@ -202,7 +202,7 @@ SessionDef message_session(int session) {
     const auto kind = static_cast<std::size_t>(session) % kMessageScenes;
     SessionDef def;
     def.options.threads = 1 + session % 2;
-    // A replay repeats what a step left out for want of time.
+    // A replay repeats the work that a step left out.
     if (session % 3 == 2) def.options.budget_work = 2e4;
     if (session % 7 == 3) def.options.budget = 1e-4;
     if (kind == 0)
