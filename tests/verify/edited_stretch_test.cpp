@@ -12,17 +12,17 @@
 namespace hawser::test {
 namespace {
 
-constexpr double kEA = 2e6, kApart = 10.0;  // [N], [m]
+constexpr double kWireEA = 2e6, kPostsApart = 10.0;  // [N], [m]
 
 /// A straight wire between two posts, without gravity, longer than its rest length by a strain.
-struct Straight {
+struct StraightWire {
     World w;
     BodyId first, last;
     WireId wire;
-    Straight() : w({.step = 0.01, .gravity = Vec3::Zero()}) {
+    StraightWire() : w({.step = 0.01, .gravity = Vec3::Zero()}) {
         first = w.add_body({.name = "first", .kind = BodyKind::fixed});
-        last =
-            w.add_body({.name = "last", .kind = BodyKind::fixed, .position = {kApart, 0.0, 0.0}});
+        last = w.add_body(
+            {.name = "last", .kind = BodyKind::fixed, .position = {kPostsApart, 0.0, 0.0}});
         add(0.01);
     }
     void add(double strain) {
@@ -30,8 +30,8 @@ struct Straight {
                            .from = first,
                            .to = last,
                            .elements = 8,
-                           .length = kApart / (1.0 + strain),
-                           .EA = kEA,
+                           .length = kPostsApart / (1.0 + strain),
+                           .EA = kWireEA,
                            .mass_per_length = 3.0,
                            .consistent_mass = true});
     }
@@ -42,39 +42,42 @@ struct Straight {
     }
 };
 
-double held(double strain) { return 0.5 * kEA * strain * strain * kApart / (1.0 + strain); }
+double held_by_strain(double strain) {
+    return 0.5 * kWireEA * strain * strain * kPostsApart / (1.0 + strain);
+}
 
 // A wire of another rest length in its place: its stretch comes from nowhere.
 TEST(EditedStretch, OfAShorterWireIsFound) {
     for (const double strain : {0.0, 0.005, 0.02, 0.03}) {
-        Straight s;
+        StraightWire s;
         ASSERT_EQ(s.w.step(), Status::ok);
         verify::EditedStretch account;
         account.before_step(s.w);
         (void)s.w.remove_wire(s.wire);
         s.add(strain);
         // Rounding of positions in the strain, 1e-16 / 1e-2, of an energy of some kJ.
-        EXPECT_NEAR(account.change(s.w, s.poses()), held(strain) - held(0.01), 1e-9 * held(0.01));
+        EXPECT_NEAR(account.change(s.w, s.poses()), held_by_strain(strain) - held_by_strain(0.01),
+                    1e-9 * held_by_strain(0.01));
     }
 }
 
 // A node that comes or goes keeps tension and rest length of a straight wire.
 TEST(EditedStretch, OfANodeIsNothing) {
-    Straight s;
+    StraightWire s;
     ASSERT_EQ(s.w.step(), Status::ok);
     verify::EditedStretch account;
     account.before_step(s.w);
     const BodyId node = s.w.insert_node(s.w.elements(s.wire)[3], 0.3);
     ASSERT_TRUE(node.valid());
-    EXPECT_NEAR(account.change(s.w, s.poses()), 0.0, 1e-9 * held(0.01));
+    EXPECT_NEAR(account.change(s.w, s.poses()), 0.0, 1e-9 * held_by_strain(0.01));
     account.before_step(s.w);
     ASSERT_TRUE(s.w.remove_node(node));
-    EXPECT_NEAR(account.change(s.w, s.poses()), 0.0, 1e-9 * held(0.01));
+    EXPECT_NEAR(account.change(s.w, s.poses()), 0.0, 1e-9 * held_by_strain(0.01));
 }
 
 // Elements are measured where they were before the step: motion is no edit.
 TEST(EditedStretch, LeavesOutTheMotionOfTheStep) {
-    Straight s;
+    StraightWire s;
     for (const BodyId id : s.w.nodes(s.wire))
         if (s.w.body_def(id).kind == BodyKind::lump)
             s.w.set_velocity(id, {{0.0, 3.0 * std::sin(s.w.pose(id).position.x()), 0.0}, {}});
@@ -84,7 +87,7 @@ TEST(EditedStretch, LeavesOutTheMotionOfTheStep) {
         account.before_step(s.w);
         ASSERT_EQ(s.w.step(), Status::ok);
         // Positions are advanced by h v in one rounding each.
-        EXPECT_NEAR(account.change(s.w, before), 0.0, 1e-9 * held(0.01)) << i;
+        EXPECT_NEAR(account.change(s.w, before), 0.0, 1e-9 * held_by_strain(0.01)) << i;
     }
 }
 
