@@ -84,12 +84,12 @@ std::vector<bool> stopped(const DpShip& ship, const DpFailure& failure) {
 }
 
 /// Largest number that holds with all smaller ones; its utilisation and the next one's.
-struct NumberOf {
+struct LargestNumber {
     int number = 0;
     double at = 0.0, next = 0.0;
 };
-NumberOf number_of(const DpShip& ship, double from, const std::vector<bool>& failed) {
-    NumberOf out;
+LargestNumber largest_number(const DpShip& ship, double from, const std::vector<bool>& failed) {
+    LargestNumber out;
     for (int n = 1; n <= kDpNumbers; ++n) {
         const double u = dp_utilisation(ship, n, from, failed).value;
         if (u > 1.0) {
@@ -102,16 +102,16 @@ NumberOf number_of(const DpShip& ship, double from, const std::vector<bool>& fai
     return out;
 }
 
-DpHeading heading_of(const DpShip& ship, double from, const std::vector<DpFailure>& failures) {
+DpHeading dp_heading(const DpShip& ship, double from, const std::vector<DpFailure>& failures) {
     DpHeading out;
     out.from = from;
-    const NumberOf intact = number_of(ship, from, {});
+    const LargestNumber intact = largest_number(ship, from, {});
     out.number = intact.number;
     out.utilisation = intact.at;
     out.next = intact.next;
     out.worst_number = intact.number;
     for (std::size_t k = 0; k < failures.size(); ++k) {
-        const int n = number_of(ship, from, stopped(ship, failures[k])).number;
+        const int n = largest_number(ship, from, stopped(ship, failures[k])).number;
         if (k == 0 || n < out.worst_number) {
             out.worst_number = n;
             out.worst_failure = k;
@@ -194,7 +194,7 @@ DpCapability dp_capability(const DpShip& ship, double step) {
     for (long k = 0; k < count; ++k) {
         const double from =
             static_cast<double>(k) * 2.0 * std::numbers::pi / static_cast<double>(count);
-        out.headings.push_back(heading_of(ship, from, out.failures));
+        out.headings.push_back(dp_heading(ship, from, out.failures));
         const DpHeading& h = out.headings.back();
         out.all = std::min(out.all, h.number);
         out.failed_all = std::min(out.failed_all, h.worst_number);
