@@ -15,7 +15,7 @@ namespace hawser::world {
 
 /// Identifies the world's layout and contains the sizes of the arrays that follow.
 struct Header {
-    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '7'};
+    char magic[8] = {'H', 'A', 'W', 'S', 'N', 'P', '2', '8'};
     std::uint64_t layout = 0;       ///< See layout_of().
     std::uint64_t parameters = 0;   ///< See parameters_of().
     std::uint64_t contacts = 0;     ///< Contacts remembered from the last step.
