@@ -177,9 +177,10 @@ TEST(DegenerateFuzz, EndsWithAStatusAndAFiniteState) {
     const auto [steps, failed, contacts] = count;
     std::printf("    %d steps, %d failed, %d contacts\n", steps, failed, contacts);
     EXPECT_GT(contacts, 5 * steps);
-    // None with SSE2, two and three of 2,000 with AVX-512 and AVX2. What may fail is a matrix of
-    // masses from a milligram to 1,000 t whose pivots drown in rounding with soft contacts as well.
-    EXPECT_LE(failed, steps / 600);
+    // At c50dedb6 none of 2,000 with SSE2, two with AVX-512, three with AVX2. What may fail is a
+    // matrix of masses from a milligram to 1,000 t whose pivots drown in rounding, with soft
+    // contacts as well.
+    EXPECT_LE(failed, steps / 500);
 }
 
 }  // namespace
