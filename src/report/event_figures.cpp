@@ -138,6 +138,15 @@ std::string how_often(const EventFigures& e) {
     return what + plural(e.count, "time", "times");
 }
 
+/// Return a text with events of anchors, which share their kinds with winches and wires.
+std::string of_anchors(const EventFigures& e) {
+    if (e.kind == EventKind::render)
+        return "anchors dragged or winches gave way " + plural(e.count, "time", "times");
+    return e.kind == EventKind::join
+               ? "anchors were set or wires joined " + plural(e.count, "time", "times")
+               : "anchors broke out or wires were let go " + plural(e.count, "time", "times");
+}
+
 /// Return a text with an event and its number of occurrences.
 std::string what_happened(const EventFigures& e) {
     if (e.anchors) return of_anchors(e);
