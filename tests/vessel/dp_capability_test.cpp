@@ -166,7 +166,9 @@ TEST(DpCapability, SolutionsBalanceTheLoad) {
                 y += t.y;
                 n += p.x() * t.y - p.y() * t.x;
                 EXPECT_LE(t.fraction, u.value * (1.0 + 1e-6)) << from;
-                if (!failed.empty() && failed[i]) EXPECT_EQ(std::hypot(t.x, t.y), 0.0);
+                if (!failed.empty() && failed[i]) {
+                    EXPECT_EQ(std::hypot(t.x, t.y), 0.0);
+                }
             }
             // Rounding of forces of 1e5 N and levers of 40 m.
             EXPECT_NEAR(x, 0.0, 1e-3);
