@@ -9,9 +9,11 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kSmallThrust = 0.02;     ///< Fraction below which an azimuth keeps its angle.
-constexpr double kSmallDemand = 0.01;     ///< Fraction below which no failure is analysed.
-constexpr double kShort = 1e-3;           ///< Shortfall over the capacity that stops an integral.
+constexpr double kSmallThrust = 0.005;  ///< Fraction below which an azimuth keeps its angle.
+constexpr double kSmallDemand = 0.01;   ///< Fraction below which no failure is analysed.
+/// Shortfall over the capacity that stops an integral. Above kSmallThrust: an azimuth that keeps
+/// its angle for a small thrust must not stop the integral, or the offset would stay.
+constexpr double kShort = 1.5 * kSmallThrust;
 constexpr double kBack = 0.8;             ///< Offset over the alarm that arms it again.
 constexpr double kRudderSpeed = 1.5;      ///< Least speed at which a rudder steers [m/s].
 constexpr double kMeanTime = 20.0;        ///< Time constant of the demand for failures [s].

@@ -19,7 +19,7 @@ inline constexpr std::string_view kAnchors = R"({
   ],
   "cables": [
     {"name": "line", "line_type": "wire", "from": {"body": "hook", "point": [1, 0, 0]},
-     "to": {"body": "ship", "point": [-30, 0, 2]}, "elements": 4, "length": 290},
+     "to": {"body": "ship", "point": [-30, 0, 2]}, "elements": 4, "length": 275.5},
     {"name": "fall", "line_type": "wire", "from": {"body": "ship", "point": [0, 20, 5]},
      "to": {"body": "load"}, "elements": 2, "length": 45}
   ],

@@ -144,7 +144,7 @@ struct VesselTutorial {
 TEST(SceneVessels, TutorialGivesItsFigures) {
     constexpr double kHundredth = 0.0051;
     const VesselTutorial page;
-    ASSERT_EQ(page.blocks.size(), 4u);
+    ASSERT_EQ(page.blocks.size(), 7u);
     nlohmann::json boat = nlohmann::json::parse(page.blocks[0]);
     {
         Scene scene = load_text(boat.dump(), "boat");
@@ -169,6 +169,30 @@ TEST(SceneVessels, TutorialGivesItsFigures) {
     nlohmann::json whole = {{"version", 1}, {"name", "ship"}};
     whole.update(ship);
     EXPECT_EQ(vessels_of(load_text(whole.dump(), "ship").world).size(), 1u);
+}
+
+// The supply vessel with the control of the page stays in place, and follows the page's orders.
+TEST(SceneVessels, TutorialOfPositioningWorks) {
+    const VesselTutorial page;
+    ASSERT_EQ(page.blocks.size(), 7u);
+    std::ifstream in("scenes/osv.json");
+    const nlohmann::json shipped = nlohmann::json::parse(in);
+    for (const std::size_t control : {4u, 6u}) {
+        nlohmann::json osv = shipped;
+        osv.erase("timeline");
+        osv["vessels"][0].update(nlohmann::json::parse("{" + page.blocks[control] + "}"));
+        Scene scene = load_text(osv.dump(), "osv");
+        World& w = scene.world;
+        const Vec3 start = w.pose(w.find_body("hull")).position;
+        for (int i = 0; i < 60 * 60; ++i) ASSERT_EQ(w.step(), Status::ok);
+        // The ship is under way at the start and has to stop: within its own length.
+        EXPECT_LT((w.pose(w.find_body("hull")).position - start).head<2>().norm(), 83.0);
+        EXPECT_EQ(w.system_signal("osv.mode_now"), 3.0);
+    }
+    nlohmann::json ordered = shipped;
+    ordered["vessels"][0].update(nlohmann::json::parse("{" + page.blocks[4] + "}"));
+    ordered.update(nlohmann::json::parse("{" + page.blocks[5] + "}"));
+    EXPECT_NO_THROW((void)load_text(ordered.dump(), "osv"));
 }
 
 }  // namespace

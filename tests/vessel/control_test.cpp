@@ -98,8 +98,9 @@ TEST(Control, EngagingKeepsThePresentPosition) {
     s.run(1.0 / 60.0);
     // The observer's estimate, while the ship accelerates.
     EXPECT_NEAR(s.signal("x_order"), there.x(), 1.0);
-    s.run(300.0);
-    EXPECT_NEAR(s.place().x(), s.signal("x_order"), 0.2);
+    s.run(500.0);
+    // The thrust needed at the end is below the least that turns an azimuth: it must turn anyway.
+    EXPECT_NEAR(s.place().x(), s.signal("x_order"), 0.1);
     s.set("mode", 0.0);
     s.run(1.0);
     EXPECT_EQ(s.signal("mode_now"), 0.0);
