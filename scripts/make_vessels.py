@@ -265,6 +265,9 @@ def ahts():
                         "turn_rate_deg": 12}],
         "rudders": [rudder("rudder_port", 4.5, "port"), rudder("rudder_starboard", -4.5, "starboard")],
         "thruster_losses": True,
+        "control": {"mode": "off", "failures": [
+            {"name": "board_a", "propulsors": ["port", "bow1", "stern"]},
+            {"name": "board_b", "propulsors": ["starboard", "bow2", "azimuth"]}]},
         "power": {"boards": boards, "consumers": [
             consumer("hotel_a", "board_a", 1, power=4e5), consumer("hotel_b", "board_b", 1, power=4e5),
             consumer("bow1", "board_a", 2, power=2.54e6), consumer("bow2", "board_b", 2, power=2.54e6),
@@ -310,7 +313,8 @@ def tug():
                        "y": {"v": -0.45, "r": 0.08}, "n": {"v": -0.05, "r": -0.09}},
         "wind": {"ship": "tender", "frontal_area": 75, "lateral_area": 150, "length": length,
                  "centre": 2, "height": 3},
-        "propulsors": [drive("port", 2.9), drive("starboard", -2.9)], "thruster_losses": True}
+        "propulsors": [drive("port", 2.9), drive("starboard", -2.9)], "thruster_losses": True,
+        "control": {"mode": "off"}}
     part("vessel_tug", "Tug of 32 m with two azimuth thrusters astern, 70 t of bollard pull. Frame: "
          "the hull's centre of mass, 0.35 m above the water, x ahead. The sea of the scene needs "
          "its hull: docs/vessel_tug.md.",

@@ -76,6 +76,24 @@ TEST(Exercises, AnchorOverRoller) {
     EXPECT_LT(bad.points, 40.0);
 }
 
+TEST(Exercises, TowToSeaBeginsUnderAutopilot) {
+    const exercise::Result begun = perform("tow_to_sea", 1e9, 95.0);
+    ASSERT_FALSE(begun.goals.empty());
+    EXPECT_EQ(begun.points, 20.0) << exercise::to_json(begun);
+    // Nobody switches the autopilot on: the tow drifts.
+    const exercise::Result bad = perform("tow_to_sea", -1.0, 95.0);
+    EXPECT_EQ(bad.outcome, exercise::Outcome::failed);
+    EXPECT_LE(bad.points, 0.0);
+}
+
+TEST(Exercises, TowToSea_full) {
+    expect_passed(perform("tow_to_sea", 1e9));
+    // The brake is not set: the wire runs out, and the tow never turns.
+    const exercise::Result bad = perform("tow_to_sea", 300.0);
+    EXPECT_EQ(bad.outcome, exercise::Outcome::failed);
+    EXPECT_LT(bad.points, 70.0);
+}
+
 TEST(Exercises, SchemaIsThatOfTheSource) {
     const char* const file = "schema/exercise-1.json";
     if (std::getenv("HAWSER_WRITE_GENERATED") != nullptr)

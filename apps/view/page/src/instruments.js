@@ -129,7 +129,7 @@ export class Instruments {
     }
 
     winchCard(w, parts) {
-        const card = {...w, tension: new Fact('Tension'), out: new Fact('Wire out'), layer: w.system ? new Fact('Layer') : null, speed: new Fact('Speed')};
+        const card = {...w, tension: new Fact('Tension'), out: new Fact(w.feed ? 'Paid out' : 'Wire out'), layer: w.system ? new Fact('Layer') : null, speed: new Fact('Speed')};
         const breaking = w.wire >= 0 ? this.scene.wires[w.wire].breaking_load : 0;
         card.bar = el('div', {className: 'bar'}, el('i', {}), el('u', {}));
         card.bar.hidden = !(breaking > 0);

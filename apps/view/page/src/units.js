@@ -28,8 +28,14 @@ export function convert(value, unit, name = '', si = units.si) {
     }
 }
 
-/// Format a quantity in the units of the page: "12.4 t", "8.1 kn".
-export const shown = (value, unit, name = '', digits = 3, si = units.si) => quantity(...convert(value, unit, name, si), digits);
+const kFine = 0.005;  // smallest amount that an instrument shows, in its unit
+const ofInstruments = new Set(['kn', 'm', 'm/min', 'm/s', 't', 't m', '°', '°/s', '°/min', 'rpm']);
+
+/// Format a quantity in the units of the page: "12.4 t", "8.1 kn". Less than an instrument shows is 0.
+export function shown(value, unit, name = '', digits = 3, si = units.si) {
+    const [v, u] = convert(value, unit, name, si);
+    return quantity(Math.abs(v) < kFine && ofInstruments.has(u) ? 0 : v, u, digits);
+}
 
 /// Format a heading or direction in degrees as on a compass: 0 to 359, three digits.
 export const bearing = degrees => `${String(Math.round(((degrees % 360) + 360) % 360) % 360).padStart(3, '0')}°`;

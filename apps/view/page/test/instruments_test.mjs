@@ -24,6 +24,9 @@ test('sailors’ units: knots are 1852 m an hour, tonnes the weight of 1000 kg',
     for (const unit of ['N', 'm/s', 'rad', 'rad/s', 'N m']) assert.deepEqual(convert(2.5, unit, 'tow', true), [2.5, unit]);
     assert.equal(shown(981e3, 'N', '', 3, false), '100 t');
     assert.equal(shown(NaN, 'N', '', 3, false), '–');
+    assert.equal(shown(3e-5, 'm', '', 3, false), '0.00 m');
+    assert.equal(shown(2e-5, 'm/s', 'ground', 3, false), '0.00 kn');
+    assert.equal(shown(0.02, 'm', '', 3, false), '0.0200 m');
 });
 
 test('bearings have three digits and wrap', () => {
