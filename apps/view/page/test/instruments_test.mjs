@@ -26,7 +26,7 @@ test('sailors’ units: knots are 1852 m an hour, tonnes the weight of 1000 kg',
     assert.equal(shown(NaN, 'N', '', 3, false), '–');
     assert.equal(shown(3e-5, 'm', '', 3, false), '0.00 m');
     assert.equal(shown(2e-5, 'm/s', 'ground', 3, false), '0.00 kn');
-    assert.equal(shown(0.02, 'm', '', 3, false), '0.0200 m');
+    assert.equal(shown(0.02, 'm', '', 3, false), '0.02 m');
 });
 
 test('bearings have three digits and wrap', () => {
