@@ -63,7 +63,7 @@ void check_matrices(const VesselFields& f, const World& world, const VesselDef& 
             .eigenvalues()
             .minCoeff();
     };
-    const BodyDef body = world.body_def(def.body);
+    const BodyDef& body = world.body_def(def.body);
     if (!(least(rigid_mass(body.mass, body.inertia, def.origin) + def.added_mass) > 0.0))
         f.fail("added_mass", "with the mass of the body it is not positive definite");
     const Matrix6& g = def.restoring;

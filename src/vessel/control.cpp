@@ -129,7 +129,7 @@ Vec3 Control::speed_demand(const ControlSense& sense, double h) noexcept {
 }
 
 Vec3 Control::demand(const ControlSense& sense, double h) noexcept {
-    const Vec3 stick(stick_x_ * largest_[0], stick_y_ * largest_[1], stick_n_ * largest_[2]);
+    Vec3 stick(stick_x_ * largest_[0], stick_y_ * largest_[1], stick_n_ * largest_[2]);
     const Planar& low = observer_.low();
     Vec3 tau = Vec3::Zero();
     error_.setZero();

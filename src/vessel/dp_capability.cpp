@@ -68,7 +68,10 @@ void check_thruster(const DpShip& ship, std::size_t i) {
 void check_known(const DpShip& ship, const std::vector<std::string>& names,
                  const std::string& field) {
     std::string known;
-    for (const DpThruster& t : ship.thrusters) known += (known.empty() ? "" : ", ") + t.name;
+    for (const DpThruster& t : ship.thrusters) {
+        if (!known.empty()) known += ", ";
+        known += t.name;
+    }
     for (const std::string& name : names)
         if (std::none_of(ship.thrusters.begin(), ship.thrusters.end(),
                          [&](const DpThruster& t) { return t.name == name; }))

@@ -38,7 +38,7 @@ Matrix6 to_origin(const Vec3& arm) noexcept {
 Matrix6 part_for_loads(const Matrix6& a, double radius) {
     Wrench scale;
     scale << 1.0, 1.0, 1.0, radius, radius, radius;
-    const Matrix6 symmetric = 0.5 * (a + a.transpose());
+    Matrix6 symmetric = 0.5 * (a + a.transpose());
     const Matrix6 scaled =
         scale.cwiseInverse().asDiagonal() * symmetric * scale.cwiseInverse().asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Matrix6> solver(scaled);
