@@ -244,7 +244,7 @@ void check_rudder(const VesselFields& f, const VesselDef& def, std::size_t i) {
     std::string known;
     for (const PropulsorDef& p : def.propulsors) {
         if (p.name == r.behind) return;
-        known += (known.empty() ? "" : ", ") + p.name;
+        known.append(known.empty() ? "" : ", ").append(p.name);
     }
     f.fail(field("behind"), "there is no propulsor '" + r.behind + "'; " +
                                 (known.empty() ? "the vessel has none" : "give one of " + known));

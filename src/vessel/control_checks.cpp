@@ -33,7 +33,7 @@ const PropulsorDef& known_propulsor(const VesselDef& def, const std::string& nam
     std::string known;
     for (const PropulsorDef& p : def.propulsors) {
         if (p.name == name) return p;
-        known += (known.empty() ? "" : ", ") + p.name;
+        known.append(known.empty() ? "" : ", ").append(p.name);
     }
     fail_control(def, field,
                  "there is no propulsor '" + name + "'; " +

@@ -53,7 +53,8 @@ void check_consumer(PowerFields& f, const VesselDef& def, std::size_t i) {
     if (std::none_of(boards.begin(), boards.end(),
                      [&](const SwitchboardDef& b) { return b.name == c.board; })) {
         std::string known;
-        for (const SwitchboardDef& b : boards) known += (known.empty() ? "" : ", ") + b.name;
+        for (const SwitchboardDef& b : boards)
+            known.append(known.empty() ? "" : ", ").append(b.name);
         f.fail(field("board"), "there is no switchboard '" + c.board + "'; give one of " + known);
     }
     if (!(c.efficiency > 0.0 && c.efficiency <= 1.0))

@@ -130,7 +130,8 @@ double residual(const CatenaryDef& def, const Chain& chain, const Frame& f, cons
         const double above = (nodes[i] - def.from).dot(f.up) - f.bottom;
         const bool lies = def.seabed && above <= 1e-12 * chain.total_length();
         if (lies || (i >= shape.laid_first && i <= shape.laid_last)) {
-            const double carried = std::max(0.0, -up), held = def.seabed->friction * carried;
+            const double carried = std::max(0.0, -up),
+                         held = def.seabed ? def.seabed->friction * carried : 0.0;
             up = std::max(0.0, up);
             level *= std::max(0.0, 1.0 - held / std::max(level.norm(), 1e-300));
         }
