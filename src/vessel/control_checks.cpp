@@ -107,7 +107,7 @@ std::vector<FedLine> fed_lines(const World& world, const VesselDef& def) {
     std::vector<FedLine> out;
     if (!def.control.active) return out;
     for (std::size_t i = 0; i < def.control.lines.size(); ++i) {
-        const InteractionDef line = world.interaction_def(def.control.lines[i]);
+        const InteractionDef& line = world.interaction_def(def.control.lines[i]);
         FedLine fed;
         fed.element = def.control.lines[i];
         const int side = line.body[0] == def.body ? 0 : line.body[1] == def.body ? 1 : -1;

@@ -72,10 +72,14 @@ void check_known(const DpShip& ship, const std::vector<std::string>& names,
         if (!known.empty()) known += ", ";
         known += t.name;
     }
-    for (const std::string& name : names)
-        if (std::none_of(ship.thrusters.begin(), ship.thrusters.end(),
-                         [&](const DpThruster& t) { return t.name == name; }))
-            fail_dp(field, "there is no thruster '" + name + "'; give some of " + known);
+    for (const std::string& name : names) {
+        if (std::any_of(ship.thrusters.begin(), ship.thrusters.end(),
+                        [&](const DpThruster& t) { return t.name == name; }))
+            continue;
+        std::string why = "unknown thruster '" + name + "'; the ship has ";
+        why += known;
+        fail_dp(field, why);
+    }
 }
 
 std::vector<bool> stopped(const DpShip& ship, const DpFailure& failure) {
