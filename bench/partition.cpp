@@ -56,7 +56,7 @@ nlohmann::json print_part_row(const PartRow& r) {
         r.flops, r.makespan, timed ? fmt::format("{:.3f}", r.factor_ms) : "-");
     if (!timed)
         fmt::print("    factorisation not timed: {:.2g} flops; beyond {:.0g} it takes seconds\n",
-                   static_cast<double>(r.counts.flops), static_cast<double>(kMostFlops));
+                   static_cast<double>(r.counts.flops), static_cast<double>(kMaxFlops));
     return {{"method", r.method},
             {"seconds", r.seconds},
             {"separators", r.separators},

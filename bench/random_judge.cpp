@@ -10,7 +10,7 @@
 namespace hawser::bench {
 namespace {
 
-constexpr double kLeastViolation = 0.01;  ///< allowed for any size [m]
+constexpr double kMinViolation = 0.01;    ///< allowed for any size [m]
 constexpr double kViolationShare = 0.01;  ///< allowed fraction of the size of the smaller body
 
 bool is_joint(InteractionKind kind) {
@@ -73,7 +73,7 @@ RandomJudge::RandomJudge(const World& world) : before_(poses_of(world)) {
         moving_.push_back(BodyId{i});
         if (d.gravity) weight += d.mass * world.settings().gravity.norm();
     }
-    floor_ = kLeastViolation * weight;
+    floor_ = kMinViolation * weight;
     auto size_of = [&](BodyId id) {
         const BodyDef& d = world.body_def(id);
         const double size = 2.0 * d.half_size.maxCoeff();
@@ -94,7 +94,7 @@ RandomJudge::RandomJudge(const World& world) : before_(poses_of(world)) {
             const double size = std::min(size_of(d.body[0]), size_of(d.body[1]));
             joints_.push_back(InteractionId{i});
             size_.push_back(std::isfinite(size) ? size : 0.0);
-            allowed_.push_back(std::max(kLeastViolation, kViolationShare * size_.back()));
+            allowed_.push_back(std::max(kMinViolation, kViolationShare * size_.back()));
         }
     }
     start(world);

@@ -18,14 +18,14 @@ namespace hawser::live {
 namespace {
 
 constexpr std::size_t kMostPoints = 17;   // restore points, including the start
-constexpr int kMostCommands = 512;        // performed between two steps
+constexpr int kMaxCommands = 512;         // performed between two steps
 constexpr double kRestoresAllowed = 0.1;  // [s] time for it that is always allowed
 
 }  // namespace
 
 void Driver::take_commands() {
     Command command;
-    for (int n = 0; n < kMostCommands && hub_.commands.pop(command); ++n) {
+    for (int n = 0; n < kMaxCommands && hub_.commands.pop(command); ++n) {
         try {
             perform(command);
         } catch (const DefError& refused) {

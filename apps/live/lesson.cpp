@@ -79,12 +79,12 @@ Json lasting_json(const std::vector<exercise::Tally>& tallies, bool points) {
 std::vector<Role> roles_of(const exercise::Exercise& exercise) {
     std::vector<Role> out{instructor()};
     for (const exercise::Station& station : exercise.stations) {
-        constexpr std::size_t kMost = decltype(Command::role)::kMost;
-        if (station.name.size() > kMost)
+        constexpr std::size_t kMaximum = decltype(Command::role)::kMaximum;
+        if (station.name.size() > kMaximum)
             throw exercise::Refused(
                 fmt::format("the station \"{}\" has a name of {} bytes; `hawser view` takes {}: "
                             "shorten it in {}",
-                            station.name, station.name.size(), kMost, exercise.file));
+                            station.name, station.name.size(), kMaximum, exercise.file));
         out.push_back({.name = station.name, .inputs = station.inputs, .token = make_token()});
     }
     out.push_back(watcher());

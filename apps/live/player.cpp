@@ -20,10 +20,10 @@ Player::Player(const record::Recording& recording, Hub& hub)
 }
 
 void Player::tell_timeline() {
-    constexpr std::size_t kMost = 4096;
+    constexpr std::size_t kMaximum = 4096;
     Json events = Json::array(), inputs = Json::array(), takes = Json::array();
     for (const record::RecordedNote& note : recording_.notes) {
-        if (note.kind != record::kDoneNote || events.size() >= kMost) continue;
+        if (note.kind != record::kDoneNote || events.size() >= kMaximum) continue;
         const std::string text = record::text_of(note);
         events.push_back({{"time", static_cast<double>(note.step) * recording_.settings.step},
                           {"kind", "command"},
@@ -35,7 +35,7 @@ void Player::tell_timeline() {
     for (const bool often : {false, true})
         for (const record::RecordedEvent& event : recording_.events) {
             const bool frequent = event.kind == EventKind::slack || event.kind == EventKind::taut;
-            if (frequent != often || events.size() >= kMost) continue;
+            if (frequent != often || events.size() >= kMaximum) continue;
             events.push_back({{"time", event.time},
                               {"kind", to_string(event.kind)},
                               {"name", event.where},
@@ -44,7 +44,7 @@ void Player::tell_timeline() {
         }
     for (const record::RecordedInput& input : recording_.inputs) {
         const auto place = static_cast<std::size_t>(input.input);
-        if (inputs.size() < kMost && place < recording_.input_names.size() &&
+        if (inputs.size() < kMaximum && place < recording_.input_names.size() &&
             !record::is_inner_input(recording_, place))
             inputs.push_back({static_cast<double>(input.step) * recording_.settings.step,
                               recording_.input_names[place], input.value});

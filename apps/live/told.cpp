@@ -97,10 +97,10 @@ std::string event_words(const std::string& where, EventKind kind, double value) 
 }
 
 void tell_events(const World& world, std::span<const Event> events, Outbox& out) {
-    constexpr int kMostFrequent = 8, kMost = 64;
+    constexpr int kMaxFrequent = 8, kMaximum = 64;
     int told = 0, often = 0, more = 0;
     const auto tell = [&](const Event& event) {
-        if (told >= kMost || (frequent(event.kind) && often >= kMostFrequent)) {
+        if (told >= kMaximum || (frequent(event.kind) && often >= kMaxFrequent)) {
             ++more;
             return;
         }

@@ -107,7 +107,7 @@ struct Edits {
 
 /// Add or remove a node at a random position.
 void edit(FreeWire& f, Dice& dice, Edits& sum) {
-    constexpr std::size_t kLeast = 20, kMost = 96;
+    constexpr std::size_t kMinimum = 20, kMaximum = 96;
     constexpr double kShortest = 2.0;  // m
     const auto elements = f.w.elements(f.wire);
     const std::size_t n = elements.size(), k = 1 + dice.below(n - 2);
@@ -115,10 +115,10 @@ void edit(FreeWire& f, Dice& dice, Edits& sum) {
     const double share = 0.3 + 0.4 * dice.next();
     const Possession before = possession(f.w, f.wire);
     if (in) {
-        if (f.w.interaction_def(elements[k]).get("length") < kShortest || n >= kMost) return;
+        if (f.w.interaction_def(elements[k]).get("length") < kShortest || n >= kMaximum) return;
         (void)f.w.insert_node(elements[k], share);
         ++sum.in;
-    } else if (n > kLeast) {
+    } else if (n > kMinimum) {
         ++(f.w.remove_node(f.w.nodes(f.wire)[k]) ? sum.out : sum.later);
     }
     const Possession after = possession(f.w, f.wire);

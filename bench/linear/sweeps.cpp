@@ -258,7 +258,7 @@ void all_bodies(const BlockForm& f, const SweepView& v, bool residual, base::Exe
 /// Call work(scalar in the system, scalar in the form) for all scalars of the bodies.
 template <class F>
 void all_scalars(const BlockForm& f, base::Executor& executor, F work) {
-    constexpr std::int64_t kLeast = 1024;
+    constexpr std::int64_t kMinimum = 1024;
     in_pieces(
         std::ssize(f.tables.bodies), executor,
         [&](std::int64_t begin, std::int64_t end) {
@@ -268,7 +268,7 @@ void all_scalars(const BlockForm& f, base::Executor& executor, F work) {
                     work(at(body.scalar + i), at(body.to + i));
             }
         },
-        kLeast);
+        kMinimum);
 }
 
 /// Scatter the scalars of the bodies from the form's vector to the system's.

@@ -193,7 +193,7 @@ void Contacts::set(std::size_t index, const collide::Contact& in, const collide:
 
     const double upsilon = row_upsilon(surface.damping_time, h);
     const double scale = row_sigma(1.0, upsilon, h);
-    const double least = kLeastSigma * cone.mobility;
+    const double least = kMinSigma * cone.mobility;
     cone.sigma_n = std::max(scale * surface.compliance, least);
     cone.sigma_t = std::max(scale * surface.tangential_compliance, least);
     extra.epsilon_t = cone.sigma_t / scale;

@@ -12,7 +12,7 @@ namespace {
 
 /// Maximum number of interactions of a body with a row that may be cut. A link of a wire has fewer:
 /// two joints, three bending, two twist.
-constexpr std::int32_t kMostOfLink = 8;
+constexpr std::int32_t kMaxOfLink = 8;
 constexpr double kSpeed = 0.1;       // v₀ [m/s]
 constexpr double kViolation = 0.01;  // g₀ [m]
 constexpr double kMeanShare = 0.01;  // fraction of the mean row force in F
@@ -20,8 +20,8 @@ constexpr double kMeanShare = 0.01;  // fraction of the mean row force in F
 }  // namespace
 
 std::int32_t thousandths(double weight) noexcept {
-    constexpr double kMost = 1e6;
-    if (!(weight < kMost / 1000.0)) return static_cast<std::int32_t>(kMost);
+    constexpr double kMaximum = 1e6;
+    if (!(weight < kMaximum / 1000.0)) return static_cast<std::int32_t>(kMaximum);
     return weight > 0.0 ? static_cast<std::int32_t>(std::lround(1000.0 * weight)) : 0;
 }
 
@@ -55,7 +55,7 @@ void PartGraph::build(const model::Bodies& bodies, std::int32_t body_count,
         for (std::int32_t k = begin[at(i)]; k < begin[at(i) + 1]; ++k) {
             const std::size_t b = at(members[at(k)]);
             if (size[b] == 0) continue;
-            same &= degree_[b] <= kMostOfLink && (first == 0 || size[b] == first);
+            same &= degree_[b] <= kMaxOfLink && (first == 0 || size[b] == first);
             first = size[b];
         }
         whole_[at(i)] = same ? 0 : 1;

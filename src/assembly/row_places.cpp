@@ -161,7 +161,7 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
 }
 
 void System::find_links(const model::Bodies& bodies) {
-    constexpr int kMost = 255;
+    constexpr int kMaximum = 255;
     links_.assign(at(bodies.count()), 0);
     auto joint = [&](int body, int k) -> const Incidence& {
         return incident_[at(incident_begin_[at(body)] + k)];
@@ -177,7 +177,7 @@ void System::find_links(const model::Bodies& bodies) {
                              joint(b + 1, 0).row == out.row &&
                              bodies.dof_begin[at(b) + 1] == bodies.dof_begin[at(b)] + 6;
         links_[at(b)] =
-            static_cast<std::uint8_t>(goes_on ? std::min(kMost, links_[at(b) + 1] + 1) : 1);
+            static_cast<std::uint8_t>(goes_on ? std::min(kMaximum, links_[at(b) + 1] + 1) : 1);
     }
 }
 

@@ -34,7 +34,7 @@ inline constexpr int kGeoLine = 4;    ///< Entries of a record between bodies wi
 
 inline constexpr int kLossChunk = 64;  ///< Interactions per call of row_losses().
 /// Lower bound of View::recall, below which ġ cannot be derived from c.
-inline constexpr double kLeastRecall = 1e-2;
+inline constexpr double kMinRecall = 1e-2;
 
 /// One contribution to one block of the matrix. For a compact joint (model/arms.h) `width` is 0,
 /// the offsets are those of its record, and `condensed` includes the damping.

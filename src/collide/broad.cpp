@@ -21,7 +21,7 @@ constexpr int kSweepChunk = 128;  ///< Entries of the sweep per task.
 constexpr int kLargeChunk = 256;  ///< Shapes per task that are tested against all large ones.
 constexpr double kLarge = 8.0;  ///< Shapes larger than this multiple of the median size are large.
 constexpr double kStrip = 4.0;  ///< Width of a strip over the median size.
-constexpr int kMostStrips = 1024;
+constexpr int kMaxStrips = 1024;
 constexpr std::size_t kRoom = 512;  ///< Capacity for the pairs of a task before it grows.
 constexpr int kSomeAnyway = 4;      ///< If there are fewer shapes than this, all are large.
 
@@ -129,7 +129,7 @@ void Broad::prepare(const base::Array<Placed>& placed) {
     width_ = by_size.empty() ? 1.0 : std::max(kStrip * *middle, 1e-9);
     first_.resize(placed.size() + 2);
     sorted_.resize(small_.size());
-    strip_begin_.reserve(kMostStrips + 2);
+    strip_begin_.reserve(kMaxStrips + 2);
 }
 
 void Broad::sort(const base::Array<Placed>& placed) {
@@ -165,7 +165,7 @@ void Broad::cut_into_strips() {
         high = std::max(high, s.high[1]);
     }
     const double span = std::max(high - low, 0.0);
-    const int count = static_cast<int>(std::clamp(span / width_, 1.0, double{kMostStrips}));
+    const int count = static_cast<int>(std::clamp(span / width_, 1.0, double{kMaxStrips}));
     const double per_length = span > 0.0 ? count / span : 0.0;
     auto strip = [&](double x) {
         return static_cast<std::int32_t>(std::clamp((x - low) * per_length, 0.0, count - 1.0));

@@ -251,7 +251,7 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
         found_.clear();
         return false;
     };
-    constexpr std::int64_t kPairsOfContact = 8, kMostPairs = 1'000'000'000;  // 32 bits count them
+    constexpr std::int64_t kPairsOfContact = 8, kMaxPairs = 1'000'000'000;  // 32 bits count them
     over_ = {};
     finite_ = true;
     try {
@@ -260,7 +260,7 @@ bool Collider::collide(const model::Bodies& bodies, double h, ContactSet& out,
         finite_ = std::all_of(placed_.begin(), placed_.end(), has_place);
         if (!finite_) return nothing();
         broad_.find(placed_, filter_, h, margin,
-                    std::min(kPairsOfContact * most_contacts, kMostPairs), pool, pairs_);
+                    std::min(kPairsOfContact * most_contacts, kMaxPairs), pool, pairs_);
         narrow(h, pool);
         put_together(out, pool);
     } catch (const std::bad_alloc&) {

@@ -279,14 +279,14 @@ void begin_lagged(StepContext& ctx) noexcept {
 /// until the pivots are right. Pivots that stay wrong are not due to contacts.
 Status end_softened(StepContext& ctx) noexcept {
     constexpr double kSofter = 1024.0;
-    constexpr int kMost = 3;
+    constexpr int kMaximum = 3;
     const auto soften = [&](double factor) {
         soften_by(ctx.model, factor);
         for (Cone& c : ctx.model.system.contacts.cones) c.sigma_n *= factor;
     };
     Status status = Status::wrong_pivot;
     double softer = 1.0;
-    for (int k = 0; k < kMost && status == Status::wrong_pivot; ++k) {
+    for (int k = 0; k < kMaximum && status == Status::wrong_pivot; ++k) {
         soften(kSofter);  // powers of two: exactly undone
         softer *= kSofter;
         begin_lagged(ctx);
@@ -389,9 +389,9 @@ Status refine_iterate(StepContext& ctx) noexcept {
 /// shortened the last iteration, an iterate may obey these laws before refinement, but not after
 /// it.
 Status certify(StepContext& ctx) noexcept {
-    constexpr int kMost = 8;
+    constexpr int kMaximum = 8;
     const double tolerance = ctx.model.def.contact_tolerance;
-    for (int round = 0; round < kMost; ++round) {
+    for (int round = 0; round < kMaximum; ++round) {
         if (ctx.work.stats.natural_map <= tolerance || ctx.work.stats.cut) break;
         Status status = iterate(ctx, nonsmooth::Coupling::exact, tolerance, {.begun = true});
         const bool met = ctx.work.stats.natural_map <= tolerance;
@@ -407,9 +407,9 @@ Status certify(StepContext& ctx) noexcept {
 /// Repeat iterations until no row requests to switch. A line search may have ended the iterations
 /// when no row requested it yet, before the solution was reached.
 Status settle_rows(StepContext& ctx) noexcept {
-    constexpr int kMost = 8;
+    constexpr int kMaximum = 8;
     const double tolerance = ctx.model.def.contact_tolerance;
-    for (int round = 0; round < kMost && !ctx.model.system.bounded.empty(); ++round) {
+    for (int round = 0; round < kMaximum && !ctx.model.system.bounded.empty(); ++round) {
         if (asking_rows(ctx.model, ctx.work, ctx.model.contact_floor) == 0) return Status::ok;
         (void)switch_bounds(ctx.model, ctx.work, ctx.model.contact_floor, kAnyRows);
         restart(ctx.model, ctx.work, ctx.pool);

@@ -19,7 +19,7 @@ using assembly::View;
 using nonsmooth::ChainBlock;
 using nonsmooth::Cone;
 
-constexpr int kMostWireIterations = 60;
+constexpr int kMaxWireIterations = 60;
 constexpr int kExactWireIterations = 8;  ///< Before the convex phase.
 constexpr double kUnsettled = 1e-3;      ///< Natural map of a contact whose line is settled.
 constexpr double kWireConvexEnd = 5e-3;  ///< Natural map below which the convex phase ends.
@@ -270,7 +270,7 @@ bool iterate_wire(const Model& model, Work& work, const View& v, std::int32_t ch
     const double tolerance = 0.1 * model.def.contact_tolerance;
     wire.convex = false;
     double before = wire_merit(wire, contacts, 0.0);
-    for (int it = 0, exact = 0; it < kMostWireIterations; ++it) {
+    for (int it = 0, exact = 0; it < kMaxWireIterations; ++it) {
         work.solve.step_flops += kFlopsOfNode * wire.nodes;
         if (!solve_wire(model, wire, chain)) return false;
         keep_wire_iterate(wire, contacts, share_of_way(wire, contacts, before));

@@ -17,7 +17,7 @@ namespace hawser::draw {
 
 namespace {
 
-constexpr std::size_t kMostAlong = 6;  // Largest number of panels.
+constexpr std::size_t kMaxAlong = 6;  // Largest number of panels.
 constexpr double kAlongTop = 112, kAlongLeft = 110, kAlongWidth = 900, kAlongBetween = 64;
 constexpr double kNowWidth = 1.4;
 
@@ -69,7 +69,7 @@ Axes along_axes(const Along& a, const record::Unit& unit, double top, double hei
 
 std::optional<Drawing> plot_wires(const record::Recording& recording, const record::Series& series,
                                   std::size_t frame_index) {
-    const std::vector<Along> along = tensions_along(recording, series, kMostAlong, frame_index);
+    const std::vector<Along> along = tensions_along(recording, series, kMaxAlong, frame_index);
     if (along.empty()) return std::nullopt;
     const double height = along.size() == 1 ? 480 : along.size() == 2 ? 300 : 190;
     Drawing drawing{

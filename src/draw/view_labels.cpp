@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kBodySize = 12.0, kCableSize = 11.0;
 constexpr double kNamedSize = 16.0;  // Smallest size of a body with a name [points].
-constexpr std::size_t kMostNames = 400;
+constexpr std::size_t kMaxNames = 400;
 
 bool overlaps(const Box& a, const Box& b) {
     return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
@@ -143,7 +143,7 @@ std::vector<std::int32_t> bodies_to_name(const record::Recording& recording,
                                          const std::vector<bool>& visible) {
     std::vector<std::int32_t> bodies = recording.plot_bodies;
     const std::vector<bool> interior = record::cable_interior(recording);
-    for (std::size_t i = 0; i < visible.size() && bodies.size() < kMostNames; ++i)
+    for (std::size_t i = 0; i < visible.size() && bodies.size() < kMaxNames; ++i)
         if (visible[i] && !interior[i] && recording.bodies[i].kind == BodyKind::rigid &&
             std::find(bodies.begin(), bodies.end(), static_cast<std::int32_t>(i)) == bodies.end())
             bodies.push_back(static_cast<std::int32_t>(i));

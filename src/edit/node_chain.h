@@ -19,7 +19,7 @@ struct StepContext;
 
 /// Bodies along the wire, and the elements between neighbours.
 struct NodeChain {
-    static constexpr std::size_t kMost = 2 * kNodeReach + 3;
+    static constexpr std::size_t kMaximum = 2 * kNodeReach + 3;
     struct Lump {
         std::int32_t body = -1;
         bool point = false;  ///< True for a lump.
@@ -39,8 +39,8 @@ struct NodeChain {
         double pull = 0.0;  ///< Force of its law at the poses [N].
         double rate = 0.0;  ///< Rate of its length [m/s].
     };
-    std::array<Lump, kMost> lump{};
-    std::array<Piece, kMost - 1> piece{};
+    std::array<Lump, kMaximum> lump{};
+    std::array<Piece, kMaximum - 1> piece{};
     std::size_t count = 0;   ///< Number of lumps; there is one piece less.
     std::size_t middle = 0;  ///< Index of the node; after its removal, of the next lump.
     double half = 0.0;       ///< h/2 [s]

@@ -194,8 +194,8 @@ double rest_for(const StepContext& ctx, std::int32_t id, double force, double st
     const double length = length_of(ctx, id);
     const double damped = damping_time_of(ctx, id) * rate_of(ctx, id);
     // A rate that would move by about the length of the element is not a strain.
-    constexpr double kMost = 0.1;
-    return (length + std::clamp(damped, -kMost * length, kMost * length)) /
+    constexpr double kMaximum = 0.1;
+    return (length + std::clamp(damped, -kMaximum * length, kMaximum * length)) /
            (1.0 + force / stiffness);
 }
 
@@ -220,9 +220,9 @@ Vec3 sag_of(const Vec3& chord, double share, const Vec3& weight, double tension)
     if (!(tension > 0.0) || !(length > 0.0)) return Vec3::Zero();
     const Vec3 along = chord / length, across = weight - weight.dot(along) * along;
     // Far from taut the equilibrium is that of a chain instead of a small sag.
-    constexpr double kMostSag = 0.1;
+    constexpr double kMaxSag = 0.1;
     const double sag = length * share * (1.0 - share) / tension;
-    const double most = kMostSag * length * std::min(share, 1.0 - share);
+    const double most = kMaxSag * length * std::min(share, 1.0 - share);
     return across * std::min(sag, most / std::max(across.norm(), 1e-300));
 }
 

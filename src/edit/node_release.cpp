@@ -158,7 +158,7 @@ class Patch {
     Vec3 origin_;
     int size_ = 0;
     double reach_ = 1e-9;
-    std::array<int, NodeChain::kMost> place_{};
+    std::array<int, NodeChain::kMaximum> place_{};
     Square mass_;
     Shares shares_;
     Packed missing_;
@@ -207,11 +207,11 @@ bool keep_energy(NodeChain& now, const Patch& patch, double energy, bool any) no
         fit_lengths(tried);
         return energy_of(tried) <= energy;
     };
-    constexpr double kGivenBack = 0.05, kMostLost = 0.01;
+    constexpr double kGivenBack = 0.05, kMaxLost = 0.01;
     double low = -kGivenBack * far, high = far;
     if (at_share(low)) {
         const double lost = energy - energy_of(tried);
-        if (!any && lost > kMostLost * stretch_energy_of(tried)) return false;
+        if (!any && lost > kMaxLost * stretch_energy_of(tried)) return false;
         now = tried;
         return true;
     }

@@ -13,7 +13,7 @@ namespace {
 /// Tolerance of times, which are multiples of the step up to rounding [s].
 constexpr double kLeverRounding = 1e-9;
 /// Largest number of delayed values; older ones are dropped.
-constexpr std::size_t kMostLate = 4096;
+constexpr std::size_t kMaxLate = 4096;
 
 bool same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -37,7 +37,7 @@ void Levers::ask(const Session& session, const std::string& input, double value)
     for (const Fault* f : l.faults)
         if (f->kind == FaultKind::input_late) {
             if (std::isnan(l.passed)) l.passed = std::isnan(l.asked) ? l.start : l.asked;
-            if (l.late.size() == kMostLate) l.late.pop_front();
+            if (l.late.size() == kMaxLate) l.late.pop_front();
             l.late.emplace_back(session.time() + f->delay, value);
             break;
         }

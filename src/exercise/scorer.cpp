@@ -104,7 +104,7 @@ double Scorer::look(const Trigger& trigger, Watch& watch, std::span<const double
 }
 
 void Scorer::log(Entry entry) {
-    if (result_.entries.size() < kMostLogged || entry.kind == EntryKind::end)
+    if (result_.entries.size() < kMaxLogged || entry.kind == EntryKind::end)
         result_.entries.push_back(std::move(entry));
 }
 

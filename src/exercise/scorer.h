@@ -46,7 +46,7 @@ class Scorer {
     void freeze(const std::string& output, double value) { frozen_[output] = value; }
 
     /// Largest number of entries in a result; later ones are counted in tallies only.
-    static constexpr std::size_t kMostLogged = 4096;
+    static constexpr std::size_t kMaxLogged = 4096;
 
   private:
     /// State of a trigger.

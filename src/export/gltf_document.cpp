@@ -205,9 +205,9 @@ void GltfDocument::put_rods() {
     if (layout_.rods.empty()) return;
     std::vector<std::pair<std::size_t, std::size_t>> segments;
     Json joints = Json::array();
-    constexpr std::size_t kMostJoints = 60'000;
+    constexpr std::size_t kMaxJoints = 60'000;
     for (const Rod& rod : layout_.rods) {
-        if (joints.size() >= kMostJoints) break;
+        if (joints.size() >= kMaxJoints) break;
         segments.emplace_back(joints.size(), joints.size() + 1);
         for (int k = 0; k < 2; ++k) {
             joints.push_back(root_["nodes"].size());
@@ -227,8 +227,8 @@ void GltfDocument::put_rods() {
 
 void GltfDocument::put_wire(WireNodes& wire) {
     // Joint indices of a skin have 16 bits.
-    constexpr std::size_t kMostJoints = 65'000;
-    if (wire.segments == 0 || wire.joints() > kMostJoints) {
+    constexpr std::size_t kMaxJoints = 65'000;
+    if (wire.segments == 0 || wire.joints() > kMaxJoints) {
         wire.segments = 0;
         return;
     }

@@ -33,7 +33,7 @@ namespace hawser::graph {
 
 struct PartitionOptions {
     /// Number of parts, ≥ 1. Some stay empty if there are few nodes. With separators an island is
-    /// divided into at most a quarter of its nodes (kLeastNodes). With cuts each node of a wire may
+    /// divided into at most a quarter of its nodes (kMinNodes). With cuts each node of a wire may
     /// be a part. The two nodes at each end are excepted: they stay with the body that holds them.
     std::int32_t parts = 4;
 };
@@ -70,7 +70,7 @@ class Partitioner {
     /// Compute parts and the separators between them.
     void separate(const PartitionOptions& asked, Partition& out);
     /// Least number of nodes for each part of a divided island.
-    static constexpr std::int32_t kLeastNodes = 4;
+    static constexpr std::int32_t kMinNodes = 4;
 
     Hypergraph graph;
     Neighbours neighbours;

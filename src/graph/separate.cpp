@@ -242,12 +242,12 @@ void Partitioner::write(Partition& out) {
         out.cost[p] += sum_[p + static_cast<std::size_t>(-kSeparator)];
 }
 
-/// Return the largest useful number of parts. Each part of an island needs kLeastNodes nodes. With
+/// Return the largest useful number of parts. Each part of an island needs kMinNodes nodes. With
 /// fewer nodes most would become separators, which rejoin the only part next to them.
 std::int32_t Partitioner::most_parts() const noexcept {
     std::int32_t most = 0;
     for (std::int32_t i = 0; i < cost.islands(); ++i)
-        most += std::max(1, (cost.begin[at(i) + 1] - cost.begin[at(i)]) / kLeastNodes);
+        most += std::max(1, (cost.begin[at(i) + 1] - cost.begin[at(i)]) / kMinNodes);
     return std::max(1, most);
 }
 

@@ -25,7 +25,7 @@ namespace hawser::marine {
 /// Components of a group: one vector of AVX-512, two of AVX2.
 inline constexpr int kFastGroup = 16;
 /// Groups of the most components, padded to a vector of AVX-512.
-inline constexpr int kMostFastGroups = 32;
+inline constexpr int kMaxFastGroups = 32;
 
 /// Rows of the table in single precision, each of `padded` entries; padding is 0.
 enum FastRow : int {
@@ -58,7 +58,7 @@ struct FastExtent {
 /// Table in single precision.
 struct FastTable {
     const float* rows;    ///< kFastRows of `padded`.
-    const float* middle;  ///< −k log₂e of the middle of each group, kMostFastGroups [1/m].
+    const float* middle;  ///< −k log₂e of the middle of each group, kMaxFastGroups [1/m].
     const float* width;   ///< Largest |k − that of the middle| of each group [1/m].
     int padded;
 

@@ -87,8 +87,8 @@ void FastWaves::fill_tables() {
     const auto padded = static_cast<std::size_t>(padded_);
     table_.assign(kFastRows * padded, 0.0F);
     reference_.assign(kReferenceRows * padded, 0.0);
-    middle_.assign(kMostFastGroups, 0.0F);
-    width_.assign(kMostFastGroups, 0.0F);
+    middle_.assign(kMaxFastGroups, 0.0F);
+    width_.assign(kMaxFastGroups, 0.0F);
     const auto middle_of = [&](std::size_t group) {
         const std::size_t last = std::min((group + 1) * kFastGroup, waves_.size()) - 1;
         return 0.5 * (waves_[group * kFastGroup].wave_number + waves_[last].wave_number);

@@ -12,7 +12,7 @@ namespace {
 /// Cosines and sines of the components at the points of a batch, in double or single precision.
 constexpr int kCircle = 2 * kMaxWaveComponents * kWavePoints;
 static_assert(kMaxWaveComponents % kFastGroup == 0 &&
-              kMaxWaveComponents <= kFastGroup * kMostFastGroups);
+              kMaxWaveComponents <= kFastGroup * kMaxFastGroups);
 
 }  // namespace
 

@@ -15,7 +15,7 @@
 namespace hawser {
 namespace {
 
-constexpr std::size_t kMostFrequencies = 100'000, kMostEntries = 20'000'000;
+constexpr std::size_t kMaxFrequencies = 100'000, kMostEntries = 20'000'000;
 
 /// Lowest eigenvalue of a matrix with its diagonal scaled to ones; what has no diagonal counts by
 /// what it has beside it.
@@ -54,7 +54,7 @@ Matrix6 without_negative_of(const Matrix6& m, const Matrix6& size) {
 
 std::string sizes_fault(const WaveCoefficients& c) {
     const std::size_t n = c.frequency.size(), table = c.heading.size() * n * 6;
-    if (n > kMostFrequencies || c.heading.size() > kMostFrequencies || table > kMostEntries)
+    if (n > kMaxFrequencies || c.heading.size() > kMaxFrequencies || table > kMostEntries)
         return "more than " + std::to_string(kMostEntries) + " entries";
     if (!c.added_mass.empty() && c.added_mass.size() != n)
         return "added_mass: " + std::to_string(c.added_mass.size()) + " matrices for " +

@@ -30,12 +30,12 @@ namespace {
 
 // A reader accepts only finite numbers; values outside the range of the format are clamped.
 double in_range(double value) {
-    constexpr double kMost = std::numeric_limits<double>::max();
-    return std::isnan(value) ? 0.0 : std::clamp(value, -kMost, kMost);
+    constexpr double kMaximum = std::numeric_limits<double>::max();
+    return std::isnan(value) ? 0.0 : std::clamp(value, -kMaximum, kMaximum);
 }
 float to_float(double value) {
-    constexpr double kMost = std::numeric_limits<float>::max();
-    return static_cast<float>(std::isnan(value) ? 0.0 : std::clamp(value, -kMost, kMost));
+    constexpr double kMaximum = std::numeric_limits<float>::max();
+    return static_cast<float>(std::isnan(value) ? 0.0 : std::clamp(value, -kMaximum, kMaximum));
 }
 
 // Positions are stored as distances from the start. At a kilometre from the origin single precision

@@ -15,7 +15,7 @@ namespace hawser::report {
 
 namespace {
 
-constexpr std::size_t kShares = 20, kMostParted = 100, kShownWires = 20, kShownParted = 8;
+constexpr std::size_t kShares = 20, kMaxParted = 100, kShownWires = 20, kShownParted = 8;
 
 void follow(Course& course, double now, bool first) {
     if (first) course = {now, now, now, now};
@@ -94,7 +94,7 @@ void WireWatch::note_times(const World& world) {
         WireFigures& f = w.figures;
         f.times.push_back({world.time(), f.nodes.now, f.shortest.now, f.longest.now});
     }
-    if (wires_.empty() || wires_.front().figures.times.size() < kMostTimes) return;
+    if (wires_.empty() || wires_.front().figures.times.size() < kMaxTimes) return;
     noted_every_ *= 2;
     for (Watched& w : wires_) {
         std::vector<Resolved>& times = w.figures.times;
@@ -132,7 +132,7 @@ void WireWatch::add_pieces(const World& world) {
 
 void WireWatch::after_step(const World& world, std::span<const Event> events) {
     for (const Event& event : events) {
-        if (event.kind != EventKind::line_break || parted_.size() >= kMostParted) continue;
+        if (event.kind != EventKind::line_break || parted_.size() >= kMaxParted) continue;
         if (world.alive(event.interaction)) parted_.push_back(parted_wire(world, event));
     }
     add_pieces(world);

@@ -49,7 +49,7 @@ struct WireFigures {
     Course length;                ///< Unstretched [m].
     Course shortest, longest;     ///< Element, unstretched [m].
     Course mass;                  ///< Mass of the elements' material, without those at drums [kg].
-    std::vector<Resolved> times;  ///< Resolution at equidistant times, at most kMostTimes.
+    std::vector<Resolved> times;  ///< Resolution at equidistant times, at most kMaxTimes.
     std::vector<TensionAlong>
         along;                   ///< Tensions in equal parts of its length, from the first end on.
     TensionAlong tension{};      ///< Tension over its whole length.
@@ -63,7 +63,7 @@ struct WireFigures {
 class WireWatch {
   public:
     static constexpr int kLookEvery = 32;  ///< Steps.
-    static constexpr std::size_t kMostTimes =
+    static constexpr std::size_t kMaxTimes =
         64;  ///< Capacity of the times; if it is exceeded, every other time is removed.
     explicit WireWatch(const World& world);
     /// Call after each step with the events of that step.

@@ -20,7 +20,7 @@ double below(std::vector<double>& v, double share) {
     return *at;
 }
 
-constexpr int kBursts = 20, kMostBursts = 200, kLoops = 100, kTasks = 8;
+constexpr int kBursts = 20, kMaxBursts = 200, kLoops = 100, kTasks = 8;
 constexpr double kTask = 4e-6;         // [s]; long enough for the other thread to arrive
 constexpr double kAway = 2.0 * kTask;  // [s]; a later thread had no processor
 
@@ -78,7 +78,7 @@ PoolCosts measure_pool_costs() {
     CostSamples samples;
     // Add bursts if other programs occupy the second processor.
     for (int burst = 0;
-         burst < kBursts || (burst < kMostBursts && samples.start.size() < 10 * kLoops); ++burst) {
+         burst < kBursts || (burst < kMaxBursts && samples.start.size() < 10 * kLoops); ++burst) {
         record_loops(pool, true, samples);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));  // lets the workers sleep
     }

@@ -92,9 +92,9 @@ void choose_completed(Model& model, const State& state, runtime::Pool& pool) noe
         for (std::int32_t k = a; k < b; ++k) {
             const std::int32_t id = c.joints[at(k)];
             const std::uint8_t left = in.coarse[at(id)];
-            constexpr double kMost = kResolvedSwing * kResolvedSwing;
+            constexpr double kMaximum = kResolvedSwing * kResolvedSwing;
             const bool fast =
-                c.refused[at(k)] || !(squared_swing(model, k, in.lambda.data()) <= kMost);
+                c.refused[at(k)] || !(squared_swing(model, k, in.lambda.data()) <= kMaximum);
             c.coarse_next[at(k)] = fast ? kCoarse : static_cast<std::uint8_t>(left - (left > 0));
             const bool chosen = allowed && c.coarse_next[at(k)] == 0 && in.parted[at(id)] == 0;
             std::uint8_t completed = 0;

@@ -72,7 +72,7 @@ double losses_of(const Model& model, const View& v, std::int32_t id) noexcept {
     rates_by_rows(v, id, rate);
     bool faded = false;
     for (int r = v.row_begin[id]; r < v.row_begin[id] + v.rows[id]; ++r)
-        faded |= std::fabs(v.recall[r]) < assembly::kLeastRecall;
+        faded |= std::fabs(v.recall[r]) < assembly::kMinRecall;
     const bool line = (flags & model::kOneSided) != 0;
     if ((flags & model::kCarried) || faded ||
         (line && (v.active[id] == 0.0 || !was_taut(v, v.row_begin[id], rate.before[0]))))

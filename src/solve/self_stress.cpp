@@ -95,13 +95,13 @@ bool is_changed(const View& v, std::int32_t id, Lambda lambda, double* kept) noe
 /// residual momentum that the bodies would lack. The same filter, applied to `taken`, returns the
 /// part that must stay.
 void keep_momentum(StepContext& ctx, const View& v) noexcept {
-    constexpr double kMost = 1e-11;  ///< Relative to the impulses.
+    constexpr double kMaximum = 1e-11;  ///< Relative to the impulses.
     constexpr int kFilterPasses = 2;
     double* taken = ctx.work.joints.taken.data();
     const auto loss = [&](std::int32_t, std::int32_t row) noexcept { return taken[row]; };
     for (int pass = 0; pass < kFilterPasses; ++pass) {
         const Push size = load_joints(ctx.model, ctx.work.solve, v, loss);
-        if (!(size.sum > kMost * kMost * size.parts)) return;
+        if (!(size.sum > kMaximum * kMaximum * size.parts)) return;
         solve_loaded(ctx, v);
         for (const std::int32_t id : ctx.model.completion.looped) {
             double kept[kMaxInteractionRows];

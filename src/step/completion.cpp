@@ -32,7 +32,7 @@ using assembly::Turning;
 /// closed loops a smaller limit would only add rounding. A user who requests solutions below
 /// kSolution gets it.
 constexpr double kTurning = 1e-7, kSlowTurn = 5.0, kSolution = 1e-10;
-constexpr int kMostRounds = 12;
+constexpr int kMaxRounds = 12;
 constexpr double kGap = 1e-4;  ///< Maximum gap that a step may leave [m or rad].
 /// Value of s from the force of the step itself that ends a trial.
 constexpr double kTooFast = 2.0 * kResolvedSwing;
@@ -47,7 +47,7 @@ Turning make_rounds(StepContext& ctx) noexcept {
         return turning.change <= enough * fast * fast * fast;
     };
     Turning t = renew_completed(ctx);
-    for (int round = 0; round < kMostRounds && !ended(t); ++round) {
+    for (int round = 0; round < kMaxRounds && !ended(t); ++round) {
         adopt_completed(ctx);
         continue_with_factor(ctx);
         ctx.work.solve.losses_known = false;
@@ -135,9 +135,9 @@ Status solve_with_new_forces(StepContext& ctx) noexcept {
 
 /// Refine, and treat rows that the iterations moved across their bounds.
 Status settle_free(StepContext& ctx) noexcept {
-    constexpr int kMost = 4;
+    constexpr int kMaximum = 4;
     Status status = Status::ok;
-    for (int i = 0; i < kMost && status == Status::ok; ++i) {
+    for (int i = 0; i < kMaximum && status == Status::ok; ++i) {
         status = settle_rounds(ctx, ctx.work.stats.completion_rounds == 0);
         const std::int32_t before = ctx.work.stats.factorisations;
         if (status == Status::ok) status = settle_bounds(ctx);
@@ -149,9 +149,9 @@ Status settle_free(StepContext& ctx) noexcept {
 
 /// Refine with contacts, and treat rows across their bounds as in settle_free().
 Status settle_touching(StepContext& ctx) noexcept {
-    constexpr int kMost = 4;
+    constexpr int kMaximum = 4;
     Status status = settle_newton(ctx);
-    for (int i = 0; i < kMost && status == Status::ok && rows_ask(ctx); ++i) {
+    for (int i = 0; i < kMaximum && status == Status::ok && rows_ask(ctx); ++i) {
         status = settle_rows(ctx);
         if (status != Status::ok) break;
         (void)make_rounds(ctx);
@@ -175,9 +175,9 @@ Status settle(StepContext& ctx) noexcept {
 
 Status complete(StepContext& ctx) noexcept {
     Status status = Status::ok;
-    constexpr int kMostGrowths = 2;  // number of repeated solves for new forces
+    constexpr int kMaxGrowths = 2;  // number of repeated solves for new forces
     if (ctx.state.started)
-        for (int i = 0; i < kMostGrowths && status == Status::ok && outgrown(ctx); ++i)
+        for (int i = 0; i < kMaxGrowths && status == Status::ok && outgrown(ctx); ++i)
             status = solve_with_new_forces(ctx);
     if (ctx.model.completion.any && status == Status::ok) {
         const Turning t = make_rounds(ctx);

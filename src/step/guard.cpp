@@ -20,7 +20,7 @@ namespace {
 
 using assembly::View;
 
-constexpr int kMostRepeats = 7;    ///< See guard.h.
+constexpr int kMaxRepeats = 7;     ///< See guard.h.
 constexpr double kMayGain = 1e-3;  ///< Limit of the gain relative to the exchanged energy.
 
 bool accepted(const Wires& w, std::size_t wire) noexcept {
@@ -84,7 +84,7 @@ bool refuse(Model& model, const Before& kept) noexcept {
     Wires& w = model.wires;
     bool any = false;
     for (std::size_t k = 0; k < w.count(); ++k) {
-        if (accepted(w, k) || w.level[k] >= kMostRepeats) continue;
+        if (accepted(w, k) || w.level[k] >= kMaxRepeats) continue;
         const auto wire = static_cast<std::int32_t>(k);
         const bool first = w.level[k] == 0;
         plan_wires(model, kept, wire);

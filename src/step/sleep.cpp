@@ -189,7 +189,7 @@ void fall_asleep(StepContext& ctx) noexcept {
                            (!ctx.work.stats.cut && ctx.work.stats.flips_left == 0 &&
                             ctx.work.stats.natural_map <= ctx.model.def.contact_tolerance);
     const auto most = static_cast<std::int32_t>(
-        std::min<double>(std::ceil(ctx.model.def.sleep_after / ctx.model.def.step), kMostQuiet));
+        std::min<double>(std::ceil(ctx.model.def.sleep_after / ctx.model.def.step), kMaxQuiet));
     bool any = false;
     for (const std::int32_t body : b.moving) {
         if (b.asleep[at(body)] != 0) continue;

@@ -92,7 +92,7 @@ class Allocation {
     std::vector<std::int32_t> first_;  ///< Variable of each thruster.
     std::vector<double> forces_;
     std::vector<std::int32_t> trial_;
-    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, QuadraticProgram::kMost> effect_;
+    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, QuadraticProgram::kMaximum> effect_;
     QuadraticProgram program_;
     double force_ = 1.0, moment_ = 1.0;  ///< Scales.
     int variables_ = 0;

@@ -12,7 +12,7 @@ namespace hawser::vessel {
 namespace {
 
 constexpr double kRests = 5.0;  ///< Time at rest after which dragging begins anew [s].
-constexpr std::int32_t kMostSteps = 1'000'000;
+constexpr std::int32_t kMaxSteps = 1'000'000;
 constexpr double kAtBound = 1e-9;  ///< Relative distance of a sliding row's force to its bound.
 
 /// Return the force of the wires that end on a body, or of one of them; nothing ends there: false.
@@ -162,7 +162,7 @@ void AnchorSystem::follow_drag(Prestep& now) noexcept {
     if (set_ != 0) {
         if (slides) drag_ += moved_;
         if (slides && dragging_ == 0) now.tell(EventKind::render, def_.body, tension_);
-        still_ = slides ? 0 : std::min(still_ + 1, kMostSteps);
+        still_ = slides ? 0 : std::min(still_ + 1, kMaxSteps);
         dragging_ = slides || (dragging_ != 0 && still_ * now.step < kRests) ? 1 : 0;
         return;
     }

@@ -86,8 +86,8 @@ void check_polynomial(const VesselFields& f, const HullPolynomial& p) {
         const std::string field = at("polynomial/terms", i, "of");
         if (!std::isfinite(t.value) || std::abs(t.value) > 1e12)
             f.fail(at("polynomial/terms", i, "value"), "give a finite number up to 1e12");
-        if (t.of.empty() || t.of.size() > kMostPowers)
-            f.fail(field, "give 1 to " + std::to_string(kMostPowers) + " letters, or 0");
+        if (t.of.empty() || t.of.size() > kMaxPowers)
+            f.fail(field, "give 1 to " + std::to_string(kMaxPowers) + " letters, or 0");
         if (t.of == "0") continue;
         for (const char letter : t.of) {
             if (variable_of(letter) < 0)

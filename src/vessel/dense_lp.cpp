@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kOptimal = 1e-11;  ///< Reduced cost that counts as 0.
 constexpr double kPivot = 1e-10;    ///< Smallest pivot.
-constexpr int kMostPivots = 5000, kStalled = 60;
+constexpr int kMaxPivots = 5000, kStalled = 60;
 
 }  // namespace
 
@@ -65,7 +65,7 @@ bool DenseLp::solve() {
     Eigen::VectorXd reduced = cost_;
     double value = 0.0;
     int stalled = 0;
-    for (int pivots = 0; pivots < kMostPivots; ++pivots) {
+    for (int pivots = 0; pivots < kMaxPivots; ++pivots) {
         const bool first = stalled > kStalled;
         const Eigen::Index column = entering(reduced, first);
         if (column < 0) {

@@ -48,7 +48,7 @@ Polynomial::Polynomial(const HullPolynomial& def, double mass) : def_(def), mass
         term.axis = kAxes[static_cast<std::size_t>(from.axis)];
         for (const char letter : from.of) {
             const int variable = variable_of(letter);
-            if (variable < 0 || static_cast<std::size_t>(term.powers) >= kMostPowers) continue;
+            if (variable < 0 || static_cast<std::size_t>(term.powers) >= kMaxPowers) continue;
             term.of[static_cast<std::size_t>(term.powers++)] = static_cast<std::uint8_t>(variable);
             term.driven = term.driven || variable == kRudder || variable == kAbsRudder ||
                           variable == kRevolutions || variable == kAbsRevolutions;

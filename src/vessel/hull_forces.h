@@ -31,7 +31,7 @@ enum Variable : std::uint8_t {
     kAbsDrift
 };
 inline constexpr int kVariables = 13;
-inline constexpr std::size_t kMostPowers = 8;
+inline constexpr std::size_t kMaxPowers = 8;
 
 /// Number of the variable of a letter; −1: there is none.
 [[nodiscard]] int variable_of(char letter) noexcept;
@@ -48,7 +48,7 @@ class Polynomial {
     struct Term {
         double value = 0.0;
         std::int32_t axis = 0, powers = 0;
-        std::array<std::uint8_t, kMostPowers> of{};
+        std::array<std::uint8_t, kMaxPowers> of{};
         bool driven = false;      ///< With rudder or revolutions.
         bool propulsive = false;  ///< Holds the propeller; the same ahead and astern.
     };

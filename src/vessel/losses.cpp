@@ -16,12 +16,12 @@
 namespace hawser {
 namespace {
 
-constexpr double kLeastDepth = -0.48, kMostDepth = 1.3;  ///< Range of the formula, over the radius.
+constexpr double kMinDepth = -0.48, kMostDepth = 1.3;  ///< Range of the formula, over the radius.
 
 }  // namespace
 
 double ventilated_thrust(double ratio) noexcept {
-    if (ratio < kLeastDepth) return 0.0;
+    if (ratio < kMinDepth) return 0.0;
     if (ratio > kMostDepth) return 1.0;
     return std::clamp(1.0 - 0.675 * std::pow(std::max(0.0, 1.0 - 0.769 * ratio), 1.258), 0.0, 1.0);
 }

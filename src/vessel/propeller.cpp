@@ -17,7 +17,7 @@ using vessel::DuctTerm;
 using vessel::WageningenTerm;
 
 constexpr double kTipShare = 0.7 * std::numbers::pi;  ///< Blade section at 0.7 R: 0.7 π n D.
-constexpr double kLeastPitch = 0.5;                   ///< Below: linear in the pitch.
+constexpr double kMinPitch = 0.5;                     ///< Below: linear in the pitch.
 constexpr double kIdleTorque = 0.2;                   ///< Torque of pitch 0 over that of 0.5.
 constexpr double kBlendFrom = 0.9, kBlendTo = 1.2;    ///< J over P/D.
 constexpr int kBisections = 60;
@@ -114,9 +114,9 @@ PropellerForce propeller_force(const PropellerDef& propeller, double pitch, doub
     const double d = propeller.diameter;
     if (rps == 0.0 && speed == 0.0) return {};
     const double side = pitch < 0.0 ? -1.0 : 1.0;
-    const double share = std::min(1.0, std::abs(pitch) / kLeastPitch);
+    const double share = std::min(1.0, std::abs(pitch) / kMinPitch);
     PropellerDef own = propeller;
-    own.pitch = std::max(std::abs(pitch), kLeastPitch);
+    own.pitch = std::max(std::abs(pitch), kMinPitch);
     const double flow = side * speed;
     double weight = 0.0;  // Of the series.
     PropellerForce out;

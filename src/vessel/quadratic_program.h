@@ -19,9 +19,9 @@ namespace hawser::vessel {
 /// variables and is stored as such. All memory is of fixed size.
 class QuadraticProgram {
   public:
-    static constexpr int kMost = 40;  ///< Variables.
-    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+    static constexpr int kMaximum = 40;  ///< Variables.
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaximum, 1>;
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaximum, kMaximum>;
 
     /// a x_first + b x_second ≤ bound; second = −1: one variable.
     struct Constraint {
@@ -29,7 +29,7 @@ class QuadraticProgram {
         double a = 0.0, b = 0.0, bound = 0.0;
     };
 
-    /// Clear and set the size. @param variables  At most kMost.
+    /// Clear and set the size. @param variables  At most kMaximum.
     void begin(int variables);
     /// Reserve memory for constraints. Call before warm steps.
     void reserve(std::size_t constraints) { constraints_.reserve(constraints); }
@@ -54,7 +54,7 @@ class QuadraticProgram {
     Matrix hessian_, factor_, columns_,
         gram_;  ///< L of H, L⁻¹N of active normals, its Gram matrix.
     Vector gradient_, x_, multipliers_, step_, slopes_, normal_;
-    std::array<int, kMost> active_{};
+    std::array<int, kMaximum> active_{};
     std::vector<Constraint> constraints_;
 };
 

@@ -81,7 +81,7 @@ void check_room(const World& world, const GuideDef& def, InteractionId before, I
     const auto length = [&](InteractionId id) { return world.interaction_def(id).get("length"); };
     constexpr double kRoom = 2.0, kRounding = 1e-6;
     // Beside another guide elements are shortened as needed (room.h). A drum creates its own.
-    constexpr double kLeast = 0.2;
+    constexpr double kMinimum = 0.2;
     for (const int way : {-1, 1}) {
         auto at = std::find(elements.begin(), elements.end(), way < 0 ? before : behind);
         double sum = material[way < 0 ? 0 : 1], needed = kRoom * def.element_length;
@@ -95,7 +95,7 @@ void check_room(const World& world, const GuideDef& def, InteractionId before, I
             sum += length(*at);
             const KindInfo& kind = kind_info(world.interaction_def(*at).kind);
             if (!kind.is(kWoundUp)) continue;
-            if (kind.is(kAtGuide)) needed = std::min(needed, kLeast);
+            if (kind.is(kAtGuide)) needed = std::min(needed, kMinimum);
             break;
         }
         if (sum < needed * (1.0 - kRounding))

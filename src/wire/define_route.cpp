@@ -214,7 +214,7 @@ RouteBodies bodies_of(const World& world, const RouteDef& def) {
 /// 10⁴ on, up to a thousandth of the lightest body.
 double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightest,
                   double heaviest) {
-    constexpr double kRatio = 1e4, kMost = 1e-3;
+    constexpr double kRatio = 1e4, kMaximum = 1e-3;
     const std::vector<Corner> corners = corners_of(def, bodies);
     std::vector<Straight> straight;
     for (std::size_t i = 0; i + 1 < corners.size(); ++i)
@@ -225,7 +225,7 @@ double slide_mass(const RouteDef& def, const RouteBodies& bodies, double lightes
     for (std::size_t i = 0; i < def.places.size(); ++i)
         exponent += def.places[i].friction * angles[i];
     const double ratio = std::min(std::exp(exponent), heaviest / lightest);
-    return lightest * std::clamp(kSlideMass * ratio / kRatio, kSlideMass, kMost);
+    return lightest * std::clamp(kSlideMass * ratio / kRatio, kSlideMass, kMaximum);
 }
 
 }  // namespace

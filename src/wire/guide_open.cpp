@@ -43,7 +43,7 @@ constexpr double kLetGo = 2e-3;       ///< Angle that does not count [rad].
 constexpr double kDeep = 0.1;         ///< Share of the element: deeper wires pass under the wheel.
 constexpr double kBeside = 2.0;       ///< Share of the radius.
 constexpr double kAtNode = 0.06;      ///< Share of an element: its node is at the wheel.
-constexpr double kMostBend = 3.2;     ///< A node at the wheel goes however the wire is bent.
+constexpr double kMaxBend = 3.2;      ///< A node at the wheel goes however the wire is bent.
 constexpr std::int32_t kLanding = 3;  ///< Steps.
 constexpr double kStops = 3.0;        ///< In a step of landing exp(−kStops) is left of a speed.
 
@@ -185,7 +185,7 @@ void GuideSystem::come_back(NodeEdits& nodes) noexcept {
         const Passing straight = passing(first ? without_node(world, *(here - 1), at.element)
                                                : without_node(world, at.element, *(here + 1)),
                                          wheel);
-        if (straight.gap > -kDeep * at.length && nodes.remove_node(node, kMostBend)) {
+        if (straight.gap > -kDeep * at.length && nodes.remove_node(node, kMaxBend)) {
             at = nearest_passing(world, def_, wheel);
             if (!at.element.valid()) return;
         }

@@ -72,8 +72,8 @@ void GypsyChain::visit_state(StateVisitor& v) {
 }
 
 void GypsyChain::check_state(StateRules& rules) const {
-    constexpr double kMostPockets = 1e9;
-    rules.range(seat_, -kMostPockets, kMostPockets, "the pocket of the chain is out of range");
+    constexpr double kMaxPockets = 1e9;
+    rules.range(seat_, -kMaxPockets, kMaxPockets, "the pocket of the chain is out of range");
     rules.require(seat_ == std::round(seat_), "the pocket of the chain is no whole number");
     rules.flag(jumping_, "whether the chain jumps is no flag");
     rules.flag(caught_, "whether the chain was caught is no flag");

@@ -45,14 +45,14 @@ void WireResolution::visit_state(StateVisitor& v) {
 
 void WireResolution::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
-    constexpr std::int32_t kMostLooks = 1'000'000'000;
+    constexpr std::int32_t kMaxLooks = 1'000'000'000;
     rules.flag(told_, "whether a limit was reported is no flag");
     rules.require(known_ >= 0 && static_cast<std::size_t>(known_) <= room_,
                   "more nodes are known than there may be");
     rules.require(wanted_ >= -1, "there is no such node");
     rules.require(looked_ >= -1, "it looked at no step");
     for (std::size_t k = 2; k < memory_.size(); k += 3)
-        rules.require(memory_[k] >= -kMostLooks && memory_[k] <= kMostLooks,
+        rules.require(memory_[k] >= -kMaxLooks && memory_[k] <= kMaxLooks,
                       "the looks of a node are out of range");
     rules.require(nodes_ >= 0.0 && inserted_ >= 0.0 && removed_ >= 0.0, "a count is below 0");
 }

@@ -44,11 +44,11 @@ void limit_to_param(InputDef& def, const KindInfo& kind, const world::Where& whe
     }
 }
 
-constexpr double kMostInputForce = 1e30;  ///< [N, N m]
+constexpr double kMaxInputForce = 1e30;  ///< [N, N m]
 
 /// Range of values that the physics of an input supports. InputDef::min and max may be narrower.
 struct Followed {
-    double min = -kMostInputForce, max = kMostInputForce;
+    double min = -kMaxInputForce, max = kMaxInputForce;
     const char* unit = "";
 };
 
@@ -107,10 +107,10 @@ InputId World::add_input(const InputDef& def) {
         const std::size_t b = impl_->place(def.body);
         if (def.component < 0 || def.component > 5)
             throw DefError(where.text() + ": component must be 0 to 5");
-        if (def.min > kMostInputForce || def.max < -kMostInputForce)
+        if (def.min > kMaxInputForce || def.max < -kMaxInputForce)
             throw DefError(where.text() + ": the range lies outside -1e30 to 1e30 N or N m");
-        allowed.min = std::max(def.min, -kMostInputForce);
-        allowed.max = std::min(def.max, kMostInputForce);
+        allowed.min = std::max(def.min, -kMaxInputForce);
+        allowed.max = std::min(def.max, kMaxInputForce);
         if (def.local && m.ctx.model.bodies.kind[b] != BodyKind::rigid)
             throw DefError(where.text() + ": local: its body does not turn; leave it false");
     }

@@ -19,10 +19,10 @@ constexpr double kFar = 1e15;
 /// Limit of forces, impulses, energies [N, N s, J].
 constexpr double kHuge = 1e40;
 /// Largest number of steps that a double represents exactly.
-constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;
+constexpr std::int64_t kMaxSteps = std::int64_t{1} << 53;
 constexpr double kUnit = 1e-6;  ///< Tolerance of quaternion norms and entries of rotations.
 /// Largest number of steps at rest, see step/sleep.cpp.
-constexpr std::int32_t kMostQuiet = 1'000'000'000;
+constexpr std::int32_t kMaxQuiet = 1'000'000'000;
 
 [[noreturn]] void refuse_state(const std::string& what) {
     throw DefError("snapshot: not a state that a world can have: " + what);
@@ -81,7 +81,7 @@ void check_bodies(const stepper::StepContext& ctx, const SavedState& s) {
             refuse_state("a rotation is not that of the orientation" + entry(b));
         if (s.model.bodies.asleep[b] != 0 && ctx.model.bodies.dof(static_cast<int>(b)) == 0)
             refuse_state("what cannot move is asleep" + entry(b));
-        if (s.model.bodies.quiet[b] < 0 || s.model.bodies.quiet[b] > kMostQuiet)
+        if (s.model.bodies.quiet[b] < 0 || s.model.bodies.quiet[b] > kMaxQuiet)
             refuse_state("a time at rest is out of range" + entry(b));
     }
     numbers(s.model.bodies.r, "a rotation", 2.0);
@@ -200,7 +200,7 @@ void check_order(const factor::AnalysisState& order) {
 }
 
 void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
-    if (s.state.step < 0 || s.state.step > kMostSteps) refuse_state("the step is out of range");
+    if (s.state.step < 0 || s.state.step > kMaxSteps) refuse_state("the step is out of range");
     if (s.state.started > 1) refuse_state("the start is no flag");
     const auto sleeps = [](std::uint8_t flag) { return flag != 0; };
     if (s.state.started == 0 &&
@@ -238,7 +238,7 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(energies, "an energy", 1e300);
     const auto& r = s.model.regroup;
     if (r.made < 0 || r.made > s.state.step || r.seen < -1 || r.seen > s.state.step ||
-        r.parts.worse_for < 0 || r.parts.worse_for > kMostQuiet ||
+        r.parts.worse_for < 0 || r.parts.worse_for > kMaxQuiet ||
         r.parts.parts != ctx.model.regroup.parts.parts)
         refuse_state("groups were made at no step");
 }

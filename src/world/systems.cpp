@@ -39,8 +39,8 @@ class NumberCheck final : public StateVisitor {
   private:
     void bytes(void*, std::size_t) override {}
     void numbers(std::span<double> values) override {
-        constexpr double kMostNumber = 1e300;
-        for (const double x : values) good_ = good_ && std::abs(x) <= kMostNumber;
+        constexpr double kMaxNumber = 1e300;
+        for (const double x : values) good_ = good_ && std::abs(x) <= kMaxNumber;
     }
     bool good_ = true;
 };

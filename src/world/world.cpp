@@ -65,7 +65,8 @@ void World::degrade_next_step(const Degradation& degradation) noexcept {
     impl_->ctx.state.imposed = degradation;
     // Clamped to 0, because bytes may not come from a step.
     impl_->ctx.state.imposed.iterations = std::max(0, degradation.iterations);
-    impl_->ctx.state.imposed.wires = std::clamp(degradation.wires, 0, stepper::Coarsening::kMost);
+    impl_->ctx.state.imposed.wires =
+        std::clamp(degradation.wires, 0, stepper::Coarsening::kMaximum);
     if (impl_->listener != nullptr) impl_->listener->degraded(degradation);
 }
 

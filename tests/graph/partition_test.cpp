@@ -130,7 +130,7 @@ TEST(Partition, ShortWiresFillAsManyPartsAsTheyCan) {
                 partitioner.separate({parts}, p);
                 expect_separated(g, p);
                 ASSERT_EQ(p.cost.size(), at(parts));
-                const int most = std::min(parts, std::max(1, n / graph::Partitioner::kLeastNodes));
+                const int most = std::min(parts, std::max(1, n / graph::Partitioner::kMinNodes));
                 EXPECT_GE(5 * used(), 4 * most);
                 if (HasFailure()) return;
             }

@@ -12,8 +12,8 @@
 
 namespace hawser::live::net {
 
-inline constexpr std::size_t kMostHeader = 8 * 1024;  ///< Largest header of a request [bytes].
-inline constexpr int kMostStrangers = 32;             ///< Largest number of sockets without hello.
+inline constexpr std::size_t kMaxHeader = 8 * 1024;  ///< Largest header of a request [bytes].
+inline constexpr int kMaxStrangers = 32;             ///< Largest number of sockets without hello.
 inline constexpr int kSendBuffer =
     128 * 1024;  ///< Size of the kernel's send buffer of a client [bytes].
 
@@ -34,7 +34,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     Connection& operator=(const Connection&) = delete;
 
     void begin() {
-        parser_.header_limit(kMostHeader);
+        parser_.header_limit(kMaxHeader);
         parser_.body_limit(0);
         stream_.expires_after(
             std::chrono::milliseconds(static_cast<int>(1e3 * floor_.options_.handshake_seconds)));
@@ -115,7 +115,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
             ++strangers;
             most = std::max(most, ++by_address[client->address()]);
         }
-        if (strangers < kMostStrangers) return;
+        if (strangers < kMaxStrangers) return;
         std::shared_ptr<Client> oldest;  // in the order of rising numbers
         for (const auto& [number, client] : floor_.clients_) {
             if (client->known() || by_address[client->address()] < most) continue;
@@ -170,7 +170,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
     Floor& floor_;
     beast::tcp_stream stream_;
-    beast::flat_static_buffer<kMostHeader + 1024> buffer_;
+    beast::flat_static_buffer<kMaxHeader + 1024> buffer_;
     http::request_parser<http::empty_body> parser_;
     std::string address_, from_, host_;
     std::optional<std::list<OpenConnection>::iterator> at_;  ///< Position in Floor::connections_.

@@ -144,9 +144,9 @@ template <class Lanes, class Data, class Goes>
 std::int32_t by_eights(const View& view, const std::int32_t* ids, const Data* data,
                        std::int32_t count, Goes goes) {
     // Limit a run, so that entries rejected in one run are not tested repeatedly.
-    constexpr std::int32_t kMost = 16 * kLanes;
+    constexpr std::int32_t kMaximum = 16 * kLanes;
     std::int32_t run = 0;
-    while (run < std::min(count, kMost) && goes(run)) ++run;
+    while (run < std::min(count, kMaximum) && goes(run)) ++run;
     if (run < kLanes) return 0;
     for (std::int32_t k = 0; k < run; k += kLanes) {
         const std::int32_t from = k + kLanes <= run ? k : run - kLanes;

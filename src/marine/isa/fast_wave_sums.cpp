@@ -98,7 +98,7 @@ void fast_surface(const marine::FastTable& table, int groups, const float* turns
 
 /// e^(−k ζ) of the middle wave numbers of the first groups, for all points of a batch at once.
 struct GroupPowers {
-    alignas(64) float of[marine::kWavePoints][marine::kMostFastGroups];
+    alignas(64) float of[marine::kWavePoints][marine::kMaxFastGroups];
 
     HAWSER_FAST GroupPowers(const float* middle, int groups, const float* depth) {
         for (int g = 0; g < groups; g += kFloats) {
