@@ -87,7 +87,7 @@ class System {
     void go_back(Kept& to) noexcept;
     /// Limit of the memory of the factorisation [B]. @throws LimitError from analyse() and relink()
     /// if more is needed.
-    double most_bytes = 1e15;
+    double max_bytes = 1e15;
     /// Elements have consistent mass (View::pair_mass); else lumped mass.
     bool consistent_mass = true;
     /// Return the report of the last update of the order.
@@ -175,7 +175,7 @@ class System {
     /// Set the mobilities of dampers and the fractions of damping that depend on them.
     void share_damping(const model::Bodies& bodies, model::Interactions& interactions,
                        double h) const;
-    /// Set least_sigma of the rows of sides.
+    /// Set min_sigma of the rows of sides.
     void soften_sides(const model::Bodies& bodies, model::Interactions& interactions, double h);
     void choose_forms(const model::Bodies& bodies, model::Interactions& interactions,
                       const WorldDef& def);

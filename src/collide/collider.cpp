@@ -92,8 +92,8 @@ void Collider::make_chunks(int tasks) {
     if (static_cast<int>(chunks_.size()) >= tasks) return;
     const auto room = at(tasks + tasks / 2 + 1);
     const double more = static_cast<double>(room - chunks_.size()) * kChunkRoom * sizeof(Contact);
-    if (const double all = static_cast<double>(bytes()) + more; all > most_bytes)
-        throw LimitError({Bound::memory, all, most_bytes});
+    if (const double all = static_cast<double>(bytes()) + more; all > max_bytes)
+        throw LimitError({Bound::memory, all, max_bytes});
     chunk_size_.resize(room, 0);
     chunks_.reserve(room);
     while (chunks_.size() < room)

@@ -48,7 +48,7 @@ class Collider {
     /// Maximum number of contacts of a step. The maximum number of pairs of shapes is eight times
     /// as large.
     std::int32_t most_contacts = 1'000'000'000;
-    double most_bytes = 1e15;  ///< Limit of the memory of the arrays [B].
+    double max_bytes = 1e15;  ///< Limit of the memory of the arrays [B].
 
     /// Add a shape. Its definition has been checked (world/shape_checks.cpp) and its bodies exist.
     /// @return its index. @throws DefError for vertices without volume, std::bad_alloc.

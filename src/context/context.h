@@ -161,7 +161,7 @@ struct StepContext {
         model.def = d;
         model.collider.margin = d.contact_margin;
         model.collider.most_contacts = d.max_contacts;
-        model.collider.most_bytes = model.system.most_bytes = d.max_memory;
+        model.collider.max_bytes = model.system.max_bytes = d.max_memory;
         // Both couple bodies outside the rows, which a sweep over rows does not treat.
         if (d.nonsmooth == Nonsmooth::pgs)
             model.def.geometric_stiffness = model.def.rotation_damping = 0.0;

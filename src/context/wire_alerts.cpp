@@ -39,7 +39,7 @@ std::int32_t recoil_steps(const Model& model, std::int32_t wire) noexcept {
         for (std::int32_t e = p.element_begin; p.wire == wire && e < p.element_end; ++e)
             time += passage(model, w.element[at(e)]);
     const double steps = std::ceil(time / model.def.step) + 1.0;
-    const std::int32_t most = most_recoil(model.def.step);
+    const std::int32_t most = max_recoil(model.def.step);
     return steps < most ? static_cast<std::int32_t>(steps) : most;
 }
 
@@ -57,7 +57,7 @@ bool share_lump(const Model& model, std::int32_t a, std::int32_t b) noexcept {
 
 }  // namespace
 
-std::int32_t most_recoil(double step) noexcept {
+std::int32_t max_recoil(double step) noexcept {
     return static_cast<std::int32_t>(std::ceil(kRecoilSeconds / step)) + 1;
 }
 

@@ -15,7 +15,7 @@ namespace hawser::stepper {
 [[nodiscard]] std::int32_t most_alert(double step) noexcept;
 
 /// Return the largest number of steps for which a broken wire recoils.
-[[nodiscard]] std::int32_t most_recoil(double step) noexcept;
+[[nodiscard]] std::int32_t max_recoil(double step) noexcept;
 
 /// Start the recoil of a wire when an element breaks. It begins with the next step and lasts for
 /// the travel time of a wave from end to end (docs/theory/parting.md). Elements added since the

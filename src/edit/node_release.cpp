@@ -91,7 +91,7 @@ class Patch {
     [[nodiscard]] Packed change(const NodeMomentum& m) const {
         Kept r;
         r << m.linear, m.angular / reach_;
-        return least_change(r);
+        return min_change(r);
     }
     /// Return d for the present velocities of the chain, and t* in `far`. Returns 0 if no lump
     /// moves.
@@ -108,7 +108,7 @@ class Patch {
             slope.segment<3>(place_[k]) = g;
         }
         const Packed down = solver_.solve(slope);
-        const Packed d = down - least_change(shares_ * down);
+        const Packed d = down - min_change(shares_ * down);
         const double curved = d.dot(mass_ * d);
         far = curved > 0.0 ? std::max(0.0, slope.dot(d) / curved) : 0.0;
         return d;
@@ -146,7 +146,7 @@ class Patch {
             }
         }
     }
-    [[nodiscard]] Packed least_change(const Kept& r) const {
+    [[nodiscard]] Packed min_change(const Kept& r) const {
         Kept y = eigen_.vectors.transpose() * scale_.cwiseProduct(r);
         constexpr double kNothing = 1e-12;  // for the rotation about a line of lumps
         for (int i = 0; i < kKept; ++i)

@@ -236,7 +236,7 @@ void GltfDocument::put_wire(WireNodes& wire) {
     std::vector<float> share;
     for (std::size_t i = 0; i < wire.segments; ++i) {
         segments.emplace_back(wire.joint(i, 0), wire.joint(i, 1));
-        share.push_back(wire.peak[i] / layout_.most_tension);
+        share.push_back(wire.peak[i] / layout_.max_tension);
     }
     Json joints = Json::array();
     wire.node = size_of(root_["nodes"]);

@@ -87,7 +87,7 @@ class Partitioner {
             return hubs + (ahead < behind ? ahead : behind);
         }
     };
-    [[nodiscard]] std::int32_t most_parts() const noexcept;
+    [[nodiscard]] std::int32_t max_parts() const noexcept;
     void place_islands(const PartitionOptions& options, Partition& out);
     void find_profile();
     void find_reach();

@@ -244,7 +244,7 @@ void Partitioner::write(Partition& out) {
 
 /// Return the largest useful number of parts. Each part of an island needs kMinNodes nodes. With
 /// fewer nodes most would become separators, which rejoin the only part next to them.
-std::int32_t Partitioner::most_parts() const noexcept {
+std::int32_t Partitioner::max_parts() const noexcept {
     std::int32_t most = 0;
     for (std::int32_t i = 0; i < cost.islands(); ++i)
         most += std::max(1, (cost.begin[at(i) + 1] - cost.begin[at(i)]) / kMinNodes);
@@ -252,7 +252,7 @@ std::int32_t Partitioner::most_parts() const noexcept {
 }
 
 void Partitioner::separate(const PartitionOptions& asked, Partition& out) {
-    const PartitionOptions options{std::min(asked.parts, most_parts())};
+    const PartitionOptions options{std::min(asked.parts, max_parts())};
     place_islands(options, out);
     out.cut.clear();
     between_.clear();

@@ -23,7 +23,7 @@ auto by_interaction(Interactions& in) noexcept {
 
 auto by_row(Interactions& in) noexcept {
     return std::to_array<base::Array<double>*>({&in.defined, &in.epsilon, &in.tau, &in.mobility,
-                                                &in.upsilon, &in.recall, &in.sigma, &in.least_sigma,
+                                                &in.upsilon, &in.recall, &in.sigma, &in.min_sigma,
                                                 &in.inv_sigma, &in.g, &in.c, &in.residual,
                                                 &in.lambda, &in.multiplier, &in.force});
 }
@@ -176,8 +176,8 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
         row_flags[row] = static_cast<std::uint8_t>(
             (spec[r].velocity ? kRowVelocity : 0) | (spec[r].gap ? kRowGap : 0) |
             (damper ? kRowDamper : 0) | (spec[r].turns ? kRowTurns : 0));
-        for (base::Array<double>* a : {&mobility, &upsilon, &recall, &inv_sigma, &least_sigma, &g,
-                                       &c, &residual, &lambda, &multiplier, &force})
+        for (base::Array<double>* a : {&mobility, &upsilon, &recall, &inv_sigma, &min_sigma, &g, &c,
+                                       &residual, &lambda, &multiplier, &force})
             (*a)[row] = 0.0;
         share_damping(row, wire, h);
         sigma[row] = bare_sigma(row, h);

@@ -171,9 +171,9 @@ struct Interactions {
     base::Array<double> upsilon;   ///< Υ, see hawser/row_constants.h; 0 for velocity rows.
     /// Factor 1 − 4τ(1 − θ)/h of ġ in c/Υ. For τ of the scheme: θ = 1.
     base::Array<double> recall;
-    base::Array<double> sigma;  ///< Σ, at least bare_sigma() and least_sigma.
+    base::Array<double> sigma;  ///< Σ, at least bare_sigma() and min_sigma.
     /// Lower bound of Σ of a cut row, see soften_sides(); else 0.
-    base::Array<double> least_sigma;
+    base::Array<double> min_sigma;
     base::Array<double> inv_sigma;       ///< 1/Σ if condensed, else 0.
     base::Array<double> g, c, residual;  ///< Violation, right-hand side, residual c − G v − Σλ.
     base::Array<double> lambda;          ///< Impulse λ [N s or N m s].
@@ -226,7 +226,7 @@ struct Interactions {
     /// Start or end the recoil of the rows of a wire element (share_damping()).
     void recoil(int id, bool recoils, double h) noexcept;
     /// Update Υ, recall, Σ and 1/Σ of a row with a violation, after its nonzero compliance changed
-    /// since the analysis. The new Σ is at least `least_sigma`; a kept row stays kept. @param wire
+    /// since the analysis. The new Σ is at least `min_sigma`; a kept row stays kept. @param wire
     /// True for a wire element.
     void follow_compliance(std::size_t row, bool wire, double h) noexcept;
     /// Copy the parameters of an interaction to its copy.

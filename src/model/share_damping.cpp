@@ -67,7 +67,7 @@ double Interactions::bare_sigma(std::size_t row, double h) const noexcept {
 
 void Interactions::follow_compliance(std::size_t row, bool wire, double h) noexcept {
     share_damping(row, wire, h);
-    sigma[row] = std::max(row_sigma(epsilon[row], upsilon[row], h), least_sigma[row]);
+    sigma[row] = std::max(row_sigma(epsilon[row], upsilon[row], h), min_sigma[row]);
     if (inv_sigma[row] != 0.0) inv_sigma[row] = 1.0 / sigma[row];
 }
 

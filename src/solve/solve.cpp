@@ -162,7 +162,7 @@ bool wants_refinement(const Model& model, const StepStats& stats, const Norms& n
 
 /// Return the largest number of corrections: two more than defined, which stiff rows on very light
 /// bodies need.
-int most_refinements(const Model& model) noexcept {
+int max_refinements(const Model& model) noexcept {
     return model.def.refinements > 0 ? model.def.refinements + 2 : 0;
 }
 
@@ -215,7 +215,7 @@ Status factor_and_solve(StepContext& ctx) noexcept {
         ctx.state.refine_unasked = !asks ? 0 : asked_once ? kAWhile : kAskedOnce;
     }
     return finish_solve(ctx.model, ctx.work, ctx.pool, v, n,
-                        most_refinements(ctx.model) - refinements);
+                        max_refinements(ctx.model) - refinements);
 }
 
 Status newton_solve(StepContext& ctx, bool first, bool whole) noexcept {
@@ -258,7 +258,7 @@ Status refine(StepContext& ctx) noexcept {
     ++ctx.work.stats.substitutions;
     return finish_solve(ctx.model, ctx.work, ctx.pool, v,
                         correct(ctx.model, ctx.work, ctx.pool, v, false, Next::measure),
-                        most_refinements(ctx.model) - 1);
+                        max_refinements(ctx.model) - 1);
 }
 
 Status settle_rounds(StepContext& ctx, bool measured) noexcept {

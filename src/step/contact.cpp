@@ -105,7 +105,7 @@ Status start_contacts(StepContext& ctx, Phase phase) noexcept {
             relink(ctx);
             if (!c.connect(ctx.state.step)) throw std::bad_alloc();
         }
-        ctx.work.solve.columns.reserve(most_columns(ctx.model));
+        ctx.work.solve.columns.reserve(max_columns(ctx.model));
     });
     if (status != Status::ok) c.forget_rows();
     if (status == Status::ok && ctx.pool.stopping()) status = Status::cancelled;

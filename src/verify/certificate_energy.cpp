@@ -255,8 +255,8 @@ std::string StateVerifier::check_edits(const World& world) {
     const double forgotten = std::min(1.0, world.settings().step / limit::kMemory);
     exchanged_ += std::abs(kinetic(world) - kinetic_) - forgotten * exchanged_;
     edited_ += stretch_.change(world, pose_);
-    least_edited_ = std::min(edited_, least_edited_ + forgotten * (edited_ - least_edited_));
-    const double rise = edited_ - least_edited_, scale = kinetic_ + exchanged_;
+    min_edited_ = std::min(edited_, min_edited_ + forgotten * (edited_ - min_edited_));
+    const double rise = edited_ - min_edited_, scale = kinetic_ + exchanged_;
     if (rise <= limit::kNothing * (kinetic_ + std::abs(potential_))) return {};
     result_.edited = std::max(result_.edited, rise / scale / limit::kHeld.wrong);
     if (rise <= limit::kHeld.wrong * scale || world.verdict().grade == Grade::good) return {};

@@ -118,8 +118,8 @@ class StateVerifier {
     double mean_ = 0.0, least_ = 0.0;      ///< Mean and minimum of energy minus work [J].
     LastingFaults lasting_;
     EditedStretch stretch_;
-    double edited_ = 0.0, least_edited_ = 0.0;  ///< Stretch added by edits, and its minimum [J].
-    double excused_ = 0.0;                      ///< Opening of joints at the start.
+    double edited_ = 0.0, min_edited_ = 0.0;  ///< Stretch added by edits, and its minimum [J].
+    double excused_ = 0.0;                    ///< Opening of joints at the start.
     std::array<double, 2>
         off_before_{};  ///< Deviations of the worst elements in the two previous steps.
     std::int64_t steps_ = 0;

@@ -95,7 +95,7 @@ PropellerForce Propulsor::open(const PropulsorState& s, const Flow& flow,
     return out;
 }
 
-double Propulsor::most_thrust(double density) const noexcept {
+double Propulsor::max_thrust(double density) const noexcept {
     if (!screw()) return def_.thrust;
     return propeller_force(def_.propeller, def_.propeller.pitch, def_.most_rps, 0.0, density)
         .thrust;

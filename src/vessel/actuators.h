@@ -70,7 +70,7 @@ class Propulsor {
         return screw() ? def_.propeller.diameter : def_.diameter;
     }
     /// Return its thrust at full order, at rest and without losses [N].
-    [[nodiscard]] double most_thrust(double density) const noexcept;
+    [[nodiscard]] double max_thrust(double density) const noexcept;
     [[nodiscard]] const PropulsorDef& def() const noexcept { return def_; }
     [[nodiscard]] bool screw() const noexcept { return def_.propeller.diameter > 0.0; }
 

@@ -83,7 +83,7 @@ void lose_in_races(const std::vector<Propulsor>& propulsors, std::vector<Propuls
         const double side = states[j].thrust < 0.0 ? -1.0 : 1.0, a = from.direction(states[j]);
         const double x = -side * std::cos(a), y = -side * std::sin(a);
         const double load =
-            std::sqrt(std::min(1.0, std::abs(states[j].thrust) / from.most_thrust(density)));
+            std::sqrt(std::min(1.0, std::abs(states[j].thrust) / from.max_thrust(density)));
         for (std::size_t i = 0; i < propulsors.size(); ++i) {
             if (i == j || propulsors[i].def().kind == PropulsorKind::tunnel) continue;
             const double dx = propulsors[i].at().x() - from.at().x();

@@ -28,7 +28,7 @@ double QuadraticProgram::violation(const Constraint& c) const noexcept {
     return c.a * x_[c.first] + second - c.bound;
 }
 
-int QuadraticProgram::most_violated() const noexcept {
+int QuadraticProgram::max_violated() const noexcept {
     int worst = -1;
     double most = kMet;
     for (std::size_t k = 0; k < constraints_.size(); ++k) {
@@ -152,7 +152,7 @@ bool QuadraticProgram::solve() noexcept {
     lower.solveInPlace(x_);
     lower.transpose().solveInPlace(x_);
     for (int rounds = 0; rounds < kMaxRounds; ++rounds) {
-        const int worst = most_violated();
+        const int worst = max_violated();
         if (worst < 0) return true;
         if (!add_active(worst)) return false;
     }

@@ -45,7 +45,7 @@ class QuadraticProgram {
 
   private:
     [[nodiscard]] double violation(const Constraint& c) const noexcept;
-    [[nodiscard]] int most_violated() const noexcept;
+    [[nodiscard]] int max_violated() const noexcept;
     [[nodiscard]] bool add_active(int index) noexcept;
     void direction(int index) noexcept;
     void drop(int slot) noexcept;

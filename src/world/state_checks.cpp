@@ -99,7 +99,7 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
         if (s.model.wires.credit[k] < 0.0 || s.model.wires.alert[k] < 0 ||
             s.model.wires.alert[k] > stepper::most_alert(ctx.model.def.step) ||
             s.model.wires.recoil[k] < stepper::Wires::kBeginsToRecoil ||
-            s.model.wires.recoil[k] > stepper::most_recoil(ctx.model.def.step))
+            s.model.wires.recoil[k] > stepper::max_recoil(ctx.model.def.step))
             refuse_state("a wire's guard is out of range" + entry(k));
     flags(s.model.interactions.active, "which rows act");
     flags(s.model.interactions.parted, "which lines have parted");

@@ -98,7 +98,7 @@ TEST(Chains, AreNotMadeWhereTheyWouldCarryMuch) {
     }
     const factor::Pattern pattern = factor::make_pattern(size, sign, from, to);
     const factor::Symbolic s = factor::analyse(pattern, factor::plan_elimination(pattern));
-    for (const factor::Batch& b : s.batches) EXPECT_LE(b.most_q, 48);
+    for (const factor::Batch& b : s.batches) EXPECT_LE(b.max_q, 48);
     // Without chains: 800 fronts of 7 over 6. Lanes do up to eight times the flops in that time.
     EXPECT_LE(s.flops, factor::kLaneCount * kLinks * factor::front_flops(7, 6));
 }

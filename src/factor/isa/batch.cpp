@@ -187,7 +187,7 @@ HAWSER_INLINE SlotPlace place_of(const double* room, int slot) {
 template <int kSides>
 inline void store_tails(const FactorView& view, const Batch& batch, double* const (&window)[kSides],
                         double* room) {
-    write_places(batch.most_q, room);
+    write_places(batch.max_q, room);
     for (int lane = 0; lane < factor::kLaneCount; ++lane) {
         if (batch.front[lane] < 0) continue;
         const Front& front = view.fronts[batch.front[lane]];
@@ -215,7 +215,7 @@ HAWSER_INLINE int count(const V8& v) { return static_cast<int>(sum(v)); }
 template <int kSides>
 inline int factor_steps(const FactorView& view, const Batch& batch, std::int32_t begin,
                         std::int32_t end, double* scratch) {
-    const long tiles = batch.most_q / kTile, size = kTileSize * (tiles * (tiles + 1) / 2);
+    const long tiles = batch.max_q / kTile, size = kTileSize * (tiles * (tiles + 1) / 2);
     const long turned = (begin - batch.step_begin) % 2;  // windows are swapped at each step
     double *window[kSides], *next[kSides];
     Columns<kSides> m{};

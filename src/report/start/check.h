@@ -17,6 +17,6 @@ inline constexpr std::size_t kMaxRows = 600'000;
 
 /// Return all findings, sorted. The world stays unchanged. @throws std::bad_alloc.
 [[nodiscard]] Findings check_start(const record::SceneInfo& scene, const World& world,
-                                   std::size_t most_rows = kMaxRows);
+                                   std::size_t max_rows = kMaxRows);
 
 }  // namespace hawser::report::start
