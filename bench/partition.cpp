@@ -126,8 +126,8 @@ double update_seconds(const PartCase& c, const OurParts& ours) {
 constexpr double kFree = 0.8;
 
 /// Check the bars of the paper's graphs for the best of Hawser's results.
-void judge_parts(Verdict& verdict, const std::string& name, const PartRow& best, const Race& r,
-                 double update, const std::vector<FactorTimes>& factors) {
+void check_part_times(Verdict& verdict, const std::string& name, const PartRow& best, const Race& r,
+                      double update, const std::vector<FactorTimes>& factors) {
     if (r.metis > 0.0) {
         verdict.ask("full_partition", name, r.ours * 10.0 <= r.metis,
                     fmt::format("from the body graph, with cost, {:.1f} times faster than METIS "
@@ -222,7 +222,7 @@ nlohmann::json compare_parts(const PartCase& c, const PartitionFlags& o, bool ju
     if (!judged) return out;
     const std::vector<FactorTimes> factors = compare_factors(c, parts, o.quick ? 3 : 30 * o.rounds);
     out["factor_and_solve"] = factor_json(factors);
-    judge_parts(verdict, c.name, best, times, update, factors);
+    check_part_times(verdict, c.name, best, times, update, factors);
     return out;
 }
 

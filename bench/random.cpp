@@ -60,7 +60,7 @@ Ended run_case(std::uint64_t seed, std::uint64_t number, int divide) {
         options.step = out.of.step;
         scene::Scene scene =
             scene::load_text(out.of.text, fmt::format("random {}", number), options);
-        RandomJudge judge(scene.world);
+        RandomMonitor judge(scene.world);
         while (scene.world.time() < scene.duration - 0.5 * out.of.step) {
             if (const Status status = scene.world.step(); status != Status::ok) {
                 out.outcome = Outcome::failed;

@@ -58,14 +58,14 @@ std::vector<Pose> poses_of(const World& world) {
 
 }  // namespace
 
-double RandomJudge::Swing::rise(double energy) {
+double RandomMonitor::Swing::rise(double energy) {
     least = begun ? std::min(least, energy) : energy;
     begun = true;
     now = energy;
     return now - least;
 }
 
-RandomJudge::RandomJudge(const World& world) : before_(poses_of(world)) {
+RandomMonitor::RandomMonitor(const World& world) : before_(poses_of(world)) {
     double weight = 0.0;
     for (std::int32_t i = 0; i < world.body_count(); ++i) {
         const BodyDef& d = world.body_def(BodyId{i});
@@ -100,7 +100,7 @@ RandomJudge::RandomJudge(const World& world) : before_(poses_of(world)) {
     start(world);
 }
 
-void RandomJudge::start(const World& world) {
+void RandomMonitor::start(const World& world) {
     kinetic_ = kinetic(world);
     gravity_ = gravity(world, before_);
     elastic_ = elastic(world, before_);
@@ -115,7 +115,7 @@ void RandomJudge::start(const World& world) {
     (void)at_poses_.rise(energy + fall);
 }
 
-double RandomJudge::gravity(const World& world, const std::vector<Pose>& poses) const {
+double RandomMonitor::gravity(const World& world, const std::vector<Pose>& poses) const {
     double sum = 0.0;
     for (const BodyId id : moving_) {
         const BodyDef& d = world.body_def(id);
@@ -124,7 +124,7 @@ double RandomJudge::gravity(const World& world, const std::vector<Pose>& poses) 
     return sum;
 }
 
-double RandomJudge::elastic(const World& world, const std::vector<Pose>& poses) const {
+double RandomMonitor::elastic(const World& world, const std::vector<Pose>& poses) const {
     double sum = 0.0;
     for (const Spring& s : springs_) {
         const InteractionDef& d = world.interaction_def(s.id);
@@ -134,7 +134,7 @@ double RandomJudge::elastic(const World& world, const std::vector<Pose>& poses) 
     return sum;
 }
 
-double RandomJudge::elastic_by_force(const World& world) const {
+double RandomMonitor::elastic_by_force(const World& world) const {
     double sum = 0.0;
     for (const Spring& s : springs_) {
         const double force = world.force(s.id)[0];
@@ -143,7 +143,7 @@ double RandomJudge::elastic_by_force(const World& world) const {
     return sum;
 }
 
-double RandomJudge::kinetic(const World& world) const {
+double RandomMonitor::kinetic(const World& world) const {
     double sum = 0.0;
     for (const BodyId id : moving_) {
         const BodyDef& d = world.body_def(id);
@@ -155,7 +155,7 @@ double RandomJudge::kinetic(const World& world) const {
     return sum;
 }
 
-void RandomJudge::look_at_joints(const World& world) {
+void RandomMonitor::look_at_joints(const World& world) {
     const std::vector<Pose> poses = poses_of(world);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const Gap gap = gap_of(world.interaction_def(joints_[i]), poses);
@@ -169,7 +169,7 @@ void RandomJudge::look_at_joints(const World& world) {
     }
 }
 
-void RandomJudge::look_at_energy(const World& world) {
+void RandomMonitor::look_at_energy(const World& world) {
     const std::vector<Pose> poses = poses_of(world);
     std::vector<Pose> half = poses;
     for (std::size_t i = 0; i < poses.size(); ++i)
@@ -207,7 +207,7 @@ void RandomJudge::look_at_energy(const World& world) {
     begun_ = true;
 }
 
-void RandomJudge::look(const World& world) {
+void RandomMonitor::look(const World& world) {
     look_at_joints(world);
     look_at_energy(world);
 }

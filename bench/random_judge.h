@@ -41,9 +41,9 @@ struct Judged {
 /// The smallest of the three rises counts, if it is present in three consecutive states. A body
 /// that whips round within two steps changes its energy by some per cent, which returns afterwards.
 /// Each halving of the step reduces this to a quarter.
-class RandomJudge {
+class RandomMonitor {
   public:
-    explicit RandomJudge(const World& world);
+    explicit RandomMonitor(const World& world);
     /// Check the state after a step.
     void look(const World& world);
     [[nodiscard]] const Judged& figures() const noexcept { return out_; }

@@ -10,7 +10,7 @@
 
 namespace hawser::stepper {
 
-Finding strain_finding(Model& model, const State& state, JudgeState& memory) noexcept {
+Finding strain_finding(Model& model, const State& state, MonitorState& memory) noexcept {
     constexpr double kLonger = 1.25;  // Includes the motion of half a step, and damping.
     const assembly::View v = row_view(model);
     Finding out{.value = 0.0,
@@ -41,7 +41,7 @@ Finding strain_finding(Model& model, const State& state, JudgeState& memory) noe
     return out;
 }
 
-Finding wound_finding(const Model& model, const State& state, JudgeState& memory) noexcept {
+Finding wound_finding(const Model& model, const State& state, MonitorState& memory) noexcept {
     // Fraction of the element length up to which its law continues.
     constexpr double kSlack = 0.01;
     Finding out{.value = 0.0,

@@ -44,7 +44,7 @@ void look_at_body(const Model& model, std::int32_t body, const double* after, do
 
 /// Sample moving bodies [begin, end).
 void look_at_bodies(const Model& model, const View& v, std::int32_t begin, std::int32_t end,
-                    const double* after, double half, JudgePart& p) noexcept {
+                    const double* after, double half, MonitorPart& p) noexcept {
     const std::vector<std::int32_t>& moving = model.bodies.moving;
     assembly::BodyEnergies e;
     for (std::int32_t i = begin; i < end;) {
@@ -64,14 +64,14 @@ void look_at_bodies(const Model& model, const View& v, std::int32_t begin, std::
 }
 
 void look_at_rows(const State& state, const View& v, std::int32_t begin, std::int32_t end,
-                  JudgePart& p) noexcept {
+                  MonitorPart& p) noexcept {
     const std::int32_t row =
         assembly::kernels().widest_row(v.g, state.judge.allowed.data(), begin, end, &p.open);
     if (row >= 0) p.open_row = row;
 }
 
 /// Sample ranges: a row has a violation outside of its range only.
-void look_at_ranges(const State& state, const View& v, JudgePart& p) noexcept {
+void look_at_ranges(const State& state, const View& v, MonitorPart& p) noexcept {
     for (std::size_t i = 0; i < state.judge.ranges.size(); ++i) {
         const std::int32_t row = state.judge.ranges[i];
         const double beyond = std::fabs(v.g[row]) * state.judge.range_allowed[i];
@@ -82,7 +82,7 @@ void look_at_ranges(const State& state, const View& v, JudgePart& p) noexcept {
 }
 
 /// Sample the depth of contacts of the step, relative to the thickness of the thinner shape.
-void look_at_contacts(const Model& model, const State& state, JudgePart& p) noexcept {
+void look_at_contacts(const Model& model, const State& state, MonitorPart& p) noexcept {
     const std::vector<collide::Shape>& shapes = model.collider.shapes();
     for (std::size_t i = 0; i < state.contacts.awake; ++i) {
         const collide::Contact& c = state.contacts.contacts[i];
@@ -101,7 +101,7 @@ double held_by_force(const View& v, std::int32_t row) noexcept {
 
 /// Sample ½ g²/ε half a step before the poses, as in energy().
 void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_points, double half,
-                     JudgePart& p) noexcept {
+                     MonitorPart& p) noexcept {
     // For a wire use its true length, as the guard does.
     if (half > 0.0 && model.wires.wire_of[at(id)] >= 0 && !model.system.rests(id) &&
         !v.parted[id] && (v.flags[id] & model::kCarried) == 0) {
@@ -143,14 +143,14 @@ void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_
 
 /// Subtract the kinetic energy by which the end lumps exceed an element that moves as a straight
 /// piece.
-void look_at_piece(const View& v, std::int32_t id, const double* after, JudgePart& p) noexcept {
+void look_at_piece(const View& v, std::int32_t id, const double* after, MonitorPart& p) noexcept {
     const double before = pair_energy(v, id, v.v);
     p.kinetic -= before;
     p.at_pose -= 0.5 * (before + pair_energy(v, id, after));
 }
 
 /// Sample the cable law and the rotation of an element.
-void look_at_line(const Model& model, const View& v, std::int32_t id, JudgePart& p) noexcept {
+void look_at_line(const Model& model, const View& v, std::int32_t id, MonitorPart& p) noexcept {
     if (v.parted[id] || model.system.rests(id)) return;
     const std::int32_t row = v.row_begin[id];
     const double length = v.rest_length[id];
@@ -194,9 +194,9 @@ void take_worse(double value, std::int32_t which, double& most, std::int32_t& wh
 }  // namespace
 
 // Chunks are merged in order, so that the result does not depend on threads.
-JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcept {
+MonitorPart look(Model& model, State& state, runtime::Pool& pool, At when) noexcept {
     const View v = row_view(model);
-    JudgeData& data = state.judge;
+    MonitorData& data = state.judge;
     const double half = when == At::pose ? 0.0 : 0.5 * model.def.step;
     const double* after = when == At::half_step ? v.v_new : v.v;
     const auto count_of = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
@@ -204,7 +204,7 @@ JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcep
                        elastic = count_of(data.elastic), lines = count_of(data.lines);
     const std::int32_t most = std::max({bodies, rows, elastic, lines});
     over(pool, most, [&](std::int32_t a, std::int32_t b) {
-        JudgePart p;
+        MonitorPart p;
         look_at_bodies(model, v, a, std::min(b, bodies), after, half, p);
         look_at_rows(state, v, a, std::min(b, rows), p);
         for (std::int32_t i = a; i < std::min(b, elastic); ++i)
@@ -215,11 +215,11 @@ JudgePart look(Model& model, State& state, runtime::Pool& pool, At when) noexcep
             look_at_line(model, v, data.lines[at(i)], p);
         data.part[at(a / StepContext::kChunk)] = p;
     });
-    JudgePart sum;
+    MonitorPart sum;
     look_at_ranges(state, v, sum);
     if (when == At::half_step) look_at_contacts(model, state, sum);  // no contacts at the start
     for (int i = 0; i < StepContext::chunks(most); ++i) {
-        const JudgePart& p = data.part[at(i)];
+        const MonitorPart& p = data.part[at(i)];
         sum.kinetic += p.kinetic;
         sum.potential += p.potential;
         sum.elastic += p.elastic;

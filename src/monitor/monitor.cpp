@@ -36,8 +36,8 @@ void take(const Finding& f, Finding& worst) noexcept {
 }
 
 /// Run all monitors on a state and advance `state` to it.
-Findings judged(StepContext& ctx, JudgeState& state) noexcept {
-    const JudgePart p = look(ctx.model, ctx.state, ctx.pool, At::half_step);
+Findings judged(StepContext& ctx, MonitorState& state) noexcept {
+    const MonitorPart p = look(ctx.model, ctx.state, ctx.pool, At::half_step);
     const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
     if (state.begun == 0) state.open_start = p.open;  // the poses were set by the user
     Findings out{};
@@ -86,7 +86,7 @@ Grade add(const Findings& now, Verdict& verdict) noexcept {
 }
 
 /// Run the checks of every step, before lines break in it.
-Findings borne(StepContext& ctx, JudgeState& state) noexcept {
+Findings borne(StepContext& ctx, MonitorState& state) noexcept {
     Findings out{};
     out[place(Judge::cable)] = strain_finding(ctx.model, ctx.state, state);
     out[place(Judge::violation)] = wound_finding(ctx.model, ctx.state, state);
@@ -96,7 +96,7 @@ Findings borne(StepContext& ctx, JudgeState& state) noexcept {
 /// Report an event for each monitor that has become suspect.
 /// @param looks  True if all monitors were run; otherwise only those of borne().
 void tell(State& state, StepStats& stats, const Findings& now, bool looks,
-          JudgeState& memory) noexcept {
+          MonitorState& memory) noexcept {
     constexpr EventKind kKinds[kJudgeCount] = {EventKind::energy_created, EventKind::joint_open,
                                                EventKind::cable_law, EventKind::uncertified,
                                                EventKind::fast};
@@ -173,13 +173,13 @@ double early_gain(StepContext& ctx) noexcept {
 
 }  // namespace
 
-void begin_judge(StepContext& ctx) noexcept {
-    JudgeState& state = ctx.state.judge.state;
+void begin_monitors(StepContext& ctx) noexcept {
+    MonitorState& state = ctx.state.judge.state;
     if (state.begun != 0) return;
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);
     evaluate_rows(ctx.model, ctx.pool);
-    const JudgePart p = look(ctx.model, ctx.state, ctx.pool, At::pose);
+    const MonitorPart p = look(ctx.model, ctx.state, ctx.pool, At::pose);
     state = {};
     state.step = ctx.state.step;
     state.open_start = p.open > 1.0 ? p.open : 0.0;
@@ -187,7 +187,7 @@ void begin_judge(StepContext& ctx) noexcept {
 }
 
 Status judge(StepContext& ctx) noexcept {
-    JudgeData& d = ctx.state.judge;
+    MonitorData& d = ctx.state.judge;
     // Joints are checked in each step at no cost, because they may open and close between samples.
     const bool open = ctx.work.stats.violation_max > limit::kOpen.doubtful;
     // The balance of the start is completed at the first sample, with this rise.
@@ -195,7 +195,7 @@ Status judge(StepContext& ctx) noexcept {
         const double early = early_gain(ctx);
         for (double& start : d.state.mean) start += early;
     }
-    JudgeState next = d.state;
+    MonitorState next = d.state;
     Findings now = borne(ctx, next);
     const bool looks =
         ctx.state.step != 0 && (ctx.state.step <= 1 || ctx.state.step % d.every == 0 || open);
@@ -226,7 +226,7 @@ Verdict verdict(StepContext& ctx) noexcept {
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);
     evaluate_rows(ctx.model, ctx.pool);
-    JudgeState next = ctx.state.judge.state;
+    MonitorState next = ctx.state.judge.state;
     (void)add(judged(ctx, next), out);
     return out;
 }

@@ -50,7 +50,7 @@ class ModelUndo {
     // State.
     Ledger ledger_;
     double work_ = 0.0, water_ = 0.0, added_ = 0.0;
-    JudgeState judge_;
+    MonitorState monitor_;
     collide::ContactSet contacts_;
     base::Array<double> contact_impulse_;
     base::Array<std::uint8_t> contact_sliding_;

@@ -68,7 +68,7 @@ void finish_preparing(StepContext& ctx) {
     const bool any = ctx.state.edits.any;
     ctx.state.edits.any = true;  // the monitors continue
     try {
-        prepare_judge(ctx.model, ctx.state);
+        prepare_monitors(ctx.model, ctx.state);
     } catch (...) {
         ctx.state.edits.any = any;
         throw;
@@ -88,7 +88,7 @@ void prepare(StepContext& ctx) {
     make_wires(ctx.model, ctx.state, ctx.work.wires);
     analyse(ctx);
     reserve_sleep(ctx.model, ctx.work.sleep);
-    prepare_judge(ctx.model, ctx.state);
+    prepare_monitors(ctx.model, ctx.state);
     finish_preparation(ctx);
 }
 

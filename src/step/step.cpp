@@ -61,7 +61,7 @@ Status start_world(StepContext& ctx) noexcept {
     if (const Status acted = prestep(ctx); acted != Status::ok) return acted;
     keep_motion(ctx);
     ctx.state.loads.added = added_energy(ctx.model, ctx.state, ctx.pool, ctx.model.bodies.v.data());
-    begin_judge(ctx);
+    begin_monitors(ctx);
     Status status = Status::ok;
     if (ctx.model.collider.count() > 0) status = find_contacts(ctx);
     if (status == Status::ok && ctx.model.collider.count() > 0)

@@ -184,7 +184,7 @@ struct SavedState {
             double work = 0.0, water = 0.0, added = 0.0;
         } loads;
         struct {
-            stepper::JudgeState state;
+            stepper::MonitorState state;
         } judge;
         base::Array<double> analysed_x, analysed_r;
         std::int64_t step = 0;

@@ -195,7 +195,7 @@ Body body_of(const RandomShape& s, const Placement& placed) {
 
 namespace {
 
-void judge_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
+void check_one(const Pair& pair, std::uint64_t seed, Draw draw, Score& score) {
     const Body a = body_of(pair.a, pair.pa), b = body_of(pair.b, pair.pb);
     const Geometry &ga = pair.a.geometry, &gb = pair.b.geometry;
     Answer truth =
@@ -243,7 +243,7 @@ Score judge(ShapeKind a, ShapeKind b, int count, std::uint64_t seed, Draw draw) 
         draw == Draw::random ? random_pair : (draw == Draw::aligned ? aligned_pair : extreme_pair);
     for (int i = 0; i < count; ++i) {
         const std::uint64_t s = seed + static_cast<std::uint64_t>(i);
-        judge_one(make(a, b, s), s, draw, score);
+        check_one(make(a, b, s), s, draw, score);
     }
     return score;
 }
