@@ -52,7 +52,7 @@ std::string reason_of(const Ended& e) {
 
 }  // namespace
 
-std::string told(const Ended& e) {
+std::string reported(const Ended& e) {
     const Judged& j = e.judged;
     std::string text = fmt::format(
         "{:>6} {} {:<8} h {:.3e} s, energy {:.1e} of what was exchanged at {:.3g} s (swung "

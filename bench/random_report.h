@@ -33,7 +33,7 @@ struct Ended {
 };
 
 /// Return a line about a case.
-[[nodiscard]] std::string told(const Ended& ended);
+[[nodiscard]] std::string reported(const Ended& ended);
 
 /// Counts of a category.
 struct Tally {

@@ -98,8 +98,8 @@ void Driver::perform(const Command& command) {
             return;
     }
     out_.answer(command);
-    if (lesson_ && command.kind != CommandKind::set) lesson_->tell_now(out_);
-    if (command.kind != CommandKind::set && command.kind != CommandKind::drag) tell_state();
+    if (lesson_ && command.kind != CommandKind::set) lesson_->send_now(out_);
+    if (command.kind != CommandKind::set && command.kind != CommandKind::drag) send_state();
 }
 
 Lesson& Driver::lesson() {

@@ -96,15 +96,15 @@ std::string event_words(const std::string& where, EventKind kind, double value) 
                          : record::with_unit(value, std::string(unit)));
 }
 
-void tell_events(const World& world, std::span<const Event> events, Outbox& out) {
+void send_events(const World& world, std::span<const Event> events, Outbox& out) {
     constexpr int kMaxFrequent = 8, kMaximum = 64;
-    int told = 0, often = 0, more = 0;
+    int reported = 0, often = 0, more = 0;
     const auto tell = [&](const Event& event) {
-        if (told >= kMaximum || (frequent(event.kind) && often >= kMaxFrequent)) {
+        if (reported >= kMaximum || (frequent(event.kind) && often >= kMaxFrequent)) {
             ++more;
             return;
         }
-        ++told;
+        ++reported;
         often += frequent(event.kind) ? 1 : 0;
         const std::string where = record::event_label(world, event);
         out.event(event.time, to_string(event.kind), where, event.value,

@@ -73,11 +73,11 @@ struct MonitorState {
     /// steps.
     std::array<double, 2> overlong{}, wound{};
     std::array<double, 5> beyond{},
-        deep{};                          ///< See MonitorPart; at the last samples, newest first.
-    double open_start = 0.0;             ///< Remaining tolerance for joints that started open.
-    std::int64_t step = 0;               ///< Step of the last sample.
-    std::int64_t begun = 0;              ///< 0: the next sample is the first one.
-    std::array<std::uint8_t, 8> told{};  ///< By monitor: 1 if reported and still present.
+        deep{};               ///< See MonitorPart; at the last samples, newest first.
+    double open_start = 0.0;  ///< Remaining tolerance for joints that started open.
+    std::int64_t step = 0;    ///< Step of the last sample.
+    std::int64_t begun = 0;   ///< 0: the next sample is the first one.
+    std::array<std::uint8_t, 8> reported{};  ///< By monitor: 1 if reported and still present.
 };
 
 /// Contribution of a chunk of bodies or interactions.

@@ -104,7 +104,7 @@ void tell(State& state, StepStats& stats, const Findings& now, bool looks,
         const Finding& f = now[k];
         const bool doubtful = !(f.doubtful <= 1.0);
         if (!looks && !doubtful) continue;
-        if (doubtful && memory.told[k] == 0) {
+        if (doubtful && memory.reported[k] == 0) {
             Event event;
             event.time = state.time;
             event.kind = kKinds[k];
@@ -114,7 +114,7 @@ void tell(State& state, StepStats& stats, const Findings& now, bool looks,
             state.events.push(event);
             ++stats.event_count[static_cast<std::size_t>(kKinds[k])];
         }
-        memory.told[k] = doubtful ? 1 : 0;
+        memory.reported[k] = doubtful ? 1 : 0;
     }
 }
 
@@ -122,7 +122,7 @@ void tell(State& state, StepStats& stats, const Findings& now, bool looks,
 /// passed without a failure. The remaining time is stored in ticks.
 void report_incomplete(StepContext& ctx) noexcept {
     constexpr std::uint8_t kTicks = 200;
-    std::uint8_t& left = ctx.state.judge.state.told[kJudgeCount];
+    std::uint8_t& left = ctx.state.judge.state.reported[kJudgeCount];
     const auto tick =
         std::max<std::int64_t>(1, std::llround(limit::kMemory / kTicks / ctx.model.def.step));
     if (!ctx.model.completion.banned) {

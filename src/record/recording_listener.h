@@ -45,7 +45,7 @@ class RecordingListener final : public ChangeBytes {
         std::size_t bytes = 0;  ///< Size of the changes before it.
     };
     template <class F>
-    void begin_take(F&& told) noexcept;
+    void begin_take(F&& reported) noexcept;
 
     RecordingWriter& writer_;
     World& world_;

@@ -100,9 +100,9 @@ void ChaserSystem::take(NodeEdits& nodes) {
     }
     const PlaceOnWire found = nearest(world);
     const auto miss = [&] {
-        const bool told = is(ChaserState::waiting);
+        const bool reported = is(ChaserState::waiting);
         value_ = found.far;
-        become(ChaserState::waiting, told ? Due::nothing : Due::missed);
+        become(ChaserState::waiting, reported ? Due::nothing : Due::missed);
     };
     if (!(found.far <= def_.reach)) return miss();
     const InteractionDef element = world.interaction_def(found.element);

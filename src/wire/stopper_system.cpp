@@ -45,7 +45,7 @@ void StopperSystem::visit_state(StateVisitor& v) {
     for (BodyId* id : {&node_, &put_}) visit(*id);
     for (BodyId& id : idle_) visit(id);
     visit(joint_);
-    for (std::int32_t* x : {&state_, &after_, &told_, &idle_steps_}) v.visit(*x);
+    for (std::int32_t* x : {&state_, &after_, &reported_, &idle_steps_}) v.visit(*x);
     for (double* x : {&close_, &far_, &came_in_, &shown_, &held_, &load_, &at_}) v.visit(*x);
     v.visit(std::span<double>(place_));
 }
@@ -55,7 +55,7 @@ void StopperSystem::check_state(const World& world, StateRules& rules) const {
         return state >= 0 && state <= static_cast<std::int32_t>(StopperState::tripped);
     };
     rules.require(known(state_) && known(after_), "there is no such state of the stopper");
-    rules.flag(told_, "whether an event is due is no flag");
+    rules.flag(reported_, "whether an event is due is no flag");
     rules.require(idle_steps_ >= 0 && idle_steps_ < 2'000'000'000,
                   "the steps of idle nodes are out of range");
     const auto lump = [&](BodyId id) {
@@ -140,7 +140,7 @@ void StopperSystem::take(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
     const PlaceOnWire found = nearest(world);
     far_ = found.far;
-    told_ = 0;
+    reported_ = 0;
     if (found.far <= def_.reach) {
         tell(world, found);
         node_ = lump_at(nodes, found);
@@ -207,8 +207,8 @@ void StopperSystem::hold(Prestep& now) noexcept {
     const bool ratchet = def_.pitch > 0.0;
     const auto force = world.force(joint_);
     load_ = ratchet ? std::max(0.0, -force[0]) : Vec3(force[0], force[1], force[2]).norm();
-    if (told_ == 0) now.tell(EventKind::join, joint_, far_);
-    told_ = 1;
+    if (reported_ == 0) now.tell(EventKind::join, joint_, far_);
+    reported_ = 1;
     const auto go = [&](EventKind kind, StopperState then) {
         now.tell(kind, joint_, load_);
         after_ = static_cast<std::int32_t>(then);
@@ -250,9 +250,9 @@ void StopperSystem::let_go(Prestep& now) noexcept {
 void StopperSystem::prestep(Prestep& now, Loads&) noexcept {
     if (close_ < 0.5 && (is(StopperState::empty) || is(StopperState::tripped)))
         become(StopperState::open);
-    if (is(StopperState::empty) && told_ == 0) {
+    if (is(StopperState::empty) && reported_ == 0) {
         now.tell(EventKind::missed, def_.body, far_);
-        told_ = 1;
+        reported_ = 1;
     } else if (is(StopperState::closing)) {
         make_joint(now);
     } else if (is(StopperState::holding)) {

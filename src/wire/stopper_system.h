@@ -68,7 +68,7 @@ class StopperSystem final : public System {
     // State.
     double close_ = 0.0;
     std::int32_t state_ = 0, after_ = 0;  ///< StopperState; state after the release.
-    std::int32_t told_ = 1;               ///< 0: an event is due.
+    std::int32_t reported_ = 1;           ///< 0: an event is due.
     std::int32_t idle_steps_ = 0;
     BodyId node_{}, put_{};         ///< Node held; node that it inserted.
     std::array<BodyId, 8> idle_{};  ///< Inserted earlier, to be removed.

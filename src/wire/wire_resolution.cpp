@@ -35,7 +35,7 @@ WireResolution::WireResolution(const ResolutionDef& def, std::vector<Line> lines
 }
 
 void WireResolution::visit_state(StateVisitor& v) {
-    v.visit(told_);
+    v.visit(reported_);
     v.visit(memory_);
     for (std::int32_t* x : {&known_, &wanted_}) v.visit(*x);
     v.visit(looked_);
@@ -46,7 +46,7 @@ void WireResolution::visit_state(StateVisitor& v) {
 void WireResolution::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
     constexpr std::int32_t kMaxLooks = 1'000'000'000;
-    rules.flag(told_, "whether a limit was reported is no flag");
+    rules.flag(reported_, "whether a limit was reported is no flag");
     rules.require(known_ >= 0 && static_cast<std::size_t>(known_) <= room_,
                   "more nodes are known than there may be");
     rules.require(wanted_ >= -1, "there is no such node");
@@ -242,13 +242,13 @@ void WireResolution::before_step(NodeEdits& nodes) noexcept {
 
 void WireResolution::prestep(Prestep& now, Loads& loads) noexcept {
     static_cast<void>(loads);
-    if (wanted_ >= 0 && told_ == 0) {
+    if (wanted_ >= 0 && reported_ == 0) {
         const auto bodies = now.world.bodies();
         const auto at = std::find_if(bodies.begin(), bodies.end(),
                                      [&](BodyId id) { return id.index == wanted_; });
         if (at != bodies.end()) now.tell(EventKind::node_limit, *at, nodes_);
     }
-    told_ = wanted_ >= 0 ? 1 : 0;
+    reported_ = wanted_ >= 0 ? 1 : 0;
 }
 
 }  // namespace hawser::wire

@@ -97,7 +97,7 @@ class WireResolution final : public System {
     std::int64_t looked_ = -1;  ///< Step of the last sample.
     double tension_ = -1.0;     ///< Averaged [N]; negative: unknown.
     std::int32_t wanted_ = -1;  ///< Index of a node where more nodes are needed than allowed.
-    std::int32_t told_ = 0;
+    std::int32_t reported_ = 0;
     double nodes_ = 0.0, shortest_ = 0.0, longest_ = 0.0, material_ = 0.0;
     double inserted_ = 0.0, removed_ = 0.0;
 

@@ -85,7 +85,7 @@ struct World::Impl final : private world::InputDoor {
         std::int32_t quiet[2];  ///< … and the number of steps for which they had been at rest.
     };
     [[nodiscard]] Mark mark(BodyId from, BodyId to) const noexcept;
-    void tell_of(const world::Wire& made) const noexcept;
+    void report_wire(const world::Wire& made) const noexcept;
     void take_back(const Mark& before, const world::Wire& made) noexcept;
     [[nodiscard]] WireId keep_wire(world::Wire& wire);
     /// Reserve capacity for one more wire and claim its name.

@@ -227,7 +227,7 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     for (const auto& tides : {j.now_tide, j.mean_tide})
         for (const stepper::Tide& tide : tides)
             numbers(std::array{tide.least, tide.most}, "a figure of the judge", 1e300);
-    flags(std::span(j.told).first(kJudgeCount), "a word of the judge");
+    flags(std::span(j.reported).first(kJudgeCount), "a word of the judge");
     if (j.step < 0 || j.step > s.state.step || j.begun < 0 || j.begun > s.state.step + 1)
         refuse_state("the judge looked at no step");
     const double energies[] = {

@@ -21,7 +21,7 @@ void Systems::keep_deed(const stepper::StepContext& ctx) {
     deed_.inputs.clear();
     for (const InputDoor::Before& before : set_)
         deed_.inputs.emplace_back(door_.id_of(before.input), before.asked);
-    deed_.told = told_;
+    deed_.reported = reported_;
     deed_.loads.clear();
     for (const LoadView& load : ctx.state.loads.view()) {
         Deed::Load& one = deed_.loads.emplace_back();
@@ -35,7 +35,7 @@ void Systems::keep_deed(const stepper::StepContext& ctx) {
 /// Repeat the recorded actions of the systems. Inputs and loads of removed objects are dropped.
 void Systems::repeat_deed(stepper::StepContext& ctx) {
     take_states(deed_.states);
-    told_ = deed_.told;
+    reported_ = deed_.reported;
     for (const auto& [id, value] : deed_.inputs) {
         InputDoor::Before before;
         if (door_.set_untold(id, value, before)) set_.push_back(before);
@@ -69,8 +69,8 @@ class Systems::NodeHands final : public NodeEdits::Hands {
     void out_of_memory() noexcept override { failed_ = true; }
     void tell(const Event& event) noexcept override {
         try {
-            of_.told_.push_back(event);
-            of_.told_.back().time = time_;
+            of_.reported_.push_back(event);
+            of_.reported_.back().time = time_;
         } catch (const std::bad_alloc&) {
             failed_ = true;
         }
@@ -85,7 +85,7 @@ class Systems::NodeHands final : public NodeEdits::Hands {
 
 Status Systems::begin_step(World& world) noexcept {
     bad = {};
-    told_.clear();
+    reported_.clear();
     forget();
     begun_known_ = false;
     try {
@@ -104,7 +104,7 @@ Status Systems::begin_step(World& world) noexcept {
 
 void Systems::undo_step() noexcept {
     if (begun_known_) take_states(begun_);
-    told_.clear();
+    reported_.clear();
     forget();
 }
 

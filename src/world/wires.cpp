@@ -44,12 +44,12 @@ WireId World::add_wire(const WireDef& def) {
         m.take_back(before, made);
         throw;
     }
-    m.tell_of(m.wire(id));
+    m.report_wire(m.wire(id));
     return id;
 }
 
 /// Report a wire part by part, in the order of addition.
-void World::Impl::tell_of(const world::Wire& made) const noexcept {
+void World::Impl::report_wire(const world::Wire& made) const noexcept {
     if (listener == nullptr) return;
     try {
         for (const BodyId id : made.lumps) listener->added(body_defs[at(id.index)]);
