@@ -64,7 +64,7 @@ void PartGraph::build(const model::Bodies& bodies, std::int32_t body_count,
     for (std::size_t e = 0; e < whole_.size(); ++e)
         if (whole_[e]) edge_weight[e] = graph::kNeverCut;
     node_weight.assign(n, 0);
-    mend_weight.assign(whole_.size(), 0);
+    repair_weight.assign(whole_.size(), 0);
     net_force.assign(n, 0.0);
     speed.assign(at(interaction_count), 0.0);
     violation.assign(at(interaction_count), 0.0);
@@ -121,7 +121,7 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         violation[at(i)] = off;
         const bool is_cut = std::binary_search(cut.begin(), cut.end(), i);
         const std::int32_t displaced = thousandths(off / kViolation);
-        if (is_cut) mend_weight[at(i)] = displaced;
+        if (is_cut) repair_weight[at(i)] = displaced;
         if (!whole_[at(i)])
             edge_weight[at(i)] = thousandths(sum / kSpeed) + (is_cut ? 0 : displaced);
     }

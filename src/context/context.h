@@ -84,8 +84,8 @@ struct State {
     base::Array<double> analysed_x, analysed_r;
     Changed changed = Changed::all;
     Edits edits;
-    Mend mend = Mend::nothing;  ///< Before the system may be used.
-    Degradation imposed;        ///< On the next step.
+    PendingRepair repair = PendingRepair::nothing;  ///< Before the system may be used.
+    Degradation imposed;                            ///< On the next step.
 };
 
 /// Stage whose time is counted, see timer.h.

@@ -22,7 +22,7 @@
 namespace hawser::stepper {
 
 /// Pending work before the system may be used.
-enum class Mend : std::uint8_t {
+enum class PendingRepair : std::uint8_t {
     nothing,
     rebuild,  ///< Analyse as before, at the poses of that analysis.
     follow,   ///< Analyse with the bodies awake now, at the poses of the last analysis.
@@ -67,7 +67,7 @@ struct Undo {
     std::vector<std::int64_t> link_used;
 
     // System.
-    Mend mend = Mend::nothing;
+    PendingRepair repair = PendingRepair::nothing;
     Changed changed = Changed::nothing;
     assembly::System::Kept system;
     base::Array<double> analysed_x, analysed_r;

@@ -71,7 +71,7 @@ void Splitter::move_one() {
             if (part_[at(units_.nodes[at(k)])] == part_[at(units_.nodes[at(k + 1)])]) continue;
             const std::int32_t best = slide_to(w, k);
             const std::int64_t old = weight_[at(k)], now = weight_[at(best)];
-            const std::int64_t gained = old - now - mend_[at(k)];
+            const std::int64_t gained = old - now - repair_[at(k)];
             if (static_cast<double>(now) > kWorth * static_cast<double>(old) || gained <= gain)
                 continue;
             gain = gained;

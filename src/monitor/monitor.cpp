@@ -220,7 +220,7 @@ Status judge(StepContext& ctx) noexcept {
 
 Verdict verdict(StepContext& ctx) noexcept {
     Verdict out = ctx.state.judge.verdict;
-    if (ctx.state.changed != Changed::nothing || ctx.state.mend != Mend::nothing ||
+    if (ctx.state.changed != Changed::nothing || ctx.state.repair != PendingRepair::nothing ||
         ctx.state.step == 0)
         return out;
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),

@@ -40,7 +40,7 @@ void ModelUndo::keep(const StepContext& ctx) {
     analysed_r_ = s.analysed_r;
     changed_ = s.changed;
     edits_ = s.edits;
-    mend_ = s.mend;
+    repair_ = s.repair;
     event_count_ = ctx.work.stats.event_count;
     asleep_ = ctx.work.stats.asleep;
     contact_count_ = ctx.work.stats.contacts;
@@ -82,9 +82,11 @@ void ModelUndo::go_back(StepContext& ctx) noexcept {
     s.changed = changed_;
     // If the model was to be prepared anyway, that follows from the restored order.
     if (changed_ != Changed::all)
-        s.mend = mend_ == Mend::follow || mend_ == Mend::all_follow ? Mend::all_follow : Mend::all;
+        s.repair = repair_ == PendingRepair::follow || repair_ == PendingRepair::all_follow
+                       ? PendingRepair::all_follow
+                       : PendingRepair::all;
     else
-        s.mend = mend_ == Mend::nothing ? Mend::rebuild : mend_;
+        s.repair = repair_ == PendingRepair::nothing ? PendingRepair::rebuild : repair_;
     ctx.work.stats.event_count = event_count_;
     ctx.work.stats.asleep = asleep_;
     ctx.work.stats.contacts = contact_count_;

@@ -57,7 +57,7 @@ class ModelUndo {
     base::Array<double> analysed_x_, analysed_r_;
     Changed changed_ = Changed::all;
     Edits edits_;
-    Mend mend_ = Mend::nothing;
+    PendingRepair repair_ = PendingRepair::nothing;
     std::array<std::int64_t, kEventKindCount> event_count_{};
     std::int32_t asleep_ = 0, contact_count_ = 0;
 };

@@ -51,7 +51,7 @@ void keep_system(StepContext& ctx) {
     if (ctx.state.changed != Changed::nothing) u.wires = ctx.model.wires;
     keep_links(ctx.model, ctx.work.undo);
     keep_motion(ctx);
-    u.mend = ctx.state.mend;
+    u.repair = ctx.state.repair;
     u.changed = ctx.state.changed;
     u.asleep_count = ctx.work.stats.asleep;
     u.asked = ctx.model.cuts.asked;
@@ -84,7 +84,7 @@ void go_back_system(StepContext& ctx) noexcept {
     ctx.model.regroup.interactions = u.grouped_interactions;
     if (u.changed != Changed::nothing) std::swap(ctx.model.wires, u.wires);
     ctx.state.changed = u.changed;
-    ctx.state.mend = u.mend == Mend::nothing ? Mend::rebuild : u.mend;
+    ctx.state.repair = u.repair == PendingRepair::nothing ? PendingRepair::rebuild : u.repair;
 }
 
 void go_back_all(StepContext& ctx) noexcept {

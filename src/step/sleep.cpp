@@ -155,12 +155,12 @@ void analyse_anew(StepContext& ctx) {
 void analyse_after_step(StepContext& ctx) noexcept {
     ctx.state.analysed_x = ctx.model.bodies.x;
     ctx.state.analysed_r = ctx.model.bodies.r;
-    ctx.state.mend = Mend::follow;
+    ctx.state.repair = PendingRepair::follow;
     const StageTimer timer(ctx, Stage::analyse);
     (void)guarded(ctx, [&] {
         // Completed joints of the step are read later; the next step chooses again.
         const base::Array<std::uint8_t> completed = ctx.model.interactions.completed;
-        mend(ctx);
+        repair(ctx);
         ctx.model.interactions.completed = completed;
     });
 }
