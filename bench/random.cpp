@@ -68,7 +68,7 @@ Ended run_case(std::uint64_t seed, std::uint64_t number, int divide) {
                 out.why = fmt::format("{} at {:.4g} s", to_string(status), scene.world.time());
                 break;
             }
-            judge.look(scene.world);
+            judge.sample(scene.world);
             if (!judge.figures().finite) break;
         }
         out.judged = judge.figures();

@@ -155,7 +155,7 @@ double RandomMonitor::kinetic(const World& world) const {
     return sum;
 }
 
-void RandomMonitor::look_at_joints(const World& world) {
+void RandomMonitor::check_joints(const World& world) {
     const std::vector<Pose> poses = poses_of(world);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const Gap gap = gap_of(world.interaction_def(joints_[i]), poses);
@@ -169,7 +169,7 @@ void RandomMonitor::look_at_joints(const World& world) {
     }
 }
 
-void RandomMonitor::look_at_energy(const World& world) {
+void RandomMonitor::check_energy(const World& world) {
     const std::vector<Pose> poses = poses_of(world);
     std::vector<Pose> half = poses;
     for (std::size_t i = 0; i < poses.size(); ++i)
@@ -207,9 +207,9 @@ void RandomMonitor::look_at_energy(const World& world) {
     begun_ = true;
 }
 
-void RandomMonitor::look(const World& world) {
-    look_at_joints(world);
-    look_at_energy(world);
+void RandomMonitor::sample(const World& world) {
+    check_joints(world);
+    check_energy(world);
 }
 
 }  // namespace hawser::bench

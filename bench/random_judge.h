@@ -45,7 +45,7 @@ class RandomMonitor {
   public:
     explicit RandomMonitor(const World& world);
     /// Check the state after a step.
-    void look(const World& world);
+    void sample(const World& world);
     [[nodiscard]] const Judged& figures() const noexcept { return out_; }
 
   private:
@@ -66,8 +66,8 @@ class RandomMonitor {
     [[nodiscard]] double elastic(const World& world, const std::vector<Pose>& poses) const;
     [[nodiscard]] double elastic_by_force(const World& world) const;
     [[nodiscard]] double kinetic(const World& world) const;
-    void look_at_joints(const World& world);
-    void look_at_energy(const World& world);
+    void check_joints(const World& world);
+    void check_energy(const World& world);
 
     std::vector<BodyId> moving_;
     std::vector<Spring> springs_;

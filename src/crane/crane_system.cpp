@@ -103,7 +103,7 @@ void CraneSystem::holds(HoldTable& table) const {
     }
 }
 
-void CraneSystem::look(const Prestep& now) noexcept {
+void CraneSystem::sample(const Prestep& now) noexcept {
     const World& w = now.world;
     const Pose on = w.pose(parts_.on);
     const Quat turn = on.orientation * parts_.orientation;
@@ -260,7 +260,7 @@ void CraneSystem::handle_load(Prestep& now) noexcept {
 }
 
 void CraneSystem::prestep(Prestep& now, Loads&) noexcept {
-    look(now);
+    sample(now);
     weigh(now);
     watch(now);
     cut_ = 0.0;

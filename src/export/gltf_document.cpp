@@ -31,7 +31,7 @@ nlohmann::json material(const char* name, double r, double g, double b, bool bot
 
 /// Select the material of a body. A body counts as a hull if it is long and not thin, unlike a boom
 /// or a crate.
-int look_of(const record::RecordedBody& body) {
+int material_of(const record::RecordedBody& body) {
     const double reach = body.half_size.maxCoeff();
     if (reach > 8.0 && body.half_size.sum() - reach > 5.0) return kHull;
     return reach > 0.0 ? kStructure : kPlain;
@@ -147,7 +147,7 @@ void GltfDocument::put_bodies() {
             b.surfaces.push_back(record::outline_surface(
                 {.radius = 0.003 * layout_.size, .points = {Vec3::Zero()}}));
         for (const record::Triangles& surface : b.surfaces)
-            parts.push_back(put_triangles(surface, look_of(body)));
+            parts.push_back(put_triangles(surface, material_of(body)));
         if (!parts.empty()) node["mesh"] = parts[0];
         root_["nodes"].push_back(std::move(node));
         for (std::size_t k = 1; k < parts.size(); ++k) {

@@ -19,7 +19,7 @@ namespace {
 
 using assembly::View;
 
-void look_at_body(const Model& model, std::int32_t body, const double* after, double half,
+void measure_body(const Model& model, std::int32_t body, const double* after, double half,
                   assembly::BodyEnergies& e) noexcept {
     const model::Bodies& b = model.bodies;
     const auto i = at(body);
@@ -43,7 +43,7 @@ void look_at_body(const Model& model, std::int32_t body, const double* after, do
 }
 
 /// Sample moving bodies [begin, end).
-void look_at_bodies(const Model& model, const View& v, std::int32_t begin, std::int32_t end,
+void measure_bodies(const Model& model, const View& v, std::int32_t begin, std::int32_t end,
                     const double* after, double half, MonitorPart& p) noexcept {
     const std::vector<std::int32_t>& moving = model.bodies.moving;
     assembly::BodyEnergies e;
@@ -54,7 +54,7 @@ void look_at_bodies(const Model& model, const View& v, std::int32_t begin, std::
             i += done;
             if (done > 0) continue;
         }
-        look_at_body(model, moving[at(i++)], after, half, e);
+        measure_body(model, moving[at(i++)], after, half, e);
     }
     p.kinetic += e.before;
     p.potential += e.half_way;
@@ -63,7 +63,7 @@ void look_at_bodies(const Model& model, const View& v, std::int32_t begin, std::
     p.turn_body = e.turn_body;
 }
 
-void look_at_rows(const State& state, const View& v, std::int32_t begin, std::int32_t end,
+void measure_rows(const State& state, const View& v, std::int32_t begin, std::int32_t end,
                   MonitorPart& p) noexcept {
     const std::int32_t row =
         assembly::kernels().widest_row(v.g, state.judge.allowed.data(), begin, end, &p.open);
@@ -71,7 +71,7 @@ void look_at_rows(const State& state, const View& v, std::int32_t begin, std::in
 }
 
 /// Sample ranges: a row has a violation outside of its range only.
-void look_at_ranges(const State& state, const View& v, MonitorPart& p) noexcept {
+void measure_ranges(const State& state, const View& v, MonitorPart& p) noexcept {
     for (std::size_t i = 0; i < state.judge.ranges.size(); ++i) {
         const std::int32_t row = state.judge.ranges[i];
         const double beyond = std::fabs(v.g[row]) * state.judge.range_allowed[i];
@@ -82,7 +82,7 @@ void look_at_ranges(const State& state, const View& v, MonitorPart& p) noexcept 
 }
 
 /// Sample the depth of contacts of the step, relative to the thickness of the thinner shape.
-void look_at_contacts(const Model& model, const State& state, MonitorPart& p) noexcept {
+void measure_contacts(const Model& model, const State& state, MonitorPart& p) noexcept {
     const std::vector<collide::Shape>& shapes = model.collider.shapes();
     for (std::size_t i = 0; i < state.contacts.awake; ++i) {
         const collide::Contact& c = state.contacts.contacts[i];
@@ -100,7 +100,7 @@ double held_by_force(const View& v, std::int32_t row) noexcept {
 }
 
 /// Sample ½ g²/ε half a step before the poses, as in energy().
-void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_points, double half,
+void measure_elastic(Model& model, const View& v, std::int32_t id, bool between_points, double half,
                      MonitorPart& p) noexcept {
     // For a wire use its true length, as the guard does.
     if (half > 0.0 && model.wires.wire_of[at(id)] >= 0 && !model.system.rests(id) &&
@@ -143,14 +143,14 @@ void look_at_elastic(Model& model, const View& v, std::int32_t id, bool between_
 
 /// Subtract the kinetic energy by which the end lumps exceed an element that moves as a straight
 /// piece.
-void look_at_piece(const View& v, std::int32_t id, const double* after, MonitorPart& p) noexcept {
+void measure_piece(const View& v, std::int32_t id, const double* after, MonitorPart& p) noexcept {
     const double before = pair_energy(v, id, v.v);
     p.kinetic -= before;
     p.at_pose -= 0.5 * (before + pair_energy(v, id, after));
 }
 
 /// Sample the cable law and the rotation of an element.
-void look_at_line(const Model& model, const View& v, std::int32_t id, MonitorPart& p) noexcept {
+void measure_line(const Model& model, const View& v, std::int32_t id, MonitorPart& p) noexcept {
     if (v.parted[id] || model.system.rests(id)) return;
     const std::int32_t row = v.row_begin[id];
     const double length = v.rest_length[id];
@@ -194,7 +194,7 @@ void take_worse(double value, std::int32_t which, double& most, std::int32_t& wh
 }  // namespace
 
 // Chunks are merged in order, so that the result does not depend on threads.
-MonitorPart look(Model& model, State& state, runtime::Pool& pool, At when) noexcept {
+MonitorPart sample(Model& model, State& state, runtime::Pool& pool, At when) noexcept {
     const View v = row_view(model);
     MonitorData& data = state.judge;
     const double half = when == At::pose ? 0.0 : 0.5 * model.def.step;
@@ -205,19 +205,19 @@ MonitorPart look(Model& model, State& state, runtime::Pool& pool, At when) noexc
     const std::int32_t most = std::max({bodies, rows, elastic, lines});
     over(pool, most, [&](std::int32_t a, std::int32_t b) {
         MonitorPart p;
-        look_at_bodies(model, v, a, std::min(b, bodies), after, half, p);
-        look_at_rows(state, v, a, std::min(b, rows), p);
+        measure_bodies(model, v, a, std::min(b, bodies), after, half, p);
+        measure_rows(state, v, a, std::min(b, rows), p);
         for (std::int32_t i = a; i < std::min(b, elastic); ++i)
-            look_at_elastic(model, v, data.elastic[at(i)], data.line[at(i)] != 0, half, p);
+            measure_elastic(model, v, data.elastic[at(i)], data.line[at(i)] != 0, half, p);
         for (std::int32_t i = a; v.pair_mass != nullptr && i < std::min(b, elastic); ++i)
-            look_at_piece(v, data.elastic[at(i)], after, p);
+            measure_piece(v, data.elastic[at(i)], after, p);
         for (std::int32_t i = a; i < std::min(b, lines); ++i)
-            look_at_line(model, v, data.lines[at(i)], p);
+            measure_line(model, v, data.lines[at(i)], p);
         data.part[at(a / StepContext::kChunk)] = p;
     });
     MonitorPart sum;
-    look_at_ranges(state, v, sum);
-    if (when == At::half_step) look_at_contacts(model, state, sum);  // no contacts at the start
+    measure_ranges(state, v, sum);
+    if (when == At::half_step) measure_contacts(model, state, sum);  // no contacts at the start
     for (int i = 0; i < StepContext::chunks(most); ++i) {
         const MonitorPart& p = data.part[at(i)];
         sum.kinetic += p.kinetic;

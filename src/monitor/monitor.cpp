@@ -37,7 +37,7 @@ void take(const Finding& f, Finding& worst) noexcept {
 
 /// Run all monitors on a state and advance `state` to it.
 Findings judged(StepContext& ctx, MonitorState& state) noexcept {
-    const MonitorPart p = look(ctx.model, ctx.state, ctx.pool, At::half_step);
+    const MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, At::half_step);
     const double time = ctx.model.def.step * static_cast<double>(ctx.state.step - state.step);
     if (state.begun == 0) state.open_start = p.open;  // the poses were set by the user
     Findings out{};
@@ -179,7 +179,7 @@ void begin_monitors(StepContext& ctx) noexcept {
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);
     evaluate_rows(ctx.model, ctx.pool);
-    const MonitorPart p = look(ctx.model, ctx.state, ctx.pool, At::pose);
+    const MonitorPart p = sample(ctx.model, ctx.state, ctx.pool, At::pose);
     state = {};
     state.step = ctx.state.step;
     state.open_start = p.open > 1.0 ? p.open : 0.0;

@@ -56,7 +56,7 @@ std::string count_from_to(const Course& c) {
 
 }  // namespace
 
-void WireWatch::look(const World& world, Watched& w, bool first) {
+void WireWatch::sample(const World& world, Watched& w, bool first) {
     const auto elements = world.elements(w.id);
     const double length = world.length(w.id);
     follow(w.figures.nodes, nodes_there(world, w.id), first);
@@ -117,7 +117,7 @@ void WireWatch::add(const World& world, WireId id, bool came) {
     one.figures.since = world.time();
     one.figures.came = came;
     one.figures.along.assign(shares, {HUGE_VAL, 0.0, -HUGE_VAL});
-    look(world, one, true);
+    sample(world, one, true);
     wires_.push_back(std::move(one));
 }
 
@@ -136,14 +136,14 @@ void WireWatch::after_step(const World& world, std::span<const Event> events) {
         if (world.alive(event.interaction)) parted_.push_back(parted_wire(world, event));
     }
     add_pieces(world);
-    const bool due = steps_ % kLookEvery == 0, noted = steps_ % noted_every_ == 0;
+    const bool due = steps_ % kSampleEvery == 0, noted = steps_ % noted_every_ == 0;
     ++steps_;
     for (Watched& w : wires_) {
         if (!world.alive(w.id)) continue;
         const auto elements = world.elements(w.id);
         if (due ||
             !std::equal(elements.begin(), elements.end(), w.elements.begin(), w.elements.end()))
-            look(world, w, false);
+            sample(world, w, false);
         for (std::size_t i = 0; i < elements.size(); ++i) {
             if (w.share[i] < 0 || !world.alive(elements[i])) continue;
             const auto k = static_cast<std::size_t>(w.share[i]);
@@ -162,7 +162,7 @@ void WireWatch::after_step(const World& world, std::span<const Event> events) {
 std::vector<WireFigures> WireWatch::result(const World& world) const {
     std::vector<WireFigures> out;
     for (Watched w : wires_) {
-        if (world.alive(w.id)) look(world, w, false);
+        if (world.alive(w.id)) sample(world, w, false);
         TensionAlong whole{HUGE_VAL, 0.0, -HUGE_VAL};
         double tensions = 0.0;
         for (std::size_t k = 0; k < w.sum.size(); ++k) {

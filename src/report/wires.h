@@ -62,7 +62,7 @@ struct WireFigures {
 /// are sampled every 32 steps and after changes of nodes.
 class WireWatch {
   public:
-    static constexpr int kLookEvery = 32;  ///< Steps.
+    static constexpr int kSampleEvery = 32;  ///< Steps.
     static constexpr std::size_t kMaxTimes =
         64;  ///< Capacity of the times; if it is exceeded, every other time is removed.
     explicit WireWatch(const World& world);
@@ -82,7 +82,7 @@ class WireWatch {
         std::vector<double> sum{};  ///< Sum of the tensions of a part [N].
         std::vector<std::size_t> counted{};  ///< Number of tensions in that sum.
     };
-    static void look(const World& world, Watched& w, bool first);
+    static void sample(const World& world, Watched& w, bool first);
     void add(const World& world, WireId id, bool came);
     void add_pieces(const World& world);
     void note_times(const World& world);
@@ -91,7 +91,7 @@ class WireWatch {
     std::vector<WireId> known_;  ///< Wires of the world at the last call of add_pieces().
     std::vector<PartedWire> parted_;
     int steps_ = 0;
-    int noted_every_ = kLookEvery;  ///< Steps.
+    int noted_every_ = kSampleEvery;  ///< Steps.
 };
 
 /// Return the lines of a report about the wires.

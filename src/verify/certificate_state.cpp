@@ -150,7 +150,7 @@ std::string StateVerifier::check_joints(const World& world) {
     double worst = 0.0;
     JointGap gap_of_worst;
     InteractionId where{};
-    const auto look = [&](const std::vector<Pose>& pose) {
+    const auto sample = [&](const std::vector<Pose>& pose) {
         worst = 0.0;
         for (const InteractionId id : interactions_) {
             if (role_[number(id.index)] != Role::joint) continue;
@@ -162,10 +162,10 @@ std::string StateVerifier::check_joints(const World& world) {
         }
     };
     if (steps_ == 0) {
-        look(pose_);
+        sample(pose_);
         excused_ = worst * limit::kOpen.wrong / limit::kOpen.doubtful;
     }
-    look(now_);
+    sample(now_);
     excused_ *= std::exp(-1.0 / limit::kSettled);
     worst = std::max(0.0, worst - excused_ * limit::kOpen.doubtful / limit::kOpen.wrong);
     result_.open = std::max(result_.open, worst);

@@ -136,7 +136,7 @@ void ChaserSystem::let_go(NodeEdits& nodes) {
 }
 
 /// Compute the outputs: position of the ring on its wire, tensions, speed.
-void ChaserSystem::look(const World& world) {
+void ChaserSystem::sample(const World& world) {
     held_ = at_ = left_ = arrived_ = angle_ = speed_ = tension_[0] = tension_[1] = 0.0;
     shown_ = state_;
     if (!is(ChaserState::on)) return;
@@ -178,7 +178,7 @@ void ChaserSystem::before_step(NodeEdits& nodes) noexcept {
         } else {
             become(ChaserState::open, static_cast<Due>(due_));
         }
-        look(nodes.world);
+        sample(nodes.world);
     } catch (const std::bad_alloc&) {
         nodes.out_of_memory();
     } catch (const std::exception&) {

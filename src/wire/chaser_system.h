@@ -48,7 +48,7 @@ class ChaserSystem final : public System {
     [[nodiscard]] PlaceOnWire nearest(const World& world) const;
     void take(NodeEdits& nodes);
     void let_go(NodeEdits& nodes);
-    void look(const World& world);
+    void sample(const World& world);
     void tell(Prestep& now) noexcept;
 
     ChaserDef def_;

@@ -135,7 +135,7 @@ double GuideSystem::straight(const World& world, std::size_t side) const noexcep
 }
 
 /// Sample the result of the last step before nodes are inserted or removed.
-void GuideSystem::look(const World& world) noexcept {
+void GuideSystem::sample(const World& world) noexcept {
     if (ran_off()) {
         tension_ = {};
         return;
@@ -256,7 +256,7 @@ void GuideSystem::prestep(Prestep& now, Loads& loads) noexcept {
 
 void GuideSystem::before_step(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
-    look(world);
+    sample(world);
     if (lifted()) return come_back(nodes);
     if (parted_ != 0) return;
     def_.wire = world.wire_of(ids_.before);  // a cut or splice may have changed the wire

@@ -115,7 +115,7 @@ class GuideSystem final : public System {
     /// Damp a wire that lands on an open guide, in steps that do not resolve the landing.
     void land(const World& world, Loads& loads) noexcept;
     void stop(Prestep& now) noexcept;
-    void look(const World& world) noexcept;
+    void sample(const World& world) noexcept;
     void weigh(const World& world, Loads& loads) const noexcept;
 
     GuideDef def_;

@@ -14,7 +14,7 @@ constexpr double kAhead = 2.0;      ///< Steps ahead in which the next pocket is
 
 }  // namespace
 
-double GypsyChain::look(double apart, double rate, double torque, double pull) noexcept {
+double GypsyChain::sample(double apart, double rate, double torque, double pull) noexcept {
     jumped_ = wheel_.radius * (apart - wheel_.zero);
     gained_ = wheel_.radius * rate - rate_;
     rate_ = wheel_.radius * rate;

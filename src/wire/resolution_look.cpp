@@ -23,7 +23,7 @@ double WireResolution::mass_per_length_of(const InteractionDef& element) const n
 }
 
 /// Sample elements and nodes.
-void WireResolution::look(const World& world) {
+void WireResolution::sample(const World& world) {
     const auto elements = world.elements(def_.wire);
     const auto nodes = world.nodes(def_.wire);
     elements_.assign(elements.size(), {});

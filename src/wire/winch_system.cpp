@@ -138,7 +138,7 @@ WinchMode WinchSystem::mode() const noexcept {
 }
 
 /// Sample the result of the last step.
-void WinchSystem::look(const Prestep& now) noexcept {
+void WinchSystem::sample(const Prestep& now) noexcept {
     const double angle = now.world.pose(wound()).position.x();
     turned_ = angle - angle_;
     angle_ = angle;
@@ -242,7 +242,7 @@ void WinchSystem::follow_chain(const GypsyWheel& wheel, Prestep& now, Loads& loa
     chain_.feel_tail(weight + rate * out);
     const double apart = angle_ - world.pose(ids_.drum).position.x();
     const double jumped =
-        chain_.look(apart, leaving_ - omega_, world.force(ids_.grip)[0], pull_ - chain_.tail());
+        chain_.sample(apart, leaving_ - omega_, world.force(ids_.grip)[0], pull_ - chain_.tail());
     if (jumped > 0.0 && parted_ == 0) now.tell(EventKind::chain_jump, ids_.drum, jumped);
     loads.add_force(ids_.chain, {-weight * radius_, 0.0, 0.0});
     loads.add_damping(ids_.chain, Eigen::Matrix<double, 1, 1>(rate * radius_ * radius_));
@@ -273,7 +273,7 @@ void WinchSystem::count_release(Prestep& now) noexcept {
 }
 
 void WinchSystem::prestep(Prestep& now, Loads& loads) noexcept {
-    look(now);
+    sample(now);
     count_slip(now);
     count_rendering(now);
     follow_layer(now);

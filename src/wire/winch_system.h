@@ -106,7 +106,7 @@ class WinchSystem final : public System {
         std::int32_t heaves = 0;          ///< The compensation has begun.
     };
 
-    void look(const Prestep& now) noexcept;
+    void sample(const Prestep& now) noexcept;
     void count_slip(Prestep& now) noexcept;
     void count_rendering(Prestep& now) noexcept;
     void follow_layer(Prestep& now) noexcept;

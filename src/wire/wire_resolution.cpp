@@ -38,21 +38,21 @@ void WireResolution::visit_state(StateVisitor& v) {
     v.visit(reported_);
     v.visit(memory_);
     for (std::int32_t* x : {&known_, &wanted_}) v.visit(*x);
-    v.visit(looked_);
+    v.visit(sampled_);
     for (double* x : {&tension_, &nodes_, &shortest_, &longest_, &material_, &inserted_, &removed_})
         v.visit(*x);
 }
 
 void WireResolution::check_state(const World& world, StateRules& rules) const {
     static_cast<void>(world);
-    constexpr std::int32_t kMaxLooks = 1'000'000'000;
+    constexpr std::int32_t kMaxSampleCount = 1'000'000'000;
     rules.flag(reported_, "whether a limit was reported is no flag");
     rules.require(known_ >= 0 && static_cast<std::size_t>(known_) <= room_,
                   "more nodes are known than there may be");
     rules.require(wanted_ >= -1, "there is no such node");
-    rules.require(looked_ >= -1, "it looked at no step");
+    rules.require(sampled_ >= -1, "it looked at no step");
     for (std::size_t k = 2; k < memory_.size(); k += 3)
-        rules.require(memory_[k] >= -kMaxLooks && memory_[k] <= kMaxLooks,
+        rules.require(memory_[k] >= -kMaxSampleCount && memory_[k] <= kMaxSampleCount,
                       "the looks of a node are out of range");
     rules.require(nodes_ >= 0.0 && inserted_ >= 0.0 && removed_ >= 0.0, "a count is below 0");
 }
@@ -218,12 +218,12 @@ void WireResolution::before_step(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
     const std::int64_t now = world.step_count();
     // No force is known before the first step.
-    if (now == 0 || now == looked_ || (now + phase_) % def_.interval != 0) return;
+    if (now == 0 || now == sampled_ || (now + phase_) % def_.interval != 0) return;
     if (!world.alive(def_.wire)) return;
     patience_ = std::max(1, static_cast<std::int32_t>(std::ceil(
                                 def_.patience / (def_.interval * world.settings().step))));
     try {
-        look(world);
+        sample(world);
         average_tension(world);
         bound_elements(world);
         recall();
@@ -236,7 +236,7 @@ void WireResolution::before_step(NodeEdits& nodes) noexcept {
     } catch (const std::exception&) {
         return;  // out of memory: retried in the next step
     }
-    looked_ = now;
+    sampled_ = now;
     tell(world);
 }
 
