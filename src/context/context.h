@@ -75,7 +75,7 @@ struct State {
     int refine_unasked = 0;
     Ledger ledger;
     LoadStore loads;
-    MonitorData judge;
+    MonitorData monitor;
     EventLog events;
     collide::ContactSet contacts;         ///< Contacts of the current or last step.
     base::Array<double> contact_impulse;  ///< 3 a contact: on side 1, world frame [N s]; or empty.

@@ -49,7 +49,7 @@ struct Undo {
         int refine_unasked;
         bool started;
         std::array<std::int64_t, kEventKindCount> event_count;
-        MonitorState judge;
+        MonitorState monitor;
     };
     /// True if the system has been kept since.
     [[nodiscard]] bool holds() const noexcept { return depth >= 0; }

@@ -81,7 +81,8 @@ Works works(const State& state) noexcept {
 Finding energy_finding(const Model& model, const State& state, const MonitorPart& p,
                        MonitorState& memory, double time) noexcept {
     const Unexplained u = follow_energy(p, works(state), time, memory);
-    const double nothing = std::max(limit::kNothing * (p.kinetic + p.elastic), state.judge.nothing);
+    const double nothing =
+        std::max(limit::kNothing * (p.kinetic + p.elastic), state.monitor.nothing);
     const auto share = [nothing](double energy, double of) {
         return energy <= nothing ? 0.0 : energy / of;
     };

@@ -66,15 +66,15 @@ void measure_bodies(const Model& model, const View& v, std::int32_t begin, std::
 void measure_rows(const State& state, const View& v, std::int32_t begin, std::int32_t end,
                   MonitorPart& p) noexcept {
     const std::int32_t row =
-        assembly::kernels().widest_row(v.g, state.judge.allowed.data(), begin, end, &p.open);
+        assembly::kernels().widest_row(v.g, state.monitor.allowed.data(), begin, end, &p.open);
     if (row >= 0) p.open_row = row;
 }
 
 /// Sample ranges: a row has a violation outside of its range only.
 void measure_ranges(const State& state, const View& v, MonitorPart& p) noexcept {
-    for (std::size_t i = 0; i < state.judge.ranges.size(); ++i) {
-        const std::int32_t row = state.judge.ranges[i];
-        const double beyond = std::fabs(v.g[row]) * state.judge.range_allowed[i];
+    for (std::size_t i = 0; i < state.monitor.ranges.size(); ++i) {
+        const std::int32_t row = state.monitor.ranges[i];
+        const double beyond = std::fabs(v.g[row]) * state.monitor.range_allowed[i];
         if (beyond <= p.beyond) continue;
         p.beyond = beyond;
         p.beyond_row = row;
@@ -196,7 +196,7 @@ void take_worse(double value, std::int32_t which, double& most, std::int32_t& wh
 // Chunks are merged in order, so that the result does not depend on threads.
 MonitorPart sample(Model& model, State& state, runtime::Pool& pool, At when) noexcept {
     const View v = row_view(model);
-    MonitorData& data = state.judge;
+    MonitorData& data = state.monitor;
     const double half = when == At::pose ? 0.0 : 0.5 * model.def.step;
     const double* after = when == At::half_step ? v.v_new : v.v;
     const auto count_of = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
@@ -250,7 +250,7 @@ namespace {
 /// Call f(row, true if a line, violation, its rate) for the active rows of springs.
 template <class F>
 void each_spring(const Model& model, const State& state, const View& v, F&& f) noexcept {
-    for (const std::int32_t id : state.judge.elastic) {
+    for (const std::int32_t id : state.monitor.elastic) {
         const bool line = (v.flags[id] & model::kOneSided) != 0;
         if (line ? v.parted[id] != 0 : v.active[id] == 0.0) continue;
         const model::RowState now = model.interactions.row_state(id, model.bodies);

@@ -122,7 +122,7 @@ void tell(State& state, StepStats& stats, const Findings& now, bool looks,
 /// passed without a failure. The remaining time is stored in ticks.
 void report_incomplete(StepContext& ctx) noexcept {
     constexpr std::uint8_t kTicks = 200;
-    std::uint8_t& left = ctx.state.judge.state.reported[kJudgeCount];
+    std::uint8_t& left = ctx.state.monitor.state.reported[kJudgeCount];
     const auto tick =
         std::max<std::int64_t>(1, std::llround(limit::kMemory / kTicks / ctx.model.def.step));
     if (!ctx.model.completion.banned) {
@@ -155,10 +155,10 @@ double early_gain(StepContext& ctx) noexcept {
     const model::Bodies& b = ctx.model.bodies;
     const assembly::View v = view(ctx);
     double gain = drive_gain(ctx.model) + ctx.state.loads.gain(b, v.h, v.v, v.v_new) -
-                  spring_gain(ctx.model, ctx.state.judge.elastic);
+                  spring_gain(ctx.model, ctx.state.monitor.elastic);
     // Half a step before the start, springs are longer or shorter by (h/2)|ġ| and store that energy
     // too.
-    gain += spring_way(ctx.model, ctx.state.judge.elastic);
+    gain += spring_way(ctx.model, ctx.state.monitor.elastic);
     for (const std::int32_t body : b.moving) {
         const bool falls = b.weight[at(body)] && b.dof(body) >= 3;
         for (int i = 0; i < b.dof(body); ++i) {
@@ -174,7 +174,7 @@ double early_gain(StepContext& ctx) noexcept {
 }  // namespace
 
 void begin_monitors(StepContext& ctx) noexcept {
-    MonitorState& state = ctx.state.judge.state;
+    MonitorState& state = ctx.state.monitor.state;
     if (state.begun != 0) return;
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);
@@ -186,8 +186,8 @@ void begin_monitors(StepContext& ctx) noexcept {
     begin_energy(p, works(ctx.state), state);
 }
 
-Status judge(StepContext& ctx) noexcept {
-    MonitorData& d = ctx.state.judge;
+Status run_monitors(StepContext& ctx) noexcept {
+    MonitorData& d = ctx.state.monitor;
     // Joints are checked in each step at no cost, because they may open and close between samples.
     const bool open = ctx.work.stats.violation_max > limit::kOpen.doubtful;
     // The balance of the start is completed at the first sample, with this rise.
@@ -219,14 +219,14 @@ Status judge(StepContext& ctx) noexcept {
 }
 
 Verdict verdict(StepContext& ctx) noexcept {
-    Verdict out = ctx.state.judge.verdict;
+    Verdict out = ctx.state.monitor.verdict;
     if (ctx.state.changed != Changed::nothing || ctx.state.repair != PendingRepair::nothing ||
         ctx.state.step == 0)
         return out;
     const KeptRanges kept(ctx.work.before.active, ctx.model.interactions.active.data(),
                           ctx.model.system.bounded);
     evaluate_rows(ctx.model, ctx.pool);
-    MonitorState next = ctx.state.judge.state;
+    MonitorState next = ctx.state.monitor.state;
     (void)add(judged(ctx, next), out);
     return out;
 }

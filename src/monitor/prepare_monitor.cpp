@@ -28,7 +28,7 @@ double allowance(double size, bool turns) noexcept {
 }  // namespace
 
 void prepare_monitors(const Model& model, State& state) {
-    MonitorData& d = state.judge;
+    MonitorData& d = state.monitor;
     const model::Interactions& in = model.interactions;
     if (!state.edits.any) d.state = {};
     d.allowed.assign(at(user_rows(model)), 0.0);

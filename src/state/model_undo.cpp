@@ -32,7 +32,7 @@ void ModelUndo::keep(const StepContext& ctx) {
     work_ = s.loads.work;
     water_ = s.loads.water;
     added_ = s.loads.added;
-    monitor_ = s.judge.state;
+    monitor_ = s.monitor.state;
     contacts_ = s.contacts;
     contact_impulse_ = s.contact_impulse;
     contact_sliding_ = s.contact_sliding;
@@ -72,7 +72,7 @@ void ModelUndo::go_back(StepContext& ctx) noexcept {
     s.loads.work = work_;
     s.loads.water = water_;
     s.loads.added = added_;
-    s.judge.state = monitor_;
+    s.monitor.state = monitor_;
     std::swap(s.contacts, contacts_);
     s.contact_impulse.swap(contact_impulse_);
     s.contact_sliding.swap(contact_sliding_);

@@ -17,9 +17,9 @@ void put(const A& from, A& to) noexcept {
 }
 
 Undo::Scalars read(const State& state, const StepStats& stats) noexcept {
-    return {state.step,        state.time,        state.ledger,         state.loads.work,
-            state.loads.water, state.loads.added, state.refine_unasked, state.started,
-            stats.event_count, state.judge.state};
+    return {state.step,        state.time,         state.ledger,         state.loads.work,
+            state.loads.water, state.loads.added,  state.refine_unasked, state.started,
+            stats.event_count, state.monitor.state};
 }
 
 void write(const Undo::Scalars& from, StepContext& c) noexcept {
@@ -32,7 +32,7 @@ void write(const Undo::Scalars& from, StepContext& c) noexcept {
     c.state.refine_unasked = from.refine_unasked;
     c.state.started = from.started;
     c.work.stats.event_count = from.event_count;
-    c.state.judge.state = from.judge;
+    c.state.monitor.state = from.monitor;
 }
 
 void keep_system(StepContext& ctx) {

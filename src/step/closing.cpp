@@ -166,7 +166,7 @@ void close_anew(StepContext& ctx, const View& v) noexcept {
 }  // namespace
 
 void close_joints(StepContext& ctx) noexcept {
-    MonitorState& judged = ctx.state.judge.state;
+    MonitorState& judged = ctx.state.monitor.state;
     judged.closed = judged.closed_elastic = 0.0;
     if (has_cuts(ctx.model) || ctx.model.def.nonsmooth != Nonsmooth::newton ||
         !may_be_open(ctx.model, ctx.work.stats))

@@ -145,7 +145,7 @@ Status accept(StepContext& ctx) noexcept {
     return timed(ctx, Stage::integrate, [](StepContext& c) {
         c.state.loads.measure(c.model.bodies, c.model.def.step, c.model.bodies.v.data(),
                               view(c).v_new, c.pool);
-        return judge(c);
+        return run_monitors(c);
     });
 }
 

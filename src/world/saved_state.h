@@ -84,7 +84,7 @@ void visit_values(Context& ctx, F&& f) {
     f(ctx.state.loads.work);
     f(ctx.state.loads.water);
     f(ctx.state.loads.added);
-    f(ctx.state.judge.state);
+    f(ctx.state.monitor.state);
     f(ctx.work.stats.event_count);
 }
 
@@ -185,7 +185,7 @@ struct SavedState {
         } loads;
         struct {
             stepper::MonitorState state;
-        } judge;
+        } monitor;
         base::Array<double> analysed_x, analysed_r;
         std::int64_t step = 0;
         /// A byte, because values other than 0 and 1 are not a valid bool.

@@ -251,8 +251,8 @@ void World::take_saved(std::span<const std::byte> bytes, bool variant) {
     // Parameters and forces follow their inputs, lines follow their drums.
     if (variant) {
         m.put_user_forces();
-        m.ctx.state.judge.state = {};
-        m.ctx.state.judge.verdict = {};
+        m.ctx.state.monitor.state = {};
+        m.ctx.state.monitor.verdict = {};
     } else {
         m.take_user_forces();
     }

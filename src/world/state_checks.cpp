@@ -211,7 +211,7 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
         refuse_state("refinements are out of range");
     for (const std::int64_t n : s.work.stats.event_count)
         if (n < 0) refuse_state("a count of events is negative");
-    const stepper::MonitorState& j = s.state.judge.state;
+    const stepper::MonitorState& j = s.state.monitor.state;
     numbers(std::array{j.kinetic, j.potential, j.elastic, j.by_length, j.by_force, j.posed, j.held,
                        j.given, j.exchanged, j.counted, j.age, j.closed, j.closed_elastic,
                        j.unsolved, j.open_start, j.held_time},

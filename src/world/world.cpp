@@ -146,7 +146,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
     world::check_pose(world::Where("body", impl_->body_defs[b].name), pose.position,
                       pose.orientation);
     model::Bodies& s = impl_->ctx.model.bodies;
-    impl_->ctx.state.judge.state.begun = 0;  // not the work of a force
+    impl_->ctx.state.monitor.state.begun = 0;  // not the work of a force
     // Bodies that leaned on it are unsupported now.
     if (s.dof(id.index) == 0 || s.asleep[b] != 0) stepper::disturb_all(impl_->ctx.model);
     stepper::disturb(impl_->ctx.model, id.index);
@@ -176,7 +176,7 @@ void World::set_velocity(BodyId id, const Twist& twist) {
     // A prescribed velocity wakes its contacts in the step (step/sleep.h).
     if (dof > 0) {
         stepper::disturb(impl_->ctx.model, id.index);
-        impl_->ctx.state.judge.state.begun = 0;  // not the work of a force
+        impl_->ctx.state.monitor.state.begun = 0;  // not the work of a force
     }
     for (int i = 0; i < count; ++i) v[i] = i < 3 ? twist.linear[i] : twist.angular[i - 3];
     // The start of the next step uses it too, for lack of a better value.
