@@ -111,7 +111,7 @@ struct Server::Impl final : Floor {
         acceptor.async_accept([this](Error error, Tcp::socket socket) {
             if (error == asio::error::operation_aborted) return;
             if (!error) {
-                if (connections_.size() >= kMaxConnections) make_room_for_connections();
+                if (connections_.size() >= kMaxConnections) free_connection_slot();
                 std::make_shared<Connection>(*this, std::move(socket))->begin();
             }
             accept();

@@ -17,7 +17,7 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
     int width = 0;
     for (int b = 0; b < in.bodies[at(id)]; ++b)
         width += bodies.dof(in.body[at(kMaxInteractionBodies * id + b)]);
-    double room[model::kArmRoom];
+    double room[model::kArmBufferSize];
     const double* jac =
         model::packed_rows(&in.jacobian[at(in.jac_begin[at(id)])], in.arms[at(id)] != 0, room) +
         static_cast<std::ptrdiff_t>(row) * width;

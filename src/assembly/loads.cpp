@@ -103,15 +103,15 @@ BodyLoad LoadStore::at_place(std::int32_t place, int freedom) noexcept {
 
 bool LoadStore::add_entry(std::int32_t body, int freedom) noexcept {
     try {
-        base::make_room(entries_, 1);
-        base::make_room(used_, 1);
-        base::make_room(late_, 1);
-        base::make_room(sources_, 1);
-        base::make_room(last_water_, 1);
-        base::make_room(shared_of_, 1);
-        base::make_room(data_, at(size_of(freedom)));
-        base::make_room(woken_, entries_.size() + 1);
-        base::make_room(woken_quiet_, entries_.size() + 1);
+        base::reserve_more(entries_, 1);
+        base::reserve_more(used_, 1);
+        base::reserve_more(late_, 1);
+        base::reserve_more(sources_, 1);
+        base::reserve_more(last_water_, 1);
+        base::reserve_more(shared_of_, 1);
+        base::reserve_more(data_, at(size_of(freedom)));
+        base::reserve_more(woken_, entries_.size() + 1);
+        base::reserve_more(woken_quiet_, entries_.size() + 1);
         fault_.reserve(at(load_chunks(static_cast<int>(entries_.capacity()))));
     } catch (const std::bad_alloc&) {
         out_of_memory_ = true;

@@ -97,7 +97,7 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         }
         if (rests || in.jacobian.empty()) continue;
         double sum = 0.0, off = 0.0;
-        double room[model::kArmRoom];
+        double room[model::kArmBufferSize];
         const double* packed =
             model::packed_rows(&in.jacobian[at(in.jac_begin[at(i)])], in.arms[at(i)] != 0, room);
         for (int r = 0; r < in.rows[at(i)]; ++r) {

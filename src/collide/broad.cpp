@@ -177,7 +177,7 @@ void Broad::cut_into_strips() {
         for (std::int32_t k = s.first; k <= strip(s.high[1]); ++k) ++strip_begin_[at(k) + 2];
     }
     for (std::size_t k = 2; k < strip_begin_.size(); ++k) strip_begin_[k] += strip_begin_[k - 1];
-    resize_with_room(entries_, at(strip_begin_.back()));
+    resize_with_reserve(entries_, at(strip_begin_.back()));
     for (Sorted& s : sorted_) {
         if (s.low[0] > s.high[0]) continue;
         for (s.strip = s.first; s.strip <= strip(s.high[1]); ++s.strip)
@@ -248,7 +248,7 @@ void Broad::gather(int lists, base::Array<Pair>& out) {
     for (int l = 0; l < lists; ++l)
         for (const Pair& p : found_[at(l)]) ++first_[at(p.a) + 2];
     for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    resize_with_room(out, at(first_.back()));
+    resize_with_reserve(out, at(first_.back()));
     for (int l = 0; l < lists; ++l)
         for (const Pair& p : found_[at(l)]) out[at(first_[at(p.a) + 1]++)] = p;
     for (std::size_t i = 0; i + 2 < first_.size(); ++i) {

@@ -19,7 +19,7 @@ constexpr int kPlaceChunk = 256;  ///< Shapes of one task.
 constexpr int kPairChunk = 32;    ///< Pairs of one task.
 constexpr int kContactChunk = 256;
 
-constexpr std::size_t kChunkRoom = kPairChunk * kMaxManifold;
+constexpr std::size_t kChunkCapacity = kPairChunk * kMaxManifold;
 
 /// Largest distance between points of one friction memory if the feature changes, in margins.
 constexpr double kMatchMargins = 2.0;
@@ -41,7 +41,7 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
     if (placed_.size() > shapes_.size()) placed_.resize(shapes_.size());
     while (placed_.size() < shapes_.size()) {
         new_.push_back(static_cast<std::int32_t>(placed_.size()));
-        resize_with_room(placed_, placed_.size() + 1);
+        resize_with_reserve(placed_, placed_.size() + 1);
     }
     for (const std::int32_t s : new_) {
         if (at(s) >= shapes_.size()) continue;
@@ -91,13 +91,14 @@ void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& 
 void Collider::make_chunks(int tasks) {
     if (static_cast<int>(chunks_.size()) >= tasks) return;
     const auto room = at(tasks + tasks / 2 + 1);
-    const double more = static_cast<double>(room - chunks_.size()) * kChunkRoom * sizeof(Contact);
+    const double more =
+        static_cast<double>(room - chunks_.size()) * kChunkCapacity * sizeof(Contact);
     if (const double all = static_cast<double>(bytes()) + more; all > max_bytes)
         throw LimitError({Bound::memory, all, max_bytes});
     chunk_size_.resize(room, 0);
     chunks_.reserve(room);
     while (chunks_.size() < room)
-        chunks_.push_back(std::make_unique_for_overwrite<Contact[]>(kChunkRoom));
+        chunks_.push_back(std::make_unique_for_overwrite<Contact[]>(kChunkCapacity));
 }
 
 void Collider::narrow(double h, base::Executor& pool) {
@@ -134,10 +135,10 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
             throw LimitError({Bound::contacts, static_cast<double>(n), static_cast<double>(most)});
     };
     refuse_beyond(total / 2, at(most_contacts));
-    resize_with_room(out.contacts, total);
+    resize_with_reserve(out.contacts, total);
     auto to = out.contacts.begin();
     for (int i = 0; i < tasks; ++i) to = std::copy_n(chunks_[at(i)].get(), chunk_size_[at(i)], to);
-    resize_with_room(drop_, total);
+    resize_with_reserve(drop_, total);
     auto mark = [&](int i, int) noexcept {
         const std::size_t end = std::min(total, at((i + 1) * kContactChunk));
         for (std::size_t k = at(i * kContactChunk); k < end; ++k)
@@ -152,7 +153,7 @@ void Collider::put_together(ContactSet& out, base::Executor& pool) {
     }
     out.contacts.resize(n);
     refuse_beyond(n, at(most_contacts));
-    resize_with_room(found_, n);
+    resize_with_reserve(found_, n);
     auto keep = [&](int i, int) noexcept {
         const std::size_t end = std::min(n, at((i + 1) * kContactChunk));
         for (std::size_t k = at(i * kContactChunk); k < end; ++k) {
@@ -210,8 +211,8 @@ bool Collider::set_aside(ContactSet& out, const base::Array<std::uint8_t>& aslee
     const auto n =
         static_cast<std::size_t>(std::count_if(out.contacts.begin(), out.contacts.end(), rests));
     try {
-        resize_with_room(aside_, n);
-        resize_with_room(aside_kept_, n);
+        resize_with_reserve(aside_, n);
+        resize_with_reserve(aside_kept_, n);
     } catch (const std::bad_alloc&) {
         return false;
     }
@@ -280,7 +281,7 @@ std::size_t Collider::bytes() const noexcept {
                     base::bytes(kept_) + base::bytes(found_) + base::bytes(drop_) +
                     base::bytes(taken_) + base::bytes(aside_) + base::bytes(aside_kept_) +
                     broad_.bytes();
-    return n + chunks_.size() * kChunkRoom * sizeof(Contact);
+    return n + chunks_.size() * kChunkCapacity * sizeof(Contact);
 }
 
 }  // namespace hawser::collide

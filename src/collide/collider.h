@@ -54,9 +54,9 @@ class Collider {
     /// @return its index. @throws DefError for vertices without volume, std::bad_alloc.
     std::int32_t add(const ShapeDef& def, const model::Bodies& bodies);
     /// Allocate, so that remove() does not throw. @throws std::bad_alloc.
-    void make_room() {
-        places.make_room();
-        base::make_room(new_, shapes_.size() + 2);  // all of them may be removed
+    void reserve_more() {
+        places.reserve_more();
+        base::reserve_more(new_, shapes_.size() + 2);  // all of them may be removed
     }
     /// Remove a shape that nothing touches. The caller removes the memory of its contacts: see
     /// forget().

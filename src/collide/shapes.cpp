@@ -59,9 +59,9 @@ std::int32_t Collider::add(const ShapeDef& def, const model::Bodies& bodies) {
     std::shared_ptr<const ShapeData> data = make_shape_data(def);
     s.geometry.data = data.get();
     s.thickness = s.segment() ? HUGE_VAL : thickness_of(s.geometry);
-    base::make_room(data_, 1);
-    base::make_room(shapes_, 1);
-    make_room();
+    base::reserve_more(data_, 1);
+    base::reserve_more(shapes_, 1);
+    reserve_more();
     const std::int32_t place = places.find_vacant([](std::int32_t) { return true; });
     if (place >= 0) {
         places.take(place);

@@ -97,9 +97,9 @@ void forget_contacts(StepContext& ctx, std::int32_t shape) noexcept {
 }
 
 void reserve_edit(StepContext& ctx) {
-    base::make_room(ctx.state.edits.interactions, 1);
+    base::reserve_more(ctx.state.edits.interactions, 1);
     ctx.work.edits_stay.reserve(ctx.model.collider.kept().size());
-    ctx.model.collider.make_room();
+    ctx.model.collider.reserve_more();
 }
 
 void begin_edit(StepContext& ctx) noexcept {

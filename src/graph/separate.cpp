@@ -126,12 +126,12 @@ void Partitioner::choose_places(const PartitionOptions& options) {
     for (const std::int64_t l : load_) all += static_cast<double>(l);
     const double share = all / options.parts;
     lane_of_.clear();
-    double rooms = 0.0;
+    double capacities = 0.0;
     for (std::int32_t l = 0; l < options.parts; ++l) {
         const double room = share - static_cast<double>(load_[at(l)]);
         if (room < (kSlack - 1.0) * share) continue;
         lane_of_.push_back(l);
-        rooms += room;
+        capacities += room;
     }
     // No lane has capacity left if small islands fill all of them evenly.
     if (lane_of_.empty())
@@ -142,7 +142,7 @@ void Partitioner::choose_places(const PartitionOptions& options) {
     std::int32_t from = 0;
     const auto end = static_cast<std::int32_t>(line_.size());
     for (std::size_t j = 0; j + 1 < lane_of_.size(); ++j) {
-        target += total * (share - static_cast<double>(load_[at(lane_of_[j])])) / rooms;
+        target += total * (share - static_cast<double>(load_[at(lane_of_[j])])) / capacities;
         const auto low = static_cast<std::int64_t>(target - kWindow * share);
         const auto high = static_cast<std::int64_t>(target + kWindow * share);
         auto place = static_cast<std::int32_t>(

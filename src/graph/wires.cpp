@@ -148,7 +148,7 @@ void Units::keep_whole(const Neighbours& neighbours) {
     });
     for (std::size_t w = 0; w + 1 < from_.size(); ++w) {
         if (from_[w + 1] - from_[w] < kShortestWire) continue;
-        base::make_room(begin, at(from_[w + 1] - from_[w]) + 1);  // close() does not throw
+        base::reserve_more(begin, at(from_[w + 1] - from_[w]) + 1);  // close() does not throw
         for (std::int32_t k = from_[w]; k < from_[w + 1]; ++k) {
             if (apart[walked_[at(k)]] == 0)
                 nodes.push_back(walked_[at(k)]);

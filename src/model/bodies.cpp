@@ -19,15 +19,16 @@ void put3(base::Array<double>& to, std::size_t begin, const Vec3& v) noexcept {
 
 }  // namespace
 
-void Bodies::make_room() {
-    places.make_room();
-    base::make_room(kind, 1);
-    for (base::Array<std::int32_t>* a : {&dof_begin, &quiet, &first_holder}) base::make_room(*a, 1);
-    for (std::vector<std::int32_t>* a : {&moving, &rigid, &driven}) base::make_room(*a, 1);
-    for (base::Array<std::uint8_t>* a : {&weight, &asleep, &room}) base::make_room(*a, 1);
+void Bodies::reserve_more() {
+    places.reserve_more();
+    base::reserve_more(kind, 1);
+    for (base::Array<std::int32_t>* a : {&dof_begin, &quiet, &first_holder})
+        base::reserve_more(*a, 1);
+    for (std::vector<std::int32_t>* a : {&moving, &rigid, &driven}) base::reserve_more(*a, 1);
+    for (base::Array<std::uint8_t>* a : {&weight, &asleep, &room}) base::reserve_more(*a, 1);
     for (base::Array<double>* a : {&x, &q, &r, &v, &v_start, &v_fixed, &spin_free, &spin_change,
                                    &mass, &inertia, &inv_inertia, &principal, &force, &damping})
-        base::make_room(*a, 9);
+        base::reserve_more(*a, 9);
 }
 
 int Bodies::add(const BodyDef& def) {
@@ -41,7 +42,7 @@ int Bodies::add(const BodyDef& def) {
 }
 
 int Bodies::append(const BodyDef& def) {
-    for (std::vector<std::int32_t>* list : {&moving, &rigid, &driven}) base::make_room(*list, 1);
+    for (std::vector<std::int32_t>* list : {&moving, &rigid, &driven}) base::reserve_more(*list, 1);
     const int id = places.append();
     const auto n = at(id) + 1;
     const int d = dof_of(def.kind);

@@ -93,7 +93,7 @@ struct Bodies {
     }
     [[nodiscard]] BodyId id(int body) const noexcept { return places.id<BodyId>(body); }
     /// Reserve memory so that add(), append() and remove() do not throw. @throws std::bad_alloc.
-    void make_room();
+    void reserve_more();
     /// Return the first empty slot with as many degrees of freedom, −1: none.
     [[nodiscard]] int place_for(BodyKind of) const noexcept {
         return places.find_vacant(

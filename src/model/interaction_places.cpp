@@ -46,26 +46,27 @@ std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
 
 }  // namespace
 
-void Interactions::make_room(InteractionKind kind) {
-    places.make_room();
-    base::make_room(def, 1);
+void Interactions::reserve_more(InteractionKind kind) {
+    places.reserve_more();
+    base::reserve_more(def, 1);
     Pool& p = pool[static_cast<std::size_t>(kind)];
-    base::make_room(p.ids, 1);
-    generic::with_kind(kind, [&]<class K>() { base::make_room(p.data, sizeof(typename K::Data)); });
+    base::reserve_more(p.ids, 1);
+    generic::with_kind(kind,
+                       [&]<class K>() { base::reserve_more(p.data, sizeof(typename K::Data)); });
     for (std::vector<std::int32_t>* a :
          {&pool_index, &geo, &load_begin, &working, &motors, &frictions, &winches, &spans})
-        base::make_room(*a, 1);
-    base::make_room(saturated, 1);
-    base::make_room(loads, kMaxFrictionLoads);
+        base::reserve_more(*a, 1);
+    base::reserve_more(saturated, 1);
+    base::reserve_more(loads, kMaxFrictionLoads);
     for (base::Array<std::int32_t>* a : {&body, &next_holder, &row_begin, &jac_begin})
-        base::make_room(*a, kMaxInteractionBodies);
+        base::reserve_more(*a, kMaxInteractionBodies);
     for (base::Array<std::uint8_t>* a :
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
-        base::make_room(*a, 1);
-    for (base::Array<double>* a : by_interaction(*this)) base::make_room(*a, 1);
-    for (base::Array<double>* a : by_row(*this)) base::make_room(*a, kMaxInteractionRows);
-    base::make_room(row_flags, kMaxInteractionRows);
-    base::make_room(kinds, 1);
+        base::reserve_more(*a, 1);
+    for (base::Array<double>* a : by_interaction(*this)) base::reserve_more(*a, 1);
+    for (base::Array<double>* a : by_row(*this)) base::reserve_more(*a, kMaxInteractionRows);
+    base::reserve_more(row_flags, kMaxInteractionRows);
+    base::reserve_more(kinds, 1);
 }
 
 int Interactions::add(InteractionDef filled, Bodies& bodies_in, double h) {

@@ -194,7 +194,7 @@ struct Interactions {
     }
     /// Reserve memory so that add(), append() and remove() of an interaction of this kind do not
     /// throw, if the definition is an rvalue. @throws std::bad_alloc.
-    void make_room(InteractionKind kind);
+    void reserve_more(InteractionKind kind);
     /// Return the first empty slot of a kind, −1: none.
     [[nodiscard]] int place_for(InteractionKind kind) const noexcept {
         return places.find_vacant(

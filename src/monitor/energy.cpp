@@ -78,7 +78,7 @@ Energy energy(StepContext& ctx) noexcept {
                 e.elastic += held_by_element(v, id);
             continue;
         }
-        double room[model::kArmRoom];
+        double room[model::kArmBufferSize];
         const double* jac = packed_rows(v, id, room);
         const bool rests = ctx.model.system.rests(id);  // not evaluated in this case
         const model::RowState s =

@@ -122,7 +122,7 @@ void measure_elastic(Model& model, const View& v, std::int32_t id, bool between_
     const bool state = rests || (v.flags[id] & model::kCarried) != 0;
     const model::RowState s =
         state ? model.interactions.row_state(id, model.bodies) : model::RowState{};
-    double room[model::kArmRoom];
+    double room[model::kArmBufferSize];
     const double* jac = rests ? nullptr : packed_rows(v, id, room);
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
@@ -173,7 +173,7 @@ void measure_line(const Model& model, const View& v, std::int32_t id, MonitorPar
     // to the end of the step.
     if ((v.flags[id] & model::kOneSided) && v.g[row] < 0.0) return;
     // The force of its damper at this speed, and the motion of half a step, are part of the law.
-    double room[model::kArmRoom];
+    double room[model::kArmBufferSize];
     const double* jac = packed_rows(v, id, room);
     const double speed = along_row(v, id, jac, v.v, v.dof_begin);
     const double late = 0.25 * v.h * (1.0 / v.upsilon[row] - 1.0) + 0.5 * v.h;

@@ -21,7 +21,7 @@ struct Rates {
 
 /// Compute rates from the Jacobian, with the part of bodies with a prescribed velocity.
 void rates_by_jacobian(const Model& model, const View& v, std::int32_t id, Rates& out) noexcept {
-    double room[model::kArmRoom];
+    double room[model::kArmBufferSize];
     const double* jac = packed_rows(v, id, room);
     const bool carried = (v.flags[id] & model::kCarried) != 0;
     const model::RowState s =

@@ -37,7 +37,7 @@ Push load_joints(const Model& model, SolveWork& solve, const View& v, Lambda lam
     Push size;
     std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
     for (const std::int32_t id : model.completion.looped) {
-        double room[model::kArmRoom];
+        double room[model::kArmBufferSize];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
             const double push = lambda(id, v.row_begin[id] + r);
@@ -66,7 +66,7 @@ void solve_loaded(StepContext& ctx, const View& v) noexcept {
 
 /// Read λ' of one joint from the solution.
 void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
-    double room[model::kArmRoom];
+    double room[model::kArmBufferSize];
     const double* jac = packed_rows(v, id, room);
     for (int r = 0; r < v.rows[id]; ++r) {
         const double speed = along_row(v, id, jac, v.solution, v.body_offset);

@@ -51,7 +51,7 @@ double write_gaps(const Model& model, const View& v) noexcept {
     for (const std::int32_t id : model.completion.rigid) {
         if (model.interactions.parted[at(id)] != 0) continue;
         const model::RowState now = model.interactions.row_state(id, model.bodies);
-        double room[model::kArmRoom];
+        double room[model::kArmBufferSize];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
             if (!(std::fabs(now.g[r]) <= most)) most = std::fabs(now.g[r]);

@@ -101,7 +101,7 @@ bool slow_springs(Model& model, bool add) noexcept {
         // Wires are treated by calm_start().
         if (model.system.rests(id) || v.active[id] == 0.0 || model.wires.wire_of[at(id)] >= 0)
             continue;
-        double room[model::kArmRoom];
+        double room[model::kArmBufferSize];
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
             const double speed = along_row(v, id, jac, v.v, v.dof_begin);

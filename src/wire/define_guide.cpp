@@ -74,8 +74,8 @@ Guide guide_there_is(const World& world, const GuideDef& def) {
 
 /// Check that elements on both sides are long enough for nodes to run through.
 /// @throws DefError
-void check_room(const World& world, const GuideDef& def, InteractionId before, InteractionId behind,
-                const std::array<double, 2>& material) {
+void check_space(const World& world, const GuideDef& def, InteractionId before,
+                 InteractionId behind, const std::array<double, 2>& material) {
     if (!(def.element_length > 0.0)) return;
     const auto elements = world.elements(def.wire);
     const auto length = [&](InteractionId id) { return world.interaction_def(id).get("length"); };
@@ -285,7 +285,7 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
     if (!drawn && !def.closed)
         set_rest_length(plan, mass > 0.0 ? mass / def.mass_per_length : length);
     material = {plan.material[0], plan.material[1]};
-    check_room(world, def, id, id, material);
+    check_space(world, def, id, id, material);
     plan.slide.velocity.x() = speed;
     const EndLumps had = end_lumps(world, element);
     out.slide = world.add_body(plan.slide);
@@ -328,7 +328,7 @@ Guide define(World& world, const GuideDef& given) {
                 world.interaction_def(side == 0 ? out.before : out.behind).get("length");
         if (std::isnan(def.mass_per_length) || std::isnan(def.element_length))
             refuse(def, "with a slide of its own give mass_per_length and element_length");
-        check_room(world, def, out.before, out.behind, material);
+        check_space(world, def, out.before, out.behind, material);
     } else {
         out = wire::lay_on(world, def, 0.0, material, true);
     }

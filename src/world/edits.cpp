@@ -58,11 +58,11 @@ BodyId World::add_body(const BodyDef& def) {
     stepper::StepContext& c = m.ctx;
     refuse_beyond(m.body_ids.size(), c.model.def.max_bodies, "bodies");
     BodyDef kept = def;
-    base::make_room(m.body_defs, 1);
-    base::make_room(m.body_ids, 1);
-    base::make_room(c.model.regroup.by_hand, 1);
-    base::make_room(c.model.cuts.group, 1);
-    c.model.bodies.make_room();
+    base::reserve_more(m.body_defs, 1);
+    base::reserve_more(m.body_ids, 1);
+    base::reserve_more(c.model.regroup.by_hand, 1);
+    base::reserve_more(c.model.cuts.group, 1);
+    c.model.bodies.reserve_more();
     const std::int32_t place = next_place(c.model.bodies.place_for(def.kind), body_count());
     std::int32_t group = -1;
     claim_for(m.body_names, def.name, place, "body", [&] { group = m.number_of_group(def.group); });
@@ -89,8 +89,8 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     refuse_beyond(m.interaction_ids.size(), c.model.def.max_interactions, "interactions");
     InteractionDef d = def;
     world::fill_in(d, c);
-    all.make_room(d.kind);
-    base::make_room(m.interaction_ids, 1);
+    all.reserve_more(d.kind);
+    base::reserve_more(m.interaction_ids, 1);
     stepper::reserve_edit(c);
     const std::int32_t place = next_place(all.place_for(d.kind), interaction_count());
     claim(m.interaction_names, d.name, place, "interaction");
@@ -117,9 +117,9 @@ ShapeId World::add_shape(const ShapeDef& def) {
     Impl& m = *impl_;
     world::check(def, m.ctx.model.bodies, body_count(), material_count());
     ShapeDef kept = def;
-    base::make_room(m.shape_defs, 1);
+    base::reserve_more(m.shape_defs, 1);
     stepper::reserve_edit(m.ctx);
-    base::make_room(m.shape_ids, 1);
+    base::reserve_more(m.shape_ids, 1);
     const std::int32_t place = next_place(
         m.ctx.model.collider.places.find_vacant([](std::int32_t) { return true; }), shape_count());
     claim_for(m.shape_names, def.name, place, "shape",
@@ -177,9 +177,9 @@ const Removed& World::remove_input(InputId id) { return remove_one(*impl_, id, "
 /// Reserve capacity for all objects, because removing a hull may remove any of them.
 void World::Impl::reserve_removal() {
     stepper::reserve_edit(ctx);
-    ctx.model.bodies.make_room();
-    ctx.model.interactions.places.make_room();
-    input_places.make_room();
+    ctx.model.bodies.reserve_more();
+    ctx.model.interactions.places.reserve_more();
+    input_places.reserve_more();
     removed.bodies.reserve(body_ids.size());
     removed.interactions.reserve(interaction_ids.size());
     removed.shapes.reserve(shape_ids.size());

@@ -121,14 +121,14 @@ InputId World::add_input(const InputDef& def) {
         throw DefError(where.text() + ": spring = " + world::number(*def.spring) +
                        " is outside of its range, " + world::number(allowed.min) + " … " +
                        world::number(allowed.max));
-    base::make_room(m.inputs, 1);
-    base::make_room(m.input_values, 1);
-    base::make_room(m.input_ids, 1);
-    base::make_room(m.force_inputs, 1);
-    base::make_room(m.ctx.model.interactions.working, 1);
-    m.input_places.make_room();
+    base::reserve_more(m.inputs, 1);
+    base::reserve_more(m.input_values, 1);
+    base::reserve_more(m.input_ids, 1);
+    base::reserve_more(m.force_inputs, 1);
+    base::reserve_more(m.ctx.model.interactions.working, 1);
+    m.input_places.reserve_more();
     if (def.local) {
-        base::make_room(m.local_inputs, 1);
+        base::reserve_more(m.local_inputs, 1);
         m.forces_before.resize(6 * (m.local_inputs.size() + 1));
     }
     std::int32_t place = m.input_places.find_vacant([](std::int32_t) { return true; });

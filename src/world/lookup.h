@@ -64,7 +64,7 @@ class Names {
         if (known_ && copied_ == from.changes_) return;
         known_ = false;
         map_ = from.map_;
-        base::make_room(spare_, map_.size() + 1);
+        base::reserve_more(spare_, map_.size() + 1);
         copied_ = from.changes_;
         known_ = true;
     }
@@ -91,7 +91,7 @@ class Names {
     /// @throws std::bad_alloc.
     bool add(const std::string& name, std::int32_t place) {
         if (contains(name)) return false;
-        base::make_room(spare_, map_.size() + 1);  // for erase()
+        base::reserve_more(spare_, map_.size() + 1);  // for erase()
         ++changes_;
         if (spare_.empty()) {
             map_.emplace(name, place);

@@ -155,12 +155,12 @@ double energy_of(const stepper::StepContext& ctx, const Energy& energy, int comp
 }  // namespace
 
 OutputId Outputs::add(OutputDef def, int component) {
-    base::make_room(defs_, 1);
-    base::make_room(component_, 1);
-    base::make_room(values_, 1);
-    base::make_room(signal_, 1);
-    base::make_room(ids_, 1);
-    places_.make_room();
+    base::reserve_more(defs_, 1);
+    base::reserve_more(component_, 1);
+    base::reserve_more(values_, 1);
+    base::reserve_more(signal_, 1);
+    base::reserve_more(ids_, 1);
+    places_.reserve_more();
     std::int32_t place = places_.find_vacant([](std::int32_t) { return true; });
     claim(names_, def.name, place < 0 ? places_.count() : place, "output");
     // No call below throws.

@@ -137,7 +137,7 @@ void World::Impl::make_interactions(World& self, const Placed<InteractionDef>& f
     model::Interactions& in = ctx.model.interactions;
     for (std::size_t i = 0; i < from.defs.size(); ++i) {
         if (is_vacant(from, i)) {
-            in.make_room(from.defs[i].kind);
+            in.reserve_more(from.defs[i].kind);
             in.append_empty(from.defs[i].kind);
             continue;
         }
@@ -185,7 +185,7 @@ void World::Impl::make_inputs(World& self, const Placed<InputDef>& from) {
         }
         inputs.emplace_back();
         input_values.push_back(0.0);
-        input_places.make_room();
+        input_places.reserve_more();
         (void)input_places.append();
     }
     for (const std::int32_t k : from.vacant) input_places.vacate(k);
@@ -198,7 +198,7 @@ void World::Impl::make_wires(const Placed<WirePieces>& from) {
     for (std::size_t k = 0; k < from.defs.size(); ++k) {
         world::Wire& wire = wires.wires.emplace_back();
         static_cast<WirePieces&>(wire) = from.defs[k];
-        wires.places.make_room();
+        wires.places.reserve_more();
         const std::int32_t place = wires.places.append();
         if (is_vacant(from, k)) continue;
         const std::string where = world::label("wire", wire.name);

@@ -145,10 +145,10 @@ InteractionDef unwound(const stepper::StepContext& c, const std::array<std::int3
     return out;
 }
 
-void make_room_for_end(world::Wire& wire) {
-    base::make_room(wire.lumps, 1);
-    base::make_room(wire.elements, 1);
-    base::make_room(wire.shapes, 1);
+void reserve_end(world::Wire& wire) {
+    base::reserve_more(wire.lumps, 1);
+    base::reserve_more(wire.elements, 1);
+    base::reserve_more(wire.shapes, 1);
 }
 
 /// Copy the forces of one element to its replacement.
@@ -243,9 +243,9 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     std::optional<ShapeDef> segment;
     if (!own.valid() && beyond >= 0) segment = capsule_like(*this, beyond);
     world::Wire* wire = wire_with(element);
-    if (wire != nullptr) make_room_for_end(*wire);
+    if (wire != nullptr) reserve_end(*wire);
     world::Wire made;
-    make_room_for_end(made);
+    reserve_end(made);
     const Mark before = mark(held, next);
     const stepper::Edited edited = ctx.state.ledger.edited;
     const stepper::Edited had = stepper::splice_energy(ctx, next.index, -1, e, e);

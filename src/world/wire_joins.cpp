@@ -183,7 +183,7 @@ Joint World::Impl::hold(World& world, BodyId a, BodyId b, const Vec3& point, con
     std::erase_if(gear, [&](const world::GearInUse& g) {
         return !ctx.model.interactions.places.names(g.id);
     });
-    base::make_room(gear, 1);
+    base::reserve_more(gear, 1);
     const bool lump = stepper::is_lump(ctx, b.index);
     Joint out;
     {
@@ -225,7 +225,7 @@ Joint World::Impl::put_plate(World& world, BodyId a, BodyId b, const JoinDef& de
     constexpr double kThick = 0.05;
     plate.half_size = def.radius * Vec3(1.0, 1.0, kThick);
     plate.group = world.body_def(a).group;
-    base::make_room(gear, 2);
+    base::reserve_more(gear, 2);
     world::Wire made;
     made.lumps.reserve(1);
     made.elements.reserve(2);

@@ -25,10 +25,10 @@ std::ptrdiff_t find_in(const std::vector<Id>& list, Id id) noexcept {
     return found == list.end() ? -1 : found - list.begin();
 }
 
-void make_room_for_node(world::Wire& wire) {
-    for (auto* list : {&wire.elements, &wire.bends}) base::make_room(*list, 1);
-    for (auto* list : {&wire.nodes, &wire.lumps}) base::make_room(*list, 1);
-    base::make_room(wire.shapes, 1);
+void reserve_node(world::Wire& wire) {
+    for (auto* list : {&wire.elements, &wire.bends}) base::reserve_more(*list, 1);
+    for (auto* list : {&wire.nodes, &wire.lumps}) base::reserve_more(*list, 1);
+    base::reserve_more(wire.shapes, 1);
 }
 
 /// Insert a node. Capacity has been reserved.
@@ -121,13 +121,13 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
                                           stepper::node_on(m.ctx, element.index, share, whole));
     const ShapeId segment = m.segment_between(a.index, b.index);
     world::Wire* wire = m.wire_with(element);
-    if (wire != nullptr) make_room_for_node(*wire);
+    if (wire != nullptr) reserve_node(*wire);
 
     const Impl::Mark before = m.mark(a, b);
     const stepper::NodeLedger was = stepper::begin_node_edit(m.ctx, place);
     world::Wire& made = m.wires.coming;
     made.begin({}, true);
-    make_room_for_node(made);
+    reserve_node(made);
     const double EI = m.stiffness_beside(place, wire);
     InteractionDef bend = world::node_bend(in, element.index, EI);
     for (const std::size_t slot : {0U, 1U})

@@ -40,12 +40,12 @@ InteractionDef bend_at_splice(const model::Interactions& in, std::int32_t beside
     return out;
 }
 
-void make_room_for(world::Wire& to, const world::Wire& more) {
-    base::make_room(to.nodes, more.nodes.size() + 1);
-    base::make_room(to.elements, more.elements.size() + 1);
-    base::make_room(to.lumps, more.lumps.size() + 1);
-    base::make_room(to.bends, more.bends.size() + 1);
-    base::make_room(to.shapes, more.shapes.size() + 1);
+void reserve_for(world::Wire& to, const world::Wire& more) {
+    base::reserve_more(to.nodes, more.nodes.size() + 1);
+    base::reserve_more(to.elements, more.elements.size() + 1);
+    base::reserve_more(to.lumps, more.lumps.size() + 1);
+    base::reserve_more(to.bends, more.bends.size() + 1);
+    base::reserve_more(to.shapes, more.shapes.size() + 1);
 }
 
 /// The joined node, and the one removed.
@@ -104,9 +104,9 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
     world::Wire* wire_a = wire_with(one.element);
     world::Wire* wire_b = wire_with(other.element);
     if (wire_a != nullptr && wire_a == wire_b) world::refuse(where, "both are ends of one wire");
-    if (wire_a != nullptr && wire_b != nullptr) make_room_for(*wire_a, *wire_b);
+    if (wire_a != nullptr && wire_b != nullptr) reserve_for(*wire_a, *wire_b);
     reserve_removal();
-    wires.places.make_room();
+    wires.places.reserve_more();
     const std::int32_t near[2] = {stepper::bend_about(ctx, far_a.index, a.index),
                                   stepper::bend_about(ctx, far_b.index, b.index)};
     const std::int32_t beside = near[0] >= 0 ? near[0] : near[1];

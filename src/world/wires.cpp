@@ -145,9 +145,9 @@ WireId World::adopt_wire(const std::string& name, std::span<const InteractionId>
 }
 
 std::int32_t World::Impl::claim_wire(const std::string& name) {
-    wires.places.make_room();
-    base::make_room(wires.wires, 1);
-    base::make_room(wires.ids, 1);
+    wires.places.reserve_more();
+    base::reserve_more(wires.wires, 1);
+    base::reserve_more(wires.ids, 1);
     const std::int32_t vacant = wires.places.find_vacant([](std::int32_t) { return true; });
     world::claim(wires.names, name, vacant < 0 ? wires.places.count() : vacant, "wire");
     return vacant;

@@ -98,7 +98,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
             floor_.refuse(from_ + ": no socket " + shown(view_of(request.target())));
             return answer(http::status::not_found, "The socket is /live.\n");
         }
-        make_room_for_strangers();
+        free_stranger_slot();
         const std::uint32_t number = floor_.next_number();
         auto client = std::make_shared<Client>(floor_, std::move(stream_), number, address_, from_);
         floor_.clients_.emplace(number, client);
@@ -107,7 +107,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
     /// Limit the number of sockets without hello. They count as no clients, but need memory. Close
     /// the oldest socket of the address with the most sockets.
-    void make_room_for_strangers() {
+    void free_stranger_slot() {
         int strangers = 0, most = 0;
         std::map<std::string, int> by_address;
         for (const auto& [number, client] : floor_.clients_) {

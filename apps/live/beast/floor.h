@@ -90,7 +90,7 @@ class Floor {
     }
     /// Close the oldest connection of the address with the most connections, so that one address
     /// cannot block others.
-    void make_room_for_connections() {
+    void free_connection_slot() {
         std::map<std::string, int> by_address;
         int most = 0;
         for (const OpenConnection& one : connections_)

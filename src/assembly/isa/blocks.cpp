@@ -53,7 +53,7 @@ void damp_arms(const View& view, const Op& op, Place out) {
 
 /// Apply condense() to a compact joint, with its damping.
 void condense_arms(const View& view, const Op& op, Place out) {
-    double room[model::kArmRoom], w[model::kArmRows];
+    double room[model::kArmBufferSize], w[model::kArmRows];
     model::unpack_arms(view.jacobian + op.jac_a, room);
     for (int r = 0; r < model::kArmRows; ++r)
         w[r] = view.active[op.id] * view.inv_sigma[view.row_begin[op.id] + r];
@@ -170,7 +170,7 @@ void kept(const View& view, const Op& op, Place out) {
     const double* jac = view.jacobian + (below ? op.jac_b : op.jac_a);
     const int dof = below ? op.dof_b : op.dof_a;
     int width = op.width;
-    double room[model::kArmRoom];
+    double room[model::kArmBufferSize];
     if (width == 0) {
         model::unpack_arms(jac, room);
         jac = room + 6 * (below ? op.b : op.a);

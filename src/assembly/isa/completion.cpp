@@ -63,7 +63,7 @@ void moved_rows(const View& view, std::int32_t id, const typename K::Data& data,
 /// Compute G u of the rows of one interaction.
 template <int R>
 void row_speeds(const View& view, std::int32_t id, const double* u, double (&speed)[R]) {
-    double room[model::kArmRoom];
+    double room[model::kArmBufferSize];
     const double* jac = packed_rows(view, id, room);
     for (int r = 0; r < R; ++r) {
         speed[r] = 0.0;
