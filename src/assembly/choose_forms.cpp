@@ -17,9 +17,9 @@ double mobility(const model::Bodies& bodies, const model::Interactions& in, int 
     int width = 0;
     for (int b = 0; b < in.bodies[at(id)]; ++b)
         width += bodies.dof(in.body[at(kMaxInteractionBodies * id + b)]);
-    double room[model::kArmBufferSize];
+    double buffer[model::kArmBufferSize];
     const double* jac =
-        model::packed_rows(&in.jacobian[at(in.jac_begin[at(id)])], in.arms[at(id)] != 0, room) +
+        model::packed_rows(&in.jacobian[at(in.jac_begin[at(id)])], in.arms[at(id)] != 0, buffer) +
         static_cast<std::ptrdiff_t>(row) * width;
     double sum = 0.0;
     for (int b = 0; b < in.bodies[at(id)]; ++b) {

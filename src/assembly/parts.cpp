@@ -97,9 +97,9 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         }
         if (rests || in.jacobian.empty()) continue;
         double sum = 0.0, off = 0.0;
-        double room[model::kArmBufferSize];
+        double buffer[model::kArmBufferSize];
         const double* packed =
-            model::packed_rows(&in.jacobian[at(in.jac_begin[at(i)])], in.arms[at(i)] != 0, room);
+            model::packed_rows(&in.jacobian[at(in.jac_begin[at(i)])], in.arms[at(i)] != 0, buffer);
         for (int r = 0; r < in.rows[at(i)]; ++r) {
             const std::size_t row = at(in.row_begin[at(i)] + r);
             const double* jac = packed + static_cast<std::ptrdiff_t>(r) * width;

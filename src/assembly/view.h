@@ -238,8 +238,8 @@ struct View {
 
 /// Return the packed rows of interaction `id`, in the buffer `room` if it is a compact joint.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(
-    const View& view, std::int32_t id, double (&room)[model::kArmBufferSize]) noexcept {
-    return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, room);
+    const View& view, std::int32_t id, double (&buffer)[model::kArmBufferSize]) noexcept {
+    return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, buffer);
 }
 
 /// Add a row G v = c without the rest of its interaction to the right-hand side in the vector of

@@ -48,10 +48,10 @@ inline constexpr int kArmRows = 3, kArmWidth = 12, kArmBufferSize = kArmRows * k
 /// Return the packed rows of an interaction whose Jacobian begins at `jacobian`. A compact Jacobian
 /// is unpacked to `room`.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(
-    const double* jacobian, bool arms, double (&room)[kArmBufferSize]) noexcept {
+    const double* jacobian, bool arms, double (&buffer)[kArmBufferSize]) noexcept {
     if (!arms) return jacobian;
-    unpack_arms(jacobian, room);
-    return room;
+    unpack_arms(jacobian, buffer);
+    return buffer;
 }
 
 }  // namespace hawser::model

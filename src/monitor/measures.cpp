@@ -122,8 +122,8 @@ void measure_elastic(Model& model, const View& v, std::int32_t id, bool between_
     const bool state = rests || (v.flags[id] & model::kCarried) != 0;
     const model::RowState s =
         state ? model.interactions.row_state(id, model.bodies) : model::RowState{};
-    double room[model::kArmBufferSize];
-    const double* jac = rests ? nullptr : packed_rows(v, id, room);
+    double buffer[model::kArmBufferSize];
+    const double* jac = rests ? nullptr : packed_rows(v, id, buffer);
     for (int r = 0; r < v.rows[id]; ++r) {
         const std::int32_t row = v.row_begin[id] + r;
         double speed = state ? s.carried[r] + (rests ? s.rate[r] : 0.0) : 0.0;
@@ -173,8 +173,8 @@ void measure_line(const Model& model, const View& v, std::int32_t id, MonitorPar
     // to the end of the step.
     if ((v.flags[id] & model::kOneSided) && v.g[row] < 0.0) return;
     // The force of its damper at this speed, and the motion of half a step, are part of the law.
-    double room[model::kArmBufferSize];
-    const double* jac = packed_rows(v, id, room);
+    double buffer[model::kArmBufferSize];
+    const double* jac = packed_rows(v, id, buffer);
     const double speed = along_row(v, id, jac, v.v, v.dof_begin);
     const double late = 0.25 * v.h * (1.0 / v.upsilon[row] - 1.0) + 0.5 * v.h;
     const double off = std::fabs(v.g[row] + v.epsilon[row] * v.lambda[row] / v.h);

@@ -21,8 +21,8 @@ struct Rates {
 
 /// Compute rates from the Jacobian, with the part of bodies with a prescribed velocity.
 void rates_by_jacobian(const Model& model, const View& v, std::int32_t id, Rates& out) noexcept {
-    double room[model::kArmBufferSize];
-    const double* jac = packed_rows(v, id, room);
+    double buffer[model::kArmBufferSize];
+    const double* jac = packed_rows(v, id, buffer);
     const bool carried = (v.flags[id] & model::kCarried) != 0;
     const model::RowState s =
         carried ? model.interactions.row_state(id, model.bodies) : model::RowState{};

@@ -37,8 +37,8 @@ Push load_joints(const Model& model, SolveWork& solve, const View& v, Lambda lam
     Push size;
     std::fill_n(v.solution, model.system.symbolic.scalars, 0.0);
     for (const std::int32_t id : model.completion.looped) {
-        double room[model::kArmBufferSize];
-        const double* jac = packed_rows(v, id, room);
+        double buffer[model::kArmBufferSize];
+        const double* jac = packed_rows(v, id, buffer);
         for (int r = 0; r < v.rows[id]; ++r) {
             const double push = lambda(id, v.row_begin[id] + r);
             for (int b = 0; b < v.bodies[id]; ++b) {
@@ -66,8 +66,8 @@ void solve_loaded(StepContext& ctx, const View& v) noexcept {
 
 /// Read λ' of one joint from the solution.
 void read_filtered(const View& v, std::int32_t id, double* out) noexcept {
-    double room[model::kArmBufferSize];
-    const double* jac = packed_rows(v, id, room);
+    double buffer[model::kArmBufferSize];
+    const double* jac = packed_rows(v, id, buffer);
     for (int r = 0; r < v.rows[id]; ++r) {
         const double speed = along_row(v, id, jac, v.solution, v.body_offset);
         out[r] = v.interaction_offset[id] >= 0 ? v.solution[v.interaction_offset[id] + r]

@@ -51,8 +51,8 @@ double write_gaps(const Model& model, const View& v) noexcept {
     for (const std::int32_t id : model.completion.rigid) {
         if (model.interactions.parted[at(id)] != 0) continue;
         const model::RowState now = model.interactions.row_state(id, model.bodies);
-        double room[model::kArmBufferSize];
-        const double* jac = packed_rows(v, id, room);
+        double buffer[model::kArmBufferSize];
+        const double* jac = packed_rows(v, id, buffer);
         for (int r = 0; r < v.rows[id]; ++r) {
             if (!(std::fabs(now.g[r]) <= most)) most = std::fabs(now.g[r]);
             jac = assembly::ask_of_row(v, id, r, jac, -per_h * now.g[r]);

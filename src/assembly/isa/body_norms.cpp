@@ -77,8 +77,8 @@ void one_body(const View& view, std::int32_t body, const double* residual, Norms
 void eight_residuals(const View& view, std::int32_t body, V8 (&p)[kLanes]) {
     double* kept = view.momentum ? view.momentum + view.dof_begin[body] : nullptr;
     if (!eight_links(view, body)) {
-        double room[6 * kLanes + 2] = {};  // vectors end behind the last
-        double* out = kept ? kept : room;
+        double buffer[6 * kLanes + 2] = {};  // vectors end behind the last
+        double* out = kept ? kept : buffer;
         for (int l = 0; l < kLanes; ++l) momentum_residual(view, body + l, out + 6 * l);
         load_bodies(out, 6, p);
         return;
@@ -156,8 +156,8 @@ void body_norms(const View& view, std::int32_t begin, std::int32_t end, Norms* n
             eight_bodies(view, body, n);
             body += kLanes - 1;
         } else if (view.dof[body] > 0) {
-            double room[6];
-            double* residual = view.momentum ? view.momentum + view.dof_begin[body] : room;
+            double buffer[6];
+            double* residual = view.momentum ? view.momentum + view.dof_begin[body] : buffer;
             momentum_residual(view, body, residual);
             one_body(view, body, residual, n);
         }

@@ -255,8 +255,9 @@ void evaluate_kind(const View& view, const std::int32_t* ids, const void* data_i
         Speeds<R> speed;
         int width = 0;
         for (int b = 0; b < B; ++b) width += view.dof[body[b]];
-        double room[model::kArmBufferSize];
-        double* out = kCompactKind<K> && view.arms[id] ? room : view.jacobian + view.jac_begin[id];
+        double buffer[model::kArmBufferSize];
+        double* out =
+            kCompactKind<K> && view.arms[id] ? buffer : view.jacobian + view.jac_begin[id];
         int at = 0;
         for (int b = 0; b < B; ++b) {
             const std::int32_t i = body[b];
