@@ -40,13 +40,13 @@ void draw_along(Drawing& drawing, const Axes& axes, const Along& a, double facto
         drawing.add(Path{.points = at(a.elements, a.tensions), .stroke = kInk, .width = kNowWidth});
 }
 
-void mark_parted(Drawing& drawing, const Axes& axes, double s, const std::string& text) {
+void mark_broken(Drawing& drawing, const Axes& axes, double s, const std::string& text) {
     const double x = axes.at(s, axes.y.low).x;
-    drawing.line({x, axes.frame.y}, {x, axes.frame.bottom()}, kPartedColor, 1.2, {5.0, 5.0});
+    drawing.line({x, axes.frame.y}, {x, axes.frame.bottom()}, kBrokenColor, 1.2, {5.0, 5.0});
     drawing.add(Text{.at = {x + 5, axes.frame.y + 16},
                      .text = text,
                      .size = 11.0,
-                     .color = kPartedColor,
+                     .color = kBrokenColor,
                      .halo = true});
 }
 
@@ -77,7 +77,7 @@ std::optional<Drawing> plot_wires(const record::Recording& recording, const reco
         .height = kAlongTop + 40 + static_cast<double>(along.size()) * (height + kAlongBetween)};
     draw_heading(drawing, recording.scene_name + ": tension along the cables",
                  record::parameter_line(recording));
-    const std::vector<PartedElement> parted = parted_elements(recording, HUGE_VAL);
+    const std::vector<BrokenElement> parted = broken_elements(recording, HUGE_VAL);
     for (std::size_t w = 0; w < along.size(); ++w) {
         const Along& a = along[w];
         const double peak = *std::max_element(a.greatest.begin(), a.greatest.end());
@@ -86,10 +86,10 @@ std::optional<Drawing> plot_wires(const record::Recording& recording, const reco
             a, unit, kAlongTop + static_cast<double>(w) * (height + kAlongBetween), height);
         axes.draw(drawing);
         draw_along(drawing, axes, a, unit.factor, curve_color(w));
-        for (const double s : a.parted) mark_parted(drawing, axes, s, "parted");
-        for (const PartedElement& p : parted)
+        for (const double s : a.parted) mark_broken(drawing, axes, s, "parted");
+        for (const BrokenElement& p : parted)
             if (p.cable == a.cable && !a.changes)
-                mark_parted(drawing, axes, a.s[static_cast<std::size_t>(p.element)], p.text);
+                mark_broken(drawing, axes, a.s[static_cast<std::size_t>(p.element)], p.text);
     }
     const bool lies = std::any_of(along.begin(), along.end(), [](auto& a) { return a.changes; });
     drawing.text(

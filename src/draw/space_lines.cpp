@@ -132,7 +132,7 @@ void Space::draw_cross(const Vec3& end) {
     if (is_hidden(end, solids_, camera_)) return;
     const Point p = at(end);
     for (const double side : {-5.0, 5.0})
-        drawing_.line({p.x - 5, p.y - side}, {p.x + 5, p.y + side}, kPartedColor, 2.2);
+        drawing_.line({p.x - 5, p.y - side}, {p.x + 5, p.y + side}, kBrokenColor, 2.2);
 }
 
 void Space::draw_joints(double level, bool above) {

@@ -29,7 +29,7 @@ namespace hawser::record {
 [[nodiscard]] inline std::string event_label(const World& world, const Event& event) {
     if (std::string input = input_label(world, event); !input.empty()) return input;
     if (event.kind == EventKind::line_break && event.interaction.valid())
-        return parted_label(world, event.interaction);
+        return broken_label(world, event.interaction);
     return place_label(world, event.interaction, event.body);
 }
 

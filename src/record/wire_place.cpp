@@ -34,7 +34,7 @@ std::optional<WirePlace> wire_place(const World& world, InteractionId element) {
     return std::nullopt;
 }
 
-std::string parted_label(const World& world, InteractionId element) {
+std::string broken_label(const World& world, InteractionId element) {
     const std::string name = interaction_label(world, element);
     const std::optional<WirePlace> at = wire_place(world, element);
     return at ? fmt::format("{} ({} at {:.4g} m)", name, at->wire, at->s) : name;

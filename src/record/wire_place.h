@@ -24,6 +24,6 @@ struct WirePlace {
 
 /// Return the label of a broken line, `wire/s39 (wire at 197.5 m)`, or else the result of
 /// interaction_label().
-[[nodiscard]] std::string parted_label(const World& world, InteractionId element);
+[[nodiscard]] std::string broken_label(const World& world, InteractionId element);
 
 }  // namespace hawser::record

@@ -15,7 +15,7 @@ namespace hawser::report {
 
 namespace {
 
-constexpr std::size_t kShares = 20, kMaxParted = 100, kShownWires = 20, kShownParted = 8;
+constexpr std::size_t kShares = 20, kMaxBroken = 100, kShownWires = 20, kShownBroken = 8;
 
 void follow(Course& course, double now, bool first) {
     if (first) course = {now, now, now, now};
@@ -30,8 +30,8 @@ double nodes_there(const World& world, WireId wire) {
         std::count_if(nodes.begin(), nodes.end(), [&](BodyId id) { return world.alive(id); }));
 }
 
-PartedWire parted_wire(const World& world, const Event& event) {
-    PartedWire out{.time = event.time,
+BrokenWire broken_wire(const World& world, const Event& event) {
+    BrokenWire out{.time = event.time,
                    .wire = {},
                    .element = record::interaction_label(world, event.interaction),
                    .tension = event.value};
@@ -132,8 +132,8 @@ void WireWatch::add_pieces(const World& world) {
 
 void WireWatch::after_step(const World& world, std::span<const Event> events) {
     for (const Event& event : events) {
-        if (event.kind != EventKind::line_break || parted_.size() >= kMaxParted) continue;
-        if (world.alive(event.interaction)) parted_.push_back(parted_wire(world, event));
+        if (event.kind != EventKind::line_break || parted_.size() >= kMaxBroken) continue;
+        if (world.alive(event.interaction)) parted_.push_back(broken_wire(world, event));
     }
     add_pieces(world);
     const bool due = steps_ % kSampleEvery == 0, noted = steps_ % noted_every_ == 0;
@@ -181,7 +181,7 @@ std::vector<WireFigures> WireWatch::result(const World& world) const {
             whole.mean /= tensions;
             w.figures.tension = whole;
         }
-        for (const PartedWire& p : parted_)
+        for (const BrokenWire& p : parted_)
             if (p.wire == w.figures.name) w.figures.parted.push_back(p);
         out.push_back(std::move(w.figures));
     }
@@ -189,11 +189,11 @@ std::vector<WireFigures> WireWatch::result(const World& world) const {
 }
 
 std::string wires_in_words(const std::vector<WireFigures>& wires,
-                           const std::vector<PartedWire>& parted) {
+                           const std::vector<BrokenWire>& parted) {
     std::string text;
     const auto out = std::back_inserter(text);
-    for (std::size_t i = 0; i < std::min(kShownParted, parted.size()); ++i) {
-        const PartedWire& p = parted[i];
+    for (std::size_t i = 0; i < std::min(kShownBroken, parted.size()); ++i) {
+        const BrokenWire& p = parted[i];
         fmt::format_to(out, "  {:<11}  ", i == 0 ? "parted" : "");
         if (!p.wire.empty())
             fmt::format_to(out, "the wire {} at s = {} of {}, ", record::name_in_quotes(p.wire),
@@ -201,9 +201,9 @@ std::string wires_in_words(const std::vector<WireFigures>& wires,
         fmt::format_to(out, "element {}, at {:.6g} s with {}\n", record::name_in_quotes(p.element),
                        p.time, record::with_unit(p.tension, "N"));
     }
-    if (parted.size() > kShownParted)
+    if (parted.size() > kShownBroken)
         fmt::format_to(out, "  {:<11}  and {} more (see --summary)\n", "",
-                       parted.size() - kShownParted);
+                       parted.size() - kShownBroken);
     // Wires without changes are reported in the table of cables.
     std::size_t shown = 0;
     for (const WireFigures& w : wires) {

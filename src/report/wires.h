@@ -15,7 +15,7 @@
 namespace hawser::report {
 
 /// A break of a wire.
-struct PartedWire {
+struct BrokenWire {
     double time = 0.0;  ///< Time [s].
     std::string wire;   ///< Name of the wire; empty: the element belongs to no wire.
     std::string element;
@@ -54,7 +54,7 @@ struct WireFigures {
         along;                   ///< Tensions in equal parts of its length, from the first end on.
     TensionAlong tension{};      ///< Tension over its whole length.
     double breaking_load = 0.0;  ///< Breaking load of its weakest element [N]; 0: unbreakable.
-    std::vector<PartedWire> parted{};  ///< First breaks in the order of time.
+    std::vector<BrokenWire> parted{};  ///< First breaks in the order of time.
 };
 
 /// Observes the wires at the start of a world and the pieces that are cut from them. Tensions are
@@ -70,7 +70,7 @@ class WireWatch {
     void after_step(const World& world, std::span<const Event> events);
     [[nodiscard]] std::vector<WireFigures> result(const World& world) const;
     /// Return the first breaks in the order of time.
-    [[nodiscard]] const std::vector<PartedWire>& parted() const noexcept { return parted_; }
+    [[nodiscard]] const std::vector<BrokenWire>& parted() const noexcept { return parted_; }
 
   private:
     struct Watched {
@@ -89,13 +89,13 @@ class WireWatch {
 
     std::vector<Watched> wires_;
     std::vector<WireId> known_;  ///< Wires of the world at the last call of add_pieces().
-    std::vector<PartedWire> parted_;
+    std::vector<BrokenWire> parted_;
     int steps_ = 0;
     int noted_every_ = kSampleEvery;  ///< Steps.
 };
 
 /// Return the lines of a report about the wires.
 [[nodiscard]] std::string wires_in_words(const std::vector<WireFigures>& wires,
-                                         const std::vector<PartedWire>& parted);
+                                         const std::vector<BrokenWire>& parted);
 
 }  // namespace hawser::report
