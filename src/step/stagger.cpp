@@ -52,7 +52,7 @@ void violations_at(Model& model, runtime::Pool& pool, double t, std::vector<doub
         const double* v = &b.v_fixed[6 * at(body)];
         b.drift(body, v, v + 3, t);
     }
-    place_images(model);
+    place_ghosts(model);
     evaluate_rows(model, pool);
     std::copy(model.interactions.g.begin(), model.interactions.g.end(), g.begin());
     b.x = x;
