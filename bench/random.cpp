@@ -130,12 +130,12 @@ int run_all(const RandomOptions& o) {
     list.close();
     report.write_json(o.json, o.seed, o.count);
     const Tally& all = report.all();
-    constexpr double kShareOk = 0.9;
-    const bool none_wrong = all.wrong == 0, enough = all.share_ok() >= kShareOk;
+    constexpr double kFractionOk = 0.9;
+    const bool none_wrong = all.wrong == 0, enough = all.fraction_ok() >= kFractionOk;
     fmt::print("\n{:<7} {} of {} runs ended ok although wrong (bar: none)\n",
                none_wrong ? "ok" : "MISSED", all.wrong, all.cases);
     fmt::print("{:<7} {:.1f} % of {} without contradictory joints ended ok and right (bar: 90 %)\n",
-               enough ? "ok" : "MISSED", 100.0 * all.share_ok(), all.consistent);
+               enough ? "ok" : "MISSED", 100.0 * all.fraction_ok(), all.consistent);
     fmt::print("        energy of {} that ended ok swung by more than 1 % in a single state\n",
                all.swung);
     if (!none_wrong || !failed_lines.empty())

@@ -10,8 +10,8 @@
 namespace hawser::bench {
 namespace {
 
-constexpr double kMinViolation = 0.01;    ///< allowed for any size [m]
-constexpr double kViolationShare = 0.01;  ///< allowed fraction of the size of the smaller body
+constexpr double kMinViolation = 0.01;       ///< allowed for any size [m]
+constexpr double kViolationFraction = 0.01;  ///< allowed fraction of the size of the smaller body
 
 bool is_joint(InteractionKind kind) {
     using enum InteractionKind;
@@ -94,7 +94,7 @@ RandomMonitor::RandomMonitor(const World& world) : before_(poses_of(world)) {
             const double size = std::min(size_of(d.body[0]), size_of(d.body[1]));
             joints_.push_back(InteractionId{i});
             size_.push_back(std::isfinite(size) ? size : 0.0);
-            allowed_.push_back(std::max(kMinViolation, kViolationShare * size_.back()));
+            allowed_.push_back(std::max(kMinViolation, kViolationFraction * size_.back()));
         }
     }
     start(world);
@@ -162,8 +162,8 @@ void RandomMonitor::check_joints(const World& world) {
         const double violation = std::max(gap.along, 0.5 * size_[i] * gap.turned);
         if (!std::isfinite(violation)) out_.finite = false;
         out_.violation = std::max(out_.violation, violation);
-        if (violation / allowed_[i] <= out_.violation_share) continue;
-        out_.violation_share = violation / allowed_[i];
+        if (violation / allowed_[i] <= out_.violation_fraction) continue;
+        out_.violation_fraction = violation / allowed_[i];
         out_.violation_at = world.time();
         out_.worst = joints_[i];
     }
@@ -194,10 +194,10 @@ void RandomMonitor::check_energy(const World& world) {
     risen_ = {rise, risen_[0]};
     out_.created = std::max(out_.created, stays);
     const double of = std::max(out_.exchanged + moved, floor_);
-    out_.swing_share = std::max(out_.swing_share, rise / of);
+    out_.oscillation_fraction = std::max(out_.oscillation_fraction, rise / of);
     const double share = stays / of;
-    if (share > out_.created_share) {
-        out_.created_share = share;
+    if (share > out_.created_fraction) {
+        out_.created_fraction = share;
         out_.created_at = world.time();
     }
     kinetic_ = moved;

@@ -16,18 +16,19 @@ struct Judged {
     double exchanged = 0.0;  ///< ½ Σ of changes of kinetic, gravity and elastic energy [J].
     /// Largest rise of mechanical energy above its earlier value, in three consecutive states [J].
     double created = 0.0;
-    double created_share = 0.0;    ///< The same over `exchanged` and the kinetic energy at that
-                                   ///< time.
-    double swing_share = 0.0;      ///< In one state: includes changes that vanish within two steps.
-    double created_at = 0.0;       ///< [s].
-    double violation = 0.0;        ///< Largest of a joint [m]; rotations count at half the body's
-                                   ///< size.
-    double violation_share = 0.0;  ///< Largest over the limit: 1 cm or 1 % of the size.
-    double violation_at = 0.0;     ///< [s].
-    InteractionId worst{};         ///< Joint with this violation.
+    double created_fraction = 0.0;  ///< The same over `exchanged` and the kinetic energy at that
+                                    ///< time.
+    double oscillation_fraction =
+        0.0;                  ///< In one state: includes changes that vanish within two steps.
+    double created_at = 0.0;  ///< [s].
+    double violation = 0.0;   ///< Largest of a joint [m]; rotations count at half the body's
+                              ///< size.
+    double violation_fraction = 0.0;  ///< Largest over the limit: 1 cm or 1 % of the size.
+    double violation_at = 0.0;        ///< [s].
+    InteractionId worst{};            ///< Joint with this violation.
     bool finite = true;
     [[nodiscard]] bool wrong() const noexcept {
-        return !finite || created_share > 0.01 || violation_share > 1.0;
+        return !finite || created_fraction > 0.01 || violation_fraction > 1.0;
     }
 };
 

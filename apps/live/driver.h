@@ -33,9 +33,9 @@
 namespace hawser::live {
 
 struct DriverOptions {
-    std::string recording{};    ///< File that the session records to, for clients; "": none.
-    bool paused = false;        ///< At the start.
-    double states_share = 0.2;  ///< Largest fraction of time for saving and restoring.
+    std::string recording{};       ///< File that the session records to, for clients; "": none.
+    bool paused = false;           ///< At the start.
+    double states_fraction = 0.2;  ///< Largest fraction of time for saving and restoring.
     /// Exercise of the session, and its run; null: none.
     const exercise::Exercise* exercise = nullptr;
     exercise::Run* run = nullptr;

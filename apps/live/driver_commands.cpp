@@ -151,8 +151,8 @@ void Driver::afford_states(const char* what) const {
 
 void Driver::count_states(double begun) {
     states_took_ = clock_now() - begun;
-    const double from = std::max(states_free_, begun - kRestoresAllowed / options_.states_share);
-    states_free_ = from + states_took_ / options_.states_share;
+    const double from = std::max(states_free_, begun - kRestoresAllowed / options_.states_fraction);
+    states_free_ = from + states_took_ / options_.states_fraction;
 }
 
 void Driver::save(const std::string& name) {

@@ -95,11 +95,11 @@ inline constexpr double kMoreStiffness = 0.5, kMoreDamping = 9.0;
 /// Coefficients a and d of the text above. @param s  h² T/(l m). @param alert  1 if the wire gained
 /// energy recently, else 0.
 template <class T>
-struct AcrossShares {
+struct AcrossFractions {
     T late, ahead;
 };
 template <class T>
-inline AcrossShares<T> across_shares(const T& s, const T& alert) {
+inline AcrossFractions<T> across_fractions(const T& s, const T& alert) {
     const T s4 = 4.0 * s, unit = one(s);
     const T beyond = positive_part(T(s4 - unit)) * (1.0 / (s4 + unit));
     return {constant(s, 0.25) + beyond * (constant(s, 0.25) + 0.5 * alert),

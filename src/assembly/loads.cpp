@@ -225,7 +225,7 @@ void LoadStore::finish(model::Bodies& bodies, double h, base::Executor& executor
                                whole[i] += a[i];
                                fast[i] = h * d[i] + 0.25 * h * h * k[i];
                            }
-                           late_[at(e)] = model::late_share(trace_over(whole, fast, n));
+                           late_[at(e)] = model::late_fraction(trace_over(whole, fast, n));
                        }
                        for (int i = 0; i < size; ++i)
                            block[i] = a[i] + h * late_[at(e)] * d[i] + 0.25 * h * h * k[i];

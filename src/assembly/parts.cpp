@@ -13,9 +13,9 @@ namespace {
 /// Maximum number of interactions of a body with a row that may be cut. A link of a wire has fewer:
 /// two joints, three bending, two twist.
 constexpr std::int32_t kMaxOfLink = 8;
-constexpr double kSpeed = 0.1;       // v₀ [m/s]
-constexpr double kViolation = 0.01;  // g₀ [m]
-constexpr double kMeanShare = 0.01;  // fraction of the mean row force in F
+constexpr double kSpeed = 0.1;          // v₀ [m/s]
+constexpr double kViolation = 0.01;     // g₀ [m]
+constexpr double kMeanFraction = 0.01;  // fraction of the mean row force in F
 
 }  // namespace
 
@@ -132,7 +132,7 @@ void PartGraph::weigh(const model::Bodies& bodies, const model::Interactions& in
         if (size[b] == 0) continue;
         const double* p = &net_[3 * b];
         net_force[b] = per_h * std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-        const double usual = bodies.mass[b] * gravity + kMeanShare * mean + 1e-300;
+        const double usual = bodies.mass[b] * gravity + kMeanFraction * mean + 1e-300;
         node_weight[b] = thousandths(net_force[b] / usual);
     }
 }

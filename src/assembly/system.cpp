@@ -32,7 +32,7 @@ void System::analyse(const model::Bodies& bodies, model::Interactions& interacti
     interaction_offset_.assign(at(interactions.count()), -1);
     body_offset_.assign(at(bodies.count()), -1);
     evaluate(bodies, interactions, def);
-    share_damping(bodies, interactions, def.step);
+    split_damping(bodies, interactions, def.step);
     soften_sides(bodies, interactions, def.step);
     choose_forms(bodies, interactions, def);
     find_order(bodies, interactions, state);

@@ -45,7 +45,7 @@ inline constexpr double kSafeRatio = 1e10;
 
 /// Σ of a rigid row, as a fraction of G M⁻¹Gᵀ. With it redundant rows leave the matrix regular.
 /// Twenty links between bodies 100,000 times heavier yield by some thousandths in their first step.
-inline constexpr double kRigidShare = 2e-9;
+inline constexpr double kRigidFraction = 2e-9;
 
 /// Largest fraction of nodes added or removed for a repair; beyond it a new order is computed.
 inline constexpr double kRepairable = 0.125;
@@ -173,7 +173,7 @@ class System {
     /// Assign addresses of Jacobians and geometric terms.
     void lay_out_rows(const model::Bodies& bodies, model::Interactions& interactions);
     /// Set the mobilities of dampers and the fractions of damping that depend on them.
-    void share_damping(const model::Bodies& bodies, model::Interactions& interactions,
+    void split_damping(const model::Bodies& bodies, model::Interactions& interactions,
                        double h) const;
     /// Set min_sigma of the rows of sides.
     void soften_sides(const model::Bodies& bodies, model::Interactions& interactions, double h);

@@ -139,8 +139,9 @@ Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
     const double given = p.it > kPatience ? p.cycle.leave(p.before) : 0.0;
     Way way;
     if (newton.convex)
-        way = go(ctx.model, newton,
-                 share_without_slope([&](double t) { return convex_slope(ctx.model, newton, t); }));
+        way = go(ctx.model, newton, fraction_without_slope([&](double t) {
+                     return convex_slope(ctx.model, newton, t);
+                 }));
     else if (p.it > 0)
         way = search(ctx.model, newton, p.before, given);
     newton.shortened = way.share < 1.0;

@@ -198,9 +198,9 @@ double wire_slope(const WireNewton& wire, std::size_t contacts, double t) noexce
     return sum;
 }
 
-double share_of_way(const WireNewton& wire, std::size_t contacts, double before) noexcept {
+double fraction_of_way(const WireNewton& wire, std::size_t contacts, double before) noexcept {
     if (wire.convex)
-        return share_without_slope([&](double t) { return wire_slope(wire, contacts, t); });
+        return fraction_without_slope([&](double t) { return wire_slope(wire, contacts, t); });
     double now = wire_merit(wire, contacts, 1.0), best = now, best_t = 1.0, t = 1.0;
     for (int k = 0; k < kWireHalvings && !(now <= before * (1.0 - 1e-4 * t)); ++k) {
         t *= 0.5;
@@ -233,7 +233,7 @@ std::int32_t switch_elements(const Model& model, const View& v, WireNewton& wire
     for (std::int32_t k = 0; k + 1 < wire.nodes; ++k) {
         WireElement& e = wire.elements[at(k)];
         if (v.parted[e.id] != 0) continue;
-        const double scale = e.sigma + (wire.convex ? kConvexShare : 1.0) * e.mobility;
+        const double scale = e.sigma + (wire.convex ? kConvexFraction : 1.0) * e.mobility;
         const double wanted = std::min(0.0, (e.active ? e.from.lambda : 0.0) + e.from.r / scale);
         if ((wanted < 0.0) == e.active) continue;
         if (std::fabs(wanted - e.from.lambda) <= model.contact_floor) continue;
@@ -273,7 +273,7 @@ bool iterate_wire(const Model& model, Work& work, const View& v, std::int32_t ch
     for (int it = 0, exact = 0; it < kMaxWireIterations; ++it) {
         work.solve.step_flops += kFlopsOfNode * wire.nodes;
         if (!solve_wire(model, wire, chain)) return false;
-        keep_wire_iterate(wire, contacts, share_of_way(wire, contacts, before));
+        keep_wire_iterate(wire, contacts, fraction_of_way(wire, contacts, before));
         const double map = worst_of_wire(model, wire, contacts);
         const std::int32_t asking = switch_elements(model, v, wire);
         if (!std::isfinite(map)) return false;

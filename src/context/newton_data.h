@@ -19,7 +19,7 @@ namespace hawser::stepper {
 
 /// Fraction θ of the mobility W in ρ of contacts and rows during the convex phase of iterations
 /// (contact/convex_phase.h).
-inline constexpr double kConvexShare = 0.1;
+inline constexpr double kConvexFraction = 0.1;
 
 /// First row of an interaction with a bounded force, see bounds.h.
 struct BoundedRow {

@@ -44,7 +44,7 @@ std::int32_t recoil_steps(const Model& model, std::int32_t wire) noexcept {
 }
 
 /// True if two interactions share a node.
-bool share_lump(const Model& model, std::int32_t a, std::int32_t b) noexcept {
+bool share_node(const Model& model, std::int32_t a, std::int32_t b) noexcept {
     const model::Interactions& in = model.interactions;
     for (int i = 0; i < 2; ++i)
         for (int j = 0; j < 2; ++j) {
@@ -72,7 +72,7 @@ void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept {
         begins(w.wire_of[at(id)]);
     } else if (fresh) {  // spooled by a drum: in no wire itself, but next to elements of one
         for (const std::int32_t e : w.element)
-            if (share_lump(model, id, e)) begins(w.wire_of[at(e)]);
+            if (share_node(model, id, e)) begins(w.wire_of[at(e)]);
     }
     if (fresh && w.stale) follow_alerts(model);
 }

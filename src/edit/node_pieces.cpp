@@ -124,7 +124,7 @@ double beyond_straight(const StepContext& ctx, std::int32_t id) noexcept {
     if (!is_routed(ctx, id)) return 1.0;
     return length_of(ctx, id) / (point_of(ctx, id, 1) - point_of(ctx, id, 0)).norm();
 }
-double straight_share(const StepContext& ctx, std::int32_t id, double share) noexcept {
+double straight_fraction(const StepContext& ctx, std::int32_t id, double share) noexcept {
     if (!is_routed(ctx, id)) return share;
     const double more = beyond_straight(ctx, id);
     // Counted from the end that is not at a drum or guide.

@@ -53,7 +53,8 @@ struct NodeLinks {
 [[nodiscard]] double length_of(const StepContext& ctx, std::int32_t id) noexcept;
 [[nodiscard]] double beyond_straight(const StepContext& ctx, std::int32_t id) noexcept;
 /// Return the fraction of the straight part at which a fraction of an element ends.
-[[nodiscard]] double straight_share(const StepContext& ctx, std::int32_t id, double share) noexcept;
+[[nodiscard]] double straight_fraction(const StepContext& ctx, std::int32_t id,
+                                       double share) noexcept;
 /// Return the attachment point of an element in the frame of its body [m].
 [[nodiscard]] Vec3 held_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept;
 

@@ -201,7 +201,7 @@ bool keep_energy(NodeChain& now, const Patch& patch, double energy, bool any) no
     double far = 0.0;
     const Packed down = patch.descent(now, far);
     NodeChain tried = now;
-    const auto at_share = [&](double t) {
+    const auto at_fraction = [&](double t) {
         tried = now;
         patch.add(tried, down, -t);
         fit_lengths(tried);
@@ -209,19 +209,19 @@ bool keep_energy(NodeChain& now, const Patch& patch, double energy, bool any) no
     };
     constexpr double kGivenBack = 0.05, kMaxLost = 0.01;
     double low = -kGivenBack * far, high = far;
-    if (at_share(low)) {
+    if (at_fraction(low)) {
         const double lost = energy - energy_of(tried);
         if (!any && lost > kMaxLost * stretch_energy_of(tried)) return false;
         now = tried;
         return true;
     }
-    if (!at_share(high)) return false;
+    if (!at_fraction(high)) return false;
     constexpr int kHalvings = 60;
     for (int i = 0; i < kHalvings; ++i) {
         const double t = 0.5 * (low + high);
-        (at_share(t) ? high : low) = t;
+        (at_fraction(t) ? high : low) = t;
     }
-    (void)at_share(high);
+    (void)at_fraction(high);
     now = tried;
     return true;
 }

@@ -93,7 +93,7 @@ NodeDef node_on(const StepContext& ctx, std::int32_t element, double share, doub
     const std::size_t drum = wound ? drum_side(ctx, element) : 0;
     // fraction of the piece that a drum gives away
     const double own = drum == 0 ? 1.0 - share : share;
-    const double where = straight_share(ctx, element, share);
+    const double where = straight_fraction(ctx, element, share);
     out.mass = 0.5 * mass * (wound ? own : 1.0);
     out.velocity = (1.0 - where) * speed_of(ctx, element, 0, ctx.model.bodies.v) +
                    where * speed_of(ctx, element, 1, ctx.model.bodies.v);
@@ -141,7 +141,7 @@ void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, dou
             wound ? 0.5 * mass * own_of_piece : -0.5 * mass * (slot == 0 ? 1.0 - share : share);
         add_mass(ctx, body, more, more / bodies.mass[at(body)] * damping_of(ctx, body));
     }
-    const double where = straight_share(ctx, old, share);
+    const double where = straight_fraction(ctx, old, share);
     Vec3 ahead = (1.0 - where) * speed_of(ctx, old, 0, bodies.v_start) +
                  where * speed_of(ctx, old, 1, bodies.v_start);
     if (wound) ahead += inflow_of(ctx, old, own_of_piece, bodies.v_start);

@@ -32,10 +32,10 @@ double* velocity_of(base::Array<double>& packed, const StepContext& ctx,
 
 }  // namespace
 
-LumpShare share_of(const StepContext& ctx, std::int32_t lump, std::int32_t first,
-                   std::int32_t second) noexcept {
+NodeFraction fraction_of(const StepContext& ctx, std::int32_t lump, std::int32_t first,
+                         std::int32_t second) noexcept {
     const double whole = ctx.model.bodies.mass[at(lump)];
-    LumpShare out;
+    NodeFraction out;
     const double left = whole - (first >= 0 ? 0.5 * mass_of_element(ctx, first) : 0.0);
     out.mass = 0.5 * mass_of_element(ctx, second);
     if (!(out.mass > 0.0) && left > 0.0 && left < whole) {
@@ -50,7 +50,7 @@ LumpShare share_of(const StepContext& ctx, std::int32_t lump, std::int32_t first
 }
 
 void split_lump(StepContext& ctx, std::int32_t from, std::int32_t to,
-                const LumpShare& share) noexcept {
+                const NodeFraction& share) noexcept {
     model::Bodies& b = ctx.model.bodies;
     for (std::size_t k = 0; k < 3; ++k) {
         b.x[3 * at(to) + k] = b.x[3 * at(from) + k];

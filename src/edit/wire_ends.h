@@ -31,18 +31,18 @@ namespace hawser::stepper {
 struct StepContext;
 
 /// Part of one lump in another: masses, drags and loads are divided in the same ratio.
-struct LumpShare {
+struct NodeFraction {
     double mass = 0.0;   ///< [kg]
     double share = 0.0;  ///< Fraction of the mass of the other lump [1].
 };
 
 /// Return the part of the second element in a lump between two elements. @param first  −1: none.
-[[nodiscard]] LumpShare share_of(const StepContext& ctx, std::int32_t lump, std::int32_t first,
-                                 std::int32_t second) noexcept;
+[[nodiscard]] NodeFraction fraction_of(const StepContext& ctx, std::int32_t lump,
+                                       std::int32_t first, std::int32_t second) noexcept;
 
 /// Set an added lump to the position and velocity of another one, and transfer its part.
 void split_lump(StepContext& ctx, std::int32_t from, std::int32_t to,
-                const LumpShare& share) noexcept;
+                const NodeFraction& share) noexcept;
 
 /// Return the energies near the ends of two elements before a splice [J].
 [[nodiscard]] Edited splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b,

@@ -58,8 +58,8 @@ struct Partition {
 /// @param lane   Out: lane of each item.
 /// @param load   In and out: load of each lane; may start above 0.
 /// @param order  Scratch.
-void share_out(std::span<const std::int64_t> cost, std::span<std::int32_t> lane,
-               std::span<std::int64_t> load, std::vector<std::int32_t>& order);
+void distribute(std::span<const std::int64_t> cost, std::span<std::int32_t> lane,
+                std::span<std::int64_t> load, std::vector<std::int32_t>& order);
 
 /// Maker of partitions. Its buffers are reused: a second graph of equal size needs no allocation.
 class Partitioner {

@@ -46,7 +46,7 @@ void Partitioner::place_islands(const PartitionOptions& options, Partition& out)
         line_.insert(line_.end(), lineup.order.begin() + lineup.island_begin[at(i)],
                      lineup.order.begin() + lineup.island_begin[at(i) + 1]);
     }
-    share_out(small_cost_, island_lane_, load_, order_);
+    distribute(small_cost_, island_lane_, load_, order_);
     out.parts = options.parts;
     out.part.assign(graph.size.size(), kNoPart);
     for (std::int32_t i = 0; i < islands; ++i)

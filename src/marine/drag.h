@@ -105,7 +105,7 @@ struct PieceWater {
                                     const WaterPoint& water, double density) noexcept;
 
 /// Of what reaches from `low` over `spread` up the share that is below the surface, 0 to 1.
-[[nodiscard]] double wet_share(double surface, double low, double spread) noexcept;
+[[nodiscard]] double wet_fraction(double surface, double low, double spread) noexcept;
 
 void add_half_element(const HalfElement& half, const PointMotion& lump, const WaterPoint& water,
                       const WaterLaw& law, PointLoad& out) noexcept;

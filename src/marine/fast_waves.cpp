@@ -12,9 +12,9 @@
 namespace hawser::marine {
 namespace {
 
-constexpr double kLeftOut = kKinematicTolerance / 8.0;       ///< Of components left out.
-constexpr double kPhaseShare = 0.375 * kKinematicTolerance;  ///< Of rounded phases.
-constexpr double kSingle = 0x1p-24;                          ///< Unit of rounding.
+constexpr double kLeftOut = kKinematicTolerance / 8.0;          ///< Of components left out.
+constexpr double kPhaseFraction = 0.375 * kKinematicTolerance;  ///< Of rounded phases.
+constexpr double kSingle = 0x1p-24;                             ///< Unit of rounding.
 constexpr double kNoBottom = 16.0;  ///< Where e^(−2kd + kζ) is below 1.2e-7 it is left out.
 
 /// Amplitudes at still water of one component.
@@ -201,11 +201,11 @@ double FastWaves::reach_of(std::size_t components) const {
         add(&Motion::pressure);
         return worst;
     };
-    if (!(error(0.0) < kPhaseShare)) return 0.0;
+    if (!(error(0.0) < kPhaseFraction)) return 0.0;
     double low = 0.0, high = 1e6;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
-        (error(middle) <= kPhaseShare ? low : high) = middle;
+        (error(middle) <= kPhaseFraction ? low : high) = middle;
     }
     return low;
 }

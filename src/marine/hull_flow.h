@@ -35,7 +35,7 @@ class HullFlow {
     Vec3 velocity{0.0, 0.0, 0.0}, acceleration{0.0, 0.0, 0.0};  ///< Means [m/s, m/s²].
     Vec3 turn{0.0, 0.0, 0.0}, turn_rate{0.0, 0.0, 0.0};         ///< ω, α, world axes [rad/s, …].
     /// Projected areas over those at the design draught, along the body's axes.
-    Vec3 wet_share{1.0, 1.0, 1.0}, dry_share{1.0, 1.0, 1.0};
+    Vec3 wet_fraction{1.0, 1.0, 1.0}, dry_fraction{1.0, 1.0, 1.0};
 
   private:
     struct Sample {

@@ -228,11 +228,11 @@ void HullWater::add_motion(const Sea& sea, const SeaMoment& now, double wet, dou
             moment +=
                 (m[3 + i] * axis.dot(flow_.turn_rate) + d[3 + i] * axis.dot(flow_.turn)) * axis;
         }
-        add_body_drag(axes_, def_->drag_area.cwiseProduct(flow_.wet_share), 0.5 * sea.density(),
+        add_body_drag(axes_, def_->drag_area.cwiseProduct(flow_.wet_fraction), 0.5 * sea.density(),
                       flow_.velocity, twist_.linear, push, drag);
     }
     if (wet < 1.0)
-        add_body_drag(axes_, def_->wind_area.cwiseProduct(flow_.dry_share), 0.5 * air,
+        add_body_drag(axes_, def_->wind_area.cwiseProduct(flow_.dry_fraction), 0.5 * air,
                       sea.wind(now, std::max(pose_.position.z(), now.level + 10.0)), twist_.linear,
                       push, drag);
     add_force(push, moment);

@@ -87,7 +87,7 @@ void RodWater::add_segment(const Vec3& arm, const WaterPoint& water, const Water
                            Part& out) const noexcept {
     const LineWater& of = def_.water;
     const double depth = water.elevation - (position_.z() + arm.z() - 0.5 * reach_);
-    const double wet = wet_share(depth, 0.0, reach_);
+    const double wet = wet_fraction(depth, 0.0, reach_);
     if (!(wet > 0.0)) return;
     out.wet = true;
     out.deepest = std::max(out.deepest, depth);

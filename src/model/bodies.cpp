@@ -118,7 +118,7 @@ void Bodies::remove(int body) noexcept {
     places.vacate(body);
 }
 
-void Bodies::share_drag(double h) {
+void Bodies::split_drag(double h) {
     drag_after.resize(damping.size());
     drag_before.resize(damping.size());
     for (std::size_t b = 0; b < kind.size(); ++b)
@@ -127,7 +127,7 @@ void Bodies::share_drag(double h) {
             double late = 0.5;
             if (d > 0.0 && dof(static_cast<int>(b)) > 0) {
                 const double mobility = i < 3 ? 1.0 / mass[b] : inv_inertia[9 * b + 4 * (i - 3)];
-                late = late_share(h * d * mobility);
+                late = late_fraction(h * d * mobility);
             }
             drag_after[6 * b + i] = late * d;
             drag_before[6 * b + i] = d - late * d;

@@ -107,7 +107,7 @@ struct Bodies {
     /// Remove a body. Its slot keeps a fixed body without mass, interactions or contacts.
     void remove(int body) noexcept;
     /// Set drag_after and drag_before for the step h [s].
-    void share_drag(double h);
+    void split_drag(double h);
     /// Remove all slots from `kept` on, with their bodies.
     void truncate(int kept);
     /// Move a body by time t at constant velocity [m/s]. With ω [rad/s, world frame] also rotate it

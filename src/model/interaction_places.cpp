@@ -180,7 +180,7 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
         for (base::Array<double>* a : {&mobility, &upsilon, &recall, &inv_sigma, &min_sigma, &g, &c,
                                        &residual, &lambda, &multiplier, &force})
             (*a)[row] = 0.0;
-        share_damping(row, wire, h);
+        split_damping(row, wire, h);
         sigma[row] = bare_sigma(row, h);
     }
     if (wire) follow_length(id, bodies_in, h);

@@ -217,13 +217,13 @@ struct Interactions {
     void truncate(int kept, Bodies& bodies_in);
     /// Compute Υ and recall of a row after its compliance or mobility changed. Update its Σ
     /// afterwards.
-    void share_damping(std::size_t row, bool wire, double h) noexcept;
+    void split_damping(std::size_t row, bool wire, double h) noexcept;
     /// Return Σ from ε and Υ alone (hawser/row_constants.h), without the lower bounds that an
     /// analysis adds.
     [[nodiscard]] double bare_sigma(std::size_t row, double h) const noexcept;
     /// Return the ratio of Σ of a row to its Σ without recoil, which is the ratio of the Υ.
-    [[nodiscard]] double recoil_share(std::size_t row, bool wire, double h) const noexcept;
-    /// Start or end the recoil of the rows of a wire element (share_damping()).
+    [[nodiscard]] double recoil_fraction(std::size_t row, bool wire, double h) const noexcept;
+    /// Start or end the recoil of the rows of a wire element (split_damping()).
     void recoil(int id, bool recoils, double h) noexcept;
     /// Update Υ, recall, Σ and 1/Σ of a row with a violation, after its nonzero compliance changed
     /// since the analysis. The new Σ is at least `min_sigma`; a kept row stays kept. @param wire

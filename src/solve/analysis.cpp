@@ -39,7 +39,7 @@ void reserve_closing(const Model& model, JointWork& joints) {
 }  // namespace
 
 void begin_analysis(Model& model, State& state) {
-    model.bodies.share_drag(model.def.step);
+    model.bodies.split_drag(model.def.step);
     state.analysed_x = model.bodies.x;
     state.analysed_r = model.bodies.r;
 }

@@ -31,7 +31,8 @@ double stiffness_scale(const Model& model, std::size_t i) noexcept {
 /// contacts do.
 double switch_scale(const Model& model, const Newton& newton, std::size_t i) noexcept {
     const double scale = stiffness_scale(model, i);
-    return newton.convex ? scale - (1.0 - kConvexShare) * model.system.bounded_mobility[i] : scale;
+    return newton.convex ? scale - (1.0 - kConvexFraction) * model.system.bounded_mobility[i]
+                         : scale;
 }
 
 /// Return λ and r = c − G v − Σλ. r is 0 for an active row, which has been solved for.

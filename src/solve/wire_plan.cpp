@@ -107,7 +107,7 @@ void write_stiff(const View& v, std::int32_t id, const Line& l, double pull, boo
     const V3 u = generic::load3(v.geo_record + v.geo[id].record + 1);
     const double full = v.h * v.h * v.geometric_stiffness * std::max(pull, 0.0) / length;
     if (!back) return write_line(v, id, full, u, l, {0, 0, 0});
-    const auto [late, ahead] = generic::across_shares(full * v.lightness[id], 1.0);
+    const auto [late, ahead] = generic::across_fractions(full * v.lightness[id], 1.0);
     const V3 mix = late * l.before + ahead * l.started;
     write_line(v, id, (late + ahead) * full, u, l, (-full) * (mix - dot(u, mix) * u));
 }

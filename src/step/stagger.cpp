@@ -95,7 +95,7 @@ double swing_of(const Model& model, std::int32_t id, int r) {
 /// @return true if there is such a spring.
 bool slow_springs(Model& model, bool add) noexcept {
     const assembly::View v = row_view(model);
-    constexpr double kResolvedShare = 0.25;
+    constexpr double kResolvedFraction = 0.25;
     bool any = false;
     for (std::int32_t id = 0; id < interaction_count(model); ++id) {
         // Wires are treated by calm_start().
@@ -106,7 +106,7 @@ bool slow_springs(Model& model, bool add) noexcept {
         for (int r = 0; r < v.rows[id]; ++r) {
             const double speed = along_row(v, id, jac, v.v, v.dof_begin);
             const double z = speed == 0.0 ? 0.0 : swing_of(model, id, r);
-            if (!(z > kResolvedShare)) continue;
+            if (!(z > kResolvedFraction)) continue;
             any = true;
             const double less = (1.0 - 1.0 / std::sqrt(1.0 + z)) * (1.0 + z) / z;
             if (add) v.c[v.row_begin[id] + r] += 2.0 * less * speed;

@@ -40,7 +40,7 @@ Vec3 free_spin(const Mat3& inertia, const Vec3& w, double h) {
 
 // Fraction of the velocity after the step in the drag (docs/theory/step.md). With it a body with
 // drag alone slows down by exp(-z).
-double late_share(double z) {
+double late_fraction(double z) {
     if (z < 1e-2) return 0.5 + z / 12.0 - z * z * z / 720.0;
     return -1.0 / std::expm1(-z) - 1.0 / z;
 }
@@ -179,7 +179,7 @@ double Verifier::momentum_residual(const World& world) {
             const Vec3 w = turn.conjugate() * old, u = turn.conjugate() * v;
             Vec3 sum;
             for (int k = 0; k < 3; ++k) {
-                const double late = late_share(h * d[k] * mobility[k]);
+                const double late = late_fraction(h * d[k] * mobility[k]);
                 sum[k] = d[k] * (late * u[k] + (1.0 - late) * w[k]);
             }
             return -h * (turn * sum);

@@ -106,7 +106,7 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
 
 // Fraction of the stiffness of a joint that is closed at the end of the step. It is 0 if the
 // oscillation about the joint is resolved, and 1 from twice that frequency on.
-double completed_share(const Attached& on, const World& world, double force) {
+double completed_fraction(const Attached& on, const World& world, double force) {
     double rate = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
         const BodyDef& body = world.body_def(on.def().body[b]);
@@ -138,7 +138,7 @@ double load_size(const World& world, InteractionId id) {
 
 // Ratio of the tensions before and after a turning point (Euler and Eytelwein), as (ratio −
 // 1)/(ratio + 1).
-double line_share(const World& world, const InteractionDef& def, std::span<const Pose> pose) {
+double line_fraction(const World& world, const InteractionDef& def, std::span<const Pose> pose) {
     const double angle = turn_between(world, def.load[0].interaction, def.load[1].interaction,
                                       def.get("angle"), pose);
     const double ratio = std::exp(def.get("friction") * angle) / def.get("efficiency");
@@ -152,7 +152,7 @@ ForceRange friction_range(const World& world, InteractionId id, std::span<const 
     const bool of_line = def.kind == InteractionKind::LineFriction;
     for (const FrictionLoad& load : def.load)
         if (load.interaction.valid())
-            most += (of_line ? line_share(world, def, pose) : load.factor) *
+            most += (of_line ? line_fraction(world, def, pose) : load.factor) *
                     load_size(world, load.interaction);
     const double back = world.interaction_def(id).kind == InteractionKind::ScalarFriction
                             ? parameter(world, id, "back")
@@ -219,7 +219,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         pull = Vec3(last[0], last[1], last[2]);
     }
     const bool completed = world.completed(id);
-    const double held = completed ? completed_share(on, world, pull.norm()) : 1.0;
+    const double held = completed ? completed_fraction(on, world, pull.norm()) : 1.0;
     if (held == 0.0) return out;
     // Excess of the oscillation about a joint over the resolved frequency:
     // docs/theory/stiffness.md.

@@ -21,7 +21,7 @@ constexpr double kSpeedRate = 0.05;       ///< Rate of the speed control [1/s].
 constexpr double kSteerDerivative = 2.0;  ///< Rudder per turn rate, in L/U.
 constexpr double kSteerIntegral = 20.0;   ///< Time constant of the rudder's integral, in L/U.
 
-double share_of(double h, double time) noexcept {
+double fraction_of(double h, double time) noexcept {
     return time > 0.0 ? 1.0 - std::exp(-h / time) : 1.0;
 }
 
@@ -112,7 +112,7 @@ void Control::follow_orders(const ControlSense& sense, double h) noexcept {
     Vec3 moved = order - Vec3(seen_[0], -seen_[1], seen_[2]);
     if (mode() == ControlMode::follow) moved[0] = moved[1] = 0.0;
     if (moved.cwiseAbs().maxCoeff() > 1e-9) arrived_ = 0;
-    const double share = share_of(h, def_.control.filter);
+    const double share = fraction_of(h, def_.control.filter);
     const bool follows = mode() == ControlMode::follow;
     for (int i = 0; i < 2; ++i) desired_[i] += (follows ? 1.0 : share) * (order[i] - desired_[i]);
     desired_[2] = wrapped(desired_[2] + share * wrapped(order[2] - desired_[2]));
@@ -261,7 +261,7 @@ void Control::order_thrusters(const Vec3& tau, ControlledActuators act, double h
 
 /// Allocate the mean demand without the thrusters of one failure.
 void Control::analyse_failure(Prestep& now, double h) noexcept {
-    mean_ += share_of(h, kMeanTime) * (demand_ - mean_);
+    mean_ += fraction_of(h, kMeanTime) * (demand_ - mean_);
     if (shortfalls_.empty() || def_.control.direct) return;
     const double size = allocation_.scaled_norm(mean_);
     const auto k = static_cast<std::size_t>(next_failure_);
@@ -334,7 +334,7 @@ Vec3 Control::step(Prestep& now, const ControlSense& sense, ControlledActuators 
     heading_ = wrapped(observer_.low().place[2]);
     choose_mode(now, sense, act);
     const Vec3 feed = (def_.control.wind ? sense.wind : Vec3::Zero()) + sense.lines;
-    feed_ += share_of(h, def_.control.wind_filter) * (feed - feed_);
+    feed_ += fraction_of(h, def_.control.wind_filter) * (feed - feed_);
     const ControlMode m = mode();
     if (m != ControlMode::off && m != ControlMode::joystick) follow_orders(sense, h);
     demand_ = demand(sense, h);

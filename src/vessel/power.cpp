@@ -95,7 +95,7 @@ double PowerBus::capacity(const Board& board) noexcept {
     return sum;
 }
 
-void PowerBus::share_out(double capacity, int board) noexcept {
+void PowerBus::distribute(double capacity, int board) noexcept {
     const auto served = [&](const Consumer& c) {
         return board < 0 ? !failed(boards_[c.board].part)
                          : c.board == static_cast<std::size_t>(board);
@@ -149,10 +149,10 @@ void PowerBus::grant(Prestep& now, BodyId body) noexcept {
     if (tie_ >= 0.5) {
         double sum = 0.0;
         for (const Board& b : boards_) sum += capacity(b);
-        share_out(sum, -1);
+        distribute(sum, -1);
     } else {
         for (std::size_t b = 0; b < boards_.size(); ++b)
-            share_out(capacity(boards_[b]), static_cast<int>(b));
+            distribute(capacity(boards_[b]), static_cast<int>(b));
     }
     for (Consumer& c : consumers_) {
         c.shed = c.demand - c.granted;

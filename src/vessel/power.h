@@ -75,7 +75,7 @@ class PowerBus {
     [[nodiscard]] static double capacity(const Board& board) noexcept;
     [[nodiscard]] const Consumer* find(std::size_t propulsor) const noexcept;
     /// Grant a capacity to the consumers of one board, or of all boards that did not fail.
-    void share_out(double capacity, int board) noexcept;
+    void distribute(double capacity, int board) noexcept;
     void report_failures(Prestep& now, BodyId body) noexcept;
 
     double share_;

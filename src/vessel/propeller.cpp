@@ -16,10 +16,10 @@ namespace {
 using vessel::DuctTerm;
 using vessel::WageningenTerm;
 
-constexpr double kTipShare = 0.7 * std::numbers::pi;  ///< Blade section at 0.7 R: 0.7 π n D.
-constexpr double kMinPitch = 0.5;                     ///< Below: linear in the pitch.
-constexpr double kIdleTorque = 0.2;                   ///< Torque of pitch 0 over that of 0.5.
-constexpr double kBlendFrom = 0.9, kBlendTo = 1.2;    ///< J over P/D.
+constexpr double kTipFraction = 0.7 * std::numbers::pi;  ///< Blade section at 0.7 R: 0.7 π n D.
+constexpr double kMinPitch = 0.5;                        ///< Below: linear in the pitch.
+constexpr double kIdleTorque = 0.2;                      ///< Torque of pitch 0 over that of 0.5.
+constexpr double kBlendFrom = 0.9, kBlendTo = 1.2;       ///< J over P/D.
 constexpr int kBisections = 60;
 
 /// x^n for small n ≥ 0.
@@ -56,13 +56,14 @@ double fourier(std::span<const double> cosines, std::span<const double> sines,
 /// Fourier series of the B4-70, scaled to the series at J = 0.
 PropellerForce by_quadrants(const PropellerDef& propeller, double pitch, double rps, double speed,
                             double density) noexcept {
-    const double d = propeller.diameter, tip = kTipShare * rps * d, flow = speed / pitch;
+    const double d = propeller.diameter, tip = kTipFraction * rps * d, flow = speed / pitch;
     const QuadrantPoint at = four_quadrants_b4_70(std::atan2(flow, tip));
     const QuadrantPoint still = four_quadrants_b4_70(0.0);
     PropellerDef own = propeller;
     own.pitch = pitch;
     const PropellerPoint first = open_water(own, 0.0);
-    const double still_tip = kTipShare * kTipShare * std::numbers::pi / 8.0;  // K = C still_tip
+    const double still_tip =
+        kTipFraction * kTipFraction * std::numbers::pi / 8.0;  // K = C still_tip
     const double q = density * std::numbers::pi / 8.0 * d * d * (tip * tip + flow * flow);
     return {q * at.thrust * first.thrust / (still.thrust * still_tip),
             q * d * at.torque * first.torque / (still.torque * still_tip)};

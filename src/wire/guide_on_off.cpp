@@ -13,7 +13,7 @@ namespace {
 
 /// Factor of GuideDef::element_length. A released element with more material is divided by a node.
 constexpr double kLongLifted = 1.5;
-constexpr double kEndShare = 0.25;  ///< Least share of the element beside that node.
+constexpr double kEndFraction = 0.25;  ///< Least share of the element beside that node.
 
 }  // namespace
 
@@ -49,7 +49,7 @@ bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide, const Interactio
     if (both <= kLongLifted * guide.def().element_length) return true;
     // A wire that leaves an open guide has a node where the wheel was, if that is not at an end.
     const double share =
-        guide.def().closed ? 0.5 : std::clamp(first / both, kEndShare, 1.0 - kEndShare);
+        guide.def().closed ? 0.5 : std::clamp(first / both, kEndFraction, 1.0 - kEndFraction);
     (void)nodes.insert_node(whole, share);
     return true;
 }

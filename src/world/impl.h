@@ -133,7 +133,7 @@ struct World::Impl final : private world::InputDoor {
         return wires.places.id<WireId>(static_cast<std::int32_t>(&wire - wires.wires.data()));
     }
     void part_lump(const stepper::NodePlace& place, BodyId end) noexcept;
-    void share_load(BodyId from, BodyId to, double share) noexcept;
+    void divide_load(BodyId from, BodyId to, double share) noexcept;
     void follow_definition(BodyId lump) noexcept;
     void turn_round(std::span<const std::int32_t> chain) noexcept;
     [[nodiscard]] world::FreeEnd free_end(BodyId lump) const;

@@ -245,7 +245,7 @@ InteractionId World::lift_off(InteractionId before, InteractionId behind, Intera
         std::erase_if(wire.bends, [&](InteractionId id) { return !alive(id); });
         for (const std::size_t end : {0U, 1U})
             if (half > 0.0 && is_lump(ends[end]))
-                world::share_momentum(m.ctx, ends[end].index, wheel, end);
+                world::divide_momentum(m.ctx, ends[end].index, wheel, end);
     }
     element.name = given;
     if (m.listener != nullptr) m.listener->lifted(before, behind, element);

@@ -39,8 +39,8 @@ struct AtWheel {
 [[nodiscard]] AtWheel at_wheel(const stepper::StepContext& ctx, std::array<std::int32_t, 2> part,
                                double mass) noexcept;
 /// Set the velocity of a lump that got the mass for an end, and count the energy as edited.
-void share_momentum(stepper::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
-                    std::size_t end) noexcept;
+void divide_momentum(stepper::StepContext& ctx, std::int32_t lump, const AtWheel& wheel,
+                     std::size_t end) noexcept;
 
 /// Give the body of a guide the impulse of the half element that comes to lie on it.
 /// @param part  Parts of the element. @param speed  Speeds of the ends before the edit [m/s].

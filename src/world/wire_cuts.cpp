@@ -110,7 +110,7 @@ BodyDef end_body(const World& w, const InteractionDef& element) {
 
 }  // namespace
 
-void World::Impl::share_load(BodyId from, BodyId to, double share) noexcept {
+void World::Impl::divide_load(BodyId from, BodyId to, double share) noexcept {
     BodyDef &a = body_defs[at(from.index)], &b = body_defs[at(to.index)];
     b.force = share * a.force;
     a.force -= b.force;
@@ -127,10 +127,11 @@ void World::Impl::follow_definition(BodyId lump) noexcept {
 void World::Impl::part_lump(const stepper::NodePlace& place, BodyId end) noexcept {
     model::Interactions& in = ctx.model.interactions;
     const BodyId node = ctx.model.bodies.id(place.node), far = in.def[at(place.second)].body[1];
-    const stepper::LumpShare part = stepper::share_of(ctx, node.index, place.first, place.second);
+    const stepper::NodeFraction part =
+        stepper::fraction_of(ctx, node.index, place.first, place.second);
     stepper::begin_edit(ctx);
     stepper::split_lump(ctx, node.index, end.index, part);
-    share_load(node, end, part.share);
+    divide_load(node, end, part.share);
     const ShapeId segment = segment_between(node.index, far.index);
     if (segment.valid()) move_segment(segment, 0, end);
     if (place.bend[1] >= 0) remove(in.id(place.bend[1]));
@@ -228,8 +229,8 @@ WireId World::cut(WireId id, double s) {
                       "put; give it more elements, or detach() an end");
     if (k == 0 || (share > 0.5 && k + 1 < wire.elements.size())) ++k;
     if (impl_->carried(wire, k - 1) || impl_->carried(wire, k)) {
-        const auto [beside, at_share] = impl_->beside_carried(wire, k, s);
-        return cut(beside, at_share);
+        const auto [beside, at_fraction] = impl_->beside_carried(wire, k, s);
+        return cut(beside, at_fraction);
     }
     if (!alive(wire.elements[k - 1]) || !alive(wire.elements[k]))
         world::refuse(where, "s = " + world::number(s) + " m is at a gap in it");

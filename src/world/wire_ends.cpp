@@ -111,7 +111,7 @@ namespace {
 
 /// Return the node of a released end.
 BodyDef freed_body(const World& w, const stepper::StepContext& c, std::int32_t element,
-                   std::size_t side, const stepper::LumpShare& share) {
+                   std::size_t side, const stepper::NodeFraction& share) {
     const BodyDef& next = w.body_def(c.model.interactions.def[at(element)].body[1 - side]);
     const bool lump = next.kind == BodyKind::lump;
     BodyDef out{.kind = BodyKind::lump, .position = stepper::point_of(c, element, side)};
@@ -170,20 +170,20 @@ void end_at_lump(world::Wire& wire, std::size_t side, const world::Wire& made, I
 }
 
 /// Share of a node at the end of an element in a release.
-struct EndShare {
-    stepper::LumpShare share;
+struct EndFraction {
+    stepper::NodeFraction share;
     double carried;       ///< Mass of the element that its winch carries [kg].
     std::int32_t beyond;  ///< Element on the other side of the next node; −1: none.
     bool lump_next;       ///< True if the element's other end is a node.
 };
 
-EndShare end_share(const stepper::StepContext& ctx, const world::Systems& systems,
-                   InteractionId element, BodyId next) {
+EndFraction end_fraction(const stepper::StepContext& ctx, const world::Systems& systems,
+                         InteractionId element, BodyId next) {
     const std::int32_t e = element.index;
-    EndShare out{.share = {.mass = 0.5 * stepper::mass_of_element(ctx, e)},
-                 .carried = systems.carried_mass(element),
-                 .beyond = -1,
-                 .lump_next = stepper::is_lump(ctx, next.index)};
+    EndFraction out{.share = {.mass = 0.5 * stepper::mass_of_element(ctx, e)},
+                    .carried = systems.carried_mass(element),
+                    .beyond = -1,
+                    .lump_next = stepper::is_lump(ctx, next.index)};
     if (out.lump_next) {
         const stepper::NodeLinks links = stepper::links_of(ctx, next.index);
         out.beyond = links.before == e ? links.after : links.before;
@@ -191,8 +191,8 @@ EndShare end_share(const stepper::StepContext& ctx, const world::Systems& system
         // next node.
         const double half = out.share.mass;
         out.share = half > 0.0
-                        ? stepper::LumpShare{half, half / ctx.model.bodies.mass[at(next.index)]}
-                        : stepper::share_of(ctx, next.index, out.beyond, e);
+                        ? stepper::NodeFraction{half, half / ctx.model.bodies.mass[at(next.index)]}
+                        : stepper::fraction_of(ctx, next.index, out.beyond, e);
     }
     if (out.carried > 0.0) {
         out.share.mass = 0.5 * out.carried;
@@ -237,7 +237,7 @@ void World::Impl::free_lump(World& world, InteractionId element, std::size_t sid
     const std::string where = world::label("interaction", in.def[at(e)].name);
     const BodyId held = in.def[at(e)].body[side], next = in.def[at(e)].body[1 - side];
     const bool wound = kind_info(in.def[at(e)].kind).is(kWoundUp);
-    const auto [share, carried, beyond, lump_next] = end_share(ctx, systems, element, next);
+    const auto [share, carried, beyond, lump_next] = end_fraction(ctx, systems, element, next);
     world::check_end(where, share.mass, carried);
     const ShapeId own = segment_between(in.def[at(e)].body[0].index, in.def[at(e)].body[1].index);
     std::optional<ShapeDef> segment;

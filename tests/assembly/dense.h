@@ -138,7 +138,7 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         static_cast<std::size_t>(ctx.model.interactions.row_begin[static_cast<std::size_t>(id)]);
     const double* lambda = &ctx.model.interactions.lambda[row];
     Matrix k = Matrix::Zero(12, 12), c = Matrix::Zero(12, 12), line = k;
-    double late_share = 0.25, ahead_share = 0.0, resolved = 1.0;
+    double late_fraction = 0.25, ahead_fraction = 0.0, resolved = 1.0;
     Vec3 f1;
     double u = 0.0;  // docs/theory/stiffness.md
     if (s.geometry == generic::Geometry::line) {
@@ -166,8 +166,8 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         }
         const double swing = 4.0 * quarter * tension / s.length * lighter;
         const double p = swing > 0.25 && !rigid ? (swing - 0.25) / (swing + 0.25) : 0.0;
-        late_share = 0.25 + 0.25 * p;
-        ahead_share = -0.1 * p;
+        late_fraction = 0.25 + 0.25 * p;
+        ahead_fraction = -0.1 * p;
         // Skip a resolved line without point masses: it needs no correction.
         const bool lumps = s.dof[0] == 3 || s.dof[1] == 3 || s.dof[0] == 1 || s.dof[1] == 1;
         if (!lumps && swing < 0.25) resolved = 16.0 * swing * swing;
@@ -192,11 +192,11 @@ inline void add_geometry(const stepper::StepContext& ctx, int id, const SlotStat
         k.block(6 * b + 3, 6 * b + 3, 3, 3) +=
             resolved * (1.0 + 0.5 * u) * projected(f.dot(r) * Mat3::Identity() - r * f.transpose());
     }
-    const double share = late_share + ahead_share;
+    const double share = late_fraction + ahead_fraction;
     scatter(s, quarter * k + 4.0 * quarter * share * line, out.geometric, out.couple_fixed);
     Vector none = Vector::Zero(out.couple_fixed.size());
-    scatter(s, quarter * k + 4.0 * quarter * late_share * line, out.late, none);
-    scatter(s, 4.0 * quarter * ahead_share * line, out.ahead, none);
+    scatter(s, quarter * k + 4.0 * quarter * late_fraction * line, out.late, none);
+    scatter(s, 4.0 * quarter * ahead_fraction * line, out.ahead, none);
     // Joints damp between two rigid bodies only, so nothing couples to a prescribed velocity.
     scatter(s, (1.0 + u) * h * c, out.damping, out.couple_fixed);
     scatter(s, (1.0 - u) * h * c, out.before, out.couple_fixed);

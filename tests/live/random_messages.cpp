@@ -122,7 +122,7 @@ class Driven {
               &static_cast<StepBreaker&>(run.world().add_system(std::make_unique<StepBreaker>()))) {
         breaker_->world = &run.world();
         run.record(file);
-        driver_.emplace(run, hub_, live::DriverOptions{.paused = true, .states_share = 1e6});
+        driver_.emplace(run, hub_, live::DriverOptions{.paused = true, .states_fraction = 1e6});
         figures.by_status.resize(16);
     }
 

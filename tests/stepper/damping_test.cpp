@@ -11,11 +11,11 @@ namespace hawser::test {
 namespace {
 
 TEST(Damping, ShareGoesFromHalfToOne) {
-    EXPECT_EQ(model::late_share(0.0), 0.5);
-    EXPECT_EQ(model::late_share(std::numeric_limits<double>::infinity()), 1.0);
+    EXPECT_EQ(model::late_fraction(0.0), 0.5);
+    EXPECT_EQ(model::late_fraction(std::numeric_limits<double>::infinity()), 1.0);
     double last = 0.5;
     for (double z = 1e-6; z < 1e12; z *= 1.5) {
-        const double share = model::late_share(z);
+        const double share = model::late_fraction(z);
         // Near 1/2 the fraction increases by less than the rounding of 1/z near the change of
         // formula.
         EXPECT_GE(share, last - 1e-13) << z;

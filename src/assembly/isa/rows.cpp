@@ -31,7 +31,7 @@ double fade(const View& view, std::int32_t id, double nf) {
 
 /// Return the fraction of the geometric stiffness of a line between turning bodies without lumps.
 /// It vanishes if the vibration is resolved, because the stiffness preserves angular momentum to
-/// second order only. @param s  As in across_shares().
+/// second order only. @param s  As in across_fractions().
 double line_fade(const View& view, const std::int32_t* body, double s) {
     for (int b = 0; b < 2; ++b)
         if (view.dof[body[b]] == 3 || view.dof[body[b]] == 1) return 1.0;
@@ -91,7 +91,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
             4.0 * scale * fade(view, id, tension) * tension / (length > 1e-9 ? length : 1e-9);
         const double s = full * view.lightness[id];
         // Bodies that turn with a line between two rigid bodies would lose momentum.
-        const auto [late, ahead] = across_shares(rigid0 && rigid1 ? 0.0 : s, view.alert[id]);
+        const auto [late, ahead] = across_fractions(rigid0 && rigid1 ? 0.0 : s, view.alert[id]);
         resolved = line_fade(view, body, s);
         rec[0] = resolved * (late + ahead) * full;
         share = late / (late + ahead);
