@@ -146,16 +146,16 @@ struct JointTerms {
 /// and it has no damping.
 template <class T>
 inline JointTerms<T> joint_terms(const assembly::View& view, const T& nf, const T& n0, const T& n1,
-                                 const T& marked_swing) {
+                                 const T& marked_vibration) {
     const T unit = one(nf), none = zero(nf);
-    const T swing = select_greater(none, marked_swing, -marked_swing, marked_swing);
-    const T push = (view.h * view.h) * nf, s4 = 4.0 * push * swing;
+    const T vibration = select_greater(none, marked_vibration, -marked_vibration, marked_vibration);
+    const T push = (view.h * view.h) * nf, s4 = 4.0 * push * vibration;
     const T fast = unresolved(s4);
     const T need = select_greater(unit, s4, T(s4 * s4), T(unit + kMoreDamping * fast));
     const T half =
-        select_greater(none, marked_swing, none,
+        select_greater(none, marked_vibration, none,
                        push * view.rotation_damping * select_greater(n1, n0, n0, n1) * need);
-    const T fade = select_greater(none, marked_swing, completed_stiffness(s4), unit);
+    const T fade = select_greater(none, marked_vibration, completed_stiffness(s4), unit);
     return {
         (0.25 * view.h * view.h * view.geometric_stiffness) * fade * (unit + kMoreStiffness * fast),
         half * (unit + fast), half * (unit - fast)};

@@ -22,7 +22,7 @@ double arm_rate(const model::Bodies& bodies, const model::Interactions& in, int 
 }
 
 /// Return the larger rate of the two bodies of a joint; 0 unless both turn.
-double swing_rate(const model::Bodies& bodies, const model::Interactions& in, int id) {
+double vibration_rate(const model::Bodies& bodies, const model::Interactions& in, int id) {
     for (int b = 0; b < 2; ++b)
         if (bodies.dof(in.body[at(kMaxInteractionBodies * id + b)]) != 6) return 0.0;
     return std::max(arm_rate(bodies, in, id, 0), arm_rate(bodies, in, id, 1));
@@ -30,7 +30,7 @@ double swing_rate(const model::Bodies& bodies, const model::Interactions& in, in
 
 /// Return the oscillation rate of a joint or rod, see model::Interactions::swing: about the centres
 /// of mass of its bodies. A rod between lumps also oscillates transversely, with 1/(l m).
-double swing_of(const model::Bodies& bodies, const model::Interactions& in, int id) {
+double vibration_of(const model::Bodies& bodies, const model::Interactions& in, int id) {
     const KindInfo& kind = kind_info(in.kinds[at(id)]);
     // A sliding joint has no fixed arm on which a force acts.
     if (kind.is(kSlides)) return 0.0;
@@ -91,12 +91,13 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
     geo_record_.assign(at(record) + kSlack, 0.0);
     geo_force_.assign(at(force) + kSlack, 0.0);
     for (int i = 0; i < in.count(); ++i) {
-        in.swing[at(i)] = model::may_ever_complete(in, i) ? swing_of(bodies, in, i) : 0.0;
+        in.vibration[at(i)] = model::may_ever_complete(in, i) ? vibration_of(bodies, in, i) : 0.0;
         const GeoPlace& place = geo_place_[at(i)];
         if (in.arms[at(i)])
-            in.jacobian[at(in.jac_begin[at(i)] + model::kArmsSwing)] = swing_rate(bodies, in, i);
+            in.jacobian[at(in.jac_begin[at(i)] + model::kArmsVibration)] =
+                vibration_rate(bodies, in, i);
         else if (place.dof == 6 && place.record >= 0)
-            geo_record_[at(place.record + kGeoSwing)] = swing_rate(bodies, in, i);
+            geo_record_[at(place.record + kGeoVibration)] = vibration_rate(bodies, in, i);
     }
 }
 

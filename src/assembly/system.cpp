@@ -139,7 +139,7 @@ void show_interactions(model::Interactions& in, View& v) noexcept {
     v.lightness = in.lightness.data();
     v.alert = in.alert.data();
     v.completed = in.completed.data();
-    v.swing = in.swing.data();
+    v.vibration = in.vibration.data();
     v.rest_length = in.rest_length.data();
     v.epsilon = in.epsilon.data();
     v.upsilon = in.upsilon.data();

@@ -28,9 +28,9 @@ inline constexpr int kBodyBlock = 12;
     std::int32_t dof_begin) {
     return std::int64_t{2} * dof_begin;
 }
-inline constexpr int kGeoSize = 24;   ///< Doubles of one geometric-stiffness record, see geo.h.
-inline constexpr int kGeoSwing = 23;  ///< Last entry of a record, which no step writes.
-inline constexpr int kGeoLine = 4;    ///< Entries of a record between bodies without arms.
+inline constexpr int kGeoSize = 24;       ///< Doubles of one geometric-stiffness record, see geo.h.
+inline constexpr int kGeoVibration = 23;  ///< Last entry of a record, which no step writes.
+inline constexpr int kGeoLine = 4;        ///< Entries of a record between bodies without arms.
 
 inline constexpr int kLossChunk = 64;  ///< Interactions per call of row_losses().
 /// Lower bound of View::recall, below which ġ cannot be derived from c.
@@ -185,7 +185,7 @@ struct View {
     const double* lightness;
     const double* alert;
     const std::uint8_t* completed;  ///< By interaction, see model::Interactions.
-    const double* swing;            ///< By interaction, see model::Interactions.
+    const double* vibration;        ///< By interaction, see model::Interactions.
     const double* rest_length;      ///< l₀ of wire elements [m], 0 for others.
     /// By interaction: one sixth of the mass of an element between lumps that moves as a straight
     /// piece (assembly/geo.h) [kg]; 0 for others and for broken elements. Null: there are none.

@@ -21,7 +21,7 @@ inline constexpr int kArms = 8;  ///< Number of doubles of an arms record.
 /// Values of Interactions::arms: the Jacobian is compact; the Jacobian is compact and the rows are
 /// condensed.
 inline constexpr unsigned char kCompactJacobian = 1, kCompactCondensed = 3;
-inline constexpr int kArmsDamping = 6, kArmsSwing = 7;
+inline constexpr int kArmsDamping = 6, kArmsVibration = 7;
 /// Number and width of the packed rows; buffer size in doubles with slack for vector loads.
 inline constexpr int kArmRows = 3, kArmWidth = 12, kArmBufferSize = kArmRows * kArmWidth + 8;
 

@@ -145,7 +145,7 @@ struct Interactions {
     base::Array<std::uint8_t> completed;
     /// Constant max |arm|/I; its product with h² and the force is (hω)² of the oscillation about
     /// the joint.
-    base::Array<double> swing;
+    base::Array<double> vibration;
     base::Array<double> power;        ///< Largest driving power of a motor [W]; kUnbounded: none.
     base::Array<double> breaking;     ///< Breaking load [N], if kBreakable is set.
     base::Array<double> rest_length;  ///< Rest length l₀ of wire elements [m], 0 for others.

@@ -13,7 +13,7 @@
 namespace hawser::stepper {
 
 /// Oscillation number up to which joints are completed.
-inline constexpr double kResolvedSwing = 1.5;
+inline constexpr double kResolvedVibration = 1.5;
 /// Return |p|² of a joint's impulse [N² s²].
 /// @param lambdas  By row.
 [[nodiscard]] inline double squared_impulse(const JointPlace& joint,
@@ -26,10 +26,10 @@ inline constexpr double kResolvedSwing = 1.5;
 }
 /// Return s² of a joint under its impulse, s = h |p| max(r/I).
 /// @param k  Its index among the joints.
-[[nodiscard]] inline double squared_swing(const Model& model, std::int32_t k,
-                                          const double* lambdas) noexcept {
+[[nodiscard]] inline double squared_vibration(const Model& model, std::int32_t k,
+                                              const double* lambdas) noexcept {
     const Completion& c = model.completion;
-    const double rate = model.def.step * model.interactions.swing[at(c.joints[at(k)])];
+    const double rate = model.def.step * model.interactions.vibration[at(c.joints[at(k)])];
     return rate * rate * squared_impulse(c.places[at(k)], lambdas);
 }
 

@@ -35,7 +35,7 @@ constexpr double kTurning = 1e-7, kSlowTurn = 5.0, kSolution = 1e-10;
 constexpr int kMaxRounds = 12;
 constexpr double kGap = 1e-4;  ///< Maximum gap that a step may leave [m or rad].
 /// Value of s from the force of the step itself that ends a trial.
-constexpr double kTooFast = 2.0 * kResolvedSwing;
+constexpr double kTooFast = 2.0 * kResolvedVibration;
 
 /// Iterate with the present factorisation. @return result of the last iteration; if it is not
 /// finite or too large, the iterations diverged.
@@ -90,7 +90,7 @@ bool has_outgrown(Model& model, std::int32_t k) noexcept {
     // The force of a redundant joint is not known before the filter.
     if (in.repeats[at(id)]) return false;
     if (in.completed[at(id)]) {
-        if (squared_swing(model, k, in.lambda.data()) <= kTooFast * kTooFast) return false;
+        if (squared_vibration(model, k, in.lambda.data()) <= kTooFast * kTooFast) return false;
         c.refused[at(k)] = 1;
         return true;
     }
@@ -98,7 +98,8 @@ bool has_outgrown(Model& model, std::int32_t k) noexcept {
     const JointPlace& joint = c.places[at(k)];
     return !(squared_impulse(joint, in.lambda.data()) <=
                  kGrown * kGrown * squared_impulse(joint, c.lambda_with.data()) ||
-             squared_swing(model, k, in.lambda.data()) <= kResolvedSwing * kResolvedSwing);
+             squared_vibration(model, k, in.lambda.data()) <=
+                 kResolvedVibration * kResolvedVibration);
 }
 
 /// Check all joints. @return true if any has outgrown its force.
@@ -120,8 +121,8 @@ Status solve_with_new_forces(StepContext& ctx) noexcept {
     for (std::size_t k = 0; k < c.joints.size(); ++k) {
         const std::int32_t id = c.joints[k];
         const bool larger =
-            in.swing[at(id)] > 0.0 && squared_impulse(c.places[k], in.lambda.data()) >
-                                          squared_impulse(c.places[k], c.lambda_with.data());
+            in.vibration[at(id)] > 0.0 && squared_impulse(c.places[k], in.lambda.data()) >
+                                              squared_impulse(c.places[k], c.lambda_with.data());
         const auto row = in.row_begin[at(id)];
         if (larger) std::copy_n(&in.lambda[at(row)], in.rows[at(id)], &c.lambda_with[at(row)]);
     }

@@ -74,7 +74,7 @@ std::vector<double> row_curvature(Model& model, runtime::Pool& pool) {
 }
 
 /// Return h²W/4ε of a row that stores energy: (hω)²/4 of its vibration with its bodies.
-double swing_of(const Model& model, std::int32_t id, int r) {
+double vibration_of(const Model& model, std::int32_t id, int r) {
     const model::Interactions& in = model.interactions;
     const auto row = at(in.row_begin[at(id)] + r);
     if ((in.row_flags[row] & model::kRowVelocity) ||
@@ -105,7 +105,7 @@ bool slow_springs(Model& model, bool add) noexcept {
         const double* jac = packed_rows(v, id, room);
         for (int r = 0; r < v.rows[id]; ++r) {
             const double speed = along_row(v, id, jac, v.v, v.dof_begin);
-            const double z = speed == 0.0 ? 0.0 : swing_of(model, id, r);
+            const double z = speed == 0.0 ? 0.0 : vibration_of(model, id, r);
             if (!(z > kResolvedFraction)) continue;
             any = true;
             const double less = (1.0 - 1.0 / std::sqrt(1.0 + z)) * (1.0 + z) / z;

@@ -16,12 +16,12 @@ namespace hawser::HAWSER_ISA {
 template <class T>
 struct ArmsT {
     V3T<T> r0, r1;
-    T damping, swing;
+    T damping, vibration;
 };
 
 inline ArmsT<double> load_arms(const double* record) {
     return {load3(record), load3(record + 3), record[model::kArmsDamping],
-            record[model::kArmsSwing]};
+            record[model::kArmsVibration]};
 }
 
 /// Load eight records, record l from record + from[l].

@@ -82,7 +82,7 @@ void add_arm(const View& view, const assembly::Incidence& in, const double* v, d
     const double sign = in.slot == 0 ? -1.0 : 1.0;
     const V3 f = (view.active[in.geo_arm] / view.h) * load3(view.lambda + in.row);
     const double n0 = norm(arms.r0), n1 = norm(arms.r1), nf = norm(f);
-    const double stiff = joint_terms(view, nf, n0, n1, arms.swing).stiff;
+    const double stiff = joint_terms(view, nf, n0, n1, arms.vibration).stiff;
     double arm[6];
     arm_stiffness(sign * f, nf, in.slot == 0 ? arms.r0 : arms.r1, in.slot == 0 ? n0 : n1, stiff,
                   arm);

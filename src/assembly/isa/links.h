@@ -27,7 +27,7 @@ struct LinkJoints {
         const double* last = record + model::kArms * kLanes;
         second = {shift_in(first.r0, last), shift_in(first.r1, last + 3),
                   shift_in(first.damping, last[model::kArmsDamping]),
-                  shift_in(first.swing, last[model::kArmsSwing])};
+                  shift_in(first.vibration, last[model::kArmsVibration])};
     }
 };
 
@@ -79,8 +79,9 @@ inline void stiffen_links(const assembly::View& view, const LinkJoints& joints, 
     const W3 g = W8(load(active + 1) * per_h) * load_threes(lambda + 3);
     const ArmsT<W8>&a = joints.first, &b = joints.second;
     const W8 nf = norm(f), ng = norm(g), n1 = norm(a.r1), n0 = norm(b.r0);
-    arm_stiffness(f, nf, a.r1, n1, joint_terms(view, nf, norm(a.r0), n1, a.swing).stiff, out.first);
-    arm_stiffness(-g, ng, b.r0, n0, joint_terms(view, ng, n0, norm(b.r1), b.swing).stiff,
+    arm_stiffness(f, nf, a.r1, n1, joint_terms(view, nf, norm(a.r0), n1, a.vibration).stiff,
+                  out.first);
+    arm_stiffness(-g, ng, b.r0, n0, joint_terms(view, ng, n0, norm(b.r1), b.vibration).stiff,
                   out.second);
 }
 

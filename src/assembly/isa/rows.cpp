@@ -26,7 +26,7 @@ constexpr bool kCompactKind = requires { requires K::kMayBeCompact; };
 /// Return the fraction of the geometric stiffness that applies to an interaction with the force nf.
 double fade(const View& view, std::int32_t id, double nf) {
     if (!view.completed[id]) return 1.0;
-    return completed_stiffness(4.0 * view.h * view.h * nf * view.swing[id]);
+    return completed_stiffness(4.0 * view.h * view.h * nf * view.vibration[id]);
 }
 
 /// Return the fraction of the geometric stiffness of a line between turning bodies without lumps.
@@ -62,7 +62,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     double* rec = view.geo_record + place.record;
     const std::int32_t* body = view.body + kSlots * id;
     const bool rigid0 = view.dof[body[0]] == 6, rigid1 = view.dof[body[1]] == 6;
-    const int size = place.dof == 3 ? assembly::kGeoLine : assembly::kGeoSwing;
+    const int size = place.dof == 3 ? assembly::kGeoLine : assembly::kGeoVibration;
     for (int i = 0; i < size; ++i) rec[i] = 0.0;
     if constexpr (K::kGeometry == Geometry::line) {
         store3(rec + 1, load3(rows.J[1][0]));
@@ -106,7 +106,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     const double nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
     const bool joint = K::kGeometry == Geometry::joint && rigid0 && rigid1;
     const bool completed = view.completed[id] != 0;
-    const JointTerms<double> t = joint_terms(view, nf, n0, n1, rec[assembly::kGeoSwing]);
+    const JointTerms<double> t = joint_terms(view, nf, n0, n1, rec[assembly::kGeoVibration]);
     const double stiff =
         completed ? scale * fade(view, id, nf) : (joint ? t.stiff : resolved * scale);
     if (rigid0) arm_stiffness(-f1, nf, r0, n0, stiff, rec + 10);
@@ -125,7 +125,7 @@ void evaluate_arms(const View& view, const typename K::Data& data, const BodyRef
     const V3 r0 = refs[0].arm(data.point[0]), r1 = refs[1].arm(data.point[1]);
     const V3 f = (view.active[id] / view.h) * load3(view.lambda + view.row_begin[id]);
     const JointTerms<double> t =
-        joint_terms(view, norm(f), norm(r0), norm(r1), record[model::kArmsSwing]);
+        joint_terms(view, norm(f), norm(r0), norm(r1), record[model::kArmsVibration]);
     store3(record, r0);
     store3(record + 3, r1);
     record[model::kArmsDamping] = t.damping;
