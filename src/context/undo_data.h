@@ -61,7 +61,7 @@ struct Undo {
     // Motion.
     base::Array<double> v, spin_change, lambda, active;
     base::Array<std::uint8_t> repeats, coarse;
-    std::vector<double> credit;
+    std::vector<double> energy_allowance;
     std::vector<std::int32_t> alert, recoil;
     Scalars scalars{};
     std::vector<std::int64_t> link_used;

@@ -12,7 +12,7 @@ namespace hawser::stepper {
 namespace {
 
 /// Duration for which a flagged wire is damped; the longer of the two applies.
-constexpr double kAlertSteps = 20.0, kAlertSeconds = 1.0;
+constexpr double kFlagSteps = 20.0, kFlagSeconds = 1.0;
 /// Upper limit of the duration of a recoil [s]: the travel time of a wave from end to end of 30 km
 /// of steel wire.
 constexpr double kRecoilSeconds = 10.0;
@@ -74,18 +74,19 @@ void begin_recoil(Model& model, std::int32_t id, bool fresh) noexcept {
         for (const std::int32_t e : w.element)
             if (share_node(model, id, e)) begins(w.wire_of[at(e)]);
     }
-    if (fresh && w.stale) follow_alerts(model);
+    if (fresh && w.stale) update_wire_flags(model);
 }
 
-std::int32_t most_alert(double step) noexcept {
+std::int32_t max_flag_steps(double step) noexcept {
     // With the shortest step, 1e-7 s, these are ten million steps.
-    return static_cast<std::int32_t>(std::ceil(std::max(kAlertSteps, kAlertSeconds / step)));
+    return static_cast<std::int32_t>(std::ceil(std::max(kFlagSteps, kFlagSeconds / step)));
 }
 
-void follow_alerts(Model& model) noexcept {
+void update_wire_flags(Model& model) noexcept {
     Wires& w = model.wires;
     for (std::size_t k = 0; k < w.count(); ++k) {
-        if (!(w.credit[k] >= 0.0) || !std::isfinite(w.credit[k])) w.credit[k] = 0.0;
+        if (!(w.energy_allowance[k] >= 0.0) || !std::isfinite(w.energy_allowance[k]))
+            w.energy_allowance[k] = 0.0;
         w.alert[k] = std::max(0, w.alert[k]);
         if (w.recoil[k] < 0) w.recoil[k] = recoil_steps(model, static_cast<std::int32_t>(k));
     }

@@ -32,7 +32,8 @@ struct Wires {
     std::vector<WirePart> parts;        ///< Parts, by wire.
 
     // Data by wire. Part of the state:
-    std::vector<double> credit;  ///< Energy allowance: energy lost recently that may return [J].
+    std::vector<double>
+        energy_allowance;  ///< Energy allowance: energy lost recently that may return [J].
     std::vector<std::int32_t> alert;  ///< Number of coming steps in which the wire is damped.
     /// Number of coming steps in which the wire recoils after a break; kBeginsToRecoil: not
     /// determined yet.
@@ -54,7 +55,7 @@ struct Wires {
     bool measured = false;   ///< True if WireGain of fast wires belongs to the present step.
     bool stale = false;      ///< True if alerts of elements lag behind those of wires.
 
-    [[nodiscard]] std::size_t count() const noexcept { return credit.size(); }
+    [[nodiscard]] std::size_t count() const noexcept { return energy_allowance.size(); }
     [[nodiscard]] bool gives_way(std::int32_t id) const noexcept {
         return replacing && replaced[static_cast<std::size_t>(id)] != 0;
     }

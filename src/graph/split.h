@@ -62,7 +62,7 @@ class Splitter {
     void place_clusters(bool together);
     void place_wires();
     void level();
-    bool move_sand(std::int32_t from, std::int32_t to, std::int64_t amount);
+    bool move_filler(std::int32_t from, std::int32_t to, std::int64_t amount);
     void slide();
     [[nodiscard]] std::int32_t slide_to(std::int32_t wire, std::int32_t left) const noexcept;
     void cut_behind(std::int32_t old_left, std::int32_t left) noexcept;

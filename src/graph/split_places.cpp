@@ -211,13 +211,13 @@ void Splitter::level() {
             stuck_[at(from)] = 1;
             continue;
         }
-        if (!move_sand(from, to, amount)) stuck_[at(from)] = 1;
+        if (!move_filler(from, to, amount)) stuck_[at(from)] = 1;
     }
 }
 
 /// Move nodes of a wire from one part to another. The preferred position is next to a cut between
 /// the two parts, then a free end, then the middle.
-bool Splitter::move_sand(std::int32_t from, std::int32_t to, std::int64_t amount) {
+bool Splitter::move_filler(std::int32_t from, std::int32_t to, std::int64_t amount) {
     struct Choice {
         int kind = 0;
         std::int64_t cost = 0, weight = 0;

@@ -171,10 +171,10 @@ void Interactions::write_rows(int id, const Bodies& bodies_in, double h) {
         const std::size_t row = at(row_begin[at(id)]) + r;
         d.compliance[r] = spec[r].compliance;
         // The time of the scheme is not written to the definition, so that a copy has no damper.
-        if (!spec[r].calmed) d.damping_time[r] = spec[r].damping_time;
+        if (!spec[r].damped_by_scheme) d.damping_time[r] = spec[r].damping_time;
         defined[row] = epsilon[row] = spec[r].compliance;
         tau[row] = spec[r].damping_time;
-        const bool damper = !spec[r].velocity && !spec[r].calmed;
+        const bool damper = !spec[r].velocity && !spec[r].damped_by_scheme;
         row_flags[row] = static_cast<std::uint8_t>(
             (spec[r].velocity ? kRowVelocity : 0) | (spec[r].gap ? kRowGap : 0) |
             (damper ? kRowDamper : 0) | (spec[r].turns ? kRowTurns : 0));

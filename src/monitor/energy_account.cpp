@@ -28,7 +28,7 @@ Swing follow(Tide& tide, double now, double forgotten) noexcept {
 
 void set(MonitorState& state, std::size_t i, double now) noexcept {
     state.mean[i] = now;
-    state.now_tide[i] = state.mean_tide[i] = {now, now};
+    state.now_extremes[i] = state.mean_extremes[i] = {now, now};
 }
 
 /// Time for which rows may store absorbed energy, in an overlap or in an element that tightens [s].
@@ -97,9 +97,9 @@ Unexplained follow_energy(const MonitorPart& p, const Works& w, double time,
         constexpr std::int64_t kClosing = 3;  // steps
         if (i >= kBetween && state.open_start > 1.0 && state.begun <= kClosing + 1) continue;
         state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
-        out.now[i] = follow(state.now_tide[i], now[i], forgotten);
-        out.mean[i] = follow(state.mean_tide[i], state.mean[i], forgotten);
-        const Tide& level = state.mean_tide[i];
+        out.now[i] = follow(state.now_extremes[i], now[i], forgotten);
+        out.mean[i] = follow(state.mean_extremes[i], state.mean[i], forgotten);
+        const Tide& level = state.mean_extremes[i];
         out.lasting[i] = {std::max(0.0, now[i] - level.least), std::max(0.0, level.most - now[i])};
     }
     // The first sample has no earlier value.

@@ -109,7 +109,7 @@ void reserve_undo(const Model& model, Undo& undo) {
     u.active.reserve(model.interactions.active.size());
     u.repeats.reserve(model.interactions.repeats.size());
     u.coarse.reserve(model.interactions.coarse.size());
-    u.credit.reserve(model.wires.credit.size());
+    u.energy_allowance.reserve(model.wires.energy_allowance.size());
     u.alert.reserve(model.wires.alert.size());
     u.recoil.reserve(model.wires.recoil.size());
 }
@@ -123,7 +123,7 @@ void keep_motion(StepContext& ctx) noexcept {
     put(ctx.model.interactions.active, u.active);
     put(ctx.model.interactions.repeats, u.repeats);
     put(ctx.model.interactions.coarse, u.coarse);
-    put(ctx.model.wires.credit, u.credit);
+    put(ctx.model.wires.energy_allowance, u.energy_allowance);
     put(ctx.model.wires.alert, u.alert);
     put(ctx.model.wires.recoil, u.recoil);
     u.scalars = read(ctx.state, ctx.work.stats);
@@ -181,10 +181,10 @@ void restore_kept(StepContext& ctx) noexcept {
         put(u.active, ctx.model.interactions.active);
         put(u.repeats, ctx.model.interactions.repeats);
         put(u.coarse, ctx.model.interactions.coarse);
-        put(u.credit, ctx.model.wires.credit);
+        put(u.energy_allowance, ctx.model.wires.energy_allowance);
         put(u.alert, ctx.model.wires.alert);
         put(u.recoil, ctx.model.wires.recoil);
-        follow_alerts(ctx.model);
+        update_wire_flags(ctx.model);
         write(u.scalars, ctx);
     }
     drop_kept(ctx.work.undo);

@@ -25,7 +25,7 @@ constexpr double kMayGain = 1e-3;  ///< Limit of the gain relative to the exchan
 
 bool accepted(const Wires& w, std::size_t wire) noexcept {
     const WireGain& g = w.gain[wire];
-    return !w.fast[wire] || g.gain <= kMayGain * g.exchanged + g.noise + w.credit[wire];
+    return !w.fast[wire] || g.gain <= kMayGain * g.exchanged + g.noise + w.energy_allowance[wire];
 }
 
 /// Restore the initial multipliers, on which the geometric stiffness depends, and the state of

@@ -63,7 +63,7 @@ void visit_motion(Context& ctx, F&& f) {
     f(ctx.model.interactions.repeats);
     f(ctx.model.interactions.saturated);
     f(ctx.model.interactions.anchor);
-    f(ctx.model.wires.credit);
+    f(ctx.model.wires.energy_allowance);
     f(ctx.model.wires.alert);
     f(ctx.model.wires.recoil);
 }
@@ -149,7 +149,7 @@ struct SavedState {
             std::vector<std::uint8_t> saturated;
         } interactions;
         struct {
-            std::vector<double> credit;
+            std::vector<double> energy_allowance;
             std::vector<std::int32_t> alert, recoil;
         } wires;
         struct {

@@ -131,7 +131,7 @@ void take_state(stepper::StepContext& ctx, std::vector<double>& inputs, const He
     const bool relinked = links != ctx.model.system.contacts.links;
     if (relinked) ctx.model.system.contacts.make_blocks();
     stepper::check_asleep(ctx.model, ctx.work.stats);
-    stepper::follow_alerts(ctx.model);
+    stepper::update_wire_flags(ctx.model);
     if (regrouped || relinked || asked != ctx.model.cuts.asked ||
         asleep != ctx.model.bodies.asleep || ctx.state.analysed_x != analysed_x ||
         ctx.state.analysed_r != analysed_r || ctx.model.system.analysis.state() != order)

@@ -94,10 +94,10 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
     for (const std::int32_t id : ctx.model.interactions.spans)
         if (const double turns = s.model.interactions.anchor[at(id)]; turns != std::round(turns))
             refuse_state("turns of a line on its wheel are no whole number");
-    numbers(s.model.wires.credit, "what a wire lost lately", kHuge);
-    for (std::size_t k = 0; k < s.model.wires.credit.size(); ++k)
-        if (s.model.wires.credit[k] < 0.0 || s.model.wires.alert[k] < 0 ||
-            s.model.wires.alert[k] > stepper::most_alert(ctx.model.def.step) ||
+    numbers(s.model.wires.energy_allowance, "what a wire lost lately", kHuge);
+    for (std::size_t k = 0; k < s.model.wires.energy_allowance.size(); ++k)
+        if (s.model.wires.energy_allowance[k] < 0.0 || s.model.wires.alert[k] < 0 ||
+            s.model.wires.alert[k] > stepper::max_flag_steps(ctx.model.def.step) ||
             s.model.wires.recoil[k] < stepper::Wires::kBeginsToRecoil ||
             s.model.wires.recoil[k] > stepper::max_recoil(ctx.model.def.step))
             refuse_state("a wire's guard is out of range" + entry(k));
@@ -224,8 +224,8 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(j.wound, "a figure of the judge", 1e300);
     numbers(j.beyond, "a figure of the judge", 1e300);
     numbers(j.deep, "a figure of the judge", 1e300);
-    for (const auto& tides : {j.now_tide, j.mean_tide})
-        for (const stepper::Tide& tide : tides)
+    for (const auto& extremes : {j.now_extremes, j.mean_extremes})
+        for (const stepper::Tide& tide : extremes)
             numbers(std::array{tide.least, tide.most}, "a figure of the judge", 1e300);
     flags(std::span(j.reported).first(kJudgeCount), "a word of the judge");
     if (j.step < 0 || j.step > s.state.step || j.begun < 0 || j.begun > s.state.step + 1)

@@ -205,7 +205,7 @@ struct SpanData {
 
 inline void span_rows(const InteractionDef& d, double h, RowSpec* s) {
     s[0].compliance = given(d.compliance.data()[0], d.params.data()[0] / d.params.data()[1]);
-    damping_or_calm(d, h, 0, s[0]);
+    damping_or_flagged(d, h, 0, s[0]);
     s[0].one_sided = d.params.data()[2] > 0.5;
 }
 
@@ -339,7 +339,7 @@ struct BodySpan {
     };
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         s[0].compliance = given(d.compliance.data()[0], d.params.data()[1] / d.params.data()[2]);
-        damping_or_calm(d, h, 0, s[0]);
+        damping_or_flagged(d, h, 0, s[0]);
         s[0].one_sided = d.params.data()[3] > 0.5;
     }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
