@@ -191,11 +191,11 @@ double bounds_slope(const Model& model, const Newton& newton, double t) noexcept
 double bounds_map(const Model& model, const Newton& newton) noexcept {
     const model::Interactions& in = model.interactions;
     double largest = 0.0;
-    const auto idle = [&](std::int32_t id) {
+    const auto inactive = [&](std::int32_t id) {
         return in.active[at(id)] == 0.0 && !model.system.rests(id);
     };
     for (const std::int32_t id : in.frictions) {
-        if (!idle(id)) continue;
+        if (!inactive(id)) continue;
         const double held = in.held[at(id)],
                      bound = moved_with(impulse_range(model, newton, id), held);
         if (bound == held) continue;
@@ -203,7 +203,7 @@ double bounds_map(const Model& model, const Newton& newton) noexcept {
             largest, std::fabs(bound - held) / std::max(std::fabs(bound), model.contact_floor));
     }
     for (const std::int32_t id : in.motors) {
-        if (!limits_power(in, id) || !idle(id) || !(newton.bound_time > 0.0)) continue;
+        if (!limits_power(in, id) || !inactive(id) || !(newton.bound_time > 0.0)) continue;
         const double excess = power_excess(model, newton, id);
         // Below its power limit a motor exerts its full force.
         const auto is_at = [&](double bound) {

@@ -82,13 +82,13 @@ void first_rhs(const View& view, std::int32_t begin, std::int32_t end, bool movi
         // Read `held` only if the row is inactive, like Σ: most rows are active.
         const double held = on == 0.0 ? view.held[id] : 0.0;
         for (int r = 0; r < view.rows[id]; ++r) {
-            const double idle = r == 0 ? held : 0.0;
+            const double inactive = r == 0 ? held : 0.0;
             const double speed = moving ? view.residual[row + r] : 0.0;
             const double asked = on * (view.c[row + r] - speed);
             double residual = asked;
-            if (held != 0.0) residual += view.sigma[row + r] * idle;
+            if (held != 0.0) residual += view.sigma[row + r] * inactive;
             view.residual[row + r] = residual;
-            view.multiplier[row + r] = view.inv_sigma[row + r] * asked + idle;
+            view.multiplier[row + r] = view.inv_sigma[row + r] * asked + inactive;
             if (view.interaction_offset[id] >= 0)
                 view.solution[view.interaction_offset[id] + r] = residual;
         }

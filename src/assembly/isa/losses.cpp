@@ -85,9 +85,9 @@ int mark(const View& view, std::int32_t begin, std::int32_t end, std::int32_t fi
     int count = 0;
     for (std::int32_t id = begin; id < end; ++id) {
         const int flags = view.flags[id], row = view.row_begin[id], rows = view.rows[id];
-        const bool idle = view.active[id] == 0.0, pulls = (flags & kPullsOnly) != 0;
-        const bool none = (flags & kFriction) || view.parted[id] || (idle && !pulls);
-        bool own = none || idle || (flags & (kCarried | kRange));
+        const bool inactive = view.active[id] == 0.0, pulls = (flags & kPullsOnly) != 0;
+        const bool none = (flags & kFriction) || view.parted[id] || (inactive && !pulls);
+        bool own = none || inactive || (flags & (kCarried | kRange));
         int any_of = 0, all_of = 0xff;
         for (int r = row; r < row + rows; ++r) {
             any_of |= view.row_flags[r];
