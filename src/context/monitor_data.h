@@ -13,7 +13,7 @@
 namespace hawser::stepper {
 
 /// A sum with its decaying extrema.
-struct Tide {
+struct DecayingExtremes {
     double least = 0.0, most = 0.0;
 };
 
@@ -52,7 +52,7 @@ struct MonitorState {
     double kinetic = 0.0, potential = 0.0, elastic = 0.0, by_length = 0.0, by_force = 0.0;
     Works work{};              ///< Works at the last sample.
     ByAccount<double> mean{};  ///< Mean over kMean [J].
-    ByAccount<Tide> now_extremes{}, mean_extremes{};
+    ByAccount<DecayingExtremes> now_extremes{}, mean_extremes{};
     double posed = 0.0;  ///< Rise of kAtPoses at the last sample [J].
     /// Energy that rows may return, and energy that they returned beyond it [J].
     double held = 0.0, given = 0.0;

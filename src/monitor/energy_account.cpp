@@ -20,7 +20,7 @@ ByAccount<double> unexplained(const MonitorPart& p, const Works& w, double given
             between - p.elastic + p.by_force};
 }
 
-Swing follow(Tide& tide, double now, double forgotten) noexcept {
+Swing follow(DecayingExtremes& tide, double now, double forgotten) noexcept {
     tide.least = std::min(now, tide.least + forgotten * (now - tide.least));
     tide.most = std::max(now, tide.most + forgotten * (now - tide.most));
     return {now - tide.least, tide.most - now};
@@ -99,7 +99,7 @@ Unexplained follow_energy(const MonitorPart& p, const Works& w, double time,
         state.mean[i] += (1.0 - std::exp(-time / limit::kMean)) * (now[i] - state.mean[i]);
         out.now[i] = follow(state.now_extremes[i], now[i], forgotten);
         out.mean[i] = follow(state.mean_extremes[i], state.mean[i], forgotten);
-        const Tide& level = state.mean_extremes[i];
+        const DecayingExtremes& level = state.mean_extremes[i];
         out.lasting[i] = {std::max(0.0, now[i] - level.least), std::max(0.0, level.most - now[i])};
     }
     // The first sample has no earlier value.

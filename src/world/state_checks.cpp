@@ -225,7 +225,7 @@ void check_counts(const stepper::StepContext& ctx, const SavedState& s) {
     numbers(j.beyond, "a figure of the judge", 1e300);
     numbers(j.deep, "a figure of the judge", 1e300);
     for (const auto& extremes : {j.now_extremes, j.mean_extremes})
-        for (const stepper::Tide& tide : extremes)
+        for (const stepper::DecayingExtremes& tide : extremes)
             numbers(std::array{tide.least, tide.most}, "a figure of the judge", 1e300);
     flags(std::span(j.reported).first(kJudgeCount), "a word of the judge");
     if (j.step < 0 || j.step > s.state.step || j.begun < 0 || j.begun > s.state.step + 1)
