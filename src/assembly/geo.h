@@ -92,18 +92,18 @@ inline T unresolved(const T& s4) {
 }
 inline constexpr double kMoreStiffness = 0.5, kMoreDamping = 9.0;
 
-/// Coefficients a and d of the text above. @param s  h² T/(l m). @param alert  1 if the wire gained
+/// Coefficients a and d of the text above. @param s  h² T/(l m). @param flagged  1 if the wire gained
 /// energy recently, else 0.
 template <class T>
 struct AcrossFractions {
     T late, ahead;
 };
 template <class T>
-inline AcrossFractions<T> across_fractions(const T& s, const T& alert) {
+inline AcrossFractions<T> across_fractions(const T& s, const T& flagged) {
     const T s4 = 4.0 * s, unit = one(s);
     const T beyond = positive_part(T(s4 - unit)) * (1.0 / (s4 + unit));
-    return {constant(s, 0.25) + beyond * (constant(s, 0.25) + 0.5 * alert),
-            zero(s) - 0.1 * beyond * (unit + alert)};
+    return {constant(s, 0.25) + beyond * (constant(s, 0.25) + 0.5 * flagged),
+            zero(s) - 0.1 * beyond * (unit + flagged)};
 }
 
 /// Return the fraction of the geometric stiffness that applies to a completed joint: 0 for s ≤ 1, 1

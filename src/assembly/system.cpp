@@ -137,7 +137,7 @@ void show_interactions(model::Interactions& in, View& v) noexcept {
     v.held = in.held.data();
     v.parted = in.parted.data();
     v.lightness = in.lightness.data();
-    v.alert = in.alert.data();
+    v.flagged = in.flagged.data();
     v.completed = in.completed.data();
     v.vibration = in.vibration.data();
     v.rest_length = in.rest_length.data();

@@ -183,7 +183,7 @@ struct View {
     /// By interaction between points: 1/m of the lighter end [1/kg]; 1 if its wire gained energy
     /// recently, else 0 (assembly/geo.h).
     const double* lightness;
-    const double* alert;
+    const double* flagged;
     const std::uint8_t* completed;  ///< By interaction, see model::Interactions.
     const double* vibration;        ///< By interaction, see model::Interactions.
     const double* rest_length;      ///< l₀ of wire elements [m], 0 for others.

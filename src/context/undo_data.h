@@ -62,7 +62,7 @@ struct Undo {
     base::Array<double> v, spin_change, lambda, active;
     base::Array<std::uint8_t> repeats, coarse;
     std::vector<double> energy_allowance;
-    std::vector<std::int32_t> alert, recoil;
+    std::vector<std::int32_t> flag_steps, recoil;
     Scalars scalars{};
     std::vector<std::int64_t> link_used;
 

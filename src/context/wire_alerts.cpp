@@ -87,14 +87,14 @@ void update_wire_flags(Model& model) noexcept {
     for (std::size_t k = 0; k < w.count(); ++k) {
         if (!(w.energy_allowance[k] >= 0.0) || !std::isfinite(w.energy_allowance[k]))
             w.energy_allowance[k] = 0.0;
-        w.alert[k] = std::max(0, w.alert[k]);
+        w.flag_steps[k] = std::max(0, w.flag_steps[k]);
         if (w.recoil[k] < 0) w.recoil[k] = recoil_steps(model, static_cast<std::int32_t>(k));
     }
     // Rows of cuts have damping of their own.
     const bool whole = !has_cuts(model);
     for (const std::int32_t id : w.element) {
         const std::int32_t wire = w.wire_of[at(id)];
-        model.interactions.alert[at(id)] = w.alert[at(wire)] > 0 ? 1.0 : 0.0;
+        model.interactions.flagged[at(id)] = w.flag_steps[at(wire)] > 0 ? 1.0 : 0.0;
         model.interactions.recoil(id, whole && w.recoil[at(wire)] > 0, model.def.step);
     }
     w.stale = false;

@@ -34,7 +34,7 @@ struct Wires {
     // Data by wire. Part of the state:
     std::vector<double>
         energy_allowance;  ///< Energy allowance: energy lost recently that may return [J].
-    std::vector<std::int32_t> alert;  ///< Number of coming steps in which the wire is damped.
+    std::vector<std::int32_t> flag_steps;  ///< Number of coming steps in which the wire is damped.
     /// Number of coming steps in which the wire recoils after a break; kBeginsToRecoil: not
     /// determined yet.
     std::vector<std::int32_t> recoil;

@@ -161,7 +161,7 @@ void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, dou
     }
     const std::int32_t other = old == e ? f : e;
     in.active[at(other)] = in.active[at(old)];
-    in.alert[at(other)] = in.alert[at(old)];
+    in.flagged[at(other)] = in.flagged[at(old)];
     if (place.bend[0] >= 0) in.rewire(place.bend[0], 2, bodies.id(n), bodies);
     if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, bodies.id(n), bodies);
     set_bend(ctx, place.bend[0], place.before[0], e);

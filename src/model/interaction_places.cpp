@@ -19,7 +19,7 @@ auto by_interaction(Interactions& in) noexcept {
     return std::to_array<base::Array<double>*>({&in.active, &in.held, &in.low, &in.high, &in.anchor,
                                                 &in.power, &in.breaking, &in.rest_length,
                                                 &in.defined_radius, &in.pair_mass, &in.lightness,
-                                                &in.alert, &in.vibration});
+                                                &in.flagged, &in.vibration});
 }
 
 auto by_row(Interactions& in) noexcept {
@@ -143,7 +143,8 @@ void Interactions::write(int id, InteractionDef filled, Bodies& bodies_in, doubl
     active[i] = 1.0;
     for (base::Array<std::uint8_t>* a : {&arms, &parted, &coarse, &repeats, &completed})
         (*a)[i] = 0;
-    for (base::Array<double>* a : {&held, &anchor, &rest_length, &alert, &vibration}) (*a)[i] = 0.0;
+    for (base::Array<double>* a : {&held, &anchor, &rest_length, &flagged, &vibration})
+        (*a)[i] = 0.0;
     write_rows(id, bodies_in, h);
     enlist(id, bodies_in);
 }

@@ -135,9 +135,9 @@ struct Interactions {
     std::vector<std::int32_t> load_begin;
     std::vector<Load> loads;
     base::Array<std::uint8_t> parted;  ///< 1 if the line is broken.
-    /// `lightness`: 1/m of the lighter end of a line between points [1/kg]. `alert`: 1 while its
+    /// `lightness`: 1/m of the lighter end of a line between points [1/kg]. `flagged`: 1 while its
     /// wire is flagged and damped (solve/wires.h); derived from the state.
-    base::Array<double> lightness, alert;
+    base::Array<double> lightness, flagged;
     // Rigid joints only, see step/completion.h; 0 for all others.
     base::Array<std::uint8_t> coarse;   ///< Number of coming steps with one linearisation.
     base::Array<std::uint8_t> repeats;  ///< 1: in a loop with redundant rows.

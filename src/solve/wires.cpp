@@ -141,7 +141,7 @@ void recall_wires(const Model& model, const State& state, WireWork& work) {
     Wires& made = work.made;
     if (w.wire_of == made.wire_of && state.edits.interactions.empty()) {
         made.energy_allowance = w.energy_allowance;
-        made.alert = w.alert;
+        made.flag_steps = w.flag_steps;
         made.recoil = w.recoil;
         return;
     }
@@ -164,7 +164,7 @@ void recall_wires(const Model& model, const State& state, WireWork& work) {
             if (first < 0) first = wire;
             ++kept;
             made.energy_allowance[k] += w.energy_allowance[at(wire)] / had[at(wire)];
-            made.alert[k] = std::max(made.alert[k], w.alert[at(wire)]);
+            made.flag_steps[k] = std::max(made.flag_steps[k], w.flag_steps[at(wire)]);
             made.recoil[k] = longer_recoil(made.recoil[k], w.recoil[at(wire)]);
         }
         // Keep the exact bits if it is still the same wire.
@@ -182,7 +182,7 @@ void make_wires(Model& model, const State& state, WireWork& work) {
     list_elements(count, work);
     const std::size_t wires = work.begin.size() - 1;
     made.energy_allowance.assign(wires, 0.0);
-    made.alert.assign(wires, 0);
+    made.flag_steps.assign(wires, 0);
     made.recoil.assign(wires, 0);
     recall_wires(model, state, work);
     made.fast.assign(wires, 0);
@@ -209,14 +209,14 @@ void remember_gains(Model& model) noexcept {
     if (!on_guard(model)) return;
     const bool any_fast = w.measured;
     constexpr double kept = 1.0 - 1.0 / kAllowanceSteps;
-    const std::int32_t alert = max_flag_steps(model.def.step);
+    const std::int32_t flag_steps = max_flag_steps(model.def.step);
     for (std::size_t k = 0; k < w.count(); ++k) {
         const double lost = any_fast && w.fast[k] ? -w.gain[k].gain : 0.0;
         w.energy_allowance[k] =
             std::isfinite(lost) ? kept * std::max(0.0, w.energy_allowance[k] + lost) : 0.0;
-        const std::int32_t before = w.alert[k];
-        w.alert[k] = any_fast && w.level[k] > 0 ? alert : std::max(0, before - 1);
-        if ((before > 0) != (w.alert[k] > 0)) w.stale = true;
+        const std::int32_t before = w.flag_steps[k];
+        w.flag_steps[k] = any_fast && w.level[k] > 0 ? flag_steps : std::max(0, before - 1);
+        if ((before > 0) != (w.flag_steps[k] > 0)) w.stale = true;
     }
     if (w.stale) update_wire_flags(model);
 }

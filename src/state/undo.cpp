@@ -110,7 +110,7 @@ void reserve_undo(const Model& model, Undo& undo) {
     u.repeats.reserve(model.interactions.repeats.size());
     u.coarse.reserve(model.interactions.coarse.size());
     u.energy_allowance.reserve(model.wires.energy_allowance.size());
-    u.alert.reserve(model.wires.alert.size());
+    u.flag_steps.reserve(model.wires.flag_steps.size());
     u.recoil.reserve(model.wires.recoil.size());
 }
 
@@ -124,7 +124,7 @@ void keep_motion(StepContext& ctx) noexcept {
     put(ctx.model.interactions.repeats, u.repeats);
     put(ctx.model.interactions.coarse, u.coarse);
     put(ctx.model.wires.energy_allowance, u.energy_allowance);
-    put(ctx.model.wires.alert, u.alert);
+    put(ctx.model.wires.flag_steps, u.flag_steps);
     put(ctx.model.wires.recoil, u.recoil);
     u.scalars = read(ctx.state, ctx.work.stats);
     u.moved = true;
@@ -182,7 +182,7 @@ void restore_kept(StepContext& ctx) noexcept {
         put(u.repeats, ctx.model.interactions.repeats);
         put(u.coarse, ctx.model.interactions.coarse);
         put(u.energy_allowance, ctx.model.wires.energy_allowance);
-        put(u.alert, ctx.model.wires.alert);
+        put(u.flag_steps, ctx.model.wires.flag_steps);
         put(u.recoil, ctx.model.wires.recoil);
         update_wire_flags(ctx.model);
         write(u.scalars, ctx);

@@ -166,7 +166,7 @@ void copy_motion(const stepper::StepContext& from, stepper::StepContext& to) {
     if (from.model.wires.count() != to.model.wires.count()) {
         std::fill(to.model.wires.energy_allowance.begin(), to.model.wires.energy_allowance.end(),
                   0.0);
-        std::fill(to.model.wires.alert.begin(), to.model.wires.alert.end(), 0);
+        std::fill(to.model.wires.flag_steps.begin(), to.model.wires.flag_steps.end(), 0);
         std::fill(to.model.wires.recoil.begin(), to.model.wires.recoil.end(), 0);
     }
     if (to.model.def.sleep_after == 0.0) {  // sleeping bodies are awake in this world

@@ -64,7 +64,7 @@ void visit_motion(Context& ctx, F&& f) {
     f(ctx.model.interactions.saturated);
     f(ctx.model.interactions.anchor);
     f(ctx.model.wires.energy_allowance);
-    f(ctx.model.wires.alert);
+    f(ctx.model.wires.flag_steps);
     f(ctx.model.wires.recoil);
 }
 
@@ -150,7 +150,7 @@ struct SavedState {
         } interactions;
         struct {
             std::vector<double> energy_allowance;
-            std::vector<std::int32_t> alert, recoil;
+            std::vector<std::int32_t> flag_steps, recoil;
         } wires;
         struct {
             base::Array<collide::KeptContact> contacts;

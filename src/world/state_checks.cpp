@@ -96,8 +96,8 @@ void check_interactions(const stepper::StepContext& ctx, const SavedState& s) {
             refuse_state("turns of a line on its wheel are no whole number");
     numbers(s.model.wires.energy_allowance, "what a wire lost lately", kHuge);
     for (std::size_t k = 0; k < s.model.wires.energy_allowance.size(); ++k)
-        if (s.model.wires.energy_allowance[k] < 0.0 || s.model.wires.alert[k] < 0 ||
-            s.model.wires.alert[k] > stepper::max_flag_steps(ctx.model.def.step) ||
+        if (s.model.wires.energy_allowance[k] < 0.0 || s.model.wires.flag_steps[k] < 0 ||
+            s.model.wires.flag_steps[k] > stepper::max_flag_steps(ctx.model.def.step) ||
             s.model.wires.recoil[k] < stepper::Wires::kBeginsToRecoil ||
             s.model.wires.recoil[k] > stepper::max_recoil(ctx.model.def.step))
             refuse_state("a wire's guard is out of range" + entry(k));

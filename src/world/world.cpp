@@ -246,7 +246,7 @@ int World::wire_alert(InteractionId id) const {
     const stepper::Wires& wires = impl_->ctx.model.wires;
     const std::size_t i = impl_->place(id);
     if (i >= wires.wire_of.size() || wires.wire_of[i] < 0) return 0;
-    return wires.alert[static_cast<std::size_t>(wires.wire_of[i])];
+    return wires.flag_steps[static_cast<std::size_t>(wires.wire_of[i])];
 }
 
 bool World::intact(InteractionId id) const {

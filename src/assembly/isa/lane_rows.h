@@ -203,7 +203,7 @@ struct LaneRows {
         const W8 pulls = positive_part(tension) * load_each(view.active);
         const W8 full = scale * pulls * (1.0 / size);  // h² T/l
         const auto [late, ahead] =
-            across_fractions(W8(full * load_each(view.lightness)), load_each(view.alert));
+            across_fractions(W8(full * load_each(view.lightness)), load_each(view.flagged));
         const W8 w = (late + ahead) * full;
         const V3T<W8> u{rows.J[1][0][0], rows.J[1][0][1], rows.J[1][0][2]};
         V8 record[kLanes] = {w, u.x, u.y, u.z, none, none, none, none};

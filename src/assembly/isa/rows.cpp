@@ -91,7 +91,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
             4.0 * scale * fade(view, id, tension) * tension / (length > 1e-9 ? length : 1e-9);
         const double s = full * view.lightness[id];
         // Bodies that turn with a line between two rigid bodies would lose momentum.
-        const auto [late, ahead] = across_fractions(rigid0 && rigid1 ? 0.0 : s, view.alert[id]);
+        const auto [late, ahead] = across_fractions(rigid0 && rigid1 ? 0.0 : s, view.flagged[id]);
         resolved = line_fade(view, body, s);
         rec[0] = resolved * (late + ahead) * full;
         share = late / (late + ahead);
