@@ -473,7 +473,7 @@ Status solve_newton(StepContext& ctx, bool settled_later) noexcept {
 Status settle_newton(StepContext& ctx) noexcept {
     Status status = Status::ok;
     if (ctx.work.stats.completion_rounds > 0 && !ctx.work.newton.shortened)
-        status = settle_rounds(ctx, false);
+        status = settle_iterations(ctx, false);
     else if (ctx.work.stats.refinements == 0)
         status = refine(ctx);
     if (status != Status::ok) return status;

@@ -261,7 +261,7 @@ Status refine(StepContext& ctx) noexcept {
                         max_refinements(ctx.model) - 1);
 }
 
-Status settle_rounds(StepContext& ctx, bool measured) noexcept {
+Status settle_iterations(StepContext& ctx, bool measured) noexcept {
     if (!measured)
         if (const Status status = measure(ctx); status != Status::ok) return status;
     const double good = ctx.model.def.solution_tolerance;

@@ -144,14 +144,14 @@ double move_some(Model& model, JointWork& joints, const View& v, double gap) noe
 /// is used for more iterations while they reduce the gap by more than 10 %. Light bodies between
 /// heavy ones slow an iteration down by their contribution to Σ.
 void close_anew(StepContext& ctx, const View& v) noexcept {
-    constexpr int kMaxFactors = 8, kMaxRoundsEach = 8;
+    constexpr int kMaxFactors = 8, kMaxIterationsEach = 8;
     constexpr double kGoesOn = 0.9;
     for (int i = 0; i < kMaxFactors; ++i) {
         evaluate_keeping_ranges(ctx.model, ctx.work.before, ctx.pool);
         double gap = write_gaps(ctx.model, v);
         const double first = gap;
         if (gap <= kClosed || factor(ctx, true) != Status::ok) return;
-        for (int round = 0; round < kMaxRoundsEach; ++round) {
+        for (int round = 0; round < kMaxIterationsEach; ++round) {
             const double before = gap;
             gap = move_some(ctx.model, ctx.work.joints, v, gap);
             if (gap <= kClosed) return;

@@ -39,7 +39,7 @@ constexpr double kTooFast = 2.0 * kResolvedVibration;
 
 /// Iterate with the present factorisation. @return result of the last iteration; if it is not
 /// finite or too large, the iterations diverged.
-Turning make_rounds(StepContext& ctx) noexcept {
+Turning iterate_joints(StepContext& ctx) noexcept {
     double first = 0.0;
     const double enough = kTurning * std::min(1.0, ctx.model.def.solution_tolerance / kSolution);
     const auto ended = [enough](const Turning& turning) {
@@ -139,11 +139,11 @@ Status settle_free(StepContext& ctx) noexcept {
     constexpr int kMaximum = 4;
     Status status = Status::ok;
     for (int i = 0; i < kMaximum && status == Status::ok; ++i) {
-        status = settle_rounds(ctx, ctx.work.stats.completion_rounds == 0);
+        status = settle_iterations(ctx, ctx.work.stats.completion_rounds == 0);
         const std::int32_t before = ctx.work.stats.factorisations;
         if (status == Status::ok) status = settle_bounds(ctx);
         if (ctx.work.stats.factorisations == before || status != Status::ok) break;
-        (void)make_rounds(ctx);
+        (void)iterate_joints(ctx);
     }
     return status;
 }
@@ -155,7 +155,7 @@ Status settle_touching(StepContext& ctx) noexcept {
     for (int i = 0; i < kMaximum && status == Status::ok && rows_ask(ctx); ++i) {
         status = settle_rows(ctx);
         if (status != Status::ok) break;
-        (void)make_rounds(ctx);
+        (void)iterate_joints(ctx);
         status = settle_newton(ctx);
     }
     return status;
@@ -181,7 +181,7 @@ Status complete(StepContext& ctx) noexcept {
         for (int i = 0; i < kMaxGrowths && status == Status::ok && outgrown(ctx); ++i)
             status = solve_with_new_forces(ctx);
     if (ctx.model.completion.any && status == Status::ok) {
-        const Turning t = make_rounds(ctx);
+        const Turning t = iterate_joints(ctx);
         status = t.gap <= kGap ? settle(ctx) : solve_linearised(ctx);
     }
     if (status == Status::ok) take_self_stress(ctx);
