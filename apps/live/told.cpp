@@ -136,7 +136,7 @@ Failure failure_of(const World& world, Status status) {
         const Verdict verdict = world.verdict();
         const Finding& worst = verdict.of(verdict.judge);
         if (worst.interaction.valid() || worst.body.valid())
-            out.element = record::place_label(world, worst.interaction, worst.body);
+            out.element = record::position_label(world, worst.interaction, worst.body);
         out.reason = record::sentence(world, verdict.judge, worst, out.element);
         out.remedy = record::remedy_for(world, verdict.judge);
     }

@@ -94,7 +94,7 @@ void LoadStore::clear() noexcept {
     any_ = false;
 }
 
-BodyLoad LoadStore::at_place(std::int32_t place, int freedom) noexcept {
+BodyLoad LoadStore::at_slot(std::int32_t place, int freedom) noexcept {
     double* f = &data_[at(place)];
     const int n = entries_of(freedom);
     double* a = f + freedom;
@@ -152,7 +152,7 @@ BodyLoad LoadStore::of(BodyId id) noexcept {
         note_source(e);
         used_[e] = system_;
     }
-    return at_place(entries_[e].place, freedom);
+    return at_slot(entries_[e].place, freedom);
 }
 
 void LoadStore::reserve(std::span<const BodyId> bodies) noexcept {
@@ -282,7 +282,7 @@ void LoadStore::add_terms(const assembly::View& view, std::int32_t begin,
         double impulse[6];
         const double* b = nullptr;
         if (!terms_of(body, view.h, view.v + first, impulse, &b)) continue;
-        double* own = view.body_block + assembly::block_place(first);
+        double* own = view.body_block + assembly::block_offset(first);
         for (int i = 0; i < n; ++i) view.a[first + i] += impulse[i];
         for (int part = 0; part < n; part += 3)
             for (int i = 0, k = 0; i < std::min(n, 3); ++i)

@@ -49,7 +49,7 @@ double vibration_of(const model::Bodies& bodies, const model::Interactions& in, 
 void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) {
     // Vector loads read up to seven entries past the end.
     constexpr std::size_t kSlack = 8;
-    geo_place_.assign(at(in.count()), {});
+    geo_slot_.assign(at(in.count()), {});
     std::int32_t record = 0, force = 0, jacobian = 0;
     // Compact Jacobians come first, one per cache line.
     for (int i = 0; i < in.count(); ++i) {
@@ -60,7 +60,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
         if (!compact) continue;
         in.jac_begin[at(i)] = jacobian;
         jacobian += model::kArms;
-        geo_place_[at(i)] = {-1, force, 0};
+        geo_slot_[at(i)] = {-1, force, 0};
         force += 6;
     }
     for (int i = 0; i < in.count(); ++i) {
@@ -71,7 +71,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
         if (in.geo[at(i)] < 0 || rests(i)) continue;
         auto is_point = [&](std::int32_t b) { return dof_[at(b)] == 3 || dof_[at(b)] == 1; };
         const bool points = is_point(body[0]) && is_point(body[1]);
-        geo_place_[at(i)] = {record, force, points ? 3 : 6};
+        geo_slot_[at(i)] = {record, force, points ? 3 : 6};
         record += points ? kGeoLine : kGeoSize;
         force += points ? 6 : 24;
     }
@@ -83,7 +83,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
                    bodies.dof_begin[at(b)] + static_cast<int>(kSlack) <= bodies.dofs;
         };
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
-        const bool placed = !in.gone(i) && (in.geo[at(i)] < 0 || geo_place_[at(i)].record >= 0);
+        const bool placed = !in.gone(i) && (in.geo[at(i)] < 0 || geo_slot_[at(i)].record >= 0);
         among_lumps_[at(i)] = placed && std::all_of(body, body + in.bodies[at(i)], is_far_lump);
     }
     place_masses(in);
@@ -92,7 +92,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
     geo_force_.assign(at(force) + kSlack, 0.0);
     for (int i = 0; i < in.count(); ++i) {
         in.vibration[at(i)] = model::may_ever_complete(in, i) ? vibration_of(bodies, in, i) : 0.0;
-        const GeoPlace& place = geo_place_[at(i)];
+        const GeoSlot& place = geo_slot_[at(i)];
         if (in.arms[at(i)])
             in.jacobian[at(in.jac_begin[at(i)] + model::kArmsVibration)] =
                 vibration_rate(bodies, in, i);
@@ -108,7 +108,7 @@ void System::place_masses(const model::Interactions& in) {
     if (!consistent_mass) return;
     const auto counts = [&](std::size_t i) {
         const std::int32_t* body = &in.body[kMaxInteractionBodies * i];
-        return in.pair_mass[i] > 0.0 && geo_place_[i].record >= 0 && dof_[at(body[0])] == 3 &&
+        return in.pair_mass[i] > 0.0 && geo_slot_[i].record >= 0 && dof_[at(body[0])] == 3 &&
                dof_[at(body[1])] == 3;
     };
     for (std::size_t i = 0; i < at(in.count()); ++i) {
@@ -134,7 +134,7 @@ void System::build_incidence(const model::Bodies& bodies, const model::Interacti
         std::int32_t column = in.jac_begin[at(i)];
         for (int b = 0; b < in.bodies[at(i)]; ++b) {
             const bool geo = in.geo[at(i)] >= 0 && b < 2;
-            const GeoPlace& place = geo_place_[at(i)];
+            const GeoSlot& place = geo_slot_[at(i)];
             const std::int32_t k = cursor_[at(body[b])]++;
             Incidence& incidence = incident_[at(k)];
             incident_of_[at(k)] = i;

@@ -167,7 +167,7 @@ void System::show_own(View& v) noexcept {
     v.a = a_.data();
     v.v_new = v_new_.data();
     v.momentum = keeps_momentum ? momentum_.data() : nullptr;
-    v.geo = geo_place_.data();
+    v.geo = geo_slot_.data();
     v.c_next = c_next_.data();
     v.rate = rate_.data();
     v.geo_record = geo_record_.data();
@@ -200,16 +200,16 @@ View System::view(model::Bodies& bodies, model::Interactions& in, const WorldDef
 
 std::size_t System::bytes() const noexcept {
     using base::bytes;
-    return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) +
-           bytes(column_place_) + bytes(step_begin_) + bytes(pieces_by_place_) +
-           bytes(member_of_node_) + bytes(contact_begin_) + bytes(contact_order_) +
-           sharer_.bytes() + history_.bytes() + bytes(ops_before_) + bytes(lane_ops_before_) +
-           bytes(step_ops_) + bytes(steps_before_) + bytes(piece_ops_) + bytes(op_place_) +
-           bytes(lane_place_) + bytes(skew_ops_) + bytes(capstans) + bytes(capstan_entries) +
-           bytes(geo_place_) + bytes(incident_) + bytes(incident_of_) + bytes(incident_begin_) +
-           bytes(body_offset_) + bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) +
-           bytes(v_new_) + bytes(momentum_) + bytes(spin_momentum_) + bytes(spin_next_) +
-           bytes(c_next_) + bytes(rate_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
+    return analysis.bytes() + numeric.bytes() + bytes(ops) + bytes(lane_ops) + bytes(column_slot_) +
+           bytes(step_begin_) + bytes(pieces_by_slot_) + bytes(member_of_node_) +
+           bytes(contact_begin_) + bytes(contact_order_) + sharer_.bytes() + history_.bytes() +
+           bytes(ops_before_) + bytes(lane_ops_before_) + bytes(step_ops_) + bytes(steps_before_) +
+           bytes(piece_ops_) + bytes(op_slot_) + bytes(lane_slot_) + bytes(skew_ops_) +
+           bytes(capstans) + bytes(capstan_entries) + bytes(geo_slot_) + bytes(incident_) +
+           bytes(incident_of_) + bytes(incident_begin_) + bytes(body_offset_) +
+           bytes(interaction_offset_) + bytes(body_block_) + bytes(a_) + bytes(v_new_) +
+           bytes(momentum_) + bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) +
+           bytes(rate_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
            bytes(solution_) + bytes(rests_) + bytes(dof_) + bytes(kept_) + bytes(links_) +
            bytes(among_lumps_) + bytes(pair_mass_) + bytes(node_of_body) +
            bytes(node_of_interaction) + bytes(body_before_) + bytes(interaction_before_) +

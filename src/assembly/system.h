@@ -221,8 +221,8 @@ class System {
     template <class Sink>
     void list_column(std::int32_t node, const model::Bodies& bodies,
                      const model::Interactions& interactions, Sink&& sink) const;
-    [[nodiscard]] std::size_t list_place(std::size_t column, const model::Bodies& bodies,
-                                         const model::Interactions& interactions);
+    [[nodiscard]] std::size_t list_slot(std::size_t column, const model::Bodies& bodies,
+                                        const model::Interactions& interactions);
     [[nodiscard]] std::size_t list_step(std::size_t column, const model::Bodies& bodies,
                                         const model::Interactions& interactions);
     [[nodiscard]] std::size_t carry_step(std::size_t column, std::int32_t step,
@@ -245,8 +245,8 @@ class System {
     std::vector<std::int32_t> member_begin_, members_;  ///< Members of islands.
     std::vector<std::int32_t> cursor_;                  ///< Scratch, by body.
     std::vector<double> side_mobility_;                 ///< Scratch of soften_sides().
-    std::vector<std::pair<std::int64_t, std::int32_t>> column_place_;  ///< Addresses, positions.
-    std::vector<std::int32_t> step_begin_, pieces_by_place_;
+    std::vector<std::pair<std::int64_t, std::int32_t>> column_slot_;  ///< Addresses, positions.
+    std::vector<std::int32_t> step_begin_, pieces_by_slot_;
     std::vector<std::int32_t> member_of_node_;                 ///< Body or interaction.
     std::vector<std::int32_t> contact_begin_, contact_order_;  ///< By node: blocks in its column.
     LaneSharer sharer_;
@@ -254,9 +254,9 @@ class System {
     base::Array<Op> ops_before_;  ///< The last list.
     base::Array<LaneOp> lane_ops_before_;
     OpHistory history_;
-    std::vector<std::int64_t> op_place_, lane_place_;  ///< Address of each op, ascending.
-    std::vector<std::int32_t> skew_ops_;               ///< Ops of contacts, ascending.
-    base::Array<GeoPlace> geo_place_;
+    std::vector<std::int64_t> op_slot_, lane_slot_;  ///< Address of each op, ascending.
+    std::vector<std::int32_t> skew_ops_;             ///< Ops of contacts, ascending.
+    base::Array<GeoSlot> geo_slot_;
     base::Array<std::uint8_t> dof_, kept_, rests_;
     base::Array<std::uint8_t> links_;        ///< View::links.
     base::Array<std::uint8_t> among_lumps_;  ///< View::among_lumps.

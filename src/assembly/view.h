@@ -24,7 +24,7 @@ namespace hawser::assembly {
 /// Doubles of the own block of a body: one symmetric 3×3 matrix per three freedoms. It starts at
 /// twice the offset of its first velocity.
 inline constexpr int kBodyBlock = 12;
-[[nodiscard, gnu::always_inline]] inline constexpr std::int64_t block_place(
+[[nodiscard, gnu::always_inline]] inline constexpr std::int64_t block_offset(
     std::int32_t dof_begin) {
     return std::int64_t{2} * dof_begin;
 }
@@ -100,7 +100,7 @@ struct Incidence {
     /// Offset of the columns of this body in the first row; offset of its arm.
     std::int32_t jacobian;
     std::int32_t row;  ///< First row.
-    /// GeoPlace::slot() of this body; −1: none, or not one of the first two bodies.
+    /// GeoSlot::slot() of this body; −1: none, or not one of the first two bodies.
     std::int32_t geo_force;
     /// Offset of the stiffness of its arm; −1: none (slot 1 has the negative force of slot 0). For
     /// a compact joint: the interaction.
@@ -115,7 +115,7 @@ struct Incidence {
 /// the part of one slot is the negative of the other, only slot 0 is stored. This is the case
 /// between bodies without arms, and for compact joints (model/arms.h), which have three torques of
 /// each.
-struct GeoPlace {
+struct GeoSlot {
     std::int32_t record = -1;  ///< Offset of the record, kGeoSize or kGeoLine doubles; −1: none.
     std::int32_t force = 0;    ///< Offset of slot 0; slot 1, if any, follows.
     std::int32_t dof = 6;  ///< 3 between bodies without arms (lumps, scalars), 0 compact, else 6.
@@ -161,7 +161,7 @@ struct View {
     const double* drag_after;
     const double* drag_before;
     const std::uint8_t* weight;
-    double* body_block;  ///< See block_place().
+    double* body_block;  ///< See block_offset().
     double* a;           ///< Packed like v: right-hand side of the momentum rows.
     double* v_new;       ///< Packed like v: the solution v₊.
     double* momentum;    ///< Packed like v: a − M̃ v₊ + Gᵀλ at the latest body_norms(), or null.
@@ -176,7 +176,7 @@ struct View {
     const std::uint8_t* arms;  ///< model::Interactions::arms.
     /// By interaction, 1: all its bodies are lumps, and vector loads stay within the arrays.
     const std::uint8_t* among_lumps;
-    const GeoPlace* geo;
+    const GeoSlot* geo;
     double* active;
     const double* held;  ///< By interaction: impulse of its first row while inactive.
     const std::uint8_t* parted;
@@ -205,8 +205,8 @@ struct View {
     double* multiplier;  ///< By row: λ + Σ⁻¹ residual if condensed, 0 if inactive.
     double* force_of_row;
     double* jacobian;
-    double* geo_record;  ///< See GeoPlace.
-    double* geo_force;   ///< See GeoPlace.
+    double* geo_record;  ///< See GeoSlot.
+    double* geo_force;   ///< See GeoSlot.
 
     // Incidence: pairs (interaction, slot) of a body.
     const std::int32_t* incident_begin;

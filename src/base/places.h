@@ -16,7 +16,7 @@
 
 namespace hawser::base {
 
-class Places {
+class Slots {
   public:
     [[nodiscard]] std::int32_t count() const noexcept {
         return static_cast<std::int32_t>(generation_.size());

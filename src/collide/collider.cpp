@@ -15,8 +15,8 @@
 namespace hawser::collide {
 namespace {
 
-constexpr int kPlaceChunk = 256;  ///< Shapes of one task.
-constexpr int kPairChunk = 32;    ///< Pairs of one task.
+constexpr int kPlacingChunk = 256;  ///< Shapes of one task.
+constexpr int kPairChunk = 32;      ///< Pairs of one task.
 constexpr int kContactChunk = 256;
 
 constexpr std::size_t kChunkCapacity = kPairChunk * kMaxManifold;
@@ -76,15 +76,15 @@ void Collider::go_back(Kept& to) noexcept {
 
 void Collider::place_all(const model::Bodies& bodies, double h, base::Executor& pool) noexcept {
     auto task = [&](int i, int) noexcept {
-        const std::size_t end = std::min(shapes_.size(), at((i + 1) * kPlaceChunk));
-        for (std::size_t s = at(i * kPlaceChunk); s < end; ++s) {
+        const std::size_t end = std::min(shapes_.size(), at((i + 1) * kPlacingChunk));
+        for (std::size_t s = at(i * kPlacingChunk); s < end; ++s) {
             if (shapes_[s].gone()) continue;  // stays nowhere
             place(shapes_[s], bodies, lines_, h, margin, placed_[s]);
             const std::int32_t line = shapes_[s].line;
             if (line >= 0 && lines_->parted[at(line)] != 0) placed_[s].swept = kNowhere;
         }
     };
-    pool.for_each(base::chunks(shapes_.size(), kPlaceChunk), task);
+    pool.for_each(base::chunks(shapes_.size(), kPlacingChunk), task);
 }
 
 /// Allocate for the largest possible number of contacts, since tasks do not allocate.

@@ -72,7 +72,7 @@ class Collider {
     /// Shape.
     template <class F>
     void each_near(std::int32_t shape, const model::Bodies& bodies, double h, F&& f) const;
-    base::Places places;
+    base::Slots places;
     [[nodiscard]] int count() const noexcept { return static_cast<int>(shapes_.size()); }
     [[nodiscard]] const std::vector<Shape>& shapes() const noexcept { return shapes_; }
 
@@ -116,7 +116,7 @@ class Collider {
     void surfaces(double h, ContactSet& out) const { materials.surfaces(h, out.surfaces); }
     /// Copy of the shapes and of the memory of their contacts.
     struct Kept {
-        base::Places places;
+        base::Slots places;
         std::vector<Shape> shapes;
         std::vector<std::shared_ptr<const ShapeData>> data;
         base::Array<KeptContact> contacts;

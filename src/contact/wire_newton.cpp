@@ -107,7 +107,7 @@ void read_lumps(const Newton& newton, WireNewton& wire, const View& v, std::int3
             add_scaled_identity(1.0, block.diagonal);
             continue;
         }
-        const double* own = v.body_block + assembly::block_place(v.dof_begin[body]);
+        const double* own = v.body_block + assembly::block_offset(v.dof_begin[body]);
         constexpr int kPacked[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
         for (int i = 0; i < 9; ++i) block.diagonal[i] += own[kPacked[i]];
     }

@@ -28,7 +28,7 @@ struct BoundedRow {
 
 /// Scratch of the solve for contacts and bounded rows, see newton.h.
 /// Scratch of solve/runs.cpp: a place that a line runs over, and a part between two of them.
-struct RunPlace {
+struct RunPoint {
     double mass, free, hold, sigma;  ///< m, ẇ without forces, and c and Σ of its friction.
     double before, behind;           ///< Entries of the two parts' rows.
     double low, high, share[2];      ///< Bounds, and weights of the parts' impulses in them.
@@ -99,7 +99,7 @@ struct Newton {
     double bound_time = 0.0;           ///< Time for which bounds of forces act, see bounds.h [s].
     std::vector<std::int32_t> loaded;  ///< Friction whose bound moves with a load, see bounds.h.
     nonsmooth::Anderson follow;        ///< Acceleration of the impulses of `loaded`.
-    std::vector<RunPlace> run_places;
+    std::vector<RunPoint> run_points;
     std::vector<RunPart> run_parts;
     WireChains chains;
     WireNewton wire;

@@ -41,7 +41,7 @@ bool is_here(const NodeChain& chain, std::int32_t id) noexcept {
 
 }  // namespace
 
-NodeChain chain_about(const StepContext& ctx, const NodePlace& place) noexcept {
+NodeChain chain_about(const StepContext& ctx, const NodeSurroundings& place) noexcept {
     NodeChain out;
     out.half = 0.5 * ctx.model.def.step;
     std::size_t pieces = 0;

@@ -51,7 +51,7 @@ struct NodeChain {
     }
 };
 
-[[nodiscard]] NodeChain chain_about(const StepContext& ctx, const NodePlace& place) noexcept;
+[[nodiscard]] NodeChain chain_about(const StepContext& ctx, const NodeSurroundings& place) noexcept;
 
 /// Return the same material without the node: the piece before it extends to the next lump.
 [[nodiscard]] NodeChain without_node(const NodeChain& chain) noexcept;

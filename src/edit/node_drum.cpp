@@ -24,7 +24,7 @@
 
 namespace hawser::stepper {
 
-bool release_drum_node(StepContext& ctx, const NodePlace& place, double bend) noexcept {
+bool release_drum_node(StepContext& ctx, const NodeSurroundings& place, double bend) noexcept {
     model::Interactions& in = ctx.model.interactions;
     model::Bodies& bodies = ctx.model.bodies;
     const bool at_first = is_wound(ctx, place.first);
@@ -62,7 +62,7 @@ bool release_drum_node(StepContext& ctx, const NodePlace& place, double bend) no
     }
     const std::int32_t next = at_first ? place.after[0] : place.before[0];
     set_bend(ctx, beyond, e, next);
-    NodePlace after = place;
+    NodeSurroundings after = place;
     after.first = e;
     after.second = after.node = after.bend[1] = -1;
     follow_masses(ctx, after);

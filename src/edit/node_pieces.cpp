@@ -273,7 +273,7 @@ void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t 
     in.refresh(id, ctx.model.bodies, ctx.model.def.step);
 }
 
-void follow_masses(StepContext& ctx, const NodePlace& place) noexcept {
+void follow_masses(StepContext& ctx, const NodeSurroundings& place) noexcept {
     model::Interactions& in = ctx.model.interactions;
     // Ends of the elements at the node; gear may hold them as well.
     std::int32_t lumps[4] = {-1, -1, -1, -1};

@@ -96,6 +96,6 @@ void add_mass(StepContext& ctx, std::int32_t body, double more, const Vec3& damp
 void set_bend(StepContext& ctx, std::int32_t id, std::int32_t one, std::int32_t other) noexcept;
 
 /// Update the data of elements near a node that depend on the masses at their ends.
-void follow_masses(StepContext& ctx, const NodePlace& place) noexcept;
+void follow_masses(StepContext& ctx, const NodeSurroundings& place) noexcept;
 
 }  // namespace hawser::stepper

@@ -12,7 +12,7 @@ inline constexpr int kNodeReach = 4;
 
 /// An element e from a to b. With a node n on it, e ends at n, and the element f continues from n
 /// to b.
-struct NodePlace {
+struct NodeSurroundings {
     std::int32_t first = -1, second = -1;  ///< Elements e, f; f −1: there is no node.
     std::int32_t node = -1;                ///< Lump n, −1: none.
     /// Elements before a and behind b, the nearest first, while the lumps between have no other

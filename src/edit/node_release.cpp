@@ -244,7 +244,7 @@ void write_lumps(StepContext& ctx, const NodeChain& now) noexcept {
 
 }  // namespace
 
-bool release_node(StepContext& ctx, const NodePlace& place, double bend) noexcept {
+bool release_node(StepContext& ctx, const NodeSurroundings& place, double bend) noexcept {
     model::Interactions& in = ctx.model.interactions;
     NodeChain was = chain_about(ctx, place);
     const std::size_t n = was.middle;
@@ -275,7 +275,7 @@ bool release_node(StepContext& ctx, const NodePlace& place, double bend) noexcep
         if (now.lump[k].moves || now.lump[k + 1].moves || p.id == e)
             set_element(ctx, p.id, p.rest, p.mass, p.pull);
     }
-    NodePlace after = place;
+    NodeSurroundings after = place;
     after.second = after.node = after.bend[1] = -1;
     if (place.bend[0] >= 0) in.rewire(place.bend[0], 2, ctx.model.bodies.id(b), ctx.model.bodies);
     if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, ctx.model.bodies.id(a), ctx.model.bodies);

@@ -21,7 +21,7 @@ struct About {
     std::size_t elements = 0, lumps = 0;
 };
 
-About about(const StepContext& ctx, const NodePlace& place) noexcept {
+About about(const StepContext& ctx, const NodeSurroundings& place) noexcept {
     About out;
     const auto add_lump = [&](std::int32_t body) {
         const auto end = out.lump.begin() + static_cast<std::ptrdiff_t>(out.lumps);
@@ -41,7 +41,7 @@ About about(const StepContext& ctx, const NodePlace& place) noexcept {
 }
 
 /// Return the kinetic, gravity and elastic energy near a node [J].
-Edited energy_about(const StepContext& ctx, const NodePlace& place) noexcept {
+Edited energy_about(const StepContext& ctx, const NodeSurroundings& place) noexcept {
     const About all = about(ctx, place);
     Edited sum;
     for (std::size_t k = 0; k < all.lumps; ++k) sum.given += energy_of_body(ctx, all.lump[k]);
@@ -54,7 +54,7 @@ Edited energy_about(const StepContext& ctx, const NodePlace& place) noexcept {
 
 }  // namespace
 
-bool find_place(const StepContext& ctx, NodePlace& place) noexcept {
+bool find_place(const StepContext& ctx, NodeSurroundings& place) noexcept {
     if (place.first < 0) {
         const NodeLinks links = links_of(ctx, place.node);
         place.first = links.before;
@@ -111,17 +111,18 @@ NodeDef node_on(const StepContext& ctx, std::int32_t element, double share, doub
     return out;
 }
 
-NodeLedger begin_node_edit(const StepContext& ctx, const NodePlace& place) noexcept {
+NodeLedger begin_node_edit(const StepContext& ctx, const NodeSurroundings& place) noexcept {
     return {energy_about(ctx, place), ctx.state.ledger.edited};
 }
 
-void end_node_edit(StepContext& ctx, const NodePlace& place, const NodeLedger& was) noexcept {
+void end_node_edit(StepContext& ctx, const NodeSurroundings& place,
+                   const NodeLedger& was) noexcept {
     ctx.state.ledger.edited = was.edited + energy_about(ctx, place) - was.local;
     const About all = about(ctx, place);
     for (std::size_t k = 0; k < all.lumps; ++k) disturb(ctx.model, all.lump[k]);
 }
 
-void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, double share,
+void settle_node(StepContext& ctx, const NodeSurroundings& place, std::int32_t old, double share,
                  double mass) noexcept {
     model::Interactions& in = ctx.model.interactions;
     model::Bodies& bodies = ctx.model.bodies;

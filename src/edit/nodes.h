@@ -61,7 +61,7 @@ struct NodeLedger {
 /// Complete the surroundings of an element (`first`) or, if that is −1, of a lump (`node`). @return
 /// false if the lump has other interactions, or is not between two elements of which the second
 /// begins at the end of the first.
-[[nodiscard]] bool find_place(const StepContext& ctx, NodePlace& place) noexcept;
+[[nodiscard]] bool find_place(const StepContext& ctx, NodeSurroundings& place) noexcept;
 
 /// Compute the properties of a node on an element. @param share  σ of e. @param mass  Mass of the
 /// element [kg].
@@ -69,18 +69,20 @@ struct NodeLedger {
                               double mass) noexcept;
 
 /// Store the energies near a node before an edit.
-[[nodiscard]] NodeLedger begin_node_edit(const StepContext& ctx, const NodePlace& place) noexcept;
+[[nodiscard]] NodeLedger begin_node_edit(const StepContext& ctx,
+                                         const NodeSurroundings& place) noexcept;
 
 /// Finish the insertion of n, the other element and the bend at n. `old` ends at n, and all have
 /// their masses, lengths and forces. @param old  The earlier element, e or f. @param mass  Its
 /// earlier mass [kg].
-void settle_node(StepContext& ctx, const NodePlace& place, std::int32_t old, double share,
+void settle_node(StepContext& ctx, const NodeSurroundings& place, std::int32_t old, double share,
                  double mass) noexcept;
 
 /// Extend e to b, and set the motion near n to that of the wire without it. The caller removes f, n
 /// and the bend at n. @param bend  Maximum angle between e and f [rad]. @return false if the angle
 /// is larger or energy would grow; the state is then unchanged.
-[[nodiscard]] bool release_node(StepContext& ctx, const NodePlace& place, double bend) noexcept;
+[[nodiscard]] bool release_node(StepContext& ctx, const NodeSurroundings& place,
+                                double bend) noexcept;
 /// Fraction of half an element that a lump between two elements loaded by drums or guides keeps.
 inline constexpr double kKeptMass = 1e-2;
 /// True if a lump that gives away half an element has mass beyond it, apart from rounding. @param
@@ -89,11 +91,11 @@ inline constexpr double kKeptMass = 1e-2;
     return has > (1.0 + 1e-3) * half;
 }
 /// Apply release_node() if the remaining element lies on a drum.
-[[nodiscard]] bool release_drum_node(StepContext& ctx, const NodePlace& place,
+[[nodiscard]] bool release_drum_node(StepContext& ctx, const NodeSurroundings& place,
                                      double bend) noexcept;
 
 /// Book the change of the edit as edited (Energy::edited). @param place  Surroundings after the
 /// edit.
-void end_node_edit(StepContext& ctx, const NodePlace& place, const NodeLedger& was) noexcept;
+void end_node_edit(StepContext& ctx, const NodeSurroundings& place, const NodeLedger& was) noexcept;
 
 }  // namespace hawser::stepper

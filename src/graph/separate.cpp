@@ -93,20 +93,20 @@ void Partitioner::find_reach() {
 void Partitioner::find_profile() {
     profile_.assign(line_.size() + 2, {0, 0, 0});
     find_reach();
-    Profile* at_place = profile_.data();
+    Profile* at_slot = profile_.data();
     const auto end = static_cast<std::int32_t>(line_.size());
     for (std::int32_t k = 0; k < end; ++k) {
         const std::int32_t v = line_[at(k)], size = graph.size[at(v)];
         const std::int32_t low = low_[at(k)], high = high_[at(k)];
         if (units.hub[at(v)] != 0) {
-            at_place[low + 1].hubs += size;
-            at_place[high + 1].hubs -= size;
+            at_slot[low + 1].hubs += size;
+            at_slot[high + 1].hubs -= size;
             continue;
         }
-        at_place[low + 1].behind += size;
-        at_place[k + 1].behind -= size;
-        at_place[k + 1].ahead += size;
-        at_place[high + 1].ahead -= size;
+        at_slot[low + 1].behind += size;
+        at_slot[k + 1].behind -= size;
+        at_slot[k + 1].ahead += size;
+        at_slot[high + 1].ahead -= size;
     }
     Profile sum{0, 0, 0};
     for (Profile& p : profile_) {

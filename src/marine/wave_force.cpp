@@ -206,11 +206,13 @@ void WaveForce::visit_state(StateVisitor& v) {
 
 void WaveForce::check_state(StateRules& rules) const {
     if (!any()) return;
-    constexpr double kMaxPlace = 1e15, kMaxTurn = 1e9;  // [m], [rad]
+    constexpr double kMaxCoordinate = 1e15, kMaxTurn = 1e9;  // [m], [rad]
     rules.require(begun_ == 0 || begun_ == 1, "whether a hull's lags have begun is no flag");
     for (const auto& lag : lag_) {
-        rules.range(lag[0], -kMaxPlace, kMaxPlace, "the slow place of a hull is out of range");
-        rules.range(lag[1], -kMaxPlace, kMaxPlace, "the slow place of a hull is out of range");
+        rules.range(lag[0], -kMaxCoordinate, kMaxCoordinate,
+                    "the slow place of a hull is out of range");
+        rules.range(lag[1], -kMaxCoordinate, kMaxCoordinate,
+                    "the slow place of a hull is out of range");
         rules.range(lag[2], -kMaxTurn, kMaxTurn, "the slow heading of a hull is out of range");
     }
 }

@@ -32,7 +32,7 @@ namespace hawser::model {
 }
 
 struct Bodies {
-    base::Places places;  ///< Slots; a removed body leaves a fixed one without a name.
+    base::Slots places;  ///< Slots; a removed body leaves a fixed one without a name.
     base::Array<BodyKind> kind;
     /// Number of entries of v reserved at dof_begin, independent of the present body.
     base::Array<std::uint8_t> room;

@@ -103,7 +103,7 @@ struct Coordinate {
 
 struct Interactions {
     /// Slots; a removed interaction leaves one of its kind without bodies and rows.
-    base::Places places;
+    base::Slots places;
     std::vector<InteractionDef> def;  ///< Definitions as added, with defaults filled in.
     std::array<Pool, kInteractionKindCount> pool;
     std::vector<std::int32_t> pool_index;  ///< Index of each interaction in its pool.

@@ -20,7 +20,7 @@ double rest_length(const World& world, InteractionId element) {
     return apart - world.violation(element)[0];
 }
 
-std::optional<WirePlace> wire_place(const World& world, InteractionId element) {
+std::optional<WirePosition> wire_position(const World& world, InteractionId element) {
     for (const WireId wire : world.wires()) {
         double s = 0.0;
         for (const InteractionId one : world.elements(wire)) {
@@ -36,7 +36,7 @@ std::optional<WirePlace> wire_place(const World& world, InteractionId element) {
 
 std::string broken_label(const World& world, InteractionId element) {
     const std::string name = interaction_label(world, element);
-    const std::optional<WirePlace> at = wire_place(world, element);
+    const std::optional<WirePosition> at = wire_position(world, element);
     return at ? fmt::format("{} ({} at {:.4g} m)", name, at->wire, at->s) : name;
 }
 

@@ -25,7 +25,7 @@ VerdictText in_words(const World& world, const Verdict& verdict) {
     for (std::size_t k = 0; k < kJudgeCount; ++k) {
         const Finding& f = verdict.worst[k];
         if (f.interaction.valid() || f.body.valid())
-            out.where[k] = record::place_label(world, f.interaction, f.body);
+            out.where[k] = record::position_label(world, f.interaction, f.body);
     }
     if (verdict.grade == Grade::good) return out;
     const Finding& f = verdict.of(verdict.judge);

@@ -35,7 +35,7 @@ BrokenWire broken_wire(const World& world, const Event& event) {
                    .wire = {},
                    .element = record::interaction_label(world, event.interaction),
                    .tension = event.value};
-    if (const auto at = record::wire_place(world, event.interaction)) {
+    if (const auto at = record::wire_position(world, event.interaction)) {
         out.wire = at->wire;
         out.s = at->s;
         out.length = at->length;

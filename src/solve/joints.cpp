@@ -23,7 +23,7 @@ constexpr std::uint8_t kCoarse = 60;  ///< Steps for which a joint above the lim
 
 /// Write into the record of a compact joint (model/arms.h) whether it is completed. Kernels read it
 /// as the sign of the constant of its oscillation number.
-void mark_record(model::Interactions& in, const JointPlace& joint, bool completed) noexcept {
+void mark_record(model::Interactions& in, const JointSlot& joint, bool completed) noexcept {
     if (joint.record < 0) return;
     double& vibration = in.jacobian[at(joint.record)];
     vibration = completed ? -std::fabs(vibration) : std::fabs(vibration);

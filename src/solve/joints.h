@@ -16,7 +16,7 @@ namespace hawser::stepper {
 inline constexpr double kResolvedVibration = 1.5;
 /// Return |p|² of a joint's impulse [N² s²].
 /// @param lambdas  By row.
-[[nodiscard]] inline double squared_impulse(const JointPlace& joint,
+[[nodiscard]] inline double squared_impulse(const JointSlot& joint,
                                             const double* lambdas) noexcept {
     const double* p = lambdas + joint.row;
     if (joint.rows == 3) return p[0] * p[0] + p[1] * p[1] + p[2] * p[2];

@@ -78,7 +78,7 @@ double tension_after(const Line& l) noexcept { return l.stiffness * (norm(l.ahea
 /// Write K = w (E − uuᵀ) of an element and the additional impulse `past` on slot 0.
 void write_line(const View& v, std::int32_t id, double w, const V3& u, const Line& l,
                 const V3& past) noexcept {
-    const assembly::GeoPlace& place = v.geo[id];
+    const assembly::GeoSlot& place = v.geo[id];
     double* record = v.geo_record + place.record;
     record[0] = w;
     generic::store3(record + 1, u);

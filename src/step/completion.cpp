@@ -95,7 +95,7 @@ bool has_outgrown(Model& model, std::int32_t k) noexcept {
         return true;
     }
     constexpr double kGrown = 1.5;
-    const JointPlace& joint = c.places[at(k)];
+    const JointSlot& joint = c.places[at(k)];
     return !(squared_impulse(joint, in.lambda.data()) <=
                  kGrown * kGrown * squared_impulse(joint, c.lambda_with.data()) ||
              squared_vibration(model, k, in.lambda.data()) <=

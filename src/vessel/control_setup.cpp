@@ -18,7 +18,7 @@ namespace vessel {
 namespace {
 
 constexpr double kControlPi = std::numbers::pi;
-constexpr double kMaxPlace = 1e9;
+constexpr double kMaxCoordinate = 1e9;
 
 /// Thrust of a propulsor at full order without inflow.
 struct Bollard {
@@ -175,7 +175,8 @@ void Control::check(StateRules& rules) const {
                     "the sector of an azimuth is out of range");
     for (const Vec3* place : {&desired_, &seen_, &offset_, &observer_.low().place})
         for (const double x : *place)
-            rules.range(x, -kMaxPlace, kMaxPlace, "an order of the control is out of range");
+            rules.range(x, -kMaxCoordinate, kMaxCoordinate,
+                        "an order of the control is out of range");
 }
 
 const std::vector<std::string>& Control::signal_names() {

@@ -19,22 +19,22 @@ class Track {
         read();
         start_ = place_;
         first_ = course_;
-        last_place_ = place_;
+        last_position_ = place_;
     }
     /// After a step.
     void step() {
         const double before = course_;
-        last_place_ = place_;
+        last_position_ = place_;
         read();
         heading_ += std::remainder(course_ - before, 2.0 * std::numbers::pi);
-        way_ += (place_ - last_place_).norm();
+        way_ += (place_ - last_position_).norm();
     }
     [[nodiscard]] double heading() const noexcept { return heading_; }  ///< Change [rad].
     [[nodiscard]] double roll() const noexcept { return roll_; }
     [[nodiscard]] double way() const noexcept { return way_; }
     [[nodiscard]] double along(double share) const noexcept { return at(share).first; }
     [[nodiscard]] double across(double share) const noexcept { return at(share).second; }
-    [[nodiscard]] double last_way() const noexcept { return (place_ - last_place_).norm(); }
+    [[nodiscard]] double last_way() const noexcept { return (place_ - last_position_).norm(); }
 
   private:
     void read() {
@@ -46,13 +46,13 @@ class Track {
     }
     /// Between the last two steps.
     [[nodiscard]] std::pair<double, double> at(double share) const noexcept {
-        const Vec3 d = last_place_ + share * (place_ - last_place_) - start_;
+        const Vec3 d = last_position_ + share * (place_ - last_position_) - start_;
         const double c = std::cos(first_), s = std::sin(first_);
         return {c * d.x() - s * d.y(), -s * d.x() - c * d.y()};
     }
     const World& world_;
     const VesselDef& vessel_;
-    Vec3 place_{0.0, 0.0, 0.0}, last_place_{0.0, 0.0, 0.0}, start_{0.0, 0.0, 0.0};
+    Vec3 place_{0.0, 0.0, 0.0}, last_position_{0.0, 0.0, 0.0}, start_{0.0, 0.0, 0.0};
     double course_ = 0.0, first_ = 0.0, heading_ = 0.0, roll_ = 0.0, way_ = 0.0;
 };
 

@@ -57,7 +57,7 @@ void ChaserSystem::check_state(const World& world, StateRules& rules) const {
     const Guide& ids = guide_->ids();
     if (world.alive(ids.slide) && world.alive(ids.before) && world.alive(ids.behind) &&
         world.alive(ids.friction))
-        guide_->check_place(world, rules);
+        guide_->check_position(world, rules);
     guide_->check_state(world, rules);
 }
 
@@ -81,13 +81,13 @@ void ChaserSystem::holds(HoldTable& table) const {
 
 /// Find the nearest point of wires that are not fastened to the ring, on elements whose nodes can
 /// run through.
-PlaceOnWire ChaserSystem::nearest(const World& world) const {
+PointOnWire ChaserSystem::nearest(const World& world) const {
     const auto loose = [&](WireId wire) {
         const auto nodes = world.nodes(wire);
         return std::find(nodes.begin(), nodes.end(), def_.body) == nodes.end();
     };
-    return nearest_place(world, world.world_point(def_.body, def_.point), kFromEnd, loose,
-                         [](const InteractionDef& d) { return d.get("mass") > 0.0; });
+    return nearest_on_wire(world, world.world_point(def_.body, def_.point), kFromEnd, loose,
+                           [](const InteractionDef& d) { return d.get("mass") > 0.0; });
 }
 
 /// Close the ring on the nearest wire. The eye is where the wire passes, so the wire is not pulled
@@ -98,7 +98,7 @@ void ChaserSystem::take(NodeEdits& nodes) {
         --wait_;
         return;
     }
-    const PlaceOnWire found = nearest(world);
+    const PointOnWire found = nearest(world);
     const auto miss = [&] {
         const bool reported = is(ChaserState::waiting);
         value_ = found.far;

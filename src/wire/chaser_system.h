@@ -45,7 +45,7 @@ class ChaserSystem final : public System {
         state_ = static_cast<std::int32_t>(state);
         due_ = static_cast<std::int32_t>(due);
     }
-    [[nodiscard]] PlaceOnWire nearest(const World& world) const;
+    [[nodiscard]] PointOnWire nearest(const World& world) const;
     void take(NodeEdits& nodes);
     void let_go(NodeEdits& nodes);
     void sample(const World& world);

@@ -139,8 +139,8 @@ void check(World& world, const GuideDef& def) {
 ///
 /// Beyond two radii neither test applies, because the wire is led to the guide from elsewhere.
 /// @throws DefError
-void check_place(const GuideDef& def, const InteractionDef& element, const RouteBodies& bodies,
-                 const DrawnWire& drawn) {
+void check_position(const GuideDef& def, const InteractionDef& element, const RouteBodies& bodies,
+                    const DrawnWire& drawn) {
     const auto in_world = [&](std::size_t end) -> Vec3 {
         const RouteBody b = bodies(element.body[end]);
         return b.position + b.orientation * element.point[end];
@@ -173,7 +173,7 @@ void check_place(const GuideDef& def, const InteractionDef& element, const Route
 
 GuidePlan plan_guide(const GuideDef& def, const InteractionDef& element, double tension,
                      const RouteBodies& bodies, const DrawnWire* drawn) {
-    if (drawn != nullptr) check_place(def, element, bodies, *drawn);
+    if (drawn != nullptr) check_position(def, element, bodies, *drawn);
     const RouteDef route = wire::route_of(def, element, tension);
     GuidePlan out{};
     RoutePlan plan;

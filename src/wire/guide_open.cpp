@@ -68,7 +68,7 @@ struct Piece {
     std::array<Vec3, 2> at, speed;
 };
 
-Vec3 speed_of_place(const World& world, BodyId body, const Vec3& place) {
+Vec3 speed_at_point(const World& world, BodyId body, const Vec3& place) {
     const Twist twist = world.velocity(body);
     if (world.body_def(body).kind == BodyKind::lump) return twist.linear;
     return twist.linear + twist.angular.cross(place - world.pose(body).position);
@@ -77,13 +77,13 @@ Vec3 speed_of_place(const World& world, BodyId body, const Vec3& place) {
 Wheel wheel_of(const World& world, const GuideDef& def) {
     const Vec3 centre = world.world_point(def.body, def.point);
     return {centre, world.pose(def.body).orientation * def.axis.normalized(),
-            speed_of_place(world, def.body, centre), def.radius};
+            speed_at_point(world, def.body, centre), def.radius};
 }
 
 Piece piece_of(const World& world, InteractionId id) {
     const InteractionDef& d = world.interaction_def(id);
     const std::array<Vec3, 2> at = world.ends(id);
-    return {at, {speed_of_place(world, d.body[0], at[0]), speed_of_place(world, d.body[1], at[1])}};
+    return {at, {speed_at_point(world, d.body[0], at[0]), speed_at_point(world, d.body[1], at[1])}};
 }
 
 /// The point of a piece that is nearest to the axis, seen along it. The side on which it passes is

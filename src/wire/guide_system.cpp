@@ -65,12 +65,12 @@ void GuideSystem::check_state(const World& world, StateRules& rules) const {
                   "there is no such condition of the guide");
     if (!def_.closed) {
         rules.require(wait_ >= 0 && wait_ <= kMaxWait, "the wait of the guide is out of range");
-        check_place(world, rules);
+        check_position(world, rules);
     }
     rules.require(stopped_ >= -1 && stopped_ <= 1, "there is no such side of the guide");
 }
 
-void GuideSystem::check_place(const World& world, StateRules& rules) const {
+void GuideSystem::check_position(const World& world, StateRules& rules) const {
     if (ran_off()) return;  // nothing else is used
     const auto lies = [&](std::size_t side) {
         if (!world.alive(element(side))) return false;

@@ -42,7 +42,7 @@ class GuideSystem final : public System {
     /// Visit the data that vary for a guide of a bollard: the wire on it and its geometry.
     void visit_place(StateVisitor& visitor);
     /// Check the numbers of visit_place().
-    void check_place(const World& world, StateRules& rules) const;
+    void check_position(const World& world, StateRules& rules) const;
     /// Start with the wire running through at a speed [m/s].
     void begin_at(double speed) noexcept { speed_ = speed; }
 

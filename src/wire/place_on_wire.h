@@ -11,7 +11,7 @@
 
 namespace hawser::wire {
 
-struct PlaceOnWire {
+struct PointOnWire {
     WireId wire{};
     InteractionId element{};
     double share = 0.0;  ///< Fraction along the element, from its first body.
@@ -24,10 +24,10 @@ struct PlaceOnWire {
 /// @param takes_wire  True for wires to search.
 /// @param takes_element  True for definitions of elements to search.
 template <class TakesWire, class TakesElement>
-[[nodiscard]] PlaceOnWire nearest_place(const World& world, const Vec3& point, double from_end,
-                                        const TakesWire& takes_wire,
-                                        const TakesElement& takes_element) {
-    PlaceOnWire out;
+[[nodiscard]] PointOnWire nearest_on_wire(const World& world, const Vec3& point, double from_end,
+                                          const TakesWire& takes_wire,
+                                          const TakesElement& takes_element) {
+    PointOnWire out;
     for (const WireId wire : world.wires()) {
         if (!takes_wire(wire)) continue;
         for (const InteractionId id : world.elements(wire)) {

@@ -56,7 +56,7 @@ double usual_length(const World& world, WireId wire, InteractionId element) {
 
 }  // namespace
 
-PostSystem::PostSystem(PostDef def, const PostPlace& place)
+PostSystem::PostSystem(PostDef def, const PostPosition& place)
     : def_(std::move(def)), place_(place), on_(static_cast<std::size_t>(def_.wires), 0) {
     for (int k = 0; k < def_.wires; ++k) {
         GuideDef guide;
@@ -91,7 +91,7 @@ void PostSystem::check_state(const World& world, StateRules& rules) const {
     rules.require(steady_ >= 0 && steady_ <= kSteady, "the looks of the post are out of range");
     for (std::size_t k = 0; k < on_.size(); ++k) {
         if (on_[k] != 1) continue;
-        guides_[k]->check_place(world, rules);
+        guides_[k]->check_position(world, rules);
         guides_[k]->check_state(world, rules);
     }
 }

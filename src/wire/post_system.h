@@ -29,7 +29,7 @@
 namespace hawser::wire {
 
 /// Position of a bollard's shape in the frame of its body.
-struct PostPlace {
+struct PostPosition {
     BodyId body{};
     Vec3 centre{0, 0, 0}, axis{0, 0, 1};     ///< [m], unit.
     double radius = 0.0, half_length = 0.0;  ///< [m]
@@ -39,7 +39,7 @@ struct PostPlace {
 
 class PostSystem final : public System, public PassedPost {
   public:
-    PostSystem(PostDef def, const PostPlace& place);
+    PostSystem(PostDef def, const PostPosition& place);
 
     [[nodiscard]] std::string_view name() const noexcept override { return def_.name; }
     void prestep(Prestep& now, Loads& loads) noexcept override;
@@ -80,7 +80,7 @@ class PostSystem final : public System, public PassedPost {
     void tell() noexcept;
 
     PostDef def_;
-    PostPlace place_;
+    PostPosition place_;
     // State.
     std::vector<std::unique_ptr<GuideSystem>> guides_;  ///< By slot.
     std::vector<std::int32_t> on_;                      ///< 1: a wire lies in the slot.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMaxPlaces = 256, kMaxTurns = 100;
 
-void check_place(const RouteBodies& bodies, const RouteDef& def, std::size_t i) {
+void check_position(const RouteBodies& bodies, const RouteDef& def, std::size_t i) {
     const RoutePlace& p = def.places[i];
     const std::string where = "places/" + std::to_string(i) + ": ";
     const BodyKind kind = bodies(p.body).kind;
@@ -59,7 +59,7 @@ void check(const RouteBodies& bodies, const RouteDef& def) {
         if (e->drum.valid() && !(std::abs(e->radius) > 0.0 && std::abs(e->radius) <= 1e3))
             refuse(def, where + "radius: give what its drum pays out per unit [m]");
     }
-    for (std::size_t i = 0; i < def.places.size(); ++i) check_place(bodies, def, i);
+    for (std::size_t i = 0; i < def.places.size(); ++i) check_position(bodies, def, i);
     if (!std::isnan(def.length) && !(def.length > 0.0)) refuse(def, "length: give more than 0 m");
     if (!(def.tension >= 0.0) || !std::isfinite(def.tension))
         refuse(def, "tension: give 0 N or more");

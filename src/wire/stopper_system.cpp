@@ -79,13 +79,13 @@ void StopperSystem::signals(SignalTable& table) {
     table.output("at", "m", at_);
 }
 
-PlaceOnWire StopperSystem::nearest(const World& world) const noexcept {
+PointOnWire StopperSystem::nearest(const World& world) const noexcept {
     const auto all = [](const auto&) { return true; };
-    return nearest_place(world, world.world_point(def_.body, def_.point), 0.0, all, all);
+    return nearest_on_wire(world, world.world_point(def_.body, def_.point), 0.0, all, all);
 }
 
 std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexcept {
-    const PlaceOnWire found = nearest(world);
+    const PointOnWire found = nearest(world);
     if (!(found.far <= def_.reach)) return std::nullopt;
     StopperClaim out{found.wire, 0.0};
     for (const InteractionId id : world.elements(found.wire)) {
@@ -102,7 +102,7 @@ std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexc
 }
 
 /// Return the node to hold; invalid if none is within reach.
-BodyId StopperSystem::lump_at(NodeEdits& nodes, const PlaceOnWire& found) noexcept {
+BodyId StopperSystem::lump_at(NodeEdits& nodes, const PointOnWire& found) noexcept {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(found.element);
     const double length = d.get("length");
@@ -125,7 +125,7 @@ BodyId StopperSystem::lump_at(NodeEdits& nodes, const PlaceOnWire& found) noexce
 }
 
 /// Set the outputs of the held position.
-void StopperSystem::tell(const World& world, const PlaceOnWire& found) noexcept {
+void StopperSystem::tell(const World& world, const PointOnWire& found) noexcept {
     held_ = number_of(world, found.wire);
     at_ = 0.0;
     for (const InteractionId id : world.elements(found.wire)) {
@@ -138,7 +138,7 @@ void StopperSystem::tell(const World& world, const PlaceOnWire& found) noexcept 
 
 void StopperSystem::take(NodeEdits& nodes) noexcept {
     const World& world = nodes.world;
-    const PlaceOnWire found = nearest(world);
+    const PointOnWire found = nearest(world);
     far_ = found.far;
     reported_ = 0;
     if (found.far <= def_.reach) {

@@ -54,14 +54,14 @@ class StopperSystem final : public System {
         return state_ == static_cast<std::int32_t>(state);
     }
     void become(StopperState state) noexcept { state_ = static_cast<std::int32_t>(state); }
-    [[nodiscard]] PlaceOnWire nearest(const World& world) const noexcept;
-    [[nodiscard]] BodyId lump_at(NodeEdits& nodes, const PlaceOnWire& found) noexcept;
+    [[nodiscard]] PointOnWire nearest(const World& world) const noexcept;
+    [[nodiscard]] BodyId lump_at(NodeEdits& nodes, const PointOnWire& found) noexcept;
     void take(NodeEdits& nodes) noexcept;
     void drop_idle(NodeEdits& nodes) noexcept;
     void make_joint(Prestep& now) noexcept;
     void hold(Prestep& now) noexcept;
     void let_go(Prestep& now) noexcept;
-    void tell(const World& world, const PlaceOnWire& found) noexcept;
+    void tell(const World& world, const PointOnWire& found) noexcept;
 
     StopperDef def_;
     std::string joint_name_;

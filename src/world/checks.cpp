@@ -156,7 +156,7 @@ void check_mass(const InteractionDef& def, const model::Bodies& bodies) {
 }  // namespace
 
 void check(const InteractionDef& def, const model::Bodies& bodies, int count,
-           std::span<const InteractionDef> before, const base::Places& places) {
+           std::span<const InteractionDef> before, const base::Slots& places) {
     const Where where("interaction", def.name);
     if (static_cast<int>(def.kind) >= kInteractionKindCount) refuse(where, "unknown kind");
     const KindInfo& info = kind_info(def.kind);

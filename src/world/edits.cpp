@@ -146,7 +146,7 @@ bool World::alive(InteractionId id) const noexcept {
     return id.index < interaction_count() && impl_->ctx.model.interactions.places.names(id);
 }
 bool World::alive(ShapeId id) const noexcept { return impl_->ctx.model.collider.places.names(id); }
-bool World::alive(InputId id) const noexcept { return impl_->input_places.names(id); }
+bool World::alive(InputId id) const noexcept { return impl_->input_slots.names(id); }
 
 void World::set_change_listener(ChangeListener* listener) noexcept { impl_->listener = listener; }
 
@@ -179,7 +179,7 @@ void World::Impl::reserve_removal() {
     stepper::reserve_edit(ctx);
     ctx.model.bodies.reserve_more();
     ctx.model.interactions.places.reserve_more();
-    input_places.reserve_more();
+    input_slots.reserve_more();
     removed.bodies.reserve(body_ids.size());
     removed.interactions.reserve(interaction_ids.size());
     removed.shapes.reserve(shape_ids.size());
@@ -224,8 +224,8 @@ void World::Impl::remove(BodyId id) noexcept {
         if (body[0] == id.index || body[1] == id.index)
             remove(ctx.model.collider.places.id<ShapeId>(s));
     }
-    for (std::int32_t k = input_places.count(); k-- > 0;)
-        if (inputs[at(k)].body == id) remove(input_places.id<InputId>(k));
+    for (std::int32_t k = input_slots.count(); k-- > 0;)
+        if (inputs[at(k)].body == id) remove(input_slots.id<InputId>(k));
     stepper::begin_edit(ctx);
     world::release(body_names, body_defs[at(id.index)].name);
     body_defs[at(id.index)] = {.kind = BodyKind::fixed, .gravity = false};
@@ -236,8 +236,8 @@ void World::Impl::remove(BodyId id) noexcept {
 }
 
 void World::Impl::remove(InteractionId id) noexcept {
-    for (std::int32_t k = input_places.count(); k-- > 0;)
-        if (inputs[at(k)].interaction == id) remove(input_places.id<InputId>(k));
+    for (std::int32_t k = input_slots.count(); k-- > 0;)
+        if (inputs[at(k)].interaction == id) remove(input_slots.id<InputId>(k));
     stepper::begin_edit(ctx);
     world::release(interaction_names, ctx.model.interactions.def[at(id.index)].name);
     stepper::remove_interaction(ctx, id.index);
@@ -270,7 +270,7 @@ void World::Impl::remove(InputId id) noexcept {
     erase_id(input_ids, id);
     def = {};
     input_values[at(id.index)] = 0.0;
-    input_places.vacate(id.index);
+    input_slots.vacate(id.index);
     note(removed.inputs, id);
     const auto same = [&](const InputDef& other) { return other.interaction == driven; };
     if (!driven.valid() || std::any_of(inputs.begin(), inputs.end(), same)) return;

@@ -104,7 +104,7 @@ std::uint64_t layout_of(const stepper::StepContext& ctx, std::size_t inputs) {
         to.value(s.geometry.kind);
         to.value(s.body);
     }
-    for (const base::Places* places :
+    for (const base::Slots* places :
          {&ctx.model.bodies.places, &ctx.model.interactions.places, &ctx.model.collider.places}) {
         const auto n =
             std::min(places->generations().size(), places == &ctx.model.bodies.places ? bodies

@@ -126,21 +126,21 @@ InputId World::add_input(const InputDef& def) {
     base::reserve_more(m.input_ids, 1);
     base::reserve_more(m.force_inputs, 1);
     base::reserve_more(m.ctx.model.interactions.working, 1);
-    m.input_places.reserve_more();
+    m.input_slots.reserve_more();
     if (def.local) {
         base::reserve_more(m.local_inputs, 1);
         m.forces_before.resize(6 * (m.local_inputs.size() + 1));
     }
-    std::int32_t place = m.input_places.find_vacant([](std::int32_t) { return true; });
+    std::int32_t place = m.input_slots.find_vacant([](std::int32_t) { return true; });
     claim(m.input_names, def.name, place < 0 ? input_count() : place, "input");
     // No call below throws.
     if (def.interaction.valid()) m.ctx.model.interactions.mark_driven(def.interaction.index);
     if (place < 0) {
-        place = m.input_places.append();
+        place = m.input_slots.append();
         m.inputs.emplace_back();
         m.input_values.emplace_back();
     } else {
-        m.input_places.take(place);
+        m.input_slots.take(place);
     }
     if (def.local) m.local_inputs.push_back(place);
     if (!def.interaction.valid() && !def.local) {
@@ -150,7 +150,7 @@ InputId World::add_input(const InputDef& def) {
     }
     m.inputs[at(place)] = std::move(allowed);
     m.input_values[at(place)] = value;
-    const auto id = m.input_places.id<InputId>(place);
+    const auto id = m.input_slots.id<InputId>(place);
     m.input_ids.insert(std::lower_bound(m.input_ids.begin(), m.input_ids.end(), id), id);
     if (m.listener != nullptr) m.listener->added(def);
     return id;
@@ -160,7 +160,7 @@ int World::input_count() const noexcept { return static_cast<int>(impl_->inputs.
 std::span<const InputId> World::inputs() const noexcept { return impl_->input_ids; }
 const InputDef& World::input_def(InputId id) const { return impl_->inputs[impl_->place(id)]; }
 InputId World::find_input(std::string_view name) const noexcept {
-    return impl_->input_places.id<InputId>(lookup(impl_->input_names, name));
+    return impl_->input_slots.id<InputId>(lookup(impl_->input_names, name));
 }
 double World::input(InputId id) const { return impl_->input_values[impl_->place(id)]; }
 

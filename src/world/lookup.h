@@ -22,7 +22,7 @@ namespace hawser::world {
 
 /// Return the index of an id; reject invalid ids and those of removed objects.
 template <class Id>
-std::size_t place_of(const Id& id, const base::Places& places, int count, const char* what) {
+std::size_t place_of(const Id& id, const base::Slots& places, int count, const char* what) {
     if (id.index >= 0 && id.index < count && places.names(id)) return at(id.index);
     const std::string number = std::to_string(id.index);
     if (id.index < 0 || id.index >= count)

@@ -30,14 +30,14 @@ Vec3 turned(const model::Bodies& b, std::int32_t body, const Vec3& local) noexce
     return out;
 }
 
-Vec3 place_in_world(const model::Bodies& b, std::int32_t body, const Vec3& point) noexcept {
+Vec3 position_in_world(const model::Bodies& b, std::int32_t body, const Vec3& point) noexcept {
     const double* x = &b.x[3 * at(body)];
     return Vec3(x[0], x[1], x[2]) + turned(b, body, point);
 }
 
 double pose_component(const model::Bodies& b, std::int32_t body, const Vec3& point,
                       int component) noexcept {
-    if (component < kRoll) return place_in_world(b, body, point)[component];
+    if (component < kRoll) return position_in_world(b, body, point)[component];
     const double* q = &b.q[4 * at(body)];
     const double w = q[0], x = q[1], y = q[2], z = q[3];
     switch (component) {
@@ -271,8 +271,8 @@ void Outputs::evaluate(const World& world, const stepper::StepContext& ctx, cons
                 values_[i] = drum(world, ctx, systems, def.interaction, c);
                 break;
             case OutputKind::distance:
-                values_[i] = (place_in_world(b, def.body_b.index, def.point_b) -
-                              place_in_world(b, def.body.index, def.point))
+                values_[i] = (position_in_world(b, def.body_b.index, def.point_b) -
+                              position_in_world(b, def.body.index, def.point))
                                  .norm();
                 break;
             case OutputKind::statistic:

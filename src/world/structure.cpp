@@ -32,7 +32,7 @@ BodyDef placeholder(int room) {
 }
 
 template <class Def>
-void take_places(Placed<Def>& to, const base::Places& from) {
+void copy_slots(Placed<Def>& to, const base::Slots& from) {
     const auto count = to.defs.size();
     to.generations.assign(from.generations().begin(),
                           from.generations().begin() + static_cast<std::ptrdiff_t>(count));
@@ -42,7 +42,7 @@ void take_places(Placed<Def>& to, const base::Places& from) {
 
 /// Renew ids with the current generations of their indices.
 template <class Id>
-void name_anew(std::vector<Id>& ids, const base::Places& places) noexcept {
+void name_anew(std::vector<Id>& ids, const base::Slots& places) noexcept {
     for (Id& id : ids) id = places.id<Id>(id.index);
 }
 
@@ -76,7 +76,7 @@ Structure World::Impl::structure() const {
     for (std::int32_t b = 0; b < stepper::body_count(ctx.model); ++b)
         out.bodies.defs.push_back(bodies.places.holds(b) ? body_defs[at(b)]
                                                          : placeholder(bodies.room[at(b)]));
-    take_places(out.bodies, bodies.places);
+    copy_slots(out.bodies, bodies.places);
     const model::Interactions& in = ctx.model.interactions;
     for (std::int32_t i = 0; i < stepper::interaction_count(ctx.model); ++i) {
         InteractionDef& d = out.interactions.defs.emplace_back();
@@ -89,20 +89,20 @@ Structure World::Impl::structure() const {
             out.compliances.push_back(in.defined[at(in.row_begin[at(i)] + r)]);
         if (kind_info(d.kind).is(kWoundUp)) out.radii.push_back(in.defined_radius[at(i)]);
     }
-    take_places(out.interactions, in.places);
+    copy_slots(out.interactions, in.places);
     const collide::Materials& materials = ctx.model.collider.materials;
     for (int i = 1; i < materials.count(); ++i) out.materials.push_back(materials.def(i));
     out.pairs.assign(materials.pairs().begin(), materials.pairs().end());
-    const base::Places& shapes = ctx.model.collider.places;
+    const base::Slots& shapes = ctx.model.collider.places;
     for (std::int32_t s = 0; s < ctx.model.collider.count(); ++s)
         out.shapes.defs.push_back(shapes.holds(s) ? shape_defs[at(s)] : ShapeDef{});
-    take_places(out.shapes, shapes);
+    copy_slots(out.shapes, shapes);
     for (std::size_t k = 0; k < inputs.size(); ++k)
-        out.inputs.defs.push_back(input_places.holds(static_cast<std::int32_t>(k)) ? inputs[k]
-                                                                                   : InputDef{});
-    take_places(out.inputs, input_places);
+        out.inputs.defs.push_back(input_slots.holds(static_cast<std::int32_t>(k)) ? inputs[k]
+                                                                                  : InputDef{});
+    copy_slots(out.inputs, input_slots);
     for (std::size_t k = 0; k < wires.wires.size(); ++k) out.wires.defs.push_back(wires.wires[k]);
-    take_places(out.wires, wires.places);
+    copy_slots(out.wires, wires.places);
     out.gear = gear;
     out.coupling = ctx.model.cuts.coupling;
     return out;
@@ -185,12 +185,12 @@ void World::Impl::make_inputs(World& self, const Placed<InputDef>& from) {
         }
         inputs.emplace_back();
         input_values.push_back(0.0);
-        input_places.reserve_more();
-        (void)input_places.append();
+        input_slots.reserve_more();
+        (void)input_slots.append();
     }
-    for (const std::int32_t k : from.vacant) input_places.vacate(k);
-    input_places.set_generations(from.generations);
-    name_anew(input_ids, input_places);
+    for (const std::int32_t k : from.vacant) input_slots.vacate(k);
+    input_slots.set_generations(from.generations);
+    name_anew(input_ids, input_slots);
 }
 
 void World::Impl::make_wires(const Placed<WirePieces>& from) {

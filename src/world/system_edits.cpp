@@ -214,7 +214,7 @@ void World::Impl::refuse_held(BodyId id, InteractionId stays) const {
                    (shape_defs[at(s.index)].body == id || shape_defs[at(s.index)].body_b == id);
         };
         const auto drives = [&](InputId k) {
-            if (!input_places.names(k)) return false;
+            if (!input_slots.names(k)) return false;
             const InputDef& def = inputs[at(k.index)];
             return def.body == id || (def.interaction.valid() && on(def.interaction));
         };
@@ -229,7 +229,7 @@ void World::Impl::refuse_held(BodyId id, InteractionId stays) const {
 void World::Impl::refuse_held(InteractionId id) const {
     systems.each_held([&](std::string_view system, const HoldTable& held) {
         const auto drives = [&](InputId k) {
-            return input_places.names(k) && inputs[at(k.index)].interaction == id;
+            return input_slots.names(k) && inputs[at(k.index)].interaction == id;
         };
         if (has(held.interactions, id) ||
             std::any_of(held.inputs.begin(), held.inputs.end(), drives))

@@ -36,7 +36,7 @@ void World::Impl::keep_for_undo(StepUndo& u) const {
     u.shape_defs = shape_defs;
     u.inputs = inputs;
     u.input_values = input_values;
-    u.input_places = input_places;
+    u.input_slots = input_slots;
     u.input_ids = input_ids;
     u.groups.copy(groups);
     u.body_names.copy(body_names);
@@ -64,7 +64,7 @@ void World::Impl::put_back(StepUndo& u) noexcept {
     shape_defs.swap(u.shape_defs);
     inputs.swap(u.inputs);
     input_values.swap(u.input_values);
-    std::swap(input_places, u.input_places);
+    std::swap(input_slots, u.input_slots);
     input_ids.swap(u.input_ids);
     groups.go_back(u.groups);
     body_names.go_back(u.body_names);

@@ -124,7 +124,7 @@ void World::Impl::follow_definition(BodyId lump) noexcept {
 }
 
 /// Move the objects that begin at a node to another node at its position, which has been added.
-void World::Impl::part_lump(const stepper::NodePlace& place, BodyId end) noexcept {
+void World::Impl::part_lump(const stepper::NodeSurroundings& place, BodyId end) noexcept {
     model::Interactions& in = ctx.model.interactions;
     const BodyId node = ctx.model.bodies.id(place.node), far = in.def[at(place.second)].body[1];
     const stepper::NodeFraction part =
@@ -144,7 +144,7 @@ void World::Impl::part_lump(const stepper::NodePlace& place, BodyId end) noexcep
 }
 
 InteractionId World::Impl::element_at(BodyId node, std::size_t side) noexcept {
-    stepper::NodePlace place{.node = node.index};
+    stepper::NodeSurroundings place{.node = node.index};
     (void)stepper::find_place(ctx, place);
     return ctx.model.interactions.id(side == 0 ? place.first : place.second);
 }
@@ -153,7 +153,7 @@ InteractionId World::Impl::element_at(BodyId node, std::size_t side) noexcept {
 /// @param side  0: the end is the first end of the element, 1: its last one.
 void World::Impl::join_short_end(World& world, InteractionId end, std::size_t side) noexcept {
     const model::Interactions& in = ctx.model.interactions;
-    stepper::NodePlace place{.node = in.def[at(end.index)].body[1 - side].index};
+    stepper::NodeSurroundings place{.node = in.def[at(end.index)].body[1 - side].index};
     if (!stepper::is_lump(ctx, place.node) || !stepper::find_place(ctx, place)) return;
     const std::int32_t next = side == 0 ? place.second : place.first;
     if (in.rest_length[at(end.index)] >= kShort * in.rest_length[at(next)]) return;
@@ -239,7 +239,8 @@ WireId World::cut(WireId id, double s) {
 
 /// Check that a wire can be cut at a node.
 /// @throws DefError with the remedy.
-void World::Impl::check_cut_at_node(const std::string& where, stepper::NodePlace& place) const {
+void World::Impl::check_cut_at_node(const std::string& where,
+                                    stepper::NodeSurroundings& place) const {
     if (!stepper::is_lump(ctx, place.node) || !stepper::find_place(ctx, place))
         world::refuse(where,
                       "it does not begin at a node between two elements that nothing else "
@@ -266,7 +267,7 @@ WireId World::cut(InteractionId element, double share) {
         world::refuse(where, "it is cut at a share from 0 to below 1, not " + world::number(share));
     m.know_wire_of(element);
     if (stepper::has_cuts(c.model)) stepper::begin_edit(c);  // remove duplicated rows first
-    stepper::NodePlace place{.node = def.body[0].index};
+    stepper::NodeSurroundings place{.node = def.body[0].index};
     if (share == 0.0) m.check_cut_at_node(where, place);
     m.reserve_removal();
     std::int32_t vacant = -1;

@@ -62,7 +62,7 @@ WireId World::wire_of(InteractionId element) const noexcept {
 
 /// Update definitions after an edit of masses and drags, and the forces of nodes that depend on
 /// mass. Also update the inputs of an element at a drum.
-void World::Impl::follow_definitions(const stepper::NodePlace& place) noexcept {
+void World::Impl::follow_definitions(const stepper::NodeSurroundings& place) noexcept {
     const model::Interactions& in = ctx.model.interactions;
     for (const std::int32_t id : {place.first, place.second}) {
         for (std::size_t slot = 0; id >= 0 && slot < 2; ++slot) {
@@ -90,7 +90,7 @@ void World::Impl::follow_inputs(std::int32_t element) noexcept {
 
 /// Return the EI of a bend added with a node on an element [N m²]. It is that of the bend at the
 /// first end, or at the last end if line types meet at the first.
-double World::Impl::stiffness_beside(const stepper::NodePlace& place,
+double World::Impl::stiffness_beside(const stepper::NodeSurroundings& place,
                                      const world::Wire* wire) const noexcept {
     const model::Interactions& in = ctx.model.interactions;
     const auto same_line = [&](std::int32_t id) {
@@ -109,7 +109,7 @@ BodyId World::insert_node(InteractionId element, double share, double mass) {
     Impl& m = *impl_;
     model::Interactions& in = m.ctx.model.interactions;
     m.check_node(element, share, mass);
-    stepper::NodePlace place{.first = element.index};
+    stepper::NodeSurroundings place{.first = element.index};
     const bool wound = stepper::is_wound(m.ctx, element.index);
     // True if the new element comes first, because the one at a drum stays there.
     const bool first = wound && stepper::drum_side(m.ctx, element.index) == 1;
@@ -168,7 +168,7 @@ bool World::remove_node(BodyId node, double bend) {
     Impl& m = *impl_;
     (void)m.place(node);
     if (stepper::has_cuts(m.ctx.model)) stepper::begin_edit(m.ctx);  // remove duplicated rows first
-    stepper::NodePlace place{.node = node.index};
+    stepper::NodeSurroundings place{.node = node.index};
     const std::int32_t stays = m.check_node_goes(node, place, bend);
     model::Interactions& in = m.ctx.model.interactions;
     const InteractionId kept = in.id(stays),

@@ -69,8 +69,9 @@ ShapeId World::Impl::segment_between(std::int32_t a, std::int32_t b) const noexc
 }
 
 /// Return the capsule added with a node on an element; none if its wire touches nothing there.
-std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodePlace& place, BodyId node,
-                                                  bool first, const world::Wire* wire) const {
+std::optional<ShapeDef> World::Impl::next_segment(const stepper::NodeSurroundings& place,
+                                                  BodyId node, bool first,
+                                                  const world::Wire* wire) const {
     const auto end = [&](std::size_t slot) {
         return ctx.model.bodies.id(stepper::end_of(ctx, place.first, slot));
     };

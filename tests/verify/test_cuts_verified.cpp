@@ -31,7 +31,7 @@ TEST_P(CutVerified, SeparateCodeAgrees) {
 }
 
 // Near an end of an element, in its middle, near both ends of the wire [m].
-INSTANTIATE_TEST_SUITE_P(Places, CutVerified, ::testing::Values(60.3, 165.8, 168.2, 200.0, 318.0));
+INSTANTIATE_TEST_SUITE_P(Slots, CutVerified, ::testing::Values(60.3, 165.8, 168.2, 200.0, 318.0));
 
 WinchDef small_winch(WireId wire, double stored) {
     return {.name = "winch",

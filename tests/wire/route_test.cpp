@@ -20,7 +20,7 @@ namespace {
 using test::Post;
 
 class Posts : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Places, Posts, testing::Values(1, 2, 8, 64));
+INSTANTIATE_TEST_SUITE_P(Slots, Posts, testing::Values(1, 2, 8, 64));
 
 TEST_P(Posts, SlideAtEulersRatio) {
     for (const double turns : {0.5, 1.5, 3.0}) {

@@ -146,7 +146,7 @@ void geometric(const View& view, const Op& op, Place out) {
 }
 
 void body_block(const View& view, const Op& op, Place out) {
-    const double* block = view.body_block + assembly::block_place(view.dof_begin[op.id]);
+    const double* block = view.body_block + assembly::block_offset(view.dof_begin[op.id]);
     const int dof = view.dof[op.id];
     if (dof == 1) {
         out(0, 0) += block[0];

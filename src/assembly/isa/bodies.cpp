@@ -20,7 +20,7 @@ void momentum_rhs(const View& view, std::int32_t body, const double* y, double* 
     const double* v = view.v_new + view.dof_begin[body];
     double mv[8] = {};
     if constexpr (!kAtRest)
-        block_times(view.body_block + assembly::block_place(view.dof_begin[body]), dof, v, mv);
+        block_times(view.body_block + assembly::block_offset(view.dof_begin[body]), dof, v, mv);
     V8 acc = load_at_least(view.a + view.dof_begin[body], dof);
     const std::int32_t end = view.incident_begin[body + 1];
     for (std::int32_t k = view.incident_begin[body]; k < end; ++k) {

@@ -44,7 +44,8 @@ double drag_work(const View& view, std::int32_t body, const double* v, const dou
 /// lump. It would determine all norms.
 double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
     const int dof = view.dof[body];
-    if (dof == 1) return p[0] * p[0] / view.body_block[assembly::block_place(view.dof_begin[body])];
+    if (dof == 1)
+        return p[0] * p[0] / view.body_block[assembly::block_offset(view.dof_begin[body])];
     const double inverse = 1.0 / view.mass[body];
     double norm = inverse * dot(load3(p), load3(p));
     if (dof == 6) {
@@ -66,7 +67,7 @@ void one_body(const View& view, std::int32_t body, const double* residual, Norms
         n.finite += u[j];
     }
     n.drag += drag_work(view, body, v, u, mean);
-    block_times(view.body_block + assembly::block_place(view.dof_begin[body]), dof, v, mv);
+    block_times(view.body_block + assembly::block_offset(view.dof_begin[body]), dof, v, mv);
     for (int j = 0; j < dof; ++j) diff[j] = view.a[begin + j] - mv[j];
     if (const double* b = coupled_block(view, body)) subtract_coupled(b, v, diff);
     n.momentum += inverse_mass_norm(view, body, residual);
@@ -98,8 +99,8 @@ void eight_bodies(const View& view, std::int32_t body, Norms& n) {
     load_bodies(view.v_new + begin, 6, u);
     load_bodies(view.a + begin, 6, a);
     V8 low[kLanes], high[kLanes];  // entries 0-7 and 4-11
-    load_bodies(view.body_block + assembly::block_place(view.dof_begin[body]), kBodyBlock, low);
-    load_bodies(view.body_block + assembly::block_place(view.dof_begin[body]) + 4, kBodyBlock,
+    load_bodies(view.body_block + assembly::block_offset(view.dof_begin[body]), kBodyBlock, low);
+    load_bodies(view.body_block + assembly::block_offset(view.dof_begin[body]) + 4, kBodyBlock,
                 high);
     const WM3 r = load_bodies9(view.r + 9L * body);
     const V8 per_mass = 1.0 / load(view.mass + body);

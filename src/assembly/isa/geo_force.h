@@ -21,7 +21,7 @@ inline void slot_velocity(const assembly::View& view, const double* v, std::int3
 /// Add the part of a of a line to its two bodies. @param share  Fraction of K that acts on v; the
 /// rest acts on v_ahead.
 inline void line_past(const assembly::View& view, std::int32_t id, double share) {
-    const assembly::GeoPlace& place = view.geo[id];
+    const assembly::GeoSlot& place = view.geo[id];
     const double* rec = view.geo_record + place.record;
     double* out[2] = {view.geo_force + place.slot(0) + place.dof,
                       view.geo_force + place.slot(1) + place.dof};
@@ -52,10 +52,10 @@ inline void line_past(const assembly::View& view, std::int32_t id, double share)
 }
 
 /// Compute the part of M̃ v of an interaction on its two bodies, see geo.h. With `damping` (see
-/// geo_product()), compute the part of a. @param from  0 or dof: half of the slot, see GeoPlace.
+/// geo_product()), compute the part of a. @param from  0 or dof: half of the slot, see GeoSlot.
 inline void geo_force(const assembly::View& view, std::int32_t id, const double* v,
                       double damping = 1.0, int from = 0) {
-    const assembly::GeoPlace& place = view.geo[id];
+    const assembly::GeoSlot& place = view.geo[id];
     const double* rec = view.geo_record + place.record;
     double* out[2] = {view.geo_force + place.slot(0) + from, view.geo_force + place.slot(1) + from};
     const std::int32_t* body = view.body + kMaxInteractionBodies * id;

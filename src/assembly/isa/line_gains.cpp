@@ -70,7 +70,7 @@ inline V3 turned(const V3& r, const V3& b) {
 
 void one_gain(const View& view, std::int32_t id, LineGain* sum) {
     if (view.parted[id]) return;
-    const assembly::GeoPlace& place = view.geo[id];
+    const assembly::GeoSlot& place = view.geo[id];
     const double *record = view.geo_record + place.record, *f = view.geo_force + place.force;
     const std::int32_t* body = view.body + kMaxInteractionBodies * id;
     const std::int32_t row = view.row_begin[id];

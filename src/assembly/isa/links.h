@@ -102,7 +102,7 @@ inline void eight_rhs(const assembly::View& view, std::int32_t body, const doubl
         const W3 next = shift_in(in, torques + 6 * kLanes);
         V8 v[kLanes], low[kLanes], high[kLanes];  // block: entries 0-7 and 4-11
         load_bodies(view.v_new + begin, 6, v);
-        const double* block = view.body_block + assembly::block_place(view.dof_begin[body]);
+        const double* block = view.body_block + assembly::block_offset(view.dof_begin[body]);
         load_bodies(block, assembly::kBodyBlock, low);
         load_bodies(block + 4, assembly::kBodyBlock, high);
         linear = linear - mul6(low, W3{v[0], v[1], v[2]});

@@ -57,7 +57,7 @@ struct Arms {
 template <class K>
 double geometry(const View& view, const typename K::Data& data, const BodyRef* refs,
                 std::int32_t id, const Rows<K::kBodies, K::kRows>& rows) {
-    const assembly::GeoPlace& place = view.geo[id];
+    const assembly::GeoSlot& place = view.geo[id];
     if (place.record < 0) return 1.0;
     double* rec = view.geo_record + place.record;
     const std::int32_t* body = view.body + kSlots * id;
