@@ -55,7 +55,7 @@ void print_run(const char* name, const DeadlineRun& run) {
     }
 }
 
-double apart(const DeadlineRun& a, const DeadlineRun& b) {
+double separation(const DeadlineRun& a, const DeadlineRun& b) {
     double most = 0.0;
     for (std::size_t k = 0; k < a.at_end_of_load.size(); ++k)
         most = std::max(most, (a.at_end_of_load[k] - b.at_end_of_load[k]).norm());
@@ -139,7 +139,7 @@ int compare_deadline(const DeadlineOptions& o) {
         "with more\n",
         kept.late_analysis, kept.late_one, kept.late_more);
     fmt::print("boxes {:.3f} m from where the exact run has them at the end of the load\n\n",
-               apart(exact, kept));
+               separation(exact, kept));
     Verdict verdict;
     const double within = fraction_within(kept, o.budget_ms);
     verdict.ask("within_budget", "", within >= 0.99,

@@ -50,8 +50,8 @@ struct Edited {
         InteractionDef d;
         d.kind = InteractionKind::Stretch;
         d.body = {a, b};
-        const double apart = (world.pose(a).position - world.pose(b).position).norm();
-        return d.set("EA", 1e5).set("length", 1.01 * apart);
+        const double separation = (world.pose(a).position - world.pose(b).position).norm();
+        return d.set("EA", 1e5).set("length", 1.01 * separation);
     }
     void add_lump() {
         const Vec3 below = world.pose(hulls[0]).position - Vec3(0, 0, 15);

@@ -36,14 +36,14 @@ struct Gap {
 
 Gap gap_of(const InteractionDef& d, const std::vector<Pose>& poses) {
     using enum InteractionKind;
-    const Vec3 apart = point_of(d, poses, 1) - point_of(d, poses, 0);
-    if (d.kind == Distance) return {std::abs(apart.norm() - d.get("length")), 0.0};
+    const Vec3 separation = point_of(d, poses, 1) - point_of(d, poses, 0);
+    if (d.kind == Distance) return {std::abs(separation.norm() - d.get("length")), 0.0};
     const Quat p = poses[at(d.body[0].index)].orientation * d.frame[0];
     const Quat q = poses[at(d.body[1].index)].orientation * d.frame[1];
     const Vec3 pz = p * Vec3::UnitZ(), qz = q * Vec3::UnitZ();
-    Gap gap{apart.norm(), 0.0};
+    Gap gap{separation.norm(), 0.0};
     if (d.kind == Prismatic || d.kind == Cylindrical)
-        gap.along = (apart - apart.dot(pz) * pz).norm();
+        gap.along = (separation - separation.dot(pz) * pz).norm();
     if (d.kind == Hinge || d.kind == Cylindrical) gap.turned = angle_between(pz, qz);
     if (d.kind == Prismatic || d.kind == Lock) gap.turned = p.angularDistance(q);
     if (d.kind == Universal) gap.turned = std::abs(std::asin(std::clamp(pz.dot(qz), -1.0, 1.0)));

@@ -88,8 +88,9 @@ struct FreeWire {
             // Tension of steady rotation: T = ρω²(L²/4 − s²)/2.
             const double s = l * (static_cast<double>(i) + 0.5) - 0.5 * kLength;
             const double pull = 0.5 * kLineMass * spin * spin * (0.25 * kLength * kLength - s * s);
-            const double apart = (w.pose(lumps[i + 1]).position - w.pose(lumps[i]).position).norm();
-            d.set("length", apart / (1.0 + pull / kLineEA))
+            const double separation =
+                (w.pose(lumps[i + 1]).position - w.pose(lumps[i]).position).norm();
+            d.set("length", separation / (1.0 + pull / kLineEA))
                 .set("EA", kLineEA)
                 .set("mass", kLineMass * l);
             made.push_back(w.add_interaction(d));

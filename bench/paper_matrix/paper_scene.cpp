@@ -15,13 +15,13 @@ namespace {
 constexpr int kHulls = 3, kAttached = 20, kLocked = 4, kCables = 10, kMoorings = 4;
 constexpr int kFirstElement = kHulls + kHulls * kAttached;
 constexpr int kRig = 2;
-constexpr double kApart = 3000.0;  ///< Distance of copies [m].
+constexpr double kSeparation = 3000.0;  ///< Distance of copies [m].
 
 std::array<double, 3> hull_index(int copy, int hull) {
     constexpr std::array<std::array<double, 3>, 3> place{
         {{-420.0, 60.0, 0.0}, {410.0, -50.0, 0.0}, {0.0, 300.0, 0.0}}};
     std::array<double, 3> p = place[at(hull)];
-    p[1] += kApart * copy;
+    p[1] += kSeparation * copy;
     return p;
 }
 

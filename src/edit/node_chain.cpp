@@ -58,7 +58,7 @@ NodeChain chain_about(const StepContext& ctx, const NodeSurroundings& place) noe
     for (const std::int32_t id : place.after) add(id);
     out.count = pieces + 1;
     for (std::size_t k = 0; k < pieces; ++k)
-        out.piece[k].rate = out.apart(k).normalized().dot(out.lump[k + 1].v - out.lump[k].v);
+        out.piece[k].rate = out.separation(k).normalized().dot(out.lump[k + 1].v - out.lump[k].v);
     const auto fits = [&](std::int32_t id) {
         return id < 0 || (is_here(out, id) && is_of_material(ctx, id));
     };
@@ -107,7 +107,7 @@ double stretch_energy_of(const NodeChain& chain) noexcept {
     double sum = 0.0;
     for (std::size_t k = 0; k + 1 < chain.count; ++k) {
         const NodeChain::Piece& p = chain.piece[k];
-        const double longer = chain.apart(k).norm() - p.rest;
+        const double longer = chain.separation(k).norm() - p.rest;
         if (longer > 0.0 || !p.one_sided) sum += 0.5 * p.EA / p.rest * longer * longer;
     }
     return sum;
@@ -122,7 +122,7 @@ NodeMomentum momentum_of(const NodeChain& chain, const Vec3& about) noexcept {
     }
     for (std::size_t k = 0; k + 1 < chain.count; ++k)
         sum.angular -=
-            chain.piece[k].pair * chain.apart(k).cross(chain.lump[k + 1].v - chain.lump[k].v);
+            chain.piece[k].pair * chain.separation(k).cross(chain.lump[k + 1].v - chain.lump[k].v);
     return sum;
 }
 

@@ -45,9 +45,9 @@ struct NodeChain {
     std::size_t middle = 0;  ///< Index of the node; after its removal, of the next lump.
     double half = 0.0;       ///< h/2 [s]
 
-    [[nodiscard]] Vec3 apart(std::size_t k) const { return lump[k + 1].y - lump[k].y; }
+    [[nodiscard]] Vec3 separation(std::size_t k) const { return lump[k + 1].y - lump[k].y; }
     [[nodiscard]] Vec3 apart_at_pose(std::size_t k) const {
-        return apart(k) + half * (lump[k + 1].v - lump[k].v);
+        return separation(k) + half * (lump[k + 1].v - lump[k].v);
     }
 };
 

@@ -128,14 +128,14 @@ class Patch {
     }
     void add_piece(std::size_t k, Square& stiff) {
         const NodeChain::Piece& p = chain_.piece[k];
-        const Vec3 apart = chain_.apart(k), u = apart.normalized();
+        const Vec3 separation = chain_.separation(k), u = separation.normalized();
         const double weight = p.pull != 0.0 ? chain_.half * chain_.half * p.EA / p.rest : 0.0;
         const double rate = u.dot(chain_.lump[k + 1].v - chain_.lump[k].v);
         for (std::size_t one = 0; one < 2; ++one) {
             const int row = place_[k + one];
             if (row < 0) continue;
             const double sign = one == 0 ? -1.0 : 1.0;
-            shares_.block<3, 3>(3, row) -= sign * p.pair / reach_ * cross_matrix(apart);
+            shares_.block<3, 3>(3, row) -= sign * p.pair / reach_ * cross_matrix(separation);
             missing_.segment<3>(row) += sign * weight * (p.rate - rate) * u;
             for (std::size_t other = 0; other < 2; ++other) {
                 const int column = place_[k + other];
@@ -248,7 +248,7 @@ bool release_node(StepContext& ctx, const NodeSurroundings& place, double bend) 
     model::Interactions& in = ctx.model.interactions;
     NodeChain was = chain_about(ctx, place);
     const std::size_t n = was.middle;
-    const Vec3 first = was.apart(n - 1), second = was.apart(n);
+    const Vec3 first = was.separation(n - 1), second = was.separation(n);
     if (std::atan2(first.cross(second).norm(), first.dot(second)) > bend) return false;
     const double energy = energy_of(was);
     NodeChain now = without_node(was);

@@ -83,9 +83,9 @@ void merge_lumps(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t 
     const double ma = bodies.mass[at(a)], mb = bodies.mass[at(b)], share = mb / (ma + mb);
     bool moved = false;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double apart = bodies.x[3 * at(b) + k] - bodies.x[3 * at(a) + k];
-        moved = moved || apart != 0.0;
-        bodies.x[3 * at(a) + k] += share * apart;
+        const double separation = bodies.x[3 * at(b) + k] - bodies.x[3 * at(a) + k];
+        moved = moved || separation != 0.0;
+        bodies.x[3 * at(a) + k] += share * separation;
         for (base::Array<double>* v : {&bodies.v, &bodies.v_start}) {
             double& to = velocity_of(*v, ctx, a)[k];
             to += share * (velocity_of(*v, ctx, b)[k] - to);

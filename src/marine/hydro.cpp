@@ -123,15 +123,15 @@ Matrix6 largest_diagonal(const std::vector<Matrix6>& all) {
 std::string swapped_fault(const WaveCoefficients& c) {
     if (!c.has_infinite || !c.has_zero || c.frequency.size() < 4) return {};
     const Matrix6 reported = infinite_added_mass(c);
-    double as_is = 0.0, swapped = 0.0, apart = 0.0;
+    double as_is = 0.0, swapped = 0.0, separation = 0.0;
     for (int i = 0; i < 6; ++i) {
         const double size = std::max(std::abs(c.infinite(i, i)), std::abs(c.zero(i, i)));
         if (!(size > 0.0)) continue;
         as_is += std::abs(reported(i, i) - c.infinite(i, i)) / size;
         swapped += std::abs(reported(i, i) - c.zero(i, i)) / size;
-        apart += std::abs(c.zero(i, i) - c.infinite(i, i)) / size;
+        separation += std::abs(c.zero(i, i) - c.infinite(i, i)) / size;
     }
-    if (apart < 0.05 || swapped >= 0.5 * as_is) return {};
+    if (separation < 0.05 || swapped >= 0.5 * as_is) return {};
     return "A(inf) and A(0) are swapped: by A(w) and B(w) the former is nearer to what is given "
            "as A(0), as for heave " +
            number(reported(2, 2)) + " kg where A(inf) is " + number(c.infinite(2, 2)) +

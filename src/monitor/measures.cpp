@@ -157,12 +157,12 @@ void measure_line(const Model& model, const View& v, std::int32_t id, MonitorPar
     const std::int32_t* body = v.body + kMaxInteractionBodies * id;
     // An end on a body with arms moves with it; the rotation of the body is checked instead.
     if (v.dof[body[0]] == 3 && v.dof[body[1]] == 3) {
-        double apart = 0.0;
+        double separation = 0.0;
         for (int k = 0; k < 3; ++k) {
             const double d = v.v[v.dof_begin[body[1]] + k] - v.v[v.dof_begin[body[0]] + k];
-            apart += d * d;
+            separation += d * d;
         }
-        const double twist = apart / (length * length);
+        const double twist = separation / (length * length);
         if (!(twist <= p.twist)) {
             p.twist = twist;
             p.twist_id = id;

@@ -14,10 +14,10 @@ double rest_length(const World& world, InteractionId element) {
         return def.params[0] +
                def.get("radius") * (world.pose(def.body[2]).position.x() - def.get("drum_zero"));
     // The drum changes the rest length. It equals the distance of the ends minus the violation.
-    const double apart = (world.world_point(def.body[1], def.point[1]) -
-                          world.world_point(def.body[0], def.point[0]))
-                             .norm();
-    return apart - world.violation(element)[0];
+    const double separation = (world.world_point(def.body[1], def.point[1]) -
+                               world.world_point(def.body[0], def.point[0]))
+                                  .norm();
+    return separation - world.violation(element)[0];
 }
 
 std::optional<WirePosition> wire_position(const World& world, InteractionId element) {

@@ -30,7 +30,7 @@ Cable& cable_of(Description& out, const Scope& scope, const std::string& name, c
 }
 
 /// Return the distance of a point from an element [m].
-double apart(const Description& out, const InteractionDef& d, const Vec3& p) {
+double separation(const Description& out, const InteractionDef& d, const Vec3& p) {
     const Vec3 a = out.world_point(d.body[0], d.point[0]);
     const Vec3 along = out.world_point(d.body[1], d.point[1]) - a;
     const double t =
@@ -45,7 +45,7 @@ std::size_t nearest(Description& out, const Cable& cable, const GuideDef& def, c
     double least = 1e300, guided = 1e300;
     for (std::size_t k = 0; k < cable.stretch.size(); ++k) {
         const InteractionDef& d = element_of(out, cable.stretch[k]);
-        const double far = apart(out, d, at);
+        const double far = separation(out, d, at);
         if (kind_info(d.kind).is(kAtGuide)) guided = std::min(guided, far);
         if (kind_info(d.kind).is(kWoundUp) || far >= least) continue;
         least = far;

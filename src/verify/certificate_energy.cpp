@@ -60,8 +60,8 @@ double StateVerifier::kinetic(const World& world) const {
         const double mass = piece_mass(world, id);
         if (mass == 0.0 || !world.intact(id)) continue;
         const auto& body = world.interaction_def(id).body;
-        const Vec3 apart = world.velocity(body[1]).linear - world.velocity(body[0]).linear;
-        sum -= mass / 12.0 * apart.squaredNorm();
+        const Vec3 separation = world.velocity(body[1]).linear - world.velocity(body[0]).linear;
+        sum -= mass / 12.0 * separation.squaredNorm();
     }
     return sum;
 }

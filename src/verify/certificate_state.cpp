@@ -26,7 +26,7 @@ Opening opening(const World& world, InteractionId id, const std::vector<Pose>& p
     Opening out{joint_gap(world, id, pose)};
     if (!out.gap.rigid) return out;
     const double size = joint_size(world, id);
-    out.part = std::max(out.gap.apart, 0.5 * size * out.gap.turned) /
+    out.part = std::max(out.gap.separation, 0.5 * size * out.gap.turned) /
                (limit::kOpen.wrong * std::max(1.0, size));
     return out;
 }
@@ -173,7 +173,7 @@ std::string StateVerifier::check_joints(const World& world) {
     return fmt::format("joint '{}'{} stands open by {} and {:.3g} rad (step of {:.4g} s)",
                        record::interaction_label(world, where),
                        record::origin(world, record::interaction_label(world, where)),
-                       record::with_unit(gap_of_worst.apart, "m"), gap_of_worst.turned,
+                       record::with_unit(gap_of_worst.separation, "m"), gap_of_worst.turned,
                        world.settings().step);
 }
 

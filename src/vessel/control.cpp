@@ -151,9 +151,9 @@ Vec3 Control::demand(const ControlSense& sense, double h) noexcept {
         case ControlMode::follow:
             break;
     }
-    Vec3 apart = low.place - desired_;
-    apart[2] = heading_error();
-    error_ = to_ship(apart, low.place[2]);
+    Vec3 separation = low.place - desired_;
+    separation[2] = heading_error();
+    error_ = to_ship(separation, low.place[2]);
     Vec3 motion = low.motion;
     if (mode() == ControlMode::follow) {
         const Vec3 carried(sense.target_motion[0], -sense.target_motion[1], 0.0);
@@ -288,13 +288,13 @@ void Control::analyse_failure(Prestep& now, double h) noexcept {
 void Control::report(Prestep& now) noexcept {
     const Planar& low = observer_.low();
     const Vec3 order(x_order_, -y_order_, heading_order_);
-    Vec3 apart = low.place - order;
-    apart[2] = wrapped(apart[2]);
+    Vec3 separation = low.place - order;
+    separation[2] = wrapped(separation[2]);
     const ControlMode m = mode();
     offsets_.setZero();
-    if (m == ControlMode::heading) offsets_[2] = apart[2];
+    if (m == ControlMode::heading) offsets_[2] = separation[2];
     if (m != ControlMode::position && m != ControlMode::follow) return;
-    offsets_ = to_ship(apart, low.place[2]);
+    offsets_ = to_ship(separation, low.place[2]);
     const double distance = std::hypot(offsets_[0], offsets_[1]);
     const VesselControl& c = def_.control;
     const double over =

@@ -131,10 +131,10 @@ Vec3 line_load(const World& world, const VesselDef& def, const std::vector<FedLi
         const Vec3 here = world.world_point(def.body, line.here);
         const Vec3 there =
             world.alive(line.other) ? world.world_point(line.other, line.there) : line.there;
-        const Vec3 apart = there - here;
-        const double length = apart.norm();
+        const Vec3 separation = there - here;
+        const double length = separation.norm();
         if (!(length > 0.0) || !(tension > 0.0)) continue;
-        const Vec3 force = axes.transpose() * Vec3(tension / length * apart);
+        const Vec3 force = axes.transpose() * Vec3(tension / length * separation);
         const Vec3 arm = axes.transpose() * Vec3(here - origin);
         out += Vec3(force.x(), force.y(), arm.x() * force.y() - arm.y() * force.x());
     }

@@ -155,13 +155,13 @@ class Search {
         std::vector<double> fractions(stars_.size(), 0.0);
         double most = 0.0;
         std::size_t branch = stars_.size();
-        double apart = 0.0;
+        double separation = 0.0;
         for (std::size_t i = 0; i < stars_.size(); ++i) {
             fractions[i] = gauge(stars_[i], r.forces[i]);
             most = std::max(most, fractions[i]);
             const double off = fractions[i] - r.fractions[i];
-            if (node[i].second - node[i].first > 1 && off > apart) {
-                apart = off;
+            if (node[i].second - node[i].first > 1 && off > separation) {
+                separation = off;
                 branch = i;
             }
         }

@@ -22,7 +22,7 @@ namespace {
 }
 
 /// Return the distance of a point from the segment between two others [m].
-double apart(const Vec3& p, const Vec3& a, const Vec3& b) {
+double separation(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 d = b - a;
     const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
     return (p - a - t * d).norm();
@@ -36,7 +36,7 @@ InteractionId nearest_element(const World& world, const GuideDef& def) {
         if (!world.alive(id) || !world.intact(id)) continue;
         const KindInfo& kind = kind_info(world.interaction_def(id).kind);
         const std::array<Vec3, 2> ends = world.ends(id);
-        const double far = apart(at, ends[0], ends[1]);
+        const double far = separation(at, ends[0], ends[1]);
         if (kind.is(kAtGuide)) guided = std::min(guided, far);
         if (kind.is(kWoundUp) || far >= least) continue;
         least = far;
@@ -149,7 +149,7 @@ void check_position(const GuideDef& def, const InteractionDef& element, const Ro
     const Vec3 centre = on.position + on.orientation * def.point;
     const Vec3 first = in_world(0), second = in_world(1);
     const double radius = std::abs(def.radius), length = element.get("length");
-    const double far = apart(centre, first, second) - radius;
+    const double far = separation(centre, first, second) - radius;
     if (far > 0.5 * length)
         refuse(def, "its wire passes " + number(far) +
                         " m beside it, more than half of an element (" + number(0.5 * length) +

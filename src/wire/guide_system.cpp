@@ -130,8 +130,8 @@ double GuideSystem::straight(const World& world, std::size_t side) const noexcep
         world.world_point(d.body[node], d.point[node]) - world.world_point(def_.body, def_.point);
     if (def_.radius == 0.0) return to.norm();
     const Vec3 axis = at.orientation * def_.axis.normalized();
-    const double along = to.dot(axis), apart = (to - along * axis).squaredNorm();
-    return std::sqrt(std::max(0.0, apart - def_.radius * def_.radius) + along * along);
+    const double along = to.dot(axis), separation = (to - along * axis).squaredNorm();
+    return std::sqrt(std::max(0.0, separation - def_.radius * def_.radius) + along * along);
 }
 
 /// Sample the result of the last step before nodes are inserted or removed.

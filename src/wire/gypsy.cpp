@@ -14,8 +14,8 @@ constexpr double kAhead = 2.0;      ///< Steps ahead in which the next pocket is
 
 }  // namespace
 
-double GypsyChain::sample(double apart, double rate, double torque, double pull) noexcept {
-    jumped_ = wheel_.radius * (apart - wheel_.zero);
+double GypsyChain::sample(double separation, double rate, double torque, double pull) noexcept {
+    jumped_ = wheel_.radius * (separation - wheel_.zero);
     gained_ = wheel_.radius * rate - rate_;
     rate_ = wheel_.radius * rate;
     grip_ = -torque / wheel_.radius;

@@ -54,7 +54,8 @@ class PostSystem final : public System, public PassedPost {
     }
 
     [[nodiscard]] bool has(WireId wire) const noexcept override;
-    [[nodiscard]] Apart apart(const World& world, const std::array<Vec3, 2>& line) const override;
+    [[nodiscard]] Apart separation(const World& world,
+                                   const std::array<Vec3, 2>& line) const override;
 
   private:
     /// An element that touches the bollard.

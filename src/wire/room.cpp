@@ -71,7 +71,7 @@ double way_to_post(const World& world, const GuideDef& guide, InteractionId line
         if (post == nullptr || post->has(guide.wire)) continue;
         double gap = reach, along = enough;
         each_element(world, guide, line, side, [&](const auto& ends, double sum, InteractionId id) {
-            const auto near = post->apart(world, ends);
+            const auto near = post->separation(world, ends);
             if (near.gap < gap) {
                 gap = near.gap;
                 along = sum + near.share * (ends[1] - ends[0]).norm();

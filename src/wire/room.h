@@ -35,8 +35,8 @@ class PassedPost {
     /// Return true if a wire lies on it.
     [[nodiscard]] virtual bool has(WireId wire) const noexcept = 0;
     /// Find the nearest point of a line.
-    [[nodiscard]] virtual Apart apart(const World& world,
-                                      const std::array<Vec3, 2>& line) const = 0;
+    [[nodiscard]] virtual Apart separation(const World& world,
+                                           const std::array<Vec3, 2>& line) const = 0;
 
   protected:
     PassedPost() = default;

@@ -240,9 +240,9 @@ void WinchSystem::follow_chain(const GypsyWheel& wheel, Prestep& now, Loads& loa
     const double weight = parted_ == 0 ? line * world.settings().gravity.norm() * wheel.fall : 0.0;
     const double rate = parted_ == 0 ? line * out : 0.0;  // lifted from the heap [kg/s]
     chain_.feel_tail(weight + rate * out);
-    const double apart = angle_ - world.pose(ids_.drum).position.x();
-    const double jumped =
-        chain_.sample(apart, leaving_ - omega_, world.force(ids_.grip)[0], pull_ - chain_.tail());
+    const double separation = angle_ - world.pose(ids_.drum).position.x();
+    const double jumped = chain_.sample(separation, leaving_ - omega_, world.force(ids_.grip)[0],
+                                        pull_ - chain_.tail());
     if (jumped > 0.0 && parted_ == 0) now.tell(EventKind::chain_jump, ids_.drum, jumped);
     loads.add_force(ids_.chain, {-weight * radius_, 0.0, 0.0});
     loads.add_damping(ids_.chain, Eigen::Matrix<double, 1, 1>(rate * radius_ * radius_));

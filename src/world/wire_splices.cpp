@@ -94,7 +94,7 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
     const std::string where = world::label("body", body_defs[at(b.index)].name);
     if (ea == eb) world::refuse(where, "both ends are of one element");
     refuse_held(b);
-    const double apart = (world.pose(b).position - world.pose(a).position).norm();
+    const double separation = (world.pose(b).position - world.pose(a).position).norm();
     const BodyId far_a = in.def[at(ea)].body[1 - one.slot],
                  far_b = in.def[at(eb)].body[1 - other.slot];
     if (far_a == far_b) world::refuse(where, "both elements hold one body; join by gear");
@@ -137,7 +137,7 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
     stepper::follow_lump(ctx, a.index);
     if (bend.valid()) stepper::set_bend(ctx, bend.index, ea, eb);
     ctx.state.ledger.edited = edited + stepper::splice_energy(ctx, a.index, -1, ea, eb) - had;
-    stepper::push_event(ctx, EventKind::join, ea, apart);
+    stepper::push_event(ctx, EventKind::join, ea, separation);
     if (wire_b != nullptr && !chain.empty()) {
         std::reverse(wire_b->nodes.begin(), wire_b->nodes.end());
         std::reverse(wire_b->elements.begin(), wire_b->elements.end());

@@ -67,9 +67,9 @@ TEST(Damping, DamperBetweenBodiesIsExact) {
     for (int k = 1; k <= 60; ++k) {
         ASSERT_EQ(w.step(), Status::ok);
         const double rate = kDamper * (1.0 + 1.0 / 3.0), t = k * r.world.step;
-        const double apart = w.velocity(b).linear.x() - w.velocity(a).linear.x();
+        const double separation = w.velocity(b).linear.x() - w.velocity(a).linear.x();
         // The spring of 1e-6 N/m, at most 0.05 m long, in a second.
-        EXPECT_NEAR(apart, 0.1 * std::exp(-rate * t), 1e-7);
+        EXPECT_NEAR(separation, 0.1 * std::exp(-rate * t), 1e-7);
     }
     // Its damping dissipates the difference; half a step before the start the spring was 0.8 mm
     // shorter.

@@ -60,8 +60,8 @@ class Coming {
   private:
     [[nodiscard]] InteractionDef line(BodyId a, BodyId b) const {
         InteractionDef d{.kind = InteractionKind::Stretch, .body = {a, b}};
-        const double apart = (w_.pose(a).position - w_.pose(b).position).norm();
-        return d.set("EA", 1e5).set("length", 1.01 * apart);
+        const double separation = (w_.pose(a).position - w_.pose(b).position).norm();
+        return d.set("EA", 1e5).set("length", 1.01 * separation);
     }
     void add_lump() {
         lump_ = w_.add_body({.name = "l",

@@ -96,8 +96,9 @@ bool Editor::add_joint() {
             def.point[k] = p.orientation.conjugate() * (middle - p.position);
         def.frame[k] = p.orientation.conjugate();
     }
-    const double apart = (first().pose(a).position - first().pose(b).position).norm();
-    if (apart > kFar || (def.kind == InteractionKind::Distance && apart < 0.2)) return false;
+    const double separation = (first().pose(a).position - first().pose(b).position).norm();
+    if (separation > kFar || (def.kind == InteractionKind::Distance && separation < 0.2))
+        return false;
     add(def);
     return true;
 }

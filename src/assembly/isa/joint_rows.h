@@ -30,15 +30,15 @@ class JointRows {
         id_ = ids[0];
         const std::int32_t* body = view_.body + kMaxInteractionBodies * id_;
         const std::int32_t first = body[0];
-        std::int32_t last = 0, apart = 0;
+        std::int32_t last = 0, separation = 0;
         for (int l = 0; l < kLanes; ++l)
             for (int b = 0; b < 2; ++b) {
                 const std::int32_t i = body[kMaxInteractionBodies * l + b];
                 body_[b][l] = i;
                 last = std::max(last, i);
-                apart |= i - first - l - b;
+                separation |= i - first - l - b;
             }
-        chain_ = apart == 0;
+        chain_ = separation == 0;
         return kExactLoads || chain_ ||
                (last + 3 <= view_.body_count && view_.dof_begin[last] + kLanes <= view_.dof_count);
     }

@@ -15,7 +15,7 @@ using assembly::View;
 /// second end.
 template <class T>
 struct Ends {
-    V3T<T> apart;        ///< Vector between the points at the begin of the step [m].
+    V3T<T> separation;   ///< Vector between the points at the begin of the step [m].
     V3T<T> back, ahead;  ///< Vectors between the points half a step before and after [m].
     V3T<T> mean;         ///< Relative velocity, mean of before and after [m/s].
     V3T<T> along;        ///< Direction of the row.
@@ -30,8 +30,8 @@ struct Ends {
 };
 
 template <class T>
-inline T longer_by(const Ends<T>& e, const V3T<T>& apart, const T& rest) {
-    const T longer = root(dot(apart, apart)) - rest;
+inline T longer_by(const Ends<T>& e, const V3T<T>& separation, const T& rest) {
+    const T longer = root(dot(separation, separation)) - rest;
     return select_greater(e.pulls, zero(rest), positive_part(longer), longer);
 }
 template <class T>
@@ -51,7 +51,7 @@ inline T booked_loss(const Ends<T>& e, double half) {
 
 template <class T>
 inline void gain_of(const Ends<T>& e, double half, T& gain, T& exchanged, T& noise, T& unbooked) {
-    const T rest = root(dot(e.apart, e.apart)) - e.g;
+    const T rest = root(dot(e.separation, e.separation)) - e.g;
     const T before = longer_by(e, e.back, rest), after = longer_by(e, e.ahead, rest);
     const T change = 0.5 * e.stiffness * (after * after - before * before);
     constexpr double kRounding = 1e-15;  // rounding of a few sums
@@ -133,13 +133,13 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     const bool points[2] = {follow_each_other<3>(x[0]), follow_each_other<3>(x[1])};
     const bool speeds[2] = {follow_each_other<3>(v[0]), follow_each_other<3>(v[1])};
     V8 at[2][3];
-    auto apart = [&](const double* base, const std::int32_t(&from)[2][kLanes],
-                     const bool(&in_turn)[2]) {
+    auto separation = [&](const double* base, const std::int32_t(&from)[2][kLanes],
+                          const bool(&in_turn)[2]) {
         for (int b = 0; b < 2; ++b) load_lanes_of_three(base, from[b], in_turn[b], at[b]);
         return V3T<W8>{at[1][0] - at[0][0], at[1][1] - at[0][1], at[1][2] - at[0][2]};
     };
-    const V3T<W8> u = apart(view.v, v, speeds), w = apart(view.v_new, v, speeds);
-    const V3T<W8> d = apart(view.x, x, points);
+    const V3T<W8> u = separation(view.v, v, speeds), w = separation(view.v_new, v, speeds);
+    const V3T<W8> d = separation(view.x, x, points);
     const W8 size = size_of(W8(at[0][0])) + size_of(W8(at[0][1])) + size_of(W8(at[0][2]));
     V8 f[kLanes], line[kLanes];
     load_lanes(view.geo_force, force, f);

@@ -164,10 +164,10 @@ template <bool Bottom>
 HAWSER_FAST void add_groups(const marine::FastTable& table, int begin, int end, const float* circle,
                             float depth, const float* middle, FastSums& to) {
     for (int g = begin; g < end; ++g) {
-        const float apart = table.width[g] * depth;
-        if (apart <= kNearest)
+        const float separation = table.width[g] * depth;
+        if (separation <= kNearest)
             add_group<Falling::near, Bottom>(table, g, circle, depth, middle[g], to);
-        else if (apart <= kFarthest)
+        else if (separation <= kFarthest)
             add_group<Falling::far, Bottom>(table, g, circle, depth, middle[g], to);
         else
             add_group<Falling::alone, Bottom>(table, g, circle, depth, 1.0F, to);
@@ -229,10 +229,10 @@ HAWSER_FAST void add_pressures(const marine::FastTable& table, int begin, int en
                                const float* circle, const float* depth, float deepest,
                                const GroupPowers& middle, Floats* to) {
     for (int g = begin; g < end; ++g) {
-        const float apart = table.width[g] * deepest;
-        if (apart <= kNearest)
+        const float separation = table.width[g] * deepest;
+        if (separation <= kNearest)
             add_pressure<Falling::near, Bottom>(table, g, circle, depth, middle, to);
-        else if (apart <= kFarthest)
+        else if (separation <= kFarthest)
             add_pressure<Falling::far, Bottom>(table, g, circle, depth, middle, to);
         else
             add_pressure<Falling::alone, Bottom>(table, g, circle, depth, middle, to);

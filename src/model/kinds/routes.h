@@ -80,10 +80,10 @@ inline constexpr double kSteepest = 0.999;
 /// Return the direction u of the tangent, which leaves a wheel of signed radius s at s u × n from
 /// its centre. @param d  Vector between the centres. @param n  Axis of the wheels. @param apart
 /// Second signed radius minus the first one.
-inline V3 tangent_direction(const V3& d, const V3& n, double apart) {
+inline V3 tangent_direction(const V3& d, const V3& n, double separation) {
     const V3 flat = d - dot(d, n) * n;
     const double size = norm(flat), most = kSteepest * size;
-    const double s = apart > most ? most : apart < -most ? -most : apart;
+    const double s = separation > most ? most : separation < -most ? -most : separation;
     const double c = __builtin_sqrt(size * size - s * s);
     // Unit length in the plane, with d·(u × n) = −s.
     const double scale = 1.0 / (size * size);
@@ -91,9 +91,9 @@ inline V3 tangent_direction(const V3& d, const V3& n, double apart) {
 }
 
 /// True if the tangent is within the limit kSteepest.
-inline bool keeps_apart(const V3& d, const V3& n, double apart) {
+inline bool keeps_apart(const V3& d, const V3& n, double separation) {
     const V3 flat = d - dot(d, n) * n;
-    return apart * apart <= kSteepest * kSteepest * dot(flat, flat);
+    return separation * separation <= kSteepest * kSteepest * dot(flat, flat);
 }
 
 inline SpanShape span_shape(const SpanEnd (&e)[2], const BodyRef* b) {
