@@ -50,7 +50,7 @@ void LoadStore::prepare(const model::Bodies& bodies) {
     // The following code does not throw.
     for (std::size_t b = 0; b < count; ++b) {
         const auto body = static_cast<std::int32_t>(b);
-        generation_[b] = bodies.places.holds(body) ? bodies.places.generation(body) : -1;
+        generation_[b] = bodies.slots.holds(body) ? bodies.slots.generation(body) : -1;
         freedom_[b] = static_cast<std::uint8_t>(bodies.dof(static_cast<int>(b)));
     }
     entry_of_.resize(count, -1);

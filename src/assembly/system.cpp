@@ -44,7 +44,7 @@ void System::find_resting(const model::Bodies& bodies, const model::Interactions
     for (int b = 0; b < bodies.count(); ++b)
         dof_[at(b)] = static_cast<std::uint8_t>(bodies.asleep[at(b)] ? 0 : bodies.dof(b));
     rests_.assign(at(in.count()), 0);
-    for (const std::int32_t id : in.places.vacant()) rests_[at(id)] = 1;
+    for (const std::int32_t id : in.slots.vacant()) rests_[at(id)] = 1;
     for (int i = 0; i < in.count(); ++i)
         for (int b = 0; b < in.bodies[at(i)]; ++b)
             rests_[at(i)] |= bodies.asleep[at(in.body[at(kMaxInteractionBodies * i + b)])];

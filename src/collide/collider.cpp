@@ -57,7 +57,7 @@ void Collider::prepare(const model::Bodies& bodies, const model::Interactions& i
 }
 
 void Collider::keep(Kept& out) const {
-    out.places = places;
+    out.slots = slots;
     out.shapes = shapes_;
     out.data = data_;
     out.contacts = kept_;
@@ -65,7 +65,7 @@ void Collider::keep(Kept& out) const {
 }
 
 void Collider::go_back(Kept& to) noexcept {
-    std::swap(places, to.places);
+    std::swap(slots, to.slots);
     shapes_.swap(to.shapes);
     data_.swap(to.data);
     kept_.swap(to.contacts);
@@ -172,7 +172,7 @@ void Collider::remove(std::int32_t shape) noexcept {
     s = {};
     s.body[0] = s.body[1] = s.owner[0] = s.owner[1] = s.line = s.held = -1;
     data_[at(shape)].reset();
-    places.vacate(shape);
+    slots.vacate(shape);
     new_.push_back(shape);
 }
 
@@ -186,7 +186,7 @@ void Collider::rewire(std::int32_t shape, std::int32_t first, std::int32_t secon
 }
 
 void Collider::truncate(std::int32_t kept) noexcept {
-    places.truncate(kept);
+    slots.truncate(kept);
     shapes_.erase(shapes_.begin() + kept, shapes_.end());
     data_.erase(data_.begin() + kept, data_.end());
 }

@@ -55,7 +55,7 @@ class Collider {
     std::int32_t add(const ShapeDef& def, const model::Bodies& bodies);
     /// Allocate, so that remove() does not throw. @throws std::bad_alloc.
     void reserve_more() {
-        places.reserve_more();
+        slots.reserve_more();
         base::reserve_more(new_, shapes_.size() + 2);  // all of them may be removed
     }
     /// Remove a shape that nothing touches. The caller removes the memory of its contacts: see
@@ -72,7 +72,7 @@ class Collider {
     /// Shape.
     template <class F>
     void each_near(std::int32_t shape, const model::Bodies& bodies, double h, F&& f) const;
-    base::Slots places;
+    base::Slots slots;
     [[nodiscard]] int count() const noexcept { return static_cast<int>(shapes_.size()); }
     [[nodiscard]] const std::vector<Shape>& shapes() const noexcept { return shapes_; }
 
@@ -116,7 +116,7 @@ class Collider {
     void surfaces(double h, ContactSet& out) const { materials.surfaces(h, out.surfaces); }
     /// Copy of the shapes and of the memory of their contacts.
     struct Kept {
-        base::Slots places;
+        base::Slots slots;
         std::vector<Shape> shapes;
         std::vector<std::shared_ptr<const ShapeData>> data;
         base::Array<KeptContact> contacts;

@@ -20,7 +20,7 @@ void put3(base::Array<double>& to, std::size_t begin, const Vec3& v) noexcept {
 }  // namespace
 
 void Bodies::reserve_more() {
-    places.reserve_more();
+    slots.reserve_more();
     base::reserve_more(kind, 1);
     for (base::Array<std::int32_t>* a : {&dof_begin, &quiet, &first_holder})
         base::reserve_more(*a, 1);
@@ -34,7 +34,7 @@ void Bodies::reserve_more() {
 int Bodies::add(const BodyDef& def) {
     const int place = place_for(def.kind);
     if (place < 0) return append(def);
-    places.take(place);
+    slots.take(place);
     kind[at(place)] = def.kind;
     write(place, def);
     enlist(place);
@@ -43,7 +43,7 @@ int Bodies::add(const BodyDef& def) {
 
 int Bodies::append(const BodyDef& def) {
     for (std::vector<std::int32_t>* list : {&moving, &rigid, &driven}) base::reserve_more(*list, 1);
-    const int id = places.append();
+    const int id = slots.append();
     const auto n = at(id) + 1;
     const int d = dof_of(def.kind);
     kind.push_back(def.kind);
@@ -115,7 +115,7 @@ void Bodies::remove(int body) noexcept {
     std::fill_n(v_start.data() + dof_begin[at(body)], room[at(body)], 0.0);
     kind[at(body)] = BodyKind::fixed;
     write(body, {.kind = BodyKind::fixed, .gravity = false});
-    places.vacate(body);
+    slots.vacate(body);
 }
 
 void Bodies::split_drag(double h) {
@@ -138,7 +138,7 @@ void Bodies::truncate(int kept) {
     const auto n = static_cast<std::size_t>(kept);
     v_before.clear();
     if (kept >= count()) return;
-    places.truncate(kept);
+    slots.truncate(kept);
     dofs = dof_begin[n];
     for (base::Array<double>* a : {&v, &v_start}) a->resize(at(dofs));
     for (std::vector<std::int32_t>* list : {&moving, &rigid, &driven})
@@ -182,7 +182,7 @@ void Bodies::refresh_rotation(int body) noexcept {
 
 std::size_t Bodies::bytes() const noexcept {
     using base::bytes;
-    return places.bytes() + bytes(kind) + bytes(room) + bytes(dof_begin) + bytes(moving) +
+    return slots.bytes() + bytes(kind) + bytes(room) + bytes(dof_begin) + bytes(moving) +
            bytes(rigid) + bytes(driven) + bytes(x) + bytes(q) + bytes(r) + bytes(v) +
            bytes(v_start) + bytes(v_fixed) + bytes(spin_free) + bytes(spin_change) + bytes(mass) +
            bytes(inertia) + bytes(inv_inertia) + bytes(principal) + bytes(force) + bytes(damping) +

@@ -48,7 +48,7 @@ std::uint8_t flags_of(const InteractionDef& d, const generic::RowSpec& first,
 }  // namespace
 
 void Interactions::reserve_more(InteractionKind kind) {
-    places.reserve_more();
+    slots.reserve_more();
     base::reserve_more(def, 1);
     Pool& p = pool[static_cast<std::size_t>(kind)];
     base::reserve_more(p.ids, 1);
@@ -72,22 +72,22 @@ void Interactions::reserve_more(InteractionKind kind) {
 
 int Interactions::add(InteractionDef filled, Bodies& bodies_in, double h) {
     const InteractionKind kind = filled.kind;
-    const int place = places.find_vacant([&](std::int32_t p) { return def[at(p)].kind == kind; });
+    const int place = slots.find_vacant([&](std::int32_t p) { return def[at(p)].kind == kind; });
     if (place < 0) return append(std::move(filled), bodies_in, h);
-    places.take(place);
+    slots.take(place);
     write(place, std::move(filled), bodies_in, h);
     return place;
 }
 
 int Interactions::append(InteractionDef filled, Bodies& bodies_in, double h) {
-    const int id = places.append();
+    const int id = slots.append();
     grow(filled.kind);
     write(id, std::move(filled), bodies_in, h);
     return id;
 }
 
 void Interactions::append_empty(InteractionKind kind) {
-    const auto i = at(places.append());
+    const auto i = at(slots.append());
     grow(kind);
     def[i].kind = kind;
 }
@@ -250,7 +250,7 @@ void Interactions::remove(int id, Bodies& bodies_in) noexcept {
          {&bodies, &rows, &flags, &arms, &parted, &coarse, &repeats, &completed})
         (*a)[i] = 0;
     for (base::Array<double>* a : by_interaction(*this)) (*a)[i] = 0.0;
-    places.vacate(id);
+    slots.vacate(id);
 }
 
 void Interactions::write_loads(int id) {
@@ -278,7 +278,7 @@ void Interactions::truncate(int kept, Bodies& bodies_in) {
     if (kept >= count()) return;
     for (std::size_t place = body.size(); place-- > kMaxInteractionBodies * n;)
         unlink(place, bodies_in);
-    places.truncate(kept);
+    slots.truncate(kept);
     row_count = row_begin[n];
     for (Pool& p : pool) {
         while (!p.ids.empty() && p.ids.back() >= kept) p.ids.pop_back();

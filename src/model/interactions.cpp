@@ -255,7 +255,7 @@ double Interactions::elastic(int id, const Bodies& b, double h) const noexcept {
 std::size_t Interactions::bytes() const noexcept {
     using base::bytes;
     std::size_t total =
-        places.bytes() + bytes(def) + bytes(kinds) + bytes(pool_index) + bytes(body) +
+        slots.bytes() + bytes(def) + bytes(kinds) + bytes(pool_index) + bytes(body) +
         bytes(next_holder) + bytes(bodies) + bytes(rows) + bytes(flags) + bytes(row_begin) +
         bytes(jac_begin) + bytes(arms) + bytes(geo) + bytes(active) + bytes(held) + bytes(low) +
         bytes(high) + bytes(anchor) + bytes(load_begin) + bytes(loads) + bytes(parted) +

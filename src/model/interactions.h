@@ -103,7 +103,7 @@ struct Coordinate {
 
 struct Interactions {
     /// Slots; a removed interaction leaves one of its kind without bodies and rows.
-    base::Slots places;
+    base::Slots slots;
     std::vector<InteractionDef> def;  ///< Definitions as added, with defaults filled in.
     std::array<Pool, kInteractionKindCount> pool;
     std::vector<std::int32_t> pool_index;  ///< Index of each interaction in its pool.
@@ -186,7 +186,7 @@ struct Interactions {
 
     [[nodiscard]] int count() const noexcept { return static_cast<int>(def.size()); }
     [[nodiscard]] InteractionId id(int index) const noexcept {
-        return places.id<InteractionId>(index);
+        return slots.id<InteractionId>(index);
     }
     /// True if a slot is empty.
     [[nodiscard]] bool gone(int id) const noexcept {
@@ -197,7 +197,7 @@ struct Interactions {
     void reserve_more(InteractionKind kind);
     /// Return the first empty slot of a kind, −1: none.
     [[nodiscard]] int place_for(InteractionKind kind) const noexcept {
-        return places.find_vacant(
+        return slots.find_vacant(
             [&](std::int32_t p) { return def[static_cast<std::size_t>(p)].kind == kind; });
     }
     /// Add an interaction at the first empty slot of its kind, else at the end. `filled` is checked

@@ -85,7 +85,7 @@ InteractionId World::add_interaction(const InteractionDef& def) {
     stepper::StepContext& c = m.ctx;
     model::Interactions& all = c.model.interactions;
     world::check(def, c.model.bodies, body_count(),
-                 std::span(all.def).first(at(interaction_count())), all.places);
+                 std::span(all.def).first(at(interaction_count())), all.slots);
     refuse_beyond(m.interaction_ids.size(), c.model.def.max_interactions, "interactions");
     InteractionDef d = def;
     world::fill_in(d, c);
@@ -121,14 +121,14 @@ ShapeId World::add_shape(const ShapeDef& def) {
     stepper::reserve_edit(m.ctx);
     base::reserve_more(m.shape_ids, 1);
     const std::int32_t place = next_place(
-        m.ctx.model.collider.places.find_vacant([](std::int32_t) { return true; }), shape_count());
+        m.ctx.model.collider.slots.find_vacant([](std::int32_t) { return true; }), shape_count());
     claim_for(m.shape_names, def.name, place, "shape",
               [&] { m.ctx.model.collider.add(def, m.ctx.model.bodies); });
     // No call below throws.
     put(m.shape_defs, place, std::move(kept));
     stepper::begin_shape_edit(m.ctx);
     stepper::settle_shape(m.ctx, place);
-    const auto id = m.ctx.model.collider.places.id<ShapeId>(place);
+    const auto id = m.ctx.model.collider.slots.id<ShapeId>(place);
     insert_id(m.shape_ids, id);
     if (m.listener != nullptr) m.listener->added(def);
     return id;
@@ -140,12 +140,12 @@ std::span<const InteractionId> World::interactions() const noexcept {
 }
 std::span<const ShapeId> World::shapes() const noexcept { return impl_->shape_ids; }
 bool World::alive(BodyId id) const noexcept {
-    return id.index < body_count() && impl_->ctx.model.bodies.places.names(id);
+    return id.index < body_count() && impl_->ctx.model.bodies.slots.names(id);
 }
 bool World::alive(InteractionId id) const noexcept {
-    return id.index < interaction_count() && impl_->ctx.model.interactions.places.names(id);
+    return id.index < interaction_count() && impl_->ctx.model.interactions.slots.names(id);
 }
-bool World::alive(ShapeId id) const noexcept { return impl_->ctx.model.collider.places.names(id); }
+bool World::alive(ShapeId id) const noexcept { return impl_->ctx.model.collider.slots.names(id); }
 bool World::alive(InputId id) const noexcept { return impl_->input_slots.names(id); }
 
 void World::set_change_listener(ChangeListener* listener) noexcept { impl_->listener = listener; }
@@ -178,7 +178,7 @@ const Removed& World::remove_input(InputId id) { return remove_one(*impl_, id, "
 void World::Impl::reserve_removal() {
     stepper::reserve_edit(ctx);
     ctx.model.bodies.reserve_more();
-    ctx.model.interactions.places.reserve_more();
+    ctx.model.interactions.slots.reserve_more();
     input_slots.reserve_more();
     removed.bodies.reserve(body_ids.size());
     removed.interactions.reserve(interaction_ids.size());
@@ -222,7 +222,7 @@ void World::Impl::remove(BodyId id) noexcept {
     for (std::int32_t s = ctx.model.collider.count(); s-- > 0;) {
         const std::int32_t* body = ctx.model.collider.shapes()[at(s)].body;
         if (body[0] == id.index || body[1] == id.index)
-            remove(ctx.model.collider.places.id<ShapeId>(s));
+            remove(ctx.model.collider.slots.id<ShapeId>(s));
     }
     for (std::int32_t k = input_slots.count(); k-- > 0;)
         if (inputs[at(k)].body == id) remove(input_slots.id<InputId>(k));

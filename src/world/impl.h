@@ -46,14 +46,14 @@ struct World::Impl final : private world::InputDoor {
     /// Return the index of an id.
     /// @throws DefError for an invalid id or a removed object.
     [[nodiscard]] std::size_t place(BodyId id) const {
-        return world::place_of(id, ctx.model.bodies.places, stepper::body_count(ctx.model), "body");
+        return world::place_of(id, ctx.model.bodies.slots, stepper::body_count(ctx.model), "body");
     }
     [[nodiscard]] std::size_t place(InteractionId id) const {
-        return world::place_of(id, ctx.model.interactions.places,
+        return world::place_of(id, ctx.model.interactions.slots,
                                stepper::interaction_count(ctx.model), "interaction");
     }
     [[nodiscard]] std::size_t place(ShapeId id) const {
-        return world::place_of(id, ctx.model.collider.places, ctx.model.collider.count(), "shape");
+        return world::place_of(id, ctx.model.collider.slots, ctx.model.collider.count(), "shape");
     }
     [[nodiscard]] std::size_t place(InputId id) const {
         return world::place_of(id, input_slots, input_slots.count(), "input");
@@ -131,7 +131,7 @@ struct World::Impl final : private world::InputDoor {
     // Wires that are cut, joined and released (wire_cuts.cpp, wire_joins.cpp, wire_ends.cpp).
     std::vector<world::GearInUse> gear;
     [[nodiscard]] WireId id_of(const world::Wire& wire) const noexcept {
-        return wires.places.id<WireId>(static_cast<std::int32_t>(&wire - wires.wires.data()));
+        return wires.slots.id<WireId>(static_cast<std::int32_t>(&wire - wires.wires.data()));
     }
     void part_lump(const stepper::NodeSurroundings& place, BodyId end) noexcept;
     void divide_load(BodyId from, BodyId to, double share) noexcept;

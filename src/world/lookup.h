@@ -22,14 +22,14 @@ namespace hawser::world {
 
 /// Return the index of an id; reject invalid ids and those of removed objects.
 template <class Id>
-std::size_t place_of(const Id& id, const base::Slots& places, int count, const char* what) {
-    if (id.index >= 0 && id.index < count && places.names(id)) return at(id.index);
+std::size_t place_of(const Id& id, const base::Slots& slots, int count, const char* what) {
+    if (id.index >= 0 && id.index < count && slots.names(id)) return at(id.index);
     const std::string number = std::to_string(id.index);
     if (id.index < 0 || id.index >= count)
         throw DefError(std::string("there is no ") + what + " with id " + number);
     throw DefError(std::string("the ") + what + " with id " + number + " of generation " +
                    std::to_string(id.generation) + " has been removed" +
-                   (places.holds(id.index) ? "; another one has its place" : ""));
+                   (slots.holds(id.index) ? "; another one has its place" : ""));
 }
 
 /// Hash for lookups without a copy of the name, which would allocate.

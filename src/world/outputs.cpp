@@ -80,12 +80,12 @@ double tension(const model::Interactions& in, InteractionId id) noexcept {
 
 /// Return true if all objects that an output reads exist.
 bool alive(const stepper::StepContext& ctx, const WireList& wires, const OutputDef& def) noexcept {
-    const auto body = [&](BodyId id) { return !id.valid() || ctx.model.bodies.places.names(id); };
+    const auto body = [&](BodyId id) { return !id.valid() || ctx.model.bodies.slots.names(id); };
     const auto one = [&](InteractionId id) {
-        return !id.valid() || ctx.model.interactions.places.names(id);
+        return !id.valid() || ctx.model.interactions.slots.names(id);
     };
     return body(def.body) && body(def.body_b) && one(def.interaction) &&
-           (!def.wire.valid() || wires.places.names(def.wire)) &&
+           (!def.wire.valid() || wires.slots.names(def.wire)) &&
            std::all_of(def.line.begin(), def.line.end(), one);
 }
 
@@ -93,7 +93,7 @@ bool alive(const stepper::StepContext& ctx, const WireList& wires, const OutputD
 /// removed.
 double wire_tension(const model::Interactions& in, const Wire& wire, int component) noexcept {
     double most = std::numeric_limits<double>::quiet_NaN();
-    const auto of = [&](InteractionId id) { return in.places.names(id) ? tension(in, id) : most; };
+    const auto of = [&](InteractionId id) { return in.slots.names(id) ? tension(in, id) : most; };
     if (component == kFirst) return of(wire.elements.front());
     if (component == kLast) return of(wire.elements.back());
     for (const InteractionId id : wire.elements) {

@@ -105,7 +105,7 @@ void check_bodies(const Where& where, const ShapeDef& d, const model::Bodies& bo
     auto kind = [&](BodyId id, const char* which) {
         if (id.index < 0 || id.index >= count)
             reject(where, std::string(which) + " does not exist");
-        if (!bodies.places.names(id)) reject(where, std::string(which) + " has been removed");
+        if (!bodies.slots.names(id)) reject(where, std::string(which) + " has been removed");
         return bodies.kind[static_cast<std::size_t>(id.index)];
     };
     const BodyKind a = kind(d.body, "body");

@@ -43,7 +43,7 @@ void Systems::repeat_deed(stepper::StepContext& ctx) {
     Loads loads(ctx.state.loads);
     ctx.state.loads.begin_system(0);
     for (const Deed::Load& load : deed_.loads) {
-        if (!ctx.model.bodies.places.names(load.body)) continue;
+        if (!ctx.model.bodies.slots.names(load.body)) continue;
         const BodyLoad to = loads.of(load.body);
         const auto n = static_cast<std::size_t>(to.freedom), entries = n * (n + 1) / 2;
         if (load.numbers.size() != n + 3 * entries) continue;
@@ -205,12 +205,12 @@ bool has(const std::vector<Id>& list, Id id) {
 void World::Impl::refuse_held(BodyId id, InteractionId stays) const {
     systems.each_held([&](std::string_view system, const HoldTable& held) {
         const auto on = [&](InteractionId i) {
-            if (!ctx.model.interactions.places.names(i) || i == stays) return false;
+            if (!ctx.model.interactions.slots.names(i) || i == stays) return false;
             const InteractionDef& def = ctx.model.interactions.def[at(i.index)];
             return std::find(def.body.begin(), def.body.end(), id) != def.body.end();
         };
         const auto of = [&](ShapeId s) {
-            return ctx.model.collider.places.names(s) &&
+            return ctx.model.collider.slots.names(s) &&
                    (shape_defs[at(s.index)].body == id || shape_defs[at(s.index)].body_b == id);
         };
         const auto drives = [&](InputId k) {

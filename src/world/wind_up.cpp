@@ -79,7 +79,7 @@ InteractionId World::wind_up(WireId id, int end, BodyId drum, double radius) {
     // All checks are done and capacity is reserved before the old element is removed.
     InteractionDef whole = d;
     world::check(whole, impl_->ctx.model.bodies, body_count(),
-                 std::span(in.def).first(at(interaction_count())), in.places);
+                 std::span(in.def).first(at(interaction_count())), in.slots);
     world::fill_in(whole, impl_->ctx);
     impl_->refuse_held(old);
     impl_->reserve_removal();

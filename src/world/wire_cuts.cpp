@@ -186,7 +186,7 @@ std::pair<InteractionId, double> World::Impl::beside_carried(const world::Wire& 
     double begin = 0.0, end = 0.0;
     for (std::size_t k = 0; k < last; ++k) {
         const InteractionId element = wire.elements[k];
-        const bool there = in.places.names(element);
+        const bool there = in.slots.names(element);
         const double length = there ? in.rest_length[at(element.index)] : 0.0;
         if (k < first) begin += length;
         end += length;

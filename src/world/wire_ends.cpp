@@ -37,7 +37,7 @@ world::FreeEnd World::Impl::free_end(WireId id, int end) const {
     const std::string where = world::label("wire", of.name);
     if (end != 0 && end != 1) world::refuse(where, "end must be 0, the first one, or 1");
     const BodyId node = end == 0 ? of.nodes.front() : of.nodes.back();
-    if (!ctx.model.bodies.places.names(node))
+    if (!ctx.model.bodies.slots.names(node))
         world::refuse(where, "the lump at this end has been removed");
     const std::string name = end == 0 ? "its first end" : "its last end";
     if (!stepper::is_lump(ctx, node.index))
@@ -87,7 +87,7 @@ void World::detach(InteractionId element, int end) {
 void World::Impl::open_gear(InteractionId element, BodyId lump) {
     const model::Interactions& in = ctx.model.interactions;
     const auto holds = [&](const world::GearInUse& g) {
-        if (!in.places.names(g.id) || in.parted[at(g.id.index)] != 0) return false;
+        if (!in.slots.names(g.id) || in.parted[at(g.id.index)] != 0) return false;
         const std::int32_t* body = &in.body[kMaxInteractionBodies * at(g.id.index)];
         return body[0] == lump.index || body[1] == lump.index;
     };
@@ -102,7 +102,7 @@ void World::Impl::open_gear(InteractionId element, BodyId lump) {
     stepper::begin_recoil(ctx.model, element.index, false);
     for (const world::GearInUse& g : gear)
         if (holds(g)) remove(g.id);
-    std::erase_if(gear, [&](const world::GearInUse& g) { return !in.places.names(g.id); });
+    std::erase_if(gear, [&](const world::GearInUse& g) { return !in.slots.names(g.id); });
     stepper::disturb(ctx.model, lump.index);
     stepper::push_event(ctx, EventKind::detach, element.index, tension);
 }

@@ -180,9 +180,8 @@ Joint World::Impl::hold(World& world, BodyId a, BodyId b, const Vec3& point, con
     } else {
         d = link_of(world, a, b, point, def);
     }
-    std::erase_if(gear, [&](const world::GearInUse& g) {
-        return !ctx.model.interactions.places.names(g.id);
-    });
+    std::erase_if(
+        gear, [&](const world::GearInUse& g) { return !ctx.model.interactions.slots.names(g.id); });
     base::reserve_more(gear, 1);
     const bool lump = stepper::is_lump(ctx, b.index);
     Joint out;

@@ -106,7 +106,7 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
     if (wire_a != nullptr && wire_a == wire_b) world::refuse(where, "both are ends of one wire");
     if (wire_a != nullptr && wire_b != nullptr) reserve_for(*wire_a, *wire_b);
     reserve_removal();
-    wires.places.reserve_more();
+    wires.slots.reserve_more();
     const std::int32_t near[2] = {stepper::bend_about(ctx, far_a.index, a.index),
                                   stepper::bend_about(ctx, far_b.index, b.index)};
     const std::int32_t beside = near[0] >= 0 ? near[0] : near[1];
