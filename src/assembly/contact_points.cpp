@@ -47,8 +47,8 @@ V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
     if (second >= 0) {
         if (const std::int32_t host = carrier_of(b, first, second); host >= 0)
             local = load9(&b.r[9 * at(host)]) * local;
-        return m.share[side] * body_position(b, first) +
-               (1.0 - m.share[side]) * body_position(b, second) + local;
+        return m.fraction[side] * body_position(b, first) +
+               (1.0 - m.fraction[side]) * body_position(b, second) + local;
     }
     const V3 offset = b.turns(first) ? load9(&b.r[9 * at(first)]) * local : local;
     return body_position(b, first) + offset;
@@ -58,8 +58,8 @@ V3 anchor_point(const model::Bodies& b, const ContactMemory& m, int side) {
 void set_anchor(const model::Bodies& b, ContactMemory& m, int side, const V3& p) {
     const std::int32_t first = m.body[side][0], second = m.body[side][1];
     if (second >= 0) {
-        V3 local = p - m.share[side] * body_position(b, first) -
-                   (1.0 - m.share[side]) * body_position(b, second);
+        V3 local = p - m.fraction[side] * body_position(b, first) -
+                   (1.0 - m.fraction[side]) * body_position(b, second);
         if (const std::int32_t host = carrier_of(b, first, second); host >= 0)
             local = tmul(load9(&b.r[9 * at(host)]), local);
         store3(m.anchor[side], local);
@@ -77,7 +77,7 @@ void take_sides(const ContactRow& row, ContactMemory& m) {
         for (int i = 0; i < row.slots; ++i) {
             const ContactSlot& s = row.slot[i];
             if ((s.weight > 0.0) != (side == 1)) continue;
-            if (found == 0) m.share[side] = std::fabs(s.weight);
+            if (found == 0) m.fraction[side] = std::fabs(s.weight);
             m.body[side][found == 0 ? 0 : 1] = s.body;
             ++found;
         }

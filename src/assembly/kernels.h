@@ -71,7 +71,7 @@ struct Kernels {
                                    const double* after, double half, BodyEnergies*) noexcept;
     /// Return the row of [begin, end) with the largest weighted violation |g| share, if it exceeds
     /// *most; *most is then set to it. Otherwise return −1.
-    std::int32_t (*widest_row)(const double* g, const double* share, std::int32_t begin,
+    std::int32_t (*widest_row)(const double* g, const double* fraction, std::int32_t begin,
                                std::int32_t end, double* most) noexcept;
     /// Move bodies by h v₊ and store v₊.
     void (*integrate)(const View&, std::int32_t begin, std::int32_t end) noexcept;

@@ -144,7 +144,7 @@ Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
                  }));
     else if (p.it > 0)
         way = search(ctx.model, newton, p.before, given);
-    newton.shortened = way.share < 1.0;
+    newton.shortened = way.fraction < 1.0;
     if (course.strayed != nullptr && p.it > 0 && (newton.shortened || way.merit > p.before))
         *course.strayed = true;
     if (!std::isfinite(way.merit)) return Status::not_finite;
@@ -152,7 +152,7 @@ Status move_on(StepContext& ctx, const Course& course, Progress& p) noexcept {
     if (p.it > 0 && way.merit > p.before && p.before < newton.best)
         set_best_aside(newton, p.before);
     keep_iterate(ctx.model, newton);
-    keep_bounds(newton, way.share);
+    keep_bounds(newton, way.fraction);
     note_lap(ctx);
     return Status::ok;
 }

@@ -31,7 +31,7 @@ struct BoundedRow {
 struct RunPoint {
     double mass, free, hold, sigma;  ///< m, ẇ without forces, and c and Σ of its friction.
     double before, behind;           ///< Entries of the two parts' rows.
-    double low, high, share[2];      ///< Bounds, and weights of the parts' impulses in them.
+    double low, high, fraction[2];   ///< Bounds, and weights of the parts' impulses in them.
     double w0, w1, w2;               ///< w = w0 + w1 λ of the part before + w2 λ of the one behind.
     double speed;                    ///< w.
     std::int32_t side, was;  ///< 0: holds; otherwise the sign of its force. was: in the solution.

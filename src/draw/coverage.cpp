@@ -87,8 +87,8 @@ void add_run(float* row, int x0, int width, double from, double to) {
     const int first = static_cast<int>(from);
     const int last = std::min(width - 1, static_cast<int>(to));
     for (int x = first; x <= last; ++x) {
-        const double share = std::min(to, x + 1.0) - std::max(from, static_cast<double>(x));
-        row[x] += static_cast<float>(share / kSubLines);
+        const double fraction = std::min(to, x + 1.0) - std::max(from, static_cast<double>(x));
+        row[x] += static_cast<float>(fraction / kSubLines);
     }
 }
 

@@ -87,11 +87,11 @@ class Placer {
         const Point a = node(cable, 0), b = node(cable, cable.nodes.size() - 1);
         if (std::hypot(b.x - a.x, b.y - a.y) < w + 20.0) return;  // The name would hide the cable.
         std::optional<Choice> best;
-        for (const double share : {0.5, 0.42, 0.58, 0.33, 0.67, 0.25, 0.75, 0.15, 0.85}) {
-            const Point p =
-                node(cable,
-                     static_cast<std::size_t>(share * static_cast<double>(cable.nodes.size() - 1)));
-            const double off = 20.0 * std::abs(share - 0.5);
+        for (const double fraction : {0.5, 0.42, 0.58, 0.33, 0.67, 0.25, 0.75, 0.15, 0.85}) {
+            const Point p = node(
+                cable,
+                static_cast<std::size_t>(fraction * static_cast<double>(cable.nodes.size() - 1)));
+            const double off = 20.0 * std::abs(fraction - 0.5);
             consider(best, {p.x - 0.5 * w, p.y - 6}, w, kCableSize, off);
             consider(best, {p.x - 0.5 * w, p.y + kCableSize + 5}, w, kCableSize, off + 1.0);
             consider(best, {p.x + 7, p.y + 4}, w, kCableSize, off + 2.0);

@@ -163,14 +163,14 @@ void GltfDocument::put_bodies() {
 /// corners. From any direction at least two ribbons appear wide.
 /// @param share  Value of each segment on the colour scale, 0 to 1.
 int GltfDocument::put_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments,
-                              double radius, const std::vector<float>& share) {
+                              double radius, const std::vector<float>& fraction) {
     std::vector<Vec3> points;
     std::vector<std::uint16_t> owners;
     std::vector<float> weights;
     std::vector<std::uint8_t> colors;
     std::vector<std::uint32_t> indices;
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        const draw::Color color = draw::scale_color(share[i]);
+        const draw::Color color = draw::scale_color(fraction[i]);
         for (int axis = 0; axis < 3; ++axis) {
             const auto first = static_cast<std::uint32_t>(points.size());
             for (const std::size_t joint : {segments[i].first, segments[i].second})
@@ -233,10 +233,10 @@ void GltfDocument::put_wire(WireNodes& wire) {
         return;
     }
     std::vector<std::pair<std::size_t, std::size_t>> segments;
-    std::vector<float> share;
+    std::vector<float> fraction;
     for (std::size_t i = 0; i < wire.segments; ++i) {
         segments.emplace_back(wire.joint(i, 0), wire.joint(i, 1));
-        share.push_back(wire.peak[i] / layout_.max_tension);
+        fraction.push_back(wire.peak[i] / layout_.max_tension);
     }
     Json joints = Json::array();
     wire.node = size_of(root_["nodes"]);
@@ -245,7 +245,7 @@ void GltfDocument::put_wire(WireNodes& wire) {
         children_.push_back(root_["nodes"].size());
         root_["nodes"].push_back({{"name", wire.name + "@" + std::to_string(j)}});
     }
-    const int mesh = put_ribbons(segments, 0.0006 * layout_.size, share);
+    const int mesh = put_ribbons(segments, 0.0006 * layout_.size, fraction);
     root_["skins"].push_back({{"name", wire.name}, {"joints", std::move(joints)}});
     scene_nodes_.push_back(root_["nodes"].size());
     root_["nodes"].push_back(

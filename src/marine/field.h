@@ -43,8 +43,8 @@ template <class Flow>
     if (i == 0) return flow(0);
     if (i == profile.size()) return flow(i - 1);
     const SeaCurrent &a = profile[i - 1], &b = profile[i];
-    const double share = (depth - a.depth) / (b.depth - a.depth);
-    return (1.0 - share) * flow(i - 1) + share * flow(i);
+    const double fraction = (depth - a.depth) / (b.depth - a.depth);
+    return (1.0 - fraction) * flow(i - 1) + fraction * flow(i);
 }
 
 /// What sums of waves do at a point, all amplitudes by the factor of the moment.

@@ -157,8 +157,8 @@ void HullWater::add_strips(const Sea& sea) noexcept {
         s << n, arm.cross(n);
         v << twist_.linear, twist_.angular;
         const double past = n.dot(flows_[k]) - s.dot(v);
-        const double share = strip.axis.cwiseProduct(strip.axis).dot(flow_.wet_fraction);
-        const double c = 0.5 * sea.density() * strip.drag_area * share * std::abs(past);
+        const double fraction = strip.axis.cwiseProduct(strip.axis).dot(flow_.wet_fraction);
+        const double c = 0.5 * sea.density() * strip.drag_area * fraction * std::abs(past);
         const double push = c * past + 2.0 * c * s.dot(v);
         for (int i = 0; i < 6; ++i) {
             force[static_cast<std::size_t>(i)] += push * s[i];

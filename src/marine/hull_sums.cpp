@@ -53,8 +53,8 @@ void HullSums::add_triangle(const HullCorner& a, const HullCorner& b,
         if (wet == (to.depth > 0.0)) continue;
         // From the wet corner, whichever it is, so that both triangles of a side cut it alike.
         const HullCorner &low = wet ? from : to, &high = wet ? to : from;
-        const double share = low.depth / (low.depth - high.depth);
-        part[count++].x = low.x + share * (high.x - low.x);
+        const double fraction = low.depth / (low.depth - high.depth);
+        part[count++].x = low.x + fraction * (high.x - low.x);
     }
     for (int k = 2; k < count; ++k) add_wet(part[0], part[k - 1], part[k]);
 }

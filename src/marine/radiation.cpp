@@ -40,8 +40,8 @@ Matrix6 linear_at(const std::vector<double>& w, const std::vector<Matrix6>& m, d
     if (after == w.begin()) return m.front();
     if (after == w.end()) return m.back();
     const auto i = static_cast<std::size_t>(after - w.begin());
-    const double share = (omega - w[i - 1]) / (w[i] - w[i - 1]);
-    return (1.0 - share) * m[i - 1] + share * m[i];
+    const double fraction = (omega - w[i - 1]) / (w[i] - w[i - 1]);
+    return (1.0 - fraction) * m[i - 1] + fraction * m[i];
 }
 
 WaveCoefficients without_noise(const WaveCoefficients& c) {

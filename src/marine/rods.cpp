@@ -70,14 +70,14 @@ void RodWater::load(const WaterField& field, bool convective, int chunk) noexcep
     FieldPoint points[kChunk];
     WaterPoint water[kChunk];
     for (int i = 0; i < count; ++i) {
-        const double share = (first + i + 0.5) / def_.segments;
-        const Vec3 place = position_ + axes_ * (def_.from + share * (def_.to - def_.from));
+        const double fraction = (first + i + 0.5) / def_.segments;
+        const Vec3 place = position_ + axes_ * (def_.from + fraction * (def_.to - def_.from));
         points[i] = {place, place.z() + 0.5 * reach_};
     }
     field.water(points, count, water);
     for (int i = 0; i < count; ++i) {
-        const double share = (first + i + 0.5) / def_.segments;
-        const Vec3 arm = axes_ * (def_.from + share * (def_.to - def_.from));
+        const double fraction = (first + i + 0.5) / def_.segments;
+        const Vec3 arm = axes_ * (def_.from + fraction * (def_.to - def_.from));
         if (convective) water[i].acceleration += sea.convection(field.now(), position_ + arm);
         add_segment(arm, water[i], law, out);
     }

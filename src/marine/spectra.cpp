@@ -52,8 +52,8 @@ class Spreading {
                 sum_[static_cast<std::size_t>(i)] +
                 integral(density, angle_of(i), angle_of(i + 1), 1);
     }
-    [[nodiscard]] double angle(double share) const {
-        const double wanted = share * sum_.back();
+    [[nodiscard]] double angle(double fraction) const {
+        const double wanted = fraction * sum_.back();
         const auto above = std::upper_bound(sum_.begin() + 1, sum_.end() - 1, wanted);
         const auto cell = static_cast<int>(above - sum_.begin()) - 1;
         const double low = *(above - 1), high = *above;
@@ -99,10 +99,10 @@ void add_components(const WaveDef& def, double depth, double gravity,
     double energy = 0.0;
     for (int i = 0; i < def.components; ++i) {
         const double begin = low + i * bin, omega = begin + draw() * bin;
-        const double share =
+        const double fraction =
             integral([&](double w) { return wave_spectrum(def, w); }, begin, begin + bin, 4);
-        energy += share;
-        out.push_back({std::sqrt(2.0 * share), omega, wave_number(omega, depth, gravity),
+        energy += fraction;
+        out.push_back({std::sqrt(2.0 * fraction), omega, wave_number(omega, depth, gravity),
                        towards[static_cast<std::size_t>(i)], kTwoPi * draw()});
     }
     const double scale = energy > 0.0 ? 0.25 * def.height / std::sqrt(energy) : 0.0;

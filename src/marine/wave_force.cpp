@@ -28,11 +28,11 @@ std::array<T, 6> column_at(const WaveCoefficients& c, const std::vector<T>& tabl
     const bool low = after == w.begin(), high = after == w.end();
     const std::size_t i = low ? 0 : static_cast<std::size_t>(after - w.begin()) - 1;
     const std::size_t j = low || high ? i : i + 1;
-    const double share = i == j ? 0.0 : (omega - w[i]) / (w[j] - w[i]);
+    const double fraction = i == j ? 0.0 : (omega - w[i]) / (w[j] - w[i]);
     const double scale = high && omega > w.back() * (1.0 + 1e-9) ? above : 1.0;
     for (int k = 0; k < 6; ++k)
-        out[static_cast<std::size_t>(k)] = scale * ((1.0 - share) * table[c.index(head, i, k)] +
-                                                    share * table[c.index(head, j, k)]);
+        out[static_cast<std::size_t>(k)] = scale * ((1.0 - fraction) * table[c.index(head, i, k)] +
+                                                    fraction * table[c.index(head, j, k)]);
     return out;
 }
 
@@ -133,7 +133,7 @@ WaveForce::Spot WaveForce::find(double direction) const noexcept {
     out.high = out.low;
     if (after == heading_.end()) return out;
     out.high = out.low + 1;
-    out.share = (d - heading_[out.low]) / (heading_[out.high] - heading_[out.low]);
+    out.fraction = (d - heading_[out.low]) / (heading_[out.high] - heading_[out.low]);
     return out;
 }
 
@@ -176,7 +176,7 @@ bool WaveForce::act(const Sea& sea, const SeaMoment& now, Vec6& out) const noexc
         const Entry& p = table_[n * directions + spot.low];
         const Entry& q = table_[n * directions + spot.high];
         const auto mix = [&](double first, double second) {
-            return first + spot.share * (second - first);
+            return first + spot.fraction * (second - first);
         };
         if (force_)
             for (std::size_t k = 0; k < 6; ++k)

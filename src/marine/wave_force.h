@@ -40,7 +40,7 @@ class WaveForce {
     };
     struct Spot {
         std::size_t low = 0, high = 0;
-        double share = 0.0;
+        double fraction = 0.0;
         bool known = false;
     };
     [[nodiscard]] Spot find(double direction) const noexcept;

@@ -29,9 +29,9 @@ Finding strain_finding(Model& model, const State& state, MonitorState& memory) n
         const double stretched = v.g[row] / length, pulled = -soft * v.lambda[row] / v.h;
         longest = std::max(longest, stretched / (kLonger * bears));
         const double most = std::max(stretched, pulled);
-        const double share = most / std::max(limit::kMostStrain, limit::kMostBreaking * bears);
-        if (share <= out.wrong) continue;
-        out.wrong = share;
+        const double fraction = most / std::max(limit::kMostStrain, limit::kMostBreaking * bears);
+        if (fraction <= out.wrong) continue;
+        out.wrong = fraction;
         out.value = -most;
         out.interaction = model.interactions.id(id);
     }
@@ -55,9 +55,9 @@ Finding wound_finding(const Model& model, const State& state, MonitorState& memo
         const InteractionDef& d = in.def[at(id)];
         if (in.parted[at(id)] != 0) continue;
         const double length = in.wound_length(id, model.bodies);
-        const double share = -length / (kSlack * d.params[0]);
-        if (share <= out.wrong) continue;
-        out.wrong = share;
+        const double fraction = -length / (kSlack * d.params[0]);
+        if (fraction <= out.wrong) continue;
+        out.wrong = fraction;
         out.value = length;
         out.interaction = in.id(id);
     }

@@ -83,7 +83,7 @@ Finding energy_finding(const Model& model, const State& state, const MonitorPart
     const Unexplained u = follow_energy(p, works(state), time, memory);
     const double nothing =
         std::max(limit::kNothing * (p.kinetic + p.elastic), state.monitor.nothing);
-    const auto share = [nothing](double energy, double of) {
+    const auto fraction = [nothing](double energy, double of) {
         return energy <= nothing ? 0.0 : energy / of;
     };
     const double exchanged = p.kinetic + memory.exchanged, counted = p.kinetic + memory.counted;
@@ -106,22 +106,23 @@ Finding energy_finding(const Model& model, const State& state, const MonitorPart
     // Use a level that lasted: the energy of an element by its length disappears after some steps.
     const double lost = std::min(now[kUnexplained].fall, u.lasting[kUnexplained].fall);
     Finding out;
-    const double by_created = share(stays, exchanged) / limit::kCreated.doubtful,
-                 by_held = share(by_length, exchanged) / limit::kHeld.doubtful,
-                 by_hidden = share(hidden, counted) / limit::kHidden.doubtful,
+    const double by_created = fraction(stays, exchanged) / limit::kCreated.doubtful,
+                 by_held = fraction(by_length, exchanged) / limit::kHeld.doubtful,
+                 by_hidden = fraction(hidden, counted) / limit::kHidden.doubtful,
                  gained = std::max({by_created, by_held, by_hidden});
-    const double fell = share(lost, counted) / limit::kLost.doubtful;
+    const double fell = fraction(lost, counted) / limit::kLost.doubtful;
     // Report the balance that is nearest to its limit.
     out.value = gained < fell         ? -lost
                 : by_hidden == gained ? hidden
                 : by_held == gained   ? by_length
                                       : created;
     out.doubtful = std::max(gained, fell);
-    out.wrong = std::max({share(lasting, exchanged) / limit::kCreated.wrong,
-                          share(by_length, exchanged) / limit::kHeld.wrong,
-                          share(std::max(mean[kUnexplained].rise, mean[kWithGiven].rise), counted) /
-                              limit::kHidden.wrong,
-                          share(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
+    out.wrong =
+        std::max({fraction(lasting, exchanged) / limit::kCreated.wrong,
+                  fraction(by_length, exchanged) / limit::kHeld.wrong,
+                  fraction(std::max(mean[kUnexplained].rise, mean[kWithGiven].rise), counted) /
+                      limit::kHidden.wrong,
+                  fraction(mean[kUnexplained].fall, counted) / limit::kLost.wrong});
     // A split is approximate by choice; its errors of momentum and forces are reported separately.
     if (has_cuts(model)) out.wrong = 0.0;
     if (!std::isfinite(now[kUnexplained].rise)) out.doubtful = out.wrong = HUGE_VAL;

@@ -75,11 +75,11 @@ Grade add(const Findings& now, Verdict& verdict) noexcept {
     double most = -1.0;
     for (int k = 0; k < kJudgeCount; ++k) {
         const Finding& f = verdict.worst[at(k)];
-        const double share = verdict.grade == Grade::wrong ? f.wrong : f.doubtful;
-        if (share <= most ||
+        const double fraction = verdict.grade == Grade::wrong ? f.wrong : f.doubtful;
+        if (fraction <= most ||
             (verdict.grade == Grade::doubtful && static_cast<Judge>(k) == Judge::speed))
             continue;
-        most = share;
+        most = fraction;
         verdict.judge = static_cast<Judge>(k);
     }
     return grade;

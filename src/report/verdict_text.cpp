@@ -14,7 +14,7 @@ namespace {
 
 std::size_t place_of(Judge judge) { return static_cast<std::size_t>(judge); }
 
-std::string share(double of_limit) {
+std::string fraction(double of_limit) {
     return std::isfinite(of_limit) ? fmt::format("{:.2g} %", 100.0 * of_limit) : "beyond";
 }
 
@@ -40,7 +40,7 @@ std::string margins(const VerdictText& text) {
     for (std::size_t k = 0; k < kJudgeCount; ++k) {
         const Finding& f = text.verdict.worst[k];
         out += fmt::format("{}{} {}", k == 0 ? "" : ", ", to_string(static_cast<Judge>(k)),
-                           share(f.wrong));
+                           fraction(f.wrong));
         if (f.wrong > 1e-4)
             out += fmt::format(" ({}{:.4g} s)", text.where[k].empty() ? "" : text.where[k] + ", ",
                                f.time);

@@ -62,7 +62,7 @@ void WireWatch::sample(const World& world, Watched& w, bool first) {
     follow(w.figures.nodes, nodes_there(world, w.id), first);
     follow(w.figures.length, length, first);
     w.elements.assign(elements.begin(), elements.end());
-    w.share.assign(elements.size(), -1);
+    w.fraction.assign(elements.size(), -1);
     const auto n = static_cast<double>(w.figures.along.size());
     double s = 0.0, shortest = HUGE_VAL, longest = 0.0, mass = 0.0;
     constexpr double kNeverParts = 1e30;  // default breaking load of elements [N]
@@ -71,7 +71,7 @@ void WireWatch::sample(const World& world, Watched& w, bool first) {
         if (!world.alive(elements[i])) continue;
         const double rest = record::rest_length(world, elements[i]);
         const double middle = n * (s + 0.5 * rest) / std::max(length, 1e-300);
-        w.share[i] = static_cast<std::int32_t>(std::clamp(middle, 0.0, n - 1.0));
+        w.fraction[i] = static_cast<std::int32_t>(std::clamp(middle, 0.0, n - 1.0));
         s += rest;
         shortest = std::min(shortest, rest);
         longest = std::max(longest, rest);
@@ -145,8 +145,8 @@ void WireWatch::after_step(const World& world, std::span<const Event> events) {
             !std::equal(elements.begin(), elements.end(), w.elements.begin(), w.elements.end()))
             sample(world, w, false);
         for (std::size_t i = 0; i < elements.size(); ++i) {
-            if (w.share[i] < 0 || !world.alive(elements[i])) continue;
-            const auto k = static_cast<std::size_t>(w.share[i]);
+            if (w.fraction[i] < 0 || !world.alive(elements[i])) continue;
+            const auto k = static_cast<std::size_t>(w.fraction[i]);
             TensionAlong& along = w.figures.along[k];
             // The force of a broken element is 0, that of a slack one maybe -0.
             const double tension = 0.0 - world.force(elements[i])[0];

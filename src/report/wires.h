@@ -78,7 +78,7 @@ class WireWatch {
         WireFigures figures;
         std::vector<InteractionId> elements{};  ///< Elements at the last sample …
         std::vector<std::int32_t>
-            share{};                ///< … and the part of the wire of each; −1: it was removed.
+            fraction{};             ///< … and the part of the wire of each; −1: it was removed.
         std::vector<double> sum{};  ///< Sum of the tensions of a part [N].
         std::vector<std::size_t> counted{};  ///< Number of tensions in that sum.
     };

@@ -13,9 +13,10 @@ namespace hawser {
 namespace {
 
 /// Return the quantile of v at the fraction `share`; 0 if v is empty.
-double below(std::vector<double>& v, double share) {
+double below(std::vector<double>& v, double fraction) {
     if (v.empty()) return 0.0;
-    const auto at = v.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(v.size()));
+    const auto at =
+        v.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(v.size()));
     std::nth_element(v.begin(), at, v.end());
     return *at;
 }

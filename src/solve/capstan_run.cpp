@@ -22,8 +22,8 @@ void give_way(RunPoint& p) noexcept {
     }
     const double bound = p.side > 0 ? p.high : p.low, side = p.side;
     p.w0 = p.free + bound / p.mass;
-    p.w1 = (p.before - side * p.share[0]) / p.mass;
-    p.w2 = (p.behind - side * p.share[1]) / p.mass;
+    p.w1 = (p.before - side * p.fraction[0]) / p.mass;
+    p.w2 = (p.behind - side * p.fraction[1]) / p.mass;
 }
 
 /// Solve the tridiagonal system for the impulses λ of all parts, with the present statuses.
@@ -98,8 +98,8 @@ int switch_run(std::size_t n, RunPoint* place, RunPart* part, int most) noexcept
         RunPoint& p = place[k];
         const std::int32_t was = p.side, behind = k + 1 < n ? place[k + 1].side : 0;
         const double w = p.speed;
-        const double load =
-            p.share[0] * std::fabs(part[k].lambda) + p.share[1] * std::fabs(part[k + 1].lambda);
+        const double load = p.fraction[0] * std::fabs(part[k].lambda) +
+                            p.fraction[1] * std::fabs(part[k + 1].lambda);
         std::int32_t side = 0;
         if (p.side == 0) {
             const double force =

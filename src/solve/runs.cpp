@@ -96,7 +96,7 @@ void read_place(const Model& model, const Newton& newton, const View& v, const C
     p.sigma = v.sigma[row];
     p.low = newton.bound_time * in.low[id];
     p.high = newton.bound_time * in.high[id];
-    for (int k = 0; k < 2; ++k) p.share[k] = loads[k].factor;
+    for (int k = 0; k < 2; ++k) p.fraction[k] = loads[k].factor;
     p.side = side_of(model, c);
     p.was = static_cast<std::int32_t>(c.was);
 }

@@ -125,17 +125,17 @@ double close_with_factor(Model& model, Work& work, runtime::Pool& pool, const Vi
 double move_some(Model& model, JointWork& joints, const View& v, double gap) noexcept {
     constexpr int kMaxHalvings = 4;
     const double turn = v.h * fastest_turn(model, v);
-    double share = turn > kFarTurn ? kFarTurn / turn : 1.0;
+    double fraction = turn > kFarTurn ? kFarTurn / turn : 1.0;
     if (!std::isfinite(turn)) return gap;
     // write_gaps() overwrites the solution, which is needed to move back.
     double* const kept = joints.closing.data() + model.interactions.g.size();
     std::copy_n(v.solution, model.system.symbolic.scalars, kept);
-    for (int half = 0; half <= kMaxHalvings; ++half, share *= 0.5) {
-        move(model, v, share * v.h);
+    for (int half = 0; half <= kMaxHalvings; ++half, fraction *= 0.5) {
+        move(model, v, fraction * v.h);
         const double now = write_gaps(model, v);
         if (now <= gap) return now;
         std::copy_n(kept, model.system.symbolic.scalars, v.solution);
-        move(model, v, -share * v.h);
+        move(model, v, -fraction * v.h);
     }
     return gap;
 }

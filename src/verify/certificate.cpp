@@ -232,7 +232,7 @@ double Verifier::natural_map(const World& world, const ContactView& contact) {
             const BodyId id = side.body[i];
             const std::size_t b = slot(id.index);
             const BodyDef& def = world.body_def(id);
-            const double w = side.share[i];
+            const double w = side.fraction[i];
             const Twist now = step_velocity(world, id, pose_[b]), before = twist_[b];
             const bool turns = def.kind != BodyKind::lump;
             const Vec3& arm = side.arm[i];

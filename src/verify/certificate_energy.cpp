@@ -154,7 +154,7 @@ void StateVerifier::add_sources(const World& world) {
             const ContactSide side = contact_side(
                 world, c.shape[k], c.point + sign * to_axis * c.normal, c.point, pose_);
             for (int i = 0; i < side.count; ++i) {
-                const Vec3 force = sign * side.share[i] * c.force;
+                const Vec3 force = sign * side.fraction[i] * c.force;
                 force_[place_of(side.body[i].index)] += force;
                 torque_[place_of(side.body[i].index)] += side.arm[i].cross(force);
             }
@@ -222,13 +222,13 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
                     : 0.0) -
         forgotten * moved_;
     moving_energy_ = energy;
-    const double share = 1.0 - std::exp(-h / limit::kMean);
+    const double fraction = 1.0 - std::exp(-h / limit::kMean);
     // Joints that the scene or an edit opened dissipate energy until they are closed.
     constexpr double kClosed = 0.01;
     if (steps_ == 0 || excused_ > kClosed) {
         mean_moving_ = most_ = left;
     } else {
-        mean_moving_ += share * (left - mean_moving_);
+        mean_moving_ += fraction * (left - mean_moving_);
         most_ = std::max(mean_moving_, most_ + forgotten * (mean_moving_ - most_));
     }
     // Scale of the loss: the present kinetic energy, or a part of the exchanged energy, whose work

@@ -65,14 +65,14 @@ ContactSide contact_side(const World& world, ShapeId shape, const Vec3& on_axis,
     if (held == 1) s = std::min(s, 1.0 - kMinFractionOfNode);
     if (held == 0 && 1.0 - s < kMinFractionOfBody) s = 1.0;
     if (held == 1 && s < kMinFractionOfBody) s = 0.0;
-    side.share[0] = 1.0 - s;
-    side.share[1] = s;
+    side.fraction[0] = 1.0 - s;
+    side.fraction[1] = s;
     side.length = along.norm();
     // The body gets the rest of the moment, so that both together receive the force at its point.
-    if (held >= 0 && side.share[held] > 0.0) {
+    if (held >= 0 && side.fraction[held] > 0.0) {
         const int lump = 1 - held;
-        const Vec3 rest = point - side.share[lump] * pose_of(pose, side.body[lump]).position;
-        side.arm[held] = rest / side.share[held] - pose_of(pose, side.body[held]).position;
+        const Vec3 rest = point - side.fraction[lump] * pose_of(pose, side.body[lump]).position;
+        side.arm[held] = rest / side.fraction[held] - pose_of(pose, side.body[held]).position;
     }
     return side;
 }

@@ -232,7 +232,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
         swings = std::max(swings, h * h * pull.norm() * rate);
     }
     if (swings > 4.0) fast = (swings - 4.0) / (swings + 4.0);
-    const double share =
+    const double fraction =
         completed       ? held
         : is_line(kind) ? resolved(on, 4.0 * scale * pull.norm() / std::max(between.norm(), 1e-9) *
                                            lightness(on, world))
@@ -248,7 +248,7 @@ Wrenches stiffness_wrenches(const World& world, InteractionId id, std::span<cons
             turns ? Vec3((1.0 + fast) * now.angular + (1.0 - fast) * old.angular) : Vec3::Zero();
         if (on.kind(b) == BodyKind::rigid)
             out.on[static_cast<std::size_t>(b)].torque -=
-                share * (1.0 + 0.5 * fast) * scale *
+                fraction * (1.0 + 0.5 * fast) * scale *
                 (arm_stiffness(b == 0 ? Vec3(-pull) : pull, arm[b]) * turned[b]);
     }
     if (is_line(kind)) {

@@ -16,7 +16,8 @@ double fraction_below(double surface, double middle, double high) {
 }
 
 /// Return the projected area along an axis, for fractions of cells.
-double projected(const std::vector<HullCell>& cells, const std::vector<double>& share, int axis) {
+double projected(const std::vector<HullCell>& cells, const std::vector<double>& fraction,
+                 int axis) {
     std::map<std::pair<int, int>, std::pair<double, double>> rows;  // extent, width
     const auto a = static_cast<std::size_t>((axis + 1) % 3);
     const auto b = static_cast<std::size_t>((axis + 2) % 3);
@@ -24,7 +25,8 @@ double projected(const std::vector<HullCell>& cells, const std::vector<double>& 
         auto& [extent, width] = rows[{cells[c].index[a], cells[c].index[b]}];
         const Vec3& size = cells[c].size;
         width = axis == 0 ? size.y() : axis == 1 ? size.x() : size.x() * size.y();
-        extent = std::max(extent, axis == 2 ? std::min(1.0, 10.0 * share[c]) : share[c] * size.z());
+        extent = std::max(extent,
+                          axis == 2 ? std::min(1.0, 10.0 * fraction[c]) : fraction[c] * size.z());
     }
     double sum = 0.0;
     for (const auto& [row, value] : rows) sum += value.first * value.second;

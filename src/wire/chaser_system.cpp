@@ -113,8 +113,8 @@ void ChaserSystem::take(NodeEdits& nodes) {
     def.point = world.local_point(def_.body, found.at);
     const Twist ring = world.velocity(def_.body);
     const Vec3 moves = ring.linear + ring.angular.cross(found.at - world.pose(def_.body).position);
-    const Vec3 wire = (1.0 - found.share) * world.velocity(element.body[0]).linear +
-                      found.share * world.velocity(element.body[1]).linear;
+    const Vec3 wire = (1.0 - found.fraction) * world.velocity(element.body[0]).linear +
+                      found.fraction * world.velocity(element.body[1]).linear;
     const double speed = (wire - moves).dot((ends[1] - ends[0]).normalized());
     auto made = lay_on_guide(nodes, std::move(def), speed);
     if (made == nullptr) {

@@ -70,11 +70,11 @@ void load_element(const World& world, Loads& loads, const ElementAtDrum& element
 }
 
 bool put_node(NodeEdits& nodes, const Feed& feed, double there, double& at) noexcept {
-    const double beyond = feed.element / there, share = feed.ahead ? 1.0 - beyond : beyond;
+    const double beyond = feed.element / there, fraction = feed.ahead ? 1.0 - beyond : beyond;
     const double mass = feed.mass_per_length * there;
     // Use the bits that the world uses.
-    const double taken = feed.ahead ? 1.0 - share : share;
-    if (!nodes.insert_node(feed.line, share, mass).valid()) return false;
+    const double taken = feed.ahead ? 1.0 - fraction : fraction;
+    if (!nodes.insert_node(feed.line, fraction, mass).valid()) return false;
     at -= taken * there;
     return true;
 }

@@ -48,9 +48,9 @@ bool lift_off_guide(NodeEdits& nodes, const GuideSystem& guide, const Interactio
     const double first = guide.material()[0], both = first + guide.material()[1];
     if (both <= kLongLifted * guide.def().element_length) return true;
     // A wire that leaves an open guide has a node where the wheel was, if that is not at an end.
-    const double share =
+    const double fraction =
         guide.def().closed ? 0.5 : std::clamp(first / both, kEndFraction, 1.0 - kEndFraction);
-    (void)nodes.insert_node(whole, share);
+    (void)nodes.insert_node(whole, fraction);
     return true;
 }
 

@@ -50,11 +50,11 @@ constexpr double kStops = 3.0;        ///< In a step of landing exp(−kStops) i
 /// Where a piece of a wire passes a wheel.
 struct Passing {
     InteractionId element{};
-    double share = 0.0;   ///< Position on the element, 0 to 1.
-    double gap = 1e300;   ///< Beyond the wheel's radius, outwards [m].
-    double rate = 0.0;    ///< Rate of the gap [m/s].
-    double length = 0.0;  ///< Length of the element [m].
-    double beside = 0.0;  ///< From the guide's point, along the axis [m].
+    double fraction = 0.0;  ///< Position on the element, 0 to 1.
+    double gap = 1e300;     ///< Beyond the wheel's radius, outwards [m].
+    double rate = 0.0;      ///< Rate of the gap [m/s].
+    double length = 0.0;    ///< Length of the element [m].
+    double beside = 0.0;    ///< From the guide's point, along the axis [m].
 };
 
 /// The wheel of a guide in the world.
@@ -94,16 +94,16 @@ Passing passing(const Piece& piece, const Wheel& wheel) {
         return x - x.dot(wheel.axis) * wheel.axis;
     };
     const Vec3 across = flat(d);
-    const double share =
+    const double fraction =
         std::clamp(-flat(from).dot(across) / std::max(across.squaredNorm(), 1e-300), 0.0, 1.0);
-    const Vec3 at = from + share * d, to = flat(at);
+    const Vec3 at = from + fraction * d, to = flat(at);
     const Vec3 outward = (wheel.radius > 0.0 ? 1.0 : -1.0) * across.normalized().cross(wheel.axis);
     const double side = to.dot(outward) < 0.0 ? -1.0 : 1.0;
-    const Vec3 speed = (1.0 - share) * piece.speed[0] + share * piece.speed[1] - wheel.speed;
+    const Vec3 speed = (1.0 - fraction) * piece.speed[0] + fraction * piece.speed[1] - wheel.speed;
     const double far = to.norm();
     const Vec3 away = far > 0.0 ? Vec3(side / far * to) : outward;
     return {.element = {},
-            .share = share,
+            .fraction = fraction,
             .gap = side * far - std::abs(wheel.radius),
             .rate = speed.dot(away),
             .length = d.norm(),
@@ -142,7 +142,8 @@ Piece without_node(const World& world, InteractionId before, InteractionId behin
 double speed_along(const World& world, const Passing& at, const Wheel& wheel) {
     const Piece piece = piece_of(world, at.element);
     const Vec3 along = (piece.at[1] - piece.at[0]).normalized();
-    return ((1.0 - at.share) * piece.speed[0] + at.share * piece.speed[1] - wheel.speed).dot(along);
+    return ((1.0 - at.fraction) * piece.speed[0] + at.fraction * piece.speed[1] - wheel.speed)
+        .dot(along);
 }
 
 }  // namespace
@@ -174,8 +175,8 @@ void GuideSystem::come_back(NodeEdits& nodes) noexcept {
     Passing at = nearest_passing(world, def_, wheel);
     if (!meets(at, world.settings().step)) return;
     const double length = world.length(def_.wire);
-    const bool first = at.share < kAtNode;
-    if (first || at.share > 1.0 - kAtNode) {
+    const bool first = at.fraction < kAtNode;
+    if (first || at.fraction > 1.0 - kAtNode) {
         const auto elements = world.elements(def_.wire);
         const auto here = std::find(elements.begin(), elements.end(), at.element);
         const bool ends = first ? here == elements.begin() : here + 1 == elements.end();

@@ -161,7 +161,7 @@ void PostSystem::take(NodeEdits& nodes) {
 bool PostSystem::take_lump(NodeEdits& nodes, Touch& touch) const {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(touch.element);
-    const bool first = touch.share < 0.5;
+    const bool first = touch.fraction < 0.5;
     const BodyId lump = d.body[first ? 0 : 1];
     // Elements loaded by a guide and their nodes belong to that guide.
     const InteractionId next = neighbour(world, touch.wire, touch.element, !first);
@@ -171,12 +171,12 @@ bool PostSystem::take_lump(NodeEdits& nodes, Touch& touch) const {
     if (!nodes.remove_node(lump, kBentOnPost)) return false;
     place_touch(world, half, touch);
     touch.radius = radius;
-    return touch.share > kNearEnd && touch.share < 1.0 - kNearEnd;
+    return touch.fraction > kNearEnd && touch.fraction < 1.0 - kNearEnd;
 }
 
 bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
     const World& world = nodes.world;
-    if ((touch.share < kNearEnd || touch.share > 1.0 - kNearEnd) && !take_lump(nodes, touch))
+    if ((touch.fraction < kNearEnd || touch.fraction > 1.0 - kNearEnd) && !take_lump(nodes, touch))
         return false;
     GuideDef def = guides_[slot]->def();
     def.wire = touch.wire;

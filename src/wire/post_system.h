@@ -62,9 +62,9 @@ class PostSystem final : public System, public PassedPost {
     struct Touch {
         InteractionId element{};
         WireId wire{};
-        Vec3 point{0, 0, 0};  ///< Nearest point of the axis, in the frame of the body [m].
-        double share = 0.0;   ///< Fraction of the element nearest to the axis.
-        double radius = 0.0;  ///< Distance from the axis, with the sign of GuideDef::radius [m].
+        Vec3 point{0, 0, 0};    ///< Nearest point of the axis, in the frame of the body [m].
+        double fraction = 0.0;  ///< Fraction of the element nearest to the axis.
+        double radius = 0.0;    ///< Distance from the axis, with the sign of GuideDef::radius [m].
         bool across_end = false;
         double along = 0.0;   ///< Speed past the surface, from its first end [m/s].
         double strain = 0.0;  ///< ε above.

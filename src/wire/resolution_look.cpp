@@ -71,8 +71,8 @@ void WireResolution::average_tension(const World& world) noexcept {
     }
     if (!(length > 0.0)) return;
     const double mean = sum / length, since = def_.interval * world.settings().step;
-    const double share = tension_ < 0.0 ? 1.0 : -std::expm1(-since / def_.averaging);
-    tension_ += share * (mean - tension_);
+    const double fraction = tension_ < 0.0 ? 1.0 : -std::expm1(-since / def_.averaging);
+    tension_ += fraction * (mean - tension_);
 }
 
 }  // namespace hawser::wire

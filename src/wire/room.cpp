@@ -74,7 +74,7 @@ double way_to_post(const World& world, const GuideDef& guide, InteractionId line
             const auto near = post->separation(world, ends);
             if (near.gap < gap) {
                 gap = near.gap;
-                along = sum + near.share * (ends[1] - ends[0]).norm();
+                along = sum + near.fraction * (ends[1] - ends[0]).norm();
             }
             return sum < enough && (id == line || !is_wound(world, id));
         });

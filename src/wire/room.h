@@ -30,7 +30,7 @@ class PassedPost {
   public:
     struct Apart {
         /// Gap between surface and line [m]; fraction along the line, from its first end.
-        double gap, share;
+        double gap, fraction;
     };
     /// Return true if a wire lies on it.
     [[nodiscard]] virtual bool has(WireId wire) const noexcept = 0;

@@ -95,9 +95,9 @@ std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexc
     // By the rules of lump_at().
     const InteractionDef& d = world.interaction_def(found.element);
     const double length = d.get("length"), least = kStopperAtLump / length;
-    const double way = length * std::min(found.share, 1.0 - found.share);
+    const double way = length * std::min(found.fraction, 1.0 - found.fraction);
     const bool divides = d.get("mass") > 0.0 && least < 0.5 && way > kStopperAtLump;
-    out.at += length * (divides ? found.share : std::round(found.share));
+    out.at += length * (divides ? found.fraction : std::round(found.fraction));
     return out;
 }
 
@@ -106,16 +106,16 @@ BodyId StopperSystem::lump_at(NodeEdits& nodes, const PointOnWire& found) noexce
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(found.element);
     const double length = d.get("length");
-    const std::size_t end = found.share < 0.5 ? 0 : 1;
+    const std::size_t end = found.fraction < 0.5 ? 0 : 1;
     const auto lump = [&](std::size_t k) {
         return world.body_def(d.body[k]).kind == BodyKind::lump;
     };
-    const double way = length * (end == 0 ? found.share : 1.0 - found.share);
+    const double way = length * (end == 0 ? found.fraction : 1.0 - found.fraction);
     if (way <= kStopperAtLump && lump(end)) return d.body[end];
     const double least = kStopperAtLump / length;
     if (least < 0.5) {
-        const double share = std::clamp(found.share, least, 1.0 - least);
-        put_ = nodes.insert_node(found.element, share);
+        const double fraction = std::clamp(found.fraction, least, 1.0 - least);
+        put_ = nodes.insert_node(found.element, fraction);
         if (put_.valid()) return put_;
     }
     const Vec3 at = world.world_point(def_.body, def_.point);
@@ -131,7 +131,7 @@ void StopperSystem::tell(const World& world, const PointOnWire& found) noexcept 
     for (const InteractionId id : world.elements(found.wire)) {
         if (!world.alive(id)) continue;
         const double rest = rest_length(world, id);
-        at_ += id == found.element ? found.share * rest : rest;
+        at_ += id == found.element ? found.fraction * rest : rest;
         if (id == found.element) return;
     }
 }

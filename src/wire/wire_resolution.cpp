@@ -175,13 +175,13 @@ bool WireResolution::refine(NodeEdits& nodes) noexcept {
 bool WireResolution::coarsen(NodeEdits& nodes) noexcept {
     const std::int32_t wait = scale_ > 1.0 ? 1 : patience_;
     std::size_t least = 0;
-    double share = 1e30;
+    double fraction = 1e30;
     for (std::size_t k = 1; k + 1 < at_.size(); ++k) {
         if (at_[k].idle < wait) continue;
         const Element &a = elements_[k - 1], &b = elements_[k];
         const double now = (a.length + b.length) / std::min(a.bound_to_go, b.bound_to_go);
-        if (now >= share) continue;
-        share = now;
+        if (now >= fraction) continue;
+        fraction = now;
         least = k;
     }
     if (least == 0) return false;

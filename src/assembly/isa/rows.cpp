@@ -79,7 +79,7 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
     const double* lambda = view.lambda + view.row_begin[id];
     const Arms<K> arm(data, refs);
     const V3 r0 = arm.at[0], r1 = arm.at[1];
-    double share = 1.0, resolved = 1.0;
+    double fraction = 1.0, resolved = 1.0;
     V3 f1;  // force on body 1
     if constexpr (K::kGeometry == Geometry::line) {
         const V3 u = load3(rows.J[1][0]);
@@ -94,15 +94,15 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
         const auto [late, ahead] = across_fractions(rigid0 && rigid1 ? 0.0 : s, view.flagged[id]);
         resolved = line_fade(view, body, s);
         rec[0] = resolved * (late + ahead) * full;
-        share = late / (late + ahead);
+        fraction = late / (late + ahead);
         f1 = -tension * u;
     } else {
         f1 = per_h * load3(lambda);
     }
-    if (place.dof == 3) return share;
+    if (place.dof == 3) return fraction;
     store3(rec + 4, r0);
     store3(rec + 7, r1);
-    if (!rigid0 && !rigid1) return share;
+    if (!rigid0 && !rigid1) return fraction;
     const double nf = norm(f1), n0 = norm(r0), n1 = norm(r1);
     const bool joint = K::kGeometry == Geometry::joint && rigid0 && rigid1;
     const bool completed = view.completed[id] != 0;
@@ -111,9 +111,9 @@ double geometry(const View& view, const typename K::Data& data, const BodyRef* r
         completed ? scale * fade(view, id, nf) : (joint ? t.stiff : resolved * scale);
     if (rigid0) arm_stiffness(-f1, nf, r0, n0, stiff, rec + 10);
     if (rigid1) arm_stiffness(f1, nf, r1, n1, stiff, rec + 16);
-    if (completed) return share;  // without damping
+    if (completed) return fraction;  // without damping
     if (joint) rec[22] = t.damping;
-    if (K::kGeometry == Geometry::line) return share;
+    if (K::kGeometry == Geometry::line) return fraction;
     return joint && t.damping > 0.0 ? t.back / t.damping : 1.0;
 }
 
