@@ -138,7 +138,7 @@ void check_contacts(const stepper::StepContext& ctx, const SavedState& s) {
             refuse_state("contacts are not in their order" + entry(i));
         numbers(k.at, "the place of a contact", kFar);
         const assembly::ContactMemory& m = memory[i];
-        numbers(m.share, "the share of a contact", 2.0);
+        numbers(m.fraction, "the fraction of a contact between the nodes of its wire", 2.0);
         numbers(m.anchor[0], "the anchor of a contact", kFar);
         numbers(m.anchor[1], "the anchor of a contact", kFar);
         numbers(m.rolled, "the violation of a contact", kFar);
