@@ -32,7 +32,7 @@ struct Run::Impl {
     };
     /// State that marks save and restore.
     struct State {
-        Levers levers;
+        Controls levers;
         std::vector<Standing> faults;
         Scorer scorer;
         /// Index of the first operation of the timeline that is not applied yet.
