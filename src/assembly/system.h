@@ -108,7 +108,7 @@ class System {
     factor::Unsymmetric unsymmetric;  ///< Used if something may touch.
     graph::Islands islands;
     std::vector<std::int32_t> node_of_body, node_of_interaction;  ///< −1: no node.
-    Strips strips;
+    RowBlocks strips;
     Contacts contacts;
     base::Array<Op> ops;           ///< By column of the matrix.
     base::Array<LaneOp> lane_ops;  ///< Sorted by address in the panels.

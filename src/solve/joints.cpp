@@ -109,7 +109,7 @@ void choose_completed(Model& model, const State& state, runtime::Pool& pool) noe
     find_turning(model);
 }
 
-Turning complete_strip(const Model& model, const View& v, int strip, const double* u,
+Turning complete_block(const Model& model, const View& v, int strip, const double* u,
                        bool first) noexcept {
     Turning t;
     for (const assembly::PoolRange& r : model.system.strips.pools(strip)) {
@@ -132,11 +132,11 @@ void adopt_completed(StepContext& ctx) noexcept {
 
 Turning renew_completed(StepContext& ctx) noexcept {
     const View v = view(ctx);
-    const assembly::Strips& strips = ctx.model.system.strips;
+    const assembly::RowBlocks& strips = ctx.model.system.strips;
     auto& parts = ctx.work.joints.turnings;  // one per row block or group
     sweep(
         ctx.model, ctx.pool,
-        [&](int strip) { parts[at(strip)] = complete_strip(ctx.model, v, strip, v.v_new, false); },
+        [&](int strip) { parts[at(strip)] = complete_block(ctx.model, v, strip, v.v_new, false); },
         [&](std::int32_t a, std::int32_t b, int i) {
             const Turning t = assembly::kernels().complete_spins(v, a, b, v.v_new, false);
             parts[at(i)].add(t);

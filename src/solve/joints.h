@@ -47,7 +47,7 @@ void choose_completed(Model& model, const State& state, runtime::Pool& pool) noe
 /// Compute c of completed rows of a row block about packed velocities u, see
 /// Kernels::complete_rows.
 /// @return the change.
-assembly::Turning complete_strip(const Model& model, const assembly::View& v, int strip,
+assembly::Turning complete_block(const Model& model, const assembly::View& v, int strip,
                                  const double* u, bool first) noexcept;
 
 /// Compute the equations of completed joints and spins about the current v₊, without applying them.

@@ -97,7 +97,7 @@ Norms correct(Model& model, Work& work, runtime::Pool& pool, const View& v, bool
               Next next) noexcept {
     SolveWork& solve = work.solve;
     const assembly::Kernels& k = assembly::kernels();
-    const assembly::Strips& strips = model.system.strips;
+    const assembly::RowBlocks& strips = model.system.strips;
     const bool touching = model.system.contacts.count() > 0;
     const bool runs = !model.system.capstans.empty();  // their impulses need those of their loads
     auto add = [&](std::int32_t a, std::int32_t b) { k.add_solution(v, a, b); };
