@@ -75,16 +75,16 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
         record += points ? kGeoLine : kGeoSize;
         force += points ? 6 : 24;
     }
-    among_lumps_.assign(at(in.count()), 0);
+    among_nodes_.assign(at(in.count()), 0);
     for (int i = 0; i < in.count(); ++i) {
-        auto is_far_lump = [&](std::int32_t b) {
+        auto is_far_node = [&](std::int32_t b) {
             constexpr int kReach = 3;  // vector loads of x and v end before this many more
             return dof_[at(b)] == 3 && b + kReach <= bodies.count() &&
                    bodies.dof_begin[at(b)] + static_cast<int>(kSlack) <= bodies.dofs;
         };
         const std::int32_t* body = &in.body[at(kMaxInteractionBodies * i)];
         const bool placed = !in.gone(i) && (in.geo[at(i)] < 0 || geo_slot_[at(i)].record >= 0);
-        among_lumps_[at(i)] = placed && std::all_of(body, body + in.bodies[at(i)], is_far_lump);
+        among_nodes_[at(i)] = placed && std::all_of(body, body + in.bodies[at(i)], is_far_node);
     }
     place_masses(in);
     in.jacobian.assign(at(jacobian) + kSlack, 0.0);

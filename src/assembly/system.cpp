@@ -178,7 +178,7 @@ void System::show_own(View& v) noexcept {
     v.incident_begin = incident_begin_.data();
     v.incident = incident_.data();
     v.links = links_.data();
-    v.among_lumps = among_lumps_.data();
+    v.among_nodes = among_nodes_.data();
     v.pair_mass = pair_mass_.empty() ? nullptr : pair_mass_.data();
     v.body_offset = body_offset_.data();
     v.interaction_offset = interaction_offset_.data();
@@ -211,7 +211,7 @@ std::size_t System::bytes() const noexcept {
            bytes(momentum_) + bytes(spin_momentum_) + bytes(spin_next_) + bytes(c_next_) +
            bytes(rate_) + bytes(turning) + bytes(geo_record_) + bytes(geo_force_) +
            bytes(solution_) + bytes(rests_) + bytes(dof_) + bytes(kept_) + bytes(links_) +
-           bytes(among_lumps_) + bytes(pair_mass_) + bytes(node_of_body) +
+           bytes(among_nodes_) + bytes(pair_mass_) + bytes(node_of_body) +
            bytes(node_of_interaction) + bytes(body_before_) + bytes(interaction_before_) +
            bytes(old_of_new_) + bytes(cursor_) + bytes(side_mobility_) + bytes(member_begin_) +
            bytes(members_) + island_finder_.bytes() + bytes(islands.label) + edge_dealer_.bytes() +

@@ -259,7 +259,7 @@ class System {
     base::Array<GeoSlot> geo_slot_;
     base::Array<std::uint8_t> dof_, kept_, rests_;
     base::Array<std::uint8_t> links_;        ///< View::links.
-    base::Array<std::uint8_t> among_lumps_;  ///< View::among_lumps.
+    base::Array<std::uint8_t> among_nodes_;  ///< View::among_nodes.
     base::Array<double> pair_mass_;          ///< View::pair_mass; empty: none.
     base::Array<std::int32_t> incident_begin_;
     base::Array<Incidence> incident_;

@@ -175,7 +175,7 @@ struct View {
     const std::int32_t* jac_begin;
     const std::uint8_t* arms;  ///< model::Interactions::arms.
     /// By interaction, 1: all its bodies are lumps, and vector loads stay within the arrays.
-    const std::uint8_t* among_lumps;
+    const std::uint8_t* among_nodes;
     const GeoSlot* geo;
     double* active;
     const double* held;  ///< By interaction: impulse of its first row while inactive.

@@ -90,7 +90,7 @@ bool read_elements(const Model& model, Newton& newton, const View& v, std::int32
 }
 
 /// Add the blocks of the nodes; fixed ones keep their velocity.
-void read_lumps(const Newton& newton, WireNewton& wire, const View& v, std::int32_t chain,
+void read_nodes(const Newton& newton, WireNewton& wire, const View& v, std::int32_t chain,
                 const Model& model) noexcept {
     const WireChains& chains = newton.chains;
     const std::int32_t begin = chains.begin[at(chain)];
@@ -343,7 +343,7 @@ void settle_wire_contacts(Model& model, Work& work) noexcept {
          ++chain) {
         if (contacts_of(newton.wire, chain) == 0 || !is_unsettled(model, work, v, chain)) continue;
         if (!read_elements(model, newton, v, chain)) continue;
-        read_lumps(newton, newton.wire, v, chain, model);
+        read_nodes(newton, newton.wire, v, chain, model);
         read_contacts(model, newton, chain);
         if (iterate_wire(model, work, v, chain)) adopt_wire(model, work, v, chain);
     }

@@ -44,7 +44,7 @@ struct RunPart {
 };
 
 /// Pulling elements at one node, as indices in System::bounded.
-struct LumpElements {
+struct NodeElements {
     std::int32_t count = 0;                       ///< Elements.
     std::int32_t attached = 0;                    ///< Interactions of all kinds.
     std::array<std::int32_t, 2> element{-1, -1};  ///< The first two.
@@ -61,7 +61,7 @@ struct WireChains {
     std::vector<std::int32_t> chain_of, node_of;
     std::vector<nonsmooth::ChainRow> rows;     ///< Rows of the chain being solved.
     std::vector<std::array<double, 9>> block;  ///< By body: stiffness of its contacts [kg].
-    std::vector<LumpElements> lumps;           ///< By body, during the search for chains.
+    std::vector<NodeElements> lumps;           ///< By body, during the search for chains.
     std::vector<std::uint8_t> listed;          ///< By bounded row, while chains are found.
 };
 

@@ -10,7 +10,7 @@ namespace hawser::stepper {
 
 /// Elements and nodes of one wire that are processed together.
 struct WirePart {
-    std::int32_t wire, element_begin, element_end, lump_begin, lump_end;
+    std::int32_t wire, element_begin, element_end, node_elements_begin, node_elements_end;
 };
 
 /// Energy balance of a wire, or of a part of it, in the step [J].

@@ -24,7 +24,7 @@ NodeChain::Piece piece_of(const StepContext& ctx, std::int32_t id) noexcept {
     return p;
 }
 
-NodeChain::Lump lump_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
+NodeChain::Lump node_at(const StepContext& ctx, std::int32_t id, std::size_t slot) noexcept {
     NodeChain::Lump l;
     l.body = end_of(ctx, id, slot);
     l.point = is_lump(ctx, l.body);
@@ -47,9 +47,9 @@ NodeChain chain_about(const StepContext& ctx, const NodeSurroundings& place) noe
     std::size_t pieces = 0;
     const auto add = [&](std::int32_t id) {
         if (id < 0) return;
-        if (pieces == 0) out.lump[0] = lump_at(ctx, id, 0);
+        if (pieces == 0) out.lump[0] = node_at(ctx, id, 0);
         out.piece[pieces++] = piece_of(ctx, id);
-        out.lump[pieces] = lump_at(ctx, id, 1);
+        out.lump[pieces] = node_at(ctx, id, 1);
     };
     for (std::size_t k = kNodeReach; k-- > 0;) add(place.before[k]);
     add(place.first);

@@ -226,7 +226,7 @@ bool keep_energy(NodeChain& now, const Patch& patch, double energy, bool any) no
     return true;
 }
 
-void write_lumps(StepContext& ctx, const NodeChain& now) noexcept {
+void write_nodes(StepContext& ctx, const NodeChain& now) noexcept {
     model::Bodies& b = ctx.model.bodies;
     for (std::size_t k = 0; k < now.count; ++k) {
         const NodeChain::Lump& l = now.lump[k];
@@ -259,7 +259,7 @@ bool release_node(StepContext& ctx, const NodeSurroundings& place, double bend) 
     const Patch patch(now);
     keep_momenta(now, patch, momentum_of(was, patch.origin()));
     if (!keep_energy(now, patch, energy, bend >= kAnyBend)) return false;
-    write_lumps(ctx, now);
+    write_nodes(ctx, now);
 
     const std::int32_t e = place.first, f = place.second;
     const std::int32_t a = end_of(ctx, e, 0), b = end_of(ctx, f, 1);

@@ -49,7 +49,7 @@ NodeFraction fraction_of(const StepContext& ctx, std::int32_t lump, std::int32_t
     return out;
 }
 
-void split_lump(StepContext& ctx, std::int32_t from, std::int32_t to,
+void split_node(StepContext& ctx, std::int32_t from, std::int32_t to,
                 const NodeFraction& share) noexcept {
     model::Bodies& b = ctx.model.bodies;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -76,7 +76,7 @@ Edited splice_energy(const StepContext& ctx, std::int32_t a, std::int32_t b, std
     return sum;
 }
 
-void merge_lumps(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
+void merge_nodes(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
                  std::int32_t eb) noexcept {
     model::Bodies& bodies = ctx.model.bodies;
     const double pull[2] = {tension_of(ctx, ea), tension_of(ctx, eb)};
@@ -122,7 +122,7 @@ void move_end(StepContext& ctx, std::int32_t id, std::size_t slot, std::int32_t 
     if ((before & kWorks) != 0 && (flags & kWorks) == 0) base::erase_sorted(in.working, id);
 }
 
-void follow_lump(StepContext& ctx, std::int32_t lump) noexcept {
+void follow_node(StepContext& ctx, std::int32_t lump) noexcept {
     model::Interactions& in = ctx.model.interactions;
     in.for_each_holder(lump, ctx.model.bodies, [&](std::int32_t id, std::size_t slot) {
         if (kind_info(in.kinds[at(id)]).is(kAlongLine))

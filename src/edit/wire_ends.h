@@ -41,7 +41,7 @@ struct NodeFraction {
                                        std::int32_t first, std::int32_t second) noexcept;
 
 /// Set an added lump to the position and velocity of another one, and transfer its part.
-void split_lump(StepContext& ctx, std::int32_t from, std::int32_t to,
+void split_node(StepContext& ctx, std::int32_t from, std::int32_t to,
                 const NodeFraction& share) noexcept;
 
 /// Return the energies near the ends of two elements before a splice [J].
@@ -49,7 +49,7 @@ void split_lump(StepContext& ctx, std::int32_t from, std::int32_t to,
                                    std::int32_t ea, std::int32_t eb) noexcept;
 /// Merge the lump b, at the end of element eb, into the lump a; eb then ends at a. The caller
 /// removes b, corrects bends and books energies.
-void merge_lumps(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
+void merge_nodes(StepContext& ctx, std::int32_t a, std::int32_t b, std::int32_t ea,
                  std::int32_t eb) noexcept;
 
 /// Reverse the order of the ends of an element or bend.
@@ -59,7 +59,7 @@ void turn_round(StepContext& ctx, std::int32_t id) noexcept;
 void move_end(StepContext& ctx, std::int32_t id, std::size_t slot, std::int32_t to) noexcept;
 
 /// Update elements of a lump after a change of its mass.
-void follow_lump(StepContext& ctx, std::int32_t lump) noexcept;
+void follow_node(StepContext& ctx, std::int32_t lump) noexcept;
 
 /// Return the chain of elements from `element` on, away from its end `slot`, while the lumps
 /// between have no other interaction. @throws std::bad_alloc.

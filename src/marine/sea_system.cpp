@@ -14,8 +14,8 @@
 namespace hawser::marine {
 namespace {
 
-constexpr int kLumpChunk = LineLumps::kChunk;
-static_assert(kLumpChunk <= WaterField::kMostPoints &&
+constexpr int kNodeChunk = LineNodes::kChunk;
+static_assert(kNodeChunk <= WaterField::kMostPoints &&
               HullWater::kChunk <= WaterField::kMostPoints);
 
 std::size_t slot(int i) noexcept { return static_cast<std::size_t>(i); }
@@ -197,11 +197,11 @@ bool SeaSystem::compute(Prestep& now) noexcept {
     // Threads meet four times, however many hulls there are.
     now.for_each(lines_.wires(), [&](int i) noexcept { lines_.find(now.world, i); });
     const int works = static_cast<int>(points_.size());
-    const int lumps = lines_.count(), chunks = (lumps + kLumpChunk - 1) / kLumpChunk;
+    const int lumps = lines_.count(), chunks = (lumps + kNodeChunk - 1) / kNodeChunk;
     now.for_each(works + chunks + static_cast<int>(bodies_.size()), [&](int i) noexcept {
         if (i < works) return do_work(points_[slot(i)]);
         if (i >= works + chunks) return load_body(now.world, i - works - chunks);
-        const int first = (i - works) * kLumpChunk, end = std::min(first + kLumpChunk, lumps);
+        const int first = (i - works) * kNodeChunk, end = std::min(first + kNodeChunk, lumps);
         lines_.load(field_, def_.convective, first, end);
     });
     for (const HullWater& hull : hulls_)

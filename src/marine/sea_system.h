@@ -50,7 +50,7 @@ struct LineTable {
 [[nodiscard]] LineTable line_table(const World& world, const SeaDef& def);
 
 /// Lumps of lines in the water.
-class LineLumps {
+class LineNodes {
   public:
     struct Lump {
         BodyId body{};
@@ -58,7 +58,7 @@ class LineLumps {
         HalfElement half[2]{};
         int halves = 0;  ///< 0: no lump, or not in the water.
     };
-    explicit LineLumps(LineTable table) : table_(std::move(table)) {}
+    explicit LineNodes(LineTable table) : table_(std::move(table)) {}
     /// Wires as they are now. @throws std::bad_alloc
     void list(const World& world);
     [[nodiscard]] int wires() const noexcept { return static_cast<int>(wires_.size()); }
@@ -233,7 +233,7 @@ class SeaSystem final : public System {
     SeaInputs in_;
     SeaMoment moment_;
     WaterField field_;
-    LineLumps lines_;
+    LineNodes lines_;
     std::vector<PointLoad> bodies_;
     std::vector<HullWater> hulls_;
     std::vector<RodWater> rods_;

@@ -106,11 +106,12 @@ void make_parts(const Model& model, WireWork& work) {
                 work.seen[at(body)] = 1;
                 w.lump.push_back(body);
             }
-        const auto lump_end = static_cast<std::int32_t>(w.lump.size());
-        for (std::int32_t e = element, l = lump; e < end || l < lump_end; e += kPart, l += kPart)
+        const auto node_elements_end = static_cast<std::int32_t>(w.lump.size());
+        for (std::int32_t e = element, l = lump; e < end || l < node_elements_end;
+             e += kPart, l += kPart)
             w.parts.push_back({static_cast<std::int32_t>(k), std::min(e, end),
-                               std::min(e + kPart, end), std::min(l, lump_end),
-                               std::min(l + kPart, lump_end)});
+                               std::min(e + kPart, end), std::min(l, node_elements_end),
+                               std::min(l + kPart, node_elements_end)});
     }
 }
 

@@ -106,7 +106,7 @@ void calm_start(Model& model, const Before& kept) noexcept {
     if (!find_fast_wires(model, kept)) return;
     for (const WirePart& p : w.parts) {
         if (!w.fast[at(p.wire)]) continue;
-        for (std::int32_t i = p.lump_begin; i < p.lump_end; ++i) {
+        for (std::int32_t i = p.node_elements_begin; i < p.node_elements_end; ++i) {
             const std::int32_t begin = v.dof_begin[w.lump[at(i)]];
             if (v.dof[w.lump[at(i)]] == 3) std::copy_n(v.v_ahead + begin, 3, v.v + begin);
         }

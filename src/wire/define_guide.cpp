@@ -239,8 +239,8 @@ void set_rest_length(GuidePlan& plan, double length) {
 
 }  // namespace
 
-EndLumps end_lumps(const World& world, const InteractionDef& element) {
-    EndLumps out;
+EndNodes end_nodes(const World& world, const InteractionDef& element) {
+    EndNodes out;
     for (const BodyId end : {element.body[0], element.body[1]})
         if (const BodyDef& body = world.body_def(end); body.kind == BodyKind::lump) {
             out.mass += body.mass;
@@ -249,7 +249,7 @@ EndLumps end_lumps(const World& world, const InteractionDef& element) {
     return out;
 }
 
-double kept_by_lumps(const EndLumps& before, const EndLumps& after, double mass) {
+double kept_by_nodes(const EndNodes& before, const EndNodes& after, double mass) {
     constexpr double kRounding = 1e-11;
     const double kept = 0.5 * before.count * mass - (before.mass - after.mass);
     return kept > kRounding * mass ? kept : 0.0;
@@ -287,7 +287,7 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
     material = {plan.material[0], plan.material[1]};
     check_space(world, def, id, id, material);
     plan.slide.velocity.x() = speed;
-    const EndLumps had = end_lumps(world, element);
+    const EndNodes had = end_nodes(world, element);
     out.slide = world.add_body(plan.slide);
     try {
         for (InteractionDef* part : {&plan.before, &plan.behind}) part->body[2] = out.slide;
@@ -304,7 +304,7 @@ Guide lay_on(World& world, GuideDef& def, double speed, std::array<double, 2>& m
     out.friction = world.add_interaction(plan.friction);
     out.angle = plan.angle;
     def.slide = out.slide;
-    if (const double kept = kept_by_lumps(had, end_lumps(world, element), mass); kept > 0.0)
+    if (const double kept = kept_by_nodes(had, end_nodes(world, element), mass); kept > 0.0)
         for (double& m : material) m *= 1.0 - kept / mass;
     return out;
 }

@@ -25,13 +25,13 @@ std::unique_ptr<GuideSystem> bare_guide(GuideDef def) {
 std::unique_ptr<GuideSystem> lay_on_guide(NodeEdits& nodes, GuideDef def, double speed) {
     const World& world = nodes.world;
     const InteractionDef element = world.interaction_def(def.element);
-    const EndLumps had = end_lumps(world, element);
+    const EndNodes had = end_nodes(world, element);
     Guide made;
     double material[2] = {};
     if (!nodes.lay_over(def, speed, made, material)) return nullptr;
     const InputId stop = world.find_input(def.name + "/friction/force");
     const double whole = element.get("mass"),
-                 mass = whole - kept_by_lumps(had, end_lumps(world, element), whole);
+                 mass = whole - kept_by_nodes(had, end_nodes(world, element), whole);
     const double scale = mass / (def.mass_per_length * (material[0] + material[1]));
     auto out = std::make_unique<GuideSystem>(
         std::move(def), made, stop,

@@ -10,15 +10,15 @@
 namespace hawser::wire {
 
 /// Nodes at the ends of an element.
-struct EndLumps {
+struct EndNodes {
     double mass = 0.0;  ///< Total mass of both [kg].
     int count = 0;
 };
-[[nodiscard]] EndLumps end_lumps(const World& world, const InteractionDef& element);
+[[nodiscard]] EndNodes end_nodes(const World& world, const InteractionDef& element);
 /// Return the mass that nodes kept of their halves of an element that was laid over a guide between
 /// two of them [kg].
 /// @param mass  Mass of the element [kg].
-[[nodiscard]] double kept_by_lumps(const EndLumps& before, const EndLumps& after, double mass);
+[[nodiscard]] double kept_by_nodes(const EndNodes& before, const EndNodes& after, double mass);
 
 /// Slide, parts and friction of a guide, all or nothing but for memory that ends. @param def  What
 /// was left to defaults is filled in. @param speed  Speed of the wire along itself [m/s]. @param

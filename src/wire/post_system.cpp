@@ -158,7 +158,7 @@ void PostSystem::take(NodeEdits& nodes) {
 
 /// Remove a node on the bollard: one element replaces the two beside it, with its chord through the
 /// bollard. It lies on the node's side of the bollard.
-bool PostSystem::take_lump(NodeEdits& nodes, Touch& touch) const {
+bool PostSystem::take_node_at(NodeEdits& nodes, Touch& touch) const {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(touch.element);
     const bool first = touch.fraction < 0.5;
@@ -176,7 +176,8 @@ bool PostSystem::take_lump(NodeEdits& nodes, Touch& touch) const {
 
 bool PostSystem::take(NodeEdits& nodes, std::size_t slot, Touch touch) {
     const World& world = nodes.world;
-    if ((touch.fraction < kNearEnd || touch.fraction > 1.0 - kNearEnd) && !take_lump(nodes, touch))
+    if ((touch.fraction < kNearEnd || touch.fraction > 1.0 - kNearEnd) &&
+        !take_node_at(nodes, touch))
         return false;
     GuideDef def = guides_[slot]->def();
     def.wire = touch.wire;

@@ -72,7 +72,7 @@ class PostSystem final : public System, public PassedPost {
     [[nodiscard]] bool find(const World& world, ShapeId segment, Touch& out) const;
     void place_touch(const World& world, double half, Touch& out) const;
     void take(NodeEdits& nodes);
-    bool take_lump(NodeEdits& nodes, Touch& touch) const;
+    bool take_node_at(NodeEdits& nodes, Touch& touch) const;
     bool take(NodeEdits& nodes, std::size_t slot, Touch touch);
     bool slide(NodeEdits& nodes, std::size_t slot) noexcept;
     [[nodiscard]] double along(const GuideSystem& guide) const noexcept;

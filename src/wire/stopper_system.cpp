@@ -92,17 +92,17 @@ std::optional<StopperClaim> StopperSystem::claim(const World& world) const noexc
         if (id == found.element) break;
         if (world.alive(id)) out.at += rest_length(world, id);
     }
-    // By the rules of lump_at().
+    // By the rules of node_at().
     const InteractionDef& d = world.interaction_def(found.element);
-    const double length = d.get("length"), least = kStopperAtLump / length;
+    const double length = d.get("length"), least = kStopperAtNode / length;
     const double way = length * std::min(found.fraction, 1.0 - found.fraction);
-    const bool divides = d.get("mass") > 0.0 && least < 0.5 && way > kStopperAtLump;
+    const bool divides = d.get("mass") > 0.0 && least < 0.5 && way > kStopperAtNode;
     out.at += length * (divides ? found.fraction : std::round(found.fraction));
     return out;
 }
 
 /// Return the node to hold; invalid if none is within reach.
-BodyId StopperSystem::lump_at(NodeEdits& nodes, const PointOnWire& found) noexcept {
+BodyId StopperSystem::node_at(NodeEdits& nodes, const PointOnWire& found) noexcept {
     const World& world = nodes.world;
     const InteractionDef& d = world.interaction_def(found.element);
     const double length = d.get("length");
@@ -111,8 +111,8 @@ BodyId StopperSystem::lump_at(NodeEdits& nodes, const PointOnWire& found) noexce
         return world.body_def(d.body[k]).kind == BodyKind::lump;
     };
     const double way = length * (end == 0 ? found.fraction : 1.0 - found.fraction);
-    if (way <= kStopperAtLump && lump(end)) return d.body[end];
-    const double least = kStopperAtLump / length;
+    if (way <= kStopperAtNode && lump(end)) return d.body[end];
+    const double least = kStopperAtNode / length;
     if (least < 0.5) {
         const double fraction = std::clamp(found.fraction, least, 1.0 - least);
         put_ = nodes.insert_node(found.element, fraction);
@@ -143,7 +143,7 @@ void StopperSystem::take(NodeEdits& nodes) noexcept {
     reported_ = 0;
     if (found.far <= def_.reach) {
         tell(world, found);
-        node_ = lump_at(nodes, found);
+        node_ = node_at(nodes, found);
     }
     if (node_.valid() && is_held(world, *this, node_)) node_ = {};
     if (!node_.valid()) {

@@ -27,7 +27,7 @@ struct StopperClaim {
     double at = 0.0;  ///< Position of the node along the wire's material from its first end [m].
 };
 /// Distance within which a stopper uses an existing node instead of a new one [m].
-inline constexpr double kStopperAtLump = 0.1;
+inline constexpr double kStopperAtNode = 0.1;
 
 class StopperSystem final : public System {
   public:
@@ -55,7 +55,7 @@ class StopperSystem final : public System {
     }
     void become(StopperState state) noexcept { state_ = static_cast<std::int32_t>(state); }
     [[nodiscard]] PointOnWire nearest(const World& world) const noexcept;
-    [[nodiscard]] BodyId lump_at(NodeEdits& nodes, const PointOnWire& found) noexcept;
+    [[nodiscard]] BodyId node_at(NodeEdits& nodes, const PointOnWire& found) noexcept;
     void take(NodeEdits& nodes) noexcept;
     void drop_idle(NodeEdits& nodes) noexcept;
     void make_joint(Prestep& now) noexcept;

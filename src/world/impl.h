@@ -147,7 +147,7 @@ struct World::Impl final : private world::InputDoor {
                                          const JoinDef& def) const;
     void add_gear_mass(BodyId lump, double mass) noexcept;
     void open_gear(InteractionId element, BodyId lump);
-    void free_lump(World& world, InteractionId element, std::size_t side);
+    void free_node(World& world, InteractionId element, std::size_t side);
 
     Removed removed;  ///< Objects of the last removal.
     void forget_removal() noexcept;

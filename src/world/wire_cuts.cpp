@@ -130,7 +130,7 @@ void World::Impl::part_lump(const stepper::NodeSurroundings& place, BodyId end) 
     const stepper::NodeFraction part =
         stepper::fraction_of(ctx, node.index, place.first, place.second);
     stepper::begin_edit(ctx);
-    stepper::split_lump(ctx, node.index, end.index, part);
+    stepper::split_node(ctx, node.index, end.index, part);
     divide_load(node, end, part.share);
     const ShapeId segment = segment_between(node.index, far.index);
     if (segment.valid()) move_segment(segment, 0, end);
@@ -138,7 +138,7 @@ void World::Impl::part_lump(const stepper::NodeSurroundings& place, BodyId end) 
     stepper::move_end(ctx, place.second, 0, end.index);
     if (place.bend[2] >= 0) in.rewire(place.bend[2], 0, end, ctx.model.bodies);
     for (const BodyId lump : {node, end}) {
-        stepper::follow_lump(ctx, lump.index);
+        stepper::follow_node(ctx, lump.index);
         follow_definition(lump);
     }
 }

@@ -145,7 +145,7 @@ void World::Impl::add_gear_mass(BodyId lump, double mass) noexcept {
     const double had = stepper::energy_of_body(ctx, lump.index);
     ctx.model.bodies.mass[at(lump.index)] += mass;
     follow_definition(lump);
-    stepper::follow_lump(ctx, lump.index);
+    stepper::follow_node(ctx, lump.index);
     ctx.state.ledger.edited.given += stepper::energy_of_body(ctx, lump.index) - had;
 }
 

@@ -53,9 +53,9 @@ void World::Impl::move_segment(ShapeId segment, std::size_t side, BodyId to) noe
 /// removed with the node.
 void World::Impl::join_segments(ShapeId near, ShapeId far) noexcept {
     const ShapeDef &before = shape_defs[at(near.index)], &behind = shape_defs[at(far.index)];
-    const bool ends_at_lump = stepper::is_lump(ctx, behind.body_b.index);
-    if (!ends_at_lump && !stepper::is_lump(ctx, before.body.index)) return;
-    const Vec3 point = ends_at_lump ? before.position : behind.position;
+    const bool ends_at_node = stepper::is_lump(ctx, behind.body_b.index);
+    if (!ends_at_node && !stepper::is_lump(ctx, before.body.index)) return;
+    const Vec3 point = ends_at_node ? before.position : behind.position;
     put_segment(near, before.body, behind.body_b, point);
 }
 

@@ -129,12 +129,12 @@ Joint World::Impl::splice(World& world, BodyId a, BodyId b) {
     if (near[1] >= 0)
         in.rewire(near[1], stepper::end_of(ctx, near[1], 0) == b.index ? 0 : 2, a,
                   ctx.model.bodies);
-    stepper::merge_lumps(ctx, a.index, b.index, ea, eb);
+    stepper::merge_nodes(ctx, a.index, b.index, ea, eb);
     remove(b);
     body_defs[at(a.index)].force += load;
     for (int i = 0; i < 3; ++i) add_up_force(a, i);
     follow_definition(a);
-    stepper::follow_lump(ctx, a.index);
+    stepper::follow_node(ctx, a.index);
     if (bend.valid()) stepper::set_bend(ctx, bend.index, ea, eb);
     ctx.state.ledger.edited = edited + stepper::splice_energy(ctx, a.index, -1, ea, eb) - had;
     stepper::push_event(ctx, EventKind::join, ea, separation);

@@ -18,7 +18,7 @@
 namespace hawser::HAWSER_ISA {
 
 /// One lump of each of eight interactions, in the interface that evaluate() needs.
-struct LumpLanes {
+struct NodeLanes {
     V3T<W8> x;
     [[nodiscard]] V3T<W8> arm(const W8*) const { return {W8{}, W8{}, W8{}}; }
 };
@@ -33,7 +33,7 @@ struct LaneRows {
     std::int32_t id[kLanes], row[kLanes], body[B][kLanes];
     bool in_a_row = false;  ///< True if ids and rows are consecutive.
 
-    /// Select eight interactions of View::among_lumps from ids[0] on. @return true if all qualify.
+    /// Select eight interactions of View::among_nodes from ids[0] on. @return true if all qualify.
     bool take(const std::int32_t* ids) {
         for (int l = 0; l < kLanes; ++l) {
             id[l] = ids[l];
@@ -88,7 +88,7 @@ struct LaneRows {
     }
 
     void evaluate(const typename K::Data* data) {
-        LumpLanes refs[B];
+        NodeLanes refs[B];
         V8 v[B][D], start[B][D];
         for (int b = 0; b < B; ++b) {
             std::int32_t place[kLanes], from[kLanes];
@@ -191,7 +191,7 @@ struct LaneRows {
     }
 
     /// Compute the record of a line between lumps, and its parts of M̃ v and of a.
-    void line(const LumpLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][D],
+    void line(const NodeLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][D],
               const V8 (&start)[B][D]) const {
         const double scale = view.h * view.h * view.geometric_stiffness;
         V8 lambda[R];

@@ -112,13 +112,13 @@ void one_gain(const View& view, std::int32_t id, LineGain* sum) {
     gain_of(e, 0.5 * h, sum->gain, sum->exchanged, sum->noise, sum->unbooked);
 }
 
-/// Add the gains of eight interactions of View::among_lumps. @return false if one is broken.
+/// Add the gains of eight interactions of View::among_nodes. @return false if one is broken.
 bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     std::int32_t x[2][kLanes], v[2][kLanes], row[kLanes], jac[kLanes], force[kLanes];
     double pulls[kLanes], acts[kLanes];
     for (int l = 0; l < kLanes; ++l) {
         const std::int32_t id = ids[l];
-        if (view.parted[id] || !view.among_lumps[id]) return false;
+        if (view.parted[id] || !view.among_nodes[id]) return false;
         for (int b = 0; b < 2; ++b) {
             const std::int32_t body = view.body[kMaxInteractionBodies * id + b];
             x[b][l] = 3 * body;

@@ -165,7 +165,7 @@ std::int32_t evaluate_lanes(const View& view, const std::int32_t* ids, const typ
         });
     } else if constexpr (requires { K::kInLanes; }) {
         return by_eights<LaneRows<K>>(view, ids, data, count, [&](std::int32_t k) {
-            return view.among_lumps[ids[k]] != 0 && view.completed[ids[k]] == 0;
+            return view.among_nodes[ids[k]] != 0 && view.completed[ids[k]] == 0;
         });
     } else {
         return 0;
