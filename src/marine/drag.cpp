@@ -8,7 +8,7 @@
 namespace hawser::marine {
 namespace {
 
-/// Displaced volume at a share: buoyancy, and its stiffness where the surface cuts it.
+/// Add the buoyancy of the wetted fraction `wet`, and its stiffness if the surface cuts the piece.
 void add_buoyancy(double weight, double wet, double spread, PointLoad& out) noexcept {
     out.force.z() += weight * wet;
     if (wet > 0.0 && wet < 1.0) out.stiffness.m[5] += weight / spread;

@@ -8,10 +8,10 @@
 namespace hawser {
 namespace {
 
-constexpr double kCells = 200.0;  ///< Of the mesh's box.
+constexpr double kCells = 200.0;  ///< Number of cells along the longest side of the mesh's box.
 constexpr int kMaxAlong = 64;     ///< Cells along an axis.
 
-/// Heights at which the vertical line through (x, y) passes the mesh, ascending.
+/// List the heights at which the vertical line through (x, y) crosses the mesh, ascending.
 void crossings(const HullMesh& mesh, double x, double y, std::vector<double>& out) {
     out.clear();
     for (const auto& t : mesh.triangles) {

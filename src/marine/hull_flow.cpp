@@ -11,7 +11,7 @@
 namespace hawser::marine {
 namespace {
 
-/// Wet share from which a cell counts in full for the area along z.
+/// Wetted fraction from which a cell counts in full for the area along z.
 constexpr double kWholeGround = 0.1;
 
 double lowest_of(const HullMesh& mesh) {

@@ -74,7 +74,7 @@ void LineNodes::find_sorts(const Wire& wire) noexcept {
     std::size_t unknown = 0;
     for (std::size_t e = 0; e < wire.elements.size(); ++e) {
         const int sort = table_.sort_of(wire.elements[e]);
-        if (sort >= 0 && last < 0)  // those before the first known one are of its sort
+        if (sort >= 0 && last < 0)  // elements before the first known one have its sort
             for (std::size_t i = 0; i < unknown; ++i) sorts[i] = sort;
         if (sort >= 0) last = sort;
         if (last < 0) ++unknown;
@@ -82,7 +82,7 @@ void LineNodes::find_sorts(const Wire& wire) noexcept {
     }
 }
 
-/// Elements of a wire, once for both of their nodes.
+/// Compute each element of a wire once for both of its nodes.
 void LineNodes::find_spans(const World& world, const Wire& wire) noexcept {
     for (std::size_t e = 0; e < wire.elements.size(); ++e) {
         Span& span = spans_[wire.first + e];
@@ -105,7 +105,8 @@ void LineNodes::find_spans(const World& world, const Wire& wire) noexcept {
     }
 }
 
-/// @param side  1: the element begins at the node; −1: it ends there.
+/// Add the half of an element next to a node. @param side  1: the element begins at the node; −1:
+/// it ends there.
 void LineNodes::add_half(const Span& span, double side, Lump& lump) noexcept {
     if (span.of == nullptr) return;
     HalfElement& half = lump.half[lump.halves++];
@@ -161,7 +162,7 @@ void LineNodes::find(const World& world, int number) noexcept {
         lump.motion = {places_[first + i], world.velocity(body).linear};
         if (i > 0) add_half(spans_[first + i - 1], -1.0, lump);
         if (i < elements.size()) add_half(spans_[first + i], 1.0, lump);
-        // What has parted hangs as the rest of the line does.
+        // A broken element has the direction of its neighbour.
         if (lump.halves == 2)
             for (int k = 0; k < 2; ++k)
                 if (lump.half[k].along.isZero(0.0)) lump.half[k].along = lump.half[1 - k].along;

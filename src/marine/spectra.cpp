@@ -8,7 +8,8 @@
 namespace hawser {
 
 double wave_number(double omega, double depth, double gravity) noexcept {
-    // With x = k d and y = ω² d/g: x tanh x = y, by Newton's method from above, where it is convex.
+    // With x = k d and y = ω² d/g, solve x tanh x = y by Newton's method from above, where the
+    // function is convex.
     const double y = omega * omega * depth / gravity;
     if (!(y > 0.0)) return 0.0;
     double x = y > 1.0 ? y : std::sqrt(y) * (1.0 + y / 6.0 + 11.0 * y * y / 360.0);
@@ -42,7 +43,8 @@ double gust_spectrum(double speed, double frequency) noexcept {
 namespace marine {
 namespace {
 
-/// Direction θ with ∫_{−π}^{θ} cos^2s(φ/2) dφ = share of the whole, by bisection of a table.
+/// Find the direction θ with ∫_{−π}^{θ} cos^2s(φ/2) dφ = fraction of the whole, by bisection of a
+/// table.
 class Spreading {
   public:
     explicit Spreading(double s) : sum_(kCells + 1, 0.0) {
@@ -66,7 +68,7 @@ class Spreading {
     std::vector<double> sum_;
 };
 
-/// Each of `count` equal shares of the directions once, in an order at random.
+/// Draw one direction from each of `count` equal fractions of the distribution, in random order.
 std::vector<double> directions(const WaveDef& def, Draw& draw) {
     const auto count = static_cast<std::size_t>(def.components);
     std::vector<double> out(count, def.direction);

@@ -12,13 +12,13 @@
 namespace hawser::marine {
 namespace {
 
-/// Directions this far beyond the ends of a table are those of its ends [rad].
+/// Tolerance of directions beyond the ends of a table; they use the end's values [rad].
 constexpr double kBeyond = 5.0 * std::numbers::pi / 180.0;
 
 double wrapped(double angle) noexcept { return angle - kTwoPi * std::nearbyint(angle / kTwoPi); }
 
-/// A table's column at ω, linear between frequencies. Below the first one what is there; above the
-/// last one `above` times what is there.
+/// Interpolate a column of a table linearly at ω. Below the first frequency its value applies;
+/// above the last one, `above` times its value.
 template <class T>
 std::array<T, 6> column_at(const WaveCoefficients& c, const std::vector<T>& table, std::size_t head,
                            double omega, double above) {
@@ -36,7 +36,7 @@ std::array<T, 6> column_at(const WaveCoefficients& c, const std::vector<T>& tabl
     return out;
 }
 
-/// A body alike on both sides: nothing sways, rolls or yaws in waves from ahead and astern.
+/// True for a symmetric body: sway, roll and yaw vanish in waves from ahead and astern.
 bool alike(const WaveCoefficients& c, const std::vector<std::complex<double>>& table) {
     if (c.heading.size() < 2 || std::abs(c.heading.front()) > 1e-3 ||
         std::abs(c.heading.back() - std::numbers::pi) > 1e-3)
@@ -111,7 +111,7 @@ void WaveForce::fill(const WaterHull& def, const Sea& sea) {
             }
             if (drift_) {
                 const auto d = column_at(c, c.drift, column.of, w.frequency, 1.0);
-                // Long waves pass by: to 0 below the first frequency.
+                // Drift forces of long waves decrease to 0 below the first frequency.
                 const double low = std::min(1.0, w.frequency / c.frequency.front());
                 entry.drift = {low * d[0], low * sign(1) * d[1], low * sign(5) * d[5]};
             }
