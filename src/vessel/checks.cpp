@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kLong = 1e4, kStrong = 1e15, kHeavy = 1e18, kFast = 1e3;
 
-/// Checks fields of one definition.
+/// Check the fields of one definition.
 class VesselFields {
   public:
     explicit VesselFields(const std::string& name) : name_(name) {}
@@ -250,7 +250,7 @@ void check_rudder(const VesselFields& f, const VesselDef& def, std::size_t i) {
                                 (known.empty() ? "the vessel has none" : "give one of " + known));
 }
 
-/// Signals share one list of names.
+/// Check that the names of signals differ: they share one list.
 void check_names(const VesselFields& f, const VesselDef& def) {
     std::vector<std::string> taken;
     if (VesselSystem::has_set(def)) taken.emplace_back("rudder");

@@ -36,7 +36,8 @@ Eigen::Index DenseLp::entering(const Eigen::VectorXd& reduced, bool first) const
     return best;
 }
 
-/// Row of the smallest ratio. An artificial variable at 0 leaves for a pivot of any sign.
+/// Return the row of the smallest ratio. An artificial variable at 0 leaves the basis for a pivot
+/// of any sign.
 Eigen::Index DenseLp::leaving(Eigen::Index column, bool first) const noexcept {
     Eigen::Index best = -1;
     double least = std::numeric_limits<double>::infinity();

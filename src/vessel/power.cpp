@@ -12,7 +12,8 @@ namespace hawser::vessel {
 namespace {
 
 constexpr double kUnlimited = 1e300;
-/// Withheld share of a demand from which a consumer counts as shed: above rounding of sums.
+/// Withheld fraction of a demand above which a consumer counts as shed. It exceeds the rounding of
+/// sums.
 constexpr double kShedShare = 1e-9;
 
 }  // namespace

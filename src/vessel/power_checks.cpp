@@ -22,7 +22,7 @@ class PowerFields {
         if (!(value >= 0.0 && value <= kMaxPower) || (!zero && value == 0.0))
             fail(field, number(value) + "; give a power above 0 and at most 1e12 W");
     }
-    /// A name that no other part of the vessel has.
+    /// Check that no other part of the vessel has this name.
     void take(const std::string& field, const std::string& name) {
         if (name.empty()) fail(field, "give a name");
         if (name.find('.') != std::string::npos) fail(field, "a name has no dot");

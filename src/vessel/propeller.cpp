@@ -18,11 +18,11 @@ using vessel::WageningenTerm;
 
 constexpr double kTipFraction = 0.7 * std::numbers::pi;  ///< Blade section at 0.7 R: 0.7 π n D.
 constexpr double kMinPitch = 0.5;                        ///< Below: linear in the pitch.
-constexpr double kIdleTorque = 0.2;                      ///< Torque of pitch 0 over that of 0.5.
-constexpr double kBlendFrom = 0.9, kBlendTo = 1.2;       ///< J over P/D.
+constexpr double kIdleTorque = 0.2;  ///< Torque at pitch 0 over that at pitch ratio 0.5.
+constexpr double kBlendFrom = 0.9, kBlendTo = 1.2;  ///< J over P/D.
 constexpr int kBisections = 60;
 
-/// x^n for small n ≥ 0.
+/// Return x^n for small n ≥ 0.
 double power_of(double x, int n) noexcept {
     double out = 1.0;
     for (int i = 0; i < n; ++i) out *= x;
@@ -53,7 +53,7 @@ double fourier(std::span<const double> cosines, std::span<const double> sines,
     return sum;
 }
 
-/// Fourier series of the B4-70, scaled to the series at J = 0.
+/// Return thrust and torque by the Fourier series of the B4-70, scaled to the series at J = 0.
 PropellerForce by_quadrants(const PropellerDef& propeller, double pitch, double rps, double speed,
                             double density) noexcept {
     const double d = propeller.diameter, tip = kTipFraction * rps * d, flow = speed / pitch;
@@ -119,7 +119,7 @@ PropellerForce propeller_force(const PropellerDef& propeller, double pitch, doub
     PropellerDef own = propeller;
     own.pitch = std::max(std::abs(pitch), kMinPitch);
     const double flow = side * speed;
-    double weight = 0.0;  // Of the series.
+    double weight = 0.0;  // // weight of the series
     PropellerForce out;
     if (rps > 0.0 && flow >= 0.0) {
         const double advance = flow / (rps * d);

@@ -8,8 +8,9 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kMet = 1e-10;        ///< Violation that counts as 0.
-constexpr double kDependent = 1e-14;  ///< Squared part of a normal beside the active ones.
+constexpr double kMet = 1e-10;  ///< Violation that counts as 0.
+constexpr double kDependent =
+    1e-14;  ///< Squared independent part of a normal below which it depends on the active ones.
 constexpr int kMaxRounds = 400;
 
 }  // namespace

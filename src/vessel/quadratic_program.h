@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file quadratic_program.h
-/// Strictly convex quadratic programs of up to 40 variables.
+/// Solve strictly convex quadratic programs of up to 40 variables.
 
 #include <Eigen/Core>
 
@@ -38,7 +38,8 @@ class QuadraticProgram {
     void add(const Constraint& constraint) { constraints_.push_back(constraint); }
     /// Remove the constraints, keep matrices.
     void clear_constraints() noexcept { constraints_.clear(); }
-    /// @return False if no point meets the constraints, or H is not positive definite.
+    /// Solve the program. @return false if no point meets the constraints, or H is not positive
+    /// definite.
     [[nodiscard]] bool solve() noexcept;
     [[nodiscard]] const Vector& solution() const noexcept { return x_; }
     [[nodiscard]] int active() const noexcept { return active_count_; }

@@ -7,7 +7,7 @@
 namespace hawser::vessel {
 namespace {
 
-constexpr double kMaxState = 1e6;  ///< Of velocities [m/s, rad/s].
+constexpr double kMaxState = 1e6;  ///< Limit of velocities [m/s, rad/s].
 
 }  // namespace
 
