@@ -35,7 +35,7 @@ bool carries(const model::Bodies& b, std::int32_t body) {
     return b.turns(body) && b.kind[at(body)] != BodyKind::fixed;
 }
 
-/// Return the end of a segment that carries(); −1 if both are lumps or fixed.
+/// Return the end of a segment that carries(); −1 if both are point masses or fixed.
 std::int32_t carrier_of(const model::Bodies& b, std::int32_t first, std::int32_t second) {
     return carries(b, first) ? first : carries(b, second) ? second : -1;
 }
@@ -87,9 +87,9 @@ void take_sides(const ContactRow& row, ContactMemory& m) {
 V3 tangential(const V3& v, const V3& n) { return v - dot(v, n) * n; }
 
 /// Return the arm of slot i, from the centre of its body to the point at which its part of a
-/// contact at p acts. For a lump this is its position. A body that shares a side with a lump has
-/// the remainder, so that the resultant of the side acts at p. Momentum and angular momentum are
-/// then those of the force at p.
+/// contact at p acts. For a point mass this is its position. A body that shares a side with a point
+/// mass has the remainder, so that the resultant of the side acts at p. Momentum and angular
+/// momentum are then those of the force at p.
 V3 arm_of(const collide::Contact& in, int i, const model::Bodies& bodies, const V3& p) {
     const std::int32_t body = in.body[i];
     const int begin = i < in.side_0 ? 0 : in.side_0, end = i < in.side_0 ? in.side_0 : in.slots;

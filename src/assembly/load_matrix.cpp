@@ -11,8 +11,8 @@
 
 namespace hawser::stepper {
 
-/// Most bodies with loads are lumps. Therefore each function is compiled for three rows and for any
-/// number, with the same operations in the same order.
+/// Most bodies with loads are point masses. Therefore each function is compiled for three rows and
+/// for any number, with the same operations in the same order.
 #define HAWSER_ROWS [[gnu::always_inline]] inline
 
 namespace {

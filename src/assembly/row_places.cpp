@@ -28,8 +28,9 @@ double vibration_rate(const model::Bodies& bodies, const model::Interactions& in
     return std::max(arm_rate(bodies, in, id, 0), arm_rate(bodies, in, id, 1));
 }
 
-/// Return the oscillation rate of a joint or rod, see model::Interactions::swing: about the centres
-/// of mass of its bodies. A rod between lumps also oscillates transversely, with 1/(l m).
+/// Return the oscillation rate of a joint or rod, see model::Interactions::vibration: about the
+/// centres of mass of its bodies. A rod between point masses also oscillates transversely, with
+/// 1/(l m).
 double vibration_of(const model::Bodies& bodies, const model::Interactions& in, int id) {
     const KindInfo& kind = kind_info(in.kinds[at(id)]);
     // A sliding joint has no fixed arm on which a force acts.
@@ -102,7 +103,7 @@ void System::lay_out_rows(const model::Bodies& bodies, model::Interactions& in) 
 }
 
 /// Find the elements between points with geometric terms. The masses of the other elements stay
-/// with the lumps.
+/// with the point masses.
 void System::place_masses(const model::Interactions& in) {
     pair_mass_.clear();
     if (!consistent_mass) return;

@@ -35,8 +35,8 @@ namespace hawser::stepper {
 class KeptRanges {
   public:
     /// Save the flags.
-    /// @param room  Buffer with one value for each interaction that may be inactive. Only one guard
-    /// at a time may use it.
+    /// @param buffer  Buffer with one value for each interaction that may be inactive. Only one
+    /// guard at a time may use it.
     KeptRanges(std::span<double> buffer, double* active,
                std::span<const std::int32_t> bounded) noexcept
         : room_(buffer), active_(active), bounded_(bounded) {

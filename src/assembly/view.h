@@ -118,7 +118,8 @@ struct Incidence {
 struct GeoSlot {
     std::int32_t record = -1;  ///< Offset of the record, kGeoSize or kGeoLine doubles; −1: none.
     std::int32_t force = 0;    ///< Offset of slot 0; slot 1, if any, follows.
-    std::int32_t dof = 6;  ///< 3 between bodies without arms (lumps, scalars), 0 compact, else 6.
+    std::int32_t dof =
+        6;  ///< 3 between bodies without arms (point masses, scalars), 0 compact, else 6.
     [[nodiscard]] constexpr std::int32_t slot(int b) const {
         return dof == 6 ? force + 12 * b : force;
     }
@@ -174,7 +175,7 @@ struct View {
     const std::int32_t* row_begin;
     const std::int32_t* jac_begin;
     const std::uint8_t* arms;  ///< model::Interactions::arms.
-    /// By interaction, 1: all its bodies are lumps, and vector loads stay within the arrays.
+    /// By interaction, 1: all its bodies are point masses, and vector loads stay within the arrays.
     const std::uint8_t* among_nodes;
     const GeoSlot* geo;
     double* active;
@@ -187,8 +188,9 @@ struct View {
     const std::uint8_t* completed;  ///< By interaction, see model::Interactions.
     const double* vibration;        ///< By interaction, see model::Interactions.
     const double* rest_length;      ///< l₀ of wire elements [m], 0 for others.
-    /// By interaction: one sixth of the mass of an element between lumps that moves as a straight
-    /// piece (assembly/geo.h) [kg]; 0 for others and for broken elements. Null: there are none.
+    /// By interaction: one sixth of the mass of an element between point masses that moves as a
+    /// straight piece (assembly/geo.h) [kg]; 0 for others and for broken elements. Null: there are
+    /// none.
     const double* pair_mass;
     const double* epsilon;
     const double* upsilon;
@@ -236,7 +238,7 @@ struct View {
     return view.pair_mass == nullptr || view.parted[id] != 0 ? 0.0 : view.pair_mass[id];
 }
 
-/// Return the packed rows of interaction `id`, in the buffer `room` if it is a compact joint.
+/// Return the packed rows of interaction `id`, in the buffer `buffer` if it is a compact joint.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(
     const View& view, std::int32_t id, double (&buffer)[model::kArmBufferSize]) noexcept {
     return model::packed_rows(view.jacobian + view.jac_begin[id], view.arms[id] != 0, buffer);

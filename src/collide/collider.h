@@ -7,7 +7,7 @@
 /// 2. Broad phase: find the pairs of boxes that meet (broad.h), as far as the filter allows
 ///    (filter.h).
 /// 3. Narrow phase: compute the manifold of each pair (geometry.h) and reduce it (touch.h).
-/// 4. Remove duplicates at shared lumps; find each contact in the set of the last step (match.h).
+/// 4. Remove duplicates at shared nodes; find each contact in the set of the last step (match.h).
 ///    Move contacts of bodies asleep to the end (set_aside()).
 ///
 /// Tasks process chunks of pairs of fixed size, and results are merged in the order of their keys.

@@ -11,7 +11,7 @@ namespace hawser::stepper {
 /// Offsets of the impulse and the record of a joint.
 struct JointSlot {
     std::int32_t row;  ///< Its first row; its force is that of three rows, or fewer.
-    /// Offset of the swing constant in the record of a compact joint, else −1.
+    /// Offset of the vibration rate in the record of a compact joint, else −1.
     std::int32_t record;
     std::int32_t rows;  ///< Number of rows of its force.
 };

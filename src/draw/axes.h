@@ -19,7 +19,7 @@ struct Range {
 
 /// Return the smallest range that holds all finite values; {0, 1} if there are none.
 [[nodiscard]] Range range_of(std::span<const double> values);
-/// Return a range widened at both ends by the fraction `share` of its span, and to a span of at
+/// Return a range widened at both ends by the fraction `fraction` of its span, and to a span of at
 /// least `least`.
 [[nodiscard]] Range widened(Range range, double fraction, double least);
 

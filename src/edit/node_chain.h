@@ -22,7 +22,7 @@ struct NodeChain {
     static constexpr std::size_t kMaximum = 2 * kNodeReach + 3;
     struct Lump {
         std::int32_t body = -1;
-        bool point = false;  ///< True for a lump.
+        bool point = false;  ///< True for a node.
         bool moves = false;  ///< True if it is free, and all its interactions are included here.
         /// Mass [kg]; for another body: material that it takes over from the node.
         double mass = 0.0;
@@ -41,8 +41,8 @@ struct NodeChain {
     };
     std::array<Lump, kMaximum> lump{};
     std::array<Piece, kMaximum - 1> piece{};
-    std::size_t count = 0;   ///< Number of lumps; there is one piece less.
-    std::size_t middle = 0;  ///< Index of the node; after its removal, of the next lump.
+    std::size_t count = 0;   ///< Number of nodes; there is one piece less.
+    std::size_t middle = 0;  ///< Index of the node; after its removal, of the next node.
     double half = 0.0;       ///< h/2 [s]
 
     [[nodiscard]] Vec3 separation(std::size_t k) const { return lump[k + 1].y - lump[k].y; }
@@ -53,7 +53,7 @@ struct NodeChain {
 
 [[nodiscard]] NodeChain chain_about(const StepContext& ctx, const NodeSurroundings& place) noexcept;
 
-/// Return the same material without the node: the piece before it extends to the next lump.
+/// Return the same material without the node: the piece before it extends to the next node.
 [[nodiscard]] NodeChain without_node(const NodeChain& chain) noexcept;
 
 /// Return kinetic and elastic energy [J].
@@ -68,7 +68,7 @@ struct NodeMomentum {
 /// Compute the momenta. @param about  Reference point of angular momentum [m].
 [[nodiscard]] NodeMomentum momentum_of(const NodeChain& chain, const Vec3& about) noexcept;
 
-/// Set the rest lengths with which the pieces near free lumps keep their forces at the poses.
+/// Set the rest lengths with which the pieces near free nodes keep their forces at the poses.
 void fit_lengths(NodeChain& chain) noexcept;
 
 }  // namespace hawser::stepper

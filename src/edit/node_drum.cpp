@@ -12,7 +12,7 @@
 /// change. The energy of the motion of n across the chord goes into the foundation of the drum, and
 /// counts as driven.
 ///
-/// The node before a free end stays, because the lump at the end has only its half of f. If a drum
+/// The node before a free end stays, because the node at the end has only its half of f. If a drum
 /// or a guide also loads the next element, b keeps 1 % of that half: a body needs some own mass.
 
 #include "edit/nodes.h"

@@ -2,7 +2,7 @@
 /// Removal of nodes, see nodes.h.
 ///
 /// The wire near the node loses the deviation from the chord a–b: δ of the position of n and w of
-/// its velocity. The lumps within reach, up to four on a side, take it over.
+/// its velocity. The nodes within reach, up to four on a side, take it over.
 ///
 /// Positions. All of them move by the same d so that the first moment of mass is preserved. This
 /// preserves the angular momentum x × p of the moving piece for any p, which would be by far the
@@ -10,7 +10,7 @@
 /// this amount when inserted (nodes.h); raising it again is driven. All pieces concerned get the
 /// rest lengths that keep their tensions; e has the mean of the two, weighted by length.
 ///
-/// Momentum. Let v be the velocities of these lumps, and C the map to momentum and angular momentum
+/// Momentum. Let v be the velocities of these nodes, and C the map to momentum and angular momentum
 /// (consistent masses included). Let r be the missing momentum, and m the missing rates of lengths.
 /// ```
 ///     v₁ = v + δv     δv = argmin ½ δvᵀ M̃ δv + Σ ½ (h²/4) k (u·δw − m)²     C δv = r
@@ -59,7 +59,7 @@ Mat3 cross_matrix(const Vec3& r) {
     return m;
 }
 
-/// Velocities of moving lumps, and their contributions to momenta.
+/// Velocities of moving nodes, and their contributions to momenta.
 class Patch {
   public:
     explicit Patch(const NodeChain& chain) : chain_(chain), origin_(chain.lump[chain.middle].y) {
@@ -93,7 +93,7 @@ class Patch {
         r << m.linear, m.angular / reach_;
         return min_change(r);
     }
-    /// Return d for the present velocities of the chain, and t* in `far`. Returns 0 if no lump
+    /// Return d for the present velocities of the chain, and t* in `far`. Returns 0 if no node
     /// moves.
     [[nodiscard]] Packed descent(const NodeChain& chain, double& far) const {
         far = 0.0;
@@ -148,7 +148,7 @@ class Patch {
     }
     [[nodiscard]] Packed min_change(const Kept& r) const {
         Kept y = eigen_.vectors.transpose() * scale_.cwiseProduct(r);
-        constexpr double kNothing = 1e-12;  // for the rotation about a line of lumps
+        constexpr double kNothing = 1e-12;  // for the rotation about a line of nodes
         for (int i = 0; i < kKept; ++i)
             y[i] = eigen_.values[i] > kNothing ? y[i] / eigen_.values[i] : 0.0;
         return across_ * scale_.cwiseProduct(eigen_.vectors * y);
@@ -168,7 +168,7 @@ class Patch {
     base::SymmetricEigen<kKept> eigen_;
 };
 
-/// Move the free lumps so that the first moment of mass is preserved.
+/// Move the free nodes so that the first moment of mass is preserved.
 void shift(NodeChain& now, const NodeChain& was) noexcept {
     Vec3 moment = Vec3::Zero();
     double mass = 0.0;
@@ -187,7 +187,7 @@ void shift(NodeChain& now, const NodeChain& was) noexcept {
 void keep_momenta(NodeChain& now, const Patch& patch, const NodeMomentum& had) noexcept {
     if (patch.size() == 0) return;
     patch.add(now, patch.change_of_rates(), 1.0);
-    // Lumps nearly on a line have almost no moment of inertia about it: repeat to remove the
+    // Nodes nearly on a line have almost no moment of inertia about it: repeat to remove the
     // rounding error.
     constexpr int kTimes = 3;
     for (int i = 0; i < kTimes; ++i) {

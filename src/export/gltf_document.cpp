@@ -161,7 +161,7 @@ void GltfDocument::put_bodies() {
 
 /// Add three ribbons to each segment between joints, one along each axis. The joints carry their
 /// corners. From any direction at least two ribbons appear wide.
-/// @param share  Value of each segment on the colour scale, 0 to 1.
+/// @param fraction  Value of each segment on the colour scale, 0 to 1.
 int GltfDocument::put_ribbons(const std::vector<std::pair<std::size_t, std::size_t>>& segments,
                               double radius, const std::vector<float>& fraction) {
     std::vector<Vec3> points;

@@ -46,7 +46,7 @@ inline constexpr int kArmRows = 3, kArmWidth = 12, kArmBufferSize = kArmRows * k
 }
 
 /// Return the packed rows of an interaction whose Jacobian begins at `jacobian`. A compact Jacobian
-/// is unpacked to `room`.
+/// is unpacked to `buffer`.
 [[nodiscard, gnu::always_inline]] inline const double* packed_rows(
     const double* jacobian, bool arms, double (&buffer)[kArmBufferSize]) noexcept {
     if (!arms) return jacobian;

@@ -141,7 +141,7 @@ void measure_elastic(Model& model, const View& v, std::int32_t id, bool between_
     }
 }
 
-/// Subtract the kinetic energy by which the end lumps exceed an element that moves as a straight
+/// Subtract the kinetic energy by which the end nodes exceed an element that moves as a straight
 /// piece.
 void measure_piece(const View& v, std::int32_t id, const double* after, MonitorPart& p) noexcept {
     const double before = pair_energy(v, id, v.v);

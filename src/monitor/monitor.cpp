@@ -94,8 +94,8 @@ Findings borne(StepContext& ctx, MonitorState& state) noexcept {
 }
 
 /// Report an event for each monitor that has become suspect.
-/// @param looks  True if all monitors were run; otherwise only those of borne().
-void tell(State& state, StepStats& stats, const Findings& now, bool looks,
+/// @param all  True if all monitors were run; otherwise only those of borne().
+void tell(State& state, StepStats& stats, const Findings& now, bool all,
           MonitorState& memory) noexcept {
     constexpr EventKind kKinds[kJudgeCount] = {EventKind::energy_created, EventKind::joint_open,
                                                EventKind::cable_law, EventKind::uncertified,
@@ -103,7 +103,7 @@ void tell(State& state, StepStats& stats, const Findings& now, bool looks,
     for (std::size_t k = 0; k < kJudgeCount; ++k) {
         const Finding& f = now[k];
         const bool doubtful = !(f.doubtful <= 1.0);
-        if (!looks && !doubtful) continue;
+        if (!all && !doubtful) continue;
         if (doubtful && memory.reported[k] == 0) {
             Event event;
             event.time = state.time;
@@ -197,14 +197,14 @@ Status run_monitors(StepContext& ctx) noexcept {
     }
     MonitorState next = d.state;
     Findings now = borne(ctx, next);
-    const bool looks =
+    const bool all =
         ctx.state.step != 0 && (ctx.state.step <= 1 || ctx.state.step % d.every == 0 || open);
-    if (!looks && is_good(now)) {
+    if (!all && is_good(now)) {
         d.state = next;
         report_incomplete(ctx);
         return Status::ok;
     }
-    if (looks) {
+    if (all) {
         const Findings seen = judged(ctx, next);
         for (std::size_t k = 0; k < now.size(); ++k) take(seen[k], now[k]);
     }
@@ -213,7 +213,7 @@ Status run_monitors(StepContext& ctx) noexcept {
     if (grade == Grade::wrong && ctx.model.def.on_diverged == OnDiverged::stop && !split)
         return Status::diverged;
     d.state = next;
-    tell(ctx.state, ctx.work.stats, now, looks, d.state);
+    tell(ctx.state, ctx.work.stats, now, all, d.state);
     report_incomplete(ctx);
     return Status::ok;
 }

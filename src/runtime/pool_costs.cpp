@@ -12,7 +12,7 @@
 namespace hawser {
 namespace {
 
-/// Return the quantile of v at the fraction `share`; 0 if v is empty.
+/// Return the quantile of v at the fraction `fraction`; 0 if v is empty.
 double below(std::vector<double>& v, double fraction) {
     if (v.empty()) return 0.0;
     const auto at =

@@ -71,7 +71,7 @@ CableSection& section_of(Cable& cable, std::size_t element) {
     return cable.sections[k];
 }
 
-/// Subtract half of the mass of the element from the lump, with its fraction of drag and of weight
+/// Subtract half of the mass of the element from the node, with its fraction of drag and of weight
 /// in water.
 void lighten(BodyDef& lump, double half, const Place& place) {
     if (lump.kind != BodyKind::lump || !(half > 0.0)) return;
@@ -105,7 +105,7 @@ void turn_bends(Description& out, const InteractionDef& element, const GuidePlan
     }
 }
 
-/// Add the capsule of a part between a lump and the guide.
+/// Add the capsule of a part between a node and the guide.
 void add_part_segment(Description& out, const ShapeDef& whole, const InteractionDef& part,
                       const char* suffix, int place) {
     const auto is_lump = [&](std::size_t end) {

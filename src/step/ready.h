@@ -8,7 +8,7 @@
 
 namespace hawser::stepper {
 
-/// Analyse as ctx.state.mend requests. The state does not change in any case. @throws
+/// Analyse as ctx.state.repair requests. The state does not change in any case. @throws
 /// std::bad_alloc, LimitError.
 void repair(StepContext& ctx);
 

@@ -23,9 +23,9 @@
 /// the wheel goes first; the parts get the rest length that its removal took away.
 ///
 /// *Landing.* A string that falls across on a pin is at rest out to c t after a time t, c = √(T/ρ).
-/// Steps with c h above an element do not resolve that. Lumps within c h are therefore damped
+/// Steps with c h above an element do not resolve that. Nodes within c h are therefore damped
 /// across the wire, with a time of h/kStops, for kLanding steps. The body of the guide gets their
-/// momentum. Steps that resolve the landing have no lump within c h.
+/// momentum. Steps that resolve the landing have no node within c h.
 #include "wire/guide_on_off.h"
 #include "wire/lift.h"
 
@@ -242,7 +242,7 @@ void GuideSystem::land(const World& world, Loads& loads) noexcept {
     }
     const Vec3 n = along.cross(wheel.axis).normalized();
     const auto elements = world.elements(def_.wire);
-    Vec3 lost = Vec3::Zero();  // by the lumps in this step [N]
+    Vec3 lost = Vec3::Zero();  // by the nodes in this step [N]
     for (const std::size_t side : {0U, 1U}) {
         auto at = std::find(elements.begin(), elements.end(), element(side));
         double way = 0.0;

@@ -8,7 +8,7 @@
 /// there. If a wire passes a bollard without lying on it yet, an element with a capsule must pass
 /// it, since parts at guides have none. So a node is inserted halfway.
 /// ```
-///     ( A )──── part ────o──── element ────o          o lumps
+///     ( A )──── part ────o──── element ────o          o nodes
 ///                  d/2       ( B )                    d from A along the wire to B
 /// ```
 /// Limits: distances below 0.2 m along the wire are left unchanged. A part that moves across by

@@ -35,11 +35,11 @@ constexpr int kMaxReturns = 4;
 struct WireSums {
     double length = 0.0;
     Vec3 momentum = Vec3::Zero();
-    double moving = 0.0;  ///< Sum of |m v| of the lumps.
+    double moving = 0.0;  ///< Sum of |m v| of the nodes.
 };
 
-/// Sum up the lumps of a wire and the elements at its guide. Half of the mass of such an element
-/// moves with its lump, the other half runs over the wheel with the slide.
+/// Sum up the nodes of a wire and the elements at its guide. Half of the mass of such an element
+/// moves with its node, the other half runs over the wheel with the slide.
 WireSums sums_of(const World& w, WireId wire) {
     WireSums out{.length = w.length(wire)};
     const auto add = [&](double mass, const Vec3& v) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Wires of lumps at steps that do not resolve their swing (solve/wires.h, assembly/geo.h).
+/// Wires of nodes at steps that do not resolve their vibration (solve/wires.h, assembly/geo.h).
 #include "support/random.h"
 #include "support/recipe.h"
 #include "support/tier.h"

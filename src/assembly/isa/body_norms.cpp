@@ -23,7 +23,7 @@ double drag_work(const View& view, std::int32_t body, const double* v, const dou
     const int dof = view.dof[body];
     if (dof == 1) return view.h * (d[0] * u[0] + e[0] * v[0]) * mean[0];
     double work = 0.0;
-    if (dof == 3) {  // the axes of a lump are the world axes
+    if (dof == 3) {  // the axes of a point mass are the world axes
         for (int i = 0; i < 3; ++i) work += (d[i] * u[i] + e[i] * v[i]) * mean[i];
         return view.h * work;
     }
@@ -41,7 +41,7 @@ double drag_work(const View& view, std::int32_t body, const double* v, const dou
 
 /// Return pᵀ M⁻¹ p for an impulse p on a body. For a scalar body M includes the terms of systems.
 /// Reason: without the wire that it moves, the slide of a guide has a millionth of the mass of a
-/// lump. It would determine all norms.
+/// point mass. It would determine all norms.
 double inverse_mass_norm(const View& view, std::int32_t body, const double* p) {
     const int dof = view.dof[body];
     if (dof == 1)

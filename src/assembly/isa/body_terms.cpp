@@ -45,7 +45,7 @@ void own_terms(const View& view, std::int32_t body) {
         return;
     }
     M3 lin{{m, 0, 0, 0, m, 0, 0, 0, m}};
-    if (dof == 3) {  // the axes of a lump are the world axes
+    if (dof == 3) {  // the axes of a point mass are the world axes
         for (int i = 0; i < 3; ++i) lin.a[4 * i] += h * d[i];
     } else if (any3(d)) {
         const M3 drag = world_diagonal(view.r + 9 * body, d);

@@ -35,7 +35,7 @@ M3 product(const M3& a, const M3& b) {
 }
 
 /// Return the pose of a body after `time` [s] with packed velocities u. @param fixed  Velocities of
-/// fixed bodies. @param room  Buffer for its rotation.
+/// fixed bodies. @param buffer  Buffer for its rotation.
 BodyRef moved_pose(const View& view, std::int32_t body, const double* u, const double* fixed,
                    double time, M3& buffer) {
     const int dof = view.dof[body];

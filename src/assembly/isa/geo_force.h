@@ -18,8 +18,8 @@ inline void slot_velocity(const assembly::View& view, const double* v, std::int3
     ang = dof == 6 || dof == 0 ? load3(p + 3) : V3{0, 0, 0};
 }
 
-/// Add the part of a of a line to its two bodies. @param share  Fraction of K that acts on v; the
-/// rest acts on v_ahead.
+/// Add the part of a of a line to its two bodies. @param fraction  Fraction of K that acts on v;
+/// the rest acts on v_ahead.
 inline void line_past(const assembly::View& view, std::int32_t id, double fraction) {
     const assembly::GeoSlot& place = view.geo[id];
     const double* rec = view.geo_record + place.record;

@@ -2,7 +2,7 @@
 #pragma once
 /// @file lane_rows.h
 /// Version of evaluate() for eight interactions of one kind at once, one per lane, if all of their
-/// bodies are lumps. The formulas are the scalar ones: evaluate() of the kinds and geo.h are
+/// bodies are point masses. The formulas are the scalar ones: evaluate() of the kinds and geo.h are
 /// templates over the number type.
 
 #include "assembly/geo.h"
@@ -17,7 +17,7 @@
 
 namespace hawser::HAWSER_ISA {
 
-/// One lump of each of eight interactions, in the interface that evaluate() needs.
+/// One point mass of each of eight interactions, in the interface that evaluate() needs.
 struct NodeLanes {
     V3T<W8> x;
     [[nodiscard]] V3T<W8> arm(const W8*) const { return {W8{}, W8{}, W8{}}; }
@@ -71,8 +71,8 @@ struct LaneRows {
         return (all & mask) != 0;
     }
 
-    /// Load the data that evaluate() needs. Lumps have no attachment points: only lengths are read.
-    /// The length of a wire element is stored separately.
+    /// Load the data that evaluate() needs. Point masses have no attachment points: only lengths
+    /// are read. The length of a wire element is stored separately.
     void load_data(const typename K::Data* data, typename K::template DataT<W8>& fields) const {
         const auto of_each = [&](auto member) {
             double value[kLanes];
@@ -190,7 +190,7 @@ struct LaneRows {
         put<Begin, Count>(view.geo_force, [&](std::int32_t i) { return view.geo[i].force; }, t);
     }
 
-    /// Compute the record of a line between lumps, and its parts of M̃ v and of a.
+    /// Compute the record of a line between point masses, and its parts of M̃ v and of a.
     void line(const NodeLanes* refs, const Rows<B, R, W8>& rows, const V8 (&v)[B][D],
               const V8 (&start)[B][D]) const {
         const double scale = view.h * view.h * view.geometric_stiffness;

@@ -150,7 +150,7 @@ bool eight_gains(const View& view, const std::int32_t* ids, LineGain* sum) {
     };
     const W8 half = constant(W8(f[0]), 0.5 * view.h), lambda = of_rows(view.lambda);
     const V3T<W8> across{f[3] - f[0], f[4] - f[1], f[5] - f[2]};
-    const V3T<W8> n{line[3], line[4], line[5]};  // Jacobian of the second lump
+    const V3T<W8> n{line[3], line[4], line[5]};  // Jacobian of the second point mass
     V3T<W8> impulse = lambda * n - across;
     if (view.pair_mass) {
         double pair[kLanes];

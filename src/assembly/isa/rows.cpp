@@ -29,9 +29,9 @@ double fade(const View& view, std::int32_t id, double nf) {
     return completed_stiffness(4.0 * view.h * view.h * nf * view.vibration[id]);
 }
 
-/// Return the fraction of the geometric stiffness of a line between turning bodies without lumps.
-/// It vanishes if the vibration is resolved, because the stiffness preserves angular momentum to
-/// second order only. @param s  As in across_fractions().
+/// Return the fraction of the geometric stiffness of a line between turning bodies without point
+/// masses. It vanishes if the vibration is resolved, because the stiffness preserves angular
+/// momentum to second order only. @param s  As in across_fractions().
 double line_fade(const View& view, const std::int32_t* body, double s) {
     for (int b = 0; b < 2; ++b)
         if (view.dof[body[b]] == 3 || view.dof[body[b]] == 1) return 1.0;
