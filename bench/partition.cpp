@@ -158,7 +158,7 @@ void check_part_times(Verdict& verdict, const std::string& name, const PartRow& 
     }
 }
 
-/// @param judged  True if the bars apply to this case.
+/// Compare the parts of one case. @param judged  True if the bars apply to this case.
 nlohmann::json compare_parts(const PartCase& c, const PartitionFlags& o, bool judged,
                              Verdict& verdict) {
     const int parts = o.parts;

@@ -393,7 +393,7 @@ class Hulls : public GearMaker {
     }
 };
 
-/// A vessel of the library under random orders.
+/// Make a case with a vessel of the library under random orders.
 GearCase make_ship_case(std::uint64_t seed, std::uint64_t number) {
     GearCase out;
     out.step = 1.0 / 60.0;

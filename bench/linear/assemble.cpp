@@ -34,7 +34,8 @@ HAWSER_BENCH_INLINE void add_rows(const BlockWrite& op, const AssembleView& v, i
     }
 }
 
-/// Rows: number of rows of the block; 0: not known. V: vector with at least as many lanes.
+/// Write one block. @tparam Rows  Number of rows of the block; 0: not known at compile time.
+/// @tparam V  Vector with at least as many lanes.
 template <int Rows, int Columns, class V>
 HAWSER_BENCH_INLINE void run(const BlockWrite& op, const AssembleView& v) {
     V sum[Columns] = {};

@@ -53,8 +53,8 @@ struct BlockWrite {
     std::uint8_t unused : 4 = 0;  ///< Written with the others to avoid a read.
 
     BlockWrite() = default;
-    /// @param turn  Write the block transposed. @throws std::length_error if the address needs more
-    /// than 32 bits.
+    /// Make a write operation of a block. @param turn  Write the block transposed. @throws
+    /// std::length_error if the address needs more than 32 bits.
     BlockWrite(const BlockOp& op, bool turn, std::int64_t address, int row_step, int column_stride)
         : base(op.base),
           begin(op.begin),

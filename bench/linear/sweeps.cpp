@@ -76,7 +76,7 @@ HAWSER_BENCH_INLINE void row_product(const SweepView& v, std::int64_t e, const d
 
 enum class Sweep : std::uint8_t { unfold, correct, residual };
 
-/// Blocks of rows are adjacent, in stretches too short for the hardware prefetcher.
+/// Prefetch a block of rows. Blocks are adjacent, but too short for the hardware prefetcher.
 HAWSER_BENCH_INLINE void fetch_row(const SweepView& v, std::int64_t e) {
     constexpr int kAhead = 320, kLines = 5;  // doubles, at most, of a row node
     if (v.distant) fetch(v.values + v.rows[e].sigma + kAhead, kLines);

@@ -81,7 +81,7 @@ class System {
         std::vector<std::int32_t> node_of_body, node_of_interaction;
         bool ordered = false, updates_kept = false;
     };
-    /// @throws std::bad_alloc.
+    /// Store the analysis. @throws std::bad_alloc
     void keep(Kept& out) const;
     /// Return to kept data. The system is complete only after the next analyse().
     void go_back(Kept& to) noexcept;

@@ -122,7 +122,7 @@ class Collider {
         base::Array<KeptContact> contacts;
         std::size_t awake = 0;
     };
-    /// @throws std::bad_alloc.
+    /// Store the state. @throws std::bad_alloc
     void keep(Kept& out) const;
     /// Return to a copy. Call prepare() before the next use.
     void go_back(Kept& to) noexcept;

@@ -147,7 +147,7 @@ void RecordingWriter::add_changes(std::int64_t step, std::span<const std::byte> 
     other_bodies_ = other_bodies_ || other_bodies;
 }
 
-/// Which bodies frames have from now on: those that stay by their numbers in the file.
+/// Choose the bodies of the following frames: the remaining bodies, by their numbers in the file.
 void RecordingWriter::follow_bodies(const World& world) {
     other_bodies_ = false;
     std::vector<FramedBody> now;

@@ -22,7 +22,7 @@ namespace {
 /// Number of steps between searches for islands.
 constexpr std::int64_t kEvery = 8;
 
-/// True for a kinematic body in motion.
+/// True if a kinematic body moves.
 bool carries(const model::Bodies& b, std::int32_t body) noexcept {
     const double* v = &b.v_fixed[6 * at(body)];
     return b.kind[at(body)] == BodyKind::kinematic &&

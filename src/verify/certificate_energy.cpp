@@ -18,8 +18,8 @@ namespace {
 
 std::size_t place_of(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-// ½ g²/ε of the rows at the present poses. A line that only pulls stores no energy if it is shorter
-// than its rest length.
+// Return ½ g²/ε of the rows at the present poses. A line that only pulls stores no energy if it is
+// shorter than its rest length.
 double energy_of_spring(const World& world, InteractionId id) {
     const InteractionDef& def = world.interaction_def(id);
     if (!world.intact(id)) return 0.0;

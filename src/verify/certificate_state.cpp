@@ -126,7 +126,7 @@ void StateVerifier::before_step(const World& world) {
     stretch_.before_step(world);
 }
 
-/// Allow for the opening of new joints, as at the start.
+/// Add the initial opening of new joints to their allowance, as at the start of a run.
 void StateVerifier::excuse_joints(const World& world, const std::vector<InteractionId>& known) {
     std::vector<Pose> now = pose_;
     for (const BodyId id : bodies_) now[number(id.index)] = world.pose(id);

@@ -66,7 +66,8 @@ class StateVerifier {
     /// Count the energy of edits since the last step (additions, removals, moves) as supplied
     /// energy.
     void take_edits(const World& world);
-    /// Allow for the opening of new joints. @param known  Interactions that existed before.
+    /// Add the initial opening of new joints to their allowance. @param known  Interactions that
+    /// existed before.
     void excuse_joints(const World& world, const std::vector<InteractionId>& known);
     [[nodiscard]] double kinetic(const World& world) const;
     [[nodiscard]] double gravity(const World& world) const;

@@ -33,14 +33,14 @@ Mat3 arm_stiffness(const Vec3& force, const Vec3& arm) {
     return eigen.vectors * eigen.values.cwiseMax(0.0).asDiagonal() * eigen.vectors.transpose();
 }
 
-// |r|/I, I the mean moment of inertia about the axes across the arm.
+// Return |r|/I, with the mean moment of inertia I about the axes across the arm r.
 double swing(const BodyDef& body, const Vec3& arm) {
     if (arm.norm() == 0.0) return 0.0;
     const Vec3 u = arm.normalized();
     return 2.0 * arm.norm() / (body.inertia.trace() - u.dot(body.inertia * u));
 }
 
-// Transverse mobility of the lighter end of a line [1/kg].
+// Return the transverse mobility of the lighter end of a line [1/kg].
 double lightness(const Attached& on, const World& world) {
     double most = 0.0;
     const bool rigid = on.kind(0) == BodyKind::rigid && on.kind(1) == BodyKind::rigid;
@@ -58,8 +58,8 @@ double lightness(const Attached& on, const World& world) {
     return most;
 }
 
-// Reduction factor of the stiffness of a line between rotating bodies without nodes, if its
-// transverse vibration is resolved.
+// Return the reduction factor of the stiffness of a line between rotating bodies without nodes. It
+// applies if the transverse vibration is resolved.
 double resolved(const Attached& on, double s) {
     return on.is_point(0) || on.is_point(1) || s >= 0.25 ? 1.0 : 16.0 * s * s;
 }
@@ -104,8 +104,8 @@ void add_across(const World& world, const Attached& on, std::span<const Twist> b
     }
 }
 
-// Fraction of the stiffness of a joint that is closed at the end of the step. It is 0 if the
-// oscillation about the joint is resolved, and 1 from twice that frequency on.
+// Return the fraction of the stiffness of a joint that is closed at the end of the step. It is 0 if
+// the oscillation about the joint is resolved, and 1 from twice that frequency on.
 double completed_fraction(const Attached& on, const World& world, double force) {
     double rate = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
@@ -126,7 +126,7 @@ double angle_of(const Attached& on) {
 
 double travel_of(const Attached& on) { return on.axis(0, 2).dot(on.point(1) - on.point(0)); }
 
-// Norm of the rows of a load that are in metres [N].
+// Return the norm of the rows of a load that are in metres [N].
 double load_size(const World& world, InteractionId id) {
     const std::string_view units = kind_info(world.interaction_def(id).kind).row_units;
     const std::span<const double> f = world.force(id);
@@ -136,8 +136,8 @@ double load_size(const World& world, InteractionId id) {
     return std::sqrt(square);
 }
 
-// Ratio of the tensions before and after a turning point (Euler and Eytelwein), as (ratio −
-// 1)/(ratio + 1).
+// Return the ratio of the tensions before and after a turning point (Euler and Eytelwein), as
+// (ratio − 1)/(ratio + 1).
 double line_fraction(const World& world, const InteractionDef& def, std::span<const Pose> pose) {
     const double angle = turn_between(world, def.load[0].interaction, def.load[1].interaction,
                                       def.get("angle"), pose);

@@ -42,8 +42,8 @@ bool drawn_in(const Attached& on, const double* radius, LineEnds& out) {
 
 }  // namespace
 
-// A wheel of radius R > 0 is on the left of the passing line, seen against its axis: the end is at
-// R u × n.
+// Return the ends of a line. A wheel of radius R > 0 is on the left of the passing line, seen
+// against its axis: the end is at R u × n.
 LineEnds line_ends(const Attached& on) {
     const double radius[2] = {wheel_at(on.def(), 0), wheel_at(on.def(), 1)};
     const Vec3 centre[2] = {on.point(0), on.point(1)};

@@ -52,7 +52,7 @@ class SeaVerifier {
                                            std::size_t element) const;
     void add_lines(const World& world, const std::vector<Pose>& pose,
                    const std::vector<Twist>& before);
-    /// @param at  Water at the node.
+    /// Add the half of an element next to a node. @param at  Water at the node.
     void add_half(const World& world, WireId wire, std::size_t element, bool last, const Water& at,
                   const std::vector<Pose>& pose, const std::vector<Twist>& before);
     void add_body(const WaterBody& def, const Pose& pose, const Vec3& velocity);

@@ -86,8 +86,8 @@ Piece piece_of(const World& world, InteractionId id) {
     return {at, {speed_at_point(world, d.body[0], at[0]), speed_at_point(world, d.body[1], at[1])}};
 }
 
-/// The point of a piece that is nearest to the axis, seen along it. The side on which it passes is
-/// that of the piece; of its ends, that of the nearer one.
+/// Return the point of a piece nearest to the axis, seen along the axis. Its side of the wheel is
+/// the side of the piece; at an end, that of the nearer neighbour.
 Passing passing(const Piece& piece, const Wheel& wheel) {
     const Vec3 d = piece.at[1] - piece.at[0], from = piece.at[0] - wheel.centre;
     const auto flat = [&wheel](const Vec3& x) -> Vec3 {
@@ -110,7 +110,8 @@ Passing passing(const Piece& piece, const Wheel& wheel) {
             .beside = at.dot(wheel.axis)};
 }
 
-/// The element of a wire that passes the wheel nearest, seen along its axis; none: invalid.
+/// Return the element of a wire that passes the wheel nearest, seen along its axis; invalid if
+/// there is none.
 Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wheel) {
     Passing best;
     for (const InteractionId id : world.elements(def.wire)) {
@@ -126,19 +127,19 @@ Passing nearest_passing(const World& world, const GuideDef& def, const Wheel& wh
     return best;
 }
 
-/// Whether the wire has met the wheel in the last step, or lies in its rim and gets deeper.
+/// True if the wire has met the wheel in the last step, or lies inside its rim and moves deeper.
 bool meets(const Passing& at, double step) {
     if (!at.element.valid() || at.gap > 0.0 || !(at.rate < 0.0)) return false;
     return at.gap - step * at.rate > 0.0 || at.gap > -kDeep * at.length;
 }
 
-/// The straight line that a wire is without a node between two elements.
+/// Return the straight piece of wire that results from removing the node between two elements.
 Piece without_node(const World& world, InteractionId before, InteractionId behind) {
     const Piece first = piece_of(world, before), second = piece_of(world, behind);
     return {{first.at[0], second.at[1]}, {first.speed[0], second.speed[1]}};
 }
 
-/// Speed of the wire past the wheel, along the element [m/s].
+/// Return the speed of the wire past the wheel, along the element [m/s].
 double speed_along(const World& world, const Passing& at, const Wheel& wheel) {
     const Piece piece = piece_of(world, at.element);
     const Vec3 along = (piece.at[1] - piece.at[0]).normalized();

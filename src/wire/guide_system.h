@@ -110,7 +110,8 @@ class GuideSystem final : public System {
     /// (guide_open.cpp).
     void lift(NodeEdits& nodes) noexcept;
     void come_back(NodeEdits& nodes) noexcept;
-    /// @param along  Speed of the wire [m/s]. @param kept  Rest length beside the element's [m].
+    /// Lay the wire back on the guide. @param along  Speed of the wire [m/s]. @param kept  Rest
+    /// length next to the element's [m].
     bool lay_back(NodeEdits& nodes, InteractionId element, double along, double kept);
     /// Damp a wire that lands on an open guide, in steps that do not resolve the landing.
     void land(const World& world, Loads& loads) noexcept;

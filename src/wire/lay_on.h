@@ -20,11 +20,13 @@ struct EndNodes {
 /// @param mass  Mass of the element [kg].
 [[nodiscard]] double kept_by_nodes(const EndNodes& before, const EndNodes& after, double mass);
 
-/// Slide, parts and friction of a guide, all or nothing but for memory that ends. @param def  What
-/// was left to defaults is filled in. @param speed  Speed of the wire along itself [m/s]. @param
-/// material  Lengths of the parts [m]. @param drawn  Compare the side of the wheel with the wire as
-/// drawn. Else, on an open guide, the parts have the rest length of their mass at
-/// def.mass_per_length; on others, that which keeps the tension.
+/// Create slide, parts and friction of a guide, all or nothing, except if memory is exhausted.
+/// @param def  Receives the values that were left to defaults.
+/// @param speed  Speed of the wire along itself [m/s].
+/// @param material  Lengths of the parts [m].
+/// @param drawn  True: compare the side of the wheel with the drawn wire. Otherwise, on an open
+/// guide, the parts have the rest length of their mass at def.mass_per_length; on other guides, the
+/// length that preserves the tension.
 /// @throws DefError
 [[nodiscard]] Guide lay_on(World& world, GuideDef& def, double speed,
                            std::array<double, 2>& material, bool drawn = false);

@@ -108,7 +108,8 @@ Structure World::Impl::structure() const {
     return out;
 }
 
-/// Indices are filled in order and vacated afterwards, because an addition would use a vacant one.
+/// Make the bodies. All indices are filled in order and vacated afterwards, because an addition
+/// would use a vacant one.
 void World::Impl::make_bodies(World& self, const Placed<BodyDef>& from) {
     check(from, "bodies");
     for (const BodyDef& def : from.defs) self.add_body(def);

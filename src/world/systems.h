@@ -111,7 +111,7 @@ class Systems final : public stepper::Actors {
             if (const double paid = s->paid_out(world, element); !std::isnan(paid)) return paid;
         return kDefault;
     }
-    /// True during begin_step().
+    /// True while begin_step() runs.
     [[nodiscard]] bool editing() const noexcept { return editing_; }
     /// Return true if only systems may insert and remove nodes: a system that carries an element
     /// counts its length.

@@ -212,8 +212,8 @@ struct OneChain {
     std::vector<std::int32_t> position;
 };
 
-/// Bodies 5 and 6 share one row with body 4 and have no other coupling. @param with_row  False:
-/// the row couples to body 4 alone.
+/// Make a chain in which bodies 5 and 6 share one row with body 4 and have no other coupling.
+/// @param with_row  False: the row couples to body 4 only.
 OneChain chain_with_three_body_row(bool with_row) {
     constexpr std::int32_t kBodies = 10, kRow = kBodies;
     std::vector<std::int8_t> size(kBodies, 6), sign(kBodies, 1);

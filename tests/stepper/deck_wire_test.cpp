@@ -97,7 +97,7 @@ TEST(DeckWire, AFirstStepThatDescendsTakesFewFactorisations) {
     EXPECT_LE(s.natural_map, site.world.settings().contact_tolerance);
 }
 
-/// φ* of a contact with a disk of fixed radius: normal and tangential part.
+/// Return φ* of a contact with a disk of fixed radius: normal plus tangential part.
 double held_energy(const nonsmooth::Cone& c, const double u[3], double radius) {
     const double n = std::max(0.0, c.b[0] - u[0]);
     const double t = std::hypot(c.b[1] - u[1], c.b[2] - u[2]);
