@@ -110,7 +110,7 @@ bool find_impulses(StepContext& ctx) noexcept {
             c.model.system.numeric.solve(c.model.system.symbolic, v.solution, c.pool);
         });
         contacts.collect(v.solution, v.body_offset, u);
-        add_changes(ctx.model, ctx.work.newton, u, x, gmres.ghost());
+        add_changes(ctx.model, ctx.work.newton, u, x, gmres.image());
         left = gmres.take();
         // Two flops per entry of L, forward and backward.
         ctx.work.solve.step_flops += 4 * ctx.model.system.symbolic.factor_nnz;

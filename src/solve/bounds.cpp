@@ -228,7 +228,7 @@ void read_held(const Model& model, const Newton& newton, double* out) noexcept {
 void extrapolate_bounds(Model& model, Work& work) noexcept {
     const View v = row_view(model);
     nonsmooth::Anderson& follow = work.newton.follow;
-    read_held(model, work.newton, follow.ghost());
+    read_held(model, work.newton, follow.image());
     const double* x = follow.next(model.contact_floor);
     for (const std::int32_t id : work.newton.loaded) {
         double& held = model.interactions.held[at(id)];
