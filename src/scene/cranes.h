@@ -151,7 +151,7 @@ struct CraneTable<CraneLoad> {
          kCraneFar},
         {"sling_EA", &CraneLoad::sling_EA, "N", "", "Of each sling.", 0.0, kCranePull},
         {"reach", &CraneLoad::reach, "m", "0",
-         "How much farther an eye may be when the hook takes it.", 0.0, kCraneFar},
+         "Additional distance at which the hook can still attach an eye.", 0.0, kCraneFar},
         {"breaking_load", &CraneLoad::breaking_load, "N", "never", "Of each sling.", 0.0,
          kCranePull}};
     static constexpr CranePoint<CraneLoad> kPoints[1] = {};
@@ -180,8 +180,8 @@ struct CraneTable<LatticeCraneDef> {
          85.0},
         {"most_angle_deg", &LatticeCraneDef::most_angle, "deg", "83.1",
          "Where the boom meets its back stop.", -85.0, 89.0},
-        {"bridle_mass", &LatticeCraneDef::bridle_mass, "kg", "", "Of the bridle, a lump.", 0.0,
-         kCraneHeavy},
+        {"bridle_mass", &LatticeCraneDef::bridle_mass, "kg", "",
+         "Mass of the bridle, a point mass.", 0.0, kCraneHeavy},
         {"pendant_length", &LatticeCraneDef::pendant_length, "m", "",
          "From boom head to bridle at the start.", 0.0, kCraneFar},
         {"pendant_EA", &LatticeCraneDef::pendant_EA, "N", "", "Of each of the two.", 0.0,

@@ -50,8 +50,8 @@ ShapePtr anchor_shape() {
     add_anchor_fields<AnchorDef>(fields);
     fields.push_back({"description", text("a text"), false, "", "", "Remarks."});
     return object("anchor", "an anchor",
-                  "A drag-embedment anchor: it holds in the soil up to its capacity by drag and "
-                  "line angle, and breaks out.",
+                  "A drag-embedment anchor. Its holding capacity depends on the drag distance and "
+                  "the line angle; above it the anchor drags or breaks out.",
                   std::move(fields));
 }
 

@@ -31,26 +31,28 @@ ShapePtr drum_of_cable() {
 }
 
 ShapePtr seabed_of_cable() {
-    return object("cable_seabed", "a seabed of a cable",
-                  "Where a cable lies at the start; it touches nothing.",
-                  {{"height", number("a height", -kMostLength, kMostLength), true, "", "m",
-                    "Of the bottom; nodes lie the radius of \"contact\" over it."},
-                   {"friction", number("a friction coefficient", 0.0, 100.0), false, "0", "1",
-                    "By which the tension falls along what lies on it."}});
+    return object(
+        "cable_seabed", "a seabed of a cable",
+        "Seabed on which a cable lies at the start. It causes no contact during the run.",
+        {{"height", number("a height", -kMostLength, kMostLength), true, "", "m",
+          "Of the bottom; nodes lie the radius of \"contact\" over it."},
+         {"friction", number("a friction coefficient", 0.0, 100.0), false, "0", "1",
+          "Friction coefficient: the tension decreases along the part that lies on the seabed."}});
 }
 
 ShapePtr weak_of_cable() {
-    return object("cable_weak", "a weak place of a cable", "The element there parts sooner.",
+    return object("cable_weak", "a weak point of a cable",
+                  "The element at this point breaks at a lower tension.",
                   {{"at", number("a length", 0.0, kMostLength), true, "", "m",
                     "Unstretched length from the first end."},
                    {"breaking_load", positive("a force", kMaxForce), true, "", "N",
-                    "The element there parts above this tension."}});
+                    "The element at this point breaks above this tension."}});
 }
 
 ShapePtr section_of_cable(const ShapePtr& line) {
     return object(
         "cable_section", "a section of a cable", "A piece of a cable of one line type.",
-        {{"line_type", line, true, "", "", "What it is made of."},
+        {{"line_type", line, true, "", "", "Line type or material, by name."},
          {"length", positive("a length", kMostLength), true, "", "m", "Unstretched length."},
          {"elements", integer("a number of elements", 1, static_cast<double>(kMaxElements)), true,
           "", "", "Number of its elements, which are equal."}});
@@ -83,7 +85,7 @@ ShapePtr line_type_shape() {
          "Bending stiffness; 0: perfectly flexible. Cables of links bend freely."},
         {"diameter", positive("a length", 1e3), false, "", "m", "For pictures, and in water."},
         {"breaking_load", positive("a force", kMaxForce), false, "never", "N",
-         "An element parts above this tension."},
+         "An element breaks above this tension."},
         {"axial_damping", number("a fraction", 0.0, 10.0), false, "two steps of damping time", "1",
          "Fraction of critical of the highest axial mode of an element."},
         {"drag", number("a damping per length", 0.0, kMaxDamping), false, "0", "N s/m^2",
@@ -102,11 +104,12 @@ ShapePtr line_type_shape() {
 
 ShapePtr cable_shape() {
     const ShapePtr line =
-        choice("a line type by name or in place", {text("a name"), line_type_shape()});
+        choice("a line type, by name or as an object", {text("a name"), line_type_shape()});
     return object(
         "cable", "a cable", "A chain, wire or rope between two ends, cut into equal elements.",
         {{"name", name("a name"), true, "", "", "Unique among cables."},
-         {"line_type", line, false, "", "", "What it is made of; needed without \"sections\"."},
+         {"line_type", line, false, "", "",
+          "Line type, by name or as an object; required without \"sections\"."},
          {"sections", list("a list of sections", section_of_cable(line), 1, 1000), false, "", "",
           "From the first end on, where it is of several line types, instead of \"line_type\", "
           "\"length\" and \"elements\"."},
@@ -129,12 +132,13 @@ ShapePtr cable_shape() {
           "evenly along \"path\"; or the positions of the interior nodes, one fewer than the "
           "elements."},
          {"seabed", seabed_of_cable(), false, "", "",
-          "Level bottom on which a cable lies that starts as catenary, hanging or laid."},
+          "Horizontal seabed for cables that start with the shape catenary, hanging or laid."},
          {"path", list("a list of points", vector3("a point"), 1, kMaxElements), false, "", "m",
           "Corners between the ends of a cable of the shape path."},
          {"offsets", list("a list of offsets", vector3("an offset"), 0, kMaxElements), false, "",
           "m", "Added to the interior nodes."},
-         {"weak", weak_of_cable(), false, "", "", "A place where it parts sooner than elsewhere."},
+         {"weak", weak_of_cable(), false, "", "",
+          "Point at which the cable breaks at a lower tension than elsewhere."},
          {"tension_only", boolean("true or false"), false, "true", "", "False: it also pushes."},
          {"consistent_mass", boolean("true or false"), false, "false", "",
           "True: an element between two lumps moves as a straight piece, with its mass along it."},
@@ -145,7 +149,8 @@ ShapePtr cable_shape() {
           "Groups of its nodes or links, which are shared out evenly from the first end on."},
          {"winch", drum_of_cable(), false, "", "", "Drum that pays it out."},
          {"contact", cable_contact(), false, "it touches nothing", "",
-          "Its elements touch what they meet; one that ends on a body only with \"to_ends\"."},
+          "Contacts of its elements with shapes. Elements that end on a body have contacts only "
+          "with \"to_ends\"."},
          {"compliance", number("a compliance", 0.0, 1e12), false, "of a ball joint", "m/N",
           "Of the ball joints of links."},
          {"damping_time", number("a time", 0.0, 1e12), false, "of a ball joint", "s",
@@ -173,9 +178,10 @@ ShapePtr winch_shape() {
     std::vector<Field> fields{
         {"name", name("a name"), true, "", "", "Unique among winches; of its signals, name.mode."},
         {"cable", text("a cable name"), true, "", "", "Cable of lumps that it winds up."},
-        {"end", word("an end", {"from", "to"}), false, "from", "", "Which end lies on the drum."},
+        {"end", word("an end", {"from", "to"}), false, "from", "",
+         "End of the cable that is on the drum."},
         {"mode", word("a mode", {modes.begin(), modes.end()}), false, "brake", "",
-         "What it does at first."}};
+         "Mode at the start."}};
     for (const WinchNumber& n : winch_numbers()) {
         const bool required = *n.fallback == '\0';
         fields.push_back(

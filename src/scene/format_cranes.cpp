@@ -40,12 +40,12 @@ ShapePtr tackle_shape() {
     return crane_part<CraneTackle>("crane_tackle", "a tackle of a crane",
                                    "Falls between two blocks and their drum.",
                                    {{"falls", integer("a number of falls", 1, 64), true, "", "",
-                                     "Parts of line that carry."}});
+                                     "Number of parts of line that carry the load."}});
 }
 
 ShapePtr rating_shape() {
     return crane_part<CraneRating>(
-        "crane_rating", "a rating of a crane", "Rated load by radius, and what watches it.",
+        "crane_rating", "a rating of a crane", "Rated load by radius, and its alarms.",
         {{"curve",
           list("a list of points",
                list("a radius and a mass", number("a number", 0.0, kCraneHeavy), 2, 2), 1, 1000),
@@ -56,33 +56,35 @@ ShapePtr rating_shape() {
 
 /// Return the fields of cranes of all kinds, in the order of the reference.
 std::vector<Field> common_fields_of_cranes(const char* kind) {
-    return {{"kind", literal(word("the kind", {kind})), true, "", "", "The kind."},
-            {"name", name("a name"), true, "", "",
-             "First part of the names of all that it is made of; its signals are NAME.hoist and so "
-             "on."},
-            {"on", body_ref(), true, "", "", "Body that it stands on."},
-            {"point", vector3("a point"), false, "[0, 0, 0]", "m",
-             "Of its slewing bearing, in that body's frame."},
-            {"euler_deg",
-             list("three angles [roll, pitch, yaw] in degrees", number("an angle", -36000, 36000),
-                  3, 3),
-             false, "[0, 0, 0]", "deg", "Of the crane's frame in that body's."},
-            {"slew", crane_part<CraneSlew>("crane_slew", "a slew drive", "Motor and brake."), true,
-             "", "", "Slew drive."},
-            {"column",
-             crane_part<CraneColumn>("crane_column", "a column", "What slews, but for booms."),
-             true, "", "", "Column."},
-            {"boom", crane_part<CraneLink>("crane_link", "a boom or jib", "A boom or jib."), true,
-             "", "", "Boom."},
-            {"hoist", tackle_shape(), true, "", "", "Hoist."},
-            {"hook",
-             crane_part<CraneHook>("crane_hook", "a hook", "Hook and block, hung from the head."),
-             true, "", "", "Hook."},
-            {"rating", rating_shape(), false, "nothing is rated", "", "Rated loads and alarms."},
-            {"loads", list("a list of loads", crane_load_shape(), 1, 1000), false, "none", "",
-             "What the hook can take: signal NAME.take is the number of one, from 1 on."},
-            {"take", body_ref(), false, "none", "", "Body of the load that it takes at the start."},
-            {"description", text("a text"), false, "", "", "Source and remarks."}};
+    return {
+        {"kind", literal(word("the kind", {kind})), true, "", "", "The kind."},
+        {"name", name("a name"), true, "", "",
+         "First part of the names of all that it is made of; its signals are NAME.hoist and so "
+         "on."},
+        {"on", body_ref(), true, "", "", "Body on which it is mounted."},
+        {"point", vector3("a point"), false, "[0, 0, 0]", "m",
+         "Of its slewing bearing, in that body's frame."},
+        {"euler_deg",
+         list("three angles [roll, pitch, yaw] in degrees", number("an angle", -36000, 36000), 3,
+              3),
+         false, "[0, 0, 0]", "deg", "Of the crane's frame in that body's."},
+        {"slew", crane_part<CraneSlew>("crane_slew", "a slew drive", "Motor and brake."), true, "",
+         "", "Slew drive."},
+        {"column",
+         crane_part<CraneColumn>("crane_column", "a column", "Slewing part without booms."), true,
+         "", "", "Column."},
+        {"boom", crane_part<CraneLink>("crane_link", "a boom or jib", "A boom or jib."), true, "",
+         "", "Boom."},
+        {"hoist", tackle_shape(), true, "", "", "Hoist."},
+        {"hook",
+         crane_part<CraneHook>("crane_hook", "a hook", "Hook and block, hung from the head."), true,
+         "", "", "Hook."},
+        {"rating", rating_shape(), false, "nothing is rated", "", "Rated loads and alarms."},
+        {"loads", list("a list of loads", crane_load_shape(), 1, 1000), false, "none", "",
+         "Loads that the hook can attach. The signal NAME.take is the number of a load, counted "
+         "from 1."},
+        {"take", body_ref(), false, "none", "", "Body of the load that is attached at the start."},
+        {"description", text("a text"), false, "", "", "Source and remarks."}};
 }
 
 template <class T>
@@ -98,8 +100,9 @@ ShapePtr crane_kind(const char* kind, const char* id, const char* what, const ch
 
 ShapePtr crane_load_shape() {
     return crane_part<CraneLoad>(
-        "crane_load", "a load of a crane", "What the hook can take, by slings of equal length.",
-        {{"body", body_ref(), true, "", "", "A rigid body or a lump."},
+        "crane_load", "a load of a crane",
+        "Load that the hook can attach by slings of equal length.",
+        {{"body", body_ref(), true, "", "", "A rigid body or a point mass."},
          {"eyes", list("a list of points", vector3("a point"), 1, 8), false, "[[0, 0, 0]]", "m",
           "Where slings are made fast, in its frame."}});
 }

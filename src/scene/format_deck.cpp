@@ -12,22 +12,21 @@ using namespace make;
 ShapePtr stopper_shape() {
     return object(
         "stopper", "a stopper",
-        "A shark jaw or chain stopper, which takes the cable that lies within its reach, holds it "
-        "and lets it go: the signal NAME.close, 1 or 0. What it holds by is the interaction "
-        "NAME/hold.",
+        "A shark jaw or chain stopper. It engages a cable within its reach, holds it and releases "
+        "it: the signal NAME.close, 1 or 0. The holding joint is the interaction NAME/hold.",
         {{"name", name("a name"), true, "", "",
           "Unique among stoppers; of its signals, name.load."},
-         {"on", body_ref(), true, "", "", "Body that it stands on."},
+         {"on", body_ref(), true, "", "", "Body on which it is mounted."},
          {"point", vector3("a point"), true, "", "m",
           "Where cables are to lie, in the frame of the body."},
          {"outboard", vector3("a direction"), false, "[-1, 0, 0]", "1",
           "The way in which cable pays out, in that frame."},
          {"reach", positive("a length", 1e3), false, "0.5", "m",
-          "How far from the point it takes cables."},
+          "Distance from the point within which it engages cables."},
          {"rated_load", positive("a force", 1e12), true, "", "N", "Above it the stopper opens."},
          {"pitch", number("a length", 0.0, 10.0), false, "0, a jaw", "m",
-          "Of a chain stopper, which holds against paying out alone: chain that comes in before "
-          "its pawl falls again; 0.05 at least."},
+          "Pitch of a chain stopper, which prevents paying out only: length of chain hauled in "
+          "until its pawl engages again, at least 0.05 m."},
          {"closed", boolean("true or false"), false, "false", "", "Whether it is at the start."},
          {"description", text("a text"), false, "", "", "Remarks."}});
 }
@@ -46,7 +45,7 @@ ShapePtr pin_shape() {
          "Of a pin with a roller: lesser tension over greater; above 0."},
         {"speed", positive("a speed", 100.0), false, "0.1", "m/s", "At which it goes up and down."},
         {"force", positive("a force", 1e12), false, "2e5", "N",
-         "Largest of what drives it; more than its weight."},
+         "Largest force of its drive; must exceed its weight."},
         {"density", positive("a density", 1e6), false, "7850", "kg/m^3", "It is solid."},
         {"margin", number("a length", 0.0, 1e3), false, "1", "m",
          "How near to it cables are watched."},
@@ -63,23 +62,21 @@ ShapePtr pin_shape() {
 ShapePtr hook_shape() {
     return object(
         "hook", "a hook",
-        "A hook at the end of a cable, or on any body, that takes loads by slings and lets them "
-        "go: "
-        "the signal NAME.take, the number of a load or in a timeline its name, 0 none. Its legs "
-        "are "
-        "the interactions NAME/leg1 and on.",
+        "A hook at the end of a cable or on a body. It attaches loads by slings and releases them: "
+        "the signal NAME.take is the number of a load, or its name in a timeline; 0: none. Its "
+        "legs are the interactions NAME/leg1, NAME/leg2, ….",
         {{"name", name("a name"), true, "", "", "Unique among hooks; of its signals, name.load."},
          {"on", body_ref(), true, "", "",
-          "The body that is the hook, or the last lump of a cable (CABLE/number)."},
+          "Body that acts as the hook, or the last node of a cable (CABLE/number)."},
          {"point", vector3("a point"), false, "[0, 0, 0]", "m",
-          "Where slings bear, in the frame of the body."},
+          "Point at which slings are attached, in the frame of the body."},
          {"loads", list("a list of loads", crane_load_shape(), 1, 1000), true, "", "",
-          "What it may take."},
+          "Loads that it can attach."},
          {"take", body_ref(), false, "none", "", "Body of the load that hangs from the start."},
          {"strength", positive("a force", 1e30), false, "none", "N",
           "Above it the hook opens by itself."},
          {"latch", positive("a force", 1e30), false, "none", "N",
-          "Under more than it the hook does not open when it is told to."},
+          "Load above which the hook does not open when it is ordered to."},
          {"description", text("a text"), false, "", "", "Remarks."}});
 }
 
@@ -95,7 +92,7 @@ ShapePtr chaser_shape() {
          {"point", vector3("a point"), false, "[0, 0, 0]", "m",
           "Of its middle, in the frame of the body."},
          {"reach", positive("a length", 1e3), false, "1", "m",
-          "How far from there it takes cables."},
+          "Distance from that point within which it engages cables."},
          {"friction", number("a coefficient", 0.0, 10.0), false, "0.3", "1", "Of the cable in it."},
          {"arrives", number("a length", 0.0, 1e6), false, "2", "m",
           "Nearer than this to an end of the cable it has arrived."},

@@ -71,7 +71,8 @@ ShapePtr coefficients_shape() {
         "a file, or coefficients",
         {text("a file name"),
          object("coefficients_file", "a file of coefficients",
-                "Of WAMIT (.1), NEMOH (.tec), Capytaine (.nc) or BEMIO (.h5), and those beside it.",
+                "Coefficient file of WAMIT (.1), NEMOH (.tec), Capytaine (.nc) or BEMIO (.h5). "
+                "Further files of the set are in the same folder.",
                 {{"file", text("a file name"), true, "", "", "Relative to this one."},
                  {"density", positive("a density", 1e5), false, "1025", "kg/m^3",
                   "Of files without dimensions."},
@@ -92,7 +93,7 @@ ShapePtr coefficients_shape() {
               {"excitation", list("a list of forces", force, 0, kMaxColumns), false, "none", "",
                "Of all that waves do."},
               {"scattering", list("a list of forces", force, 0, kMaxColumns), false, "none", "",
-               "Of what the body scatters alone."},
+               "Diffraction force only."},
               {"drift_forces", list("a list of forces", drift, 0, kMaxColumns), false, "none", "",
                "Mean forces of second order."},
               {"stiffness", list("a list of stiffnesses", stiffness, 0, 36), false, "none", "",
@@ -123,7 +124,8 @@ ShapePtr mesh_shape() {
 ShapePtr water_hull_shape() {
     const ShapePtr number6 = number("a number", 0.0, kMaxDamping);
     return object(
-        "water_hull", "a hull", "Hull of a rigid body, apart from the shapes that touch.",
+        "water_hull", "a hull",
+        "Hull of a rigid body for water pressure. Shapes for contacts are separate.",
         {{"body", body_ref(), true, "", "", "Which."},
          {"mesh", mesh_shape(), false, "none, with \"linear\"", "m",
           "Closed surface: a file .obj, .stl, .gdf or .dat relative to this one, a box, or the "
@@ -145,11 +147,11 @@ ShapePtr water_hull_shape() {
           "Drag coefficient times area along its axes, at the design draught; scaled by the wet "
           "projected area over that at the design draught."},
          {"wind_area", area_of_axes(), false, "0", "m^2",
-          "The same in the wind, of what is above the water at the design draught."},
+          "The same for wind on the part above the water at the design draught."},
          {"design_draught", positive("a draught", 1e4), false, "as it floats", "m",
-          "From the surface to the lowest point, upright, at which areas hold. Default: where the "
-          "hull carries the mass of its body and of what joints hold to it; where that does not "
-          "float, the draught of the start."},
+          "Draught at which the areas apply, upright, from the surface to the lowest point. "
+          "Default: the draught at which the hull carries its body and the bodies joined to it. If "
+          "it does not float, the draught at the start."},
          {"strips", list_of("a list of rows", strip_shape()), false, "none", "",
           "Rows of strips that resist drifting and turning."},
          {"coefficients", coefficients_shape(), false, "none", "",
@@ -159,9 +161,10 @@ ShapePtr water_hull_shape() {
           "Of damping that is not positive semi-definite by more than 5 % of its largest: truncate "
           "it from there on, or take the nearest matrices that are."},
          {"reference", vector3("a point"), false, "[0, 0, 0]", "m",
-          "What coefficients are about, from the centre of mass, in the body's frame."},
+          "Reference point of the coefficients, relative to the centre of mass, in the body's "
+          "frame."},
          {"radiation", word("a kind", {"convolution", "state_space", "constant", "none"}), false,
-          "convolution", "", "How the body remembers what it radiates, with coefficients."},
+          "convolution", "", "Method for the memory of radiated waves, with coefficients."},
          {"memory", positive("a time", 1e5), false, "60", "s", "After which it has forgotten."},
          {"order", integer("a number", 1, 200), false, "8", "", "Most states of a state space."},
          {"constant_period", positive("a period", 1e4), false, "none", "s",
@@ -173,7 +176,8 @@ ShapePtr water_hull_shape() {
          {"coriolis", boolean("true or false"), false, "false", "",
           "Coriolis and centripetal forces of the added mass, by Kirchhoff."},
          {"slow_time", number("a time", 0.0, 1e5), false, "16", "s",
-          "Of the four lags by which the place where coefficients meet the waves follows."},
+          "Time constant of the four filters of the position at which the wave coefficients "
+          "apply."},
          {"linear",
           object("linear_statics", "linear statics",
                  "Weight of displaced water and the coefficients' stiffness, instead of a mesh.",

@@ -45,7 +45,7 @@ ShapePtr loads_shape() {
         "one or two loads",
         make::object(
             "friction_load", "a load of friction",
-            "The force of another interaction, of which a share adds to the bound of friction.",
+            "Force of another interaction. A fraction of it adds to the bound of the friction.",
             {{"interaction", make::text("an interaction's name"), true, "", "",
               "Defined before; its rows in metres count: the force of a joint, of a line."},
              {"factor", make::number("a factor", 0.0, 1e6), true, "", "1, or m for a torque",

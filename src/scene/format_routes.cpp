@@ -22,7 +22,7 @@ ShapePtr end_shape() {
 
 ShapePtr place_shape() {
     return object(
-        "route_place", "a place of a route", "What a line runs over.",
+        "route_place", "a turning point of a route", "Turning point of a line.",
         {{"body", body_ref(), true, "", "", "Body that it belongs to."},
          {"point", vector3("a point"), false, "[0, 0, 0]", "m",
           "Eye, or centre of the wheel, in the frame of the body."},
@@ -30,7 +30,7 @@ ShapePtr place_shape() {
          {"radius", number("a radius", -1e3, 1e3), false, "0, an eye", "m",
           "The line turns about the axis where it is above 0, else against it."},
          {"friction", number("a coefficient", 0.0, 10.0), false, "0", "1",
-          "Of the line on what it runs over."},
+          "Friction coefficient of the line at the turning point."},
          {"efficiency", number("an efficiency", 0.0, 1.0), false, "1", "1",
           "Of a sheave: lesser tension over greater; above 0."},
          {"inertia", number("an inertia", 0.0, 1e12), false, "0", "kg m^2", "Of a sheave."},
@@ -45,8 +45,9 @@ ShapePtr place_shape() {
 ShapePtr guide_shape() {
     return object(
         "guide", "a guide",
-        "What a cable runs over: a stern roller, a post, a fairlead. The element that passes it is "
-        "divided; what has run through is the coordinate of the scalar body NAME/slide.",
+        "Turning point of a cable: a stern roller, a bollard, a fairlead. It divides the element "
+        "that passes it. The coordinate of the scalar body NAME/slide is the length that has run "
+        "through.",
         {{"name", name("a name"), true, "", "", "Unique among guides; of its signals, name.angle."},
          {"cable", text("a cable name"), true, "", "", "That runs over it."},
          {"on", body_ref(), true, "", "", "Body that it belongs to."},
@@ -74,22 +75,21 @@ ShapePtr guide_shape() {
 ShapePtr route_shape() {
     return object(
         "route", "a route",
-        "A line without weight that runs over posts, eyes and sheaves: a hoist, a tackle. Its "
-        "parts "
-        "are the interactions NAME/part1 and on, its friction NAME/friction1, what has run through "
-        "a place the scalar body NAME/slide1.",
+        "A line without mass over bollards, eyes and sheaves: a hoist, a tackle. Its parts are the "
+        "interactions NAME/part1, NAME/part2, …. NAME/friction1 is the friction at the first "
+        "turning point, and the scalar body NAME/slide1 the length that has run through it.",
         {{"name", name("a name"), true, "", "",
           "First part of the names of all that it is made of."},
          {"EA", positive("a stiffness", kMaxForce), true, "", "N", "Axial stiffness."},
          {"first", end_shape(), true, "", "", "Where it begins."},
-         {"places", list("a list of places", place_shape(), 1, 256), true, "", "",
-          "What it runs over, in order."},
+         {"places", list("a list of turning points", place_shape(), 1, 256), true, "", "",
+          "Turning points, in order."},
          {"last", end_shape(), true, "", "", "Where it ends."},
          {"length", positive("a length", kMostLength), false, "as it lies with \"tension\"", "m",
           "Without tension."},
          {"tension", number("a force", 0.0, kMaxForce), false, "0", "N", "At the start."},
          {"breaking_load", positive("a force", kMaxForce), false, "never", "N",
-          "A part between two bodies parts above this tension."},
+          "A part between two bodies breaks above this tension."},
          {"damping_time", number("a time", 0.0, 1e12), false, "two steps", "s", "Of all parts."},
          {"description", text("a text"), false, "", "", "Remarks."}},
         {{"length", "tension"}});

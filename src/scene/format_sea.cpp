@@ -59,7 +59,7 @@ ShapePtr water_body_shape() {
     const ShapePtr ratio = number("a coefficient", 0.0, 1e6);
     return object(
         "water_body", "a body in the water",
-        "A lump, or a body whose hull does not matter: forces at its centre of mass.",
+        "A point mass, or a body without a hull: forces act at its centre of mass.",
         {{"body", body_ref(), true, "", "", "Which."},
          {"drag_area", area(), false, "0", "m^2",
           "Drag coefficient times area along its axes, when all of it is wet."},

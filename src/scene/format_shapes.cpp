@@ -21,7 +21,8 @@ ShapePtr group_names(const char* what) {
 }  // namespace
 
 std::vector<Field> surface_fields() {
-    return {{"material", text("a material name"), false, "default", "", "What it is made of."},
+    return {{"material", text("a material name"), false, "default", "",
+             "Line type or material, by name."},
             {"groups", group_names("a group name or a list of them"), false, "default", "",
              "Collision groups that it is in; 32 in all."},
             {"touches", group_names("a group name or a list of them"), false, "every group", "",
@@ -85,7 +86,7 @@ std::pair<std::string, ShapePtr> shape_kind(const std::string& kind, const std::
 std::vector<Field> along_axis(const char* what) {
     return {{"radius", length("a length"), true, "", "m", "Radius."},
             {"length", length("a length"), true, "", "m", what},
-            {"axis", axis(), false, "x", "", "Axis of the shape's frame along which it lies."}};
+            {"axis", axis(), false, "x", "", "Axis of the shape's frame that is its own axis."}};
 }
 
 ShapePtr ground() {
@@ -105,7 +106,7 @@ std::vector<Field> heightfield() {
              "Distance of nodes along x and along y. The field is centred on the shape's frame."},
             {"heights", list("a list of heights", number("a height", -1e5, 1e5), 4, kMostPoints),
              false, "", "m", "Row by row, each along x; the solid is below."},
-            {"ground", ground(), false, "flat", "", "In place of heights."}};
+            {"ground", ground(), false, "flat", "", "Alternative to heights."}};
 }
 
 std::vector<Field> vertices(const char* what, std::size_t least, std::size_t most) {
@@ -127,9 +128,9 @@ std::vector<Field> mesh() {
 
 ShapePtr material() {
     return object("material", "a material",
-                  "What touches how. Of two materials without a pair the geometric means of "
-                  "friction, rolling and torsional resistance, the larger restitution and damping "
-                  "time, and both stiffnesses in series hold.",
+                  "Surface properties of shapes. If two materials have no pair, these rules apply: "
+                  "geometric means of friction, rolling and torsional resistance; the larger "
+                  "restitution and damping time; both stiffnesses in series.",
                   values_of_material());
 }
 
@@ -139,7 +140,8 @@ ShapePtr material_pair() {
     const auto values = values_of_material();
     fields.insert(fields.end(), values.begin(), values.end());
     return object("material_pair", "a material pair",
-                  "How two materials touch. What it does not give has the default of a material.",
+                  "Properties of the contact of two materials. Omitted values are the defaults of "
+                  "a material.",
                   std::move(fields));
 }
 
@@ -160,7 +162,7 @@ ShapePtr shape_of_body() {
     shape->type = Shape::Type::switched;
     shape->id = "shape";
     shape->what = "a shape";
-    shape->doc = "What of a body touches other things; \"kind\" selects which.";
+    shape->doc = "Shape of a body for contacts; \"kind\" selects its geometry.";
     shape->key = "kind";
     shape->cases = {
         shape_kind("sphere", "a sphere", "A ball.",
@@ -168,7 +170,7 @@ ShapePtr shape_of_body() {
         shape_kind("capsule", "a capsule", "A cylinder with half balls at its ends.",
                    along_axis("Between the centres of the half balls.")),
         shape_kind("segment", "a segment",
-                   "A capsule from this lump to another one, such as an element of a line; one of "
+                   "A capsule from this node to another one, such as an element of a line. One of "
                    "the two may be a fixed body, whose centre is then the end.",
                    {{"to", text("a body name"), true, "", "", "The other body."},
                     {"radius", length("a length"), true, "", "m", "Radius."}},
@@ -219,13 +221,13 @@ ShapePtr post_shape() {
         {"to", vector3("a point"), false, "", "m",
          "Where its axis ends, in that frame; required without `edge` and `edge_of`."},
         {"edge", vector3("an edge"), false, "", "1",
-         "Of the body's box, by the faces that meet there: [1, 0, 1] is that of +x and +z. The "
-         "cylinder lies against both, as if the edge were rounded."},
+         "Edge of the body's box, given by its two faces: [1, 0, 1] is the edge of +x and +z. The "
+         "cylinder touches both faces from inside, as if the edge were rounded."},
         {"edge_of", edge_of_shape(), false, "", "",
          "Of a box, hull or mesh among the body's shapes: an edge, or all that are sharp."},
         {"slides", boolean("true or false"), false, "false", "",
-         "Whether cables slide along its axis where they pull that way by more than friction "
-         "holds; else they keep their place along it."},
+         "True: cables slide along the axis if their pull exceeds friction. False: they keep their "
+         "position along it."},
         {"radius", positive("a radius", 1e3), true, "", "m", "Of the cylinder."},
         {"friction", number("a coefficient", 0.0, 10.0), false, "0", "1",
          "Of cables that lie on it; while they only touch it, that of its material."},
@@ -237,15 +239,16 @@ ShapePtr post_shape() {
         {"element", number("a length", 0.0, 1e6), false, "that of the cable", "m",
          "Of elements that come behind it; 0: no node runs through."},
         {"margin", number("a length", 0.0, 1e3), false, "1", "m",
-         "How near to it cables are watched, so that none is yanked through it within a step."},
+         "Distance within which cables are checked in each step, so that no cable passes through "
+         "it within a step."},
         {"description", text("a text"), false, "", "", "Remarks."}};
     const auto surface = surface_fields();
     fields.insert(fields.end(), surface.begin(), surface.end());
-    return object("post", "a post",
-                  "What cables may come to lie on and lift off while they run: a pin, a bollard, a "
-                  "rail, the edge of a deck. A cylinder of its own, which cables find by their "
-                  "\"contact\".",
-                  std::move(fields));
+    return object(
+        "post", "a post",
+        "Turning point that cables engage and leave during the run: a pin, a bollard, a rail, the "
+        "edge of a deck. It is a cylinder, which cables with \"contact\" detect.",
+        std::move(fields));
 }
 
 }  // namespace hawser::scene

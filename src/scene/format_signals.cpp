@@ -15,8 +15,9 @@ using namespace make;
 
 /// Add the display fields of an input or output for clients.
 void add_display(std::vector<Field>& fields, const char* unit_fallback) {
-    fields.push_back({"unit", text("a unit"), false, unit_fallback, "",
-                      "Shown beside the value, which is in SI units whatever this says."});
+    fields.push_back(
+        {"unit", text("a unit"), false, unit_fallback, "",
+         "Text that is shown with the value. The value itself is always in SI units."});
     fields.push_back({"group", text("a text"), false, "", "", "Heading under which it is shown."});
     fields.push_back({"nominal", number("a size", 0.0, 1e30), false, "0", "",
                       "Usual size, for axes and levers; 0: not known."});
@@ -96,24 +97,24 @@ ShapePtr input_shape() {
     std::vector<Field> fields{
         {"name", name("a name"), true, "", "", "Unique among inputs."},
         {"interaction", text("an interaction name"), false, "", "",
-         "Interaction whose parameter it sets …"},
+         "Interaction with the parameter to set …"},
         {"param", text("a parameter"), false, "", "", "… and the parameter; or …"},
         {"signal", text("a signal"), false, "", "",
          "… signal of a winch, by its full name, \"NAME.speed\" …"},
         {"factor", number("a factor", -1e12, 1e12), false, "1", "1",
          "… which gets the value times this; or …"},
         {"body", text("a body name"), false, "", "",
-         "… body that its force acts on, beside other forces …"},
+         "… body on which its force acts, in addition to other forces …"},
         {"component",
          word("a component", {"force_x", "force_y", "force_z", "torque_x", "torque_y", "torque_z"}),
          false, "", "", "… and which component of it, world frame."},
         {"local", boolean("true or false"), false, "false", "",
-         "The component is in the frame of the body, a rigid one, and turns with it; it adds to "
-         "what else acts on the body."},
+         "The component is in the frame of the rigid body and rotates with it. It adds to other "
+         "loads of the body."},
         {"min", bound, false, "-1e30", "", "Smallest value."},
         {"max", bound, false, "1e30", "", "Largest value."},
         {"spring", bound, false, "none", "",
-         "Value that its lever goes home to when it is let go; without one it stays where it is."}};
+         "Value to which the control returns when it is released; without it the control stays."}};
     add_display(fields, "of what it sets");
     return object("input", "an input", "A number that may be changed while the scene runs.",
                   std::move(fields),

@@ -34,12 +34,13 @@ void add_gear(std::vector<Field>& fields, bool plate) {
     fields.push_back(
         {"EA", positive("a stiffness", kMaxForce), false, "of the wire", "N", "Of a link."});
     fields.push_back({"breaking_load", positive("a force", kMaxForce), false, "never", "N",
-                      "A link parts above this tension."});
+                      "A link breaks above this tension."});
     if (plate)
         fields.push_back({"radius", positive("a length", kMostLength), false, "0.3", "m",
                           "Of the circle of a triplate's holes."});
-    fields.push_back({"reach", number("a length", 0.0, kMostLength), false, "0.1", "m",
-                      "How much farther apart the ends may be than the gear is long."});
+    fields.push_back(
+        {"reach", number("a length", 0.0, kMostLength), false, "0.1", "m",
+         "Distance of the ends that is allowed in addition to the length of the gear."});
 }
 
 }  // namespace
@@ -53,7 +54,8 @@ ShapePtr operation_shape() {
     attach.push_back({"point", vector3("a point"), false, "[0, 0, 0]", "m", "Of its frame."});
     add_gear(attach, false);
     std::vector<Field> join = detach;
-    join.push_back({"to", wire, true, "", "", "The other wire; a splice takes it in."});
+    join.push_back(
+        {"to", wire, true, "", "", "The other wire, which a splice merges into this one."});
     join.push_back(
         {"to_end", word("an end", {"first", "last"}), false, "first", "", "Which end of it."});
     add_gear(join, true);
@@ -71,19 +73,19 @@ ShapePtr operation_shape() {
          {"s", positive("a length", kMostLength), false, "", "m",
           "… at this unstretched length from its first end; or …"},
          {"detach",
-          object("operation_detach", "an end", "End of a wire that is let go.", std::move(detach)),
-          false, "", "", "… end that is let go; or …"},
+          object("operation_detach", "an end", "End of a wire to release.", std::move(detach)),
+          false, "", "", "… end to release; or …"},
          {"attach",
-          object("operation_attach", "an end and a body", "Free end of a wire that a body takes.",
-                 std::move(attach)),
-          false, "", "", "… free end that a body takes, within reach; or …"},
+          object("operation_attach", "an end and a body",
+                 "Free end of a wire that is attached to a body.", std::move(attach)),
+          false, "", "", "… free end to attach to a body within reach; or …"},
          {"join",
           object("operation_join", "two ends", "Free ends of wires that come together.",
                  std::move(join)),
           false, "", "", "… free ends that come together, within reach; or …"},
          {"release", text("a name"), false, "", "", "… pelican hook that opens."},
          {"description", text("a text"), false, "", "",
-          "What it is for: reports and summaries say it at its time."}},
+          "Purpose of the operation. Reports and summaries state it at its time."}},
         {{"set", "cut", "detach", "attach", "join", "release"},
          {"s", "set"},
          {"s", "detach"},

@@ -98,7 +98,7 @@ ShapePtr power_shape() {
         "generator", "a generator", "Power source of a switchboard.",
         {{"name", name("a name"), true, "", "", "Fails by the signal VESSEL.NAME_failed."}});
     const ShapePtr board =
-        object("switchboard", "a switchboard", "Its consumers share its generators.",
+        object("switchboard", "a switchboard", "Its consumers use its generators together.",
                {{"name", name("a name"), true, "", "", "Fails by the signal VESSEL.NAME_failed."},
                 {"generators", list("a list of generators", generator, 1, 100), true, "", "",
                  "Its generators."}});
@@ -144,7 +144,8 @@ ShapePtr rudder_shape() {
           "Of its order: the signal VESSEL.NAME, positive turns to starboard."},
          {"point", vector3("a point"), true, "", "m",
           "From the centre of mass, in the body's frame."},
-         {"behind", name("a propulsor"), false, "none", "", "Whose slipstream it stands in."}});
+         {"behind", name("a propulsor"), false, "none", "",
+          "Propulsor whose slipstream reaches it."}});
 }
 
 }  // namespace
@@ -153,7 +154,7 @@ ShapePtr vessel_shape() {
     std::vector<std::string> ships;
     for (const char* each : kPublishedShips) ships.emplace_back(each);
     return object(
-        "vessel", "a vessel", "What sails: hull forces, propulsors and rudders of a body.",
+        "vessel", "a vessel", "A vessel: hull forces, propulsors and rudders of a body.",
         {{"name", name("a name"), true, "", "", "Of its signals, as NAME.rudder."},
          {"body", body_ref(), true, "", "", "A rigid body; its x axis points to the bow."},
          {"ship", word("a ship", ships), false, "none", "",
@@ -186,13 +187,13 @@ ShapePtr vessel_shape() {
           vessel_part<SteeringDef>("vessel_steering", "a steering gear",
                                    "Rudder and revolutions of a coefficient set."),
           false, "none", "", "Signals NAME.rudder and NAME.rps."},
-         {"wind", wind_shape(), false, "none", "", "Wind on what is above the water."},
+         {"wind", wind_shape(), false, "none", "", "Wind on the part above the water."},
          {"propulsors", list("a list of propulsors", propulsor_shape(), 1, 100), false, "none", "",
           "Propellers and thrusters."},
          {"rudders", list("a list of rudders", rudder_shape(), 1, 100), false, "none", "",
           "Rudders."},
          {"current", current_shape(), false, "none", "",
-          "At low speed, in place of resistance and cross_flow."},
+          "Current loads at low speed, instead of resistance and cross_flow."},
          {"power", power_shape(), false, "none", "", "Power bus that sheds load."},
          {"thruster_losses", boolean("true or false"), false, "false", "",
           "Thrusters lose thrust in the race of others."},

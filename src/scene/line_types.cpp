@@ -93,7 +93,7 @@ void read_line_types(CableLayout& c, const Json& cable, const Document& document
     if (sections == cable.end()) {
         if (!cable.contains("line_type")) {
             refuse(place,
-                   "a cable needs the key \"line_type\" (a line type by name or in place), or "
+                   "a cable needs the key \"line_type\" (a line type, by name or as an object), or "
                    "\"sections\"");
         }
         c.sections = {read_section(cable, c.links, document, place)};

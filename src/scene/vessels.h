@@ -152,7 +152,8 @@ struct VesselTable<PropulsorDef> {
         {"diameter", &PropulsorDef::diameter, "m", "that of the propeller",
          "Diameter of an ideal propulsor with losses.", 0.0, 100.0},
         {"hull_loss", &PropulsorDef::hull_loss, "1", "0",
-         "Share lost of a race that runs under the hull; 0.03 for Coanda's effect.", 0.0, 1.0}};
+         "Fraction of thrust lost if the race flows under the hull; 0.03 for the Coanda effect.",
+         0.0, 1.0}};
 };
 
 template <>
@@ -160,10 +161,10 @@ struct VesselTable<RudderDef> {
     static constexpr VesselNumber<RudderDef> kNumbers[] = {
         {"area", &RudderDef::area, "m^2", "", "Area.", 0.0, 1e5},
         {"aspect", &RudderDef::aspect, "1", "1.5", "Height over chord; above 0.", 0.0, 100.0},
-        {"covered", &RudderDef::covered, "1", "1", "Share of its height in the slipstream.", 0.0,
+        {"covered", &RudderDef::covered, "1", "1", "Fraction of its height in the slipstream.", 0.0,
          1.0},
         {"slipstream", &RudderDef::slipstream, "1", "0.5",
-         "Share of the slipstream's last velocity at the rudder.", 0.0, 1.0},
+         "Fraction of the slipstream's final velocity that is reached at the rudder.", 0.0, 1.0},
         {"wake", &RudderDef::wake, "1", "0", "Wake fraction at the rudder.", 0.0, 0.9},
         {"hull_increase", &RudderDef::hull_increase, "1", "0",
          "Side force on the hull over that of the rudder.", 0.0, 2.0},

@@ -188,11 +188,11 @@ inline void range_rows(const InteractionDef& d, double h, RowSpec* s) {
 
 inline constexpr ParamInfo kHingeRangeParams[] = {
     {"min", "rad", kDefault, -1e9, 1e9,
-     "Lower end of the range; at -π or below there is none, since the angle goes from -π to π and "
-     "counts no turns."},
+     "Lower end of the range. Values of -π or less mean no limit: the angle is between -π and π "
+     "and does not count turns."},
     {"max", "rad", kDefault, -1e9, 1e9,
-     "Upper end of the range; at π or above there is none. What turns past π within a step is "
-     "taken to come from below."}};
+     "Upper end of the range. Values of π or more mean no limit. A joint that passes π within a "
+     "step is assumed to come from below."}};
 
 /// Range of a hinge's angle; inactive inside.
 struct HingeRange {

@@ -20,12 +20,13 @@
 namespace hawser::HAWSER_ISA::kinds {
 
 inline constexpr ParamInfo kTorqueParams[] = {
-    {"torque", "N m", 0.0, 0.0, 1e30, "Largest torque, loads apart.", true}};
+    {"torque", "N m", 0.0, 0.0, 1e30, "Largest torque, without the contribution of `loads`.",
+     true}};
 inline constexpr ParamInfo kForceParams[] = {
-    {"force", "N", 0.0, 0.0, 1e30, "Largest force, loads apart.", true}};
+    {"force", "N", 0.0, 0.0, 1e30, "Largest force, without the contribution of `loads`.", true}};
 
 inline constexpr ParamInfo kScalarFrictionParams[] = {
-    {"force", "N", 0.0, 0.0, 1e30, "Largest force, loads apart.", true},
+    {"force", "N", 0.0, 0.0, 1e30, "Largest force, without the contribution of `loads`.", true},
     {"back", "1", 1.0, 0.0, 1e6,
      "Bound against motion down the coordinate, over that against motion up it.", true}};
 
@@ -46,19 +47,20 @@ struct JointFrictionData {
 struct HingeFriction {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
-    static constexpr KindInfo kInfo{
-        .kind = InteractionKind::HingeFriction,
-        .name = "hinge_friction",
-        .bodies = 2,
-        .rows = 1,
-        .uses_points = false,
-        .uses_frames = true,
-        .row_units = "r",
-        .takes_loads = true,
-        .coordinate = KindCoordinate::about,
-        .traits = kFrictionKind,
-        .params = kTorqueParams,
-        .doc = "Dry friction, or a brake, about z of the frames. It takes `loads`."};
+    static constexpr KindInfo kInfo{.kind = InteractionKind::HingeFriction,
+                                    .name = "hinge_friction",
+                                    .bodies = 2,
+                                    .rows = 1,
+                                    .uses_points = false,
+                                    .uses_frames = true,
+                                    .row_units = "r",
+                                    .takes_loads = true,
+                                    .coordinate = KindCoordinate::about,
+                                    .traits = kFrictionKind,
+                                    .params = kTorqueParams,
+                                    .doc =
+                                        "Dry friction, or a brake, about z of the frames. Other "
+                                        "interactions may add to its bound (`loads`)."};
     using Data = JointFrictionData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { friction_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
@@ -79,19 +81,20 @@ struct HingeFriction {
 struct SlideFriction {
     static constexpr int kBodies = 2, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
-    static constexpr KindInfo kInfo{
-        .kind = InteractionKind::SlideFriction,
-        .name = "slide_friction",
-        .bodies = 2,
-        .rows = 1,
-        .uses_points = true,
-        .uses_frames = true,
-        .row_units = "m",
-        .takes_loads = true,
-        .coordinate = KindCoordinate::along,
-        .traits = kFrictionKind,
-        .params = kForceParams,
-        .doc = "Dry friction, or a brake, along z of frame 0. It takes `loads`."};
+    static constexpr KindInfo kInfo{.kind = InteractionKind::SlideFriction,
+                                    .name = "slide_friction",
+                                    .bodies = 2,
+                                    .rows = 1,
+                                    .uses_points = true,
+                                    .uses_frames = true,
+                                    .row_units = "m",
+                                    .takes_loads = true,
+                                    .coordinate = KindCoordinate::along,
+                                    .traits = kFrictionKind,
+                                    .params = kForceParams,
+                                    .doc =
+                                        "Dry friction, or a brake, along z of frame 0. Other "
+                                        "interactions may add to its bound (`loads`)."};
     using Data = JointFrictionData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { friction_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<2, 1>& out) {
@@ -107,20 +110,21 @@ struct SlideFriction {
 struct ScalarFriction {
     static constexpr int kBodies = 1, kRows = 1;
     static constexpr Geometry kGeometry = Geometry::none;
-    static constexpr KindInfo kInfo{
-        .kind = InteractionKind::ScalarFriction,
-        .name = "scalar_friction",
-        .bodies = 1,
-        .rows = 1,
-        .uses_points = false,
-        .uses_frames = false,
-        .row_units = "m",
-        .scalar_slot = 0,
-        .takes_loads = true,
-        .coordinate = KindCoordinate::scalar,
-        .traits = kFrictionKind,
-        .params = kScalarFrictionParams,
-        .doc = "Dry friction, or a brake, of a scalar body (drum, spool). It takes `loads`."};
+    static constexpr KindInfo kInfo{.kind = InteractionKind::ScalarFriction,
+                                    .name = "scalar_friction",
+                                    .bodies = 1,
+                                    .rows = 1,
+                                    .uses_points = false,
+                                    .uses_frames = false,
+                                    .row_units = "m",
+                                    .scalar_slot = 0,
+                                    .takes_loads = true,
+                                    .coordinate = KindCoordinate::scalar,
+                                    .traits = kFrictionKind,
+                                    .params = kScalarFrictionParams,
+                                    .doc =
+                                        "Dry friction, or a brake, of a scalar body (drum, spool). "
+                                        "Other interactions may add to its bound (`loads`)."};
     struct Data {
         double anchor;
     };

@@ -60,17 +60,18 @@ struct Hinge : JointKind {
     static constexpr int kBodies = 2, kRows = 5;
     static constexpr Geometry kGeometry = Geometry::joint;
     static constexpr bool kCompletes = true;
-    static constexpr KindInfo kInfo{
-        .kind = InteractionKind::Hinge,
-        .name = "hinge",
-        .bodies = 2,
-        .rows = 5,
-        .uses_points = true,
-        .uses_frames = true,
-        .row_units = "mmmrr",
-        .coordinate = KindCoordinate::about,
-        .traits = kHoldsBodies | kForceOnSecond,
-        .doc = "Hinge: the bodies share a point and turn about the frames' z axis."};
+    static constexpr KindInfo kInfo{.kind = InteractionKind::Hinge,
+                                    .name = "hinge",
+                                    .bodies = 2,
+                                    .rows = 5,
+                                    .uses_points = true,
+                                    .uses_frames = true,
+                                    .row_units = "mmmrr",
+                                    .coordinate = KindCoordinate::about,
+                                    .traits = kHoldsBodies | kForceOnSecond,
+                                    .doc =
+                                        "Hinge: a point of both bodies coincides, and they rotate "
+                                        "about the z axis of the frames."};
     static void defaults(const InteractionDef& d, double h, RowSpec* s) {
         constraint_rows(d, h, 0, 3, true, s);
         constraint_rows(d, h, 3, 2, false, s);

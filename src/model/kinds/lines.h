@@ -85,7 +85,7 @@ inline constexpr ParamInfo kStretchParams[] = {
      true},
     {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
     {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
-    {"breaking_load", "N", 1e30, 0.0, 1e30, "The element parts above this tension."},
+    {"breaking_load", "N", 1e30, 0.0, 1e30, "The element breaks above this tension."},
     {"mass", "kg", 0.0, 0.0, 1e12,
      "Of the element, of which lumps at its ends hold half each: it moves as a straight piece "
      "between them. 0: the lumps move by themselves."}};
@@ -133,7 +133,7 @@ inline constexpr ParamInfo kWinchStretchParams[] = {
      "Unstretched length at drum coordinate 0; default: the initial distance.", true},
     {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
     {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
-    {"breaking_load", "N", 1e30, 0.0, 1e30, "The element parts above this tension."},
+    {"breaking_load", "N", 1e30, 0.0, 1e30, "The element breaks above this tension."},
     {"radius", "m", kDefault, -1e3, 1e3, "Line paid out per unit of drum coordinate.", true},
     {"drum_zero", "m or rad", 0.0, -1e9, 1e9, "Drum coordinate that `length` is given at.", true}};
 

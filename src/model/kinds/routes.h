@@ -176,7 +176,7 @@ inline constexpr ParamInfo kSpanParams[] = {
     {"length", "m", kDefault, 1e-9, 1e6, "Unstretched length with the slides at 0."},
     {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
     {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
-    {"breaking_load", "N", 1e30, 0.0, 1e30, "The span parts above this tension."},
+    {"breaking_load", "N", 1e30, 0.0, 1e30, "The span breaks above this tension."},
     {"slide_0", "1", 1.0, -1e3, 1e3, "Length that comes per unit of the first slide."},
     {"slide_1", "1", -1.0, -1e3, 1e3, "Length that comes per unit of the second slide."},
     {"wheel_0", "m", 0.0, -1e3, 1e3,
@@ -227,8 +227,9 @@ struct Span {
         .traits = kElastic | kOfWires | kRouted,
         .params = kSpanParams,
         .doc =
-            "Part of a line between two places that it runs through. Bodies: those of the two "
-            "places, and the scalar bodies that tell how much has run through each."};
+            "Part of a line between two turning points. Bodies: the bodies of the two turning "
+            "points, and the scalar bodies whose coordinates are the lengths that have run through "
+            "them."};
     using Data = SpanData;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { span_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<4, 1>& out) {
@@ -246,16 +247,18 @@ inline constexpr ParamInfo kEndSpanParams[] = {
     {"length", "m", kDefault, 1e-9, 1e6, "Unstretched length at `drum_zero`.", true},
     {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
     {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
-    {"breaking_load", "N", 1e30, 0.0, 1e30, "It parts above this tension."},
+    {"breaking_load", "N", 1e30, 0.0, 1e30, "It breaks above this tension."},
     {"radius", "m", kDefault, -1e3, 1e3,
-     "Length that comes per unit of the slide; above 0: the first body is the place, below 0 the "
-     "second one.",
+     "Length that enters per unit of the slide. Above 0: the turning point is on the first body; "
+     "below 0: on the second body.",
      true},
     {"drum_zero", "m or rad", 0.0, -1e9, 1e9, "Coordinate of the slide that `length` is given at.",
      true},
     {"wheel", "m", 0.0, -1e3, 1e3,
-     "Radius of the wheel at the place, 0: an eye; below 0: passed turning about -z."},
-    {"wound", "rad", 0.0, 0.0, 1e3, "Angle of the wheel that the line lies on beyond its mark."}};
+     "Radius of the wheel at the turning point. 0: an eye. Below 0: the line passes it in the "
+     "direction of rotation about -z."},
+    {"wound", "rad", 0.0, 0.0, 1e3,
+     "Angle of the wheel that the line covers beyond its reference mark."}};
 
 /// Span between a turning point and an end that holds the line: a node of a wire or another body.
 /// It acts on nodes of a wire like an element at a drum.
@@ -275,9 +278,9 @@ struct EndSpan {
         .traits = kAlongLine | kWireElement | kWoundUp | kElastic | kOfWires | kRouted | kAtGuide,
         .params = kEndSpanParams,
         .doc =
-            "First or last part of a line that runs through places, from the end to the next one. "
-            "Bodies: of the end and of the place, in the order of the route, and the scalar body "
-            "that tells how much has run through."};
+            "First or last part of a line over turning points, from its end to the next turning "
+            "point. Bodies: the body of the end and that of the turning point, in the order of the "
+            "route, and the scalar body whose coordinate is the length that has run through."};
     struct Data {
         SpanEnd end[2];
         double length, radius, zero;
@@ -308,7 +311,7 @@ struct EndSpan {
 };
 
 inline constexpr ParamInfo kBodySpanParams[] = {
-    {"path", "m", kDefault, 1e-9, 1e6, "Length between the two places."},
+    {"path", "m", kDefault, 1e-9, 1e6, "Length between the two turning points."},
     {"length", "m", kDefault, 1e-9, 1e6, "Unstretched length with the slides at 0."},
     {"EA", "N", kDefault, 1e-3, 1e15, "Axial stiffness of the line."},
     {"tension_only", "1", 1.0, 0.0, 1.0, "1: goes slack instead of pushing."},
@@ -332,8 +335,8 @@ struct BodySpan {
         .traits = kElastic | kOfWires | kRouted,
         .params = kBodySpanParams,
         .doc =
-            "Part of a line between two places of one body. Bodies: the scalar bodies that tell "
-            "how much has run through each."};
+            "Part of a line between two turning points of one body. Bodies: the scalar bodies "
+            "whose coordinates are the lengths that have run through them."};
     struct Data {
         double open, slide[2];
     };
@@ -354,12 +357,14 @@ struct BodySpan {
 };
 
 inline constexpr ParamInfo kLineFrictionParams[] = {
-    {"force", "N", 0.0, 0.0, 1e30, "Largest force, loads apart.", true},
-    {"friction", "1", 0.0, 0.0, 10.0, "Friction coefficient of the line at the place."},
+    {"force", "N", 0.0, 0.0, 1e30, "Largest force, without the contribution of `loads`.", true},
+    {"friction", "1", 0.0, 0.0, 10.0, "Friction coefficient of the line at the turning point."},
     {"efficiency", "1", 1.0, 1e-6, 1.0,
-     "Of the place as a sheave: lesser tension over greater, beside what friction takes."},
+     "Efficiency of the turning point as a sheave: lesser tension over greater one, in addition to "
+     "friction."},
     {"angle", "rad", 0.0, 0.0, 1e3,
-     "By which the line turned at the place when this was defined, whole turns included."}};
+     "Angle by which the line turned at the turning point at the definition, including whole "
+     "turns."}};
 
 /// Friction of a line at a turning point. Its loads are the parts before and behind, with the
 /// factor tanh((μδ − ln η)/2). Here δ is the angle by which the line turns there at the start of
@@ -382,9 +387,9 @@ struct LineFriction {
         .traits = kFrictionKind | kFollowsAngle,
         .params = kLineFrictionParams,
         .doc =
-            "Friction of a line at a place that it runs over, of the scalar body that tells how "
-            "much has run through. Its `loads` are the parts before and behind; their factors "
-            "follow the angle by which the line turns."};
+            "Friction of a line at a turning point. It acts on the scalar body whose coordinate is "
+            "the length that has run through. Its `loads` are the parts before and behind; their "
+            "factors follow the angle by which the line turns."};
     using Data = ScalarFriction::Data;
     static void defaults(const InteractionDef& d, double h, RowSpec* s) { friction_rows(d, h, s); }
     static void evaluate(const Data& d, const BodyRef* b, Rows<1, 1>& out) {
