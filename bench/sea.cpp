@@ -7,12 +7,12 @@
 #include "base/isa.h"
 #include "base/memory.h"
 #include "commands.h"
+#include "fraction_of.h"
 #include "marine/hull_kernels.h"
 #include "marine/hull_sums.h"
 #include "marine/memory_sums.h"
 #include "marine/spectra.h"
 #include "marine/wave_sums.h"
-#include "share_of.h"
 #include "verdict.h"
 
 #include <fmt/core.h>

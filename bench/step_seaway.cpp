@@ -3,7 +3,7 @@
 
 #include <hawser/scene.h>
 
-#include "share_of.h"
+#include "fraction_of.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

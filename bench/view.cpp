@@ -3,7 +3,7 @@
 // with clients. Clients read, never read, or connect and disconnect. All are processes and sockets
 // like those of users; figures of steps and frames are those in the frames.
 #include "commands.h"
-#include "share_of.h"
+#include "fraction_of.h"
 #include "verdict.h"
 
 #include "live/client.h"

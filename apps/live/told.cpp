@@ -5,7 +5,7 @@
 #include "record/scene_info.h"
 #include "record/units.h"
 #include "record/verdict_words.h"
-#include "record/wire_place.h"
+#include "record/wire_position.h"
 
 #include <fmt/format.h>
 
@@ -17,48 +17,48 @@ namespace {
 
 struct Saying {
     const char* words;  ///< Words after the place.
-    const char* unit;   ///< Unit of the value; "": none, "-": the value is not shown.
+    const char* unit;   ///< Unit of the value; "": none, "-": not shown, "%": value × 100.
 };
 
 /// In the order of EventKind.
 constexpr std::array<Saying, kEventKindCount> kSayings{{
-    {"parted at", "N"},
+    {"broke at", "N"},
     {"went slack", "-"},
-    {"came taut at", "N"},
-    {"is driven with all its force,", ""},
-    {"reached the end of its range, beyond by", ""},
-    {"was asked for a value outside its range:", ""},
-    {"left a residual of", ""},
+    {"became taut at", "N"},
+    {"reached the limit of its drive:", ""},
+    {"passed the end of its range by", ""},
+    {"was limited to its range; requested:", ""},
+    {"the step is less accurate than 1e-8; relative error", ""},
     {"gained mechanical energy without a cause:", "J"},  // a loss: event_words()
-    {"stands open by", ""},
-    {"has a tension that is not that of its length, off by", ""},
-    {"contacts are not solved, residual", ""},
-    {"turned too far in a step, by", "rad"},
+    {"is open by", ""},
+    {"has a tension that does not match its length; relative error", ""},
+    {"the contacts of a step are inaccurate; relative error", ""},
+    {"turned too far in one step, by", "rad"},
     {"wire changes to layer", ""},
     {"brake slips at", "N m"},
     {"was released at", "N"},
-    {"fastening of the wire parted at", "N"},
+    {"fastening of the wire broke at", "N"},
     {"drum is empty; tension", "N"},
-    {"was cut at", "N"},
-    {"was joined over", "m"},
-    {"was let go at", "N"},
-    {"chain jumped at", "N"},
-    {"has no room for another node; element", "m"},
-    {"is coarser than asked for, nodes", ""},
-    {"gives way at", "N"},
-    {"load alarm, share of the rated load", ""},
-    {"load alarm over, share of the rated load", ""},
+    {"was cut at a tension of", "N"},
+    {"was joined over a distance of", "m"},
+    {"was let go at a tension of", "N"},
+    {"chain jumped a pocket at", "N"},
+    {"has no space for another node; length of the element", "m"},
+    {"needs more nodes than its limit; nodes", ""},
+    {"yields to the load at", "N"},
+    {"load alarm; fraction of the rated load:", "%"},
+    {"load alarm ended; fraction of the rated load:", "%"},
     {"opened above its rated load, at", "N"},
-    {"has nothing in reach, the nearest at", "m"},
+    {"found nothing within reach; nearest at", "m"},
     {"has the end of its wire at the fairlead; tension", "N"},
     {"left its guide at", "N"},
-    {"came back onto its guide at", "N"},
-    {"joints were linearised; failed steps", ""},
-    {"sheds load, power withheld", "W"},
-    {"has a part that failed, mode", ""},
-    {"control refused the mode", ""},
-    {"lost its position, off by", "m"},
-    {"would lose its position by the worst failure, shortfall", ""},
+    {"returned to its guide at", "N"},
+    {"joints were solved approximately; steps so far", ""},
+    {"lacks power; withheld", "W"},
+    {"has a part that failed; failure mode", ""},
+    {"control refused the requested mode", ""},
+    {"lost its position; offset", "m"},
+    {"would lose its position after the worst single failure; shortfall", ""},
 }};
 static_assert(kSayings.back().words != nullptr, "each kind of event has its words");
 
@@ -67,8 +67,9 @@ bool frequent(EventKind kind) { return kind == EventKind::slack || kind == Event
 std::string status_remedy(Status status) {
     switch (status) {
         case Status::wrong_pivot:
-            return "joints that contradict each other, or a mass next to nothing: `hawser check` "
-                   "names them; go back to a restore point";
+            return "inconsistent joints, or a mass near zero: `hawser check` names them; go back "
+                   "to a "
+                   "restore point";
         case Status::not_finite:
             return "a force or an input is too large; go back to a restore point and use a smaller "
                    "one";
@@ -85,12 +86,13 @@ std::string status_remedy(Status status) {
 
 std::string event_words(const std::string& where, EventKind kind, double value) {
     if (kind == EventKind::energy_created)
-        return record::energy_change(value, "") + "; take a smaller step (settings.step)";
+        return record::energy_change(value, "") + "; use a smaller step (settings.step)";
     const Saying& saying = kSayings[static_cast<std::size_t>(kind)];
     const std::string_view unit = saying.unit;
     std::string out = where.empty() || where == "-" ? std::string(saying.words)
                                                     : fmt::format("{} {}", where, saying.words);
     if (unit == "-") return out;
+    if (unit == "%") return fmt::format("{} {:.0f} %", out, 100.0 * value);
     return out + " " +
            (unit.empty() ? fmt::format("{:.4g}", value + 0.0)
                          : record::with_unit(value, std::string(unit)));
@@ -107,8 +109,9 @@ void send_events(const World& world, std::span<const Event> events, Outbox& out)
         ++reported;
         often += frequent(event.kind) ? 1 : 0;
         const std::string where = record::event_label(world, event);
-        out.event(event.time, to_string(event.kind), where, event.value,
-                  event_words(where, event.kind, event.value));
+        out.event(
+            event.time, to_string(event.kind), where, event.value,
+            event_words(where, event.kind, event.value) + record::breaking_note(world, event));
     };
     for (const Event& event : events)
         if (!frequent(event.kind)) tell(event);

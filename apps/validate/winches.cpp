@@ -217,8 +217,8 @@ void report_ends(Report& report) {
         def.weak_link = link;
         Deck d(def);
         d.run(90.0, 0.1);
-        report.compare(link > 0.0 ? "empty, weak link, lines parted: events with a weak link"
-                                  : "empty, weak link, lines parted: events without",
+        report.compare(link > 0.0 ? "empty, weak link, lines broke: events with a weak link"
+                                  : "empty, weak link, lines broke: events without",
                        {1.0, link > 0.0 ? 1.0 : 0.0, 1.0},
                        {d.count(EventKind::drum_empty), d.count(EventKind::weak_link),
                         d.count(EventKind::line_break)},

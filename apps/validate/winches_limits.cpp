@@ -145,7 +145,7 @@ void report_weak_links(Report& report) {
     }
     report.compare("tension at which a weak link parts over link e^(2 pi mu n), 20 random, worst",
                    {0.0}, {worst}, 1e-2, "relative; found after the step", 1.0);
-    report.compare("weak links and lines parted, of 20", {kTries, kTries}, {links, parted}, 0.0,
+    report.compare("weak links and lines broke, of 20", {kTries, kTries}, {links, parted}, 0.0,
                    "counts: once each");
 }
 

@@ -6,7 +6,7 @@
 
 #include <hawser/hawser.h>
 #include "record/scene_info.h"
-#include "record/wire_place.h"
+#include "record/wire_position.h"
 
 #include <cstddef>
 #include <string>

@@ -6,7 +6,7 @@
 #include "record/layout_writer.h"
 #include "record/outlines.h"
 #include "record/recording_format.h"
-#include "record/wire_place.h"
+#include "record/wire_position.h"
 
 #include <fmt/format.h>
 

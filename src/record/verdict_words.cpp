@@ -35,7 +35,7 @@ std::string energy_change(double value, const char* tense) {
 const char* remedy_for(const World& world, Judge judge) {
     const WorldDef& settings = world.settings();
     if (judge == Judge::certificate && settings.budget == 0.0 && settings.budget_work == 0.0)
-        return "take a smaller step (settings.step)";
+        return "use a smaller step (settings.step)";
     return remedy(judge);
 }
 
@@ -48,27 +48,28 @@ std::string sentence(const World& world, Judge judge, const Finding& f, const st
             return energy_change(f.value, "had ") + " " + when;
         case Judge::violation:
             if (of_body)
-                return fmt::format("{} and what it touches lay {} in each other {}", at,
+                return fmt::format("{} and the body that it touches overlapped by {} {}", at,
                                    with_unit(f.value, "m"), when);
             if (f.value < 0.0)
-                return fmt::format("element {} had a length of {} {}", at, with_unit(f.value, "m"),
-                                   when);
-            return fmt::format("joint {} stood open by {:.4g} {} {}", at, f.value,
+                return fmt::format("element {} had the negative length {} {}", at,
+                                   with_unit(f.value, "m"), when);
+            return fmt::format("joint {} was open by {:.4g} {} {}", at, f.value,
                                opening_unit(world, f.interaction), when);
         case Judge::cable:
             if (f.value < 0.0)
                 return fmt::format(
-                    "element {} was stretched by {:.3g} % of its length, which it "
-                    "does not bear, {}",
+                    "element {} was stretched by {:.3g} % of its length, more than any material "
+                    "allows, {}",
                     at, -100.0 * f.value, when);
             return fmt::format(
-                "the tension of element {} was off by what {:.4g} of its length makes {}", at,
-                f.value, when);
+                "the tension of element {} did not match its length, with a relative error of "
+                "{:.4g}, {}",
+                at, f.value, when);
         case Judge::certificate:
-            return fmt::format("the step's equations were left unsolved by {:.2e}, relative, {}",
+            return fmt::format("the equations of the step had a relative error of {:.2e} {}",
                                f.value, when);
         case Judge::speed:
-            return fmt::format("{} turned by {:.3g} rad in a step {}", at, f.value, when);
+            return fmt::format("{} turned by {:.3g} rad in one step {}", at, f.value, when);
     }
     return {};
 }

@@ -133,15 +133,15 @@ std::string plural(std::int64_t count, const char* one, const char* many) {
 /// Describe events of objects without a number of their own.
 std::string how_often(const EventFigures& e) {
     const char* what = e.kind == EventKind::lift_off ? "wires left their guides "
-                       : e.kind == EventKind::lay_on ? "wires came back onto their guides "
-                                                     : "iterations of rigid joints failed ";
+                       : e.kind == EventKind::lay_on ? "wires returned to their guides "
+                                                     : "joints were solved approximately ";
     return what + plural(e.count, "time", "times");
 }
 
 /// Return a text with events of anchors, which share their kinds with winches and wires.
 std::string of_anchors(const EventFigures& e) {
     if (e.kind == EventKind::render)
-        return "anchors dragged or winches gave way " + plural(e.count, "time", "times");
+        return "anchors dragged or winches yielded to the load " + plural(e.count, "time", "times");
     return e.kind == EventKind::join
                ? "anchors were set or wires joined " + plural(e.count, "time", "times")
                : "anchors broke out or wires were let go " + plural(e.count, "time", "times");
@@ -152,41 +152,40 @@ std::string what_happened(const EventFigures& e) {
     if (e.anchors) return of_anchors(e);
     switch (e.kind) {
         case EventKind::line_break:
-            return plural(e.count, "line parted", "lines parted");
+            return plural(e.count, "line broke", "lines broke");
         case EventKind::slack:
             return "lines went slack " + plural(e.count, "time", "times");
         case EventKind::taut:
-            return "lines came taut " + plural(e.count, "time", "times");
+            return "lines became taut " + plural(e.count, "time", "times");
         case EventKind::saturation:
-            return (e.vessels ? "motors and actuators were at their limit "
-                              : "motors gave all the force that they may ") +
+            return (e.vessels ? "motors and actuators reached their limit "
+                              : "motors reached their maximum force ") +
                    plural(e.count, "time", "times");
         case EventKind::range:
-            return "joints met the end of their range " + plural(e.count, "time", "times");
+            return "joints reached the end of their range " + plural(e.count, "time", "times");
         case EventKind::input_clamped:
-            return "inputs were asked for more than their range " +
-                   plural(e.count, "time", "times");
+            return "inputs were limited to their range " + plural(e.count, "time", "times");
         case EventKind::warning:
-            return "the equations of a step were not solved to 1e-8 " +
-                   plural(e.count, "time", "times");
+            return "steps were less accurate than 1e-8 " + plural(e.count, "time", "times");
         case EventKind::energy_created:
             return "mechanical energy changed without a cause " + plural(e.count, "time", "times");
         case EventKind::joint_open:
-            return "joints stood open " + plural(e.count, "time", "times");
+            return "joints were open " + plural(e.count, "time", "times");
         case EventKind::cable_law:
-            return "tensions were not those of the lengths " + plural(e.count, "time", "times");
+            return "tensions did not match the lengths of lines " +
+                   plural(e.count, "time", "times");
         case EventKind::uncertified:
-            return "contacts were not solved " + plural(e.count, "time", "times");
+            return "contacts were inaccurate " + plural(e.count, "time", "times");
         case EventKind::fast:
-            return "bodies turned further than a step follows " + plural(e.count, "time", "times");
+            return "bodies turned too far in one step " + plural(e.count, "time", "times");
         case EventKind::layer:
-            return "winches changed layers " + plural(e.count, "time", "times");
+            return "wires changed layers on drums " + plural(e.count, "time", "times");
         case EventKind::brake_slip:
             return "brakes of winches began to slip " + plural(e.count, "time", "times");
         case EventKind::release:
             return plural(e.count, "winch or hook released", "winches or hooks released");
         case EventKind::weak_link:
-            return plural(e.count, "weak link parted", "weak links parted");
+            return plural(e.count, "weak link broke", "weak links broke");
         case EventKind::drum_empty:
             return "drums ran empty " + plural(e.count, "time", "times");
         case EventKind::cut:
@@ -196,20 +195,21 @@ std::string what_happened(const EventFigures& e) {
         case EventKind::detach:
             return plural(e.count, "end of a wire let go", "ends of wires let go");
         case EventKind::chain_jump:
-            return "chain jumped on its gypsy " + plural(e.count, "time", "times");
+            return "chain jumped a pocket of its gypsy " + plural(e.count, "time", "times");
         case EventKind::no_node:
-            return "winches found no room for a node " + plural(e.count, "time", "times");
+            return "winches had no space for another node " + plural(e.count, "time", "times");
         case EventKind::render:
-            return "winches gave way " + plural(e.count, "time", "times");
+            return "winches yielded to the load " + plural(e.count, "time", "times");
         case EventKind::alarm:
-            return "loads of cranes came to an alarm " + plural(e.count, "time", "times");
+            return "load alarms began " + plural(e.count, "time", "times");
         case EventKind::alarm_end:
-            return "alarms of cranes ended " + plural(e.count, "time", "times");
+            return "load alarms ended " + plural(e.count, "time", "times");
         case EventKind::overload:
             return plural(e.count, "stopper or hook opened above its rated load",
                           "stoppers or hooks opened above their rated loads");
         case EventKind::missed:
-            return "stoppers and hooks found nothing in reach " + plural(e.count, "time", "times");
+            return "stoppers and hooks found nothing within reach " +
+                   plural(e.count, "time", "times");
         case EventKind::hauled_in:
             return "ends of wires were hauled in to a fairlead or an eye " +
                    plural(e.count, "time", "times");
@@ -218,17 +218,17 @@ std::string what_happened(const EventFigures& e) {
         case EventKind::incomplete:
             return how_often(e);
         case EventKind::shed:
-            return "consumers of vessels were shed " + plural(e.count, "time", "times");
+            return "consumers of vessels lacked power " + plural(e.count, "time", "times");
         case EventKind::failure:
             return plural(e.count, "part of a vessel failed", "parts of vessels failed");
         case EventKind::mode_refused:
-            return "modes of control were refused " + plural(e.count, "time", "times");
+            return "requested control modes were refused " + plural(e.count, "time", "times");
         case EventKind::position_lost:
             return "vessels lost their position " + plural(e.count, "time", "times");
         case EventKind::failure_critical:
             return "a single failure would lose the position " + plural(e.count, "time", "times");
         case EventKind::node_limit:
-            return "wires had all the nodes that they may " + plural(e.count, "time", "times");
+            return "wires reached their limit of nodes " + plural(e.count, "time", "times");
     }
     return "";
 }
@@ -241,7 +241,7 @@ std::string reported(const EventFigures& e, const ListedEvent& event) {
     else if (e.kind != EventKind::slack)
         value = *e.unit != '\0' ? ", " + record::with_unit(event.value, e.unit)
                                 : fmt::format(", {:.4g}", event.value + 0.0);
-    return fmt::format("{:.4g} s, {}{}", event.time, event.where, value);
+    return fmt::format("{:.4g} s, {}{}{}", event.time, event.where, value, event.note);
 }
 
 std::string place_in_words(const World& world, const Event& event) {
@@ -264,7 +264,8 @@ bool is_of_anchor(const World& world, const Event& event) {
 }
 
 ListedEvent listed(const World& world, const Event& event) {
-    return {event.time, to_string(event.kind), place_in_words(world, event), event.value};
+    return {event.time, to_string(event.kind), place_in_words(world, event), event.value,
+            record::breaking_note(world, event)};
 }
 
 }  // namespace

@@ -129,7 +129,8 @@ void coupling(Out out, const Summary& s) {
 }
 
 void quality(Out out, const Summary& s) {
-    fmt::format_to(out, "  margins      of what a step is refused for: {}\n", margins(s.verdict));
+    fmt::format_to(out, "  margins      of the limits at which a step fails: {}\n",
+                   margins(s.verdict));
     fmt::format_to(out, "  residuals    momentum {:.2e} (median {:.2e}), constraint {:.2e}\n",
                    s.momentum_residual_max, s.momentum_residual_median, s.constraint_residual_max);
     fmt::format_to(out, "  violation    {} at {} ({:.4g} s)\n",

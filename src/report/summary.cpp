@@ -217,9 +217,8 @@ Summary SummaryCollector::result(const World& world) const {
         out.verdict.verdict.grade = Grade::doubtful;
         out.verdict.verdict.judge = Judge::certificate;
         out.verdict.said = fmt::format(
-            "iterations of rigid joints had failed in {:.2g} % of the steps of {:.0f} s at {:.6g} "
-            "s: these steps linearised the joints; take a smaller step (settings.step), or fewer "
-            "joints that repeat each other",
+            "joints were solved approximately in {:.2g} % of the steps of {:.0f} s before {:.6g} "
+            "s; use a smaller step (settings.step), or fewer redundant joints",
             100.0 * out.incomplete, limit::kMemory, out.incomplete_time);
     }
     out.timed_steps = step_.count();

@@ -63,6 +63,7 @@ struct ListedEvent {
     double time = 0.0;
     std::string kind, where;
     double value = 0.0;
+    std::string note{};  ///< Addition to the value in texts; see record::breaking_note().
 };
 
 /// Events of one kind over the run.

@@ -3,7 +3,7 @@
 
 #include "record/scene_info.h"
 #include "record/units.h"
-#include "record/wire_place.h"
+#include "record/wire_position.h"
 
 #include <fmt/format.h>
 

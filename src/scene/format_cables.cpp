@@ -52,7 +52,7 @@ ShapePtr weak_of_cable() {
 ShapePtr section_of_cable(const ShapePtr& line) {
     return object(
         "cable_section", "a section of a cable", "A piece of a cable of one line type.",
-        {{"line_type", line, true, "", "", "Line type or material, by name."},
+        {{"line_type", line, true, "", "", "Line type, by name or as an object."},
          {"length", positive("a length", kMostLength), true, "", "m", "Unstretched length."},
          {"elements", integer("a number of elements", 1, static_cast<double>(kMaxElements)), true,
           "", "", "Number of its elements, which are equal."}});

@@ -21,8 +21,7 @@ ShapePtr group_names(const char* what) {
 }  // namespace
 
 std::vector<Field> surface_fields() {
-    return {{"material", text("a material name"), false, "default", "",
-             "Line type or material, by name."},
+    return {{"material", text("a material name"), false, "default", "", "Material, by name."},
             {"groups", group_names("a group name or a list of them"), false, "default", "",
              "Collision groups that it is in; 32 in all."},
             {"touches", group_names("a group name or a list of them"), false, "every group", "",
@@ -86,7 +85,7 @@ std::pair<std::string, ShapePtr> shape_kind(const std::string& kind, const std::
 std::vector<Field> along_axis(const char* what) {
     return {{"radius", length("a length"), true, "", "m", "Radius."},
             {"length", length("a length"), true, "", "m", what},
-            {"axis", axis(), false, "x", "", "Axis of the shape's frame that is its own axis."}};
+            {"axis", axis(), false, "x", "", "Axis of the shape's frame along its length."}};
 }
 
 ShapePtr ground() {

@@ -242,7 +242,7 @@ std::string StateVerifier::check_loss(const World& world, double kinetic_now) {
     result_.lost = std::max(result_.lost, fall / scale / limit::kLost.wrong);
     if (fall <= limit::kLost.wrong * scale) return {};
     return fmt::format(
-        "the whole world lost {} of mechanical energy that no force took, of {} in motion; take a "
+        "the whole world lost {} of mechanical energy that no force took, of {} in motion; use a "
         "smaller step (settings.step)",
         record::with_unit(fall, "J"), record::with_unit(scale, "J"));
 }
@@ -261,7 +261,7 @@ std::string StateVerifier::check_edits(const World& world) {
     result_.edited = std::max(result_.edited, rise / scale / limit::kHeld.wrong);
     if (rise <= limit::kHeld.wrong * scale || world.verdict().grade == Grade::good) return {};
     return fmt::format(
-        "edits of wires added {} of stretch, where {} were exchanged; take a smaller step "
+        "edits of wires added {} of stretch, where {} were exchanged; use a smaller step "
         "(settings.step)",
         record::with_unit(rise, "J"), record::with_unit(scale, "J"));
 }
@@ -297,7 +297,7 @@ std::string StateVerifier::check_energy(const World& world) {
     if (rise <= limit::kHeld.wrong * scale) return lost;
     return fmt::format(
         "the whole world gained {} of mechanical energy without a cause, where {} were exchanged; "
-        "take a smaller step (settings.step)",
+        "use a smaller step (settings.step)",
         record::with_unit(rise, "J"), record::with_unit(scale, "J"));
 }
 

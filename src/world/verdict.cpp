@@ -19,15 +19,14 @@ const char* to_string(Grade grade) noexcept {
 
 const char* remedy(Judge judge) noexcept {
     constexpr const char* kRemedies[kJudgeCount] = {
-        "take a smaller step (settings.step); if that does not help, look for joints that "
-        "contradict each other with 'hawser check'",
-        "look for joints or ranges that contradict each other, or that cannot close from where the "
-        "bodies start, with 'hawser check', and for what presses harder than a range or a material "
-        "(stiffness) bears; else take a smaller step (settings.step)",
-        "take a smaller step (settings.step), or fewer and longer elements",
-        "take a smaller step (settings.step), or lift the budget of the step",
-        "take a smaller step (settings.step): what turns by more than 0.5 rad in one is not "
-        "followed"};
+        "use a smaller step (settings.step); if that does not help, check for inconsistent joints "
+        "with 'hawser check'",
+        "check with 'hawser check' for inconsistent joints or ranges and for joints that cannot "
+        "close; check for loads beyond the stiffness of a range or material; otherwise use a "
+        "smaller step (settings.step)",
+        "use a smaller step (settings.step), or fewer and longer elements",
+        "use a smaller step (settings.step), or raise the budget of the step",
+        "use a smaller step (settings.step): rotations above 0.5 rad per step are not resolved"};
     return kRemedies[static_cast<std::size_t>(judge)];
 }
 

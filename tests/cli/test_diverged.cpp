@@ -50,7 +50,7 @@ TEST_F(Diverged, WarnGoesOnToTheEnd) {
         run_program({"run", scene_, "--unchecked", "--set", "settings.on_diverged=warn"});
     EXPECT_EQ(o.code, 0) << o.err;
     EXPECT_NE(o.out.find("wrong"), std::string::npos) << o.out;
-    EXPECT_NE(o.out.find("joints stood open"), std::string::npos) << o.out;
+    EXPECT_NE(o.out.find("joints were open"), std::string::npos) << o.out;
 }
 
 TEST_F(Diverged, AGoodRunPrintsItsMargins) {

@@ -25,8 +25,8 @@ TEST(ReportedEvents, FirstAndWorstInWords) {
     SmallScene scene;
     const report::Summary summary = run_with_events(scene);
     const std::string text = report::events_in_words(summary);
-    EXPECT_NE(text.find("inputs were asked for more than their range 120 times: first at 0 s, the "
-                        "input \"box.push\", 100"),
+    EXPECT_NE(text.find("inputs were limited to their range 120 times: first at 0 s, the input "
+                        "\"box.push\", 100"),
               std::string::npos)
         << text;
     EXPECT_NE(text.find("worst at 0.65 s, the input \"box.push\", 139"), std::string::npos) << text;

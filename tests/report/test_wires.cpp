@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Wires in reports: breaks, nodes inserted and removed, tension along them.
-#include "record/wire_place.h"
+#include "record/wire_position.h"
 #include "report/summary.h"
 #include "report/wires_json.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 /// @file wire_position.h
-/// Position of an element along its wire.
+/// Describe broken elements: position along the wire, and tension relative to the breaking load.
 
 #include <hawser/hawser.h>
 
@@ -25,5 +25,9 @@ struct WirePosition {
 /// Return the label of a broken line, `wire/s39 (wire at 197.5 m)`, or else the result of
 /// interaction_label().
 [[nodiscard]] std::string broken_label(const World& world, InteractionId element);
+
+/// Return the tension of a line_break event as a percentage of the line's breaking load, such as
+/// " (131 % of its breaking load)"; "" for other events, and for lines without a breaking load.
+[[nodiscard]] std::string breaking_note(const World& world, const Event& event);
 
 }  // namespace hawser::record

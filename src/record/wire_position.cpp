@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "record/wire_place.h"
+#include "record/wire_position.h"
 
 #include "record/scene_info.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string_view>
 
 namespace hawser::record {
 
@@ -38,6 +43,21 @@ std::string broken_label(const World& world, InteractionId element) {
     const std::string name = interaction_label(world, element);
     const std::optional<WirePosition> at = wire_position(world, element);
     return at ? fmt::format("{} ({} at {:.4g} m)", name, at->wire, at->s) : name;
+}
+
+std::string breaking_note(const World& world, const Event& event) {
+    if (event.kind != EventKind::line_break || !event.interaction.valid() ||
+        !world.alive(event.interaction))
+        return {};
+    const InteractionDef& def = world.interaction_def(event.interaction);
+    const std::span<const ParamInfo> params = kind_info(def.kind).params;
+    const auto breaking = std::find_if(params.begin(), params.end(), [](const ParamInfo& p) {
+        return std::string_view(p.name) == "breaking_load";
+    });
+    if (breaking == params.end()) return {};
+    const double load = def.get("breaking_load");
+    if (!(load > 0.0 && load < breaking->max)) return {};
+    return fmt::format(" ({:.0f} % of its breaking load)", 100.0 * std::abs(event.value) / load);
 }
 
 }  // namespace hawser::record
